@@ -1,0 +1,45 @@
+// What goes into a touch and what comes out of it, each tick.
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// The tool's centre in the world frame W (right-handed: x right, y up, z toward the user).
+struct ToolState {
+  Vec3 p_W = Vec3::Zero();  // m
+  Vec3 v_W = Vec3::Zero();  // m/s
+};
+
+// The feature of the surface that the proxy rests on; the first constraint's, where there are several.
+enum class ContactKind : std::uint8_t { none = 0, face = 1, edge = 2, vertex = 3 };
+
+// The friction cone's state. `free` means no contact.
+enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
+
+// What a touch had to give up, one bit each; 0 is a clean tick. Every bit leaves a bounded force and a proxy that has
+// crossed nothing.
+enum TouchFlags : std::uint32_t {
+  kTouchClean = 0,
+  kTouchCandidatesOverflow = 1U << 0,   // more triangles near the tool than kMaxCandidates: slower path taken
+  kTouchIterationsExhausted = 1U << 1,  // kMaxSubGoals reached: the proxy stopped short of its minimum this tick
+  kTouchPlanesOverflow = 1U << 2,       // more contact planes than kMaxContactPlanes
+  kTouchToolNotFinite = 1U << 3,        // tool position or velocity NaN or infinite: the last proxy held, zero force
+};
+
+struct Touch {
+  Vec3 proxy_W = Vec3::Zero();   // m
+  Vec3 normal_W = Vec3::Zero();  // unit, away from the surface; zero without contact
+  Vec3 force_W = Vec3::Zero();   // N, on the hand: K (proxy - tool) - B v; zero without contact
+  double depth_m = 0.0;          // (proxy - tool) . normal
+  ContactKind contact = ContactKind::none;
+  FrictionState friction = FrictionState::free;
+  std::uint16_t sub_goals = 0;   // straight moves that the proxy made this tick
+  std::uint16_t planes = 0;      // constraints that hold the proxy: 0 to 3
+  std::uint32_t object = 0;      // index of the touched object, meaningful in contact
+  std::uint32_t flags = kTouchClean;
+};
+
+}  // namespace tactus::rendering

@@ -1,0 +1,47 @@
+# tactus_library(NAME [CONTROLLER] SOURCES file... [HEADERS file...] [DEPENDS target...] [PRIVATE_DEPENDS target...])
+#   One target of the house: library tactus_NAME with the alias tactus::NAME. CONTROLLER marks code that runs in the
+#   controller: no exceptions, no run-time type information. A library without sources is an INTERFACE library.
+# tactus_program(NAME SOURCES file... DEPENDS target...)
+#   A host program, put in <build>/bin.
+#
+# Every source sees the repository root as its include folder: #include "rendering/geometry/vector.h".
+
+set(TACTUS_WARNINGS
+    -Wall -Wextra -Wpedantic -Werror -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Wcast-align
+    -Wnon-virtual-dtor -Woverloaded-virtual -Wduplicated-cond -Wlogical-op -Wnull-dereference -Wdouble-promotion
+    -Wformat=2 -Wimplicit-fallthrough -Wextra-semi)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  list(REMOVE_ITEM TACTUS_WARNINGS -Wduplicated-cond -Wlogical-op)
+endif()
+set(TACTUS_CONTROLLER_OPTIONS -fno-exceptions -fno-rtti)
+
+function(tactus_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "CONTROLLER" "" "SOURCES;HEADERS;DEPENDS;PRIVATE_DEPENDS")
+  set(target tactus_${name})
+  if(arg_SOURCES)
+    add_library(${target} STATIC ${arg_SOURCES} ${arg_HEADERS})
+    set(scope PUBLIC)
+    target_compile_options(${target} PRIVATE ${TACTUS_WARNINGS})
+    if(arg_CONTROLLER)
+      target_compile_options(${target} PRIVATE ${TACTUS_CONTROLLER_OPTIONS})
+    endif()
+    target_link_libraries(${target} PRIVATE ${arg_PRIVATE_DEPENDS})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(tactus::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${target} ${scope} cxx_std_23)
+  target_include_directories(${target} ${scope}
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:include/tactus>")
+  target_link_libraries(${target} ${scope} ${arg_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY TACTUS_LIBRARIES ${target})
+endfunction()
+
+function(tactus_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS")
+  add_executable(${name} ${arg_SOURCES})
+  target_compile_options(${name} PRIVATE ${TACTUS_WARNINGS})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
+endfunction()
