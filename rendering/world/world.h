@@ -15,7 +15,8 @@ struct WorldConfig {
 // Draft interface: the implementation follows.
 class World {
  public:
-  // Takes a scene; the views must outlive the world. At most kMaxObjects objects; false (and an empty world) beyond.
+  // Takes a scene; the views must outlive the world. At most kMaxObjects objects; false (and an
+  // empty world) beyond.
   bool set_scene(std::span<const Object> objects, const WorldConfig& config);
 
   // Forgets the contact: the next touch starts with the proxy at the tool.
