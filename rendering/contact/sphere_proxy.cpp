@@ -111,7 +111,7 @@ void SphereProxy::collect_planes(double most_push, ProxyRest& rest) {
 
 void SphereProxy::add_plane(const ContactPlane& contact, ProxyRest& rest) {
   // Triangles that share the nearest edge or vertex give the same plane.
-  constexpr double kSameNormal = 1e-24;
+  constexpr double kSameNormal = 1e-20;
   for (std::size_t i = 0; i < contact_count_; ++i) {
     if ((contacts_[i].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
         contacts_[i].plane.offset >= contact.plane.offset) {
@@ -131,21 +131,24 @@ void SphereProxy::add_plane(const ContactPlane& contact, ProxyRest& rest) {
 }
 
 PlaneProjection SphereProxy::project(const Vec3& h) const {
+  constexpr double kSlack_m = 1e-12;  // keeps the proxy within its own planes in spite of rounding
   std::array<Plane, kMaxContactPlanes> planes;
   for (std::size_t i = 0; i < contact_count_; ++i) {
     planes[i] = contacts_[i].plane;
   }
   const std::span<Plane> used{planes.data(), contact_count_};
-  const PlaneProjection pushed = project_on_planes(h, used);
-  if (pushed.feasible) {
-    return pushed;
+  const double now = (p_ - h).norm();
+  PlaneProjection projection = project_on_planes(h, used);
+  if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
+    return projection;
   }
-  // Between surfaces that push against each other the proxy keeps its place: planes through the
-  // proxy always have a common point.
+  // Surfaces that push against each other leave no room: the proxy may slide between them, but is not pushed.
   for (Plane& plane : used) {
-    plane.offset = std::min(plane.offset, plane.normal.dot(p_));
+    plane.offset = std::min(plane.offset, plane.normal.dot(p_)) - kSlack_m;
   }
-  return project_on_planes(h, used);
+  projection = project_on_planes(h, used);
+  projection.feasible = projection.feasible && (projection.point - h).norm() <= now;
+  return projection;
 }
 
 SphereProxy::Goal SphereProxy::choose_goal(std::span<const Object> objects, const Vec3& h,
