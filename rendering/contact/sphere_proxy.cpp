@@ -200,13 +200,17 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const ProxyRest& rest) cons
   const double depth = rest.pressure_m[0];
   const double stretch =
       depth < radius ? std::min(kMostStretch, radius / (radius - depth)) : kMostStretch;
-  if (nearest.feature == Feature::vertex) {
-    return stretch * move;
+  Vec3 along = Vec3::Zero();
+  if (nearest.feature == Feature::edge) {
+    const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
+    const Vec3 edge = triangle.edge(nearest.edge).normalized();
+    along = move.dot(edge) * edge;
   }
-  const Vec3 edge =
-      neighbourhood_.candidate(rest.planes[0].candidate).triangle.edge(nearest.edge).normalized();
-  const Vec3 along = move.dot(edge) * edge;
-  return along + stretch * (move - along);
+  const Vec3 stretched = along + stretch * (move - along);
+  const bool allowed = std::all_of(
+      contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
+      [&](const ContactPlane& c) { return c.plane.normal.dot(p_ + stretched) >= c.plane.offset; });
+  return allowed ? stretched : move;
 }
 
 // How much of the way the sphere may go. Moves that leave the trust ball are cut at its border,
