@@ -14,10 +14,10 @@
 // and its motor cannot move the tool.
 #include "firmware/kinematics/delta.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/kinematics/sine.h"
 #include "firmware/limits.h"
 
 namespace tactus::firmware {
@@ -51,7 +51,7 @@ Vec3 Delta::in_leg_frame(std::size_t leg, const Vec3& v_D) const {
   return {c * v_D.x() + s * v_D.y(), -s * v_D.x() + c * v_D.y(), v_D.z()};
 }
 
-Delta::Rods Delta::rods(const Vec3& p_D, const std::array<Vec3, 3>& offset) const {
+Delta::Rods Delta::rods(const Vec3& p_D, const Offsets& offset) const {
   const double b = geometry_.rod_m;
   Rods rods;
   for (std::size_t leg = 0; leg < 3; ++leg) {
@@ -64,12 +64,13 @@ Delta::Rods Delta::rods(const Vec3& p_D, const std::array<Vec3, 3>& offset) cons
     const double c = azimuth_cosine_[leg];
     const auto row = static_cast<Eigen::Index>(leg);
     rods.direction_D.row(row) << c * u - s * v, s * u + c * v, planar / b * (w.z() / h);
+    rods.reach[row] = planar / b;
     rods.excess_m[row] = (planar * planar + w.y() * w.y() - b * b) / (2.0 * b);
   }
   return rods;
 }
 
-std::optional<Vec3> Delta::solve(const std::array<Vec3, 3>& offset, const Vec3& seed_D) const {
+std::optional<Delta::Solution> Delta::solve(const Offsets& offset, const Vec3& seed_D) const {
   Vec3 p_D = seed_D;
   for (int step = 0; step < kMaxNewtonSteps; ++step) {
     const Rods now = rods(p_D, offset);
@@ -80,44 +81,47 @@ std::optional<Vec3> Delta::solve(const std::array<Vec3, 3>& offset, const Vec3& 
     }
     p_D += length > kLongestStep_m ? Vec3(move * (kLongestStep_m / length)) : move;
     if (length < kLastStep_m) {
-      return p_D;
+      const Rods last = rods(p_D, offset);
+      const bool as_built = last.direction_D.determinant() < 0.0 && last.reach.minCoeff() > 0.0;
+      return as_built ? std::optional<Solution>({p_D, last.direction_D}) : std::nullopt;
     }
   }
   return std::nullopt;
 }
 
-Pose Delta::forward(const Vec3& joints, const Vec3& seed_D) const {
-  std::array<SineCosine, 3> arm;
-  std::array<Vec3, 3>
-      offset;  // platform hinge minus elbow, in the leg's frame, for a tool at the origin
+Pose Delta::assemble(const Arms& arms, const Vec3& seed_D) const {
+  const DeltaGeometry& g = geometry_;
+  Offsets offset;
   for (std::size_t leg = 0; leg < 3; ++leg) {
-    arm[leg] = sine_cosine(joints[static_cast<Eigen::Index>(leg)]);
-    offset[leg] = {
-        geometry_.platform_radius_m - geometry_.base_radius_m - geometry_.arm_m * arm[leg].cosine,
-        geometry_.platform_tangent_m - geometry_.base_tangent_m, -geometry_.arm_m * arm[leg].sine};
+    offset[leg] = {g.platform_radius_m - g.base_radius_m - g.arm_m * arms[leg].cosine,
+                   g.platform_tangent_m - g.base_tangent_m, -g.arm_m * arms[leg].sine};
   }
-  const Vec3 nominal_D(0.0, 0.0, geometry_.nominal_height_m);
-  const auto well_assembled = [&](const std::optional<Vec3>& p_D) {
-    return p_D && rods(*p_D, offset).direction_D.determinant() < 0.0;
-  };
-  std::optional<Vec3> p_D = solve(offset, seed_D);
-  if (!well_assembled(p_D)) {
-    p_D = solve(offset, nominal_D);
-  }
-  if (!well_assembled(p_D)) {
+  const std::optional<Solution> found = solve(offset, seed_D);
+  if (!found) {
     return {seed_D, Mat3::Zero(), kPoseNotConverged};
   }
-  const Mat3 n = rods(*p_D, offset).direction_D;
-  Vec3 leverage;
+  Vec3 leverage;  // D / a
   for (std::size_t leg = 0; leg < 3; ++leg) {
     const auto row = static_cast<Eigen::Index>(leg);
-    const Vec3 n_leg = in_leg_frame(leg, n.row(row).transpose());
-    leverage[row] = arm[leg].cosine * n_leg.z() - arm[leg].sine * n_leg.x();
+    const Vec3 n = in_leg_frame(leg, found->rods_D.row(row).transpose());
+    leverage[row] = arms[leg].cosine * n.z() - arms[leg].sine * n.x();
   }
-  if (-n.determinant() < kLeastRodVolume || leverage.minCoeff() < kLeastLeverage) {
-    return {*p_D, Mat3::Zero(), kPoseSingular};
+  if (-found->rods_D.determinant() < kLeastRodVolume || leverage.minCoeff() < kLeastLeverage) {
+    return {found->p_D, Mat3::Zero(), kPoseSingular};
   }
-  return {*p_D, n.inverse() * (geometry_.arm_m * leverage).asDiagonal(), kPoseGood};
+  return {found->p_D, found->rods_D.inverse() * (g.arm_m * leverage).asDiagonal(), kPoseGood};
+}
+
+// A seed far away may lead to none or to a folded assembly where the nominal one leads to the true
+// pose.
+Pose Delta::forward(const Vec3& joints, const Vec3& seed_D) const {
+  const Arms arms = {sine_cosine(joints.x()), sine_cosine(joints.y()), sine_cosine(joints.z())};
+  const Pose near_seed = assemble(arms, seed_D);
+  if (near_seed.status == kPoseGood) {
+    return near_seed;
+  }
+  const Pose near_nominal = assemble(arms, {0.0, 0.0, geometry_.nominal_height_m});
+  return near_nominal.status == kPoseGood ? near_nominal : near_seed;
 }
 
 std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {

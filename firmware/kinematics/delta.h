@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/sine.h"
 
 namespace tactus::firmware {
 
@@ -48,12 +49,22 @@ class Delta {
   struct Rods {
     Mat3 direction_D;  // row i: unit vector along rod i, elbow to platform
     Vec3 excess_m;     // by how much rod i would have to stretch, to first order
+    Vec3 reach;  // share of rod i in its leg's plane: positive unless folded back past its hinges
   };
 
+  struct Solution {
+    Vec3 p_D;
+    Mat3 rods_D;  // Rods::direction_D there
+  };
+  using Offsets =
+      std::array<Vec3, 3>;  // leg i's elbow to platform hinge, leg frame, tool at the origin
+
+  using Arms = std::array<SineCosine, 3>;
+
   [[nodiscard]] Vec3 in_leg_frame(std::size_t leg, const Vec3& v_D) const;
-  [[nodiscard]] Rods rods(const Vec3& p_D, const std::array<Vec3, 3>& offset) const;
-  [[nodiscard]] std::optional<Vec3> solve(const std::array<Vec3, 3>& offset,
-                                          const Vec3& seed_D) const;
+  [[nodiscard]] Rods rods(const Vec3& p_D, const Offsets& offset) const;
+  [[nodiscard]] std::optional<Solution> solve(const Offsets& offset, const Vec3& seed_D) const;
+  [[nodiscard]] Pose assemble(const Arms& arms, const Vec3& seed_D) const;
 
   DeltaGeometry geometry_;
   std::array<double, 3> azimuth_sine_{};
