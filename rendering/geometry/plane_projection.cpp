@@ -40,9 +40,7 @@ struct Problem {
     return planes[i].normal.dot(step) - residual(i);
   }
   // What rounding makes of a slack of zero: a violation below it is none.
-  [[nodiscard]] double rounding(const Vec3& step) const {
-    return 4e-16 * (h.norm() + step.norm());
-  }
+  [[nodiscard]] double rounding(const Vec3& step) const { return 4e-16 * (h.norm() + step.norm()); }
 };
 
 bool solve_one(const Problem& problem, Solution& s) {
