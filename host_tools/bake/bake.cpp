@@ -46,6 +46,17 @@ std::vector<std::string> warnings_for(const ObjectDescription& object,
   return warnings;
 }
 
+// A missing file is the scene's fault, so that is where the error points.
+void require_mesh_file(const ObjectDescription& object, const std::string& scene) {
+  std::error_code error;
+  if (!std::filesystem::exists(object.mesh, error)) {
+    throw InputError(
+        fmt::format("{}:{}: there is no mesh file {}; correct the path, it starts from the scene "
+                    "file's folder",
+                    scene, object.line, object.mesh.string()));
+  }
+}
+
 // Errors of the steps that know no file get the mesh's name.
 BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription& object) {
   try {
@@ -89,6 +100,9 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                     .seconds = 0.0,
                     .objects = {}};
   BakedScene baked{.tool_radius_m = description.tool_radius_m, .objects = {}};
+  for (const ObjectDescription& object : description.objects) {
+    require_mesh_file(object, description.file);
+  }
   for (const ObjectDescription& object : description.objects) {
     baked.objects.push_back(bake_object(object, report.objects.emplace_back(), progress));
   }

@@ -125,7 +125,7 @@ class Collector {
 void require_readable(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
-    fail(path, "there is no such mesh file; check the path, which is relative to the scene file");
+    fail(path, "there is no such mesh file; check the path");
   }
   if (!std::filesystem::is_regular_file(path, error)) {
     fail(path, "is not a file; name a mesh file");

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@
 namespace tactus::host {
 namespace {
 
-// What Assimp's OFF reader takes.
+// What Assimp's OFF reader takes; it leaves out larger faces without a word.
 constexpr std::int64_t kMaxOffCorners = 9;
+constexpr std::int64_t kAnyCorners = std::numeric_limits<std::int64_t>::max();
 
 class Checker {
  public:
@@ -68,8 +70,11 @@ class Checker {
   void require_face(std::string_view line, std::size_t face, std::size_t vertices,
                     std::int64_t most_corners) const {
     const std::int64_t corners = require_integer(next_word(line), face);
-    if (corners < 3 || corners > most_corners) {
-      fail(fmt::format("face {} has {} corners, where 3 to {} are read", face, corners,
+    if (corners < 1) {
+      fail(fmt::format("face {} has {} corners", face, corners));
+    }
+    if (corners > most_corners) {
+      fail(fmt::format("face {} has {} corners, where at most {} are read", face, corners,
                        most_corners));
     }
     for (std::int64_t k = 0; k < corners; ++k) {
@@ -150,8 +155,8 @@ void Checker::obj_face(std::string_view line, std::size_t vertices) {
     }
     ++corners;
   }
-  if (corners < 3) {
-    fail(fmt::format("face {} has {} corners", face, corners));
+  if (corners == 0) {
+    fail(fmt::format("face {} has no corners", face));
   }
 }
 
@@ -214,7 +219,7 @@ void Checker::ply_vertices(const PlyElement& element) {
 
 void Checker::ply() {
   comment_ = '\0';  // PLY has comments in its header alone
-  std::size_t vertices = 0;
+  std::optional<std::size_t> vertices;
   for (const PlyElement& element : ply_header()) {
     const bool has_list = std::ranges::find(element.properties, "list") != element.properties.end();
     if (element.name == "vertex" && !has_list) {
@@ -222,11 +227,13 @@ void Checker::ply() {
       ply_vertices(element);
       continue;
     }
+    const bool is_face_list =
+        element.name == "face" && has_list && element.properties.front() == "list";
     for (std::size_t i = 0; i < element.count; ++i) {
       const std::string_view line =
           require_line(fmt::format("{} {} of {}", element.name, i, element.count));
-      if (element.name == "face" && element.properties.front() == "list") {
-        require_face(line, i, vertices, 255);
+      if (is_face_list && vertices) {
+        require_face(line, i, *vertices, kAnyCorners);
       }
     }
   }

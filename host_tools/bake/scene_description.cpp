@@ -146,6 +146,9 @@ toml::table parse(std::string_view text, std::string_view file) {
 const toml::array& object_array(const toml::table& root, const TomlSection& scene) {
   const toml::node* node = root.get("object");
   const toml::array* array = node == nullptr ? nullptr : node->as_array();
+  if (node != nullptr && node->is_table()) {
+    scene.fail("object", "[object] is a single table; write [[object]], with two brackets");
+  }
   if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table)) {
     scene.fail("object", "there is no [[object]]; add one with a mesh");
   }

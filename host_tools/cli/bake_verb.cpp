@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "host_tools/bake/bake.h"
+#include "host_tools/cli/progress_line.h"
 
 namespace tactus::host {
 namespace {
@@ -30,41 +30,12 @@ struct Options {
   bool quiet = false;
 };
 
-// Rewrites one line of the terminal, from two seconds on.
-class ProgressLine {
- public:
-  ~ProgressLine() { clear(); }
-  ProgressLine() = default;
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void show(std::string_view step) {
-    const auto elapsed = std::chrono::steady_clock::now() - start_;
-    if (elapsed < std::chrono::seconds(2)) {
-      return;
-    }
-    fmt::print(stderr, "\r\x1b[K{:.0f} s  {}", std::chrono::duration<double>(elapsed).count(),
-               step);
-    std::fflush(stderr);
-    shown_ = true;
-  }
-  void clear() {
-    if (shown_) {
-      fmt::print(stderr, "\r\x1b[K");
-      shown_ = false;
-    }
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool shown_ = false;
-};
-
 BakeReport bake_with_progress(const Options& options, const std::filesystem::path& output) {
+  if (options.quiet || ::isatty(STDERR_FILENO) != 1) {
+    return bake_file(options.scene, output);
+  }
   ProgressLine line;
-  const bool show = !options.quiet && ::isatty(STDERR_FILENO) == 1;
-  return bake_file(options.scene, output,
-                   show ? Progress([&](std::string_view step) { line.show(step); }) : Progress());
+  return bake_file(options.scene, output, [&](std::string_view step) { line.step(step); });
 }
 
 nlohmann::ordered_json to_json(const ObjectReport& object) {

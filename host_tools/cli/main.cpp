@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/inspect_verb.h"
@@ -42,8 +46,22 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   return report(app, fmt::format("{}; see {} --help", error.what(), name_of_run(app)), kBadInput);
 }
 
+// CLI11 would only say that a subcommand is required.
+void require_verb(const CLI::App& app, std::span<char*> arguments) {
+  const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
+  const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
+  if (!first.starts_with('-') && std::ranges::find(verbs, first, [](const CLI::App* verb) {
+                                   return verb->get_name();
+                                 }) == verbs.end()) {
+    throw tactus::host::InputError(
+        first.empty() ? "say what to do; tactus --help lists the verbs"
+                      : fmt::format("there is no verb '{}'; tactus --help lists them", first));
+  }
+}
+
 int run(CLI::App& app, int argc, char** argv) {
   try {
+    require_verb(app, {argv, static_cast<std::size_t>(argc)});
     app.parse(argc, argv);
     return kOk;
   } catch (const CLI::ParseError& error) {
