@@ -29,8 +29,7 @@ enum TouchFlags : std::uint32_t {
   kTouchIterationsExhausted =
       1U << 1,  // kMaxSubGoals reached: the proxy stopped short of its minimum this tick
   kTouchPlanesOverflow = 1U << 2,  // more contact planes than kMaxContactPlanes
-  kTouchToolNotFinite =
-      1U << 3,  // tool position or velocity NaN or infinite: the last proxy held, zero force
+  kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
 };
 
 struct Touch {
