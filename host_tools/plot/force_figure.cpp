@@ -17,6 +17,12 @@ double axis_top(double largest, double least_top) {
   return std::max(1.1 * largest, least_top);
 }
 
+// The last row's tick is drawn whole.
+double end_s(const std::vector<RunRow>& rows) {
+  const double step_s = rows.size() > 1 ? rows.back().t_s - rows[rows.size() - 2].t_s : 1e-3;
+  return rows.back().t_s + step_s;
+}
+
 std::string time_series(const std::vector<RunRow>& rows) {
   std::string block = "$run << EOD\n";
   for (const std::size_t i : thin(rows, kMostPoints)) {
@@ -38,7 +44,7 @@ std::string background(std::string_view name, const std::vector<Stretch>& bands)
   return block + "EOD\n";
 }
 
-constexpr std::string_view kHead = R"(
+constexpr std::string_view kHead = R"gnuplot(
 if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
   set terminal pngcairo size 1600,1000 font "DejaVu Sans,15" linewidth 1.4 background "#ffffff"
 }} else {{
@@ -52,13 +58,13 @@ set tics nomirror out textcolor "#333333"
 set grid ytics linecolor "#e3e3e3" linewidth 0.7 linetype 1
 set lmargin at screen 0.075
 set rmargin at screen 0.975
-set key at screen 0.975,0.968 right top horizontal samplen 2.2 textcolor "#333333" width 1
+set key at screen 0.975,0.945 right top horizontal samplen 2.2 textcolor "#333333" width 1
 set style fill solid 1.0 noborder
-set label 1 {title} at screen 0.075,0.962 left font ",18" textcolor "#111111" noenhanced
-)";
+set label 1 {title} at screen 0.075,0.968 left font ",18" textcolor "#111111" noenhanced
+)gnuplot";
 
-constexpr std::string_view kForcePanel = R"(
-set tmargin at screen 0.90
+constexpr std::string_view kForcePanel = R"gnuplot(
+set tmargin at screen 0.89
 set bmargin at screen 0.50
 set format x ""
 set ylabel "force on the hand (N)" textcolor "#333333" offset 0.5
@@ -67,12 +73,12 @@ plot $stick using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#d3e5f6" 
      $slip using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#fde5cb" title "slip", \
      $run using 1:2 with lines linecolor "#17406d" linewidth 1.6 title "rendered force"{commanded}
 unset label 1
-)";
+)gnuplot";
 
 constexpr std::string_view kCommandedCurve =
     R"(, $run using 1:3 with lines linecolor "#d0421b" linewidth 1.1 title "after safety limits")";
 
-constexpr std::string_view kDepthPanel = R"(
+constexpr std::string_view kDepthPanel = R"gnuplot(
 set tmargin at screen 0.465
 set bmargin at screen 0.085
 set format x "%g"
@@ -85,7 +91,7 @@ plot $stick using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#d3e5f6",
      $run using 1:4 with lines linecolor "#17406d" linewidth 1.6
 unset multiplot
 unset output
-)";
+)gnuplot";
 
 }  // namespace
 
@@ -98,12 +104,13 @@ std::expected<void, std::string> draw_force_figure(const RunData& run, const std
     depth_mm = std::max(depth_mm, 1e3 * row.depth_m);
   }
   const double first_s = run.rows.front().t_s;
-  const double last_s = std::max(run.rows.back().t_s, first_s + 1e-3);
+  const double last_s = end_s(run.rows);
   std::string script = time_series(run.rows);
   script += background("stick", stretches(run.rows, rendering::FrictionState::stick));
   script += background("slip", stretches(run.rows, rendering::FrictionState::slip));
-  script += fmt::format(kHead, fmt::arg("output", quoted(png.string())), fmt::arg("first", first_s),
-                        fmt::arg("last", last_s), fmt::arg("title", quoted(title)));
+  script += fmt::format(kHead, fmt::arg("output", gnuplot_string(png.string())),
+                        fmt::arg("first", first_s), fmt::arg("last", last_s),
+                        fmt::arg("title", gnuplot_string(title)));
   script +=
       fmt::format(kForcePanel, fmt::arg("top", axis_top(force_N, 0.1)),
                   fmt::arg("commanded", run.has_commanded ? kCommandedCurve : std::string_view{}));

@@ -101,7 +101,7 @@ std::expected<void, std::string> run_gnuplot(const TemporaryFolder& folder,
   return {};
 }
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
     result += c;

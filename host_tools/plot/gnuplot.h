@@ -37,6 +37,6 @@ std::expected<void, std::string> run_gnuplot(const TemporaryFolder& folder,
                                              std::string_view script);
 
 // A string in gnuplot's single quotes.
-std::string quoted(std::string_view text);
+std::string gnuplot_string(std::string_view text);
 
 }  // namespace tactus::host

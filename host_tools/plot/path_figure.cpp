@@ -100,7 +100,7 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
   return touching.append(off_sheet) + free.append(off_sheet);
 }
 
-constexpr std::string_view kHead = R"(
+constexpr std::string_view kHead = R"gnuplot(
 if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
   set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 background "#ffffff"
 }} else {{
@@ -114,9 +114,9 @@ unset key
 set palette defined (0 "#3b5bb5", 0.35 "#8e3fa8", 0.65 "#dd3f4e", 0.85 "#f58a1f", 1 "#ffd23c")
 set cbrange [0:{force:.4g}]
 set label 1 {title} at screen {title_x:.5f},{title_y:.5f} left font ",18" textcolor "#111111" noenhanced
-)";
+)gnuplot";
 
-constexpr std::string_view kPanelScript = R"(
+constexpr std::string_view kPanelScript = R"gnuplot(
 set lmargin at screen {left:.6f}
 set rmargin at screen {right:.6f}
 set bmargin at screen {bottom:.6f}
@@ -131,7 +131,7 @@ plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
      $free{suffix} using 1:2 with lines linecolor "#4a4a4a" linewidth 1.1 dashtype (6,5), \
      $touching{suffix} using 1:2:3 with lines linecolor palette linewidth 3.2
 unset label
-)";
+)gnuplot";
 
 std::string panel_script(const Sheet& sheet, const Panel& panel,
                          std::span<const rendering::Object> objects, const TemporaryFolder& folder,
@@ -165,7 +165,7 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
       fmt::arg("xlabel", last ? "'z (mm), seen from the left; toward the user →'"
                               : "'x (mm), seen from the user'"),
       fmt::arg("ylabel", last ? "''" : "'y (mm)'"), fmt::arg("colour_box", colour_box),
-      fmt::arg("image", quoted(image.string())), fmt::arg("columns", columns),
+      fmt::arg("image", gnuplot_string(image.string())), fmt::arg("columns", columns),
       fmt::arg("rows", rows), fmt::arg("ox", window.lower.right + 0.5 * dx),
       fmt::arg("oy", window.lower.up + 0.5 * dy), fmt::arg("dx", dx), fmt::arg("dy", dy),
       fmt::arg("suffix", last ? "_side" : "_front"));
@@ -183,11 +183,11 @@ std::expected<void, std::string> draw_path_figure(const RunData& run,
   const TemporaryFolder folder;
   std::string script =
       path_blocks(run, View::front, "_front") + path_blocks(run, View::side, "_side");
-  script += fmt::format(kHead, fmt::arg("width", kSheetWidth), fmt::arg("height", sheet.height),
-                        fmt::arg("output", quoted(png.string())),
-                        fmt::arg("force", std::max(force_N, 0.1)), fmt::arg("title", quoted(title)),
-                        fmt::arg("title_x", sheet.front.left / kSheetWidth),
-                        fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));
+  script += fmt::format(
+      kHead, fmt::arg("width", kSheetWidth), fmt::arg("height", sheet.height),
+      fmt::arg("output", gnuplot_string(png.string())), fmt::arg("force", std::max(force_N, 0.1)),
+      fmt::arg("title", gnuplot_string(title)), fmt::arg("title_x", sheet.front.left / kSheetWidth),
+      fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));
   script += panel_script(sheet, sheet.front, objects, folder, false);
   script += panel_script(sheet, sheet.side, objects, folder, true);
   script += "unset multiplot\nunset output\n";

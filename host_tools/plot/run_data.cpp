@@ -82,7 +82,7 @@ std::vector<std::size_t> thin(const std::vector<RunRow>& rows, std::size_t limit
     const auto end =
         rows.begin() + static_cast<std::ptrdiff_t>(std::min(first + bucket, rows.size()));
     const auto [smallest, largest] = std::minmax_element(begin, end, by_force);
-    const auto [early, late] = std::minmax(smallest - rows.begin(), largest - rows.begin());
+    const auto [early, late] = std::minmax({smallest - rows.begin(), largest - rows.begin()});
     for (const std::ptrdiff_t index : {std::ptrdiff_t{0}, early, late}) {
       const auto row = static_cast<std::size_t>(index);
       if (kept.empty() || row > kept.back()) {
