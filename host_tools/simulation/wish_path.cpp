@@ -80,4 +80,28 @@ Vec3 WishPath::at(double t_s) {
          duration * (leaving * velocities_[segment_] + arriving * velocities_[segment_ + 1]);
 }
 
+Vec3 WishPath::lowest() const {
+  Vec3 lowest_W = waypoints_.front().p_W;
+  for (const Waypoint& waypoint : waypoints_) {
+    lowest_W = lowest_W.cwiseMin(waypoint.p_W);
+  }
+  return lowest_W;
+}
+
+Vec3 WishPath::highest() const {
+  Vec3 highest_W = waypoints_.front().p_W;
+  for (const Waypoint& waypoint : waypoints_) {
+    highest_W = highest_W.cwiseMax(waypoint.p_W);
+  }
+  return highest_W;
+}
+
+Vec3 WishPath::middle() const {
+  return 0.5 * (lowest() + highest());
+}
+
+Vec3 WishPath::reach() const {
+  return 0.5 * (highest() - lowest());
+}
+
 }  // namespace tactus::host

@@ -27,9 +27,16 @@ class WishPath {
   // Cheap when t_s rises from call to call; correct for any t_s.
   [[nodiscard]] Vec3 at(double t_s);
 
+  // m: the centre of the box around all waypoints.
+  [[nodiscard]] Vec3 middle() const;
+  // m: half the box's edges.
+  [[nodiscard]] Vec3 reach() const;
   [[nodiscard]] double end_s() const { return waypoints_.back().t_s; }
 
  private:
+  [[nodiscard]] Vec3 lowest() const;
+  [[nodiscard]] Vec3 highest() const;
+
   std::vector<Waypoint> waypoints_;
   std::vector<Vec3> velocities_;
   std::size_t segment_ = 0;

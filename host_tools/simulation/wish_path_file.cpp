@@ -1,0 +1,152 @@
+#include "host_tools/simulation/wish_path_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host_tools/csv/csv_table.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr std::array<std::string_view, 4> kColumns = {"t_s", "x_m", "y_m", "z_m"};
+
+struct Box {
+  Vec3 lower_W = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 upper_W = Vec3::Constant(-std::numeric_limits<double>::infinity());
+};
+
+Box bounds(std::span<const rendering::Object> objects) {
+  Box box;
+  for (const rendering::Object& object : objects) {
+    for (const rendering::Float3& vertex : object.mesh.vertices) {
+      box.lower_W = box.lower_W.cwiseMin(rendering::to_vec3(vertex));
+      box.upper_W = box.upper_W.cwiseMax(rendering::to_vec3(vertex));
+    }
+  }
+  return box;
+}
+
+// z of the triangle over (x, y), if it lies there: barycentric coordinates in the xy plane.
+std::optional<double> height(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y) {
+  const auto cross = [](double ux, double uy, double vx, double vy) { return ux * vy - uy * vx; };
+  const double area = cross(b.x() - a.x(), b.y() - a.y(), c.x() - a.x(), c.y() - a.y());
+  if (area == 0.0) {
+    return std::nullopt;
+  }
+  const double v = cross(x - a.x(), y - a.y(), c.x() - a.x(), c.y() - a.y()) / area;
+  const double w = cross(b.x() - a.x(), b.y() - a.y(), x - a.x(), y - a.y()) / area;
+  if (v < 0.0 || w < 0.0 || v + w > 1.0) {
+    return std::nullopt;
+  }
+  return a.z() + v * (b.z() - a.z()) + w * (c.z() - a.z());
+}
+
+// The front of the scene at each x on the line y: all triangles are tried, once for a whole run.
+std::vector<std::optional<double>> front(std::span<const rendering::Object> objects,
+                                         std::span<const double> xs, double y) {
+  std::vector<std::optional<double>> fronts(xs.size());
+  for (const rendering::Object& object : objects) {
+    for (const rendering::TriangleIndices& triangle : object.mesh.triangles) {
+      const Vec3 a = rendering::to_vec3(object.mesh.vertices[triangle[0]]);
+      const Vec3 b = rendering::to_vec3(object.mesh.vertices[triangle[1]]);
+      const Vec3 c = rendering::to_vec3(object.mesh.vertices[triangle[2]]);
+      if (y < std::min({a.y(), b.y(), c.y()}) || y > std::max({a.y(), b.y(), c.y()})) {
+        continue;
+      }
+      for (std::size_t i = 0; i < xs.size(); ++i) {
+        const std::optional<double> z = height(a, b, c, xs[i], y);
+        if (z && (!fronts[i] || *z > *fronts[i])) {
+          fronts[i] = z;
+        }
+      }
+    }
+  }
+  return fronts;
+}
+
+}  // namespace
+
+std::expected<WishPath, std::string> read_wish_path(const std::filesystem::path& file) {
+  const std::expected<CsvTable, std::string> table = CsvTable::read(file, kColumns);
+  if (!table) {
+    return std::unexpected(table.error());
+  }
+  const std::span<const double> t_s = table->column("t_s");
+  std::vector<Waypoint> waypoints;
+  for (std::size_t i = 0; i < table->rows(); ++i) {
+    if (i > 0 && t_s[i] <= t_s[i - 1]) {
+      return std::unexpected(fmt::format("{}:{}: column t_s: {} does not come after {}",
+                                         file.string(), table->line(i), t_s[i], t_s[i - 1]));
+    }
+    waypoints.push_back(
+        {.t_s = t_s[i],
+         .p_W = {table->column("x_m")[i], table->column("y_m")[i], table->column("z_m")[i]}});
+  }
+  return WishPath(std::move(waypoints));
+}
+
+WishPath default_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
+                           double press_m, double reach_m) {
+  constexpr double kClear_m = 0.03;  // how far from the front the hand waits and hovers
+  constexpr std::size_t kStations = 9;
+  constexpr double kApproached_s = 2.0;
+  constexpr double kPressed_s = 3.0;
+  constexpr double kStrokes_s = 5.0;
+  const Box box = bounds(objects);
+  const Vec3 middle_W = 0.5 * (box.lower_W + box.upper_W);
+  const double half_stroke_m = std::min(0.25 * (box.upper_W.x() - box.lower_W.x()), reach_m);
+
+  // There and back, starting in the middle: stations along x at the front's height, or the last
+  // one's over a gap.
+  std::array<double, kStations> xs{};
+  for (std::size_t i = 0; i < kStations; ++i) {
+    const double share = 2.0 * static_cast<double>(i) / static_cast<double>(kStations - 1) - 1.0;
+    xs[i] = middle_W.x() + share * half_stroke_m;
+  }
+  const std::vector<std::optional<double>> fronts = front(objects, xs, middle_W.y());
+  const double front_middle_m = fronts[kStations / 2].value_or(box.upper_W.z());
+  const double clear_m = front_middle_m + tool_radius_m + kClear_m;
+  const auto station = [&](std::size_t i) {
+    const double z = fronts[i].value_or(front_middle_m);
+    return Vec3(xs[i], middle_W.y(),
+                std::clamp(z, clear_m - 2.0 * reach_m, clear_m) + tool_radius_m - press_m);
+  };
+
+  const Vec3 start_W(middle_W.x(), middle_W.y(), clear_m);
+  const Vec3 first_W = station(kStations / 2);
+  std::vector<Waypoint> waypoints = {
+      {.t_s = 0.0, .p_W = start_W},
+      {.t_s = 0.8, .p_W = start_W},
+      {.t_s = kApproached_s, .p_W = first_W + Vec3(0.0, 0.0, press_m + 0.002)},
+      {.t_s = kPressed_s, .p_W = first_W},
+  };
+  // Middle, right end, left end, middle.
+  std::vector<std::size_t> order;
+  for (std::size_t i = kStations / 2; i < kStations; ++i) {
+    order.push_back(i);
+  }
+  for (std::size_t i = kStations - 1; i-- > 0;) {
+    order.push_back(i);
+  }
+  for (std::size_t i = 1; i <= kStations / 2; ++i) {
+    order.push_back(i);
+  }
+  const double step_s = kStrokes_s / static_cast<double>(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    waypoints.push_back(
+        {.t_s = kPressed_s + 0.3 + step_s * static_cast<double>(k), .p_W = station(order[k])});
+  }
+  waypoints.push_back({.t_s = 9.2, .p_W = start_W});
+  waypoints.push_back({.t_s = 10.0, .p_W = start_W});
+  return WishPath(std::move(waypoints));
+}
+
+}  // namespace tactus::host
