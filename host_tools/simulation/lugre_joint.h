@@ -21,7 +21,7 @@ struct LuGreParameters {
 // bristle_stiffness.
 class LuGreJoint {
  public:
-  explicit LuGreJoint(const LuGreParameters& parameters) : parameters_(parameters) {}
+  explicit LuGreJoint(const LuGreParameters& parameters);
 
   // Moves by velocity dt_s; returns the friction force that opposes the motion (same sign as the
   // velocity when sliding).
@@ -36,6 +36,8 @@ class LuGreJoint {
 
  private:
   LuGreParameters parameters_;
+  double per_stribeck_velocity_;
+  double per_stiffness_;
   double bend_ = 0.0;  // length
 };
 

@@ -68,17 +68,15 @@ void solve_leg(const Vec3& p_B, const Azimuth& leg, Vec3& row, double& tan_half,
 
 }  // namespace
 
-MechanismPose solve_mechanism(MechanismKind kind, const Vec3& p_B) {
-  MechanismPose pose;
+void solve_mechanism(MechanismKind kind, const Vec3& p_B, MechanismPose& pose) {
+  pose.reachable = true;
   if (kind == MechanismKind::cartesian) {
-    pose.rows = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
     pose.coordinate = {p_B.x(), p_B.y(), p_B.z()};
-    return pose;
+    return;
   }
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
     solve_leg(p_B, kLegs[i], pose.rows[i], pose.coordinate[i], pose.reachable);
   }
-  return pose;
 }
 
 double joint_position(MechanismKind kind, double coordinate) {

@@ -24,7 +24,7 @@ enum class MechanismKind : std::uint8_t {
 using JointRateRows = std::array<Vec3, kPlantJoints>;
 
 struct MechanismPose {
-  JointRateRows rows{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  JointRateRows rows{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   // tan(half the shoulder angle) for the delta, the position itself (m) for Cartesian;
   // `joint_position` reads it.
   std::array<double, kPlantJoints> coordinate{};
@@ -32,7 +32,7 @@ struct MechanismPose {
 };
 
 // No transcendental functions: it runs at every sub-step.
-MechanismPose solve_mechanism(MechanismKind kind, const Vec3& p_B);
+void solve_mechanism(MechanismKind kind, const Vec3& p_B, MechanismPose& pose);
 
 // rad for the delta (0 is an arm along the base plane, positive lifts), m for Cartesian.
 double joint_position(MechanismKind kind, double coordinate);

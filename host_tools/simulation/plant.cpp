@@ -25,7 +25,7 @@ void Plant::place(const Vec3& p_B) {
   for (LuGreJoint& joint : joints_) {
     joint.release();
   }
-  pose_ = solve_mechanism(parameters_.mechanism, p_B_);
+  solve_mechanism(parameters_.mechanism, p_B_, pose_);
   ledger_ = {};
 }
 
@@ -70,7 +70,7 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
 
   p_B_ += moved_B;
   v_B_ = 2.0 * mean_v_B - v_B_;
-  pose_ = solve_mechanism(parameters_.mechanism, p_B_);
+  solve_mechanism(parameters_.mechanism, p_B_, pose_);
 }
 
 double Plant::stored_energy_J() const {

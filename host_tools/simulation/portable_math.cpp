@@ -1,9 +1,7 @@
 #include "host_tools/simulation/portable_math.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 
 namespace tactus::host {
 namespace {
@@ -20,9 +18,7 @@ constexpr std::array<double, N> reciprocal_factorials() {
   return table;
 }
 
-// Taylor's remainder: for exp on |r| <= ln(2)/2, r^14/14! = 4e-18; for sin and cos on |r| <= pi/4,
-// r^18/18! = 2e-18.
-constexpr auto kExpCoefficients = reciprocal_factorials<14>();
+// Taylor's remainder on |r| <= pi/4: r^18/18! = 2e-18.
 constexpr auto kTrigCoefficients = reciprocal_factorials<18>();
 
 // sum over k of (-r^2)^k / (first + 2k)!: cos from 0; sin, but for a factor r, from 1.
@@ -35,26 +31,6 @@ double alternating_series(double r_squared, std::size_t first) {
 }
 
 }  // namespace
-
-double exp_nonpositive(double x) {
-  if (!(x > -700.0)) {
-    return 0.0;
-  }
-  constexpr double kLog2OfE = 0x1.71547652b82fep+0;
-  constexpr double kLn2High =
-      0x1.62e42fee00000p-1;  // 33 bits: times an integer below 2^20 it is exact
-  constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
-  const int exponent = static_cast<int>(x * kLog2OfE - 0.5);
-  const auto n = static_cast<double>(exponent);
-  const double r = (x - n * kLn2High) - n * kLn2Low;
-  double sum = kExpCoefficients.back();
-  for (std::size_t k = kExpCoefficients.size() - 1; k-- > 0;) {
-    sum = kExpCoefficients[k] + r * sum;
-  }
-  constexpr std::uint64_t kMantissaBits = 52;
-  constexpr int kBias = 1023;
-  return sum * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << kMantissaBits);
-}
 
 SinCos sin_cos(double x) {
   constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;

@@ -11,7 +11,8 @@ namespace tactus::host {
 namespace {
 
 Vec3 angles_deg(const Vec3& p_B) {
-  const MechanismPose pose = solve_mechanism(MechanismKind::falcon_delta, p_B);
+  MechanismPose pose;
+  solve_mechanism(MechanismKind::falcon_delta, p_B, pose);
   EXPECT_TRUE(pose.reachable);
   Vec3 degrees;
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
@@ -40,7 +41,8 @@ TEST(FalconMechanism, RowsAreTheSlopesOfTheJointAngles) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3 p_B(random.uniform(-0.045, 0.045), random.uniform(-0.045, 0.045),
                    random.uniform(0.08, 0.16));
-    const MechanismPose pose = solve_mechanism(MechanismKind::falcon_delta, p_B);
+    MechanismPose pose;
+    solve_mechanism(MechanismKind::falcon_delta, p_B, pose);
     if (!pose.reachable) {
       continue;
     }
@@ -59,7 +61,8 @@ TEST(FalconMechanism, RowsAreTheSlopesOfTheJointAngles) {
 
 TEST(FalconMechanism, StaysFiniteWhereTheLegsDoNotReach) {
   for (const Vec3& p_B : {Vec3(0.0, 0.0, 0.3), Vec3(0.2, 0.0, 0.1), Vec3(0.0, 0.0, 0.0)}) {
-    const MechanismPose pose = solve_mechanism(MechanismKind::falcon_delta, p_B);
+    MechanismPose pose;
+    solve_mechanism(MechanismKind::falcon_delta, p_B, pose);
     EXPECT_FALSE(pose.reachable);
     for (const Vec3& row : pose.rows) {
       EXPECT_TRUE(row.allFinite());
