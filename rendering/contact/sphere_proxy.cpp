@@ -18,6 +18,8 @@
 #include "rendering/contact/sphere_proxy.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/hierarchy_query.h"
@@ -53,6 +55,8 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
                                ProxyPath* path) {
   slipped_ = false;
   clipped_ = false;
+  stretching_ = true;
+  last_to_tool_m_ = std::numeric_limits<double>::infinity();
   ProxyRest rest;
   double most_push = kMostPushOut_m;
   for (;;) {
@@ -111,7 +115,7 @@ void SphereProxy::collect_planes(double most_push, ProxyRest& rest) {
 
 void SphereProxy::add_plane(const ContactPlane& contact, ProxyRest& rest) {
   // Triangles that share the nearest edge or vertex give the same plane.
-  constexpr double kSameNormal = 1e-24;
+  constexpr double kSameNormal = 1e-20;
   for (std::size_t i = 0; i < contact_count_; ++i) {
     if ((contacts_[i].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
         contacts_[i].plane.offset >= contact.plane.offset) {
@@ -131,21 +135,25 @@ void SphereProxy::add_plane(const ContactPlane& contact, ProxyRest& rest) {
 }
 
 PlaneProjection SphereProxy::project(const Vec3& h) const {
+  constexpr double kSlack_m = 1e-12;  // keeps the proxy within its own planes in spite of rounding
   std::array<Plane, kMaxContactPlanes> planes;
   for (std::size_t i = 0; i < contact_count_; ++i) {
     planes[i] = contacts_[i].plane;
   }
   const std::span<Plane> used{planes.data(), contact_count_};
-  const PlaneProjection pushed = project_on_planes(h, used);
-  if (pushed.feasible) {
-    return pushed;
+  const double now = (p_ - h).norm();
+  PlaneProjection projection = project_on_planes(h, used);
+  if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
+    return projection;
   }
-  // Between surfaces that push against each other the proxy keeps its place: planes through the
-  // proxy always have a common point.
+  // Surfaces that push against each other leave no room: the proxy may slide between them, but is
+  // not pushed.
   for (Plane& plane : used) {
-    plane.offset = std::min(plane.offset, plane.normal.dot(p_));
+    plane.offset = std::min(plane.offset, plane.normal.dot(p_)) - kSlack_m;
   }
-  return project_on_planes(h, used);
+  projection = project_on_planes(h, used);
+  projection.feasible = projection.feasible && (projection.point - h).norm() <= now;
+  return projection;
 }
 
 SphereProxy::Goal SphereProxy::choose_goal(std::span<const Object> objects, const Vec3& h,
@@ -179,31 +187,40 @@ SphereProxy::Goal SphereProxy::choose_goal(std::span<const Object> objects, cons
   if (step.state == FrictionState::stick || move.norm() <= kSettled_m || !projection.feasible) {
     return {.point = p_, .settled = true};
   }
-  return {.point = p_ + follow_curvature(move, rest)};
+  return {.point = p_ + follow_curvature(move, h, rest)};
 }
 
 // On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and
-// the tangent plane alone would draw it to its goal only by the ratio depth / R a sub-goal.
-// Lengthened by R / (R - depth) the tangent move ends on the ray from the feature through the goal,
-// from where the next sub-goal drops straight onto it. Less than twice the move, so that the
-// distance to the tool still shrinks.
-Vec3 SphereProxy::follow_curvature(const Vec3& move, const ProxyRest& rest) const {
-  constexpr double kMostStretch = 1.9;
+// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by R /
+// |R - depth| a move ends on the ray from the feature through the goal, from where the next
+// sub-goal drops straight onto it (or, where the tool lies beyond the feature and the sphere rolls
+// off, each move doubles the last). On the way there the distance to the tool may grow; if it is
+// not made good when the sphere touches again, the rest of the tick does without.
+Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
+  constexpr double kMostOfRadius = 0.25;
   const Nearest& nearest = rest.planes[0].nearest;
-  if (rest.plane_count != 1 || nearest.feature == Feature::face) {
+  const double to_tool = (p_ - h).norm();
+  stretching_ = stretching_ && to_tool < last_to_tool_m_;
+  last_to_tool_m_ = to_tool;
+  const double radius = nearest.distance;
+  const double length = move.norm();
+  if (!stretching_ || rest.plane_count != 1 || nearest.feature == Feature::face ||
+      length >= kMostOfRadius * radius) {
     return move;
   }
-  const double radius = nearest.distance;
-  const double depth = rest.pressure_m[0];
-  const double stretch =
-      depth < radius ? std::min(kMostStretch, radius / (radius - depth)) : kMostStretch;
-  if (nearest.feature == Feature::vertex) {
-    return stretch * move;
+  const double most = kMostOfRadius * radius / length;
+  const double stretch = std::min(most, radius / std::abs(radius - rest.pressure_m[0]));
+  Vec3 along = Vec3::Zero();
+  if (nearest.feature == Feature::edge) {
+    const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
+    const Vec3 edge = triangle.edge(nearest.edge).normalized();
+    along = move.dot(edge) * edge;
   }
-  const Vec3 edge =
-      neighbourhood_.candidate(rest.planes[0].candidate).triangle.edge(nearest.edge).normalized();
-  const Vec3 along = move.dot(edge) * edge;
-  return along + stretch * (move - along);
+  const Vec3 stretched = along + stretch * (move - along);
+  const bool allowed = std::all_of(
+      contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
+      [&](const ContactPlane& c) { return c.plane.normal.dot(p_ + stretched) >= c.plane.offset; });
+  return allowed ? stretched : move;
 }
 
 // How much of the way the sphere may go. Moves that leave the trust ball are cut at its border,

@@ -71,7 +71,7 @@ class SphereProxy {
   void add_plane(const ContactPlane& contact, ProxyRest& rest);
   PlaneProjection project(const Vec3& h) const;
   Goal choose_goal(std::span<const Object> objects, const Vec3& h, ProxyRest& rest);
-  [[nodiscard]] Vec3 follow_curvature(const Vec3& move, const ProxyRest& rest) const;
+  Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
   double travel(std::span<const Object> objects, const Sweep& sweep, double length);
   double sweep_candidates(const Sweep& sweep, double length) const;
   double cast(std::span<const Object> objects, const Sweep& sweep, double length) const;
@@ -79,8 +79,10 @@ class SphereProxy {
   Shell shell_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
-  bool slipped_ = false;  // in this tick
-  bool clipped_ = false;  // the last move ended, free, at the border of the trust ball
+  bool slipped_ = false;    // in this tick
+  bool clipped_ = false;    // the last move ended, free, at the border of the trust ball
+  bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick
+  double last_to_tool_m_ = 0.0;
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t contact_count_ = 0;

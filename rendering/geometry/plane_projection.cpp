@@ -13,8 +13,8 @@
 // relative to the depth, not to the size of the world.
 #include "rendering/geometry/plane_projection.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tactus::rendering {
@@ -39,6 +39,8 @@ struct Problem {
   [[nodiscard]] double slack(std::size_t i, const Vec3& step) const {
     return planes[i].normal.dot(step) - residual(i);
   }
+  // What rounding makes of a slack of zero: a violation below it is none.
+  [[nodiscard]] double rounding(const Vec3& step) const { return 4e-16 * (h.norm() + step.norm()); }
 };
 
 bool solve_one(const Problem& problem, Solution& s) {
@@ -51,7 +53,8 @@ bool solve_two(const Problem& problem, Solution& s) {
   const Vec3& n0 = problem.planes[s.active[0]].normal;
   const Vec3& n1 = problem.planes[s.active[1]].normal;
   const double determinant = n0.cross(n1).squaredNorm();
-  if (!(determinant > 0.0)) {
+  constexpr double kParallel = 1e-22;  // below it the angle is rounding: one of the two is enough
+  if (determinant < kParallel) {
     return false;
   }
   const double c = n0.dot(n1);
@@ -69,7 +72,8 @@ bool solve_three(const Problem& problem, Solution& s) {
   const Vec3& n2 = problem.planes[s.active[2]].normal;
   const std::array<Vec3, 3> dual{n1.cross(n2), n2.cross(n0), n0.cross(n1)};
   const double volume = n0.dot(dual[0]);
-  if (volume == 0.0) {
+  constexpr double kFlat = 1e-14;  // below it the volume is rounding: the normals are coplanar
+  if (std::abs(volume) < kFlat) {
     return false;
   }
   s.step = Vec3::Zero();
@@ -137,7 +141,7 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
       best_violation = violation;
       best = trial;
     }
-    if (violation <= 0.0) {
+    if (violation <= problem.rounding(trial.step)) {
       break;
     }
   }
@@ -148,7 +152,6 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
 }  // namespace
 
 PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) {
-  constexpr double kRelativeRounding = 1e-16;  // of a residual: a violation below it is none
   constexpr double kRounding_m = 1e-12;
   constexpr double kNearParallel = 1e-9;  // what nearly parallel planes make of that rounding
   const Problem problem{h, planes};
@@ -157,7 +160,7 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
   PlaneProjection result;
   result.feasible = false;
   for (std::size_t k = 0; k < most_exchanges; ++k) {
-    double worst = -kRelativeRounding * solution.step.norm();
+    double worst = -problem.rounding(solution.step);
     std::size_t entering = planes.size();
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const double slack = problem.slack(i, solution.step);

@@ -1,0 +1,48 @@
+// What can go wrong on a board, in one small vocabulary shared by every hal interface.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <string_view>
+
+namespace tactus::hal {
+
+enum class ErrorCode : std::uint8_t {
+  timeout,           // the deadline passed and nothing was done
+  queue_full,        // a send queue has no room: the frame was not taken; try again next tick
+  link_down,         // the network interface is down; it may come back
+  bus_off,           // the CAN controller left the bus after too many errors; see CanBus::restart
+  disconnected,      // the device or chip is gone
+  io,                // the transfer failed; on USB often the first sign of an unplug
+  stalled,           // the USB device refused the request
+  overflow,          // the peer sent more than the buffer holds; the data is lost
+  cancelled,         // the caller withdrew the transfer
+  busy,              // somebody else holds the line, the interface or the channel
+  not_permitted,     // the process lacks the right; see the udev rules and capabilities
+  not_found,         // no such device, chip or line
+  not_supported,     // this board or this configuration cannot do it
+  invalid_argument,  // a value out of its range: an error in the caller
+  invalid_state,     // a call out of its order: an error in the caller
+  no_memory,         // the system had none left; only while opening
+};
+
+struct Error {
+  ErrorCode code = ErrorCode::io;
+  // What lies behind the code, for the log: errno (> 0) of a system call, LIBUSB_ERROR_* (< 0), or
+  // 0.
+  int errno_value = 0;
+
+  friend constexpr bool operator==(const Error&, const Error&) = default;
+};
+
+template <class T>
+using Result = std::expected<T, Error>;
+
+constexpr std::unexpected<Error> failure(ErrorCode code, int errno_value = 0) {
+  return std::unexpected(Error{code, errno_value});
+}
+
+// A few words for the user, without a full stop: "the deadline passed". Any thread; never fails.
+std::string_view words(ErrorCode code);
+
+}  // namespace tactus::hal

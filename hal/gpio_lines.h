@@ -1,0 +1,135 @@
+// Several lines of one GPIO chip, requested together: encoders' edges, e-stop, enable and direction
+// lines.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "hal/clock.h"
+#include "hal/error.h"
+
+namespace tactus::hal {
+
+inline constexpr std::size_t kMaxGpioLines = 64;
+inline constexpr std::size_t kMaxGpioEdgeBuffer = 1024;
+inline constexpr std::size_t kGpioEdgesPerLine = 16;  // the buffer, unless asked otherwise
+
+enum class GpioDirection : std::uint8_t { input, output };
+enum class GpioBias : std::uint8_t { as_is, disabled, pull_up, pull_down };
+enum class GpioDrive : std::uint8_t { push_pull, open_drain, open_source };
+enum class GpioEdges : std::uint8_t { none, rising, falling, both };
+
+// Values and edges are logical: active is 1, rising means from inactive to active. Active-low turns
+// them about.
+struct GpioLineConfig {
+  std::uint32_t offset = 0;  // on the chip
+  GpioDirection direction = GpioDirection::input;
+  GpioBias bias = GpioBias::as_is;
+  bool active_low = false;
+  GpioEdges edges = GpioEdges::none;       // inputs only
+  std::uint32_t debounce_us = 0;           // inputs only; 0 is off
+  GpioDrive drive = GpioDrive::push_pull;  // outputs only
+  bool initial_active = false;             // outputs only; there from the first instant
+};
+
+struct GpioRequest {
+  std::span<const GpioLineConfig> lines;
+  std::string_view consumer = "tactus";  // shown as the holder; 31 characters count
+  std::size_t edge_buffer = 0;  // events; 0 is kGpioEdgesPerLine a line; the board may round it up
+};
+
+// Sequence numbers start at 1 and wrap at 2^32. When the buffer is full the oldest event goes, so a
+// gap tells of a loss; after one, a `rising` may be wrong as well: read the level. With a single
+// line in the request the kernel does not count the edges that its own interrupt missed; ask for
+// two or more lines where every edge matters.
+struct GpioEdgeEvent {
+  TimeNs time_ns = 0;  // on the clock of Clock::now_ns: the interrupt, or when it had settled
+  std::uint32_t offset = 0;
+  std::uint32_t sequence = 0;       // among all lines of the request
+  std::uint32_t line_sequence = 0;  // on this line
+  bool rising = false;
+};
+
+// Counts what the sequence numbers show to be missing.
+class GpioLossCounter {
+ public:
+  // How many events are missing between the last one seen and this one.
+  std::uint32_t saw(const GpioEdgeEvent& event) {
+    const std::uint32_t missing = event.sequence - last_ - 1U;
+    last_ = event.sequence;
+    lost_ += missing;
+    return missing;
+  }
+  std::uint64_t lost() const { return lost_; }
+
+ private:
+  std::uint32_t last_ = 0;
+  std::uint64_t lost_ = 0;
+};
+
+// Lines are named by bits in the order of the request: bit 0 is lines[0].
+//
+// Real time: get, set and read_edges, between request and release; nothing is allocated. Thread:
+// one at a time for each object; not from an interrupt. Which chip is the implementation's affair.
+// Every call can return, besides what it lists:
+//   disconnected   the chip is gone
+//   invalid_state  nothing is requested
+//   io             anything else the system reports
+class GpioLines {
+ public:
+  GpioLines(const GpioLines&) = delete;
+  GpioLines& operator=(const GpioLines&) = delete;
+
+  // All lines or none. Not real time.
+  //   invalid_argument  no line or more than kMaxGpioLines, an offset twice, edges or debounce on
+  //                     an output, a drive on an input, a buffer above kMaxGpioEdgeBuffer
+  //   invalid_state     lines are held already
+  //   busy              another request holds one of the lines
+  //   not_found         the chip has no such line
+  //   not_supported     a line cannot do it (no interrupt for edges, no such bias), or the lines
+  //                     differ in more settings than the system can take at once (Linux: 10)
+  //   not_permitted, no_memory
+  Result<void> request(const GpioRequest& request);
+
+  // Gives the lines back. What an output does then is up to the board.
+  void release();
+
+  std::size_t line_count() const { return count_; }
+
+  // The levels of the lines in `mask`, outputs too; the other bits are 0. Debounced lines give the
+  // settled level.
+  //   invalid_argument  the mask is 0 or names a line that was not requested
+  Result<std::uint64_t> get(std::uint64_t mask);
+
+  // Sets the outputs in `mask` to the bits of `values`.
+  //   invalid_argument  the mask is 0, or names an input or a line that was not requested
+  Result<void> set(std::uint64_t mask, std::uint64_t values);
+
+  // Waits until an edge is there or the deadline has passed, then hands out what there is, oldest
+  // first, and returns how many (at least 1).
+  //   timeout           no edge
+  //   invalid_argument  `events` is empty
+  //   invalid_state     no line of the request watches edges
+  Result<std::size_t> read_edges(std::span<GpioEdgeEvent> events, TimeNs deadline_ns);
+
+ protected:
+  GpioLines() = default;
+  ~GpioLines() = default;
+
+ private:
+  // The arguments have been checked.
+  virtual Result<void> DoRequest(const GpioRequest& request) = 0;
+  virtual void DoRelease() = 0;
+  virtual Result<std::uint64_t> DoGet(std::uint64_t mask) = 0;
+  virtual Result<void> DoSet(std::uint64_t mask, std::uint64_t values) = 0;
+  virtual Result<std::size_t> DoReadEdges(std::span<GpioEdgeEvent> events, TimeNs deadline_ns) = 0;
+
+  std::size_t count_ = 0;
+  std::uint64_t outputs_ = 0;
+  bool watches_edges_ = false;
+};
+
+}  // namespace tactus::hal

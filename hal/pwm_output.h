@@ -1,0 +1,69 @@
+// One PWM channel: what a board offers to drive an H-bridge.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/clock.h"
+#include "hal/error.h"
+
+namespace tactus::hal {
+
+enum class PwmPolarity : std::uint8_t {
+  normal,   // high for the duty time, then low
+  inversed  // low for the duty time, then high
+};
+
+struct PwmSettings {
+  TimeNs period_ns = 0;
+  TimeNs duty_ns = 0;
+  PwmPolarity polarity = PwmPolarity::normal;
+  bool enabled = false;
+};
+
+// The level of a disabled output is up to the board. For a safe zero keep it enabled at duty 0, and
+// cut the bridge by a line of its own.
+//
+// Real time: set_duty_ns and set_enabled, after opening; nothing is allocated. Thread: one at a
+// time for each object; not from an interrupt. An implementation opens the channel disabled, at
+// duty 0. Every call can return, besides what it lists:
+//   disconnected   the chip is gone
+//   not_supported  the hardware cannot do this period, duty or polarity
+//   io             anything else the system reports
+// After an error the settings are what they were.
+class PwmOutput {
+ public:
+  PwmOutput(const PwmOutput&) = delete;
+  PwmOutput& operator=(const PwmOutput&) = delete;
+
+  // The hardware may round to what its clock can divide. To shorten it below the duty, lower the
+  // duty first.
+  //   invalid_argument  not above 0, or below the duty
+  Result<void> set_period_ns(TimeNs period_ns);
+
+  //   invalid_argument  below 0 or above the period
+  Result<void> set_duty_ns(TimeNs duty_ns);
+
+  //   invalid_state  the output is enabled
+  Result<void> set_polarity(PwmPolarity polarity);
+
+  //   invalid_state  no period was set
+  Result<void> set_enabled(bool enabled);
+
+  // As last set, without a system call.
+  const PwmSettings& settings() const { return settings_; }
+
+ protected:
+  PwmOutput() = default;
+  ~PwmOutput() = default;
+
+ private:
+  // The arguments have been checked.
+  virtual Result<void> DoSetPeriod(TimeNs period_ns) = 0;
+  virtual Result<void> DoSetDuty(TimeNs duty_ns) = 0;
+  virtual Result<void> DoSetPolarity(PwmPolarity polarity) = 0;
+  virtual Result<void> DoSetEnabled(bool enabled) = 0;
+
+  PwmSettings settings_;
+};
+
+}  // namespace tactus::hal

@@ -1,0 +1,38 @@
+// A first-in first-out queue of fixed capacity, without a heap.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace tactus::hal {
+
+template <class T, std::size_t kCapacity>
+class FixedQueue {
+ public:
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  bool full() const { return size_ == kCapacity; }
+
+  // Only if not full.
+  void push(const T& item) {
+    items_[(first_ + size_) % kCapacity] = item;
+    ++size_;
+  }
+
+  // Only if not empty.
+  T& front() { return items_[first_]; }
+  const T& front() const { return items_[first_]; }
+  void pop() {
+    first_ = (first_ + 1) % kCapacity;
+    --size_;
+  }
+
+  void clear() { size_ = 0; }
+
+ private:
+  std::array<T, kCapacity> items_{};
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
+
+}  // namespace tactus::hal

@@ -1,0 +1,62 @@
+// A request of lines of a simulated GPIO chip.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/gpio_lines.h"
+#include "hal/simulated/clock.h"
+#include "hal/simulated/fixed_queue.h"
+#include "hal/simulated/gpio_chip.h"
+
+namespace tactus::hal {
+
+// Fakes: edges with times and sequence numbers in a bounded buffer that loses the oldest,
+// debouncing the kernel's way (an edge is reported when the level has stood still for the period,
+// with that time), edges that the interrupt missed.
+// Does not fake: the wrong polarity that a loss can leave, interrupt latency, the kernel's debounce
+// that is rounded to its timer tick.
+class SimulatedGpioLines final : public GpioLines, private SimulatedEventSource {
+ public:
+  explicit SimulatedGpioLines(SimulatedGpioChip& chip);
+  ~SimulatedGpioLines();
+
+  // Faults. The next `count` edges are numbered but never reported.
+  void lose_next_edges(std::uint32_t count) { losing_ = count; }
+
+  std::size_t edges_waiting() const { return edges_.size(); }
+
+ private:
+  friend class SimulatedGpioChip;
+
+  struct Line {
+    GpioLineConfig config;
+    bool settled = false;  // the debounced physical level
+    TimeNs settles_ns = kForever;
+    std::uint32_t sequence = 0;
+  };
+
+  Result<void> DoRequest(const GpioRequest& request) override;
+  void DoRelease() override;
+  Result<std::uint64_t> DoGet(std::uint64_t mask) override;
+  Result<void> DoSet(std::uint64_t mask, std::uint64_t values) override;
+  Result<std::size_t> DoReadEdges(std::span<GpioEdgeEvent> events, TimeNs deadline_ns) override;
+
+  TimeNs next_event_ns() const override;
+  void run_event() override;
+
+  void claim(std::size_t index, const GpioLineConfig& config);
+  void level_changed(std::size_t index, bool level);
+  void report_edge(Line& line, bool level);
+
+  SimulatedGpioChip& chip_;
+  std::array<Line, kMaxGpioLines> lines_{};
+  std::size_t held_ = 0;
+  FixedQueue<GpioEdgeEvent, kMaxGpioEdgeBuffer> edges_;
+  std::size_t edge_capacity_ = 0;
+  std::uint32_t sequence_ = 0;
+  std::uint32_t losing_ = 0;
+};
+
+}  // namespace tactus::hal

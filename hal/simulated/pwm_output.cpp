@@ -1,0 +1,61 @@
+#include "hal/simulated/pwm_output.h"
+
+#include <algorithm>
+
+namespace tactus::hal {
+
+std::span<const SimulatedPwmWrite> SimulatedPwmOutput::writes() const {
+  return std::span(writes_).first(std::min<std::uint64_t>(write_count_, kRecorded));
+}
+
+double SimulatedPwmOutput::mean_level() const {
+  const PwmSettings& now = settings();
+  if (!now.enabled) {
+    return 0.0;
+  }
+  const double duty = static_cast<double>(now.duty_ns) / static_cast<double>(now.period_ns);
+  return now.polarity == PwmPolarity::normal ? duty : 1.0 - duty;
+}
+
+void SimulatedPwmOutput::fail_next(std::uint32_t count, ErrorCode code) {
+  failing_ = count;
+  failure_code_ = code;
+}
+
+Result<void> SimulatedPwmOutput::record(const PwmSettings& settings) {
+  if (failing_ > 0) {
+    --failing_;
+    return failure(failure_code_);
+  }
+  if (write_count_ < kRecorded) {
+    writes_[write_count_] = {.time_ns = clock_.now_ns(), .settings = settings};
+  }
+  ++write_count_;
+  return {};
+}
+
+Result<void> SimulatedPwmOutput::DoSetPeriod(TimeNs period_ns) {
+  PwmSettings next = settings();
+  next.period_ns = period_ns;
+  return record(next);
+}
+
+Result<void> SimulatedPwmOutput::DoSetDuty(TimeNs duty_ns) {
+  PwmSettings next = settings();
+  next.duty_ns = duty_ns;
+  return record(next);
+}
+
+Result<void> SimulatedPwmOutput::DoSetPolarity(PwmPolarity polarity) {
+  PwmSettings next = settings();
+  next.polarity = polarity;
+  return record(next);
+}
+
+Result<void> SimulatedPwmOutput::DoSetEnabled(bool enabled) {
+  PwmSettings next = settings();
+  next.enabled = enabled;
+  return record(next);
+}
+
+}  // namespace tactus::hal

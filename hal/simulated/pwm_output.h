@@ -1,0 +1,51 @@
+// A PWM channel in memory.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "hal/clock.h"
+#include "hal/pwm_output.h"
+
+namespace tactus::hal {
+
+struct SimulatedPwmWrite {
+  TimeNs time_ns = 0;
+  PwmSettings settings;  // after the write
+};
+
+// Fakes: a channel that records what was written and when, and can fail.
+// Does not fake: the waveform, the rounding to a hardware clock, the time a write takes.
+class SimulatedPwmOutput final : public PwmOutput {
+ public:
+  static constexpr std::size_t kRecorded = 256;
+
+  explicit SimulatedPwmOutput(const Clock& clock) : clock_(clock) {}
+
+  // The writes since opening, at most the first kRecorded; `write_count` counts them all.
+  std::span<const SimulatedPwmWrite> writes() const;
+  std::uint64_t write_count() const { return write_count_; }
+
+  // The average level of the pin from 0 to 1: duty over period, the other way round if inversed, 0
+  // if disabled.
+  double mean_level() const;
+
+  // The next `count` writes fail with `code` and change nothing.
+  void fail_next(std::uint32_t count, ErrorCode code);
+
+ private:
+  Result<void> DoSetPeriod(TimeNs period_ns) override;
+  Result<void> DoSetDuty(TimeNs duty_ns) override;
+  Result<void> DoSetPolarity(PwmPolarity polarity) override;
+  Result<void> DoSetEnabled(bool enabled) override;
+  Result<void> record(const PwmSettings& settings);
+
+  const Clock& clock_;
+  std::array<SimulatedPwmWrite, kRecorded> writes_{};
+  std::uint64_t write_count_ = 0;
+  std::uint32_t failing_ = 0;
+  ErrorCode failure_code_ = ErrorCode::io;
+};
+
+}  // namespace tactus::hal

@@ -1,0 +1,257 @@
+#include "hal/simulated/usb_endpoint.h"
+
+#include <algorithm>
+
+namespace tactus::hal {
+
+SimulatedUsbEndpoint::SimulatedUsbEndpoint(SimulatedClock& clock, SimulatedUsbPeer& peer,
+                                           const SimulatedUsbConfig& config)
+    : clock_(clock), peer_(peer), config_(config) {
+  config_.max_packet_bytes = std::clamp(config_.max_packet_bytes, std::size_t{1}, kMaxPacketBytes);
+  clock_.attach(*this);
+}
+
+SimulatedUsbEndpoint::~SimulatedUsbEndpoint() {
+  clock_.detach(*this);
+}
+
+bool SimulatedUsbEndpoint::answer(std::span<const std::byte> bytes, TimeNs delay_ns) {
+  const std::size_t packet_bytes = config_.max_packet_bytes;
+  const std::size_t needed =
+      std::max<std::size_t>(1, (bytes.size() + packet_bytes - 1) / packet_bytes);
+  if (plug_ != Plug::in || packets_.size() + needed > kMaxPackets) {
+    return false;
+  }
+  last_ready_ns_ = std::max(last_ready_ns_, clock_.now_ns() + delay_ns);
+  for (std::size_t i = 0; i < needed; ++i) {
+    const auto part =
+        bytes.subspan(i * packet_bytes, std::min(packet_bytes, bytes.size() - i * packet_bytes));
+    Packet packet;
+    packet.ready_ns = last_ready_ns_;
+    packet.size = part.size();
+    std::ranges::copy(part, packet.bytes.begin());
+    packets_.push(packet);
+  }
+  serve();
+  return true;
+}
+
+void SimulatedUsbEndpoint::set_stopped(bool stopped) {
+  stopped_ = stopped;
+  serve();
+}
+
+void SimulatedUsbEndpoint::take_only(std::size_t bytes) {
+  will_take_ = bytes;
+  serve();
+}
+
+void SimulatedUsbEndpoint::set_halted(bool halted) {
+  halted_ = halted;
+  if (halted) {
+    fail_all(ErrorCode::stalled);
+  }
+}
+
+void SimulatedUsbEndpoint::fail_next(std::uint32_t count, ErrorCode code) {
+  failing_ = count;
+  failure_code_ = code;
+}
+
+void SimulatedUsbEndpoint::unplug(TimeNs departure_ns) {
+  plug_ = Plug::out;
+  departure_ns_ = clock_.now_ns() + departure_ns;
+  packets_.clear();
+  fail_all(departure_ns > 0 ? ErrorCode::io : ErrorCode::disconnected);
+}
+
+void SimulatedUsbEndpoint::plug_in() {
+  if (plug_ == Plug::out) {
+    plug_ = Plug::back;
+  }
+}
+
+UsbState SimulatedUsbEndpoint::current_state() const {
+  if (plug_ == Plug::in || (plug_ == Plug::out && clock_.now_ns() < departure_ns_)) {
+    return UsbState::attached;
+  }
+  return plug_ == Plug::out ? UsbState::detached : UsbState::returned;
+}
+
+Result<void> SimulatedUsbEndpoint::check_present() const {
+  switch (current_state()) {
+    case UsbState::attached:
+      if (plug_ == Plug::out) {
+        return failure(ErrorCode::io);
+      }
+      return {};
+    case UsbState::returned:
+      return failure(ErrorCode::invalid_state);
+    case UsbState::detached:
+      break;
+  }
+  return failure(ErrorCode::disconnected);
+}
+
+Result<void> SimulatedUsbEndpoint::DoReopen() {
+  if (plug_ == Plug::out) {
+    return failure(ErrorCode::disconnected);
+  }
+  if (plug_ == Plug::back) {
+    plug_ = Plug::in;
+    halted_ = false;
+  }
+  return {};
+}
+
+Result<void> SimulatedUsbEndpoint::wait_for_device(TimeNs deadline_ns) {
+  if (!clock_.wait_until(deadline_ns, [this] { return !stopped_ || plug_ != Plug::in; })) {
+    return failure(ErrorCode::timeout);
+  }
+  return check_present();
+}
+
+Result<std::size_t> SimulatedUsbEndpoint::DoControlOut(const UsbSetup& setup,
+                                                       std::span<const std::byte> data,
+                                                       TimeNs deadline_ns) {
+  if (const auto there = wait_for_device(deadline_ns); !there) {
+    return std::unexpected(there.error());
+  }
+  return peer_.control_out(setup, data);
+}
+
+Result<std::size_t> SimulatedUsbEndpoint::DoControlIn(const UsbSetup& setup,
+                                                      std::span<std::byte> buffer,
+                                                      TimeNs deadline_ns) {
+  if (const auto there = wait_for_device(deadline_ns); !there) {
+    return std::unexpected(there.error());
+  }
+  return peer_.control_in(setup, buffer);
+}
+
+Result<void> SimulatedUsbEndpoint::DoSubmit(UsbTransfer& transfer) {
+  if (const auto there = check_present(); !there) {
+    return there;
+  }
+  if (flight_count_ == flights_.size()) {
+    return failure(ErrorCode::queue_full);
+  }
+  TimeNs due_ns = clock_.now_ns();
+  if (transfer.direction() == UsbDirection::out) {
+    due_ns = std::max(due_ns, last_due_ns_) + config_.out_time_ns;
+    last_due_ns_ = due_ns;
+  }
+  flights_[flight_count_++] = {.transfer = &transfer, .due_ns = due_ns};
+  if (failing_ > 0) {
+    --failing_;
+    finish(transfer, failure(failure_code_));
+  } else if (halted_) {
+    finish(transfer, failure(ErrorCode::stalled));
+  } else {
+    serve();
+  }
+  return {};
+}
+
+void SimulatedUsbEndpoint::DoWait(UsbTransfer& transfer, TimeNs deadline_ns) {
+  clock_.wait_until(deadline_ns,
+                    [&transfer] { return transfer.state() == UsbTransfer::State::done; });
+}
+
+void SimulatedUsbEndpoint::DoCancel(UsbTransfer& transfer) {
+  finish(transfer, failure(ErrorCode::cancelled));
+}
+
+TimeNs SimulatedUsbEndpoint::next_event_ns() const {
+  if (stopped_) {
+    return kForever;
+  }
+  TimeNs next_ns = kForever;
+  if (const Flight* out = oldest(UsbDirection::out); out != nullptr && will_take_ > 0) {
+    next_ns = out->due_ns;
+  }
+  if (oldest(UsbDirection::in) != nullptr && !packets_.empty()) {
+    next_ns = std::min(next_ns, packets_.front().ready_ns);
+  }
+  return next_ns;
+}
+
+const SimulatedUsbEndpoint::Flight* SimulatedUsbEndpoint::oldest(UsbDirection direction) const {
+  const auto flights = std::span(flights_).first(flight_count_);
+  const auto found = std::ranges::find_if(flights, [direction](const Flight& flight) {
+    return flight.transfer->direction() == direction;
+  });
+  return found == flights.end() ? nullptr : &*found;
+}
+
+// The peer may answer while it is served; what it adds is served by the loop already running.
+void SimulatedUsbEndpoint::serve() {
+  if (serving_) {
+    return;
+  }
+  serving_ = true;
+  while (!stopped_ && (serve_out() || serve_in())) {
+  }
+  serving_ = false;
+}
+
+bool SimulatedUsbEndpoint::serve_out() {
+  const Flight* flight = oldest(UsbDirection::out);
+  if (flight == nullptr || flight->due_ns > clock_.now_ns()) {
+    return false;
+  }
+  UsbTransfer& transfer = *flight->transfer;
+  const auto rest = transfer.out_data().subspan(transfer.transferred());
+  const auto part = rest.first(std::min(rest.size(), will_take_));
+  if (part.empty() && !rest.empty()) {
+    return false;
+  }
+  if (will_take_ != kTakeAll) {
+    will_take_ -= part.size();
+  }
+  transfer.progress(part.size());
+  if (part.size() == rest.size()) {
+    finish(transfer, {});
+  }
+  peer_.bulk_out(part);
+  return true;
+}
+
+bool SimulatedUsbEndpoint::serve_in() {
+  const Flight* flight = oldest(UsbDirection::in);
+  if (flight == nullptr || packets_.empty() || packets_.front().ready_ns > clock_.now_ns()) {
+    return false;
+  }
+  UsbTransfer& transfer = *flight->transfer;
+  const Packet& packet = packets_.front();
+  const auto room = transfer.in_buffer().subspan(transfer.transferred());
+  const bool fits = packet.size <= room.size();
+  if (fits) {
+    std::ranges::copy(std::span(packet.bytes).first(packet.size), room.begin());
+    transfer.progress(packet.size);
+  }
+  const bool short_packet = packet.size < config_.max_packet_bytes;
+  packets_.pop();
+  if (!fits) {
+    finish(transfer, failure(ErrorCode::overflow));
+  } else if (short_packet || transfer.transferred() == transfer.in_buffer().size()) {
+    finish(transfer, {});
+  }
+  return true;
+}
+
+void SimulatedUsbEndpoint::finish(UsbTransfer& transfer, Result<void> outcome) {
+  const auto flights = std::span(flights_).first(flight_count_);
+  const auto found = std::ranges::find(flights, &transfer, &Flight::transfer);
+  std::ranges::move(found + 1, flights.end(), found);
+  --flight_count_;
+  transfer.finish(outcome);
+}
+
+void SimulatedUsbEndpoint::fail_all(ErrorCode code) {
+  while (flight_count_ > 0) {
+    finish(*flights_[0].transfer, failure(code));
+  }
+}
+
+}  // namespace tactus::hal

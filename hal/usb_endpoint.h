@@ -1,0 +1,154 @@
+// One claimed USB interface: the control pipe, one bulk pipe out and one in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/clock.h"
+#include "hal/error.h"
+
+namespace tactus::hal {
+
+inline constexpr std::size_t kMaxUsbControlBytes = 4096;
+inline constexpr std::size_t kMaxUsbTransfersInFlight = 16;
+
+// The first fields of a setup packet; the length is that of the data. `request_type` has bit 7 set
+// for device-to-host.
+struct UsbSetup {
+  std::uint8_t request_type = 0;
+  std::uint8_t request = 0;
+  std::uint16_t value = 0;
+  std::uint16_t index = 0;
+};
+
+enum class UsbState : std::uint8_t {
+  attached,  // open and claimed
+  detached,  // gone; every call returns disconnected
+  returned,  // plugged in again but not open: call `reopen`
+};
+
+enum class UsbDirection : std::uint8_t { out, in };
+
+// A bulk transfer that may stay in flight across ticks. The caller owns it and its buffer; both
+// must stay where they are while it is in flight. It may be submitted again once done.
+class UsbTransfer {
+ public:
+  static UsbTransfer in(std::span<std::byte> buffer) { return {UsbDirection::in, buffer, {}}; }
+  static UsbTransfer out(std::span<const std::byte> data) { return {UsbDirection::out, {}, data}; }
+  UsbTransfer(const UsbTransfer&) = delete;
+  UsbTransfer& operator=(const UsbTransfer&) = delete;
+  ~UsbTransfer() = default;
+
+  enum class State : std::uint8_t { idle, in_flight, done };
+  State state() const { return state_; }
+  UsbDirection direction() const { return direction_; }
+  std::span<std::byte> in_buffer() const { return in_buffer_; }
+  std::span<const std::byte> out_data() const { return out_data_; }
+
+  // Bytes moved so far, also when the transfer failed half way.
+  std::size_t transferred() const { return transferred_; }
+
+  // Once done: how many bytes moved, or why it failed. Before: invalid_state.
+  Result<std::size_t> result() const;
+
+  // For implementations of UsbEndpoint.
+  void begin();
+  void progress(std::size_t bytes) { transferred_ += bytes; }
+  void finish(Result<void> outcome);
+
+ private:
+  UsbTransfer(UsbDirection direction, std::span<std::byte> buffer, std::span<const std::byte> data)
+      : in_buffer_(buffer), out_data_(data), direction_(direction) {}
+
+  std::span<std::byte> in_buffer_;
+  std::span<const std::byte> out_data_;
+  std::size_t transferred_ = 0;
+  Result<void> outcome_;
+  State state_ = State::idle;
+  UsbDirection direction_;
+};
+
+// Real time: everything but reopen, after opening; nothing is allocated. Thread: one at a time for
+// each object; not from an interrupt. Every call can return, besides what it lists:
+//   disconnected   the device is gone
+//   io             the transfer failed
+//   invalid_state  the device returned but was not reopened
+// An unplug mostly shows as io first, and as disconnected some milliseconds later.
+class UsbEndpoint {
+ public:
+  UsbEndpoint(const UsbEndpoint&) = delete;
+  UsbEndpoint& operator=(const UsbEndpoint&) = delete;
+
+  // A control transfer; returns the bytes moved.
+  //   timeout           the device did not answer
+  //   stalled           the device does not know the request or refuses it
+  //   overflow          the device answered with more than `buffer` holds
+  //   invalid_argument  the setup's direction bit says otherwise, or above kMaxUsbControlBytes
+  Result<std::size_t> control_out(const UsbSetup& setup, std::span<const std::byte> data,
+                                  TimeNs deadline_ns);
+  Result<std::size_t> control_in(const UsbSetup& setup, std::span<std::byte> buffer,
+                                 TimeNs deadline_ns);
+
+  // Returns the bytes that moved before the deadline; fewer than asked is no error. A bulk-in ends
+  // at a short packet; give it whole packets of room. An empty bulk-out sends one empty packet.
+  //   timeout           not one byte moved
+  //   stalled           the endpoint is halted
+  //   overflow          in only: a packet was longer than the room left
+  //   queue_full        kMaxUsbTransfersInFlight are in flight
+  //   invalid_argument  in only: the buffer is empty
+  Result<std::size_t> bulk_out(std::span<const std::byte> data, TimeNs deadline_ns);
+  Result<std::size_t> bulk_in(std::span<std::byte> buffer, TimeNs deadline_ns);
+
+  // Starts a transfer and returns. Transfers of one direction are served in the order of their
+  // submission; keeping a bulk-in in flight while computing saves the wait for it later.
+  //   queue_full        kMaxUsbTransfersInFlight are in flight
+  //   invalid_state     this one is in flight already
+  //   invalid_argument  a bulk-in with an empty buffer
+  Result<void> submit(UsbTransfer& transfer);
+
+  // Waits until the transfer is done and returns its result (see bulk_out, bulk_in; also
+  // `cancelled`).
+  //   timeout        still in flight
+  //   invalid_state  it was never submitted
+  Result<std::size_t> wait(UsbTransfer& transfer, TimeNs deadline_ns);
+
+  // Withdraws a transfer and returns when nothing touches its buffer any more (Linux: a few USB
+  // frames). It is done then: `cancelled`, or finished just before. Does nothing if it is not in
+  // flight.
+  void cancel(UsbTransfer& transfer);
+
+  // Learns of arrival and departure when called.
+  UsbState state() { return DoState(); }
+
+  // Opens the device that came back. Not real time. Nothing happens if attached.
+  //   disconnected   it is not back yet
+  //   busy           another program has claimed it
+  //   not_permitted  no access to the device node
+  //   no_memory, io
+  Result<void> reopen();
+
+  std::size_t max_packet_bytes() const { return DoMaxPacketBytes(); }
+
+ protected:
+  UsbEndpoint() = default;
+  ~UsbEndpoint() = default;
+
+ private:
+  // The arguments have been checked. DoSubmit gets a transfer that has begun, and leaves it so if
+  // it succeeds.
+  virtual Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,
+                                           TimeNs deadline_ns) = 0;
+  virtual Result<std::size_t> DoControlIn(const UsbSetup& setup, std::span<std::byte> buffer,
+                                          TimeNs deadline_ns) = 0;
+  virtual Result<void> DoSubmit(UsbTransfer& transfer) = 0;
+  virtual void DoWait(UsbTransfer& transfer, TimeNs deadline_ns) = 0;  // until done or the deadline
+  virtual void DoCancel(UsbTransfer& transfer) = 0;
+  virtual UsbState DoState() = 0;
+  virtual Result<void> DoReopen() = 0;
+  virtual std::size_t DoMaxPacketBytes() const = 0;
+
+  Result<std::size_t> run(UsbTransfer& transfer, TimeNs deadline_ns);
+};
+
+}  // namespace tactus::hal
