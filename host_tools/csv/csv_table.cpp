@@ -10,6 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "host_tools/input_error.h"
+
 namespace tactus::host {
 namespace {
 
@@ -84,13 +86,13 @@ struct Place {
 
 }  // namespace
 
-std::expected<CsvTable, std::string> CsvTable::read(const std::filesystem::path& file,
+CsvTable CsvTable::read(const std::filesystem::path& file,
                                                     std::span<const std::string_view> required,
                                                     std::span<const std::string_view> optional) {
   const std::string shown = file.string();
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) {
-    return std::unexpected(fmt::format("{}: no such file, or not readable", shown));
+    throw InputError(fmt::format("{}: no such file, or not readable", shown));
   }
   std::ostringstream content;
   content << stream.rdbuf();
@@ -99,7 +101,7 @@ std::expected<CsvTable, std::string> CsvTable::read(const std::filesystem::path&
   Fields fields;
   const std::optional<std::string_view> header = lines.next();
   if (!header) {
-    return std::unexpected(fmt::format("{}: empty; a line of column names was expected", shown));
+    throw InputError(fmt::format("{}: empty; a line of column names was expected", shown));
   }
   split(*header, fields);
 
@@ -110,14 +112,13 @@ std::expected<CsvTable, std::string> CsvTable::read(const std::filesystem::path&
       const auto found = std::find(fields.begin(), fields.end(), name);
       if (found == fields.end()) {
         if (names.data() == required.data()) {
-          return std::unexpected(fmt::format("{}:{}: no column {}; the header is: {}", shown,
+          throw InputError(fmt::format("{}:{}: no column {}; the header is: {}", shown,
                                              lines.number(), name, *header));
         }
         continue;
       }
       if (std::find(found + 1, fields.end(), name) != fields.end()) {
-        return std::unexpected(
-            fmt::format("{}:{}: column {} stands twice", shown, lines.number(), name));
+        throw InputError(fmt::format("{}:{}: column {} stands twice", shown, lines.number(), name));
       }
       std::vector<double>& values = table.columns_[std::string(name)];
       places.push_back({.field = static_cast<std::size_t>(found - fields.begin()),
@@ -130,13 +131,13 @@ std::expected<CsvTable, std::string> CsvTable::read(const std::filesystem::path&
   while (const std::optional<std::string_view> line = lines.next()) {
     split(*line, fields);
     if (fields.size() != width) {
-      return std::unexpected(fmt::format("{}:{}: {} fields, but the header names {}", shown,
+      throw InputError(fmt::format("{}:{}: {} fields, but the header names {}", shown,
                                          lines.number(), fields.size(), width));
     }
     for (const Place& place : places) {
       const std::optional<double> value = finite_number(fields[place.field]);
       if (!value) {
-        return std::unexpected(fmt::format("{}:{}: column {}: '{}' is not a finite number", shown,
+        throw InputError(fmt::format("{}:{}: column {}: '{}' is not a finite number", shown,
                                            lines.number(), place.name, fields[place.field]));
       }
       place.values->push_back(*value);
@@ -144,7 +145,7 @@ std::expected<CsvTable, std::string> CsvTable::read(const std::filesystem::path&
     table.lines_.push_back(lines.number());
   }
   if (table.rows() == 0) {
-    return std::unexpected(fmt::format("{}: no rows below the header", shown));
+    throw InputError(fmt::format("{}: no rows below the header", shown));
   }
   return table;
 }

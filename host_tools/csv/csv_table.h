@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <expected>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -16,11 +15,11 @@ namespace tactus::host {
 // messages.
 class CsvTable {
  public:
-  // Every name in `required` must be in the header; names in `optional` may be. Errors are one line
+  // Every name in `required` must be in the header; names in `optional` may be. Throws InputError, one line
   // for a user that names the file, the line and the column, like `path.csv:7: column x_m: 'abc' is
   // not a number`: no such file, no header, a missing or repeated column, a short or long row, a
   // field that is not a finite number, no rows.
-  static std::expected<CsvTable, std::string> read(const std::filesystem::path& file,
+  static CsvTable read(const std::filesystem::path& file,
                                                    std::span<const std::string_view> required,
                                                    std::span<const std::string_view> optional = {});
 

@@ -1,7 +1,6 @@
 // The two figures of a run, as PNG files.
 #pragma once
 
-#include <expected>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -23,12 +22,12 @@ FigureFiles figure_files(const std::filesystem::path& output, const std::string&
 
 // Force and depth in stacked panels over a shared time axis, the background telling stick from
 // slip. Errors are one line for a user.
-std::expected<void, std::string> draw_force_figure(const RunData& run, const std::string& title,
+void draw_force_figure(const RunData& run, const std::string& title,
                                                    const std::filesystem::path& png);
 
 // The path of the proxy's centre, coloured by force where it touched, from the front and from the
 // side, both panels with equal axes. Errors are one line for a user.
-std::expected<void, std::string> draw_path_figure(const RunData& run,
+void draw_path_figure(const RunData& run,
                                                   std::span<const rendering::Object> objects,
                                                   const std::string& title,
                                                   const std::filesystem::path& png);

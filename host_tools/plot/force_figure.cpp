@@ -95,7 +95,7 @@ unset output
 
 }  // namespace
 
-std::expected<void, std::string> draw_force_figure(const RunData& run, const std::string& title,
+void draw_force_figure(const RunData& run, const std::string& title,
                                                    const std::filesystem::path& png) {
   double force_N = 0.0;
   double depth_mm = 0.0;
@@ -116,7 +116,7 @@ std::expected<void, std::string> draw_force_figure(const RunData& run, const std
                   fmt::arg("commanded", run.has_commanded ? kCommandedCurve : std::string_view{}));
   script += fmt::format(kDepthPanel, fmt::arg("top", axis_top(depth_mm, 0.1)));
   const TemporaryFolder folder;
-  return run_gnuplot(folder, script);
+  run_gnuplot(folder, script);
 }
 
 }  // namespace tactus::host

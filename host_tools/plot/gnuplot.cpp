@@ -11,8 +11,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
+
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -22,7 +23,7 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
   if (!stream) {
-    throw std::runtime_error(fmt::format("{}: cannot write", file.string()));
+    throw InputError(fmt::format("{}: cannot write", file.string()));
   }
 }
 
@@ -48,7 +49,7 @@ std::string complaint(const std::filesystem::path& file) {
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "tactus-plot-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
-    throw std::runtime_error(fmt::format("{}: cannot make a temporary folder: {}", pattern,
+    throw InputError(fmt::format("{}: cannot make a temporary folder: {}", pattern,
                                          std::generic_category().message(errno)));
   }
   path_ = pattern;
@@ -68,7 +69,7 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
   write_file(file, bytes);
 }
 
-std::expected<void, std::string> run_gnuplot(const TemporaryFolder& folder,
+void run_gnuplot(const TemporaryFolder& folder,
                                              std::string_view script) {
   const std::filesystem::path script_file = folder.path() / "script.gp";
   const std::filesystem::path messages = folder.path() / "messages.txt";
@@ -86,19 +87,17 @@ std::expected<void, std::string> run_gnuplot(const TemporaryFolder& folder,
       posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure == ENOENT) {
-    return std::unexpected("gnuplot is not installed; it is in the Debian package gnuplot-nox");
+    throw InputError("gnuplot is not installed; it is in the Debian package gnuplot-nox");
   }
   if (failure != 0) {
-    return std::unexpected(
-        fmt::format("cannot start gnuplot: {}", std::generic_category().message(failure)));
+    throw InputError(fmt::format("cannot start gnuplot: {}", std::generic_category().message(failure)));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return std::unexpected(fmt::format("gnuplot failed: {}", complaint(messages)));
+    throw InputError(fmt::format("gnuplot failed: {}", complaint(messages)));
   }
-  return {};
 }
 
 std::string gnuplot_string(std::string_view text) {

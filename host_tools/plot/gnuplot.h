@@ -1,7 +1,6 @@
 // Running gnuplot on a script and the pictures that it needs.
 #pragma once
 
-#include <expected>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,7 +12,7 @@ namespace tactus::host {
 // A private folder under the system's temporary one, removed with everything in it at the end.
 class TemporaryFolder {
  public:
-  // Throws std::runtime_error, text for a user, where none can be made.
+  // Throws InputError, text for a user, where none can be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -28,12 +27,12 @@ class TemporaryFolder {
 };
 
 // Writes the picture as raw red-green-blue bytes for gnuplot's `binary` plots. Throws
-// std::runtime_error.
+// InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 
 // Runs gnuplot on the script, which is kept in the folder as script.gp. Errors are one line for a
 // user: gnuplot is not installed, or the first line of what it complained about.
-std::expected<void, std::string> run_gnuplot(const TemporaryFolder& folder,
+void run_gnuplot(const TemporaryFolder& folder,
                                              std::string_view script);
 
 // A string in gnuplot's single quotes.

@@ -173,7 +173,7 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
 
 }  // namespace
 
-std::expected<void, std::string> draw_path_figure(const RunData& run,
+void draw_path_figure(const RunData& run,
                                                   std::span<const rendering::Object> objects,
                                                   const std::string& title,
                                                   const std::filesystem::path& png) {
@@ -191,7 +191,7 @@ std::expected<void, std::string> draw_path_figure(const RunData& run,
   script += panel_script(sheet, sheet.front, objects, folder, false);
   script += panel_script(sheet, sheet.side, objects, folder, true);
   script += "unset multiplot\nunset output\n";
-  return run_gnuplot(folder, script);
+  run_gnuplot(folder, script);
 }
 
 }  // namespace tactus::host

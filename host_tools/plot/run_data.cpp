@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "host_tools/csv/csv_table.h"
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -35,36 +36,32 @@ std::optional<rendering::FrictionState> friction_state(double value) {
 
 }  // namespace
 
-std::expected<RunData, std::string> read_run(const std::filesystem::path& file) {
-  const std::expected<CsvTable, std::string> table = CsvTable::read(file, kRequired, kCommanded);
-  if (!table) {
-    return std::unexpected(table.error());
-  }
+RunData read_run(const std::filesystem::path& file) {
+  const CsvTable table = CsvTable::read(file, kRequired, kCommanded);
   RunData run;
   run.has_commanded =
-      std::ranges::all_of(kCommanded, [&](std::string_view name) { return table->has(name); });
-  run.rows.reserve(table->rows());
-  for (std::size_t i = 0; i < table->rows(); ++i) {
+      std::ranges::all_of(kCommanded, [&](std::string_view name) { return table.has(name); });
+  run.rows.reserve(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i) {
     RunRow row;
-    row.t_s = table->column("t_s")[i];
+    row.t_s = table.column("t_s")[i];
     if (i > 0 && row.t_s <= run.rows.back().t_s) {
-      return std::unexpected(fmt::format("{}:{}: column t_s: {} does not come after {}",
-                                         file.string(), table->line(i), row.t_s,
+      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}",
+                                         file.string(), table.line(i), row.t_s,
                                          run.rows.back().t_s));
     }
-    row.proxy_W = triple(*table, i, "proxy_x_m", "proxy_y_m", "proxy_z_m");
-    row.force_N = triple(*table, i, "force_x_N", "force_y_N", "force_z_N").norm();
+    row.proxy_W = triple(table, i, "proxy_x_m", "proxy_y_m", "proxy_z_m");
+    row.force_N = triple(table, i, "force_x_N", "force_y_N", "force_z_N").norm();
     row.commanded_N = run.has_commanded
-                          ? triple(*table, i, kCommanded[0], kCommanded[1], kCommanded[2]).norm()
+                          ? triple(table, i, kCommanded[0], kCommanded[1], kCommanded[2]).norm()
                           : row.force_N;
-    row.depth_m = table->column("depth_m")[i];
-    row.contact = table->column("contact")[i] != 0.0;
-    const double friction = table->column("friction_state")[i];
+    row.depth_m = table.column("depth_m")[i];
+    row.contact = table.column("contact")[i] != 0.0;
+    const double friction = table.column("friction_state")[i];
     const std::optional<rendering::FrictionState> state = friction_state(friction);
     if (!state) {
-      return std::unexpected(
-          fmt::format("{}:{}: column friction_state: {} is none of 0 (free), 1 (stick), 2 (slip)",
-                      file.string(), table->line(i), friction));
+      throw InputError(fmt::format("{}:{}: column friction_state: {} is none of 0 (free), 1 (stick), 2 (slip)",
+                      file.string(), table.line(i), friction));
     }
     row.friction = *state;
     run.rows.push_back(row);

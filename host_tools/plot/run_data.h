@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <expected>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,8 +29,8 @@ struct RunData {
   bool has_commanded = false;
 };
 
-// Errors are one line for a user that names file, line and column.
-std::expected<RunData, std::string> read_run(const std::filesystem::path& file);
+// Throws InputError, one line that names file, line and column.
+RunData read_run(const std::filesystem::path& file);
 
 // Indices of at most about `limit` rows that look like all of them: the first and the last, and of
 // every bucket the rows with the smallest and the largest force. Rising.

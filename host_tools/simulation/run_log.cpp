@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <stdexcept>
+
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -26,7 +27,7 @@ void append(std::string& line, const firmware::Triple& v) {
 LogFile::LogFile(const std::filesystem::path& path, std::string_view header)
     : path_(path), stream_(path, std::ios::binary), buffer_(header) {
   if (!stream_) {
-    throw std::runtime_error(fmt::format("{}: cannot write; is the folder there?", path_.string()));
+    throw InputError(fmt::format("{}: cannot write; is the folder there?", path_.string()));
   }
 }
 
@@ -34,7 +35,7 @@ void LogFile::flush() {
   stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   buffer_.clear();
   if (!stream_) {
-    throw std::runtime_error(fmt::format("{}: writing failed; is the disk full?", path_.string()));
+    throw InputError(fmt::format("{}: writing failed; is the disk full?", path_.string()));
   }
 }
 
@@ -48,7 +49,7 @@ void LogFile::close() {
   flush();
   stream_.close();
   if (!stream_) {
-    throw std::runtime_error(fmt::format("{}: writing failed; is the disk full?", path_.string()));
+    throw InputError(fmt::format("{}: writing failed; is the disk full?", path_.string()));
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace tactus::host {
 
-// A text file written in large pieces. Throws std::runtime_error, text for a user, when it cannot
+// A text file written in large pieces. Throws InputError, text for a user, when it cannot
 // be written.
 class LogFile {
  public:

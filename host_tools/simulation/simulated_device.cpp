@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -11,15 +12,15 @@ constexpr int kFewestSubsteps = 10;
 
 const DeviceParameters& checked(const DeviceParameters& parameters, double tick_s) {
   if (!(tick_s > 0.0) || tick_s > 0.02) {
-    throw std::invalid_argument("the simulation's rate must be at least 50 Hz");
+    throw InputError("the simulation's rate must be at least 50 Hz");
   }
   if (parameters.substeps < kFewestSubsteps) {
-    throw std::invalid_argument("the plant needs at least 10 sub-steps a tick");
+    throw InputError("the plant needs at least 10 sub-steps a tick");
   }
   if (!(parameters.plant.moving_mass_kg > 0.0) || !(parameters.encoder_resolution > 0.0) ||
       !(parameters.velocity_cutoff_Hz > 0.0) || !(parameters.effort_limit >= 0.0) ||
       !(parameters.motor_time_constant_s >= 0.0)) {
-    throw std::invalid_argument("the device's mass, encoder and motor parameters must be positive");
+    throw InputError("the device's mass, encoder and motor parameters must be positive");
   }
   return parameters;
 }

@@ -40,7 +40,7 @@ enum class DeviceFault : std::uint8_t {
 
 class SimulatedDevice {
  public:
-  // Powered up with the handle at rest at p_B. Throws std::invalid_argument, text for a user, on
+  // Powered up with the handle at rest at p_B. Throws InputError, text for a user, on
   // parameters out of range.
   SimulatedDevice(const DeviceParameters& parameters, double tick_s, const Vec3& p_B);
 

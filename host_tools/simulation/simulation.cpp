@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "firmware/control/run_tick.h"
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -31,11 +31,11 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
   controller.workspace_origin_D = origin_B_;
   if (const auto configured = controller_->configure(controller); !configured) {
     const firmware::ConfigError& error = configured.error();
-    throw std::invalid_argument(fmt::format("controller: {} is {}, outside of {} to {}",
+    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}",
                                             error.field, error.value, error.least, error.greatest));
   }
   if (!controller_->load_scene(objects, {.tool_radius_m = tool_radius_m})) {
-    throw std::invalid_argument(
+    throw InputError(
         "the controller refused the scene: too many objects, or one without triangles");
   }
 }

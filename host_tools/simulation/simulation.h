@@ -49,7 +49,7 @@ class Simulation {
  public:
   // The handle starts at rest where the hand wants it; the device stands so that the middle of the
   // wish path lies in the middle of its workspace. The objects' memory must outlive the simulation.
-  // Throws std::invalid_argument, text for a user, when device or controller refuse their
+  // Throws InputError, text for a user, when device or controller refuse their
   // configuration or the world the scene.
   Simulation(const SimulationConfig& config, std::span<const rendering::Object> objects,
              double tool_radius_m);

@@ -4,22 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
 
 void check(const std::vector<Waypoint>& waypoints) {
   if (waypoints.empty()) {
-    throw std::invalid_argument("a wish path needs at least one waypoint");
+    throw InputError("a wish path needs at least one waypoint");
   }
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
     if (!std::isfinite(waypoints[i].t_s) || !waypoints[i].p_W.allFinite()) {
-      throw std::invalid_argument(fmt::format("waypoint {} is not a finite number", i + 1));
+      throw InputError(fmt::format("waypoint {} is not a finite number", i + 1));
     }
     if (i > 0 && waypoints[i].t_s <= waypoints[i - 1].t_s) {
-      throw std::invalid_argument(
+      throw InputError(
           fmt::format("waypoint {} is at {} s, not after the one before it, at {} s", i + 1,
                       waypoints[i].t_s, waypoints[i - 1].t_s));
     }

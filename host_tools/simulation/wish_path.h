@@ -20,7 +20,7 @@ struct Waypoint {
 // axis. Before the first time and after the last the hand holds still.
 class WishPath {
  public:
-  // Throws std::invalid_argument, text ready for a user, on an empty path, on times that do not
+  // Throws InputError, text ready for a user, on an empty path, on times that do not
   // rise and on numbers that are not finite.
   explicit WishPath(std::vector<Waypoint> waypoints);
 

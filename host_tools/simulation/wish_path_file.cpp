@@ -6,12 +6,12 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "host_tools/csv/csv_table.h"
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -74,21 +74,18 @@ std::vector<std::optional<double>> front(std::span<const rendering::Object> obje
 
 }  // namespace
 
-std::expected<WishPath, std::string> read_wish_path(const std::filesystem::path& file) {
-  const std::expected<CsvTable, std::string> table = CsvTable::read(file, kColumns);
-  if (!table) {
-    return std::unexpected(table.error());
-  }
-  const std::span<const double> t_s = table->column("t_s");
+WishPath read_wish_path(const std::filesystem::path& file) {
+  const CsvTable table = CsvTable::read(file, kColumns);
+  const std::span<const double> t_s = table.column("t_s");
   std::vector<Waypoint> waypoints;
-  for (std::size_t i = 0; i < table->rows(); ++i) {
+  for (std::size_t i = 0; i < table.rows(); ++i) {
     if (i > 0 && t_s[i] <= t_s[i - 1]) {
-      return std::unexpected(fmt::format("{}:{}: column t_s: {} does not come after {}",
-                                         file.string(), table->line(i), t_s[i], t_s[i - 1]));
+      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}",
+                                         file.string(), table.line(i), t_s[i], t_s[i - 1]));
     }
     waypoints.push_back(
         {.t_s = t_s[i],
-         .p_W = {table->column("x_m")[i], table->column("y_m")[i], table->column("z_m")[i]}});
+         .p_W = {table.column("x_m")[i], table.column("y_m")[i], table.column("z_m")[i]}});
   }
   return WishPath(std::move(waypoints));
 }

@@ -1,7 +1,6 @@
 // Wish paths from a file, and the one that is used without a file.
 #pragma once
 
-#include <expected>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -12,7 +11,7 @@
 namespace tactus::host {
 
 // Columns t_s,x_m,y_m,z_m. Errors are one line for a user that names file, line and column.
-std::expected<WishPath, std::string> read_wish_path(const std::filesystem::path& file);
+WishPath read_wish_path(const std::filesystem::path& file);
 
 // Ten seconds made from the scene: wait in front of it (toward the user) while the device homes,
 // approach, press on the front, stroke sideways twice along it, leave and hover. `press_m` is how

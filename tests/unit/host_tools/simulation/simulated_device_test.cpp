@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "host_tools/simulation/device_presets.h"
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -151,9 +151,9 @@ TEST(SimulatedDevice, ALostDeviceSaysSoInReadAndWriteAndLetsGo) {
 
 TEST(SimulatedDevice, RefusesFewerThanTenSubstepsAndSlowRates) {
   DeviceParameters parameters = bare_device();
-  EXPECT_THROW(SimulatedDevice(parameters, 1.0, Vec3::Zero()), std::invalid_argument);
+  EXPECT_THROW(SimulatedDevice(parameters, 1.0, Vec3::Zero()), InputError);
   parameters.substeps = 9;
-  EXPECT_THROW(SimulatedDevice(parameters, kTick_s, Vec3::Zero()), std::invalid_argument);
+  EXPECT_THROW(SimulatedDevice(parameters, kTick_s, Vec3::Zero()), InputError);
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -60,9 +61,9 @@ TEST(WishPath, NeverOvershootsATurn) {
 
 TEST(WishPath, RefusesTimesThatDoNotRiseAndNumbersThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(WishPath({}), std::invalid_argument);
-  EXPECT_THROW(WishPath({{.t_s = 1.0}, {.t_s = 1.0}}), std::invalid_argument);
-  EXPECT_THROW(WishPath({{.t_s = 0.0, .p_W = {nan, 0.0, 0.0}}}), std::invalid_argument);
+  EXPECT_THROW(WishPath({}), InputError);
+  EXPECT_THROW(WishPath({{.t_s = 1.0}, {.t_s = 1.0}}), InputError);
+  EXPECT_THROW(WishPath({{.t_s = 0.0, .p_W = {nan, 0.0, 0.0}}}), InputError);
 }
 
 }  // namespace
