@@ -87,8 +87,8 @@ struct Place {
 }  // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& file,
-                                                    std::span<const std::string_view> required,
-                                                    std::span<const std::string_view> optional) {
+                        std::span<const std::string_view> required,
+                        std::span<const std::string_view> optional) {
   const std::string shown = file.string();
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file)) {
@@ -113,7 +113,7 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
       if (found == fields.end()) {
         if (names.data() == required.data()) {
           throw InputError(fmt::format("{}:{}: no column {}; the header is: {}", shown,
-                                             lines.number(), name, *header));
+                                       lines.number(), name, *header));
         }
         continue;
       }
@@ -132,13 +132,13 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
     split(*line, fields);
     if (fields.size() != width) {
       throw InputError(fmt::format("{}:{}: {} fields, but the header names {}", shown,
-                                         lines.number(), fields.size(), width));
+                                   lines.number(), fields.size(), width));
     }
     for (const Place& place : places) {
       const std::optional<double> value = finite_number(fields[place.field]);
       if (!value) {
         throw InputError(fmt::format("{}:{}: column {}: '{}' is not a finite number", shown,
-                                           lines.number(), place.name, fields[place.field]));
+                                     lines.number(), place.name, fields[place.field]));
       }
       place.values->push_back(*value);
     }

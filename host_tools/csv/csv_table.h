@@ -15,13 +15,13 @@ namespace tactus::host {
 // messages.
 class CsvTable {
  public:
-  // Every name in `required` must be in the header; names in `optional` may be. Throws InputError, one line
-  // for a user that names the file, the line and the column, like `path.csv:7: column x_m: 'abc' is
-  // not a number`: no such file, no header, a missing or repeated column, a short or long row, a
-  // field that is not a finite number, no rows.
+  // Every name in `required` must be in the header; names in `optional` may be. Throws InputError,
+  // one line for a user that names the file, the line and the column, like `path.csv:7: column x_m:
+  // 'abc' is not a number`: no such file, no header, a missing or repeated column, a short or long
+  // row, a field that is not a finite number, no rows.
   static CsvTable read(const std::filesystem::path& file,
-                                                   std::span<const std::string_view> required,
-                                                   std::span<const std::string_view> optional = {});
+                       std::span<const std::string_view> required,
+                       std::span<const std::string_view> optional = {});
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] bool has(std::string_view column) const { return columns_.contains(column); }

@@ -21,15 +21,13 @@ struct FigureFiles {
 FigureFiles figure_files(const std::filesystem::path& output, const std::string& stem);
 
 // Force and depth in stacked panels over a shared time axis, the background telling stick from
-// slip. Errors are one line for a user.
+// slip. Throws InputError when gnuplot is missing or fails.
 void draw_force_figure(const RunData& run, const std::string& title,
-                                                   const std::filesystem::path& png);
+                       const std::filesystem::path& png);
 
 // The path of the proxy's centre, coloured by force where it touched, from the front and from the
-// side, both panels with equal axes. Errors are one line for a user.
-void draw_path_figure(const RunData& run,
-                                                  std::span<const rendering::Object> objects,
-                                                  const std::string& title,
-                                                  const std::filesystem::path& png);
+// side, both panels with equal axes. Throws InputError when gnuplot is missing or fails.
+void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
+                      const std::string& title, const std::filesystem::path& png);
 
 }  // namespace tactus::host

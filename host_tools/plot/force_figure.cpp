@@ -46,7 +46,7 @@ std::string background(std::string_view name, const std::vector<Stretch>& bands)
 
 constexpr std::string_view kHead = R"gnuplot(
 if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
-  set terminal pngcairo size 1600,1000 font "DejaVu Sans,15" linewidth 1.4 background "#ffffff"
+  set terminal pngcairo size 1600,1000 font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
 }} else {{
   set terminal png truecolor size 1600,1000 font "DejaVu Sans,12"
 }}
@@ -71,12 +71,12 @@ set ylabel "force on the hand (N)" textcolor "#333333" offset 0.5
 set yrange [0:{top:.6g}]
 plot $stick using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#d3e5f6" title "stick", \
      $slip using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#fde5cb" title "slip", \
-     $run using 1:2 with lines linecolor "#17406d" linewidth 1.6 title "rendered force"{commanded}
+     {commanded}$run using 1:2 with lines linecolor "#17406d" linewidth 1.6 title "rendered force"
 unset label 1
 )gnuplot";
 
 constexpr std::string_view kCommandedCurve =
-    R"(, $run using 1:3 with lines linecolor "#d0421b" linewidth 1.1 title "after safety limits")";
+    R"($run using 1:3 with lines linecolor "#d0421b" linewidth 1.6 title "after safety limits", )";
 
 constexpr std::string_view kDepthPanel = R"gnuplot(
 set tmargin at screen 0.465
@@ -96,7 +96,7 @@ unset output
 }  // namespace
 
 void draw_force_figure(const RunData& run, const std::string& title,
-                                                   const std::filesystem::path& png) {
+                       const std::filesystem::path& png) {
   double force_N = 0.0;
   double depth_mm = 0.0;
   for (const RunRow& row : run.rows) {

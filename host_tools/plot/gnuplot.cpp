@@ -50,7 +50,7 @@ TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "tactus-plot-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw InputError(fmt::format("{}: cannot make a temporary folder: {}", pattern,
-                                         std::generic_category().message(errno)));
+                                 std::generic_category().message(errno)));
   }
   path_ = pattern;
 }
@@ -69,8 +69,7 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
   write_file(file, bytes);
 }
 
-void run_gnuplot(const TemporaryFolder& folder,
-                                             std::string_view script) {
+void run_gnuplot(const TemporaryFolder& folder, std::string_view script) {
   const std::filesystem::path script_file = folder.path() / "script.gp";
   const std::filesystem::path messages = folder.path() / "messages.txt";
   write_file(script_file, script);
@@ -90,7 +89,8 @@ void run_gnuplot(const TemporaryFolder& folder,
     throw InputError("gnuplot is not installed; it is in the Debian package gnuplot-nox");
   }
   if (failure != 0) {
-    throw InputError(fmt::format("cannot start gnuplot: {}", std::generic_category().message(failure)));
+    throw InputError(
+        fmt::format("cannot start gnuplot: {}", std::generic_category().message(failure)));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

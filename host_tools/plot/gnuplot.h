@@ -30,10 +30,9 @@ class TemporaryFolder {
 // InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 
-// Runs gnuplot on the script, which is kept in the folder as script.gp. Errors are one line for a
-// user: gnuplot is not installed, or the first line of what it complained about.
-void run_gnuplot(const TemporaryFolder& folder,
-                                             std::string_view script);
+// Runs gnuplot on the script, which is kept in the folder as script.gp. Throws InputError: gnuplot
+// is not installed, or what it complained about.
+void run_gnuplot(const TemporaryFolder& folder, std::string_view script);
 
 // A string in gnuplot's single quotes.
 std::string gnuplot_string(std::string_view text);

@@ -46,6 +46,9 @@ void scale_to_mm(Window& window) {
 Window window_of(View view, const RunData& run, std::span<const rendering::Object> objects) {
   Window window = bounds(view, objects);
   for (const RunRow& row : run.rows) {
+    if (!row.located) {
+      continue;
+    }
     window.include(project(view, row.proxy_W));
   }
   scale_to_mm(window);
@@ -86,6 +89,9 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
   bool was_contact = run.rows.front().contact;
   for (const std::size_t i : thin(run.rows, kMostPoints)) {
     const RunRow& row = run.rows[i];
+    if (!row.located) {
+      continue;
+    }
     const PlanePoint point = project(view, row.proxy_W);
     const std::string line =
         fmt::format("{:.6g} {:.6g} {:.4g}\n", 1e3 * point.right, 1e3 * point.up, row.force_N);
@@ -100,9 +106,32 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
   return touching.append(off_sheet) + free.append(off_sheet);
 }
 
+// Where the drawn path begins and ends.
+std::string ends_block(const RunData& run, View view, const Window& window_mm,
+                       std::string_view suffix) {
+  constexpr double kTogether = 0.08;  // of the panel's width: closer, two labels would overlap
+  const auto located = [](const RunRow& row) { return row.located; };
+  const auto first = std::find_if(run.rows.begin(), run.rows.end(), located);
+  const auto last = std::find_if(run.rows.rbegin(), run.rows.rend(), located);
+  std::string block = fmt::format("$ends{} << EOD\n1e9 1e9 \"\"\n", suffix);
+  if (first != run.rows.end()) {
+    const PlanePoint start = project(view, first->proxy_W);
+    const PlanePoint end = project(view, last->proxy_W);
+    const bool together = std::hypot(end.right - start.right, end.up - start.up) <
+                          kTogether * window_mm.width() * 1e-3;
+    const auto add = [&block](const PlanePoint& point, std::string_view label) {
+      fmt::format_to(std::back_inserter(block), "{:.6g} {:.6g} \"{}\"\n", 1e3 * point.right,
+                     1e3 * point.up, label);
+    };
+    add(start, together ? "start, end" : "start");
+    add(end, together ? "" : "end");
+  }
+  return block + "EOD\n";
+}
+
 constexpr std::string_view kHead = R"gnuplot(
 if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
-  set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 background "#ffffff"
+  set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
 }} else {{
   set terminal png truecolor size {width},{height} font "DejaVu Sans,12"
 }}
@@ -128,8 +157,11 @@ set ylabel {ylabel} textcolor "#333333" offset 0.5
 {colour_box}
 plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
        origin=({ox:.8g},{oy:.8g}) dx={dx:.8g} dy={dy:.8g} with rgbimage, \
-     $free{suffix} using 1:2 with lines linecolor "#4a4a4a" linewidth 1.1 dashtype (6,5), \
-     $touching{suffix} using 1:2:3 with lines linecolor palette linewidth 3.2
+     $free{suffix} using 1:2 with lines linecolor "#4a4a4a" linewidth 1.2 dashtype (12,8), \
+     $touching{suffix} using 1:2 with lines linecolor "#ffffff" linewidth 5.5, \
+     $touching{suffix} using 1:2:3 with lines linecolor palette linewidth 3.2, \
+     $ends{suffix} using 1:2 with points pointtype 7 pointsize 1.1 linecolor "#4a4a4a", \
+     $ends{suffix} using 1:2:3 with labels left offset 1,0 textcolor "#4a4a4a"
 unset label
 )gnuplot";
 
@@ -173,16 +205,16 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
 
 }  // namespace
 
-void draw_path_figure(const RunData& run,
-                                                  std::span<const rendering::Object> objects,
-                                                  const std::string& title,
-                                                  const std::filesystem::path& png) {
+void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
+                      const std::string& title, const std::filesystem::path& png) {
   const Sheet sheet = lay_out(run, objects);
   const auto by_force = [](const RunRow& a, const RunRow& b) { return a.force_N < b.force_N; };
   const double force_N = std::max_element(run.rows.begin(), run.rows.end(), by_force)->force_N;
   const TemporaryFolder folder;
-  std::string script =
-      path_blocks(run, View::front, "_front") + path_blocks(run, View::side, "_side");
+  std::string script = path_blocks(run, View::front, "_front") +
+                       path_blocks(run, View::side, "_side") +
+                       ends_block(run, View::front, sheet.front.window, "_front") +
+                       ends_block(run, View::side, sheet.side.window, "_side");
   script += fmt::format(
       kHead, fmt::arg("width", kSheetWidth), fmt::arg("height", sheet.height),
       fmt::arg("output", gnuplot_string(png.string())), fmt::arg("force", std::max(force_N, 0.1)),

@@ -16,8 +16,12 @@ namespace {
 constexpr std::array<std::string_view, 10> kRequired = {
     "t_s",       "proxy_x_m", "proxy_y_m", "proxy_z_m", "force_x_N",
     "force_y_N", "force_z_N", "contact",   "depth_m",   "friction_state"};
+constexpr std::string_view kMode = "mode";
 constexpr std::array<std::string_view, 3> kCommanded = {
     "commanded_force_x_N", "commanded_force_y_N", "commanded_force_z_N"};
+constexpr std::array<std::string_view, 4> kOptional = {kCommanded[0], kCommanded[1], kCommanded[2],
+                                                       kMode};
+constexpr double kFirstLocatedMode = 2.0;  // ready
 
 Vec3 triple(const CsvTable& table, std::size_t row, std::string_view x, std::string_view y,
             std::string_view z) {
@@ -37,7 +41,7 @@ std::optional<rendering::FrictionState> friction_state(double value) {
 }  // namespace
 
 RunData read_run(const std::filesystem::path& file) {
-  const CsvTable table = CsvTable::read(file, kRequired, kCommanded);
+  const CsvTable table = CsvTable::read(file, kRequired, kOptional);
   RunData run;
   run.has_commanded =
       std::ranges::all_of(kCommanded, [&](std::string_view name) { return table.has(name); });
@@ -46,9 +50,8 @@ RunData read_run(const std::filesystem::path& file) {
     RunRow row;
     row.t_s = table.column("t_s")[i];
     if (i > 0 && row.t_s <= run.rows.back().t_s) {
-      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}",
-                                         file.string(), table.line(i), row.t_s,
-                                         run.rows.back().t_s));
+      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}", file.string(),
+                                   table.line(i), row.t_s, run.rows.back().t_s));
     }
     row.proxy_W = triple(table, i, "proxy_x_m", "proxy_y_m", "proxy_z_m");
     row.force_N = triple(table, i, "force_x_N", "force_y_N", "force_z_N").norm();
@@ -57,10 +60,13 @@ RunData read_run(const std::filesystem::path& file) {
                           : row.force_N;
     row.depth_m = table.column("depth_m")[i];
     row.contact = table.column("contact")[i] != 0.0;
+    // firmware::Mode: before homing is over the tool's position means nothing.
+    row.located = !table.has(kMode) || table.column(kMode)[i] >= kFirstLocatedMode;
     const double friction = table.column("friction_state")[i];
     const std::optional<rendering::FrictionState> state = friction_state(friction);
     if (!state) {
-      throw InputError(fmt::format("{}:{}: column friction_state: {} is none of 0 (free), 1 (stick), 2 (slip)",
+      throw InputError(
+          fmt::format("{}:{}: column friction_state: {} is none of 0 (free), 1 (stick), 2 (slip)",
                       file.string(), table.line(i), friction));
     }
     row.friction = *state;

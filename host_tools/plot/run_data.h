@@ -21,6 +21,7 @@ struct RunRow {
       0.0;  // of the force after the limits; equal to force_N where the run has none
   double depth_m = 0.0;
   bool contact = false;
+  bool located = true;  // false while the controller does not know where the tool is
   rendering::FrictionState friction = rendering::FrictionState::free;
 };
 

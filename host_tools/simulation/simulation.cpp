@@ -31,8 +31,8 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
   controller.workspace_origin_D = origin_B_;
   if (const auto configured = controller_->configure(controller); !configured) {
     const firmware::ConfigError& error = configured.error();
-    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}",
-                                            error.field, error.value, error.least, error.greatest));
+    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}", error.field,
+                                 error.value, error.least, error.greatest));
   }
   if (!controller_->load_scene(objects, {.tool_radius_m = tool_radius_m})) {
     throw InputError(

@@ -20,9 +20,8 @@ void check(const std::vector<Waypoint>& waypoints) {
       throw InputError(fmt::format("waypoint {} is not a finite number", i + 1));
     }
     if (i > 0 && waypoints[i].t_s <= waypoints[i - 1].t_s) {
-      throw InputError(
-          fmt::format("waypoint {} is at {} s, not after the one before it, at {} s", i + 1,
-                      waypoints[i].t_s, waypoints[i - 1].t_s));
+      throw InputError(fmt::format("waypoint {} is at {} s, not after the one before it, at {} s",
+                                   i + 1, waypoints[i].t_s, waypoints[i - 1].t_s));
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -72,6 +73,36 @@ std::vector<std::optional<double>> front(std::span<const rendering::Object> obje
   return fronts;
 }
 
+constexpr std::size_t kStations = 17;
+constexpr std::size_t kMiddleStation = kStations / 2;
+using Stations = std::array<Vec3, kStations>;
+
+// Points of the front, evenly along x. Outwards from the middle the stroke ends where the front is
+// missing or steeper than 45 degrees, so that the hand is not led under an overhang: the stations
+// beyond repeat the last good one.
+Stations find_stations(std::span<const rendering::Object> objects, const Vec3& middle_W,
+                       double half_stroke_m) {
+  const double step_m = half_stroke_m / static_cast<double>(kMiddleStation);
+  std::array<double, kStations> xs{};
+  for (std::size_t i = 0; i < kStations; ++i) {
+    xs[i] = middle_W.x() + step_m * (static_cast<double>(i) - static_cast<double>(kMiddleStation));
+  }
+  const std::vector<std::optional<double>> fronts = front(objects, xs, middle_W.y());
+  Stations stations;
+  stations[kMiddleStation] = {middle_W.x(), middle_W.y(),
+                              fronts[kMiddleStation].value_or(middle_W.z())};
+  const auto follow = [&](std::size_t i, std::size_t inner) {
+    const bool reachable = stations[inner].x() == xs[inner] && fronts[i] &&
+                           std::abs(*fronts[i] - stations[inner].z()) <= step_m;
+    stations[i] = reachable ? Vec3(xs[i], middle_W.y(), *fronts[i]) : stations[inner];
+  };
+  for (std::size_t k = 1; k <= kMiddleStation; ++k) {
+    follow(kMiddleStation + k, kMiddleStation + k - 1);
+    follow(kMiddleStation - k, kMiddleStation - k + 1);
+  }
+  return stations;
+}
+
 }  // namespace
 
 WishPath read_wish_path(const std::filesystem::path& file) {
@@ -80,8 +111,8 @@ WishPath read_wish_path(const std::filesystem::path& file) {
   std::vector<Waypoint> waypoints;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (i > 0 && t_s[i] <= t_s[i - 1]) {
-      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}",
-                                         file.string(), table.line(i), t_s[i], t_s[i - 1]));
+      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}", file.string(),
+                                   table.line(i), t_s[i], t_s[i - 1]));
     }
     waypoints.push_back(
         {.t_s = t_s[i],
@@ -93,53 +124,32 @@ WishPath read_wish_path(const std::filesystem::path& file) {
 WishPath default_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
                            double press_m, double reach_m) {
   constexpr double kClear_m = 0.03;  // how far from the front the hand waits and hovers
-  constexpr std::size_t kStations = 9;
-  constexpr double kApproached_s = 2.0;
   constexpr double kPressed_s = 3.0;
-  constexpr double kStrokes_s = 5.0;
+  constexpr double kStroke_s = 5.0;
   const Box box = bounds(objects);
   const Vec3 middle_W = 0.5 * (box.lower_W + box.upper_W);
   const double half_stroke_m = std::min(0.25 * (box.upper_W.x() - box.lower_W.x()), reach_m);
+  const Stations stations = find_stations(objects, middle_W, half_stroke_m);
+  const double front_m = stations[kMiddleStation].z();
 
-  // There and back, starting in the middle: stations along x at the front's height, or the last
-  // one's over a gap.
-  std::array<double, kStations> xs{};
-  for (std::size_t i = 0; i < kStations; ++i) {
-    const double share = 2.0 * static_cast<double>(i) / static_cast<double>(kStations - 1) - 1.0;
-    xs[i] = middle_W.x() + share * half_stroke_m;
-  }
-  const std::vector<std::optional<double>> fronts = front(objects, xs, middle_W.y());
-  const double front_middle_m = fronts[kStations / 2].value_or(box.upper_W.z());
-  const double clear_m = front_middle_m + tool_radius_m + kClear_m;
-  const auto station = [&](std::size_t i) {
-    const double z = fronts[i].value_or(front_middle_m);
-    return Vec3(xs[i], middle_W.y(),
-                std::clamp(z, clear_m - 2.0 * reach_m, clear_m) + tool_radius_m - press_m);
+  const Vec3 towards_user(0.0, 0.0, 1.0);
+  const Vec3 start_W(middle_W.x(), middle_W.y(), front_m + tool_radius_m + kClear_m);
+  const auto pressed = [&](std::size_t i) {
+    return Vec3(stations[i] + (tool_radius_m - press_m) * towards_user);
   };
-
-  const Vec3 start_W(middle_W.x(), middle_W.y(), clear_m);
-  const Vec3 first_W = station(kStations / 2);
   std::vector<Waypoint> waypoints = {
       {.t_s = 0.0, .p_W = start_W},
       {.t_s = 0.8, .p_W = start_W},
-      {.t_s = kApproached_s, .p_W = first_W + Vec3(0.0, 0.0, press_m + 0.002)},
-      {.t_s = kPressed_s, .p_W = first_W},
+      {.t_s = 2.0, .p_W = pressed(kMiddleStation) + (press_m + 0.002) * towards_user},
+      {.t_s = kPressed_s, .p_W = pressed(kMiddleStation)},
   };
-  // Middle, right end, left end, middle.
-  std::vector<std::size_t> order;
-  for (std::size_t i = kStations / 2; i < kStations; ++i) {
-    order.push_back(i);
-  }
-  for (std::size_t i = kStations - 1; i-- > 0;) {
-    order.push_back(i);
-  }
-  for (std::size_t i = 1; i <= kStations / 2; ++i) {
-    order.push_back(i);
-  }
-  const double step_s = kStrokes_s / static_cast<double>(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    waypoints.push_back(
-        {.t_s = kPressed_s + 0.3 + step_s * static_cast<double>(k), .p_W = station(order[k])});
+  // From the middle to the right end, to the left end and back, one station after the other.
+  constexpr std::size_t kMoves = 2 * (kStations - 1);
+  for (std::size_t move = 0; move <= kMoves; ++move) {
+    const std::size_t phase = (kMiddleStation + move) % kMoves;
+    const std::size_t station = phase < kStations ? phase : kMoves - phase;
+    const double t_s = kPressed_s + 0.3 + kStroke_s * static_cast<double>(move) / kMoves;
+    waypoints.push_back({.t_s = t_s, .p_W = pressed(station)});
   }
   waypoints.push_back({.t_s = 9.2, .p_W = start_W});
   waypoints.push_back({.t_s = 10.0, .p_W = start_W});

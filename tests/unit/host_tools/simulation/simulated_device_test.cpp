@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "host_tools/simulation/device_presets.h"
 #include "host_tools/input_error.h"
+#include "host_tools/simulation/device_presets.h"
 
 namespace tactus::host {
 namespace {
