@@ -1,0 +1,117 @@
+#include "host_tools/bake/bake.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "host_tools/bake/atomic_file.h"
+#include "host_tools/bake/mesh_import.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void tell(const Progress& progress, const std::string& step) {
+  if (progress) {
+    progress(step);
+  }
+}
+
+std::vector<std::string> warnings_for(const ObjectDescription& object,
+                                      const rendering::BakeCounters& counters) {
+  std::vector<std::string> warnings;
+  if (object.sides == rendering::Sides::one &&
+      (counters.open_edges != 0 || counters.non_manifold_edges != 0 ||
+       counters.inconsistent_edges != 0)) {
+    warnings.push_back(fmt::format(
+        "{}: the mesh has {} open, {} non-manifold and {} inconsistently wound edges, so the tool "
+        "can get behind it; write sides = \"two\", or close the mesh",
+        object.mesh.string(), counters.open_edges, counters.non_manifold_edges,
+        counters.inconsistent_edges));
+  }
+  if (counters.degenerate_triangles != 0) {
+    warnings.push_back(fmt::format("{}: {} triangles without area are left out",
+                                   object.mesh.string(), counters.degenerate_triangles));
+  }
+  return warnings;
+}
+
+// A missing file is the scene's fault, so that is where the error points.
+void require_mesh_file(const ObjectDescription& object, const std::string& scene) {
+  std::error_code error;
+  if (!std::filesystem::exists(object.mesh, error)) {
+    throw InputError(
+        fmt::format("{}:{}: there is no mesh file {}; correct the path, it starts from the scene "
+                    "file's folder",
+                    scene, object.line, object.mesh.string()));
+  }
+}
+
+// Errors of the steps that know no file get the mesh's name.
+BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription& object) {
+  try {
+    return bake_mesh(place(imported, object.placement), object.mesh_options);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", object.mesh.string(), error.what()));
+  }
+}
+
+BakedObject bake_object(const ObjectDescription& object, ObjectReport& report,
+                        const Progress& progress) {
+  const Stopwatch stopwatch;
+  tell(progress, fmt::format("{}: reading {}", object.name, object.mesh.string()));
+  const ImportedMesh imported = import_mesh(object.mesh);
+  tell(progress, fmt::format("{}: baking {} triangles", object.name, imported.triangles.size()));
+  BakedObject baked{.name = object.name,
+                    .sides = object.sides,
+                    .material = object.material,
+                    .mesh = bake_object_mesh(imported, object)};
+  report = {.name = object.name,
+            .mesh = object.mesh.string(),
+            .triangles = baked.mesh.triangles.size(),
+            .vertices = baked.mesh.vertices.size(),
+            .lines_and_points = imported.lines_and_points,
+            .counters = baked.mesh.counters,
+            .bytes = image_bytes(baked.mesh),
+            .seconds = stopwatch.seconds(),
+            .warnings = warnings_for(object, baked.mesh.counters)};
+  return baked;
+}
+
+}  // namespace
+
+BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::path& image,
+                     const Progress& progress) {
+  const Stopwatch stopwatch;
+  const SceneDescription description = read_scene_description(scene);
+  BakeReport report{.image = image.string(),
+                    .tool_radius_m = description.tool_radius_m,
+                    .bytes = 0,
+                    .seconds = 0.0,
+                    .objects = {}};
+  BakedScene baked{.tool_radius_m = description.tool_radius_m, .objects = {}};
+  for (const ObjectDescription& object : description.objects) {
+    require_mesh_file(object, description.file);
+  }
+  for (const ObjectDescription& object : description.objects) {
+    baked.objects.push_back(bake_object(object, report.objects.emplace_back(), progress));
+  }
+  tell(progress, fmt::format("writing {}", image.string()));
+  const std::vector<std::byte> bytes = write_image(baked);
+  write_file_atomically(image, bytes);
+  report.bytes = bytes.size();
+  report.seconds = stopwatch.seconds();
+  return report;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,117 @@
+#include "host_tools/bake/image_writer.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host_tools/input_error.h"
+#include "rendering/limits.h"
+#include "rendering/scene/image_format.h"
+#include "rendering/scene/scene_generated.h"
+
+namespace tactus::host {
+namespace {
+
+namespace image = rendering::image;
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+// Room for an object's tables, name and padding.
+constexpr std::uint64_t kObjectOverheadBytes = 4096;
+
+// One vector of structs, copied as bytes, its first element at a multiple of `alignment` from the
+// image's start, minus `shift`.
+template <class Stored, class T>
+Offset<flatbuffers::Vector<const Stored*>> write_vector(FlatBufferBuilder& builder,
+                                                        const std::vector<T>& values,
+                                                        std::size_t alignment,
+                                                        std::size_t shift = 0) {
+  static_assert(sizeof(Stored) == sizeof(T));
+  // FlatBuffers builds from the end: what is aligned is the distance from the end to the start of
+  // the vector.
+  builder.ForceVectorAlignment(values.size() * sizeof(T) + shift, 1, alignment);
+  const void* bytes = values.data();
+  return builder.CreateVectorOfStructs(static_cast<const Stored*>(bytes), values.size());
+}
+
+Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh) {
+  constexpr std::size_t kLine = rendering::kCacheLine;
+  const auto vertices = write_vector<image::Float3>(builder, mesh.vertices, kLine);
+  const auto triangles = write_vector<image::Triple>(builder, mesh.triangles, kLine);
+  const auto neighbours = write_vector<image::Triple>(builder, mesh.neighbours, kLine);
+  const auto normals = write_vector<image::Float3>(builder, mesh.vertex_normals, kLine);
+  // The root stands alone in the second half of a cache line, so that every pair of siblings, which
+  // the walk reads together, shares one.
+  const auto nodes =
+      write_vector<image::Node>(builder, mesh.nodes, kLine, sizeof(rendering::BvhNode));
+  const rendering::BakeCounters& c = mesh.counters;
+  const image::BakeCounters counters(c.welded_vertices, c.degenerate_triangles, c.open_edges,
+                                     c.non_manifold_edges, c.inconsistent_edges);
+  return image::CreateMesh(builder, vertices, triangles, neighbours, nodes, normals, &counters);
+}
+
+Offset<image::Material> write_material(FlatBufferBuilder& builder,
+                                       const rendering::Material& material) {
+  const auto friction = image::CreateConeFriction(builder, material.friction.static_coefficient,
+                                                  material.friction.dynamic_coefficient);
+  return image::CreateMaterial(builder, material.stiffness_N_per_m, material.damping_Ns_per_m,
+                               image::Friction::ConeFriction, friction.Union());
+}
+
+Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject& object) {
+  const auto mesh = write_mesh(builder, object.mesh);
+  const auto material = write_material(builder, object.material);
+  const auto name = builder.CreateString(object.name);
+  const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
+  return image::CreateObject(builder, name, sides, material, mesh);
+}
+
+std::uint64_t estimated_bytes(const BakedScene& scene) {
+  std::uint64_t bytes = kObjectOverheadBytes;
+  for (const BakedObject& object : scene.objects) {
+    bytes += image_bytes(object.mesh) + object.name.size() + kObjectOverheadBytes;
+  }
+  return bytes;
+}
+
+std::vector<std::byte> with_header(std::span<const std::uint8_t> payload) {
+  rendering::ImageHeader header;
+  header.payload_bytes = payload.size();
+  header.checksum = rendering::image_checksum(header, std::as_bytes(payload));
+  std::vector<std::byte> bytes(sizeof(header) + payload.size());
+  std::memcpy(bytes.data(), &header, sizeof(header));
+  std::memcpy(bytes.data() + sizeof(header), payload.data(), payload.size());
+  return bytes;
+}
+
+}  // namespace
+
+std::uint64_t image_bytes(const BakedMesh& mesh) {
+  return std::as_bytes(std::span(mesh.vertices)).size() +
+         std::as_bytes(std::span(mesh.triangles)).size() +
+         std::as_bytes(std::span(mesh.neighbours)).size() +
+         std::as_bytes(std::span(mesh.vertex_normals)).size() +
+         std::as_bytes(std::span(mesh.nodes)).size();
+}
+
+std::vector<std::byte> write_image(const BakedScene& scene) {
+  if (scene.objects.empty() || scene.objects.size() > rendering::kMaxObjects) {
+    throw InputError(fmt::format("{} objects, where 1 to {} fit; split the scene",
+                                 scene.objects.size(), rendering::kMaxObjects));
+  }
+  const std::uint64_t estimate = estimated_bytes(scene);
+  if (estimate > rendering::kMaxPayloadBytes) {
+    throw InputError(fmt::format("the image would take {} MB, where 2147 fit; simplify the meshes",
+                                 estimate / 1'000'000));
+  }
+  FlatBufferBuilder builder(estimate);
+  std::vector<Offset<image::Object>> objects;
+  for (const BakedObject& object : scene.objects) {
+    objects.push_back(write_object(builder, object));
+  }
+  const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects));
+  image::FinishSceneBuffer(builder, root);
+  return with_header({builder.GetBufferPointer(), builder.GetSize()});
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,34 @@
+// Writes baked meshes as a scene image (rendering/scene/scene.fbs).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host_tools/bake/mesh_bake.h"
+#include "rendering/world/object.h"
+
+namespace tactus::host {
+
+struct BakedObject {
+  std::string name;
+  rendering::Sides sides = rendering::Sides::one;
+  rendering::Material material;
+  BakedMesh mesh;
+};
+
+struct BakedScene {
+  double tool_radius_m = 0.0;
+  std::vector<BakedObject> objects;
+};
+
+// What an object's arrays take in the image.
+std::uint64_t image_bytes(const BakedMesh& mesh);
+
+// The whole image, ready for SceneImage::open; the same scene gives the same bytes. Throws
+// InputError when the scene is too large for the format (2 GiB) or has too many objects.
+std::vector<std::byte> write_image(const BakedScene& scene);
+
+}  // namespace tactus::host

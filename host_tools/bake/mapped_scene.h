@@ -1,0 +1,45 @@
+// A scene image mapped from its file.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "rendering/scene/scene_error.h"
+#include "rendering/scene/scene_image.h"
+
+namespace tactus::host {
+
+// Owns the mapping; the image's views live as long as this does, wherever it is moved.
+class MappedScene {
+ public:
+  // Throws InputError, ready for the user, when the file cannot be read or the image is refused.
+  explicit MappedScene(const std::filesystem::path& path);
+
+  [[nodiscard]] const rendering::SceneImage& image() const { return image_; }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return mapping_.bytes(); }
+
+ private:
+  class Mapping {
+   public:
+    explicit Mapping(const std::filesystem::path& path);
+    Mapping(Mapping&& other) noexcept;
+    Mapping& operator=(Mapping&& other) noexcept;
+    Mapping(const Mapping&) = delete;
+    Mapping& operator=(const Mapping&) = delete;
+    ~Mapping();
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+   private:
+    std::span<const std::byte> bytes_;
+  };
+
+  Mapping mapping_;
+  rendering::SceneImage image_;
+};
+
+// "object 2: triangle 17: vertex index is out of range; bake the scene again".
+std::string explain(const rendering::SceneError& error);
+
+}  // namespace tactus::host

@@ -1,0 +1,25 @@
+// Reads a mesh file of any format that Assimp knows.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "rendering/world/object.h"
+
+namespace tactus::host {
+
+// In the file's own frame and unit.
+struct ImportedMesh {
+  std::vector<Vec3> vertices;
+  std::vector<rendering::TriangleIndices> triangles;
+  std::uint32_t lines_and_points = 0;  // primitives that have no surface, left out
+};
+
+// All meshes of the file, at the places that the file's nodes give them, with polygons cut into
+// triangles. Nothing is merged, mended or left out beside lines and points. Throws InputError that
+// names the file, and the line in text formats: missing or unreadable file, unknown format, damaged
+// content, vertex not finite, index out of range, polygon that cannot be cut, no triangle at all.
+ImportedMesh import_mesh(const std::filesystem::path& path);
+
+}  // namespace tactus::host

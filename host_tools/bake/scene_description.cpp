@@ -1,0 +1,196 @@
+#include "host_tools/bake/scene_description.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host_tools/bake/atomic_file.h"
+#include "host_tools/bake/toml_section.h"
+#include "host_tools/input_error.h"
+#include "rendering/limits.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}};
+constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}};
+constexpr std::array kObjectKeys{
+    KeySpec{"name", ""},
+    KeySpec{"mesh", ""},
+    KeySpec{"longest_side_m", "m"},
+    KeySpec{"scale", ""},
+    KeySpec{"position_m", "m"},
+    KeySpec{"rotation", ""},
+    KeySpec{"weld_m", "m"},
+    KeySpec{"sides", ""},
+    KeySpec{"stiffness_N_per_m", "N_per_m"},
+    KeySpec{"damping_Ns_per_m", "Ns_per_m"},
+    KeySpec{"friction", ""},
+};
+constexpr std::array kRotationKeys{KeySpec{"axis", ""}, KeySpec{"angle_deg", "deg"},
+                                   KeySpec{"quaternion_wxyz", ""}};
+constexpr std::array kFrictionKeys{KeySpec{"model", ""}, KeySpec{"static", ""},
+                                   KeySpec{"dynamic", ""}};
+
+Vec3 to_vector(std::span<const double> values) {
+  return {values[0], values[1], values[2]};
+}
+
+Eigen::Quaterniond read_rotation(const toml::table& table, const TomlSection& object,
+                                 std::string_view file) {
+  const TomlSection section(table, file, object.title() + " rotation", kRotationKeys);
+  const auto axis = section.numbers("axis", 3);
+  const auto angle_deg = section.number("angle_deg", kAnyNumber);
+  const auto quaternion = section.numbers("quaternion_wxyz", 4);
+  if (quaternion && !axis && !angle_deg) {
+    const Eigen::Quaterniond q((*quaternion)[0], (*quaternion)[1], (*quaternion)[2],
+                               (*quaternion)[3]);
+    if (!(q.norm() > 0.0)) {
+      section.fail("quaternion_wxyz", "quaternion_wxyz is zero; write [1.0, 0.0, 0.0, 0.0]");
+    }
+    return q.normalized();
+  }
+  if (quaternion || !axis || !angle_deg) {
+    section.fail("axis",
+                 "must be either { axis = [0.0, 1.0, 0.0], angle_deg = 90.0 } or "
+                 "{ quaternion_wxyz = [1.0, 0.0, 0.0, 0.0] }; write one of the two");
+  }
+  const Vec3 direction = to_vector(*axis);
+  if (!(direction.norm() > 0.0)) {
+    section.fail("axis", "axis is zero; write the direction to turn about, as in [0.0, 1.0, 0.0]");
+  }
+  return Eigen::Quaterniond(Eigen::AngleAxisd(*angle_deg * M_PI / 180.0, direction.normalized()));
+}
+
+Placement read_placement(const TomlSection& section, std::string_view file) {
+  Placement placement;
+  placement.longest_side_m = section.number("longest_side_m", kAboveZero);
+  const std::optional<double> scale = section.number("scale", kAboveZero);
+  if (placement.longest_side_m && scale) {
+    section.fail("scale", "both longest_side_m and scale set the size; leave one of them out");
+  }
+  placement.scale = scale.value_or(1.0);
+  if (const auto position = section.numbers("position_m", 3)) {
+    placement.position_m = to_vector(*position);
+  }
+  if (const toml::table* rotation = section.table("rotation")) {
+    placement.rotation = read_rotation(*rotation, section, file);
+  }
+  return placement;
+}
+
+rendering::Sides read_sides(const TomlSection& section) {
+  const std::string sides = section.text("sides").value_or("one");
+  if (sides != "one" && sides != "two") {
+    section.fail("sides", fmt::format("sides is \"{}\"; write \"one\" or \"two\"", sides));
+  }
+  return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
+}
+
+rendering::ConeFriction read_friction(const toml::table& table, const TomlSection& object,
+                                      std::string_view file) {
+  const TomlSection section(table, file, object.title() + " friction", kFrictionKeys);
+  const std::string model = section.text("model").value_or("cone");
+  if (model != "cone") {
+    section.fail("model", fmt::format("no friction model \"{}\"; write \"cone\"", model));
+  }
+  const auto stick = section.number("static", kZeroOrMore);
+  const auto slip = section.number("dynamic", kZeroOrMore);
+  if (!stick) {
+    section.fail("static", "the coefficient static is missing; write static = 0.6");
+  }
+  const double dynamic = slip.value_or(*stick);
+  if (dynamic > *stick) {
+    section.fail("dynamic",
+                 fmt::format("dynamic ({}) is above static ({}); sliding cannot hold more than "
+                             "sticking, swap or lower it",
+                             dynamic, *stick));
+  }
+  return {.static_coefficient = *stick, .dynamic_coefficient = dynamic};
+}
+
+ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
+                              const std::filesystem::path& folder) {
+  const TomlSection section(table, file, fmt::format("object {}", index + 1), kObjectKeys);
+  ObjectDescription object;
+  const std::optional<std::string> mesh = section.text("mesh");
+  if (!mesh) {
+    section.fail("mesh", "has no mesh; write mesh = \"file.ply\"");
+  }
+  object.mesh = folder / *mesh;
+  object.line = section.line("mesh");
+  object.name = section.text("name").value_or(object.mesh.stem().string());
+  object.placement = read_placement(section, file);
+  object.sides = read_sides(section);
+  object.material.stiffness_N_per_m =
+      section.number("stiffness_N_per_m", kZeroOrMore).value_or(kDefaultStiffness_N_per_m);
+  object.material.damping_Ns_per_m = section.number("damping_Ns_per_m", kZeroOrMore).value_or(0.0);
+  if (const toml::table* friction = section.table("friction")) {
+    object.material.friction = read_friction(*friction, section, file);
+  }
+  object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
+  return object;
+}
+
+toml::table parse(std::string_view text, std::string_view file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}; correct the line", file,
+                                 error.source().begin.line, error.description()));
+  }
+}
+
+const toml::array& object_array(const toml::table& root, const TomlSection& scene) {
+  const toml::node* node = root.get("object");
+  const toml::array* array = node == nullptr ? nullptr : node->as_array();
+  if (node != nullptr && node->is_table()) {
+    scene.fail("object", "[object] is a single table; write [[object]], with two brackets");
+  }
+  if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table)) {
+    scene.fail("object", "there is no [[object]]; add one with a mesh");
+  }
+  if (array->size() > rendering::kMaxObjects) {
+    scene.fail("object", fmt::format("{} objects, where {} fit; leave some out", array->size(),
+                                     rendering::kMaxObjects));
+  }
+  return *array;
+}
+
+void require_distinct_name(std::span<const ObjectDescription> others, const std::string& name,
+                           std::string_view file, std::size_t line) {
+  if (std::ranges::find(others, name, &ObjectDescription::name) != others.end()) {
+    throw InputError(
+        fmt::format("{}:{}: two objects are named '{}'; give each its own name", file, line, name));
+  }
+}
+
+}  // namespace
+
+SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path) {
+  SceneDescription scene{
+      .file = path.string(), .tool_radius_m = kDefaultToolRadius_m, .objects = {}};
+  const toml::table root = parse(text, scene.file);
+  const TomlSection section(root, scene.file, "scene", kSceneKeys);
+  if (const toml::table* tool = section.table("tool")) {
+    const TomlSection tool_section(*tool, scene.file, "[tool]", kToolKeys);
+    scene.tool_radius_m =
+        tool_section.number("radius_m", kZeroOrMore).value_or(kDefaultToolRadius_m);
+  }
+  for (const toml::node& node : object_array(root, section)) {
+    const toml::table& table = *node.as_table();
+    ObjectDescription object =
+        read_object(table, scene.objects.size(), scene.file, path.parent_path());
+    require_distinct_name(scene.objects, object.name, scene.file, table.source().begin.line);
+    scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
+SceneDescription read_scene_description(const std::filesystem::path& path) {
+  return parse_scene_description(read_file(path), path);
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,39 @@
+// scene.toml as people write it. host_tools/bake/README.md lists every key with unit and default.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/placement.h"
+#include "rendering/world/object.h"
+
+namespace tactus::host {
+
+struct ObjectDescription {
+  std::string name;
+  std::filesystem::path mesh;  // relative paths are resolved against the scene file's folder
+  std::size_t line = 0;        // of the mesh key, for errors in the mesh
+  Placement placement;
+  rendering::Sides sides = rendering::Sides::one;
+  rendering::Material material;
+  MeshBakeOptions mesh_options;
+};
+
+struct SceneDescription {
+  std::string file;  // as errors name it
+  double tool_radius_m = 0.0;
+  std::vector<ObjectDescription> objects;  // at least one
+};
+
+inline constexpr double kDefaultToolRadius_m = 0.002;
+inline constexpr double kDefaultStiffness_N_per_m = 500.0;
+
+// Throws InputError `file:line: ...` on anything that is not a scene. Mesh files are not opened.
+SceneDescription read_scene_description(const std::filesystem::path& path);
+SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path);
+
+}  // namespace tactus::host

@@ -1,0 +1,115 @@
+#include "host_tools/cli/bake_verb.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host_tools/bake/bake.h"
+#include "host_tools/cli/progress_line.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr const char* kExamples =
+    "The scene file and its keys are described in host_tools/bake/README.md.\n"
+    "\n"
+    "Examples:\n"
+    "  tactus bake scene.toml                     writes scene.tactus beside it\n"
+    "  tactus bake scene.toml -o /tmp/s.tactus    writes where you say\n"
+    "  tactus bake scene.toml --quiet             prints warnings and errors alone\n"
+    "  tactus bake scene.toml --json | jq '.objects[].open_edges'";
+
+struct Options {
+  std::string scene;
+  std::string output;
+  bool json = false;
+  bool quiet = false;
+};
+
+BakeReport bake_with_progress(const Options& options, const std::filesystem::path& output) {
+  if (options.quiet || ::isatty(STDERR_FILENO) != 1) {
+    return bake_file(options.scene, output);
+  }
+  ProgressLine line;
+  return bake_file(options.scene, output, [&](std::string_view step) { line.step(step); });
+}
+
+nlohmann::ordered_json to_json(const ObjectReport& object) {
+  return {{"name", object.name},
+          {"mesh", object.mesh},
+          {"triangles", object.triangles},
+          {"vertices", object.vertices},
+          {"dropped_triangles", object.counters.degenerate_triangles},
+          {"welded_vertices", object.counters.welded_vertices},
+          {"open_edges", object.counters.open_edges},
+          {"non_manifold_edges", object.counters.non_manifold_edges},
+          {"inconsistent_edges", object.counters.inconsistent_edges},
+          {"lines_and_points", object.lines_and_points},
+          {"bytes", object.bytes},
+          {"bytes_per_triangle",
+           static_cast<double>(object.bytes) / static_cast<double>(object.triangles)},
+          {"seconds", object.seconds},
+          {"warnings", object.warnings}};
+}
+
+void print_json(const BakeReport& report) {
+  nlohmann::ordered_json json{{"image", report.image},
+                              {"tool_radius_m", report.tool_radius_m},
+                              {"bytes", report.bytes},
+                              {"seconds", report.seconds},
+                              {"objects", nlohmann::ordered_json::array()}};
+  for (const ObjectReport& object : report.objects) {
+    json["objects"].push_back(to_json(object));
+  }
+  fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void print_table(const BakeReport& report) {
+  fmt::print("{:<16} {:>10} {:>10} {:>8} {:>8} {:>10} {:>12} {:>7}\n", "object", "triangles",
+             "vertices", "dropped", "welded", "open edges", "bytes", "s");
+  for (const ObjectReport& o : report.objects) {
+    fmt::print("{:<16} {:>10} {:>10} {:>8} {:>8} {:>10} {:>12} {:>7.2f}\n", o.name, o.triangles,
+               o.vertices, o.counters.degenerate_triangles, o.counters.welded_vertices,
+               o.counters.open_edges, o.bytes, o.seconds);
+  }
+  fmt::print("{}: {} bytes, tool radius {} m, baked in {:.2f} s\n", report.image, report.bytes,
+             report.tool_radius_m, report.seconds);
+}
+
+void run(const Options& options) {
+  const std::filesystem::path output =
+      options.output.empty() ? std::filesystem::path(options.scene).replace_extension(".tactus")
+                             : std::filesystem::path(options.output);
+  const BakeReport report = bake_with_progress(options, output);
+  for (const ObjectReport& object : report.objects) {
+    for (const std::string& warning : object.warnings) {
+      fmt::print(stderr, "tactus bake: warning: {}\n", warning);
+    }
+  }
+  if (options.json) {
+    print_json(report);
+  } else if (!options.quiet) {
+    print_table(report);
+  }
+}
+
+}  // namespace
+
+void add_bake_verb(CLI::App& app) {
+  CLI::App* verb =
+      app.add_subcommand("bake", "Turn a scene file and its meshes into a scene image");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("scene", options->scene, "Scene file (TOML)")->required();
+  verb->add_option("-o,--output", options->output,
+                   "Scene image to write; default: the scene's name with .tactus");
+  verb->add_flag("--json", options->json, "Print the report as one JSON object");
+  verb->add_flag("-q,--quiet", options->quiet, "Print nothing but warnings and errors");
+  verb->footer(kExamples);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,10 @@
+// `tactus bake`: from scene.toml and meshes to a scene image.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_bake_verb(CLI::App& app);
+
+}  // namespace tactus::host

@@ -1,0 +1,142 @@
+#include "host_tools/cli/inspect_verb.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host_tools/bake/mapped_scene.h"
+
+namespace tactus::host {
+namespace {
+
+using rendering::Float3;
+using rendering::SceneImage;
+
+constexpr const char* kExamples =
+    "An image that opens has passed every check: checksum, structure, index ranges, hierarchy.\n"
+    "\n"
+    "Examples:\n"
+    "  tactus inspect scene.tactus\n"
+    "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'";
+
+struct Options {
+  std::string image;
+  bool json = false;
+};
+
+// One object, gathered from the image's views.
+struct Summary {
+  std::string name;
+  rendering::Object object;
+  rendering::BakeCounters counters;
+  double bytes_per_triangle;
+
+  [[nodiscard]] const Float3& lower() const { return object.mesh.nodes.front().lower; }
+  [[nodiscard]] const Float3& upper() const { return object.mesh.nodes.front().upper; }
+  [[nodiscard]] const char* sides() const {
+    return object.sides == rendering::Sides::one ? "one" : "two";
+  }
+};
+
+Summary summarise(const SceneImage& image, std::size_t index) {
+  const rendering::BakedMeshView baked = image.baked_mesh(index);
+  const std::size_t bytes = baked.mesh.vertices.size_bytes() + baked.mesh.triangles.size_bytes() +
+                            baked.mesh.nodes.size_bytes() + baked.neighbours.size_bytes() +
+                            baked.vertex_normals.size_bytes();
+  return {.name = std::string(image.object_name(index)),
+          .object = image.objects()[index],
+          .counters = image.counters(index),
+          .bytes_per_triangle =
+              static_cast<double>(bytes) / static_cast<double>(baked.mesh.triangles.size())};
+}
+
+nlohmann::ordered_json to_json(const Float3& v) {
+  return nlohmann::ordered_json::array({v.x, v.y, v.z});
+}
+
+nlohmann::ordered_json to_json(const Summary& s) {
+  const rendering::Material& material = s.object.material;
+  return {{"name", s.name},
+          {"triangles", s.object.mesh.triangles.size()},
+          {"vertices", s.object.mesh.vertices.size()},
+          {"nodes", s.object.mesh.nodes.size()},
+          {"bytes_per_triangle", s.bytes_per_triangle},
+          {"box_lower_m", to_json(s.lower())},
+          {"box_upper_m", to_json(s.upper())},
+          {"sides", s.sides()},
+          {"stiffness_N_per_m", material.stiffness_N_per_m},
+          {"damping_Ns_per_m", material.damping_Ns_per_m},
+          {"friction_static", material.friction.static_coefficient},
+          {"friction_dynamic", material.friction.dynamic_coefficient},
+          {"dropped_triangles", s.counters.degenerate_triangles},
+          {"welded_vertices", s.counters.welded_vertices},
+          {"open_edges", s.counters.open_edges},
+          {"non_manifold_edges", s.counters.non_manifold_edges},
+          {"inconsistent_edges", s.counters.inconsistent_edges}};
+}
+
+void print_json(const Options& options, const MappedScene& scene) {
+  nlohmann::ordered_json json{{"image", options.image},
+                              {"version", scene.image().version()},
+                              {"checksum", fmt::format("{:016x}", scene.image().checksum())},
+                              {"bytes", scene.bytes().size()},
+                              {"tool_radius_m", scene.image().tool_radius_m()},
+                              {"objects", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
+    json["objects"].push_back(to_json(summarise(scene.image(), i)));
+  }
+  fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void print_object(const Summary& s) {
+  const rendering::Material& material = s.object.material;
+  fmt::print("\n{}\n", s.name);
+  fmt::print("  triangles  {}, vertices {}, hierarchy nodes {}, {:.1f} bytes a triangle\n",
+             s.object.mesh.triangles.size(), s.object.mesh.vertices.size(),
+             s.object.mesh.nodes.size(), s.bytes_per_triangle);
+  fmt::print("  box        ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m\n", s.lower().x,
+             s.lower().y, s.lower().z, s.upper().x, s.upper().y, s.upper().z);
+  fmt::print("  sides      {}\n", s.sides());
+  fmt::print("  stiffness  {} N/m, damping {} N s/m\n", material.stiffness_N_per_m,
+             material.damping_Ns_per_m);
+  fmt::print("  friction   static {}, dynamic {}\n", material.friction.static_coefficient,
+             material.friction.dynamic_coefficient);
+  fmt::print("  edges      {} open, {} non-manifold, {} inconsistently wound\n",
+             s.counters.open_edges, s.counters.non_manifold_edges, s.counters.inconsistent_edges);
+  fmt::print("  baking     welded {} vertices, dropped {} triangles\n", s.counters.welded_vertices,
+             s.counters.degenerate_triangles);
+}
+
+void print_text(const Options& options, const MappedScene& scene) {
+  fmt::print("{}: format version {}, {} bytes, checksum {:016x} is right\n", options.image,
+             scene.image().version(), scene.bytes().size(), scene.image().checksum());
+  fmt::print("tool radius {} m, {} object{}\n", scene.image().tool_radius_m(),
+             scene.image().objects().size(), scene.image().objects().size() == 1 ? "" : "s");
+  for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
+    print_object(summarise(scene.image(), i));
+  }
+}
+
+void run(const Options& options) {
+  const MappedScene scene(options.image);
+  if (options.json) {
+    print_json(options, scene);
+  } else {
+    print_text(options, scene);
+  }
+}
+
+}  // namespace
+
+void add_inspect_verb(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("inspect", "Check a scene image and show what is in it");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("image", options->image, "Scene image (.tactus)")->required();
+  verb->add_flag("--json", options->json, "Print one JSON object");
+  verb->footer(kExamples);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,87 @@
+// The `tactus` program: one verb a task, each in <verb>_verb.cpp.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "host_tools/cli/bake_verb.h"
+#include "host_tools/cli/inspect_verb.h"
+#include "host_tools/input_error.h"
+
+namespace {
+
+enum ExitCode : int { kOk = 0, kInternalFailure = 1, kBadInput = 2 };
+
+using AddVerb = void (*)(CLI::App& app);
+
+// In the order of --help.
+constexpr std::array kVerbs{
+    AddVerb{tactus::host::add_bake_verb},
+    AddVerb{tactus::host::add_inspect_verb},
+};
+
+// "tactus bake", or "tactus" before a verb is known.
+std::string name_of_run(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? app.get_name() : app.get_name() + " " + verbs.front()->get_name();
+}
+
+int report(const CLI::App& app, std::string_view message, ExitCode code) {
+  fmt::print(stderr, "{}: {}\n", name_of_run(app), message);
+  return code;
+}
+
+// Help and version are no errors; every other end of parsing is a wrong command line.
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) {
+    return app.exit(error);
+  }
+  return report(app, fmt::format("{}; see {} --help", error.what(), name_of_run(app)), kBadInput);
+}
+
+// CLI11 would only say that a subcommand is required.
+void require_verb(const CLI::App& app, std::span<char*> arguments) {
+  const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
+  const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
+  if (!first.starts_with('-') && std::ranges::find(verbs, first, [](const CLI::App* verb) {
+                                   return verb->get_name();
+                                 }) == verbs.end()) {
+    throw tactus::host::InputError(
+        first.empty() ? "say what to do; tactus --help lists the verbs"
+                      : fmt::format("there is no verb '{}'; tactus --help lists them", first));
+  }
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    require_verb(app, {argv, static_cast<std::size_t>(argc)});
+    app.parse(argc, argv);
+    return kOk;
+  } catch (const CLI::ParseError& error) {
+    return report_usage(app, error);
+  } catch (const tactus::host::InputError& error) {
+    return report(app, error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return report(app, fmt::format("internal failure: {}", error.what()), kInternalFailure);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Bakes, runs and measures scenes for the Tactus haptic controller.", "tactus"};
+  app.set_version_flag("--version", "tactus " TACTUS_VERSION);
+  app.require_subcommand(1);
+  app.footer("Every verb has its own help with examples: tactus bake --help");
+  for (const AddVerb add : kVerbs) {
+    add(app);
+  }
+  return run(app, argc, argv);
+}

@@ -1,0 +1,14 @@
+#include "rendering/scene/image_format.h"
+
+// The whole hash in this file: a bare-metal build has the header but not the library.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace tactus::rendering {
+
+std::uint64_t image_checksum(const ImageHeader& header, std::span<const std::byte> payload) {
+  const std::uint64_t seed = XXH3_64bits(&header, offsetof(ImageHeader, checksum));
+  return XXH3_64bits_withSeed(payload.data(), payload.size(), seed);
+}
+
+}  // namespace tactus::rendering

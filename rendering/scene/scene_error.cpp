@@ -1,0 +1,61 @@
+#include "rendering/scene/scene_error.h"
+
+#include <array>
+#include <cstddef>
+
+namespace tactus::rendering {
+namespace {
+
+struct Text {
+  std::string_view description;
+  std::string_view noun;
+};
+
+// In the order of SceneFault.
+constexpr std::array kTexts{
+    Text{"image is not aligned in memory; load it at a multiple of 16 bytes", ""},
+    Text{"image is cut short; copy it again or bake the scene again", "byte"},
+    Text{"not a Tactus scene image; bake the scene into one first", "byte"},
+    Text{"image format is older than this program reads; bake the scene again", "version"},
+    Text{"image format is newer than this program reads; update the program", "version"},
+    Text{"image states a size over 2 GiB; bake a smaller scene", "size"},
+    Text{"bytes follow after the image's end; copy it again or bake the scene again", "byte"},
+    Text{"checksum does not match, bits have changed; copy it again or bake the scene again", ""},
+    Text{"payload is malformed; bake the scene again", ""},
+    Text{"number of objects is outside of 1 to 64; split the scene", "count"},
+    Text{"tool radius is negative or not finite; bake the scene again", ""},
+    Text{"unknown value of sides; bake the scene again", "value"},
+    Text{"unknown friction model; update the program", "model"},
+    Text{
+        "material has a coefficient that is negative, not finite or dynamic above static; bake the "
+        "scene again",
+        ""},
+    Text{"mesh is empty; bake the scene again", ""},
+    Text{"mesh arrays differ in size; bake the scene again", ""},
+    Text{"vertex is not finite; bake the scene again", "vertex"},
+    Text{"vertex normal is not finite; bake the scene again", "vertex"},
+    Text{"vertex index is out of range; bake the scene again", "triangle"},
+    Text{"neighbour is out of range or not mutual; bake the scene again", "triangle"},
+    Text{"hierarchy has a child out of place; bake the scene again", "node"},
+    Text{"hierarchy is deeper than 64 levels; bake the scene again", "node"},
+    Text{"hierarchy does not cover the triangles once each, in order; bake the scene again",
+         "node"},
+    Text{"hierarchy has a box that does not hold what is below it; bake the scene again", "node"},
+};
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::hierarchy_box) + 1);
+
+const Text& text_of(SceneFault fault) {
+  return kTexts[static_cast<std::size_t>(fault)];
+}
+
+}  // namespace
+
+std::string_view describe(SceneFault fault) {
+  return text_of(fault).description;
+}
+
+std::string_view place_noun(SceneFault fault) {
+  return text_of(fault).noun;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,50 @@
+// Why a scene image was refused, and where.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace tactus::rendering {
+
+enum class SceneFault : std::uint8_t {
+  misaligned,         // the first byte is not at a multiple of kImageAlignment
+  truncated,          // place: number of bytes there are
+  wrong_magic,        // place: first byte that differs
+  older_version,      // place: version found
+  newer_version,      // place: version found
+  too_large,          // place: payload bytes that the header states
+  trailing_bytes,     // place: byte where the image should end
+  checksum_mismatch,  // a bit has changed somewhere
+  malformed,          // the FlatBuffers verifier refused the payload
+  object_count,       // none, or more than kMaxObjects; place: number found
+  tool_radius,        // negative or not finite
+  sides,              // neither one nor two; place: value found
+  friction_model,     // not one that this controller knows; place: number found
+  material,           // a coefficient negative, not finite, or dynamic above static
+  empty_mesh,         // no vertex, triangle or node
+  array_sizes,        // normals differ in number from vertices, or neighbours from triangles
+  vertex_not_finite,  // place: vertex
+  normal_not_finite,  // place: vertex
+  vertex_index,       // place: triangle
+  neighbour_index,    // out of range or not mutual; place: triangle
+  hierarchy_child,    // a child that is missing or not after its parent; place: node
+  hierarchy_depth,    // more than kMaxHierarchyDepth levels; place: node
+  hierarchy_cover,    // leaves that do not list every triangle once, in order; place: node
+  hierarchy_box,      // a box that does not hold what is below it; place: node
+};
+
+inline constexpr std::uint32_t kNoObject = 0xffffffff;
+
+struct SceneError {
+  SceneFault fault = SceneFault::malformed;
+  std::uint32_t object = kNoObject;  // index of the object at fault, where there is one
+  std::uint64_t place = 0;           // what it counts stands beside each fault, and in place_noun
+};
+
+// What is wrong and what to do about it, without a place.
+std::string_view describe(SceneFault fault);
+
+// What SceneError::place counts: "byte", "vertex", ...; empty if the fault has no place.
+std::string_view place_noun(SceneFault fault);
+
+}  // namespace tactus::rendering
