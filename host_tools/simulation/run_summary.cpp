@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "firmware/safety/faults.h"
@@ -24,6 +25,10 @@ double seconds(const RunSummary& summary, std::uint64_t ticks) {
   return static_cast<double>(ticks) / summary.rate_hz;
 }
 
+std::size_t bit_index(const firmware::FaultText& text) {
+  return static_cast<std::size_t>(firmware::fault_code(text.bit));
+}
+
 std::string faults_text(const RunSummary& summary) {
   if (summary.faults == 0) {
     return "faults      none\n";
@@ -42,8 +47,7 @@ std::string faults_text(const RunSummary& summary) {
 std::string limits_text(const RunSummary& summary) {
   std::string text;
   for (const firmware::FaultText& limit : firmware::kFaultTexts) {
-    const std::uint64_t ticks =
-        summary.limited_ticks[static_cast<std::size_t>(firmware::fault_code(limit.bit))];
+    const std::uint64_t ticks = summary.limited_ticks[bit_index(limit)];
     if (ticks != 0) {
       fmt::format_to(std::back_inserter(text), "limited     {:.3f} s: {}\n",
                      seconds(summary, ticks), limit.meaning);
@@ -111,37 +115,40 @@ std::string summary_text(const RunSummary& summary) {
 }
 
 std::string summary_json(const RunSummary& summary) {
-  std::string faults;
-  std::string limits;
-  std::string flags;
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  nlohmann::ordered_json limits = nlohmann::ordered_json::object();
+  nlohmann::ordered_json flags = nlohmann::ordered_json::object();
   for (const firmware::FaultText& text : firmware::kFaultTexts) {
     if ((summary.faults & text.bit) != 0) {
-      fmt::format_to(std::back_inserter(faults), "{}\"{}\"", faults.empty() ? "" : ",", text.name);
+      faults.push_back(text.name);
     }
-    const std::uint64_t ticks =
-        summary.limited_ticks[static_cast<std::size_t>(firmware::fault_code(text.bit))];
-    if (ticks != 0) {
-      fmt::format_to(std::back_inserter(limits), "{}\"{}\":{}", limits.empty() ? "" : ",",
-                     text.name, ticks);
+    if (const std::uint64_t ticks = summary.limited_ticks[bit_index(text)]; ticks != 0) {
+      limits[std::string(text.name)] = ticks;
     }
   }
   for (std::size_t i = 0; i < kTouchFlagCount; ++i) {
-    fmt::format_to(std::back_inserter(flags), "{}\"{}\":{}", i == 0 ? "" : ",", kTouchFlagNames[i],
-                   summary.flagged_ticks[i]);
+    flags[std::string(kTouchFlagNames[i])] = summary.flagged_ticks[i];
   }
-  return fmt::format(
-      "{{\"ticks\":{},\"rate_hz\":{},\"simulated_s\":{},\"wall_s\":{:.6f},\"simulated_s_per_s\":{:."
-      "1f},"
-      "\"contact_s\":{},\"stick_s\":{},\"slip_s\":{},\"max_force_N\":{},\"max_commanded_N\":{},"
-      "\"max_depth_m\":{},"
-      "\"faults\":[{}],\"limited_ticks\":{{{}}},\"touch_flags\":{{{}}},\"stale_samples\":{},"
-      "\"mode\":\"{}\","
-      "\"hash\":\"{:016x}\"}}\n",
-      summary.ticks, summary.rate_hz, summary.simulated_s(), summary.wall_s, summary.ratio(),
-      seconds(summary, summary.contact_ticks), seconds(summary, summary.stick_ticks),
-      seconds(summary, summary.slip_ticks), summary.max_force_N, summary.max_commanded_N,
-      summary.max_depth_m, faults, limits, flags, summary.stale_samples,
-      firmware::mode_name(summary.mode), summary.state_hash);
+  const nlohmann::ordered_json json{
+      {"ticks", summary.ticks},
+      {"rate_hz", summary.rate_hz},
+      {"simulated_s", summary.simulated_s()},
+      {"wall_s", summary.wall_s},
+      {"simulated_s_per_s", summary.ratio()},
+      {"contact_s", seconds(summary, summary.contact_ticks)},
+      {"stick_s", seconds(summary, summary.stick_ticks)},
+      {"slip_s", seconds(summary, summary.slip_ticks)},
+      {"max_force_N", summary.max_force_N},
+      {"max_commanded_N", summary.max_commanded_N},
+      {"max_depth_m", summary.max_depth_m},
+      {"faults", faults},
+      {"limited_ticks", limits},
+      {"touch_flags", flags},
+      {"stale_samples", summary.stale_samples},
+      {"mode", firmware::mode_name(summary.mode)},
+      {"hash", fmt::format("{:016x}", summary.state_hash)},
+  };
+  return json.dump() + "\n";
 }
 
 }  // namespace tactus::host
