@@ -1,4 +1,5 @@
-// The per-tick device seam: what the controller asks of a haptic device, whether wired to a board or simulated.
+// The per-tick device seam: what the controller asks of a haptic device, whether wired to a board
+// or simulated.
 #pragma once
 
 #include <array>
@@ -10,16 +11,17 @@ namespace tactus::drivers {
 
 inline constexpr std::size_t kMaxJoints = 6;
 
-// Device trouble, one bit each; 0 is well. A driver latches what the device reports until `clear_faults`.
+// Device trouble, one bit each; 0 is well. A driver latches what the device reports until
+// `clear_faults`.
 enum DeviceStatus : std::uint32_t {
   kDeviceOk = 0,
-  kDeviceNotReady = 1U << 0,        // not homed, or the drive is still starting
-  kDeviceStale = 1U << 1,           // no fresh sample before the deadline: the last one is repeated
+  kDeviceNotReady = 1U << 0,  // not homed, or the drive is still starting
+  kDeviceStale = 1U << 1,     // no fresh sample before the deadline: the last one is repeated
   kDeviceEncoderFault = 1U << 2,
   kDeviceDriveFault = 1U << 3,
   kDeviceEmergencyStop = 1U << 4,
-  kDeviceLost = 1U << 5,            // unplugged, bus off: no way to reach the motors
-  kDeviceHoming = 1U << 6,          // moving or being moved to its reference
+  kDeviceLost = 1U << 5,    // unplugged, bus off: no way to reach the motors
+  kDeviceHoming = 1U << 6,  // moving or being moved to its reference
 };
 
 // A revolute joint is in rad, rad/s, N m; a prismatic one in m, m/s, N.
@@ -32,11 +34,12 @@ struct JointSample {
 
 struct JointCommand {
   std::array<double, kMaxJoints> effort{};  // N m or N
-  bool enable = false;                      // motor power; false makes every effort zero at the device
+  bool enable = false;  // motor power; false makes every effort zero at the device
 };
 
-// `read` fills the newest sample within the device's own deadline; `write` sends a command. Neither throws, allocates or
-// waits beyond that deadline; trouble comes back as DeviceStatus bits, in the sample and from write.
+// `read` fills the newest sample within the device's own deadline; `write` sends a command. Neither
+// throws, allocates or waits beyond that deadline; trouble comes back as DeviceStatus bits, in the
+// sample and from write.
 template <class D>
 concept Device = requires(D device, JointSample& sample, const JointCommand& command) {
   { device.joint_count() } -> std::convertible_to<std::size_t>;

@@ -1,7 +1,9 @@
-// The vector types of the house. Arithmetic is in double (Vec3); what is stored in quantity is in float (Float3).
+// The vector types of the house. Arithmetic is in double (Vec3); what is stored in quantity is in
+// float (Float3).
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace tactus {
 

@@ -1,4 +1,5 @@
-// What a scene hands to the world: views of memory that the caller keeps alive and unchanged. Nothing here owns or copies.
+// What a scene hands to the world: views of memory that the caller keeps alive and unchanged.
+// Nothing here owns or copies.
 #pragma once
 
 #include <array>
@@ -13,13 +14,15 @@ namespace tactus::rendering {
 using TriangleIndices = std::array<std::uint32_t, 3>;
 static_assert(sizeof(TriangleIndices) == 12);
 
-// One node of a bounding-volume hierarchy, 32 bytes. The root is node 0; the two children of an inner node are adjacent.
-// Boxes are rounded outwards, so that no vertex lies outside the box of a node above it.
+// One node of a bounding-volume hierarchy, 32 bytes. The root is node 0; the two children of an
+// inner node are adjacent. Boxes are rounded outwards, so that no vertex lies outside the box of a
+// node above it.
 struct BvhNode {
-  Float3 lower;                     // m, world frame
-  std::uint32_t first = 0;          // inner node: index of the left child (right is first + 1); leaf: first triangle
-  Float3 upper;                     // m, world frame
-  std::uint32_t triangle_count = 0; // 0 for an inner node
+  Float3 lower;  // m, world frame
+  std::uint32_t first =
+      0;         // inner node: index of the left child (right is first + 1); leaf: first triangle
+  Float3 upper;  // m, world frame
+  std::uint32_t triangle_count = 0;  // 0 for an inner node
 
   [[nodiscard]] bool is_leaf() const { return triangle_count != 0; }
 };

@@ -13,20 +13,23 @@ struct ToolState {
   Vec3 v_W = Vec3::Zero();  // m/s
 };
 
-// The feature of the surface that the proxy rests on; the first constraint's, where there are several.
+// The feature of the surface that the proxy rests on; the first constraint's, where there are
+// several.
 enum class ContactKind : std::uint8_t { none = 0, face = 1, edge = 2, vertex = 3 };
 
 // The friction cone's state. `free` means no contact.
 enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 
-// What a touch had to give up, one bit each; 0 is a clean tick. Every bit leaves a bounded force and a proxy that has
-// crossed nothing.
+// What a touch had to give up, one bit each; 0 is a clean tick. Every bit leaves a bounded force
+// and a proxy that has crossed nothing.
 enum TouchFlags : std::uint32_t {
   kTouchClean = 0,
-  kTouchCandidatesOverflow = 1U << 0,   // more triangles near the tool than kMaxCandidates: slower path taken
-  kTouchIterationsExhausted = 1U << 1,  // kMaxSubGoals reached: the proxy stopped short of its minimum this tick
-  kTouchPlanesOverflow = 1U << 2,       // more contact planes than kMaxContactPlanes
-  kTouchToolNotFinite = 1U << 3,        // tool position or velocity NaN or infinite: the last proxy held, zero force
+  kTouchCandidatesOverflow =
+      1U << 0,  // more triangles near the tool than kMaxCandidates: slower path taken
+  kTouchIterationsExhausted =
+      1U << 1,  // kMaxSubGoals reached: the proxy stopped short of its minimum this tick
+  kTouchPlanesOverflow = 1U << 2,  // more contact planes than kMaxContactPlanes
+  kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
 };
 
 struct Touch {
@@ -36,9 +39,9 @@ struct Touch {
   double depth_m = 0.0;          // (proxy - tool) . normal
   ContactKind contact = ContactKind::none;
   FrictionState friction = FrictionState::free;
-  std::uint16_t sub_goals = 0;   // straight moves that the proxy made this tick
-  std::uint16_t planes = 0;      // constraints that hold the proxy: 0 to 3
-  std::uint32_t object = 0;      // index of the touched object, meaningful in contact
+  std::uint16_t sub_goals = 0;  // straight moves that the proxy made this tick
+  std::uint16_t planes = 0;     // constraints that hold the proxy: 0 to 3
+  std::uint32_t object = 0;     // index of the touched object, meaningful in contact
   std::uint32_t flags = kTouchClean;
 };
 

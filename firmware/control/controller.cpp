@@ -1,0 +1,273 @@
+#include "firmware/control/controller.h"
+
+#include <cmath>
+
+#include "firmware/limits.h"
+#include "firmware/safety/faults.h"
+
+namespace tactus::firmware {
+namespace {
+
+static_assert(sizeof(Controller) <= kMaxControllerBytes);
+
+Vec3 joints_of(const std::array<double, drivers::kMaxJoints>& values) {
+  return {values[0], values[1], values[2]};
+}
+
+bool all_finite(const Vec3& v) {
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+}  // namespace
+
+drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Request request) {
+  Stopwatch watch(now_ns_);
+  drivers::JointSample sample = fresh;
+  sample.status |= write_status_;
+  open_record(sample, request);
+
+  raise(sample_check_.check(sample));
+  advance_mode(sample.status, request);
+  record_.stage_ns.check = watch.lap_ns();
+
+  const bool located = locate(sample);
+  record_.stage_ns.kinematics = watch.lap_ns();
+
+  const rendering::Touch touched = touch(located);
+  record_.stage_ns.touch = watch.lap_ns();
+
+  record_touch(touched);
+  const Vec3 force_W = limit_force(touched);
+  const drivers::JointCommand command = command_joints(force_W);
+  record_.stage_ns.safety = watch.lap_ns();
+
+  close_record(command);
+  return command;
+}
+
+// A fault stops at once, whatever stage finds it: the stages after it see the mode `fault` and put
+// out zero.
+void Controller::raise(std::uint32_t bits) {
+  raised_ |= bits;
+  if ((bits & kFaultMask) != 0) {
+    faults_ |= bits & kFaultMask;
+    step_mode(Event::fault);
+  }
+}
+
+void Controller::step_mode(Event event) {
+  const Mode from = mode_;
+  mode_ = next_mode(from, event);
+  if (mode_ == from) {
+    return;
+  }
+  switch (mode_) {
+    case Mode::init:
+      faults_ = kNoFault;
+      break;
+    case Mode::homing:
+      break;
+    case Mode::ready:
+      // Homing moves the joints' zero: the tool may be anywhere, so it starts free of all contact.
+      if (from == Mode::homing) {
+        world_.reset();
+        velocity_filter_.reset();
+      }
+      break;
+    case Mode::active:
+      force_limiter_.restart();
+      break;
+    case Mode::fault:
+      ++record_.counters.faults_entered;
+      break;
+  }
+}
+
+void Controller::advance_mode(std::uint32_t status, Request request) {
+  if (!configured_) {
+    raise(kFaultNotConfigured);
+  }
+  const bool referenced = is_referenced(status);
+  if (mode_ == Mode::active && !referenced) {
+    raise(kFaultReferenceLost);
+  }
+  step_mode(referenced ? Event::device_ready : Event::device_not_ready);
+
+  const bool healthy = (raised_ & kFaultMask) == 0;
+  switch (request) {
+    case Request::none:
+      break;
+    case Request::home:
+      step_mode(Event::home);
+      break;
+    case Request::enable:
+      step_mode(Event::enable);
+      break;
+    case Request::disable:
+      step_mode(Event::disable);
+      break;
+    case Request::reset:
+      if (healthy) {
+        step_mode(Event::reset);
+      }
+      break;
+    case Request::estop:
+      raise(kFaultOperatorStop);
+      break;
+  }
+}
+
+// Finds the tool. False when the joints mean nothing yet or the tool cannot be found: it then stays
+// where it was, at rest.
+bool Controller::locate(const drivers::JointSample& sample) {
+  tool_.v_W.setZero();
+  const bool expected = mode_ == Mode::ready || mode_ == Mode::active || mode_ == Mode::fault;
+  if (!expected || !configured_ || !is_referenced(sample.status) ||
+      (raised_ & kFaultJointNotFinite) != 0) {
+    return false;
+  }
+  pose_ = mechanism_.forward(joints_of(sample.position), pose_.p_D);
+  raise((pose_.status & kPoseNotConverged) != 0 ? kFaultKinematicsNotConverged : kNoFault);
+  raise((pose_.status & kPoseSingular) != 0 ? kFaultKinematicsSingular : kNoFault);
+
+  const Vec3 velocity = tool_velocity(pose_, joints_of(sample.velocity));
+  if (!all_finite(pose_.p_D) || !all_finite(velocity)) {
+    pose_ = Pose{};
+    raise(kFaultToolNotFinite);
+    return false;
+  }
+  tool_.p_W = pose_.p_D - config_.workspace_origin_D;
+  tool_.v_W = velocity_filter_.filter(velocity);
+  return pose_.status == kPoseGood;
+}
+
+// `ready` touches too, without force: the proxy then waits on the surface that the tool is pushed
+// into, and activation brings the force up from there.
+rendering::Touch Controller::touch(bool located) {
+  rendering::Touch touch;
+  touch.proxy_W = tool_.p_W;
+  if (!located || (mode_ != Mode::ready && mode_ != Mode::active)) {
+    return touch;
+  }
+  touch = world_.touch(tool_);
+  if (!all_finite(touch.force_W) || !all_finite(touch.proxy_W) || !all_finite(touch.normal_W) ||
+      !std::isfinite(touch.depth_m)) {
+    raise(kFaultForceNotFinite);
+    touch = rendering::Touch{};
+    touch.proxy_W = tool_.p_W;
+  }
+  raise(touch.flags != rendering::kTouchClean ? kLimitTouch : kNoFault);
+  record_.counters.touch_flagged += touch.flags != rendering::kTouchClean ? 1U : 0U;
+  return touch;
+}
+
+Vec3 Controller::limit_force(const rendering::Touch& touch) {
+  if (mode_ != Mode::active) {
+    return Vec3::Zero();
+  }
+  const LimitedForce limited =
+      force_limiter_.limit(touch.force_W, touch.contact != rendering::ContactKind::none);
+  raise(limited.limits);
+  return limited.force_W;
+}
+
+drivers::JointCommand Controller::command_joints(const Vec3& force_W) {
+  Vec3 effort = joint_effort(pose_, force_W);
+  if (!all_finite(effort)) {
+    raise(kFaultCommandNotFinite);
+  }
+  drivers::JointCommand command;
+  if (mode_ != Mode::active) {
+    return command;
+  }
+  const double scale = effort_scale(effort, config_.joints);
+  raise(scale < 1.0 ? kLimitEffort : kNoFault);
+  effort *= scale;
+  force_limiter_.applied(scale * force_W);
+  record_.force_commanded_W = to_triple(scale * force_W);
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    command.effort[joint] = effort[static_cast<Eigen::Index>(joint)];
+  }
+  command.enable = true;
+  return command;
+}
+
+void Controller::open_record(const drivers::JointSample& sample, Request request) {
+  raised_ = kNoFault;
+  const TelemetryRecord before = record_;
+  record_ = TelemetryRecord{};
+  record_.counters = before.counters;
+  record_.state_hash = before.state_hash;
+  record_.tick = next_tick_++;
+  record_.request = request;
+  record_.device_status = sample.status;
+  record_.sample_age_us = sample.age_us;
+  record_.time_s = static_cast<double>(record_.tick) / config_.rate_hz;
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    record_.joint_position[joint] = sample.position[joint];
+    record_.joint_velocity[joint] = sample.velocity[joint];
+  }
+}
+
+void Controller::record_touch(const rendering::Touch& touch) {
+  record_.contact = touch.contact;
+  record_.friction = touch.friction;
+  record_.touch_flags = touch.flags;
+  record_.object = touch.object;
+  record_.sub_goals = touch.sub_goals;
+  record_.planes = touch.planes;
+  record_.proxy_W = to_triple(touch.proxy_W);
+  record_.normal_W = to_triple(touch.normal_W);
+  record_.force_rendered_W = to_triple(touch.force_W);
+  record_.depth_m = touch.depth_m;
+  record_.counters.touch_flagged += touch.flags != rendering::kTouchClean ? 1U : 0U;
+}
+
+void Controller::close_record(const drivers::JointCommand& command) {
+  record_.mode = mode_;
+  record_.faults = faults_;
+  record_.limits = raised_ & kLimitMask;
+  record_.joint_effort = command.effort;
+  record_.tool_p_W = to_triple(tool_.p_W);
+  record_.tool_v_W = to_triple(tool_.v_W);
+  record_.counters.stale_samples = sample_check_.stale_count();
+  record_.counters.limited_ticks += record_.limits != 0 ? 1U : 0U;
+  record_.state_hash = state_hash(record_, record_.state_hash);
+}
+
+std::expected<void, ConfigError> Controller::configure(const ControllerConfig& config) {
+  if (const auto valid = validate(config); !valid) {
+    return valid;
+  }
+  config_ = config;
+  mechanism_ = Mechanism(config.mechanism);
+  sample_check_.configure(config);
+  velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
+  force_limiter_.configure(config);
+  world_.reset();
+  configured_ = true;
+
+  mode_ = Mode::init;
+  faults_ = kNoFault;
+  raised_ = kNoFault;
+  write_status_ = drivers::kDeviceOk;
+  pose_ = Pose{};
+  tool_ = rendering::ToolState{};
+  record_ = TelemetryRecord{};
+  next_tick_ = 0;
+  return {};
+}
+
+bool Controller::load_scene(std::span<const rendering::Object> objects,
+                            const rendering::WorldConfig& config) {
+  return mode_ != Mode::active && world_.set_scene(objects, config);
+}
+
+void Controller::note_transfers(std::uint32_t write_status, std::uint32_t read_ns,
+                                std::uint32_t write_ns) {
+  write_status_ = write_status;
+  record_.stage_ns.read = read_ns;
+  record_.stage_ns.write = write_ns;
+}
+
+}  // namespace tactus::firmware

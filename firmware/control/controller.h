@@ -1,0 +1,84 @@
+// The controller: one object in static storage that turns a joint sample into a joint command, once
+// a tick.
+//
+// Thread: none of its own and no locks; one thread configures it, loads a scene and then ticks it.
+// No member allocates, throws, blocks or prints. World frame W: right-handed, x right, y up, z
+// toward the user; the device frame D moved to workspace_origin_D.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <span>
+
+#include "drivers/device.h"
+#include "firmware/configuration/controller_config.h"
+#include "firmware/control/mode.h"
+#include "firmware/control/velocity_filter.h"
+#include "firmware/kinematics/mechanism.h"
+#include "firmware/safety/force_limiter.h"
+#include "firmware/safety/sample_check.h"
+#include "firmware/telemetry/record.h"
+#include "firmware/telemetry/stopwatch.h"
+#include "rendering/world/world.h"
+
+namespace tactus::firmware {
+
+class Controller {
+ public:
+  // Takes a valid configuration and starts afresh in `init`; keeps the scene. An invalid one
+  // changes nothing.
+  std::expected<void, ConfigError> configure(const ControllerConfig& config);
+
+  // Gives the world a scene; the memory behind the objects must outlive it. False while active (the
+  // running world is kept), and false when the world refuses it (World::set_scene).
+  bool load_scene(std::span<const rendering::Object> objects, const rendering::WorldConfig& config);
+
+  // One tick: the same state and inputs give the same command and the same record, to the bit.
+  // Whatever comes in, the command is finite and within its limits.
+  drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
+
+  // What the last tick did.
+  [[nodiscard]] const TelemetryRecord& record() const { return record_; }
+  [[nodiscard]] Mode mode() const { return mode_; }
+  [[nodiscard]] const ControllerConfig& config() const { return config_; }
+
+  // The clock for the record's stage times; null, as at the start, leaves them zero.
+  void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
+  [[nodiscard]] NowNs clock() const { return now_ns_; }
+
+  // After each tick, from the device loop: what the write reported, which the next tick takes as
+  // part of its sample's status, and the transfers' times.
+  void note_transfers(std::uint32_t write_status, std::uint32_t read_ns, std::uint32_t write_ns);
+
+ private:
+  void open_record(const drivers::JointSample& sample, Request request);
+  void record_touch(const rendering::Touch& touch);
+  void close_record(const drivers::JointCommand& command);
+  void raise(std::uint32_t bits);
+  void step_mode(Event event);
+  void advance_mode(std::uint32_t status, Request request);
+  bool locate(const drivers::JointSample& sample);
+  rendering::Touch touch(bool located);
+  Vec3 limit_force(const rendering::Touch& touch);
+  drivers::JointCommand command_joints(const Vec3& force_W);
+
+  ControllerConfig config_;
+  bool configured_ = false;
+  Mechanism mechanism_;
+  SampleCheck sample_check_;
+  VelocityFilter velocity_filter_;
+  ForceLimiter force_limiter_;
+  rendering::World world_;
+
+  Mode mode_ = Mode::init;
+  std::uint32_t faults_ = 0;        // latched
+  std::uint32_t raised_ = 0;        // faults and limits of this tick
+  std::uint32_t write_status_ = 0;  // of the last write
+  Pose pose_;
+  rendering::ToolState tool_;
+  TelemetryRecord record_;
+  std::uint64_t next_tick_ = 0;
+  NowNs now_ns_ = nullptr;
+};
+
+}  // namespace tactus::firmware

@@ -1,0 +1,61 @@
+// The controller's modes and the one table that moves between them.
+//
+// Only `active` puts effort on the motors; every other mode commands zero and motor power off. In
+// `homing` the device finds its own reference (or the user moves it there) while the controller
+// waits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace tactus::firmware {
+
+enum class Mode : std::uint8_t { init, homing, ready, active, fault };
+inline constexpr std::size_t kModeCount = 5;
+inline constexpr std::array<std::string_view, kModeCount> kModeNames = {"init", "homing", "ready",
+                                                                        "active", "fault"};
+
+// What an operator or a program asks for, at most one a tick.
+enum class Request : std::uint8_t { none, home, enable, disable, reset, estop };
+inline constexpr std::array<std::string_view, 6> kRequestNames = {"none",    "home",  "enable",
+                                                                  "disable", "reset", "estop"};
+
+// What moves the mode. `reset` is sent only when this tick's inputs are healthy; `fault` by any
+// fault, estop included.
+enum class Event : std::uint8_t {
+  device_ready,
+  device_not_ready,
+  home,
+  enable,
+  disable,
+  reset,
+  fault
+};
+inline constexpr std::size_t kEventCount = 7;
+inline constexpr std::array<std::string_view, kEventCount> kEventNames = {
+    "device_ready", "device_not_ready", "home", "enable", "disable", "reset", "fault"};
+
+// Row: the mode now; column: the event, in the order of Event.
+inline constexpr std::array<std::array<Mode, kEventCount>, kModeCount> kTransitions = [] {
+  using enum Mode;
+  return std::array<std::array<Mode, kEventCount>, kModeCount>{{
+      // device_ready, device_not_ready, home, enable, disable, reset, fault
+      {init, init, homing, init, init, init, fault},
+      {ready, homing, homing, homing, init, homing, fault},
+      {ready, init, homing, active, ready, ready, fault},
+      {active, fault, active, active, ready, active, fault},
+      {fault, fault, fault, fault, fault, init, fault},
+  }};
+}();
+
+constexpr Mode next_mode(Mode mode, Event event) {
+  return kTransitions[static_cast<std::size_t>(mode)][static_cast<std::size_t>(event)];
+}
+
+constexpr std::string_view mode_name(Mode mode) {
+  return kModeNames[static_cast<std::size_t>(mode)];
+}
+
+}  // namespace tactus::firmware

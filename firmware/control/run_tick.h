@@ -1,0 +1,29 @@
+// One turn of the device loop: read -> tick -> write, on any device.
+#pragma once
+
+#include "drivers/device.h"
+#include "firmware/control/controller.h"
+
+namespace tactus::firmware {
+
+// Takes as long as the device's two transfers and the tick. Trouble in `write` comes to the
+// controller with the next tick's sample; a reset of a faulted controller first clears what the
+// device has latched.
+template <drivers::Device D>
+void run_tick(Controller& controller, D& device, Request request) {
+  if (request == Request::reset && controller.mode() == Mode::fault) {
+    device.clear_faults();
+  }
+  drivers::JointSample sample;
+  Stopwatch read_watch(controller.clock());
+  device.read(sample);
+  const std::uint32_t read_ns = read_watch.lap_ns();
+
+  const drivers::JointCommand command = controller.tick(sample, request);
+
+  Stopwatch write_watch(controller.clock());
+  const std::uint32_t write_status = device.write(command);
+  controller.note_transfers(write_status, read_ns, write_watch.lap_ns());
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,32 @@
+// First-order low-pass on the tool's velocity, by backward Euler: y += a (x - y), a = 2 pi f T / (1
+// + 2 pi f T).
+#pragma once
+
+#include <numbers>
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::firmware {
+
+class VelocityFilter {
+ public:
+  // A cutoff of 0 passes everything.
+  void configure(double cutoff_hz, double rate_hz) {
+    const double w = 2.0 * std::numbers::pi * cutoff_hz / rate_hz;
+    share_ = cutoff_hz > 0.0 ? w / (1.0 + w) : 1.0;
+    state_.setZero();
+  }
+
+  void reset() { state_.setZero(); }
+
+  Vec3 filter(const Vec3& velocity) {
+    state_ += share_ * (velocity - state_);
+    return state_;
+  }
+
+ private:
+  double share_ = 1.0;
+  Vec3 state_ = Vec3::Zero();
+};
+
+}  // namespace tactus::firmware

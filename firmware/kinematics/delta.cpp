@@ -1,0 +1,150 @@
+// Derivation. In leg i's frame (u outward along its azimuth, v across, w = z) the elbow is at
+//   E = (r + a cos t, s, a sin t),   t the arm's angle,
+// and the platform's hinge at R^T p + (c, f, 0). Let w be the vector from elbow to platform hinge.
+// The parallelogram lets its rods (length b) turn about hinges that stand off by k in all within
+// the leg's plane, so
+//   (h - k)^2 + w_v^2 = b^2,   h = sqrt(w_u^2 + w_w^2).
+// With g = ((h - k)^2 + w_v^2 - b^2) / 2b, the gradient of g by p is
+//   n = ((h - k)/b w_u/h, w_v/b, (h - k)/b w_w/h),
+// the unit vector along the rod (in Stamper's angles: sin t3 cos t2, cos t3, sin t3 sin t2).
+// Differentiating by time,
+//   N p' = D t',   rows n_i of N,   D_i = n_i . dE_i/dt_i,
+// so J = N^-1 D, and no angle but t itself is ever formed. N singular: the platform can move with
+// all arms held, and the torques for a force have no bound. D_i zero: arm i points along its rod,
+// and its motor cannot move the tool.
+#include "firmware/kinematics/delta.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/limits.h"
+
+namespace tactus::firmware {
+namespace {
+
+// Newton converges quadratically: after a step below this the next would be lost in rounding (1e-17
+// m).
+constexpr double kLastStep_m = 1e-10;
+constexpr double kLongestStep_m = 0.03;
+
+// How well posed a pose must be. -det N, the volume that the rods span, is 0.82 at the Falcon's
+// centre, 0.18 at the farthest reach on its axis (z = 0.18 m); D/a is 0.96 at the centre and 0.06
+// at the nearest (z = 0.06 m). The signs are those of the Falcon's own assembly; the mirrored ones
+// fail the same tests.
+constexpr double kLeastRodVolume = 0.1;
+constexpr double kLeastLeverage = 0.05;
+
+}  // namespace
+
+Delta::Delta(const DeltaGeometry& geometry) : geometry_(geometry) {
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const SineCosine azimuth = sine_cosine(geometry.azimuth_rad[leg]);
+    azimuth_sine_[leg] = azimuth.sine;
+    azimuth_cosine_[leg] = azimuth.cosine;
+  }
+}
+
+Vec3 Delta::in_leg_frame(std::size_t leg, const Vec3& v_D) const {
+  const double s = azimuth_sine_[leg];
+  const double c = azimuth_cosine_[leg];
+  return {c * v_D.x() + s * v_D.y(), -s * v_D.x() + c * v_D.y(), v_D.z()};
+}
+
+Delta::Rods Delta::rods(const Vec3& p_D, const Offsets& offset) const {
+  const double b = geometry_.rod_m;
+  Rods rods;
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const Vec3 w = in_leg_frame(leg, p_D) + offset[leg];
+    const double h = std::sqrt(w.x() * w.x() + w.z() * w.z());
+    const double planar = h - geometry_.hinge_offset_m;
+    const double u = planar / b * (w.x() / h);
+    const double v = w.y() / b;
+    const double s = azimuth_sine_[leg];
+    const double c = azimuth_cosine_[leg];
+    const auto row = static_cast<Eigen::Index>(leg);
+    rods.direction_D.row(row) << c * u - s * v, s * u + c * v, planar / b * (w.z() / h);
+    rods.reach[row] = planar / b;
+    rods.excess_m[row] = (planar * planar + w.y() * w.y() - b * b) / (2.0 * b);
+  }
+  return rods;
+}
+
+std::optional<Delta::Solution> Delta::solve(const Offsets& offset, const Vec3& seed_D) const {
+  Vec3 p_D = seed_D;
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
+    const Rods now = rods(p_D, offset);
+    const Vec3 move = -(now.direction_D.inverse() * now.excess_m);
+    const double length = move.norm();
+    if (!std::isfinite(length)) {
+      return std::nullopt;
+    }
+    p_D += length > kLongestStep_m ? Vec3(move * (kLongestStep_m / length)) : move;
+    if (length < kLastStep_m) {
+      const Rods last = rods(p_D, offset);
+      const bool as_built = last.direction_D.determinant() < 0.0 && last.reach.minCoeff() > 0.0;
+      return as_built ? std::optional<Solution>({p_D, last.direction_D}) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+Pose Delta::assemble(const Arms& arms, const Vec3& seed_D) const {
+  const DeltaGeometry& g = geometry_;
+  Offsets offset;
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    offset[leg] = {g.platform_radius_m - g.base_radius_m - g.arm_m * arms[leg].cosine,
+                   g.platform_tangent_m - g.base_tangent_m, -g.arm_m * arms[leg].sine};
+  }
+  const std::optional<Solution> found = solve(offset, seed_D);
+  if (!found) {
+    return {seed_D, Mat3::Zero(), kPoseNotConverged};
+  }
+  Vec3 leverage;  // D / a
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const auto row = static_cast<Eigen::Index>(leg);
+    const Vec3 n = in_leg_frame(leg, found->rods_D.row(row).transpose());
+    leverage[row] = arms[leg].cosine * n.z() - arms[leg].sine * n.x();
+  }
+  if (-found->rods_D.determinant() < kLeastRodVolume || leverage.minCoeff() < kLeastLeverage) {
+    return {found->p_D, Mat3::Zero(), kPoseSingular};
+  }
+  return {found->p_D, found->rods_D.inverse() * (g.arm_m * leverage).asDiagonal(), kPoseGood};
+}
+
+// A seed far away may lead to none or to a folded assembly where the nominal one leads to the true
+// pose.
+Pose Delta::forward(const Vec3& joints, const Vec3& seed_D) const {
+  const Arms arms = {sine_cosine(joints.x()), sine_cosine(joints.y()), sine_cosine(joints.z())};
+  const Pose near_seed = assemble(arms, seed_D);
+  if (near_seed.status == kPoseGood) {
+    return near_seed;
+  }
+  const Pose near_nominal = assemble(arms, {0.0, 0.0, geometry_.nominal_height_m});
+  return near_nominal.status == kPoseGood ? near_nominal : near_seed;
+}
+
+std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {
+  const DeltaGeometry& g = geometry_;
+  Vec3 joints;
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const Vec3 hinge = in_leg_frame(leg, p_D) + Vec3(g.platform_radius_m - g.base_radius_m,
+                                                     g.platform_tangent_m - g.base_tangent_m, 0.0);
+    const double across = hinge.y() / g.rod_m;
+    if (!(std::abs(across) < 1.0)) {
+      return std::nullopt;
+    }
+    // A triangle in the leg's plane: arm a, rod and hinge offsets q, motor axis to platform hinge
+    // l.
+    const double q = g.rod_m * std::sqrt(1.0 - across * across) + g.hinge_offset_m;
+    const double l = std::hypot(hinge.x(), hinge.z());
+    const double cosine = (g.arm_m * g.arm_m + l * l - q * q) / (2.0 * g.arm_m * l);
+    if (!(std::abs(cosine) <= 1.0)) {
+      return std::nullopt;
+    }
+    joints[static_cast<Eigen::Index>(leg)] = std::atan2(hinge.z(), hinge.x()) - std::acos(cosine);
+  }
+  return joints;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,74 @@
+// The three-arm delta of the Novint Falcon.
+//
+// Three arms turn on the base, each joined to the grip's platform by a parallelogram of rods, so
+// that the platform only translates. Frame D: origin on the base's axis at the height of the motor
+// axes, x right, y up, z from the base toward the user. Joint i is arm i's angle from the base
+// plane, growing toward the user; arms are top, right, left as the user sees them.
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <optional>
+
+#include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/sine.h"
+
+namespace tactus::firmware {
+
+// Lengths in m. The defaults are the Falcon's (R. E. Stamper's delta, with the figures of
+// libnifalcon).
+struct DeltaGeometry {
+  double arm_m = 0.060;   // motor axis to elbow
+  double rod_m = 0.1025;  // between the parallelogram's hinges
+  double hinge_offset_m =
+      0.0225;  // elbow to rod hinge plus platform to rod hinge, both ends together
+  double base_radius_m = 0.0400;       // base axis to motor axis, along the arm's azimuth
+  double base_tangent_m = -0.02309;    // the same, across it
+  double platform_radius_m = 0.01443;  // tool to platform hinge, along the azimuth
+  double platform_tangent_m = -0.025;  // the same, across it
+  std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
+                                       -15.0 * std::numbers::pi / 180.0,
+                                       -135.0 * std::numbers::pi / 180.0};
+  double nominal_height_m =
+      0.12;  // z of a pose well inside the workspace: where Newton starts when lost
+};
+
+class Delta {
+ public:
+  explicit Delta(const DeltaGeometry& geometry);
+
+  // Joint angles (finite, rad) to pose. `seed_D` is a guess, best the pose of the tick before: it
+  // changes the time taken, and the answer by no more than 1e-12 m. Bounded work.
+  [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
+
+  // Tool position to joint angles in closed form, for simulators and tests: not part of the tick,
+  // and uses the C library's arc functions. Nothing when the tool is out of reach.
+  [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D) const;
+
+ private:
+  struct Rods {
+    Mat3 direction_D;  // row i: unit vector along rod i, elbow to platform
+    Vec3 excess_m;     // by how much rod i would have to stretch, to first order
+    Vec3 reach;  // share of rod i in its leg's plane: positive unless folded back past its hinges
+  };
+
+  struct Solution {
+    Vec3 p_D;
+    Mat3 rods_D;  // Rods::direction_D there
+  };
+  using Offsets =
+      std::array<Vec3, 3>;  // leg i's elbow to platform hinge, leg frame, tool at the origin
+
+  using Arms = std::array<SineCosine, 3>;
+
+  [[nodiscard]] Vec3 in_leg_frame(std::size_t leg, const Vec3& v_D) const;
+  [[nodiscard]] Rods rods(const Vec3& p_D, const Offsets& offset) const;
+  [[nodiscard]] std::optional<Solution> solve(const Offsets& offset, const Vec3& seed_D) const;
+  [[nodiscard]] Pose assemble(const Arms& arms, const Vec3& seed_D) const;
+
+  DeltaGeometry geometry_;
+  std::array<double, 3> azimuth_sine_{};
+  std::array<double, 3> azimuth_cosine_{};
+};
+
+}  // namespace tactus::firmware

@@ -1,0 +1,38 @@
+// What forward kinematics gives, and the two linear maps between joints and tool.
+//
+// Frame D is the device's own: right-handed, x right, y up, z toward the user, origin where the
+// mechanism's geometry puts it. Revolute joints are in rad, rad/s, N m; prismatic ones in m, m/s,
+// N.
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::firmware {
+
+enum PoseStatus : std::uint8_t {
+  kPoseGood = 0,
+  kPoseNotConverged =
+      1U << 0,  // no tool position fits these joints, or none was found: p_D is the seed
+  kPoseSingular =
+      1U << 1,  // p_D is right, but a force there would need unbounded torques or moves no motor
+};
+
+struct Pose {
+  Vec3 p_D = Vec3::Zero();         // tool, m
+  Mat3 jacobian_D = Mat3::Zero();  // d p_D / d joint; zero unless the status is good
+  std::uint8_t status = kPoseGood;
+};
+
+// Tool velocity, m/s, from joint velocities.
+inline Vec3 tool_velocity(const Pose& pose, const Vec3& joint_velocity) {
+  return pose.jacobian_D * joint_velocity;
+}
+
+// Joint efforts that put the force (N, on the hand) at the tool: J^T f, by virtual work.
+inline Vec3 joint_effort(const Pose& pose, const Vec3& force_D) {
+  return pose.jacobian_D.transpose() * force_D;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,29 @@
+// Every fixed size and bound of the controller, with what happens at it.
+#pragma once
+
+#include <cstddef>
+
+namespace tactus::firmware {
+
+// The Controller with its World, without the scene's image. Checked when control/controller.cpp
+// compiles.
+inline constexpr std::size_t kMaxControllerBytes = std::size_t{4} << 20;
+
+// Joints that the mechanisms of this folder have. A sample's further joints are neither read nor
+// recorded.
+inline constexpr std::size_t kJointCount = 3;
+
+// Newton steps of the delta's forward kinematics. From the pose of the tick before two or three are
+// enough; from the nominal pose seven reach every pose of the Falcon. Beyond:
+// kFaultKinematicsNotConverged.
+inline constexpr int kMaxNewtonSteps = 24;
+
+// Loop rates that configure() accepts, Hz.
+inline constexpr double kMinRate_Hz = 50.0;
+inline constexpr double kMaxRate_Hz = 50'000.0;
+
+// The strongest force that a configuration may allow, N: above it a desktop device can hurt a
+// wrist.
+inline constexpr double kMaxForce_N = 50.0;
+
+}  // namespace tactus::firmware

@@ -1,0 +1,83 @@
+#include "firmware/safety/force_limiter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/safety/faults.h"
+
+namespace tactus::firmware {
+namespace {
+
+double gain_per_tick(double duration_s, double rate_hz) {
+  const double ticks = duration_s * rate_hz;
+  return ticks > 1.0 ? 1.0 / ticks : 1.0;
+}
+
+// The vector at most `limit` long, same direction. Dividing by the length first keeps 1e300 N from
+// overflowing.
+Vec3 shortened(const Vec3& v, double length, double limit) {
+  return v / length * limit;
+}
+
+}  // namespace
+
+double length_of(const Vec3& v) {
+  const double largest = v.cwiseAbs().maxCoeff();
+  return largest > 0.0 ? largest * (v / largest).norm() : 0.0;
+}
+
+void ForceLimiter::configure(const ControllerConfig& config) {
+  max_force_N_ = config.safety.max_force_N;
+  max_step_N_ = config.safety.force_slew_N_per_s / config.rate_hz;
+  activation_gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
+  contact_gain_per_tick_ = gain_per_tick(config.safety.contact_start_s, config.rate_hz);
+  restart();
+}
+
+void ForceLimiter::restart() {
+  activation_gain_ = 0.0;
+  contact_gain_ = 0.0;
+  touched_ = false;
+  last_W_.setZero();
+}
+
+LimitedForce ForceLimiter::limit(const Vec3& force_W, bool in_contact) {
+  LimitedForce out;
+  touched_ = touched_ || in_contact;
+  out.force_W = force_W * activation_gain_ * contact_gain_;
+  if (in_contact && activation_gain_ * contact_gain_ < 1.0) {
+    out.limits |= kLimitSoftStart;
+  }
+  activation_gain_ = std::min(1.0, activation_gain_ + activation_gain_per_tick_);
+  if (touched_) {
+    contact_gain_ = std::min(1.0, contact_gain_ + contact_gain_per_tick_);
+  }
+
+  const double length = length_of(out.force_W);
+  if (length > max_force_N_) {
+    out.force_W = shortened(out.force_W, length, max_force_N_);
+    out.limits |= kLimitForce;
+  }
+
+  const Vec3 step = out.force_W - last_W_;
+  const double step_length = length_of(step);
+  if (step_length > max_step_N_) {
+    out.force_W = last_W_ + shortened(step, step_length, max_step_N_);
+    out.limits |= kLimitSlew;
+  }
+  last_W_ = out.force_W;
+  return out;
+}
+
+double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits) {
+  double scale = 1.0;
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    const double size = std::abs(effort[static_cast<Eigen::Index>(joint)]);
+    if (size * scale > limits[joint].max_effort) {
+      scale = limits[joint].max_effort / size;
+    }
+  }
+  return scale;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,59 @@
+// Makes a rendered force fit for a hand. In this order, once a tick:
+//
+//  soft start  f1 = f g(ticks since activation / soft_start_s) g(ticks since first contact /
+//  contact_start_s),
+//              g(x) = x below 1, then 1. First contact is the first tick in contact after
+//              activation, which is the tick of activation itself when the tool is already pressed
+//              into something.
+//  clamp       |f2| <= max_force_N, same direction as f1
+//  slew        |f3 - last| <= force_slew_N_per_s / rate_hz, straight from the last force toward f2
+//
+// The slew works both ways, on the force vector. Zero force by a fault or a disable does not pass
+// through here.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/configuration/controller_config.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::firmware {
+
+struct LimitedForce {
+  Vec3 force_W = Vec3::Zero();  // N
+  std::uint32_t limits = 0;     // FaultBits: which of the limits held the force back
+};
+
+class ForceLimiter {
+ public:
+  void configure(const ControllerConfig& config);
+
+  // Activation: both ramps and the slew start again from zero force.
+  void restart();
+
+  // `force_W` must be finite.
+  LimitedForce limit(const Vec3& force_W, bool in_contact);
+
+  // The force that in the end went out (the effort limit may have scaled it): the next slew starts
+  // from it.
+  void applied(const Vec3& force_W) { last_W_ = force_W; }
+
+ private:
+  double max_force_N_ = 0.0;
+  double max_step_N_ = 0.0;
+  double activation_gain_per_tick_ = 1.0;
+  double contact_gain_per_tick_ = 1.0;
+  double activation_gain_ = 0.0;
+  double contact_gain_ = 0.0;
+  bool touched_ = false;
+  Vec3 last_W_ = Vec3::Zero();
+};
+
+// Euclidean length that does not overflow for finite vectors.
+double length_of(const Vec3& v);
+
+// The factor in (0, 1] that brings every joint's effort within its limit and keeps their ratios.
+// Efforts finite.
+double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,39 @@
+// The first guard of a tick: is this sample fit to compute with?
+#pragma once
+
+#include <cstdint>
+
+#include "drivers/device.h"
+#include "firmware/configuration/controller_config.h"
+
+namespace tactus::firmware {
+
+class SampleCheck {
+ public:
+  void configure(const ControllerConfig& config);
+
+  // FaultBits of this sample, faults and limits. Positions are held against the joint limits only
+  // when the device is referenced: before that they mean nothing.
+  std::uint32_t check(const drivers::JointSample& sample);
+
+  // Samples too old, since configure().
+  [[nodiscard]] std::uint32_t stale_count() const { return stale_count_; }
+
+ private:
+  std::uint32_t check_age(const drivers::JointSample& sample);
+  [[nodiscard]] std::uint32_t check_joints(const drivers::JointSample& sample) const;
+
+  std::array<JointLimits, kJointCount> limits_{};
+  std::uint32_t max_age_us_ = 0;
+  std::uint32_t stale_ticks_to_fault_ = 1;
+  std::uint32_t stale_in_a_row_ = 0;
+  std::uint32_t stale_count_ = 0;
+};
+
+// True when the device knows where its joints are and can be commanded.
+bool is_referenced(std::uint32_t device_status);
+
+// The fault of each device trouble that stops.
+std::uint32_t device_faults(std::uint32_t device_status);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,281 @@
+// The proxy is the centre of a sphere that must stay clear of every triangle; it wants to be at the
+// tool. In each sub-goal of a tick
+//
+//   1. every triangle in contact gives a plane through the proxy, normal to the line from its
+//   nearest point. A triangle is
+//      convex and lies behind that plane, so no move on the plane's positive side can touch it;
+//   2. the sub-goal is the point nearest to the tool that satisfies all planes (at most three of
+//   them hold it), drawn back to the friction
+//      circle;
+//   3. the sphere sweeps straight to the sub-goal and stops where it meets a triangle that gave no
+//   plane yet.
+//
+// The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
+// every point on the way there: each move shortens the distance to the tool, so the proxy cannot
+// cycle, and it ends where no plane lets it come nearer, a local minimum of that distance. Every
+// position on the way is one that a sweep has found clear, so it crosses nothing, whatever is cut
+// short by a limit.
+#include "rendering/contact/sphere_proxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rendering/friction/cone.h"
+#include "rendering/geometry/hierarchy_query.h"
+
+namespace tactus::rendering {
+namespace {
+
+// Moves shorter than this are none: a micronewton at 1000 N/m.
+constexpr double kSettled_m = 1e-9;
+// A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the inside)
+// is pushed out no faster than this a tick; the shell's own thickness is always corrected.
+constexpr double kMostPushOut_m = 20e-6;
+constexpr double kShellPush_m = 0.5e-6;
+
+bool stops(const Candidate& candidate, const Nearest& nearest, const Vec3& p) {
+  // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
+  // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
+  // front. On a face it does not: that is the far side.
+  constexpr double kBesideBorder_m = -1e-9;
+  return !candidate.one_sided ||
+         candidate.triangle.height(p) >= (nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);
+}
+
+}  // namespace
+
+void SphereProxy::place(const Vec3& p_W) {
+  p_ = p_W;
+  friction_ = FrictionState::free;
+  neighbourhood_.clear();
+}
+
+ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W, double step_m,
+                               ProxyPath* path) {
+  slipped_ = false;
+  clipped_ = false;
+  stretching_ = true;
+  last_to_tool_m_ = std::numeric_limits<double>::infinity();
+  ProxyRest rest;
+  double most_push = kMostPushOut_m;
+  for (;;) {
+    if (path != nullptr) {
+      path->points[rest.sub_goals] = p_;
+      path->count = rest.sub_goals + 1U;
+    }
+    if (!neighbourhood_.ensure(objects, shell_, p_, step_m)) {
+      rest.flags |= kTouchCandidatesOverflow;
+      if (neighbourhood_.trust_from(p_) < 0.0) {
+        return rest;
+      }
+    }
+    collect_planes(most_push, rest);
+    const Goal goal = choose_goal(objects, h_W, rest);
+    if (goal.settled) {
+      return rest;
+    }
+    if (rest.sub_goals == kMaxSubGoals) {
+      rest.flags |= kTouchIterationsExhausted;
+      return rest;
+    }
+    const double length = (goal.point - p_).norm();
+    const Sweep sweep{.from = p_, .direction = (goal.point - p_) / length};
+    const double done = travel(objects, sweep, length);
+    if (done <= 0.0) {
+      return rest;
+    }
+    p_ = done < length ? Vec3{p_ + done * sweep.direction} : goal.point;
+    ++rest.sub_goals;
+    most_push = kShellPush_m;
+  }
+}
+
+void SphereProxy::collect_planes(double most_push, ProxyRest& rest) {
+  contact_count_ = 0;
+  const double moved = neighbourhood_.moved_from_centre(p_);
+  std::size_t i = 0;
+  for (; i < neighbourhood_.size() && neighbourhood_.distance_bound(i, moved) <= shell_.reach_m;
+       ++i) {
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    const Nearest nearest = candidate.triangle.nearest(p_);
+    nearest_[i] = nearest;
+    if (nearest.distance > shell_.reach_m || !stops(candidate, nearest, p_)) {
+      continue;
+    }
+    const double push = std::min(shell_.rest_m - nearest.distance, most_push);
+    add_plane({.plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
+               .nearest = nearest,
+               .object = candidate.object,
+               .candidate = i},
+              rest);
+  }
+  nearest_count_ = i;
+}
+
+void SphereProxy::add_plane(const ContactPlane& contact, ProxyRest& rest) {
+  // Triangles that share the nearest edge or vertex give the same plane.
+  constexpr double kSameNormal = 1e-20;
+  for (std::size_t i = 0; i < contact_count_; ++i) {
+    if ((contacts_[i].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
+        contacts_[i].plane.offset >= contact.plane.offset) {
+      return;
+    }
+  }
+  if (contact_count_ < kMaxContactPlanes) {
+    contacts_[contact_count_++] = contact;
+    return;
+  }
+  rest.flags |= kTouchPlanesOverflow;
+  const auto farthest = std::ranges::max_element(
+      contacts_, {}, [](const ContactPlane& c) { return c.nearest.distance; });
+  if (contact.nearest.distance < farthest->nearest.distance) {
+    *farthest = contact;
+  }
+}
+
+PlaneProjection SphereProxy::project(const Vec3& h) const {
+  constexpr double kSlack_m = 1e-12;  // keeps the proxy within its own planes in spite of rounding
+  std::array<Plane, kMaxContactPlanes> planes;
+  for (std::size_t i = 0; i < contact_count_; ++i) {
+    planes[i] = contacts_[i].plane;
+  }
+  const std::span<Plane> used{planes.data(), contact_count_};
+  const double now = (p_ - h).norm();
+  PlaneProjection projection = project_on_planes(h, used);
+  if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
+    return projection;
+  }
+  // Surfaces that push against each other leave no room: the proxy may slide between them, but is
+  // not pushed.
+  for (Plane& plane : used) {
+    plane.offset = std::min(plane.offset, plane.normal.dot(p_)) - kSlack_m;
+  }
+  projection = project_on_planes(h, used);
+  projection.feasible = projection.feasible && (projection.point - h).norm() <= now;
+  return projection;
+}
+
+SphereProxy::Goal SphereProxy::choose_goal(std::span<const Object> objects, const Vec3& h,
+                                           ProxyRest& rest) {
+  const PlaneProjection projection = project(h);
+  rest.plane_count = projection.active_count;
+  rest.normal_W = Vec3::Zero();
+  if (projection.active_count == 0) {
+    const bool arrived = (h - p_).squaredNorm() <= 0.0;
+    if (arrived) {
+      friction_ = FrictionState::free;
+    }
+    return {.point = h, .settled = arrived};
+  }
+  FrictionCircle circle;
+  for (std::size_t i = 0; i < projection.active_count; ++i) {
+    const ContactPlane& contact = contacts_[projection.active[i]];
+    const ConeFriction& friction = objects[contact.object].material.friction;
+    const double pressure = projection.pressure_m[i];
+    rest.planes[i] = contact;
+    rest.pressure_m[i] = pressure;
+    rest.normal_W += pressure * contact.plane.normal;
+    circle.static_radius_m += friction.static_coefficient * pressure;
+    circle.dynamic_radius_m += friction.dynamic_coefficient * pressure;
+  }
+  rest.normal_W.normalize();
+  const FrictionStep step = apply_cone(p_, projection.point, circle, friction_);
+  slipped_ = slipped_ || step.state == FrictionState::slip;
+  friction_ = slipped_ ? FrictionState::slip : step.state;
+  const Vec3 move = step.goal - p_;
+  if (step.state == FrictionState::stick || move.norm() <= kSettled_m || !projection.feasible) {
+    return {.point = p_, .settled = true};
+  }
+  return {.point = p_ + follow_curvature(move, h, rest)};
+}
+
+// On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and
+// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by R /
+// |R - depth| a move ends on the ray from the feature through the goal, from where the next
+// sub-goal drops straight onto it (or, where the tool lies beyond the feature and the sphere rolls
+// off, each move doubles the last). On the way there the distance to the tool may grow; if it is
+// not made good when the sphere touches again, the rest of the tick does without.
+Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
+  constexpr double kMostOfRadius = 0.25;
+  const Nearest& nearest = rest.planes[0].nearest;
+  const double to_tool = (p_ - h).norm();
+  stretching_ = stretching_ && to_tool < last_to_tool_m_;
+  last_to_tool_m_ = to_tool;
+  const double radius = nearest.distance;
+  const double length = move.norm();
+  if (!stretching_ || rest.plane_count != 1 || nearest.feature == Feature::face ||
+      length >= kMostOfRadius * radius) {
+    return move;
+  }
+  const double most = kMostOfRadius * radius / length;
+  const double stretch = std::min(most, radius / std::abs(radius - rest.pressure_m[0]));
+  Vec3 along = Vec3::Zero();
+  if (nearest.feature == Feature::edge) {
+    const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
+    const Vec3 edge = triangle.edge(nearest.edge).normalized();
+    along = move.dot(edge) * edge;
+  }
+  const Vec3 stretched = along + stretch * (move - along);
+  const bool allowed = std::all_of(
+      contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
+      [&](const ContactPlane& c) { return c.plane.normal.dot(p_ + stretched) >= c.plane.offset; });
+  return allowed ? stretched : move;
+}
+
+// How much of the way the sphere may go. Moves that leave the trust ball are cut at its border,
+// once; if that part was free, the rest is asked of the hierarchy.
+double SphereProxy::travel(std::span<const Object> objects, const Sweep& sweep, double length) {
+  const double room = neighbourhood_.trust_from(sweep.from);
+  if (length <= room) {
+    return sweep_candidates(sweep, length);
+  }
+  if (clipped_ || neighbourhood_.size() == 0) {
+    clipped_ = false;
+    return cast(objects, sweep, length);
+  }
+  const double done = sweep_candidates(sweep, room);
+  clipped_ = done >= room;
+  return done;
+}
+
+double SphereProxy::sweep_candidates(const Sweep& sweep, double length) const {
+  const double moved = neighbourhood_.moved_from_centre(sweep.from);
+  double free = length;
+  for (std::size_t i = 0;
+       i < neighbourhood_.size() && neighbourhood_.distance_bound(i, moved) <= shell_.stop_m + free;
+       ++i) {
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    const Nearest start = i < nearest_count_ ? nearest_[i] : candidate.triangle.nearest(sweep.from);
+    if (start.distance <= shell_.stop_m + free) {
+      free = travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell_, start);
+    }
+  }
+  return free;
+}
+
+// Shrinks to the first triangle that stops the sphere, over any length.
+struct SphereProxy::Cast {
+  const Sweep& sweep;
+  const Shell& shell;
+  double free;
+  const Object* object = nullptr;
+
+  [[nodiscard]] double reach() const { return free; }
+  void operator()(std::uint32_t t) {
+    const Triangle triangle = triangle_of(object->mesh, t);
+    free = travel_to_contact(triangle, object->sides == Sides::one, sweep, free, shell,
+                             triangle.nearest(sweep.from));
+  }
+};
+
+double SphereProxy::cast(std::span<const Object> objects, const Sweep& sweep, double length) const {
+  Cast visitor{.sweep = sweep, .shell = shell_, .free = length};
+  for (const Object& object : objects) {
+    visitor.object = &object;
+    visit_along(object.mesh.nodes, sweep.from, sweep.direction, shell_.reach_m, visitor);
+  }
+  return visitor.free;
+}
+
+}  // namespace tactus::rendering

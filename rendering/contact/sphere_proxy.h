@@ -1,0 +1,93 @@
+// The sphere proxy: the god-object of Zilles and Salisbury (IROS 1995) with a radius, after
+// Ruspini, Kolarov and Khatib ("The haptic display of complex graphical environments", SIGGRAPH
+// 1997). Radius 0 is the god-object point.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rendering/contact/neighbourhood.h"
+#include "rendering/contact/sphere_sweep.h"
+#include "rendering/geometry/plane_projection.h"
+#include "rendering/limits.h"
+#include "rendering/world/object.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+// The straight moves of one tick, for tests and pictures: points[0] to points[count - 1], world
+// frame, metres.
+struct ProxyPath {
+  std::array<Vec3, kMaxSubGoals + 1> points;
+  std::size_t count = 0;
+};
+
+// One surface that holds the proxy.
+struct ContactPlane {
+  Plane plane;      // world frame; the centre must stay on its positive side
+  Nearest nearest;  // of its triangle, at the proxy
+  std::uint32_t object = 0;
+  std::size_t candidate = 0;
+};
+
+// Where the proxy came to rest.
+struct ProxyRest {
+  Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of the planes; zero in free space
+  std::array<ContactPlane, 3> planes{};  // those that push
+  std::array<double, 3> pressure_m{};    // how far each pushes
+  std::uint8_t plane_count = 0;
+  std::uint16_t sub_goals = 0;
+  std::uint32_t flags = kTouchClean;
+};
+
+class SphereProxy {
+ public:
+  explicit SphereProxy(double tool_radius_m) : shell_(tool_radius_m) {}
+
+  // Takes another radius, >= 0; call place() afterwards.
+  void set_tool_radius(double tool_radius_m) { shell_ = Shell(tool_radius_m); }
+
+  // Starts over, out of contact, at p_W. No triangle is asked.
+  void place(const Vec3& p_W);
+
+  // Moves the proxy as near to the tool as surfaces and friction let it, for a tool at h_W (finite)
+  // that moves about `step_m` a tick. Bounded work, no heap. `path`, if given, receives the moves.
+  ProxyRest advance(std::span<const Object> objects, const Vec3& h_W, double step_m,
+                    ProxyPath* path);
+
+  [[nodiscard]] const Vec3& position_W() const { return p_; }
+  [[nodiscard]] FrictionState friction() const { return friction_; }
+  [[nodiscard]] std::size_t peak_candidates() const { return neighbourhood_.peak(); }
+
+ private:
+  struct Cast;
+  struct Goal {
+    Vec3 point = Vec3::Zero();
+    bool settled = false;
+  };
+
+  void collect_planes(double most_push, ProxyRest& rest);
+  void add_plane(const ContactPlane& contact, ProxyRest& rest);
+  PlaneProjection project(const Vec3& h) const;
+  Goal choose_goal(std::span<const Object> objects, const Vec3& h, ProxyRest& rest);
+  Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
+  double travel(std::span<const Object> objects, const Sweep& sweep, double length);
+  double sweep_candidates(const Sweep& sweep, double length) const;
+  double cast(std::span<const Object> objects, const Sweep& sweep, double length) const;
+
+  Shell shell_;
+  Vec3 p_ = Vec3::Zero();
+  FrictionState friction_ = FrictionState::free;
+  bool slipped_ = false;    // in this tick
+  bool clipped_ = false;    // the last move ended, free, at the border of the trust ball
+  bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick
+  double last_to_tool_m_ = 0.0;
+  Neighbourhood neighbourhood_;
+  std::array<ContactPlane, kMaxContactPlanes> contacts_;
+  std::size_t contact_count_ = 0;
+  std::array<Nearest, kMaxCandidates> nearest_;  // of the first nearest_count_ candidates, at p_
+  std::size_t nearest_count_ = 0;
+};
+
+}  // namespace tactus::rendering

@@ -1,0 +1,52 @@
+// The distance from a point to a convex set is a convex function, so along a straight line it lies
+// above each of its tangents. Newton's method on distance(travel) = inner, begun on the near side
+// of the root, therefore never oversteps it: every iterate is a travel that is known to be free. It
+// ends inside the shell, after one step over a face and quadratically on edges and vertices; if the
+// steps run out (a grazing pass, where the root is double) the last iterate is a safe answer too.
+// Faces, edges and vertices need no cases of their own.
+#include "rendering/contact/sphere_sweep.h"
+
+#include <algorithm>
+
+namespace tactus::rendering {
+
+double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& sweep, double limit,
+                         const Shell& shell, const Nearest& start) {
+  constexpr int kMaxSteps = 32;
+  // A descent below a nanometre a metre is the rounding of a move along a contact plane.
+  constexpr double kParallel = -1e-9;
+  double travel = 0.0;
+  Nearest at = start;
+  if (one_sided) {
+    const double height = triangle.height(sweep.from);
+    if (height < 0.0) {
+      const double rise = triangle.normal().dot(sweep.direction);
+      travel = -height / rise;
+      if (!(rise > 0.0) || travel >= limit) {
+        return limit;
+      }
+      at = triangle.nearest(sweep.from + travel * sweep.direction);
+      if (at.distance < shell.inner_m) {
+        return limit;  // it comes out through the triangle: a way that one-sided surfaces leave
+                       // open
+      }
+    }
+  }
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const double descent = at.normal.dot(sweep.direction);
+    if (descent >= kParallel) {
+      return limit;
+    }
+    travel += std::max(0.0, at.distance - shell.inner_m) / -descent;
+    if (travel >= limit) {
+      return limit;
+    }
+    at = triangle.nearest(sweep.from + travel * sweep.direction);
+    if (at.distance <= shell.stop_m) {
+      return travel;
+    }
+  }
+  return travel;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,36 @@
+// How far a sphere can travel along a straight line before it touches a triangle.
+#pragma once
+
+#include "rendering/geometry/triangle.h"
+
+namespace tactus::rendering {
+
+// The shell round a surface within which the proxy's centre rests. Contact planes put it at `rest`;
+// a sweep lets it come down to between `inner` and `stop`; nothing lets it below `inner`. All are
+// greater than the tool's radius, so that even a point never lies on a triangle.
+struct Shell {
+  explicit Shell(double tool_radius_m)
+      : inner_m(tool_radius_m + 0.25e-6),
+        stop_m(tool_radius_m + 0.375e-6),
+        rest_m(tool_radius_m + 0.5e-6),
+        reach_m(tool_radius_m + 0.75e-6) {}
+
+  double inner_m;
+  double stop_m;
+  double rest_m;
+  double reach_m;  // a triangle nearer than this is in contact
+};
+
+struct Sweep {
+  Vec3 from = Vec3::Zero();        // m
+  Vec3 direction = Vec3::UnitX();  // unit
+};
+
+// Travel in metres at which the sphere's centre enters the shell of the triangle, or `limit` if it
+// does not do so before. Never too long, and too short only by the shell's thickness. A one-sided
+// triangle stops what stands in front of it, and what comes to stand in front of it while still
+// clear of it. `start` is triangle.nearest(sweep.from).
+double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& sweep, double limit,
+                         const Shell& shell, const Nearest& start);
+
+}  // namespace tactus::rendering

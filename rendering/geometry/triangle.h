@@ -1,0 +1,52 @@
+// A triangle prepared for many distance queries.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+enum class Feature : std::uint8_t { face, edge, vertex };
+
+// The point of a triangle nearest to a query point q, seen from q.
+struct Nearest {
+  double distance = 0.0;       // m, >= 0
+  Vec3 normal = Vec3::Zero();  // unit, from the nearest point to q; the front normal where q lies
+                               // on the triangle
+  Feature feature = Feature::face;
+  std::uint8_t edge = 0;  // which edge, for Feature::edge
+};
+
+// The distance from a moving point to a triangle is a convex function of its travel along a
+// straight line, and `normal` is its gradient: the sweep (rendering/contact/sphere_sweep.h) and the
+// contact planes rest on these two facts.
+class Triangle {
+ public:
+  Triangle() = default;
+  Triangle(const Vec3& a, const Vec3& b, const Vec3& c);
+
+  [[nodiscard]] Nearest nearest(const Vec3& q) const;
+
+  // Signed distance to the triangle's plane, > 0 in front (counter-clockwise side); 0 for a
+  // triangle without area.
+  [[nodiscard]] double height(const Vec3& q) const { return normal_.dot(q - corner_[0]); }
+
+  // Unit, toward the front; zero for a triangle without area.
+  [[nodiscard]] const Vec3& normal() const { return normal_; }
+
+  // From corner k to corner k + 1, not normalised.
+  [[nodiscard]] const Vec3& edge(std::size_t k) const { return edge_[k]; }
+
+ private:
+  [[nodiscard]] Nearest nearest_on_border(const Vec3& q, const std::array<double, 3>& inward) const;
+
+  std::array<Vec3, 3> corner_;
+  std::array<Vec3, 3> edge_;
+  std::array<Vec3, 3> inward_;  // in the plane, perpendicular to each edge, toward the inside
+  std::array<double, 3> inverse_squared_length_{};
+  Vec3 normal_ = Vec3::Zero();
+};
+
+}  // namespace tactus::rendering

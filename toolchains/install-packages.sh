@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# Installs the Debian packages of one or more groups of toolchains/packages.txt.
+#   toolchains/install-packages.sh demo tests
+# Does nothing where all are there; else needs root or sudo.
+set -euo pipefail
+
+list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
+
+groups() { sed -n 's/^\[\(.*\)\].*/\1/p' "$list"; }
+
+packages_of() {
+  sed -e 's/#.*//' -e 's/[[:space:]]*$//' "$list" |
+    while read -r line; do
+      case "$line" in
+        "") ;;
+        \[*\]) current="$line" ;;
+        *) if [[ "$current" == "[$1]" ]]; then echo "$line"; fi ;;
+      esac
+    done
+}
+
+is_installed() { [[ "$(dpkg-query -W -f='${db:Status-Abbrev}' "$1" 2>/dev/null)" == ii* ]]; }
+
+as_root() {
+  if [[ $EUID -eq 0 ]]; then
+    "$@"
+  elif [[ -t 0 ]]; then
+    sudo "$@"
+  else
+    sudo --non-interactive "$@"
+  fi
+}
+
+# Documentation folders hold the demo's mesh; slim images leave them out unless told otherwise.
+apt_get() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq \
+    -o Dpkg::Use-Pty=0 -o Dpkg::Options::="--path-include=/usr/share/doc/libcgal-*/*" "$@" </dev/null
+}
+
+install_packages() { apt_get update && apt_get install --yes --no-install-recommends "$@"; }
+
+if [[ $# -eq 0 || "$1" == "--help" ]]; then
+  echo "usage: ${BASH_SOURCE[0]} GROUP..."
+  echo "groups: $(groups | paste -sd' ')"
+  exit $(($# == 0 ? 2 : 0))
+fi
+
+missing=()
+for group in "$@"; do
+  if ! groups | grep -qxF -- "$group"; then
+    echo "install-packages: no group '$group' in $list; there are: $(groups | paste -sd' ')" >&2
+    exit 2
+  fi
+  for package in $(packages_of "$group"); do
+    is_installed "$package" || missing+=("$package")
+  done
+done
+
+if [[ ${#missing[@]} -eq 0 ]]; then
+  echo "packages for $*: all installed"
+  exit 0
+fi
+if [[ $EUID -ne 0 ]] && ! command -v sudo >/dev/null; then
+  echo "install-packages: needs root or sudo to install: ${missing[*]}" >&2
+  exit 1
+fi
+
+echo "packages for $*: installing ${missing[*]}"
+if ! install_packages "${missing[@]}"; then
+  echo "install-packages: apt-get failed; once more" >&2
+  install_packages "${missing[@]}"
+fi
