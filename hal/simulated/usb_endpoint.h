@@ -48,6 +48,8 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
 
   SimulatedUsbEndpoint(SimulatedClock& clock, SimulatedUsbPeer& peer,
                        const SimulatedUsbConfig& config = {});
+  SimulatedUsbEndpoint(const SimulatedUsbEndpoint&) = delete;
+  SimulatedUsbEndpoint& operator=(const SimulatedUsbEndpoint&) = delete;
   ~SimulatedUsbEndpoint();
 
   // The device's side: queues bytes for bulk-in, cut into packets; nothing makes one empty packet.
