@@ -109,7 +109,6 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   FixedQueue<Packet, kMaxPackets> packets_;
   std::array<Flight, kMaxUsbTransfersInFlight> flights_{};
   std::size_t flight_count_ = 0;
-  TimeNs last_ready_ns_ = 0;
   TimeNs last_due_ns_ = 0;
   TimeNs departure_ns_ = 0;
   std::size_t will_take_ = kTakeAll;

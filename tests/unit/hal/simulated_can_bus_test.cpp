@@ -1,5 +1,7 @@
 #include "hal/simulated/can_bus.h"
 
+#include <map>
+
 #include "tests/unit/hal/can_bus_contract.h"
 
 namespace tactus::hal {
@@ -91,8 +93,8 @@ TEST_F(SimulatedCan, FullSendQueueTakesWhatFitsThenRefuses) {
 
 TEST_F(SimulatedCan, LowestIdentifierGoesFirst) {
   SimulatedCanBus a(wire_);
-  SimulatedCanBus b(wire_);
   SimulatedCanBus c(wire_);
+  SimulatedCanBus b(wire_);
   SimulatedCanBus listener(wire_);
   ASSERT_TRUE(a.send(can_frame(0x700, {})));  // has the wire while the others queue
   ASSERT_TRUE(a.send(can_frame(0x300, {})));
@@ -174,16 +176,16 @@ TEST_F(SimulatedCan, FailedTransmissionsLeadOffTheBusStepByStep) {
   ASSERT_TRUE(left.set_error_classes(kCanController | kCanBusOff));
   left.fail_transmissions(32);
   ASSERT_TRUE(left.send(can_frame(1, {})));
-  std::vector<CanState> states{left.status().state};
-  for (int i = 0; i < 32; ++i) {
+  std::map<CanState, int> failures_until;
+  for (int failures = 1; failures <= 32; ++failures) {
     clock_.advance_by(47 * kUs);
-    if (left.status().state != states.back()) {
-      states.push_back(left.status().state);
-      EXPECT_EQ(left.status().transmit_errors, std::min(8 * (i + 1), 255));
-    }
+    EXPECT_EQ(left.status().transmit_errors, std::min(8 * failures, 255));
+    failures_until.try_emplace(left.status().state, failures);
   }
-  EXPECT_EQ(states, (std::vector{CanState::error_active, CanState::error_warning,
-                                 CanState::error_passive, CanState::bus_off}));
+  EXPECT_EQ(failures_until, (std::map<CanState, int>{{CanState::error_active, 1},
+                                                     {CanState::error_warning, 96 / 8},
+                                                     {CanState::error_passive, 128 / 8},
+                                                     {CanState::bus_off, 256 / 8}}));
   const auto reports = all(left);
   ASSERT_EQ(reports.size(), 3U);
   EXPECT_EQ(reports[0].error.controller, kCanTransmitWarning);

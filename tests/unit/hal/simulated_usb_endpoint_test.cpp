@@ -170,6 +170,14 @@ TEST_F(SimulatedUsb, ControlToAStoppedDeviceWaitsForTheDeadline) {
   EXPECT_EQ(clock_.now_ns(), 50 * kUs);
 }
 
+TEST_F(SimulatedUsb, LateAnswerIsNotOvertaken) {
+  ASSERT_TRUE(endpoint_.answer(std::span(data_).first(5), 300 * kUs));
+  ASSERT_TRUE(endpoint_.answer(std::span(data_).first(3)));
+  expect_refused(endpoint_.bulk_in(buffer_, 200 * kUs), ErrorCode::timeout);
+  EXPECT_EQ(endpoint_.bulk_in(buffer_, 300 * kUs), 5U);
+  EXPECT_EQ(endpoint_.bulk_in(buffer_, kNoWait), 3U);
+}
+
 TEST_F(SimulatedUsb, AnswerWithoutRoomIsRefusedWhole) {
   const std::vector<std::byte> almost_all(8 * (SimulatedUsbEndpoint::kMaxPackets - 1));
   ASSERT_TRUE(endpoint_.answer(almost_all));

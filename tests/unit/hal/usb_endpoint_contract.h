@@ -152,15 +152,17 @@ TYPED_TEST_P(UsbEndpointContract, TransfersOfOneDirectionKeepTheirOrder) {
 }
 
 TYPED_TEST_P(UsbEndpointContract, DoneTransferCanFlyAgain) {
-  const auto data = this->bytes(10);
+  auto data = this->bytes(10);
   UsbTransfer write = UsbTransfer::out(data);
   std::array<std::byte, 64> buffer;
   UsbTransfer read = UsbTransfer::in(buffer);
   for (int i = 0; i < 3; ++i) {
+    data.back() = std::byte(100 + i);
     ASSERT_TRUE(this->endpoint().submit(read));
     ASSERT_TRUE(this->endpoint().submit(write));
     EXPECT_EQ(this->endpoint().wait(write, this->soon()), 10U);
     EXPECT_EQ(this->endpoint().wait(read, this->soon()), 10U);
+    EXPECT_TRUE(std::ranges::equal(std::span(buffer).first(10), data));
   }
 }
 
