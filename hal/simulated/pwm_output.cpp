@@ -5,7 +5,7 @@
 namespace tactus::hal {
 
 std::span<const SimulatedPwmWrite> SimulatedPwmOutput::writes() const {
-  return std::span(writes_).first(std::min<std::uint64_t>(write_count_, kRecorded));
+  return std::span(writes_).first(std::min(write_count_, kRecorded));
 }
 
 double SimulatedPwmOutput::mean_level() const {
