@@ -7,7 +7,7 @@ trap 'rm -rf "$work"' EXIT
 # check NAME CODE: compiles CODE for the Cortex-M7 into libNAME.a and runs the check on it.
 check() {
   echo "$2" >"$work/$1.cpp"
-  arm-none-eabi-g++ -std=c++23 -mcpu=cortex-m7 -mthumb -O2 ${3:--fno-exceptions} -c "$work/$1.cpp" -o "$work/$1.o"
+  arm-none-eabi-g++ -std=c++23 -mcpu=cortex-m7 -mthumb -O2 "${3:--fno-exceptions}" -c "$work/$1.cpp" -o "$work/$1.o"
   arm-none-eabi-ar rcs "$work/lib$1.a" "$work/$1.o"
   toolchains/check_no_heap.sh arm-none-eabi-nm "$work/lib$1.a" >"$work/output" 2>&1
 }

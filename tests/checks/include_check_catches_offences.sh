@@ -3,8 +3,8 @@
 set -euo pipefail
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
-source "$(dirname "${BASH_SOURCE[0]}")/tracked_files.sh"
-tracked_files | xargs -d '\n' cp --parents -t "$work"
+source tests/checks/tracked_files.sh
+tracked_files '*' | xargs -d '\n' cp --parents -t "$work"
 
 directions="toolchains/cmake/TactusIncludeDirections.cmake"
 check() { cmake "-DTACTUS_ROOT=$work" -P "$directions" >"$work/output" 2>&1; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# shellcheck finds nothing in the scripts.
+# The scripts have nothing that shellcheck would find.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/tracked_files.sh"
+source tests/checks/tracked_files.sh
 tracked_files '*.sh' .ci/run | xargs -d '\n' shellcheck --external-sources

@@ -10,13 +10,14 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
-# A bare-metal target has no hosted standard library and no host tools.
-if(CMAKE_SYSTEM_NAME STREQUAL "Generic")
+# The host tools belong to this machine; tests run on it or in an emulator of the other one.
+set(TACTUS_HOSTED ON)
+set(TACTUS_RUNS_HERE ON)
+if(CMAKE_CROSSCOMPILING)
   set(TACTUS_HOSTED OFF)
-elseif(CMAKE_CROSSCOMPILING)
-  set(TACTUS_HOSTED OFF)
-else()
-  set(TACTUS_HOSTED ON)
+  if(NOT CMAKE_CROSSCOMPILING_EMULATOR)
+    set(TACTUS_RUNS_HERE OFF)
+  endif()
 endif()
 
 include(GNUInstallDirs)
