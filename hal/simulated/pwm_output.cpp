@@ -5,12 +5,8 @@
 namespace tactus::hal {
 
 std::span<const SimulatedPwmWrite> SimulatedPwmOutput::writes() const {
-<<<<<<< HEAD
-  return std::span(writes_).first(std::min(write_count_, kRecorded));
-=======
   const std::uint64_t recorded = std::min<std::uint64_t>(write_count_, kRecorded);
   return std::span(writes_).first(static_cast<std::size_t>(recorded));
->>>>>>> house
 }
 
 double SimulatedPwmOutput::mean_level() const {

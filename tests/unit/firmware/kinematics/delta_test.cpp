@@ -160,27 +160,17 @@ TEST_F(FalconDelta, TheAnswerDoesNotDependOnTheSeed) {
 }
 
 TEST_F(FalconDelta, PosesNearASingularityAreFlaggedAndGiveNoTorque) {
-<<<<<<< HEAD
   for (const double angle_deg : {-70.0, -62.0, 95.0}) {
     const double angle = angle_deg * kDegree;
     const Pose pose = delta_.forward(Vec3::Constant(angle), kMiddle);
     EXPECT_EQ(pose.status, kPoseSingular) << angle_deg;
     EXPECT_NEAR(rod_error(105.0, angle, pose.p_D), 0.0, 1e-14);
     EXPECT_NEAR(rod_error(-15.0, angle, pose.p_D), 0.0, 1e-14);
-=======
-  for (const Vec3& tool : {Vec3(0.0, 0.0, 0.0597), Vec3(0.0, 0.0, 0.1829)}) {
-    const auto joints = bisected_joints(tool);
-    ASSERT_TRUE(joints);
-    const Pose pose = delta_.forward(*joints, kMiddle);
-    EXPECT_EQ(pose.status, kPoseSingular) << tool.transpose();
-    EXPECT_LT((pose.p_D - tool).norm(), 1e-9);
->>>>>>> simulation
     EXPECT_EQ(joint_effort(pose, {8.0, 8.0, 8.0}), Vec3::Zero());
   }
 }
 
 TEST_F(FalconDelta, JointsThatNoToolFitsAreFlaggedAndKeepTheSeed) {
-<<<<<<< HEAD
   const Vec3 joints = Vec3(180.0, 0.0, 0.0) * kDegree;
   // A rod's error changes no faster than the tool moves, so a grid proves that nothing fits.
   constexpr double kGrid_m = 0.004;
@@ -198,9 +188,6 @@ TEST_F(FalconDelta, JointsThatNoToolFitsAreFlaggedAndKeepTheSeed) {
   EXPECT_GT(least, kGrid_m * std::sqrt(3.0) / 2.0);
 
   const Pose pose = delta_.forward(joints, kMiddle);
-=======
-  const Pose pose = delta_.forward(Vec3(90.0, -90.0, 0.0) * kDegree, kMiddle);
->>>>>>> simulation
   EXPECT_EQ(pose.status, kPoseNotConverged);
   EXPECT_EQ(pose.p_D, kMiddle);
   EXPECT_EQ(pose.jacobian_D, Mat3::Zero());
