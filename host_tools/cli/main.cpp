@@ -12,9 +12,11 @@
 #include <string_view>
 
 #include "host_tools/cli/bake_verb.h"
+#include "host_tools/cli/bench_verb.h"
 #include "host_tools/cli/inspect_verb.h"
 #include "host_tools/cli/plot_verb.h"
 #include "host_tools/cli/sim_verb.h"
+#include "host_tools/cli/touch_verb.h"
 #include "host_tools/input_error.h"
 
 namespace {
@@ -25,10 +27,9 @@ using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
 constexpr std::array kVerbs{
-    AddVerb{tactus::host::add_bake_verb},
-    AddVerb{tactus::host::add_inspect_verb},
-    AddVerb{tactus::host::add_sim_verb},
-    AddVerb{tactus::host::add_plot_verb},
+    AddVerb{tactus::host::add_bake_verb},  AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_touch_verb}, AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},  AddVerb{tactus::host::add_bench_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.

@@ -30,9 +30,8 @@ class LogFile {
   std::string buffer_;
 };
 
-// run.csv. The first thirteen columns are those of `tactus touch`; mode, contact and friction_state
-// are numbers in the order of firmware::Mode, rendering::ContactKind and rendering::FrictionState,
-// faults and limits are firmware::FaultBits, the hash is hexadecimal.
+// run.csv. The first thirteen columns are those of `tactus touch`; contact is 0 or 1; mode
+// and friction_state are numbers in the order of firmware::Mode and rendering::FrictionState, faults and limits are firmware::FaultBits, the hash is hexadecimal.
 class RunCsv {
  public:
   explicit RunCsv(const std::filesystem::path& path);

@@ -1,10 +1,11 @@
 #include "tests/support/shapes.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <random>
 #include <utility>
+
+#include "host_tools/benchmark/icosphere.h"
 
 namespace tactus::testing {
 namespace {
@@ -82,40 +83,10 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 }  // namespace
 
 Shape icosphere(double radius_m, int subdivisions) {
-  const double g = std::numbers::phi;
-  std::vector<Vec3> v{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  for (Vec3& p : v) {
-    p.normalize();
-  }
-  std::vector<TriangleIndices> t{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                                 {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                 {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                                 {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-  for (int level = 0; level < subdivisions; ++level) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [place, fresh] = middles.try_emplace(std::minmax(a, b), v.size());
-      if (fresh) {
-        v.push_back((v[a] + v[b]).normalized());
-      }
-      return place->second;
-    };
-    std::vector<TriangleIndices> finer;
-    for (const auto& [a, b, c] : t) {
-      const std::uint32_t ab = middle(a, b);
-      const std::uint32_t bc = middle(b, c);
-      const std::uint32_t ca = middle(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
-    }
-    t = std::move(finer);
-  }
-  Shape s{.name = "icosphere"};
-  for (const Vec3& p : v) {
-    add_vertex(s, radius_m * p);
-  }
-  s.triangles = std::move(t);
-  return s;
+  host::TriangleMesh mesh = host::icosphere(radius_m, subdivisions);
+  return {.name = "icosphere",
+          .vertices = std::move(mesh.vertices),
+          .triangles = std::move(mesh.triangles)};
 }
 
 Shape bumpy_sphere(double radius_m, int subdivisions, double amplitude) {

@@ -1,0 +1,89 @@
+#include "host_tools/benchmark/workload.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "rendering/geometry/hierarchy_query.h"
+
+namespace tactus::host {
+namespace {
+
+using rendering::MeshView;
+using rendering::to_vec3;
+
+// Shrinks to the first triangle that a ray meets.
+struct RayCast {
+  const MeshView& mesh;
+  const Vec3& from;
+  const Vec3& direction;
+  double nearest;
+
+  [[nodiscard]] double reach() const { return nearest; }
+  void operator()(std::uint32_t t) {
+    const auto& [i, j, k] = mesh.triangles[t];
+    const Vec3 a = to_vec3(mesh.vertices[i]);
+    const Vec3 ab = to_vec3(mesh.vertices[j]) - a;
+    const Vec3 ac = to_vec3(mesh.vertices[k]) - a;
+    const Vec3 normal = ab.cross(ac);
+    const double toward = -normal.dot(direction);
+    if (toward == 0.0) {
+      return;
+    }
+    const Vec3 offset = from - a;
+    const double travel = normal.dot(offset) / toward;
+    const Vec3 q = direction.cross(offset);
+    const double u = -ac.dot(q) / toward;
+    const double v = ab.dot(q) / toward;
+    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && travel >= 0.0) {
+      nearest = std::min(nearest, travel);
+    }
+  }
+};
+
+double wave(double frequency_hz, double t) {
+  return std::sin(2.0 * std::numbers::pi * frequency_hz * t);
+}
+
+Vec3 direction_at(double t) {
+  const double phi = 2.0 * t;
+  const double theta = 0.4 * wave(0.11, t) + 0.01 * wave(7.3, t);
+  return {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), std::sin(theta)};
+}
+
+// Height over the pressed depth: 20 mm at the ends of a cycle, 0 while it strokes.
+double lift_at(double t) {
+  constexpr double kCycle_s = 2.0;
+  constexpr double kEnds_s = 0.25;
+  constexpr double kLift_m = 0.02;
+  const double phase = std::fmod(t, kCycle_s);
+  const double to_end = std::min(phase, kCycle_s - phase);
+  return kLift_m * std::max(0.0, 1.0 - to_end / kEnds_s);
+}
+
+}  // namespace
+
+std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, std::size_t ticks) {
+  const Vec3 lower = to_vec3(mesh.nodes[0].lower);
+  const Vec3 upper = to_vec3(mesh.nodes[0].upper);
+  const Vec3 middle = 0.5 * (lower + upper);
+  const double outside = (upper - lower).norm();
+  double surface = 0.5 * outside;
+  std::vector<Vec3> path;
+  path.reserve(ticks);
+  for (std::size_t k = 0; k < ticks; ++k) {
+    const double t = 0.001 * static_cast<double>(k);
+    const Vec3 u = direction_at(t);
+    const Vec3 from = middle + outside * u;
+    const Vec3 inward = -u;
+    RayCast ray{.mesh = mesh, .from = from, .direction = inward, .nearest = outside};
+    rendering::visit_along(mesh.nodes, from, inward, 0.0, ray);
+    // Where the ray meets nothing before the middle, the last height is kept.
+    surface = ray.nearest < outside ? outside - ray.nearest : surface;
+    const double depth = 0.002 + 0.001 * wave(1.7, t);
+    path.push_back(middle + (surface + tool_radius_m - depth + lift_at(t)) * u);
+  }
+  return path;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,19 @@
+// What the benchmark's tool does: a path over any mesh that presses, strokes and leaves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rendering/world/object.h"
+
+namespace tactus::host {
+
+// One tool position a tick, 1 kHz, world frame, metres. The direction from the mesh's middle turns
+// at 2 rad/s about z and nods; along it the surface is found by a ray from outside; the tool's
+// surface is pressed 1 to 3 mm into it. Every two seconds the tool comes from 20 mm above, strokes
+// for a second and a half, and leaves. Where the ray jumps from one part of the mesh to another, so
+// does the tool.
+std::vector<Vec3> stroke_workload(const rendering::MeshView& mesh, double tool_radius_m,
+                                  std::size_t ticks);
+
+}  // namespace tactus::host

@@ -1,0 +1,10 @@
+// `tactus touch`: a tool path against a scene, without dynamics.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_touch_verb(CLI::App& app);
+
+}  // namespace tactus::host
