@@ -82,9 +82,9 @@ ControllerConfig falcon_config() {
   const DeltaGeometry geometry;
   config.mechanism = geometry;
   config.workspace_origin_D = {0.0, 0.0, geometry.nominal_height_m};
-  // Contains every pose within 50 mm of the workspace's middle (-43 to 75 degrees). 0.67 N m is what
-  // 8 N takes at the worst place and direction within 40 mm of it; the Falcon's true limit is not
-  // published.
+  // Contains every pose within 50 mm of the workspace's middle (-43 to 75 degrees). 0.67 N m is
+  // what 8 N takes at the worst place and direction within 40 mm of it; the Falcon's true limit is
+  // not published.
   config.joints.fill({.lower = -0.80, .upper = 1.45, .max_effort = 0.7});
   config.safety.max_force_N = 8.0;
   return config;

@@ -13,6 +13,8 @@
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/inspect_verb.h"
+#include "host_tools/cli/plot_verb.h"
+#include "host_tools/cli/sim_verb.h"
 #include "host_tools/input_error.h"
 
 namespace {
@@ -25,6 +27,8 @@ using AddVerb = void (*)(CLI::App& app);
 constexpr std::array kVerbs{
     AddVerb{tactus::host::add_bake_verb},
     AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.

@@ -1,0 +1,131 @@
+#include "host_tools/cli/sim_verb.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/cli/progress_line.h"
+#include "host_tools/simulation/run.h"
+#include "host_tools/simulation/run_log.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr const char* kExamples =
+    "A wish path is where the hand wants to be, with header t_s,x_m,y_m,z_m; without one the hand\n"
+    "presses and strokes the front of the scene for ten seconds. The device stands so that the\n"
+    "middle of the path is the middle of its workspace. The columns of the output and the "
+    "devices,\n"
+    "hands and faults are described in host_tools/simulation/README.md.\n"
+    "\n"
+    "Examples:\n"
+    "  tactus sim scene.tactus --output run.csv       then: tactus plot run.csv --scene "
+    "scene.tactus\n"
+    "  tactus sim scene.tactus --device falcon --hand firm --seed 7 --path wish.csv\n"
+    "  tactus sim scene.tactus --hashes a.txt && tactus sim scene.tactus --hashes b.txt && cmp "
+    "a.txt b.txt\n"
+    "  tactus sim scene.tactus --fault estop@4 --fault stale@2.5x2\n"
+    "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s";
+
+struct Options {
+  std::string scene;
+  std::string output;
+  std::string hashes;
+  bool json = false;
+  RunOptions run;
+};
+
+// What happens beside the run, after each tick.
+class Recorder {
+ public:
+  Recorder(const Options& options, double seconds) : seconds_(seconds) {
+    if (!options.output.empty()) {
+      csv_.emplace(options.output);
+    }
+    if (!options.hashes.empty()) {
+      hashes_.emplace(options.hashes);
+    }
+    if (::isatty(STDERR_FILENO) == 1) {
+      progress_.emplace();
+    }
+  }
+
+  void add(const Simulation& simulation) {
+    constexpr std::uint64_t kTicksBetweenSteps = 4096;
+    const firmware::TelemetryRecord& record = simulation.record();
+    if (csv_) {
+      csv_->add(simulation);
+    }
+    if (hashes_) {
+      hashes_->add(record);
+    }
+    if (progress_ && record.tick % kTicksBetweenSteps == 0) {
+      progress_->step(fmt::format("{:.1f} of {:.1f} s simulated, mode {}", record.time_s, seconds_,
+                                  firmware::mode_name(record.mode)));
+    }
+  }
+
+  void close() {
+    progress_.reset();
+    if (csv_) {
+      csv_->close();
+    }
+    if (hashes_) {
+      hashes_->close();
+    }
+  }
+
+ private:
+  double seconds_;
+  std::optional<RunCsv> csv_;
+  std::optional<HashLog> hashes_;
+  std::optional<ProgressLine> progress_;
+};
+
+void run_sim(const Options& options) {
+  const MappedScene scene(options.scene);
+  const auto objects = scene.image().objects();
+  const double tool_radius_m = scene.image().tool_radius_m();
+  const RunPlan plan = plan_run(options.run, objects, tool_radius_m);
+  for (const std::string& warning : plan.warnings) {
+    fmt::print(stderr, "tactus sim: warning: {}\n", warning);
+  }
+  Simulation simulation(plan.config, objects, tool_radius_m);
+  Recorder recorder(options, plan.seconds);
+  const RunSummary summary = run(simulation, plan.seconds, options.run.rate_hz,
+                                 [&](const Simulation& now) { recorder.add(now); });
+  recorder.close();
+  fmt::print("{}", options.json ? summary_json(summary) : summary_text(summary));
+}
+
+}  // namespace
+
+void add_sim_verb(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "sim", "Let a simulated hand and device touch a scene through the controller");
+  const auto options = std::make_shared<Options>();
+  RunOptions& run = options->run;
+  verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
+  verb->add_option("--device", run.device, "cartesian or falcon")->capture_default_str();
+  verb->add_option("--hand", run.hand, "finger, pen or firm")->capture_default_str();
+  verb->add_option("--seed", run.seed, "Seed of the hand's tremor")->capture_default_str();
+  verb->add_option("--seconds", run.seconds,
+                   "How long to simulate; default: until the wish path ends");
+  verb->add_option("--rate-hz", run.rate_hz, "Ticks of the controller a second, 50 to 50000")
+      ->capture_default_str();
+  verb->add_option("--path", run.path, "Wish path of the hand (CSV)");
+  verb->add_option("-o,--output", options->output, "Write one line a tick to this CSV file");
+  verb->add_option("--hashes", options->hashes, "Write the state hash of every tick to this file");
+  verb->add_option("--fault", run.faults,
+                   "Let the device fail: stale, nan, estop or lost, like stale@2.5x3");
+  verb->add_flag("--json", options->json, "Print the summary as one JSON object");
+  verb->footer(kExamples);
+  verb->callback([options] { run_sim(*options); });
+}
+
+}  // namespace tactus::host

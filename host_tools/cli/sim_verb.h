@@ -1,0 +1,10 @@
+// `tactus sim`: a simulated hand and device touch a scene through the real controller.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_sim_verb(CLI::App& app);
+
+}  // namespace tactus::host

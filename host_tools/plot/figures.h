@@ -1,0 +1,33 @@
+// The two figures of a run, as PNG files.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "host_tools/plot/run_data.h"
+#include "rendering/world/object.h"
+
+namespace tactus::host {
+
+struct FigureFiles {
+  std::filesystem::path force;  // force and depth over time
+  std::filesystem::path path;   // the proxy's path over the scene, from two sides
+};
+
+// Names from the user's -o: an existing folder, or a name ending in a slash, gives
+// FOLDER/<stem>_force.png and FOLDER/<stem>_path.png; anything else is a prefix: <prefix>_force.png
+// and <prefix>_path.png.
+FigureFiles figure_files(const std::filesystem::path& output, const std::string& stem);
+
+// Force and depth in stacked panels over a shared time axis, the background telling stick from
+// slip. Throws InputError when gnuplot is missing or fails.
+void draw_force_figure(const RunData& run, const std::string& title,
+                       const std::filesystem::path& png);
+
+// The path of the proxy's centre, coloured by force where it touched, from the front and from the
+// side, both panels with equal axes. Throws InputError when gnuplot is missing or fails.
+void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
+                      const std::string& title, const std::filesystem::path& png);
+
+}  // namespace tactus::host

@@ -1,0 +1,114 @@
+#include "host_tools/plot/gnuplot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+void write_file(const std::filesystem::path& file, std::string_view bytes) {
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (!stream) {
+    throw InputError(fmt::format("{}: cannot write", file.string()));
+  }
+}
+
+// gnuplot's own words come as: a blank line, the offending input, a caret, `"script", line 3: what
+// is wrong`.
+std::string complaint(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::string last;
+  while (std::getline(stream, line)) {
+    if (line.find(" line ") != std::string::npos) {
+      return line;
+    }
+    if (!line.empty()) {
+      last = line;
+    }
+  }
+  return last;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "tactus-plot-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw InputError(fmt::format("{}: cannot make a temporary folder: {}", pattern,
+                                 std::generic_category().message(errno)));
+  }
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
+  std::string bytes;
+  bytes.reserve(3 * image.pixels.size());
+  for (const std::uint8_t grey : image.pixels) {
+    bytes.append(3, static_cast<char>(grey));
+  }
+  write_file(file, bytes);
+}
+
+void run_gnuplot(const TemporaryFolder& folder, std::string_view script) {
+  const std::filesystem::path script_file = folder.path() / "script.gp";
+  const std::filesystem::path messages = folder.path() / "messages.txt";
+  write_file(script_file, script);
+
+  std::string program = "gnuplot";
+  std::string argument = script_file.string();
+  const std::array<char*, 3> arguments = {program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t actions{};
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  pid_t child = 0;
+  const int failure =
+      posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failure == ENOENT) {
+    throw InputError("gnuplot is not installed; it is in the Debian package gnuplot-nox");
+  }
+  if (failure != 0) {
+    throw InputError(
+        fmt::format("cannot start gnuplot: {}", std::generic_category().message(failure)));
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw InputError(fmt::format("gnuplot failed: {}", complaint(messages)));
+  }
+}
+
+std::string gnuplot_string(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) {
+    result += c;
+    if (c == '\'') {
+      result += c;
+    }
+  }
+  return result + "'";
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "host_tools/plot/figures.h"
+#include "host_tools/plot/gnuplot.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr std::size_t kMostPoints = 40000;
+
+// The sheet, in pixels: two panels side by side with room for their axes, and a colour bar at the
+// right.
+constexpr double kSheetWidth = 1800.0;
+constexpr double kPanelBottom = 105.0;
+constexpr double kTitleHeight = 75.0;
+constexpr double kLeft = 105.0;
+constexpr double kGap = 125.0;
+constexpr double kRight = 175.0;
+constexpr double kLargestPanelHeight = 1400.0;
+
+struct Panel {
+  View view = View::front;
+  Window window;      // mm
+  double left = 0.0;  // pixels
+  double right = 0.0;
+};
+
+struct Sheet {
+  Panel front;
+  Panel side;
+  double top = 0.0;     // of the panels, pixels
+  double height = 0.0;  // of the sheet
+};
+
+void scale_to_mm(Window& window) {
+  for (PlanePoint* point : {&window.lower, &window.upper}) {
+    point->right *= 1e3;
+    point->up *= 1e3;
+  }
+}
+
+Window window_of(View view, const RunData& run, std::span<const rendering::Object> objects) {
+  Window window = bounds(view, objects);
+  for (const RunRow& row : run.rows) {
+    if (!row.located) {
+      continue;
+    }
+    window.include(project(view, row.proxy_W));
+  }
+  scale_to_mm(window);
+  const double margin = 0.05 * std::max({window.width(), window.height(), 1.0});
+  window.lower = {.right = window.lower.right - margin, .up = window.lower.up - margin};
+  window.upper = {.right = window.upper.right + margin, .up = window.upper.up + margin};
+  return window;
+}
+
+// One scale for both panels: their windows share the up axis, and the sheet's width or height
+// decides.
+Sheet lay_out(const RunData& run, std::span<const rendering::Object> objects) {
+  Sheet sheet;
+  sheet.front = {.view = View::front, .window = window_of(View::front, run, objects)};
+  sheet.side = {.view = View::side, .window = window_of(View::side, run, objects)};
+  Window& front = sheet.front.window;
+  Window& side = sheet.side.window;
+  front.lower.up = side.lower.up = std::min(front.lower.up, side.lower.up);
+  front.upper.up = side.upper.up = std::max(front.upper.up, side.upper.up);
+  const double available = kSheetWidth - kLeft - kGap - kRight;
+  const double pixels_per_mm =
+      std::min(available / (front.width() + side.width()), kLargestPanelHeight / front.height());
+  const double spare = available - pixels_per_mm * (front.width() + side.width());
+  sheet.front.left = kLeft + 0.5 * spare;
+  sheet.front.right = sheet.front.left + pixels_per_mm * front.width();
+  sheet.side.left = sheet.front.right + kGap;
+  sheet.side.right = sheet.side.left + pixels_per_mm * side.width();
+  sheet.top = kPanelBottom + pixels_per_mm * front.height();
+  sheet.height = std::ceil(sheet.top + kTitleHeight);
+  return sheet;
+}
+
+// Two blocks: the moves in contact with their force, and the free ones. A blank line lifts the pen;
+// each piece begins where the one before ended.
+std::string path_blocks(const RunData& run, View view, std::string_view suffix) {
+  std::string touching = fmt::format("$touching{} << EOD\n", suffix);
+  std::string free = fmt::format("$free{} << EOD\n", suffix);
+  bool was_contact = run.rows.front().contact;
+  for (const std::size_t i : thin(run.rows, kMostPoints)) {
+    const RunRow& row = run.rows[i];
+    if (!row.located) {
+      continue;
+    }
+    const PlanePoint point = project(view, row.proxy_W);
+    const std::string line =
+        fmt::format("{:.6g} {:.6g} {:.4g}\n", 1e3 * point.right, 1e3 * point.up, row.force_N);
+    (was_contact ? touching : free) += line;
+    if (row.contact != was_contact) {
+      (was_contact ? touching : free) += "\n";
+      (row.contact ? touching : free) += line;
+      was_contact = row.contact;
+    }
+  }
+  const std::string_view off_sheet = "\n1e9 1e9 0\nEOD\n";
+  return touching.append(off_sheet) + free.append(off_sheet);
+}
+
+// Where the drawn path begins and ends.
+std::string ends_block(const RunData& run, View view, const Window& window_mm,
+                       std::string_view suffix) {
+  constexpr double kTogether = 0.08;  // of the panel's width: closer, two labels would overlap
+  const auto located = [](const RunRow& row) { return row.located; };
+  const auto first = std::find_if(run.rows.begin(), run.rows.end(), located);
+  const auto last = std::find_if(run.rows.rbegin(), run.rows.rend(), located);
+  std::string block = fmt::format("$ends{} << EOD\n1e9 1e9 \"\"\n", suffix);
+  if (first != run.rows.end()) {
+    const PlanePoint start = project(view, first->proxy_W);
+    const PlanePoint end = project(view, last->proxy_W);
+    const bool together = std::hypot(end.right - start.right, end.up - start.up) <
+                          kTogether * window_mm.width() * 1e-3;
+    const auto add = [&block](const PlanePoint& point, std::string_view label) {
+      fmt::format_to(std::back_inserter(block), "{:.6g} {:.6g} \"{}\"\n", 1e3 * point.right,
+                     1e3 * point.up, label);
+    };
+    add(start, together ? "start, end" : "start");
+    add(end, together ? "" : "end");
+  }
+  return block + "EOD\n";
+}
+
+constexpr std::string_view kHead = R"gnuplot(
+if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
+  set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
+}} else {{
+  set terminal png truecolor size {width},{height} font "DejaVu Sans,12"
+}}
+set output {output}
+set multiplot
+set border 3 linecolor "#555555"
+set tics nomirror out textcolor "#333333"
+unset key
+set palette defined (0 "#3b5bb5", 0.35 "#8e3fa8", 0.65 "#dd3f4e", 0.85 "#f58a1f", 1 "#ffd23c")
+set cbrange [0:{force:.4g}]
+set label 1 {title} at screen {title_x:.5f},{title_y:.5f} left font ",18" textcolor "#111111" noenhanced
+)gnuplot";
+
+constexpr std::string_view kPanelScript = R"gnuplot(
+set lmargin at screen {left:.6f}
+set rmargin at screen {right:.6f}
+set bmargin at screen {bottom:.6f}
+set tmargin at screen {top:.6f}
+set xrange [{x0:.6g}:{x1:.6g}]
+set yrange [{y0:.6g}:{y1:.6g}]
+set xlabel {xlabel} textcolor "#333333"
+set ylabel {ylabel} textcolor "#333333" offset 0.5
+{colour_box}
+plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
+       origin=({ox:.8g},{oy:.8g}) dx={dx:.8g} dy={dy:.8g} with rgbimage, \
+     $free{suffix} using 1:2 with lines linecolor "#4a4a4a" linewidth 1.2 dashtype (12,8), \
+     $touching{suffix} using 1:2 with lines linecolor "#ffffff" linewidth 5.5, \
+     $touching{suffix} using 1:2:3 with lines linecolor palette linewidth 3.2, \
+     $ends{suffix} using 1:2 with points pointtype 7 pointsize 1.1 linecolor "#4a4a4a", \
+     $ends{suffix} using 1:2:3 with labels left offset 1,0 textcolor "#4a4a4a"
+unset label
+)gnuplot";
+
+std::string panel_script(const Sheet& sheet, const Panel& panel,
+                         std::span<const rendering::Object> objects, const TemporaryFolder& folder,
+                         bool last) {
+  const Window& window = panel.window;
+  const int columns = static_cast<int>(std::lround(panel.right - panel.left));
+  const int rows = static_cast<int>(std::lround(sheet.top - kPanelBottom));
+  Window window_m = window;
+  for (PlanePoint* point : {&window_m.lower, &window_m.upper}) {
+    point->right *= 1e-3;
+    point->up *= 1e-3;
+  }
+  const std::filesystem::path image = folder.path() / (last ? "side.rgb" : "front.rgb");
+  write_raw_rgb(image, draw_silhouette(panel.view, window_m, columns, rows, objects));
+  const double dx = window.width() / columns;
+  const double dy = window.height() / rows;
+  const std::string colour_box =
+      last ? fmt::format(
+                 "set colorbox user origin {:.5f},{:.5f} size {:.5f},{:.5f} noborder\n"
+                 "set cblabel 'rendered force (N)' textcolor '#333333' offset 0.8\nset cbtics "
+                 "textcolor '#333333'",
+                 (panel.right + 38.0) / kSheetWidth, kPanelBottom / sheet.height,
+                 20.0 / kSheetWidth, (sheet.top - kPanelBottom) / sheet.height)
+           : "unset colorbox";
+  return fmt::format(
+      kPanelScript, fmt::arg("left", panel.left / kSheetWidth),
+      fmt::arg("right", panel.right / kSheetWidth), fmt::arg("bottom", kPanelBottom / sheet.height),
+      fmt::arg("top", sheet.top / sheet.height), fmt::arg("x0", window.lower.right),
+      fmt::arg("x1", window.upper.right), fmt::arg("y0", window.lower.up),
+      fmt::arg("y1", window.upper.up),
+      fmt::arg("xlabel", last ? "'z (mm), seen from the left; toward the user →'"
+                              : "'x (mm), seen from the user'"),
+      fmt::arg("ylabel", last ? "''" : "'y (mm)'"), fmt::arg("colour_box", colour_box),
+      fmt::arg("image", gnuplot_string(image.string())), fmt::arg("columns", columns),
+      fmt::arg("rows", rows), fmt::arg("ox", window.lower.right + 0.5 * dx),
+      fmt::arg("oy", window.lower.up + 0.5 * dy), fmt::arg("dx", dx), fmt::arg("dy", dy),
+      fmt::arg("suffix", last ? "_side" : "_front"));
+}
+
+}  // namespace
+
+void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
+                      const std::string& title, const std::filesystem::path& png) {
+  const Sheet sheet = lay_out(run, objects);
+  const auto by_force = [](const RunRow& a, const RunRow& b) { return a.force_N < b.force_N; };
+  const double force_N = std::max_element(run.rows.begin(), run.rows.end(), by_force)->force_N;
+  const TemporaryFolder folder;
+  std::string script = path_blocks(run, View::front, "_front") +
+                       path_blocks(run, View::side, "_side") +
+                       ends_block(run, View::front, sheet.front.window, "_front") +
+                       ends_block(run, View::side, sheet.side.window, "_side");
+  script += fmt::format(
+      kHead, fmt::arg("width", kSheetWidth), fmt::arg("height", sheet.height),
+      fmt::arg("output", gnuplot_string(png.string())), fmt::arg("force", std::max(force_N, 0.1)),
+      fmt::arg("title", gnuplot_string(title)), fmt::arg("title_x", sheet.front.left / kSheetWidth),
+      fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));
+  script += panel_script(sheet, sheet.front, objects, folder, false);
+  script += panel_script(sheet, sheet.side, objects, folder, true);
+  script += "unset multiplot\nunset output\n";
+  run_gnuplot(folder, script);
+}
+
+}  // namespace tactus::host

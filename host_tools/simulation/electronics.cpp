@@ -1,0 +1,43 @@
+#include "host_tools/simulation/electronics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "host_tools/simulation/portable_math.h"
+
+namespace tactus::host {
+namespace {
+
+// Share of the way to a held target that a first-order system covers in dt.
+double share_covered(double dt_s, double time_constant_s) {
+  return time_constant_s > 0.0 ? 1.0 - exp_nonpositive(-dt_s / time_constant_s) : 1.0;
+}
+
+}  // namespace
+
+Encoder::Encoder(double resolution, double velocity_cutoff_Hz, double tick_s)
+    : resolution_(resolution),
+      filter_gain_(share_covered(tick_s, 1.0 / (2.0 * std::numbers::pi * velocity_cutoff_Hz))),
+      tick_s_(tick_s) {}
+
+void Encoder::sample(double true_position) {
+  const auto counts = static_cast<std::int64_t>(std::floor(true_position / resolution_ + 0.5));
+  if (fresh_) {
+    velocity_ = 0.0;
+    fresh_ = false;
+  } else {
+    const double difference = static_cast<double>(counts - counts_) * resolution_ / tick_s_;
+    velocity_ += filter_gain_ * (difference - velocity_);
+  }
+  counts_ = counts;
+}
+
+Motor::Motor(double effort_limit, double time_constant_s, double step_s)
+    : limit_(effort_limit), gain_(share_covered(step_s, time_constant_s)) {}
+
+void Motor::command(double effort) {
+  target_ = std::isfinite(effort) ? std::clamp(effort, -limit_, limit_) : 0.0;
+}
+
+}  // namespace tactus::host

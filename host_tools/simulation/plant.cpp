@@ -1,0 +1,85 @@
+#include "host_tools/simulation/plant.h"
+
+#include <algorithm>
+
+namespace tactus::host {
+namespace {
+
+// How far p lies outside of the box, signed, axis by axis.
+Vec3 beyond(const Vec3& p_B, const Vec3& lower_B, const Vec3& upper_B) {
+  return p_B - p_B.cwiseMax(lower_B).cwiseMin(upper_B);
+}
+
+}  // namespace
+
+Plant::Plant(const PlantParameters& parameters)
+    : parameters_(parameters),
+      joints_{LuGreJoint(parameters.joint_friction), LuGreJoint(parameters.joint_friction),
+              LuGreJoint(parameters.joint_friction)} {
+  place(Vec3::Zero());
+}
+
+void Plant::place(const Vec3& p_B) {
+  p_B_ = p_B;
+  v_B_.setZero();
+  for (LuGreJoint& joint : joints_) {
+    joint.release();
+  }
+  solve_mechanism(parameters_.mechanism, p_B_, pose_);
+  ledger_ = {};
+}
+
+Vec3 Plant::stop_force() const {
+  const Vec3 depth_B = beyond(p_B_, parameters_.stop_lower_B, parameters_.stop_upper_B);
+  Vec3 force_B = -parameters_.stop_stiffness_N_per_m * depth_B;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (depth_B[axis] != 0.0) {
+      force_B[axis] -= parameters_.stop_damping_Ns_per_m * v_B_[axis];
+    }
+  }
+  return force_B;
+}
+
+void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
+  Vec3 motors_B = Vec3::Zero();
+  Vec3 friction_and_stops_B = stop_force();
+  for (std::size_t i = 0; i < kPlantJoints; ++i) {
+    const Vec3& row = pose_.rows[i];
+    motors_B += effort[i] * row;
+    friction_and_stops_B -= joints_[i].advance(row.dot(v_B_), dt_s) * row;
+  }
+
+  // Implicit midpoint, solved for the mean velocity u = (v + v')/2 of the step, with p' = p + u dt:
+  //   2 m (u - v)/dt = F + k (w - p - u dt/2) + c (dw/dt - u) - b u
+  const double mass = parameters_.moving_mass_kg + grip.mass_kg;
+  const double inertia = 2.0 * mass / dt_s;
+  const double viscous = parameters_.viscous_Ns_per_m;
+  const double divisor =
+      inertia + 0.5 * dt_s * grip.stiffness_N_per_m + grip.damping_Ns_per_m + viscous;
+  const Vec3 mean_v_B =
+      (inertia * v_B_ + motors_B + friction_and_stops_B +
+       grip.stiffness_N_per_m * (grip.wish_p_B - p_B_) + grip.damping_Ns_per_m * grip.wish_v_B) /
+      divisor;
+  const Vec3 moved_B = dt_s * mean_v_B;
+  const Vec3 hand_B = grip.stiffness_N_per_m * (grip.wish_p_B - p_B_ - 0.5 * moved_B) +
+                      grip.damping_Ns_per_m * (grip.wish_v_B - mean_v_B);
+  ledger_.motors_J += motors_B.dot(moved_B);
+  ledger_.hand_J += hand_B.dot(moved_B);
+  ledger_.viscous_J -= viscous * mean_v_B.dot(moved_B);
+  ledger_.friction_and_stops_J += friction_and_stops_B.dot(moved_B);
+
+  p_B_ += moved_B;
+  v_B_ = 2.0 * mean_v_B - v_B_;
+  solve_mechanism(parameters_.mechanism, p_B_, pose_);
+}
+
+double Plant::stored_energy_J() const {
+  const Vec3 depth_B = beyond(p_B_, parameters_.stop_lower_B, parameters_.stop_upper_B);
+  double energy_J = 0.5 * parameters_.stop_stiffness_N_per_m * depth_B.squaredNorm();
+  for (const LuGreJoint& joint : joints_) {
+    energy_J += joint.stored_energy_J();
+  }
+  return energy_J;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,82 @@
+#include "host_tools/simulation/run_log.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr std::size_t kPiece = std::size_t{1} << 16;
+
+constexpr std::string_view kHeader =
+    "t_s,tool_x_m,tool_y_m,tool_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_N,force_y_N,force_z_N,"
+    "contact,depth_m,"
+    "friction_state,commanded_force_x_N,commanded_force_y_N,commanded_force_z_N,wish_x_m,wish_y_m,"
+    "wish_z_m,mode,faults,"
+    "limits,hash\n";
+
+void append(std::string& line, const firmware::Triple& v) {
+  fmt::format_to(std::back_inserter(line), ",{:.9g},{:.9g},{:.9g}", v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+LogFile::LogFile(const std::filesystem::path& path, std::string_view header)
+    : path_(path), stream_(path, std::ios::binary), buffer_(header) {
+  if (!stream_) {
+    throw InputError(fmt::format("{}: cannot write; is the folder there?", path_.string()));
+  }
+}
+
+void LogFile::flush() {
+  stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  buffer_.clear();
+  if (!stream_) {
+    throw InputError(fmt::format("{}: writing failed; is the disk full?", path_.string()));
+  }
+}
+
+void LogFile::flush_if_full() {
+  if (buffer_.size() > kPiece) {
+    flush();
+  }
+}
+
+void LogFile::close() {
+  flush();
+  stream_.close();
+  if (!stream_) {
+    throw InputError(fmt::format("{}: writing failed; is the disk full?", path_.string()));
+  }
+}
+
+RunCsv::RunCsv(const std::filesystem::path& path) : file_(path, kHeader) {}
+
+void RunCsv::add(const Simulation& simulation) {
+  const firmware::TelemetryRecord& record = simulation.record();
+  std::string& line = file_.buffer();
+  fmt::format_to(std::back_inserter(line), "{:.9g}", record.time_s);
+  append(line, record.tool_p_W);
+  append(line, record.proxy_W);
+  append(line, record.force_rendered_W);
+  fmt::format_to(std::back_inserter(line), ",{},{:.9g},{}", static_cast<int>(record.contact),
+                 record.depth_m, static_cast<int>(record.friction));
+  append(line, record.force_commanded_W);
+  append(line, firmware::to_triple(simulation.wish_W()));
+  fmt::format_to(std::back_inserter(line), ",{},{},{},{:016x}\n", static_cast<int>(record.mode),
+                 record.faults, record.limits, record.state_hash);
+  file_.flush_if_full();
+}
+
+HashLog::HashLog(const std::filesystem::path& path) : file_(path, "tick,hash\n") {}
+
+void HashLog::add(const firmware::TelemetryRecord& record) {
+  fmt::format_to(std::back_inserter(file_.buffer()), "{},{:016x}\n", record.tick,
+                 record.state_hash);
+  file_.flush_if_full();
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,57 @@
+// The files that a run leaves: one line a tick.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "host_tools/simulation/simulation.h"
+
+namespace tactus::host {
+
+// A text file written in large pieces. Throws InputError, text for a user, when it cannot
+// be written.
+class LogFile {
+ public:
+  LogFile(const std::filesystem::path& path, std::string_view header);
+
+  // Where the next line is to be appended; call `flush_if_full` after it.
+  std::string& buffer() { return buffer_; }
+  void flush_if_full();
+  void close();
+
+ private:
+  void flush();
+
+  std::filesystem::path path_;
+  std::ofstream stream_;
+  std::string buffer_;
+};
+
+// run.csv. The first thirteen columns are those of `tactus touch`; mode, contact and friction_state
+// are numbers in the order of firmware::Mode, rendering::ContactKind and rendering::FrictionState,
+// faults and limits are firmware::FaultBits, the hash is hexadecimal.
+class RunCsv {
+ public:
+  explicit RunCsv(const std::filesystem::path& path);
+  void add(const Simulation& simulation);
+  void close() { file_.close(); }
+
+ private:
+  LogFile file_;
+};
+
+// One line a tick: tick,hash (hexadecimal).
+class HashLog {
+ public:
+  explicit HashLog(const std::filesystem::path& path);
+  void add(const firmware::TelemetryRecord& record);
+  void close() { file_.close(); }
+
+ private:
+  LogFile file_;
+};
+
+}  // namespace tactus::host

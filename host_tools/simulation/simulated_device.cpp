@@ -1,0 +1,159 @@
+#include "host_tools/simulation/simulated_device.h"
+
+#include <cmath>
+#include <limits>
+
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr int kFewestSubsteps = 10;
+
+const DeviceParameters& checked(const DeviceParameters& parameters, double tick_s) {
+  if (!(tick_s > 0.0) || tick_s > 0.02) {
+    throw InputError("the simulation's rate must be at least 50 Hz");
+  }
+  if (parameters.substeps < kFewestSubsteps) {
+    throw InputError("the plant needs at least 10 sub-steps a tick");
+  }
+  if (!(parameters.plant.moving_mass_kg > 0.0) || !(parameters.encoder_resolution > 0.0) ||
+      !(parameters.velocity_cutoff_Hz > 0.0) || !(parameters.effort_limit >= 0.0) ||
+      !(parameters.motor_time_constant_s >= 0.0)) {
+    throw InputError("the device's mass, encoder and motor parameters must be positive");
+  }
+  return parameters;
+}
+
+std::uint64_t ticks_of(double seconds, double tick_s) {
+  return static_cast<std::uint64_t>(std::ceil(seconds / tick_s - 1e-9));
+}
+
+}  // namespace
+
+SimulatedDevice::SimulatedDevice(const DeviceParameters& parameters, double tick_s, const Vec3& p_B)
+    : parameters_(checked(parameters, tick_s)),
+      tick_s_(tick_s),
+      plant_(parameters.plant),
+      encoders_{Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s),
+                Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s),
+                Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s)},
+      motors_{Motor(parameters.effort_limit, parameters.motor_time_constant_s,
+                    tick_s / parameters.substeps),
+              Motor(parameters.effort_limit, parameters.motor_time_constant_s,
+                    tick_s / parameters.substeps),
+              Motor(parameters.effort_limit, parameters.motor_time_constant_s,
+                    tick_s / parameters.substeps)},
+      ready_tick_(ticks_of(parameters.power_up_s, tick_s)),
+      homed_tick_(ready_tick_ + ticks_of(parameters.homing_s, tick_s)) {
+  plant_.place(p_B);
+  for (std::size_t i = 0; i < kPlantJoints; ++i) {
+    encoder_origin_[i] = joint_position(parameters_.plant.mechanism, plant_.pose().coordinate[i]);
+  }
+  sample_encoders();
+}
+
+bool SimulatedDevice::active(DeviceFault fault) const {
+  return ticks_ < fault_until_tick_[static_cast<std::size_t>(fault)];
+}
+
+void SimulatedDevice::inject(DeviceFault fault, std::uint32_t ticks) {
+  fault_until_tick_[static_cast<std::size_t>(fault)] = ticks_ + 1 + ticks;
+}
+
+std::uint32_t SimulatedDevice::status() const {
+  std::uint32_t status = latched_status_;
+  if (!homed()) {
+    status |= ticks_ < ready_tick_ ? drivers::kDeviceNotReady : drivers::kDeviceHoming;
+  }
+  if (active(DeviceFault::stale_sample)) {
+    status |= drivers::kDeviceStale;
+  }
+  if (active(DeviceFault::emergency_stop)) {
+    status |= drivers::kDeviceEmergencyStop;
+  }
+  if (active(DeviceFault::lost)) {
+    status |= drivers::kDeviceLost;
+  }
+  return status;
+}
+
+std::uint32_t SimulatedDevice::write(const drivers::JointCommand& command) {
+  if (!active(DeviceFault::lost)) {
+    written_ = command;
+  }
+  return status();
+}
+
+void SimulatedDevice::command_motors() {
+  constexpr std::uint32_t kPowerOff =
+      drivers::kDeviceEmergencyStop | drivers::kDeviceLost | drivers::kDeviceNotReady;
+  const bool powered = in_flight_.enable && (status() & kPowerOff) == 0;
+  for (std::size_t i = 0; i < kPlantJoints; ++i) {
+    motors_[i].command(powered ? in_flight_.effort[i] : 0.0);
+  }
+}
+
+void SimulatedDevice::advance(const HandParameters& hand, const Vec3& wish_B,
+                              const Vec3& next_wish_B) {
+  command_motors();
+  in_flight_ = written_;
+  const double step_s = tick_s_ / parameters_.substeps;
+  const Vec3 wish_step_B = (next_wish_B - wish_B) / parameters_.substeps;
+  Grip grip{.mass_kg = hand.mass_kg,
+            .stiffness_N_per_m = hand.stiffness_N_per_m,
+            .damping_Ns_per_m = hand.damping_Ns_per_m,
+            .wish_p_B = wish_B + 0.5 * wish_step_B,
+            .wish_v_B = wish_step_B / step_s};
+  for (int step = 0; step < parameters_.substeps; ++step) {
+    JointEfforts effort{};
+    for (std::size_t i = 0; i < kPlantJoints; ++i) {
+      effort[i] = motors_[i].advance();
+    }
+    plant_.step(effort, grip, step_s);
+    grip.wish_p_B += wish_step_B;
+  }
+  ++ticks_;
+  sample_encoders();
+}
+
+void SimulatedDevice::sample_encoders() {
+  if (ticks_ == homed_tick_) {
+    encoder_origin_.fill(0.0);
+    for (Encoder& encoder : encoders_) {
+      encoder.restart();
+    }
+  }
+  const bool frozen = active(DeviceFault::stale_sample) || active(DeviceFault::lost);
+  for (std::size_t i = 0; i < kPlantJoints; ++i) {
+    encoders_[i].sample(joint_position(parameters_.plant.mechanism, plant_.pose().coordinate[i]) -
+                        encoder_origin_[i]);
+    if (!frozen) {
+      sample_.position[i] = encoders_[i].position();
+      sample_.velocity[i] = encoders_[i].velocity();
+    }
+  }
+  if (active(DeviceFault::encoder_nan)) {
+    sample_.position[0] = std::numeric_limits<double>::quiet_NaN();
+  }
+  sample_.age_us = frozen ? sample_.age_us + static_cast<std::uint32_t>(std::lround(tick_s_ * 1e6))
+                          : parameters_.sample_age_us;
+  if (active(DeviceFault::emergency_stop)) {
+    latched_status_ |= drivers::kDeviceEmergencyStop;
+  }
+  sample_.status = status();
+}
+
+std::array<double, kPlantJoints> SimulatedDevice::motor_effort() const {
+  return {motors_[0].effort(), motors_[1].effort(), motors_[2].effort()};
+}
+
+Vec3 SimulatedDevice::motor_force_B() const {
+  Vec3 force_B = Vec3::Zero();
+  for (std::size_t i = 0; i < kPlantJoints; ++i) {
+    force_B += motors_[i].effort() * plant_.pose().rows[i];
+  }
+  return force_B;
+}
+
+}  // namespace tactus::host

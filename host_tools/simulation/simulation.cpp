@@ -1,0 +1,72 @@
+#include "host_tools/simulation/simulation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "firmware/control/run_tick.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+// True in the one tick that an event's time falls into.
+bool due(double at_s, std::uint64_t tick, double tick_s) {
+  return std::floor(at_s / tick_s + 1e-9) == static_cast<double>(tick);
+}
+
+}  // namespace
+
+Simulation::Simulation(const SimulationConfig& config, std::span<const rendering::Object> objects,
+                       double tool_radius_m)
+    : faults_(config.faults),
+      requests_(config.requests),
+      tick_s_(1.0 / config.rate_hz),
+      origin_B_(config.device.centre_B - config.path.middle()),
+      hand_(config.hand, config.path, config.seed, tick_s_),
+      device_(config.device.device, tick_s_, hand_.wish_W() + origin_B_),
+      controller_(std::make_unique<firmware::Controller>()) {
+  firmware::ControllerConfig controller = config.controller;
+  controller.rate_hz = config.rate_hz;
+  controller.workspace_origin_D = origin_B_;
+  if (const auto configured = controller_->configure(controller); !configured) {
+    const firmware::ConfigError& error = configured.error();
+    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}", error.field,
+                                 error.value, error.least, error.greatest));
+  }
+  if (!controller_->load_scene(objects, {.tool_radius_m = tool_radius_m})) {
+    throw InputError(
+        "the controller refused the scene: too many objects, or one without triangles");
+  }
+}
+
+firmware::Request Simulation::request_now() const {
+  for (const RequestEvent& event : requests_) {
+    if (due(event.at_s, ticks_, tick_s_)) {
+      return event.request;
+    }
+  }
+  switch (controller_->mode()) {
+    case firmware::Mode::init:
+      return firmware::Request::home;
+    case firmware::Mode::ready:
+      return firmware::Request::enable;
+    default:
+      return firmware::Request::none;
+  }
+}
+
+void Simulation::tick() {
+  for (const FaultEvent& event : faults_) {
+    if (due(event.at_s, ticks_, tick_s_)) {
+      device_.inject(event.fault, event.ticks);
+    }
+  }
+  wish_W_ = hand_.wish_W();
+  firmware::run_tick(*controller_, device_, request_now());
+  device_.advance(hand_.parameters(), hand_.wish_W() + origin_B_, hand_.next_wish_W() + origin_B_);
+  hand_.advance();
+  ++ticks_;
+}
+
+}  // namespace tactus::host

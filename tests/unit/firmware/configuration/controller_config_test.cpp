@@ -1,0 +1,94 @@
+#include "firmware/configuration/controller_config.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace tactus::firmware {
+namespace {
+
+TEST(ControllerConfig, ThePresetsAreValid) {
+  EXPECT_TRUE(validate(ControllerConfig{}));
+  EXPECT_TRUE(validate(cartesian_config()));
+  EXPECT_TRUE(validate(falcon_config()));
+}
+
+struct BadField {
+  std::string_view field;
+  std::function<void(ControllerConfig&, double)> set;
+};
+
+TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
+  const std::array<BadField, 15> fields = {{
+      {"rate_hz", [](ControllerConfig& c, double v) { c.rate_hz = v; }},
+      {"workspace_origin_D", [](ControllerConfig& c, double v) { c.workspace_origin_D.y() = v; }},
+      {"velocity_cutoff_hz", [](ControllerConfig& c, double v) { c.velocity_cutoff_hz = v; }},
+      {"joints.lower", [](ControllerConfig& c, double v) { c.joints[2].lower = v; }},
+      {"joints.upper", [](ControllerConfig& c, double v) { c.joints[1].upper = v; }},
+      {"joints.max_effort", [](ControllerConfig& c, double v) { c.joints[0].max_effort = v; }},
+      {"safety.max_force_N", [](ControllerConfig& c, double v) { c.safety.max_force_N = v; }},
+      {"safety.force_slew_N_per_s",
+       [](ControllerConfig& c, double v) { c.safety.force_slew_N_per_s = v; }},
+      {"safety.soft_start_s", [](ControllerConfig& c, double v) { c.safety.soft_start_s = v; }},
+      {"safety.contact_start_s",
+       [](ControllerConfig& c, double v) { c.safety.contact_start_s = v; }},
+      {"mechanism.arm_m",
+       [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.arm_m = v}; }},
+      {"mechanism.rod_m",
+       [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.rod_m = v}; }},
+      {"mechanism.base_radius_m",
+       [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.base_radius_m = v}; }},
+      {"mechanism.platform_tangent_m",
+       [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.platform_tangent_m = v}; }},
+      {"mechanism.nominal_height_m",
+       [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.nominal_height_m = v}; }},
+  }};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const BadField& bad : fields) {
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, -1e9}) {
+      ControllerConfig config;
+      bad.set(config, value);
+      const auto valid = validate(config);
+      ASSERT_FALSE(valid) << bad.field << " = " << value;
+      EXPECT_EQ(valid.error().field, bad.field);
+      EXPECT_TRUE(valid.error().value == value || std::isnan(value));
+      EXPECT_LE(valid.error().least, valid.error().greatest);
+    }
+  }
+}
+
+TEST(ControllerConfig, StaleTicksAndSampleAgeHaveARange) {
+  ControllerConfig config;
+  config.safety.stale_ticks_to_fault = 0;
+  EXPECT_EQ(validate(config).error().field, "safety.stale_ticks_to_fault");
+  config = {};
+  config.safety.max_sample_age_us = 1'000'001;
+  EXPECT_EQ(validate(config).error().field, "safety.max_sample_age_us");
+}
+
+TEST(ControllerConfig, TheFalconMayPushItsRatedForceNearItsMiddle) {
+  const ControllerConfig config = falcon_config();
+  EXPECT_EQ(config.safety.max_force_N, 8.0);
+  const Delta delta(std::get<DeltaGeometry>(config.mechanism));
+  for (double x = -0.04; x <= 0.04; x += 0.01) {
+    for (double y = -0.04; y <= 0.04; y += 0.01) {
+      for (double z = -0.04; z <= 0.04; z += 0.01) {
+        const Vec3 offset(x, y, z);
+        if (offset.norm() > 0.04) {
+          continue;
+        }
+        const Vec3 tool = config.workspace_origin_D + offset;
+        const Pose pose = delta.forward(*delta.inverse(tool), tool);
+        EXPECT_LE(8.0 * pose.jacobian_D.colwise().norm().maxCoeff(), config.joints[0].max_effort);
+        EXPECT_GE(delta.inverse(tool)->minCoeff(), config.joints[0].lower);
+        EXPECT_LE(delta.inverse(tool)->maxCoeff(), config.joints[0].upper);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tactus::firmware
