@@ -9,7 +9,8 @@ namespace {
 class RangeCheck {
  public:
   void in(std::string_view field, double value, double least, double greatest) {
-    if (good_ && !(value >= least && value <= greatest)) {
+    const bool inside = value >= least && value <= greatest;
+    if (good_ && !inside) {
       good_ = false;
       error_ = {field, value, least, greatest};
     }

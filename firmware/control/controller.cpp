@@ -158,7 +158,6 @@ rendering::Touch Controller::touch(bool located) {
     touch.proxy_W = tool_.p_W;
   }
   raise(touch.flags != rendering::kTouchClean ? kLimitTouch : kNoFault);
-  record_.counters.touch_flagged += touch.flags != rendering::kTouchClean ? 1U : 0U;
   return touch;
 }
 

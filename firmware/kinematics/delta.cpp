@@ -116,11 +116,11 @@ Pose Delta::assemble(const Arms& arms, const Vec3& seed_D) const {
 // pose.
 Pose Delta::forward(const Vec3& joints, const Vec3& seed_D) const {
   const Arms arms = {sine_cosine(joints.x()), sine_cosine(joints.y()), sine_cosine(joints.z())};
-  const Pose near_seed = assemble(arms, seed_D);
+  Pose near_seed = assemble(arms, seed_D);
   if (near_seed.status == kPoseGood) {
     return near_seed;
   }
-  const Pose near_nominal = assemble(arms, {0.0, 0.0, geometry_.nominal_height_m});
+  Pose near_nominal = assemble(arms, {0.0, 0.0, geometry_.nominal_height_m});
   return near_nominal.status == kPoseGood ? near_nominal : near_seed;
 }
 

@@ -18,10 +18,9 @@ namespace tactus::firmware {
 // Lengths in m. The defaults are the Falcon's (R. E. Stamper's delta, with the figures of
 // libnifalcon).
 struct DeltaGeometry {
-  double arm_m = 0.060;   // motor axis to elbow
-  double rod_m = 0.1025;  // between the parallelogram's hinges
-  double hinge_offset_m =
-      0.0225;  // elbow to rod hinge plus platform to rod hinge, both ends together
+  double arm_m = 0.060;                // motor axis to elbow
+  double rod_m = 0.1025;               // between the parallelogram's hinges
+  double hinge_offset_m = 0.0225;      // elbow to rod hinge plus platform to rod hinge
   double base_radius_m = 0.0400;       // base axis to motor axis, along the arm's azimuth
   double base_tangent_m = -0.02309;    // the same, across it
   double platform_radius_m = 0.01443;  // tool to platform hinge, along the azimuth
@@ -29,8 +28,7 @@ struct DeltaGeometry {
   std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
                                        -15.0 * std::numbers::pi / 180.0,
                                        -135.0 * std::numbers::pi / 180.0};
-  double nominal_height_m =
-      0.12;  // z of a pose well inside the workspace: where Newton starts when lost
+  double nominal_height_m = 0.12;  // z well inside the workspace: Newton starts there when lost
 };
 
 class Delta {
@@ -56,9 +54,9 @@ class Delta {
     Vec3 p_D;
     Mat3 rods_D;  // Rods::direction_D there
   };
-  using Offsets =
-      std::array<Vec3, 3>;  // leg i's elbow to platform hinge, leg frame, tool at the origin
 
+  // Per leg, in its frame: elbow to platform hinge for a tool at the origin.
+  using Offsets = std::array<Vec3, 3>;
   using Arms = std::array<SineCosine, 3>;
 
   [[nodiscard]] Vec3 in_leg_frame(std::size_t leg, const Vec3& v_D) const;

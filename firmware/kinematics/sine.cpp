@@ -47,7 +47,8 @@ double cosine_near_zero(double r) {
 }  // namespace
 
 SineCosine sine_cosine(double angle_rad) {
-  if (!(angle_rad >= -kLargestAngle_rad && angle_rad <= kLargestAngle_rad)) {
+  const bool inside = angle_rad >= -kLargestAngle_rad && angle_rad <= kLargestAngle_rad;
+  if (!inside) {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     return {kNaN, kNaN};
   }

@@ -32,7 +32,7 @@ inline double rod_error(double azimuth_deg, double t, const Vec3& tool) {
 // The arm's angle for a tool position: of the two, the one with the elbow outward, where turning
 // the arm toward the user slackens the rod.
 inline std::optional<double> bisected_angle(double azimuth_deg, const Vec3& tool) {
-  constexpr int kSteps = 720;
+  constexpr int kSteps = 180;
   constexpr double kStep = 2.0 * std::numbers::pi / kSteps;
   for (int i = 0; i < kSteps; ++i) {
     double low = -std::numbers::pi + kStep * i;
