@@ -130,14 +130,15 @@ bool Controller::locate(const drivers::JointSample& sample) {
   raise((pose_.status & kPoseNotConverged) != 0 ? kFaultKinematicsNotConverged : kNoFault);
   raise((pose_.status & kPoseSingular) != 0 ? kFaultKinematicsSingular : kNoFault);
 
-  const Vec3 velocity = tool_velocity(pose_, joints_of(sample.velocity));
+  const Vec3 velocity = velocity_filter_.filter(tool_velocity(pose_, joints_of(sample.velocity)));
   if (!all_finite(pose_.p_D) || !all_finite(velocity)) {
     pose_ = Pose{};
+    velocity_filter_.reset();
     raise(kFaultToolNotFinite);
     return false;
   }
   tool_.p_W = pose_.p_D - config_.workspace_origin_D;
-  tool_.v_W = velocity_filter_.filter(velocity);
+  tool_.v_W = velocity;
   return pose_.status == kPoseGood;
 }
 

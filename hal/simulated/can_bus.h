@@ -29,6 +29,8 @@ class SimulatedCanBus final : public CanBus {
   static constexpr std::size_t kMaxReceiveQueue = 512;
 
   explicit SimulatedCanBus(SimulatedCanNetwork& network, const SimulatedCanBusConfig& config = {});
+  SimulatedCanBus(const SimulatedCanBus&) = delete;
+  SimulatedCanBus& operator=(const SimulatedCanBus&) = delete;
   ~SimulatedCanBus();
 
   // Faults. A link that is down keeps what it received, loses what it had to send, and hears

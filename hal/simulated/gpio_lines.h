@@ -20,6 +20,8 @@ namespace tactus::hal {
 class SimulatedGpioLines final : public GpioLines, private SimulatedEventSource {
  public:
   explicit SimulatedGpioLines(SimulatedGpioChip& chip);
+  SimulatedGpioLines(const SimulatedGpioLines&) = delete;
+  SimulatedGpioLines& operator=(const SimulatedGpioLines&) = delete;
   ~SimulatedGpioLines();
 
   // Faults. The next `count` edges are numbered but never reported.

@@ -5,7 +5,8 @@
 namespace tactus::hal {
 
 std::span<const SimulatedPwmWrite> SimulatedPwmOutput::writes() const {
-  return std::span(writes_).first(std::min<std::uint64_t>(write_count_, kRecorded));
+  const std::uint64_t recorded = std::min<std::uint64_t>(write_count_, kRecorded);
+  return std::span(writes_).first(static_cast<std::size_t>(recorded));
 }
 
 double SimulatedPwmOutput::mean_level() const {
@@ -28,7 +29,8 @@ Result<void> SimulatedPwmOutput::record(const PwmSettings& settings) {
     return failure(failure_code_);
   }
   if (write_count_ < kRecorded) {
-    writes_[write_count_] = {.time_ns = clock_.now_ns(), .settings = settings};
+    writes_[static_cast<std::size_t>(write_count_)] = {.time_ns = clock_.now_ns(),
+                                                       .settings = settings};
   }
   ++write_count_;
   return {};

@@ -25,7 +25,7 @@ class SimulatedPwmOutput final : public PwmOutput {
 
   // The writes since opening, at most the first kRecorded; `write_count` counts them all.
   std::span<const SimulatedPwmWrite> writes() const;
-  std::uint64_t write_count() const { return write_count_; }
+  std::size_t write_count() const { return write_count_; }
 
   // The average level of the pin from 0 to 1: duty over period, the other way round if inversed, 0
   // if disabled.
@@ -43,7 +43,7 @@ class SimulatedPwmOutput final : public PwmOutput {
 
   const Clock& clock_;
   std::array<SimulatedPwmWrite, kRecorded> writes_{};
-  std::uint64_t write_count_ = 0;
+  std::size_t write_count_ = 0;
   std::uint32_t failing_ = 0;
   ErrorCode failure_code_ = ErrorCode::io;
 };

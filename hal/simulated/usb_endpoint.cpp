@@ -22,12 +22,11 @@ bool SimulatedUsbEndpoint::answer(std::span<const std::byte> bytes, TimeNs delay
   if (plug_ != Plug::in || packets_.size() + needed > kMaxPackets) {
     return false;
   }
-  last_ready_ns_ = std::max(last_ready_ns_, clock_.now_ns() + delay_ns);
   for (std::size_t i = 0; i < needed; ++i) {
     const auto part =
         bytes.subspan(i * packet_bytes, std::min(packet_bytes, bytes.size() - i * packet_bytes));
     Packet packet;
-    packet.ready_ns = last_ready_ns_;
+    packet.ready_ns = clock_.now_ns() + delay_ns;
     packet.size = part.size();
     std::ranges::copy(part, packet.bytes.begin());
     packets_.push(packet);

@@ -48,6 +48,8 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
 
   SimulatedUsbEndpoint(SimulatedClock& clock, SimulatedUsbPeer& peer,
                        const SimulatedUsbConfig& config = {});
+  SimulatedUsbEndpoint(const SimulatedUsbEndpoint&) = delete;
+  SimulatedUsbEndpoint& operator=(const SimulatedUsbEndpoint&) = delete;
   ~SimulatedUsbEndpoint();
 
   // The device's side: queues bytes for bulk-in, cut into packets; nothing makes one empty packet.
@@ -107,7 +109,6 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   FixedQueue<Packet, kMaxPackets> packets_;
   std::array<Flight, kMaxUsbTransfersInFlight> flights_{};
   std::size_t flight_count_ = 0;
-  TimeNs last_ready_ns_ = 0;
   TimeNs last_due_ns_ = 0;
   TimeNs departure_ns_ = 0;
   std::size_t will_take_ = kTakeAll;

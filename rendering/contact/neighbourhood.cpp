@@ -68,6 +68,7 @@ struct Neighbourhood::Gather {
 bool Neighbourhood::gather(std::span<const Object> objects, const Shell& shell, const Vec3& p,
                            double trust) {
   size_ = 0;
+  ++gatherings_;
   Gather visitor{.to = *this, .p = p, .reach_m = shell.reach_m + trust};
   for (std::uint32_t i = 0; i < objects.size() && visitor.complete; ++i) {
     visitor.object = &objects[i];

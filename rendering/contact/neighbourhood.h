@@ -47,6 +47,9 @@ class Neighbourhood {
   [[nodiscard]] double moved_from_centre(const Vec3& p) const { return (p - centre_).norm(); }
   [[nodiscard]] std::size_t peak() const { return peak_; }
 
+  // Grows whenever the candidates change, and with them the meaning of their numbers.
+  [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
+
  private:
   struct Gather;
   struct Entry {
@@ -60,6 +63,7 @@ class Neighbourhood {
   double trust_m_ = -1.0;
   std::size_t size_ = 0;
   std::size_t peak_ = 0;
+  std::size_t gatherings_ = 0;
   std::array<Entry, kMaxCandidates> order_{};
   std::array<Candidate, kMaxCandidates> slots_{};
 };

@@ -1,14 +1,18 @@
 // The proxy is the centre of a sphere that must stay clear of every triangle; it wants to be at the
 // tool. In each sub-goal of a tick
 //
-//   1. every triangle in contact gives a plane through the proxy, normal to the line from its
-//   nearest point. A triangle is
+//   1. every triangle that the sphere rests on gives a plane through the proxy, normal to the line
+//   from its nearest point. A triangle is
 //      convex and lies behind that plane, so no move on the plane's positive side can touch it;
 //   2. the sub-goal is the point nearest to the tool that satisfies all planes (at most three of
 //   them hold it), drawn back to the friction
 //      circle;
 //   3. the sphere sweeps straight to the sub-goal and stops where it meets a triangle that gave no
 //   plane yet.
+//
+// A triangle whose face is touched gives its plane at once. One that is touched on an edge or a
+// vertex gives it only when it stops a sweep: across a flat or hollow seam the neighbour's edge is
+// near too, its plane is tilted against the motion, and yet it is never in the way.
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the way there: each move shortens the distance to the tool, so the proxy cannot
@@ -33,6 +37,8 @@ constexpr double kSettled_m = 1e-9;
 // is pushed out no faster than this a tick; the shell's own thickness is always corrected.
 constexpr double kMostPushOut_m = 20e-6;
 constexpr double kShellPush_m = 0.5e-6;
+// A triangle in contact that stops the sphere within this travel holds it already.
+constexpr double kHeld_m = 1e-6;
 
 bool stops(const Candidate& candidate, const Nearest& nearest, const Vec3& p) {
   // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
@@ -64,28 +70,35 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
       path->points[rest.sub_goals] = p_;
       path->count = rest.sub_goals + 1U;
     }
-    if (!neighbourhood_.ensure(objects, shell_, p_, step_m)) {
+    const std::size_t gathering = neighbourhood_.gatherings();
+    const bool complete = neighbourhood_.ensure(objects, shell_, p_, step_m);
+    if (rest.sub_goals == 0 || neighbourhood_.gatherings() != gathering) {
+      stopper_count_ = 0;
+    }
+    if (!complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (neighbourhood_.trust_from(p_) < 0.0) {
         return rest;
       }
     }
     collect_planes(most_push, rest);
-    const Goal goal = choose_goal(objects, h_W, rest);
-    if (goal.settled) {
-      return rest;
-    }
+    Goal goal;
+    Advance way;
+    do {
+      goal = choose_goal(objects, h_W, rest);
+      if (goal.settled) {
+        return rest;
+      }
+      way = travel_toward(objects, goal.point);
+    } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
-    const double length = (goal.point - p_).norm();
-    const Sweep sweep{.from = p_, .direction = (goal.point - p_) / length};
-    const double done = travel(objects, sweep, length);
-    if (done <= 0.0) {
+    if (way.travel <= 0.0) {
       return rest;
     }
-    p_ = done < length ? Vec3{p_ + done * sweep.direction} : goal.point;
+    p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     ++rest.sub_goals;
     most_push = kShellPush_m;
   }
@@ -103,35 +116,53 @@ void SphereProxy::collect_planes(double most_push, ProxyRest& rest) {
     if (nearest.distance > shell_.reach_m || !stops(candidate, nearest, p_)) {
       continue;
     }
-    const double push = std::min(shell_.rest_m - nearest.distance, most_push);
-    add_plane({.plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
-               .nearest = nearest,
-               .object = candidate.object,
-               .candidate = i},
-              rest);
+    if (nearest.feature == Feature::face || nearest.distance < shell_.inner_m || has_stopped(i)) {
+      add_plane(i, most_push, rest);
+    }
   }
   nearest_count_ = i;
 }
 
-void SphereProxy::add_plane(const ContactPlane& contact, ProxyRest& rest) {
+bool SphereProxy::has_stopped(std::size_t i) const {
+  const auto end = stoppers_.begin() + static_cast<std::ptrdiff_t>(stopper_count_);
+  return std::find(stoppers_.begin(), end, i) != end;
+}
+
+bool SphereProxy::add_holding_plane(std::size_t i, double most_push, ProxyRest& rest) {
+  if (i >= nearest_count_ || nearest_[i].distance > shell_.reach_m) {
+    return false;  // met on the way, not held by it
+  }
+  return add_plane(i, most_push, rest);
+}
+
+bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
+  const Nearest& nearest = nearest_[i];
+  const double push = std::min(shell_.rest_m - nearest.distance, most_push);
+  const ContactPlane contact{
+      .plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
+      .nearest = nearest,
+      .object = neighbourhood_.candidate(i).object,
+      .candidate = i};
   // Triangles that share the nearest edge or vertex give the same plane.
   constexpr double kSameNormal = 1e-20;
-  for (std::size_t i = 0; i < contact_count_; ++i) {
-    if ((contacts_[i].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
-        contacts_[i].plane.offset >= contact.plane.offset) {
-      return;
+  for (std::size_t k = 0; k < contact_count_; ++k) {
+    if ((contacts_[k].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
+        contacts_[k].plane.offset >= contact.plane.offset) {
+      return false;
     }
   }
   if (contact_count_ < kMaxContactPlanes) {
     contacts_[contact_count_++] = contact;
-    return;
+    return true;
   }
   rest.flags |= kTouchPlanesOverflow;
   const auto farthest = std::ranges::max_element(
       contacts_, {}, [](const ContactPlane& c) { return c.nearest.distance; });
-  if (contact.nearest.distance < farthest->nearest.distance) {
-    *farthest = contact;
+  if (contact.nearest.distance >= farthest->nearest.distance) {
+    return false;
   }
+  *farthest = contact;
+  return true;
 }
 
 PlaneProjection SphereProxy::project(const Vec3& h) const {
@@ -223,23 +254,36 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   return allowed ? stretched : move;
 }
 
-// How much of the way the sphere may go. Moves that leave the trust ball are cut at its border,
+// How much of the way the sphere may go. A move that leaves the trust ball is cut at its border,
 // once; if that part was free, the rest is asked of the hierarchy.
-double SphereProxy::travel(std::span<const Object> objects, const Sweep& sweep, double length) {
-  const double room = neighbourhood_.trust_from(sweep.from);
+SphereProxy::Advance SphereProxy::travel_toward(std::span<const Object> objects, const Vec3& goal) {
+  const Vec3 way = goal - p_;
+  const double length = way.norm();
+  const Sweep sweep{.from = p_, .direction = way / length};
+  const double room = neighbourhood_.trust_from(p_);
+  Advance advance{.direction = sweep.direction};
   if (length <= room) {
-    return sweep_candidates(sweep, length);
-  }
-  if (clipped_ || neighbourhood_.size() == 0) {
+    advance.travel = sweep_candidates(sweep, length, advance.stopped_by);
+  } else if (clipped_ || neighbourhood_.size() == 0) {
     clipped_ = false;
-    return cast(objects, sweep, length);
+    advance.travel = cast(objects, sweep, length);
+  } else {
+    advance.travel = sweep_candidates(sweep, room, advance.stopped_by);
+    clipped_ = advance.stopped_by == kNothing;
   }
-  const double done = sweep_candidates(sweep, room);
-  clipped_ = done >= room;
-  return done;
+  advance.arrived = advance.travel >= length;
+  if (advance.stopped_by != kNothing && stopper_count_ < stoppers_.size() &&
+      !has_stopped(advance.stopped_by)) {
+    stoppers_[stopper_count_++] = advance.stopped_by;
+  }
+  if (advance.travel > kHeld_m) {
+    advance.stopped_by = kNothing;
+  }
+  return advance;
 }
 
-double SphereProxy::sweep_candidates(const Sweep& sweep, double length) const {
+double SphereProxy::sweep_candidates(const Sweep& sweep, double length,
+                                     std::size_t& stopped_by) const {
   const double moved = neighbourhood_.moved_from_centre(sweep.from);
   double free = length;
   for (std::size_t i = 0;
@@ -247,8 +291,14 @@ double SphereProxy::sweep_candidates(const Sweep& sweep, double length) const {
        ++i) {
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Nearest start = i < nearest_count_ ? nearest_[i] : candidate.triangle.nearest(sweep.from);
-    if (start.distance <= shell_.stop_m + free) {
-      free = travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell_, start);
+    if (start.distance > shell_.stop_m + free) {
+      continue;
+    }
+    const double travel =
+        travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell_, start);
+    if (travel < free) {
+      free = travel;
+      stopped_by = i;
     }
   }
   return free;

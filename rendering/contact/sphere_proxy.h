@@ -66,14 +66,24 @@ class SphereProxy {
     Vec3 point = Vec3::Zero();
     bool settled = false;
   };
+  static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
+  struct Advance {
+    Vec3 direction = Vec3::Zero();      // unit
+    double travel = 0.0;                // m
+    bool arrived = false;               // the whole way was free
+    std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
+  };
 
   void collect_planes(double most_push, ProxyRest& rest);
-  void add_plane(const ContactPlane& contact, ProxyRest& rest);
+  // True if the plane of candidate i is new.
+  bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
+  [[nodiscard]] bool has_stopped(std::size_t i) const;
+  bool add_holding_plane(std::size_t i, double most_push, ProxyRest& rest);
   PlaneProjection project(const Vec3& h) const;
   Goal choose_goal(std::span<const Object> objects, const Vec3& h, ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
-  double travel(std::span<const Object> objects, const Sweep& sweep, double length);
-  double sweep_candidates(const Sweep& sweep, double length) const;
+  Advance travel_toward(std::span<const Object> objects, const Vec3& goal);
+  double sweep_candidates(const Sweep& sweep, double length, std::size_t& stopped_by) const;
   double cast(std::span<const Object> objects, const Sweep& sweep, double length) const;
 
   Shell shell_;
@@ -86,6 +96,9 @@ class SphereProxy {
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t contact_count_ = 0;
+  std::array<std::size_t, kMaxContactPlanes>
+      stoppers_{};  // candidates that stopped a sweep in this tick
+  std::size_t stopper_count_ = 0;
   std::array<Nearest, kMaxCandidates> nearest_;  // of the first nearest_count_ candidates, at p_
   std::size_t nearest_count_ = 0;
 };

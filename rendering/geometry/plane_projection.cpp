@@ -6,9 +6,9 @@
 //
 // With r_i = d_i - n_i . h the solution of a set of planes taken as equalities is
 //   one:    step = r n
-//   two:    step = l1 n1 + l2 n2, [1 c; c 1] l = r, c = n1 . n2, determinant |n1 x n2|^2
-//   three:  step = (r1 n2 x n3 + r2 n3 x n1 + r3 n1 x n2) / D, D = n1 . (n2 x n3), l1 = step . (n2
-//   x n3) / D, cyclic
+//   two:    step = r1 n1 + l2 e, e = n2 - c n1, c = n1 . n2, l2 = (r2 - c r1) / |e|^2, l1 = r1 - c
+//   l2 three:  step = (r1 n2 x n3 + r2 n3 x n1 + r3 n1 x n2) / D, D = n1 . (n2 x n3), l1 = step .
+//   (n2 x n3) / D, cyclic
 // and it is the minimum over those planes if every l > 0. Working from h keeps the rounding
 // relative to the depth, not to the size of the world.
 #include "rendering/geometry/plane_projection.h"
@@ -52,17 +52,19 @@ bool solve_one(const Problem& problem, Solution& s) {
 bool solve_two(const Problem& problem, Solution& s) {
   const Vec3& n0 = problem.planes[s.active[0]].normal;
   const Vec3& n1 = problem.planes[s.active[1]].normal;
-  const double determinant = n0.cross(n1).squaredNorm();
+  // Within the first plane, across the crease: n1 without its part along n0.
+  const Vec3 across = n0.cross(n1).cross(n0);
+  const double squared_sine = across.squaredNorm();
   constexpr double kParallel = 1e-22;  // below it the angle is rounding: one of the two is enough
-  if (determinant < kParallel) {
+  if (squared_sine < kParallel) {
     return false;
   }
-  const double c = n0.dot(n1);
-  const double r0 = problem.residual(s.active[0]);
-  const double r1 = problem.residual(s.active[1]);
-  s.pressure[0] = (r0 - c * r1) / determinant;
-  s.pressure[1] = (r1 - c * r0) / determinant;
-  s.step = s.pressure[0] * n0 + s.pressure[1] * n1;
+  const double cosine = n0.dot(n1);
+  const double first = problem.residual(s.active[0]);
+  const double second = (problem.residual(s.active[1]) - cosine * first) / squared_sine;
+  s.pressure[0] = first - cosine * second;
+  s.pressure[1] = second;
+  s.step = first * n0 + second * across;
   return s.pressure[0] > 0.0 && s.pressure[1] > 0.0;
 }
 
@@ -154,6 +156,10 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
 PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) {
   constexpr double kRounding_m = 1e-12;
   constexpr double kNearParallel = 1e-9;  // what nearly parallel planes make of that rounding
+  // Between nearly parallel planes the distance grows by less than it can be told apart: such exchanges are allowed, but few.
+  constexpr double kUnclear = 1e-9;
+  constexpr int kMostStalls = 6;
+  int stalls = 0;
   const Problem problem{h, planes};
   const std::size_t most_exchanges = 8 + 4 * planes.size();
   Solution solution;
@@ -173,12 +179,12 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
       result.feasible = true;
       break;
     }
-    const double before = solution.step.squaredNorm();
     Solution next = solution;
-    if (!exchange(problem, static_cast<std::uint8_t>(entering), next)) {
-      break;
-    }
-    if (!(next.step.squaredNorm() > before)) {
+    const bool exchanged = exchange(problem, static_cast<std::uint8_t>(entering), next);
+    const double gain = next.step.squaredNorm() - solution.step.squaredNorm();
+    const double unclear = kUnclear * solution.step.squaredNorm();
+    stalls += gain > unclear ? 0 : 1;
+    if (!exchanged || gain < -unclear || stalls > kMostStalls) {
       // No way forward: either the planes contradict each other, or what is violated is rounding.
       result.feasible = -worst <= kRounding_m + kNearParallel * solution.step.norm();
       break;

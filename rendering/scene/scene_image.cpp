@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "rendering/scene/image_format.h"
@@ -81,8 +80,10 @@ std::expected<ImageHeader, SceneError> read_header(std::span<const std::byte> by
   if (reinterpret_cast<std::uintptr_t>(bytes.data()) % kImageAlignment != 0) {
     return fail(SceneFault::misaligned);
   }
-  // A short file of another kind is better called that than cut short.
-  std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof(header)));
+  // What a short file has not keeps its default, so that one is called cut short if it begins
+  // like an image, and of another kind otherwise.
+  std::ranges::copy(bytes.first(std::min(bytes.size(), sizeof(header))),
+                    std::as_writable_bytes(std::span(&header, 1)).begin());
   if (const Result identity = check_magic_and_version(header); !identity) {
     return std::unexpected(identity.error());
   }

@@ -1,21 +1,33 @@
-# Fails the configure step when a file includes a folder that stands above its own:
+# Fails when a file includes a folder that stands above its own:
 #   host_tools, tests  ->  firmware  ->  drivers -> hal
 #                                    ->  rendering
+# Checked when the project is configured, and again by every build that follows a change to a source file.
+
+if(CMAKE_SCRIPT_MODE_FILE)
+  set(root "${TACTUS_ROOT}")
+else()
+  set(root "${PROJECT_SOURCE_DIR}")
+endif()
 
 function(tactus_check_includes folder)
   set(forbidden ${ARGN})
   list(JOIN forbidden "|" alternatives)
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h" "${PROJECT_SOURCE_DIR}/${folder}/*.cpp")
+  if(CMAKE_SCRIPT_MODE_FILE)
+    file(GLOB_RECURSE files "${root}/${folder}/*.h" "${root}/${folder}/*.cpp")
+  else()
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS "${root}/${folder}/*.h" "${root}/${folder}/*.cpp")
+  endif()
   foreach(file IN LISTS files)
     file(STRINGS "${file}" offences REGEX "#[ \t]*include[ \t]*[<\"](\\.\\./)*(tactus/)?(${alternatives})/")
     if(offences)
-      file(RELATIVE_PATH shown "${PROJECT_SOURCE_DIR}" "${file}")
+      file(RELATIVE_PATH shown "${root}" "${file}")
       list(GET offences 0 offence)
       message(FATAL_ERROR
         "${shown}: '${offence}' points up. ${folder}/ may not include from: ${forbidden}. "
         "Move the declaration down into ${folder}/ or pass the value in from above.")
     endif()
   endforeach()
+  set_property(GLOBAL APPEND PROPERTY TACTUS_CHECKED_FILES ${files})
 endfunction()
 
 tactus_check_includes(rendering hal drivers firmware host_tools tests)
@@ -23,3 +35,14 @@ tactus_check_includes(hal rendering drivers firmware host_tools tests)
 tactus_check_includes(drivers rendering firmware host_tools tests)
 tactus_check_includes(firmware host_tools tests)
 tactus_check_includes(host_tools tests)
+
+if(NOT CMAKE_SCRIPT_MODE_FILE)
+  get_property(files GLOBAL PROPERTY TACTUS_CHECKED_FILES)
+  set(stamp "${PROJECT_BINARY_DIR}/include_directions.stamp")
+  add_custom_command(OUTPUT "${stamp}"
+    COMMAND ${CMAKE_COMMAND} "-DTACTUS_ROOT=${root}" -P "${CMAKE_CURRENT_LIST_FILE}"
+    COMMAND ${CMAKE_COMMAND} -E touch "${stamp}"
+    DEPENDS "${CMAKE_CURRENT_LIST_FILE}" ${files}
+    COMMENT "Checking the direction of includes" VERBATIM)
+  add_custom_target(include_directions ALL DEPENDS "${stamp}")
+endif()

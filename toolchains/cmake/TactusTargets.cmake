@@ -1,6 +1,7 @@
 # tactus_library(NAME [CONTROLLER] SOURCES file... [HEADERS file...] [DEPENDS target...] [PRIVATE_DEPENDS target...])
 #   One target of the house: library tactus_NAME with the alias tactus::NAME. CONTROLLER marks code that runs in the
 #   controller: no exceptions, no run-time type information. A library without sources is an INTERFACE library.
+#   A library outside of host_tools/ and tests/ is installed.
 # tactus_program(NAME SOURCES file... DEPENDS target...)
 #   A host program, put in <build>/bin.
 #
@@ -38,9 +39,13 @@ function(tactus_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(${target} ${scope} cxx_std_23)
   target_include_directories(${target} ${scope}
-    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:include/tactus>")
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${TACTUS_INSTALL_INCLUDEDIR}>")
+  target_compile_options(${target} INTERFACE ${TACTUS_ARITHMETIC_OPTIONS})
+  target_compile_definitions(${target} INTERFACE ${TACTUS_ARITHMETIC_DEFINITIONS})
   target_link_libraries(${target} ${scope} ${arg_DEPENDS})
-  set_property(GLOBAL APPEND PROPERTY TACTUS_LIBRARIES ${target})
+  if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/(host_tools|tests)")
+    set_property(GLOBAL APPEND PROPERTY TACTUS_LIBRARIES ${target})
+  endif()
 endfunction()
 
 function(tactus_program name)

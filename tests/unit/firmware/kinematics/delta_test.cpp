@@ -160,18 +160,34 @@ TEST_F(FalconDelta, TheAnswerDoesNotDependOnTheSeed) {
 }
 
 TEST_F(FalconDelta, PosesNearASingularityAreFlaggedAndGiveNoTorque) {
-  for (const Vec3& tool : {Vec3(0.0, 0.0, 0.0597), Vec3(0.0, 0.0, 0.1829)}) {
-    const auto joints = bisected_joints(tool);
-    ASSERT_TRUE(joints);
-    const Pose pose = delta_.forward(*joints, kMiddle);
-    EXPECT_EQ(pose.status, kPoseSingular) << tool.transpose();
-    EXPECT_LT((pose.p_D - tool).norm(), 1e-9);
+  for (const double angle_deg : {-70.0, -62.0, 95.0}) {
+    const double angle = angle_deg * kDegree;
+    const Pose pose = delta_.forward(Vec3::Constant(angle), kMiddle);
+    EXPECT_EQ(pose.status, kPoseSingular) << angle_deg;
+    EXPECT_NEAR(rod_error(105.0, angle, pose.p_D), 0.0, 1e-14);
+    EXPECT_NEAR(rod_error(-15.0, angle, pose.p_D), 0.0, 1e-14);
     EXPECT_EQ(joint_effort(pose, {8.0, 8.0, 8.0}), Vec3::Zero());
   }
 }
 
 TEST_F(FalconDelta, JointsThatNoToolFitsAreFlaggedAndKeepTheSeed) {
-  const Pose pose = delta_.forward(Vec3(90.0, -90.0, 0.0) * kDegree, kMiddle);
+  const Vec3 joints = Vec3(180.0, 0.0, 0.0) * kDegree;
+  // A rod's error changes no faster than the tool moves, so a grid proves that nothing fits.
+  constexpr double kGrid_m = 0.004;
+  double least = 1.0;
+  for (double x = -0.2; x <= 0.2; x += kGrid_m) {
+    for (double y = -0.2; y <= 0.2; y += kGrid_m) {
+      for (double z = -0.2; z <= 0.2; z += kGrid_m) {
+        const Vec3 tool(x, y, z);
+        least = std::min(least, std::max({std::abs(rod_error(105.0, joints.x(), tool)),
+                                          std::abs(rod_error(-15.0, joints.y(), tool)),
+                                          std::abs(rod_error(-135.0, joints.z(), tool))}));
+      }
+    }
+  }
+  EXPECT_GT(least, kGrid_m * std::sqrt(3.0) / 2.0);
+
+  const Pose pose = delta_.forward(joints, kMiddle);
   EXPECT_EQ(pose.status, kPoseNotConverged);
   EXPECT_EQ(pose.p_D, kMiddle);
   EXPECT_EQ(pose.jacobian_D, Mat3::Zero());

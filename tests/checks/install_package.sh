@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Installs the release build to an empty prefix; builds and runs there a project that knows only find_package(tactus).
+set -euo pipefail
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+
+"$(dirname "${BASH_SOURCE[0]}")/build.sh" release
+cmake --install build/release --prefix "$work/prefix"
+cp -r tests/install "$work/consumer"
+cmake -S "$work/consumer" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix"
+cmake --build "$work/build"
+"$work/build/consumer"

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# toolchains/packages.txt is the one list: each package once, with a reason; nothing else installs any.
+set -euo pipefail
+source tests/checks/tracked_files.sh
+list=toolchains/packages.txt
+status=0
+
+unexplained="$(grep -vE '^(#|\[|$)' "$list" | grep -vE '^[a-z0-9.+-]+ +# .+' || true)"
+if [[ -n "$unexplained" ]]; then
+  echo "$list: no reason given: $unexplained"
+  status=1
+fi
+twice="$(grep -oE '^[a-z0-9.+-]+' "$list" | sort | uniq -d)"
+if [[ -n "$twice" ]]; then
+  echo "$list: named twice: $twice"
+  status=1
+fi
+if tracked_files '*' | grep -vxF -e toolchains/install-packages.sh -e "tests/checks/$(basename "$0")" |
+  xargs -d '\n' grep -nE '\b(apt|apt-get|aptitude) (-[^ ]+ )*install|\bdpkg (-i|--install)'; then
+  echo "only toolchains/install-packages.sh installs packages"
+  status=1
+fi
+exit "$status"

@@ -1,0 +1,5 @@
+#!/usr/bin/env bash
+# The scripts have nothing that shellcheck would find.
+set -euo pipefail
+source tests/checks/tracked_files.sh
+tracked_files '*.sh' .ci/run | xargs -d '\n' shellcheck --external-sources

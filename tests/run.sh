@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# Builds and tests everything that this repository promises, in a fresh clone on Debian 12. See --help.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# A stage is a name and the script of tests/checks/ with its arguments.
+stages=(
+  "release           build_and_test.sh release"
+  "asan-ubsan        build_and_test.sh asan-ubsan"
+  "tsan              threads.sh"
+  "aarch64           build_and_test.sh aarch64"
+  "cortex-m7         build.sh cortex-m7"
+  "heap-check        heap_check_catches_offences.sh"
+  "include-check     include_check_catches_offences.sh"
+  "install           install_package.sh"
+  "packages-list     packages_come_from_one_list.sh"
+  "format            format.sh"
+  "shell             shell.sh"
+  "tidy              tidy.sh"
+)
+
+usage() {
+  cat <<END
+usage: tests/run.sh [--only STAGE]... [--soak] [--help]
+  --only STAGE   run this stage only; may be repeated
+  --soak         longer random tests (TACTUS_SOAK=1 in their environment), slow ones under emulation too
+stages: $(printf '%s\n' "${stages[@]}" | awk '{print $1}' | paste -sd' ')
+Each stage's whole output is kept in build/test-logs/STAGE.log.
+END
+}
+
+only=()
+while [[ $# -gt 0 ]]; do
+  case "$1" in
+    --only)
+      only+=("${2:?--only needs the name of a stage}")
+      shift
+      ;;
+    --soak) export TACTUS_SOAK=1 ;;
+    --help) usage && exit 0 ;;
+    *) usage >&2 && exit 2 ;;
+  esac
+  shift
+done
+for name in "${only[@]}"; do
+  if ! printf '%s\n' "${stages[@]}" | grep -q "^$name "; then
+    echo "tests/run.sh: no stage '$name'" >&2
+    usage >&2
+    exit 2
+  fi
+done
+is_wanted() { [[ ${#only[@]} -eq 0 || " ${only[*]} " == *" $1 "* ]]; }
+
+logs=build/test-logs
+mkdir -p "$logs"
+summary=()
+passed=0 failed=0 skipped=0
+
+# A script that runs many tests writes "passed failed skipped" to $TACTUS_COUNTS; any other counts as one test.
+run_stage() {
+  local name="$1" script="$2" log="$logs/$1.log" start=$SECONDS result=pass p=1 f=0 s=0
+  shift 2
+  export TACTUS_COUNTS="$logs/$name.counts"
+  rm -f "$TACTUS_COUNTS"
+  echo "== $name"
+  if ! bash "tests/checks/$script" "$@" >"$log" 2>&1 </dev/null; then
+    result=FAIL p=0 f=1
+  fi
+  if [[ -f "$TACTUS_COUNTS" ]]; then
+    read -r p f s <"$TACTUS_COUNTS"
+    if [[ "$result" == FAIL && $f -eq 0 ]]; then f=1; fi
+  fi
+  if [[ "$result" == FAIL ]]; then
+    tail -n 150 "$log"
+  elif [[ $p -eq 0 ]]; then
+    result=skip
+  fi
+  grep '^SKIPPED' "$log" || true
+  passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+  summary+=("$(printf '%-14s %-4s %5d passed %3d failed %3d skipped %5d s' "$name" "$result" "$p" "$f" "$s" $((SECONDS - start)))")
+  echo "${summary[-1]}"
+}
+
+toolchains/install-packages.sh demo tests aarch64 cortex-m7
+for stage in "${stages[@]}"; do
+  read -r name script arguments <<<"$stage"
+  if is_wanted "$name"; then
+    # shellcheck disable=SC2086  # the arguments are words
+    run_stage "$name" "$script" $arguments
+  fi
+done
+
+echo
+echo "summary ($SECONDS s)"
+printf '%s\n' "${summary[@]}"
+echo "$passed passed, $failed failed, $skipped skipped"
+[[ $failed -eq 0 ]]

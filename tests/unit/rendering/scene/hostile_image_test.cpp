@@ -1,0 +1,232 @@
+// Images whose checksum is right and whose content is not: only our own limits stand between them
+// and the controller.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "rendering/scene/scene_generated.h"
+#include "rendering/scene/scene_image.h"
+#include "tests/unit/rendering/scene/small_scene.h"
+
+namespace tactus::rendering {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr std::uint32_t kFarAway = 0x7fffffff;
+
+SceneError error_of(const host::BakedScene& scene) {
+  const std::vector<std::byte> bytes = host::write_image(scene);
+  const auto image = SceneImage::open(bytes);
+  EXPECT_FALSE(image.has_value());
+  return image ? SceneError{} : image.error();
+}
+
+// The error after a change to the second object's mesh.
+template <class Change>
+SceneError error_after(Change change) {
+  host::BakedScene scene = testing::small_scene();
+  change(scene.objects[1].mesh);
+  const SceneError error = error_of(scene);
+  EXPECT_EQ(error.object, 1U);
+  return error;
+}
+
+TEST(HostileImage, WithAVertexThatIsNotFiniteIsRefused) {
+  const SceneError error = error_after([](host::BakedMesh& mesh) { mesh.vertices[2].y = kNaN; });
+  EXPECT_EQ(error.fault, SceneFault::vertex_not_finite);
+  EXPECT_EQ(error.place, 2U);
+}
+
+TEST(HostileImage, WithANormalThatIsNotFiniteIsRefused) {
+  const SceneError error =
+      error_after([](host::BakedMesh& mesh) { mesh.vertex_normals[3].z = INFINITY; });
+  EXPECT_EQ(error.fault, SceneFault::normal_not_finite);
+  EXPECT_EQ(error.place, 3U);
+}
+
+TEST(HostileImage, WithAVertexIndexOutOfRangeIsRefused) {
+  const SceneError error = error_after([](host::BakedMesh& mesh) { mesh.triangles[1][2] = 4; });
+  EXPECT_EQ(error.fault, SceneFault::vertex_index);
+  EXPECT_EQ(error.place, 1U);
+}
+
+TEST(HostileImage, WithANeighbourOutOfRangeIsRefused) {
+  const SceneError error = error_after([](host::BakedMesh& mesh) { mesh.neighbours[0][1] = 4; });
+  EXPECT_EQ(error.fault, SceneFault::neighbour_index);
+  EXPECT_EQ(error.place, 0U);
+}
+
+TEST(HostileImage, WithANeighbourThatDoesNotKnowItIsRefused) {
+  const SceneError error = error_after([](host::BakedMesh& mesh) {
+    mesh.neighbours[2] = {kNoNeighbour, kNoNeighbour, kNoNeighbour};
+  });
+  EXPECT_EQ(error.fault, SceneFault::neighbour_index);
+}
+
+TEST(HostileImage, WithoutTrianglesIsRefused) {
+  const SceneError error = error_after([](host::BakedMesh& mesh) {
+    mesh.triangles.clear();
+    mesh.neighbours.clear();
+  });
+  EXPECT_EQ(error.fault, SceneFault::empty_mesh);
+}
+
+TEST(HostileImage, WithoutNodesIsRefused) {
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes.clear(); }).fault,
+            SceneFault::empty_mesh);
+}
+
+TEST(HostileImage, WithTooFewNormalsOrNeighboursIsRefused) {
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.vertex_normals.pop_back(); }).fault,
+            SceneFault::array_sizes);
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.neighbours.pop_back(); }).fault,
+            SceneFault::array_sizes);
+}
+
+TEST(HostileImage, WithALeafBeyondTheTrianglesIsRefused) {
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].triangle_count = 5; }).fault,
+            SceneFault::hierarchy_cover);
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].first = kFarAway; }).fault,
+            SceneFault::hierarchy_cover);
+}
+
+TEST(HostileImage, WithABoxThatIsTooSmallOrNotFiniteIsRefused) {
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) {
+              mesh.nodes[0].upper.x = std::nextafter(mesh.nodes[0].upper.x, 0.0F);
+            }).fault,
+            SceneFault::hierarchy_box);
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].lower.z = kNaN; }).fault,
+            SceneFault::hierarchy_box);
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].lower.y = -INFINITY; }).fault,
+            SceneFault::hierarchy_box);
+}
+
+TEST(HostileImage, WithABadMaterialIsRefused) {
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
+    for (double Material::* field : {&Material::stiffness_N_per_m, &Material::damping_Ns_per_m}) {
+      host::BakedScene scene = testing::small_scene();
+      scene.objects[0].material.*field = bad;
+      EXPECT_EQ(error_of(scene).fault, SceneFault::material);
+    }
+    host::BakedScene scene = testing::small_scene();
+    scene.objects[0].material.friction.dynamic_coefficient = bad;
+    EXPECT_EQ(error_of(scene).fault, SceneFault::material);
+  }
+  host::BakedScene scene = testing::small_scene();
+  scene.objects[0].material.friction = {.static_coefficient = 0.2, .dynamic_coefficient = 0.3};
+  EXPECT_EQ(error_of(scene).fault, SceneFault::material) << "dynamic above static";
+}
+
+TEST(HostileImage, WithABadToolRadiusIsRefused) {
+  for (const double bad : {-0.001, std::nan(""), HUGE_VAL}) {
+    host::BakedScene scene = testing::small_scene();
+    scene.tool_radius_m = bad;
+    EXPECT_EQ(error_of(scene).fault, SceneFault::tool_radius);
+  }
+}
+
+// One triangle, with what the writer cannot be made to write.
+std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, image::Friction model) {
+  flatbuffers::FlatBufferBuilder builder;
+  const std::vector<image::Float3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<image::Triple> triangles{{0, 1, 2}};
+  const std::vector<image::Triple> neighbours{{kNoNeighbour, kNoNeighbour, kNoNeighbour}};
+  const std::vector<image::Node> nodes{{{0, 0, 0}, 0, {1, 1, 0}, 1}};
+  const image::BakeCounters counters;
+  std::vector<flatbuffers::Offset<image::Object>> list;
+  for (std::size_t i = 0; i < objects; ++i) {
+    const auto mesh = image::CreateMeshDirect(builder, &vertices, &triangles, &neighbours, &nodes,
+                                              &vertices, &counters);
+    const auto friction = image::CreateConeFriction(builder, 0.5, 0.5).Union();
+    const auto material = image::CreateMaterial(builder, 1.0, 0.0, model, friction);
+    list.push_back(image::CreateObjectDirect(builder, "raw", sides, material, mesh));
+  }
+  image::FinishSceneBuffer(builder, image::CreateSceneDirect(builder, 0.0, &list));
+  ImageHeader header;
+  header.payload_bytes = builder.GetSize();
+  std::vector<std::byte> bytes(sizeof(header) + builder.GetSize());
+  std::memcpy(bytes.data(), &header, sizeof(header));
+  std::memcpy(bytes.data() + sizeof(header), builder.GetBufferPointer(), builder.GetSize());
+  testing::seal(bytes);
+  return bytes;
+}
+
+void expect_refused(const std::vector<std::byte>& bytes, SceneFault fault, std::uint64_t place) {
+  const auto image = SceneImage::open(bytes);
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().fault, fault);
+  EXPECT_EQ(image.error().place, place);
+}
+
+TEST(HostileImage, WithUnknownSidesOrFrictionIsRefused) {
+  constexpr auto kCone = image::Friction::ConeFriction;
+  EXPECT_TRUE(SceneImage::open(raw_image(1, image::Sides::two, kCone)).has_value());
+  expect_refused(raw_image(1, static_cast<image::Sides>(2), kCone), SceneFault::sides, 2);
+  expect_refused(raw_image(1, image::Sides::two, static_cast<image::Friction>(9)),
+                 SceneFault::friction_model, 9);
+}
+
+TEST(HostileImage, WithNoneOrTooManyObjectsIsRefused) {
+  constexpr auto kCone = image::Friction::ConeFriction;
+  EXPECT_TRUE(SceneImage::open(raw_image(kMaxObjects, image::Sides::two, kCone)).has_value());
+  expect_refused(raw_image(0, image::Sides::two, kCone), SceneFault::object_count, 0);
+  expect_refused(raw_image(kMaxObjects + 1, image::Sides::two, kCone), SceneFault::object_count,
+                 kMaxObjects + 1);
+}
+
+TEST(HostileImage, OfNoiseIsMalformed) {
+  std::vector<std::byte> bytes = host::write_image(testing::small_scene());
+  std::fill(bytes.begin() + sizeof(ImageHeader), bytes.end(), std::byte{0xa5});
+  testing::seal(bytes);
+  expect_refused(bytes, SceneFault::malformed, 0);
+}
+
+// Walks the way the controller does, trusting everything; counts the triangles met.
+std::size_t walk(const MeshView& mesh, std::uint32_t index, std::size_t level) {
+  EXPECT_LE(level, kMaxHierarchyDepth);
+  const BvhNode& node = mesh.nodes[index];
+  if (!node.is_leaf()) {
+    return walk(mesh, node.first, level + 1) + walk(mesh, node.first + 1, level + 1);
+  }
+  for (const TriangleIndices& triangle : mesh.triangles.subspan(node.first, node.triangle_count)) {
+    for (const std::uint32_t vertex : triangle) {
+      EXPECT_LT(vertex, mesh.vertices.size());
+      EXPECT_LE(node.lower.x, mesh.vertices[vertex].x);
+      EXPECT_GE(node.upper.x, mesh.vertices[vertex].x);
+    }
+  }
+  return node.triangle_count;
+}
+
+// Under the address sanitizer this is where a check that is missing shows.
+TEST(HostileImage, OfRandomDamageIsRefusedOrSafeToWalk) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  const std::vector<std::byte> sound = host::write_image(testing::small_scene());
+  std::uniform_int_distribution<std::size_t> place(sizeof(ImageHeader), sound.size() - 1);
+  std::uniform_int_distribution<unsigned> value(0, 255);
+  std::uniform_int_distribution<int> changes(1, 4);
+  int opened = 0;
+  for (int round = 0; round < 50'000; ++round) {
+    std::vector<std::byte> bytes = sound;
+    for (int i = changes(random); i > 0; --i) {
+      bytes[place(random)] = static_cast<std::byte>(value(random));
+    }
+    testing::seal(bytes);
+    const auto image = SceneImage::open(bytes);
+    if (!image) {
+      continue;
+    }
+    ++opened;
+    for (const Object& object : image->objects()) {
+      ASSERT_EQ(walk(object.mesh, 0, 1), object.mesh.triangles.size());
+    }
+  }
+  EXPECT_GT(opened, 0) << "damage to padding and coefficients should pass";
+}
+
+}  // namespace
+}  // namespace tactus::rendering

@@ -1,0 +1,46 @@
+// A scene of two tetrahedra, small enough to damage in every way there is.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "host_tools/bake/image_writer.h"
+#include "host_tools/bake/mesh_bake.h"
+#include "rendering/scene/image_format.h"
+
+namespace tactus::testing {
+
+inline host::BakedMesh tetrahedron(float size_m) {
+  const std::vector<rendering::Float3> vertices{
+      {0, 0, 0}, {size_m, 0, 0}, {0, size_m, 0}, {0, 0, size_m}};
+  const std::vector<rendering::TriangleIndices> triangles{
+      {0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return host::bake_mesh(vertices, triangles);
+}
+
+inline host::BakedScene small_scene() {
+  return {.tool_radius_m = 0.002,
+          .objects = {
+              {.name = "left",
+               .sides = rendering::Sides::one,
+               .material = {.stiffness_N_per_m = 800.0,
+                            .damping_Ns_per_m = 0.5,
+                            .friction = {.static_coefficient = 0.6, .dynamic_coefficient = 0.4}},
+               .mesh = tetrahedron(0.1F)},
+              {.name = "right",
+               .sides = rendering::Sides::two,
+               .material = {.stiffness_N_per_m = 300.0, .damping_Ns_per_m = 0.0, .friction = {}},
+               .mesh = tetrahedron(0.2F)}}};
+}
+
+// Makes a changed image's checksum right again.
+inline void seal(std::span<std::byte> image) {
+  rendering::ImageHeader header;
+  std::memcpy(&header, image.data(), sizeof(header));
+  header.checksum = rendering::image_checksum(header, image.subspan(sizeof(header)));
+  std::memcpy(image.data(), &header, sizeof(header));
+}
+
+}  // namespace tactus::testing
