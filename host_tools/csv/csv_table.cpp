@@ -101,7 +101,7 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
   Fields fields;
   const std::optional<std::string_view> header = lines.next();
   if (!header) {
-    throw InputError(fmt::format("{}: empty; a line of column names was expected", shown));
+    throw InputError(fmt::format("{}: empty; the first line must name the columns", shown));
   }
   split(*header, fields);
 

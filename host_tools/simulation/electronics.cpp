@@ -14,6 +14,14 @@ double share_covered(double dt_s, double time_constant_s) {
   return time_constant_s > 0.0 ? 1.0 - exp_nonpositive(-dt_s / time_constant_s) : 1.0;
 }
 
+// One step of a first-order system. It arrives once the rest is far below anything that matters:
+// decaying on would end in denormal numbers, a hundred times slower to compute with.
+double approach(double value, double target, double share) {
+  constexpr double kArrived = 1e-15;
+  const double rest = target - value;
+  return std::abs(rest) < kArrived ? target : value + share * rest;
+}
+
 }  // namespace
 
 Encoder::Encoder(double resolution, double velocity_cutoff_Hz, double tick_s)
@@ -28,13 +36,18 @@ void Encoder::sample(double true_position) {
     fresh_ = false;
   } else {
     const double difference = static_cast<double>(counts - counts_) * resolution_ / tick_s_;
-    velocity_ += filter_gain_ * (difference - velocity_);
+    velocity_ = approach(velocity_, difference, filter_gain_);
   }
   counts_ = counts;
 }
 
 Motor::Motor(double effort_limit, double time_constant_s, double step_s)
     : limit_(effort_limit), gain_(share_covered(step_s, time_constant_s)) {}
+
+double Motor::advance() {
+  effort_ = approach(effort_, target_, gain_);
+  return effort_;
+}
 
 void Motor::command(double effort) {
   target_ = std::isfinite(effort) ? std::clamp(effort, -limit_, limit_) : 0.0;

@@ -40,10 +40,7 @@ class Motor {
   // Newest command, N m or N; not finite counts as zero.
   void command(double effort);
   // One step; the effort in force at its end, exact for a command held over the step.
-  double advance() {
-    effort_ += gain_ * (target_ - effort_);
-    return effort_;
-  }
+  double advance();
   [[nodiscard]] double effort() const { return effort_; }
 
  private:

@@ -54,11 +54,13 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& parameters, double tick
 }
 
 bool SimulatedDevice::active(DeviceFault fault) const {
-  return ticks_ < fault_until_tick_[static_cast<std::size_t>(fault)];
+  const Period& period = fault_periods_[static_cast<std::size_t>(fault)];
+  return ticks_ >= period.first_tick && ticks_ < period.end_tick;
 }
 
 void SimulatedDevice::inject(DeviceFault fault, std::uint32_t ticks) {
-  fault_until_tick_[static_cast<std::size_t>(fault)] = ticks_ + 1 + ticks;
+  fault_periods_[static_cast<std::size_t>(fault)] = {.first_tick = ticks_ + 1,
+                                                     .end_tick = ticks_ + 1 + ticks};
 }
 
 std::uint32_t SimulatedDevice::status() const {
@@ -78,11 +80,16 @@ std::uint32_t SimulatedDevice::status() const {
   return status;
 }
 
+void SimulatedDevice::read(drivers::JointSample& sample) const {
+  sample = sample_;
+  sample.status = status();
+}
+
 std::uint32_t SimulatedDevice::write(const drivers::JointCommand& command) {
   if (!active(DeviceFault::lost)) {
     written_ = command;
   }
-  return status();
+  return status() & (drivers::kDeviceEmergencyStop | drivers::kDeviceLost);
 }
 
 void SimulatedDevice::command_motors() {
@@ -141,7 +148,6 @@ void SimulatedDevice::sample_encoders() {
   if (active(DeviceFault::emergency_stop)) {
     latched_status_ |= drivers::kDeviceEmergencyStop;
   }
-  sample_.status = status();
 }
 
 std::array<double, kPlantJoints> SimulatedDevice::motor_effort() const {

@@ -46,7 +46,7 @@ class SimulatedDevice {
 
   // drivers::Device
   [[nodiscard]] static std::size_t joint_count() { return kPlantJoints; }
-  void read(drivers::JointSample& sample) const { sample = sample_; }
+  void read(drivers::JointSample& sample) const;
   std::uint32_t write(const drivers::JointCommand& command);
   void clear_faults() { latched_status_ = drivers::kDeviceOk; }
 
@@ -63,6 +63,11 @@ class SimulatedDevice {
   [[nodiscard]] Vec3 motor_force_B() const;
 
  private:
+  struct Period {
+    std::uint64_t first_tick = 0;
+    std::uint64_t end_tick = 0;
+  };
+
   [[nodiscard]] bool active(DeviceFault fault) const;
   [[nodiscard]] bool homed() const { return ticks_ >= homed_tick_; }
   [[nodiscard]] std::uint32_t status() const;
@@ -78,7 +83,7 @@ class SimulatedDevice {
   drivers::JointCommand written_;
   drivers::JointCommand in_flight_;
   drivers::JointSample sample_;
-  std::array<std::uint64_t, 4> fault_until_tick_{};  // by DeviceFault
+  std::array<Period, 4> fault_periods_{};  // by DeviceFault
   std::uint64_t ticks_ = 0;
   std::uint64_t ready_tick_ = 0;
   std::uint64_t homed_tick_ = 0;

@@ -1,0 +1,100 @@
+// From the user's names to the summary.
+#include "host_tools/simulation/run.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "host_tools/input_error.h"
+#include "host_tools/simulation/wish_path_file.h"
+#include "tests/simulation/loop.h"
+
+namespace tactus::testing {
+namespace {
+
+TEST(Run, TheDefaultPathTouchesStrokesAndLeaves) {
+  for (const char* device : {"cartesian", "falcon"}) {
+    const Solid ball(icosphere(0.04, 4), rendering::Sides::one,
+                     {.stiffness_N_per_m = 800.0,
+                      .damping_Ns_per_m = 0.5,
+                      .friction = {.static_coefficient = 0.6, .dynamic_coefficient = 0.4}});
+    const host::RunPlan plan =
+        host::plan_run({.device = device}, {&ball.object(), 1}, kToolRadius_m);
+    EXPECT_TRUE(plan.warnings.empty());
+    EXPECT_EQ(plan.seconds, 10.0);
+    host::Simulation simulation(plan.config, {&ball.object(), 1}, kToolRadius_m);
+    const host::RunSummary summary =
+        host::run(simulation, plan.seconds, 1000.0, [](const host::Simulation&) {});
+    EXPECT_EQ(summary.ticks, 10000U);
+    EXPECT_EQ(summary.faults, 0U);
+    EXPECT_GT(summary.contact_ticks, 5000U);
+    EXPECT_LT(summary.contact_ticks, 8000U);
+    EXPECT_GT(summary.slip_ticks, 300U);
+    EXPECT_EQ(simulation.record().contact, rendering::ContactKind::none);
+    // The wish lies 5 mm deep, more where the front slopes.
+    EXPECT_LT(summary.max_depth_m, 0.005);
+    EXPECT_NEAR(summary.max_force_N, 800.0 * summary.max_depth_m, 0.5 * summary.max_force_N);
+  }
+}
+
+TEST(Run, TheSummaryNamesFaultsForPeopleAndPrograms) {
+  const Solid wall = slab(0.6, 0.4);
+  const host::RunPlan plan = host::plan_run({.seconds = 4.0, .faults = {"estop@3.5x10"}},
+                                            {&wall.object(), 1}, kToolRadius_m);
+  host::Simulation simulation(plan.config, {&wall.object(), 1}, kToolRadius_m);
+  const host::RunSummary summary =
+      host::run(simulation, plan.seconds, 1000.0, [](const host::Simulation&) {});
+  EXPECT_NEAR(summary.first_fault_s, 3.5, 0.002);
+  EXPECT_NE(host::summary_text(summary).find("emergency stop"), std::string::npos);
+  EXPECT_NE(host::summary_json(summary).find(R"("faults":["emergency_stop"])"), std::string::npos);
+  EXPECT_EQ(summary.mode, firmware::Mode::fault);
+}
+
+TEST(Run, FaultsAreReadFromText) {
+  const host::FaultEvent event = host::parse_fault("stale@2.5x3");
+  EXPECT_EQ(event.fault, host::DeviceFault::stale_sample);
+  EXPECT_EQ(event.at_s, 2.5);
+  EXPECT_EQ(event.ticks, 3U);
+  EXPECT_EQ(host::parse_fault("nan@0").ticks, 1U);
+  for (const char* bad : {"", "stale", "stale@", "stale@x", "@2", "burn@2", "stale@2x", "stale@2x0",
+                          "stale@-1", "stale@nan"}) {
+    EXPECT_THROW(host::parse_fault(bad), host::InputError) << bad;
+  }
+}
+
+TEST(Run, UnknownNamesAndUselessNumbersAreRefused) {
+  const Solid wall = slab(0.6, 0.4);
+  const std::span<const rendering::Object> objects(&wall.object(), 1);
+  EXPECT_THROW(host::plan_run({.device = "omega"}, objects, kToolRadius_m), host::InputError);
+  EXPECT_THROW(host::plan_run({.hand = "paw"}, objects, kToolRadius_m), host::InputError);
+  EXPECT_THROW(host::plan_run({.seconds = 0.0}, objects, kToolRadius_m), host::InputError);
+  EXPECT_THROW(host::plan_run({.path = "/no/such.csv"}, objects, kToolRadius_m), host::InputError);
+  const host::RunPlan slow = host::plan_run({.rate_hz = 10.0}, objects, kToolRadius_m);
+  EXPECT_THROW(host::Simulation(slow.config, objects, kToolRadius_m), host::InputError);
+}
+
+TEST(Run, APathBeyondTheStopsIsWarnedOf) {
+  const Solid wall = slab(0.6, 0.4);
+  const std::string file = ::testing::TempDir() + "tactus_wide_wish.csv";
+  std::ofstream(file) << "t_s,x_m,y_m,z_m\n0,-0.2,0,0.05\n1,0.2,0,0.05\n";
+  const host::RunPlan plan = host::plan_run({.path = file}, {&wall.object(), 1}, kToolRadius_m);
+  ASSERT_EQ(plan.warnings.size(), 1U);
+  EXPECT_NE(plan.warnings[0].find("0.400 m along x"), std::string::npos) << plan.warnings[0];
+  EXPECT_EQ(plan.seconds, 1.0);
+}
+
+TEST(Run, AWishPathThatGoesBackInTimeIsRefusedByLine) {
+  const std::string file = ::testing::TempDir() + "tactus_backward_wish.csv";
+  std::ofstream(file) << "t_s,x_m,y_m,z_m\n0,0,0,0\n1,0,0,0\n0.5,0,0,0\n";
+  try {
+    host::read_wish_path(file);
+    FAIL() << "accepted";
+  } catch (const host::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("backward_wish.csv:4: column t_s"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace tactus::testing

@@ -1,0 +1,115 @@
+#include "host_tools/plot/figures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "host_tools/input_error.h"
+#include "tests/support/solid.h"
+
+namespace tactus::host {
+namespace {
+
+using rendering::FrictionState;
+using testing::Solid;
+
+RunData stroke(std::size_t rows) {
+  RunData run;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = 0.001 * static_cast<double>(i);
+    RunRow row{.t_s = t, .proxy_W = {0.05 * std::sin(t), 0.05 * std::cos(t), 0.0}};
+    row.contact = i > rows / 4;
+    row.force_N = row.contact ? 1.0 + std::sin(9.0 * t) : 0.0;
+    row.depth_m = row.force_N / 800.0;
+    row.friction = !row.contact        ? FrictionState::free
+                   : (i / 50) % 2 == 0 ? FrictionState::stick
+                                       : FrictionState::slip;
+    run.rows.push_back(row);
+  }
+  return run;
+}
+
+struct Size {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+// From the header that every PNG file begins with; zero for anything else.
+Size png_size(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(24, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.substr(1, 3) != "PNG") {
+    return {};
+  }
+  const auto word = [&head](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      value = value << 8U | static_cast<std::uint8_t>(head[at + i]);
+    }
+    return value;
+  };
+  return {.width = word(16), .height = word(20)};
+}
+
+std::filesystem::path fresh(const std::string& name) {
+  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+  std::filesystem::remove(file);
+  return file;
+}
+
+TEST(Figures, ForceFigureIsAPicture) {
+  const std::filesystem::path file = fresh("tactus it's_force.png");
+  draw_force_figure(stroke(20000), "a run's title_with {marks}", file);
+  EXPECT_EQ(png_size(file).width, 1600U);
+  EXPECT_EQ(png_size(file).height, 1000U);
+}
+
+TEST(Figures, PathFigureIsAPicture) {
+  const Solid ball(testing::icosphere(0.04, 3), rendering::Sides::one, {});
+  const std::filesystem::path file = fresh("tactus_path.png");
+  draw_path_figure(stroke(5000), {&ball.object(), 1}, "path", file);
+  EXPECT_EQ(png_size(file).width, 1800U);
+}
+
+TEST(Figures, ARunOfOneRowWithoutContactIsDrawnToo) {
+  const Solid ball(testing::icosphere(0.04, 1), rendering::Sides::one, {});
+  const std::filesystem::path force = fresh("tactus_one_force.png");
+  const std::filesystem::path path = fresh("tactus_one_path.png");
+  draw_force_figure(stroke(1), "one row", force);
+  draw_path_figure(stroke(1), {&ball.object(), 1}, "one row", path);
+  EXPECT_GT(png_size(force).width, 0U);
+  EXPECT_GT(png_size(path).width, 0U);
+}
+
+TEST(Figures, APlaceThatCannotBeWrittenIsAnError) {
+  EXPECT_THROW(draw_force_figure(stroke(10), "t", "/no/such/folder/x.png"), InputError);
+}
+
+TEST(Figures, MissingGnuplotIsNamedWithItsPackage) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  std::string message;
+  try {
+    draw_force_figure(stroke(10), "t", fresh("tactus_none.png"));
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(message.find("gnuplot-nox"), std::string::npos) << message;
+}
+
+TEST(Figures, NamesFollowAFolderOrAPrefix) {
+  const std::string folder = ::testing::TempDir();
+  EXPECT_EQ(figure_files(folder, "run").force, std::filesystem::path(folder) / "run_force.png");
+  EXPECT_EQ(figure_files("new/folder/", "run").path, "new/folder/run_path.png");
+  EXPECT_EQ(figure_files("new/ears", "run").path, "new/ears_path.png");
+}
+
+}  // namespace
+}  // namespace tactus::host
