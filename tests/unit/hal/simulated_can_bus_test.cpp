@@ -199,7 +199,7 @@ TEST_F(SimulatedCan, FailedTransmissionIsTriedAgainAndTheCounterRecovers) {
   SimulatedCanBus right(wire_);
   left.fail_transmissions(1);
   ASSERT_TRUE(left.send(can_frame(1, {})));
-  clock_.advance_by(2 * 47 * kUs);
+  clock_.advance_by(94 * kUs);
   EXPECT_EQ(right.waiting_to_be_read(), 1U);
   EXPECT_EQ(left.status().transmit_errors, 7);
 }
@@ -253,6 +253,8 @@ class Drive final : public SimulatedEventSource {
   explicit Drive(SimulatedCanNetwork& network) : clock_(network.clock()), bus_(network) {
     clock_.attach(*this);
   }
+  Drive(const Drive&) = delete;
+  Drive& operator=(const Drive&) = delete;
   ~Drive() { clock_.detach(*this); }
 
   TimeNs next_event_ns() const override {

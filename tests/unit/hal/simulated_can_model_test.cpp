@@ -29,14 +29,10 @@ struct ModelNode {
     canid_t word = frame.id;
     word |= frame.extended ? CAN_EFF_FLAG : 0U;
     word |= frame.remote ? CAN_RTR_FLAG : 0U;
-    for (const can_filter& filter : filters) {
-      const bool match =
-          (word & filter.can_mask) == (filter.can_id & filter.can_mask & ~CAN_INV_FILTER);
-      if (match == ((filter.can_id & CAN_INV_FILTER) == 0)) {
-        return true;
-      }
-    }
-    return false;
+    return std::ranges::any_of(filters, [word](const can_filter& filter) {
+      const canid_t wanted = filter.can_id & filter.can_mask & ~CAN_INV_FILTER;
+      return ((word & filter.can_mask) == wanted) == ((filter.can_id & CAN_INV_FILTER) == 0);
+    });
   }
 };
 

@@ -26,6 +26,8 @@ class Repeater final : public SimulatedEventSource {
       : clock_(clock), who_(who), next_ns_(first_ns), period_ns_(period_ns), log_(log) {
     clock_.attach(*this);
   }
+  Repeater(const Repeater&) = delete;
+  Repeater& operator=(const Repeater&) = delete;
   ~Repeater() { clock_.detach(*this); }
 
   TimeNs next_event_ns() const override { return next_ns_; }

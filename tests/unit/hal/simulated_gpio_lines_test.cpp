@@ -10,7 +10,7 @@ struct SimulatedGpioRig {
   GpioLines& other_lines() { return second; }
   Clock& clock() { return simulated; }
   void drive(std::size_t offset, bool high) { chip.drive(offset, high); }
-  bool level(std::size_t offset) { return chip.level(offset); }
+  bool level(std::size_t offset) const { return chip.level(offset); }
 
   SimulatedClock simulated;
   SimulatedGpioChip chip{simulated, 32};
