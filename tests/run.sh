@@ -23,7 +23,7 @@ usage() {
   cat <<END
 usage: tests/run.sh [--only STAGE]... [--soak] [--help]
   --only STAGE   run this stage only; may be repeated
-  --soak         longer random tests (TACTUS_SOAK=1 in their environment), slow ones under emulation too
+  --soak         random tests twenty times as long
 stages: $(printf '%s\n' "${stages[@]}" | awk '{print $1}' | paste -sd' ')
 Each stage's whole output is kept in build/test-logs/STAGE.log.
 END
