@@ -14,6 +14,7 @@ stages=(
   "include-check     include_check_catches_offences.sh"
   "install           install_package.sh"
   "packages-list     packages_come_from_one_list.sh"
+  "links             links.sh"
   "format            format.sh"
   "shell             shell.sh"
   "tidy              tidy.sh"
