@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # A stage is a name and the script of tests/checks/ with its arguments.
 stages=(
   "release           build_and_test.sh release"
-  "asan-ubsan        build_and_test.sh asan-ubsan"
+  "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64"
   "cortex-m7         build.sh cortex-m7"

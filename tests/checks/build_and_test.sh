@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# build_and_test.sh PRESET: builds a preset and runs its tests.
+# build_and_test.sh PRESET [TARGET]: builds a preset, or one target of it, and runs its tests.
 # The random tests' share of work: a million ticks in release; a twentieth where a sanitizer or emulation makes them
 # thirty times slower; twenty times as many with --soak.
 set -euo pipefail
@@ -10,5 +10,5 @@ if [[ "$1" != release ]]; then ticks=$((ticks / 20)); fi
 if [[ -n "${TACTUS_SOAK:-}" ]]; then ticks=$((ticks * 20)); fi
 export TACTUS_PROPERTY_TICKS="$ticks"
 
-"$here/build.sh" "$1"
+"$here/build.sh" "$@"
 "$here/ctest.sh" "$1"
