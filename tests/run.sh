@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # A stage is a name and the script of tests/checks/ with its arguments.
 stages=(
   "release           build_and_test.sh release"
-  "asan-ubsan        build_and_test.sh asan-ubsan"
+  "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64"
   "cortex-m7         build.sh cortex-m7"
@@ -14,6 +14,7 @@ stages=(
   "include-check     include_check_catches_offences.sh"
   "install           install_package.sh"
   "packages-list     packages_come_from_one_list.sh"
+  "links             links.sh"
   "format            format.sh"
   "shell             shell.sh"
   "tidy              tidy.sh"
@@ -23,7 +24,7 @@ usage() {
   cat <<END
 usage: tests/run.sh [--only STAGE]... [--soak] [--help]
   --only STAGE   run this stage only; may be repeated
-  --soak         longer random tests (TACTUS_SOAK=1 in their environment), slow ones under emulation too
+  --soak         random tests twenty times as long
 stages: $(printf '%s\n' "${stages[@]}" | awk '{print $1}' | paste -sd' ')
 Each stage's whole output is kept in build/test-logs/STAGE.log.
 END

@@ -3,8 +3,7 @@
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
 
-cmake --preset tsan
-cmake --build build/tsan --parallel "$(nproc)" --target thread_tests
+"$here/build.sh" tsan thread_tests
 found="$(ctest --test-dir build/tsan --show-only --label-regex '^threads$' | sed -n 's/^Total Tests: //p')"
 if [[ "$found" -eq 0 ]]; then
   echo "SKIPPED thread sanitizer: no test starts a thread"
