@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_tools/bake/hierarchy.h"
 #include "host_tools/bake/mesh_topology.h"
 #include "host_tools/input_error.h"
+#include "host_tools/mesh/hierarchy.h"
 
 namespace tactus::host {
 namespace {

@@ -2,18 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "rendering/world/object.h"
+#include "host_tools/mesh/triangle_mesh.h"
 
 namespace tactus::host {
-
-// World frame, metres.
-struct TriangleMesh {
-  std::vector<rendering::Float3> vertices;
-  std::vector<rendering::TriangleIndices> triangles;
-};
 
 // A triangle with a height below this has no normal worth the name: a nanometre is far below what a
 // float resolves at the size of a hand.

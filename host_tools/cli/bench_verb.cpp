@@ -17,10 +17,10 @@
 #include "host_tools/bake/mesh_import.h"
 #include "host_tools/bake/placement.h"
 #include "host_tools/benchmark/debian_bunny.h"
-#include "host_tools/benchmark/icosphere.h"
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
 #include "host_tools/input_error.h"
+#include "host_tools/mesh/icosphere.h"
 #include "host_tools/simulation/run.h"
 
 namespace tactus::host {

@@ -34,9 +34,8 @@ namespace {
 // Moves shorter than this are none: a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
 // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the inside)
-// is pushed out no faster than this a tick; the shell's own thickness is always corrected.
+// is pushed out no faster than this a tick; within the shell it is put right at once.
 constexpr double kMostPushOut_m = 20e-6;
-constexpr double kShellPush_m = 0.5e-6;
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
 
@@ -100,7 +99,7 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
     }
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     ++rest.sub_goals;
-    most_push = kShellPush_m;
+    most_push = 0.0;
   }
 }
 
@@ -137,7 +136,8 @@ bool SphereProxy::add_holding_plane(std::size_t i, double most_push, ProxyRest& 
 
 bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
   const Nearest& nearest = nearest_[i];
-  const double push = std::min(shell_.rest_m - nearest.distance, most_push);
+  const double to_rest = shell_.rest_m - nearest.distance;
+  const double push = nearest.distance < shell_.inner_m ? std::min(to_rest, most_push) : to_rest;
   const ContactPlane contact{
       .plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
       .nearest = nearest,

@@ -5,7 +5,7 @@
 #include <random>
 #include <utility>
 
-#include "host_tools/benchmark/icosphere.h"
+#include "host_tools/mesh/icosphere.h"
 
 namespace tactus::testing {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "host_tools/bake/hierarchy.h"
+#include "host_tools/mesh/hierarchy.h"
 
 namespace tactus::testing {
 

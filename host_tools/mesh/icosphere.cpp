@@ -1,4 +1,4 @@
-#include "host_tools/benchmark/icosphere.h"
+#include "host_tools/mesh/icosphere.h"
 
 #include <algorithm>
 #include <numbers>

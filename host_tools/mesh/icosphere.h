@@ -1,7 +1,7 @@
 // Spheres of any fineness: the benchmark's meshes, and the tests'.
 #pragma once
 
-#include "host_tools/bake/mesh_cleanup.h"
+#include "host_tools/mesh/triangle_mesh.h"
 
 namespace tactus::host {
 

@@ -1,4 +1,4 @@
-#include "host_tools/bake/hierarchy.h"
+#include "host_tools/mesh/hierarchy.h"
 
 #include <algorithm>
 #include <array>

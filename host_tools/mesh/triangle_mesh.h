@@ -1,0 +1,16 @@
+// A mesh in memory, as host tools make and change it.
+#pragma once
+
+#include <vector>
+
+#include "rendering/world/object.h"
+
+namespace tactus::host {
+
+// World frame, metres.
+struct TriangleMesh {
+  std::vector<rendering::Float3> vertices;
+  std::vector<rendering::TriangleIndices> triangles;
+};
+
+}  // namespace tactus::host

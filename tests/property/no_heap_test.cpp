@@ -1,0 +1,73 @@
+// The controller never touches the heap while it ticks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "firmware/control/controller.h"
+#include "tests/support/heap_trap.h"
+#include "tests/support/solid.h"
+
+namespace tactus::testing {
+namespace {
+
+TEST(HeapTrap, CatchesEveryWayToAllocate) {
+  std::size_t calls = 0;
+  {
+    const HeapTrap trap;
+    const auto one = std::make_unique<int>(1);
+    EXPECT_EQ(trap.calls(), 1U) << "operator new";
+    void* volatile block = std::malloc(8);
+    block = std::realloc(block, 4096);
+    std::free(block);
+    block = std::calloc(2, 8);
+    std::free(block);
+    block = std::aligned_alloc(64, 64);
+    std::free(block);
+    calls = trap.calls();
+  }
+  EXPECT_EQ(calls, 8U);
+}
+
+// A stroke over the sphere, deep enough to stay in contact.
+drivers::JointSample stroke(int tick) {
+  const double t = 0.001 * tick;
+  const double phi = 2.0 * t;
+  const double theta = 0.4 * std::sin(0.7 * t);
+  const double r = 0.05 + 0.002 - 0.0015 + 0.001 * std::sin(11.0 * t);
+  drivers::JointSample sample;
+  sample.position = {r * std::cos(theta) * std::cos(phi), r * std::sin(theta),
+                     r * std::cos(theta) * std::sin(phi)};
+  return sample;
+}
+
+TEST(Controller, NeverUsesTheHeapInAHundredThousandTicksOfContact) {
+  constexpr int kTicks = 100'000;
+  const Solid solid(bumpy_sphere(0.05, 4, 0.02), rendering::Sides::one,
+                    {.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 0.5, .friction = {0.6, 0.4}});
+  static firmware::Controller controller;
+  ASSERT_TRUE(controller.configure(firmware::cartesian_config()));
+  ASSERT_TRUE(controller.load_scene({&solid.object(), 1}, {.tool_radius_m = 0.002}));
+  drivers::JointSample away;
+  away.position = {0.1, 0.0, 0.0};
+  controller.tick(away, firmware::Request::home);
+  controller.tick(away, firmware::Request::none);
+  controller.tick(away, firmware::Request::enable);
+  int contacts = 0;
+  std::size_t calls = 0;
+  {
+    const HeapTrap trap;
+    for (int tick = 0; tick < kTicks; ++tick) {
+      controller.tick(stroke(tick), firmware::Request::none);
+      contacts += controller.record().contact != rendering::ContactKind::none ? 1 : 0;
+    }
+    calls = trap.calls();
+  }
+  EXPECT_EQ(calls, 0U);
+  EXPECT_EQ(controller.mode(), firmware::Mode::active);
+  EXPECT_GT(contacts, kTicks / 2);
+}
+
+}  // namespace
+}  // namespace tactus::testing

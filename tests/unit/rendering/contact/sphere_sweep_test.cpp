@@ -1,0 +1,71 @@
+#include "rendering/contact/sphere_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/brute_force.h"
+
+namespace tactus::rendering {
+namespace {
+
+using testing::Corners;
+
+constexpr double kFar = 1.0;
+
+double travel(const Triangle& t, const Vec3& from, const Vec3& to, const Shell& shell,
+              bool one_sided = false) {
+  const Vec3 way = to - from;
+  return travel_to_contact(t, one_sided, {.from = from, .direction = way.normalized()}, kFar, shell,
+                           t.nearest(from));
+}
+
+TEST(SphereSweep, MeetsFaceEdgeAndVertexWhereTheClosedFormsSay) {
+  const Triangle t({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
+  const double r = 0.01;
+  const Shell shell(r);
+  // Straight down on the face; sideways on the edge y = 0; along the diagonal on the vertex at the
+  // origin.
+  EXPECT_NEAR(travel(t, {0.02, 0.02, 0.05}, {0.02, 0.02, 0.0}, shell), 0.05 - r, 1e-6);
+  EXPECT_NEAR(travel(t, {0.05, -0.05, 0.006}, {0.05, 0.0, 0.006}, shell),
+              0.05 - std::sqrt(r * r - 0.006 * 0.006), 1e-6);
+  EXPECT_NEAR(travel(t, {-0.03, -0.03, 0.0}, {0.0, 0.0, 0.0}, shell), 0.03 * std::sqrt(2.0) - r,
+              1e-6);
+}
+
+TEST(SphereSweep, NeverGoesTooFarAndNeverStopsForNothing) {
+  constexpr std::uint64_t kSeed = 21;
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  const auto point = [&] { return Vec3{place(random), place(random), place(random)}; };
+  for (int i = 0; i < 50'000; ++i) {
+    SCOPED_TRACE("seed 21, case " + std::to_string(i));
+    const Corners corners{point(), point(), point(), {}, 0.0};
+    const Triangle t(corners.a, corners.b, corners.c);
+    const Shell shell(i % 3 == 0 ? 0.0 : 0.005);
+    const Vec3 from = point();
+    const Vec3 to = point();
+    if ((from - testing::nearest_point(corners, from)).norm() < shell.rest_m) {
+      continue;
+    }
+    const double length = (to - from).norm();
+    const double free = std::min(length, travel(t, from, to, shell));
+    const Vec3 end = from + free / length * (to - from);
+    ASSERT_GE(testing::segment_distance(corners, from, end), shell.inner_m - 1e-10);
+    if (free < length) {
+      ASSERT_LE((end - testing::nearest_point(corners, end)).norm(), shell.stop_m + 1e-10);
+    }
+  }
+}
+
+TEST(SphereSweep, AOneSidedTriangleLetsPassWhatComesFromBehind) {
+  const Triangle t({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
+  const Shell shell(0.002);
+  EXPECT_EQ(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, shell, true), kFar);
+  EXPECT_LT(travel(t, {0.02, 0.02, 0.05}, {0.02, 0.02, -0.05}, shell, true), kFar);
+  EXPECT_LT(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, shell, false), kFar);
+}
+
+}  // namespace
+}  // namespace tactus::rendering

@@ -1,0 +1,162 @@
+#include "rendering/world/world.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "rendering/limits.h"
+#include "tests/support/solid.h"
+
+namespace tactus::rendering {
+namespace {
+
+using testing::Solid;
+
+constexpr double kMicron = 1e-6;
+constexpr Material kFrictionless{.stiffness_N_per_m = 1000.0};
+
+testing::Shape plate_shape(double half_m, double z_m) {
+  testing::Shape plate{.name = "plate", .closed = false};
+  const auto h = static_cast<float>(half_m);
+  const auto z = static_cast<float>(z_m);
+  plate.vertices = {{-h, -h, z}, {h, -h, z}, {h, h, z}, {-h, h, z}};
+  plate.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return plate;
+}
+
+class WorldTest : public ::testing::Test {
+ protected:
+  Touch start(const Solid& solid, double radius_m, const Vec3& tool) {
+    EXPECT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = radius_m}));
+    return world_->touch({.p_W = tool});
+  }
+  Touch touch(const Vec3& tool, const Vec3& velocity = Vec3::Zero()) {
+    return world_->touch({.p_W = tool, .v_W = velocity});
+  }
+
+  std::unique_ptr<World> world_ = std::make_unique<World>();
+};
+
+TEST_F(WorldTest, ForceIsStiffnessTimesStretchMinusDampingTimesVelocity) {
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one,
+                    {.stiffness_N_per_m = 800.0, .damping_Ns_per_m = 0.5});
+  start(plate, 0.002, {0.0, 0.0, 0.01});
+  const Vec3 tool{0.001, 0.002, -0.001};
+  const Vec3 velocity{0.01, 0.0, -0.1};
+  const Touch t = touch(tool, velocity);
+  EXPECT_EQ(t.force_W, Vec3(800.0 * (t.proxy_W - tool) - 0.5 * velocity));
+  EXPECT_NEAR(t.depth_m, 0.003, kMicron);
+  EXPECT_EQ(t.contact, ContactKind::face);
+  EXPECT_LE((t.normal_W - Vec3::UnitZ()).norm(), 1e-12);
+}
+
+TEST_F(WorldTest, AWallATenthOfAMillimetreThickStopsAToolAtFiveMetresASecond) {
+  const Solid wall(testing::box({0.1, 0.1, 0.0001}), Sides::one, kFrictionless);
+  for (const double radius_m : {0.0, 0.002}) {
+    start(wall, radius_m, {0.003, 0.002, 0.02});
+    double z = 0.02;
+    for (int tick = 0; tick < 20; ++tick) {
+      z -= 0.005;
+      const Touch t = touch({0.003, 0.002, z});
+      ASSERT_GE(t.proxy_W.z(), 0.00005 + radius_m);
+    }
+  }
+}
+
+TEST_F(WorldTest, AOneSidedMeshLetsTheToolOutAndNotInAgain) {
+  const Solid box(testing::box({0.04, 0.04, 0.04}), Sides::one, kFrictionless);
+  EXPECT_EQ(start(box, 0.002, Vec3::Zero()).force_W, Vec3::Zero());
+  for (double z = 0.0; z < 0.03; z += 0.0005) {
+    EXPECT_LE(touch({0.0, 0.0, z}).force_W.norm(), 1000.0 * 20 * kMicron) << "z " << z;
+  }
+  EXPECT_NEAR(touch({0.0, 0.0, 0.01}).proxy_W.z(), 0.022, kMicron);
+}
+
+TEST_F(WorldTest, ATwoSidedMeshKeepsTheToolWhereItIs) {
+  const Solid box(testing::box({0.04, 0.04, 0.04}), Sides::two, kFrictionless);
+  start(box, 0.002, Vec3::Zero());
+  EXPECT_NEAR(touch({0.0, 0.0, 0.05}).proxy_W.z(), 0.018, kMicron);
+}
+
+TEST_F(WorldTest, APinchedSphereRestsOnBothEdgesOfASlot) {
+  // Two edges a gap g apart carry a sphere of radius r at a height of sqrt(r^2 - g^2 / 4).
+  const Solid block(testing::slotted_block(0.0015, 0.02), Sides::one, kFrictionless);
+  start(block, 0.002, {0.0002, 0.01, 0.0});
+  const Touch t = touch({0.0, -0.005, 0.0});
+  EXPECT_NEAR(t.proxy_W.y(), std::sqrt(0.002 * 0.002 - 0.00075 * 0.00075), 2 * kMicron);
+  EXPECT_NEAR(t.proxy_W.x(), 0.0, kMicron);
+  EXPECT_EQ(t.planes, 2);
+}
+
+TEST_F(WorldTest, FrictionIsTheSameOverASeamAsOnAFace) {
+  // Sliding straight across the diagonal between two coplanar triangles: the lag stays mu times
+  // depth at every step.
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one,
+                    {.stiffness_N_per_m = 1000.0, .friction = {0.5, 0.5}});
+  for (const double radius_m : {0.0, 0.002}) {
+    start(plate, radius_m, {-0.01, 0.0, 0.01 + radius_m});
+    for (int tick = 0; tick < 4000; ++tick) {
+      const double x = -0.01 + 5e-6 * tick;
+      const Touch t = touch({x, 0.0, radius_m - 0.002});
+      if (tick > 300) {
+        ASSERT_EQ(t.friction, FrictionState::slip) << "x " << x;
+        ASSERT_NEAR(x - t.proxy_W.x(), 0.5 * 0.002, kMicron) << "x " << x;
+      }
+    }
+  }
+}
+
+TEST_F(WorldTest, AToolThatIsNotANumberGivesNoForceAndTheNextGoodOneIsFeltAgain) {
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one, kFrictionless);
+  start(plate, 0.0, {0.0, 0.0, 0.01});
+  const Touch good = touch({0.0, 0.0, -0.002});
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e6}) {
+    const Touch t = touch({bad, 0.0, -0.002});
+    EXPECT_EQ(t.force_W, Vec3::Zero());
+    EXPECT_EQ(t.flags, kTouchToolInvalid);
+    EXPECT_EQ(t.proxy_W, good.proxy_W);
+    EXPECT_EQ(touch({0.0, 0.0, -0.002}).force_W, good.force_W);
+  }
+}
+
+TEST_F(WorldTest, EachObjectIsFeltWithItsOwnMaterial) {
+  const Solid soft(testing::moved(plate_shape(0.05, 0.0), {-0.06, 0, 0}), Sides::one,
+                   {.stiffness_N_per_m = 200.0});
+  const Solid hard(testing::moved(plate_shape(0.05, 0.0), {0.06, 0, 0}), Sides::one,
+                   {.stiffness_N_per_m = 2000.0});
+  const std::array objects{soft.object(), hard.object()};
+  ASSERT_TRUE(world_->set_scene(objects, {.tool_radius_m = 0.001}));
+  touch({-0.06, 0.0, 0.01});
+  const Touch on_soft = touch({-0.06, 0.0, 0.0});
+  EXPECT_NEAR(on_soft.force_W.z(), 0.2, 1e-3);
+  EXPECT_EQ(on_soft.object, 0U);
+  touch({0.06, 0.0, 0.01});
+  const Touch on_hard = touch({0.06, 0.0, 0.0});
+  EXPECT_NEAR(on_hard.force_W.z(), 2.0, 1e-2);
+  EXPECT_EQ(on_hard.object, 1U);
+}
+
+TEST_F(WorldTest, RefusesASceneBeyondItsLimits) {
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one, kFrictionless);
+  const std::vector<Object> many(kMaxObjects + 1, plate.object());
+  EXPECT_FALSE(world_->set_scene(many, {}));
+  EXPECT_FALSE(world_->set_scene({&plate.object(), 1}, {.tool_radius_m = -1.0}));
+  EXPECT_TRUE(world_->set_scene({many.data(), kMaxObjects}, {}));
+}
+
+TEST_F(WorldTest, MoreTrianglesThanFitMakeTheProxyHoldStillAndAreCounted) {
+  // A cone of 4000 slender triangles that all meet in the apex.
+  const Solid cone(testing::cone(4000, 0.02, 0.02), Sides::one, kFrictionless);
+  start(cone, 0.001, {0.0, 0.0, 0.03});
+  const Touch t = touch({0.0, 0.0, 0.005});
+  EXPECT_NE(t.flags & kTouchCandidatesOverflow, 0U);
+  EXPECT_GE(t.proxy_W.z(), 0.011);
+  EXPECT_TRUE(t.force_W.allFinite());
+}
+
+}  // namespace
+}  // namespace tactus::rendering
