@@ -62,8 +62,9 @@ void RunCsv::add(const Simulation& simulation) {
   append(line, record.tool_p_W);
   append(line, record.proxy_W);
   append(line, record.force_rendered_W);
-  fmt::format_to(std::back_inserter(line), ",{},{:.9g},{}", record.contact == rendering::ContactKind::none ? 0 : 1,
-                 record.depth_m, static_cast<int>(record.friction));
+  fmt::format_to(std::back_inserter(line), ",{},{:.9g},{}",
+                 record.contact == rendering::ContactKind::none ? 0 : 1, record.depth_m,
+                 static_cast<int>(record.friction));
   append(line, record.force_commanded_W);
   append(line, firmware::to_triple(simulation.wish_W()));
   fmt::format_to(std::back_inserter(line), ",{},{},{},{:016x}\n", static_cast<int>(record.mode),

@@ -31,7 +31,8 @@ class LogFile {
 };
 
 // run.csv. The first thirteen columns are those of `tactus touch`; contact is 0 or 1; mode
-// and friction_state are numbers in the order of firmware::Mode and rendering::FrictionState, faults and limits are firmware::FaultBits, the hash is hexadecimal.
+// and friction_state are numbers in the order of firmware::Mode and rendering::FrictionState,
+// faults and limits are firmware::FaultBits, the hash is hexadecimal.
 class RunCsv {
  public:
   explicit RunCsv(const std::filesystem::path& path);

@@ -156,7 +156,8 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
 PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) {
   constexpr double kRounding_m = 1e-12;
   constexpr double kNearParallel = 1e-9;  // what nearly parallel planes make of that rounding
-  // Between nearly parallel planes the distance grows by less than it can be told apart: such exchanges are allowed, but few.
+  // Between nearly parallel planes the distance grows by less than it can be told apart: such
+  // exchanges are allowed, but few.
   constexpr double kUnclear = 1e-9;
   constexpr int kMostStalls = 6;
   int stalls = 0;
