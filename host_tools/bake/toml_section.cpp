@@ -59,11 +59,12 @@ void TomlSection::fail(std::string_view key, const std::string& what) const {
 }
 
 double TomlSection::checked(const toml::node& node, std::string_view key, NumberRange range) const {
-  if (!node.is_number()) {
+  const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!number) {
     fail(key,
          fmt::format("{} must be a number; write it without quotes, as in {} = 0.5", key, key));
   }
-  const double value = *node.value<double>();
+  const double value = *number;
   if (!std::isfinite(value)) {
     fail(key, fmt::format("{} is {}; write a finite number", key, value));
   }

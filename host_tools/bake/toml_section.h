@@ -12,12 +12,10 @@
 #include "host_tools/bake/key_advice.h"
 
 // Defined by toml++, which only the .cpp files see: it is a quarter of a million lines to compile.
-namespace toml {
-inline namespace v3 {
+namespace toml::inline v3 {
 class table;
 class node;
-}  // namespace v3
-}  // namespace toml
+}  // namespace toml::inline v3
 
 namespace tactus::host {
 

@@ -81,7 +81,7 @@ std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, st
     // Where the ray meets nothing before the middle, the last height is kept.
     surface = ray.nearest < outside ? outside - ray.nearest : surface;
     const double depth = 0.002 + 0.001 * wave(1.7, t);
-    path.push_back(middle + (surface + tool_radius_m - depth + lift_at(t)) * u);
+    path.emplace_back(middle + (surface + tool_radius_m - depth + lift_at(t)) * u);
   }
   return path;
 }

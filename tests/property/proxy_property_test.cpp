@@ -15,7 +15,6 @@
 namespace tactus::testing {
 namespace {
 
-using rendering::FrictionState;
 using rendering::ProxyPath;
 using rendering::Sides;
 using rendering::Touch;

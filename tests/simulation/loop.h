@@ -1,6 +1,7 @@
 // What the whole-loop tests share: a slab to press on and a hand that does so.
 #pragma once
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,7 @@ inline host::SimulationConfig ideal(host::WishPath path) {
 }
 
 inline void run_for(host::Simulation& simulation, double seconds) {
-  const int ticks = static_cast<int>(seconds * 1000.0 + 0.5);
+  const int ticks = static_cast<int>(std::lround(seconds * 1000.0));
   for (int i = 0; i < ticks; ++i) {
     simulation.tick();
   }

@@ -4,6 +4,7 @@
 #include <cerrno>
 
 // glibc's own names for the functions that are replaced below.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -11,6 +12,7 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace {
 

@@ -114,9 +114,9 @@ Shape sliver_box(const Vec3& size_m, double width_m) {
   const double y = 0.5 * size_m.y();
   std::vector<Vec3> polygon{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}};
   for (int k = 8; k >= 1; --k) {
-    polygon.push_back({-x + k * width_m, y, 0});
+    polygon.emplace_back(-x + k * width_m, y, 0);
   }
-  polygon.push_back({-x, y, 0});
+  polygon.emplace_back(-x, y, 0);
   Shape s =
       extrude("sliver box", polygon, fan(static_cast<std::uint32_t>(polygon.size())), size_m.z());
   return s;
@@ -147,7 +147,7 @@ Shape prism(int sides, double radius_m, double height_m) {
   std::vector<Vec3> polygon;
   for (int i = 0; i < sides; ++i) {
     const double a = kTurn * i / sides;
-    polygon.push_back({radius_m * std::cos(a), radius_m * std::sin(a), 0});
+    polygon.emplace_back(radius_m * std::cos(a), radius_m * std::sin(a), 0);
   }
   return extrude("prism", polygon, fan(static_cast<std::uint32_t>(sides)), height_m);
 }
@@ -176,7 +176,7 @@ Shape star(int points, double outer_m, double inner_m, double height_m) {
   for (std::uint32_t i = 0; i < n; ++i) {
     const double a = kTurn * i / n;
     const double r = i % 2 == 0 ? outer_m : inner_m;
-    polygon.push_back({r * std::cos(a), r * std::sin(a), 0});
+    polygon.emplace_back(r * std::cos(a), r * std::sin(a), 0);
   }
   for (std::uint32_t i = 1; i < n; i += 2) {
     caps.push_back({i, (i + 1) % n, (i + 2) % n});

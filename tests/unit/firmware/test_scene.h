@@ -16,6 +16,7 @@ class Floor {
   }
   Floor(const Floor&) = delete;
   Floor& operator=(const Floor&) = delete;
+  ~Floor() = default;
 
   [[nodiscard]] std::span<const rendering::Object> objects() const { return objects_; }
 

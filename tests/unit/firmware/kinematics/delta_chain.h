@@ -37,7 +37,7 @@ inline std::optional<double> bisected_angle(double azimuth_deg, const Vec3& tool
   for (int i = 0; i < kSteps; ++i) {
     double low = -std::numbers::pi + kStep * i;
     double high = low + kStep;
-    if (!(rod_error(azimuth_deg, low, tool) > 0.0 && rod_error(azimuth_deg, high, tool) <= 0.0)) {
+    if (rod_error(azimuth_deg, low, tool) <= 0.0 || rod_error(azimuth_deg, high, tool) > 0.0) {
       continue;
     }
     while (true) {

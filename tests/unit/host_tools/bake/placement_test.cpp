@@ -47,7 +47,7 @@ TEST(Placement, TurnsByTheRightHandBeforeItMoves) {
 
 TEST(Placement, MeasuresTheBoxOfTheTrianglesAlone) {
   ImportedMesh with_stray_point = triangle();
-  with_stray_point.vertices.push_back({1000, 1000, 1000});
+  with_stray_point.vertices.emplace_back(1000, 1000, 1000);
   const TriangleMesh mesh = place(with_stray_point, {.longest_side_m = 0.4});
   expect_near(mesh.vertices[1], {0.2, -0.1, -0.05});
 }

@@ -28,7 +28,7 @@ std::string complaint(std::string_view text) {
     CsvTable::read(name, kColumns);
   } catch (const InputError& error) {
     const std::string message = error.what();
-    return message.substr(message.rfind(name, 0) == 0 ? name.size() : 0);
+    return message.substr(message.starts_with(name) ? name.size() : 0);
   }
   return "accepted";
 }

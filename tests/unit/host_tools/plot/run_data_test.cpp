@@ -28,6 +28,7 @@ std::string file_with(std::string_view text) {
 
 std::vector<RunRow> rows_of(const std::vector<FrictionState>& states) {
   std::vector<RunRow> rows;
+  rows.reserve(states.size());
   for (const FrictionState state : states) {
     rows.push_back({.t_s = 0.001 * static_cast<double>(rows.size()), .friction = state});
   }
@@ -67,9 +68,9 @@ TEST(RunData, ThinningKeepsEndsAndExtremes) {
   EXPECT_LE(kept.size(), 1100U);
   EXPECT_EQ(kept.front(), 0U);
   EXPECT_EQ(kept.back(), rows.size() - 1);
-  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
-  EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), 54321U));
-  EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), 77777U));
+  EXPECT_TRUE(std::ranges::is_sorted(kept));
+  EXPECT_TRUE(std::ranges::binary_search(kept, 54321U));
+  EXPECT_TRUE(std::ranges::binary_search(kept, 77777U));
 }
 
 TEST(RunData, ThinningKeepsAllOfAShortRun) {

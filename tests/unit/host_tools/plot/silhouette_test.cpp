@@ -28,7 +28,8 @@ double covered_share(const GreyImage& image) {
 }
 
 std::uint8_t at(const GreyImage& image, int column, int row) {
-  return image.pixels[static_cast<std::size_t>(row * image.width + column)];
+  return image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                      static_cast<std::size_t>(column)];
 }
 
 TEST(Silhouette, ASphereCoversTheDiscOfItsRadius) {
