@@ -26,6 +26,10 @@ inline constexpr std::size_t kMaxContactPlanes = 24;
 // before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxSubGoals = 64;
 
+// Triangles measured in one tick, or what costs as much. Beyond: the proxy stops where it is,
+// nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
+inline constexpr std::size_t kMaxWork = 384;
+
 // The world lies within this distance of its origin, metres. A tool beyond it is an error of the
 // device; kTouchToolInvalid.
 inline constexpr double kWorldBound_m = 100.0;

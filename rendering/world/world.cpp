@@ -53,12 +53,9 @@ Touch World::touch(const ToolState& tool, ProxyPath* path) {
   }
   if (!placed_) {
     proxy_.place(tool.p_W);
-    last_tool_ = tool.p_W;
     placed_ = true;
   }
-  const double step = (tool.p_W - last_tool_).norm();
-  last_tool_ = tool.p_W;
-  const ProxyRest rest = proxy_.advance(objects_, tool.p_W, step, path);
+  const ProxyRest rest = proxy_.advance(objects_, tool.p_W, path);
   touch.proxy_W = proxy_.position_W();
   touch.sub_goals = rest.sub_goals;
   touch.planes = rest.plane_count;

@@ -42,7 +42,6 @@ class World {
 
   std::span<const Object> objects_;
   SphereProxy proxy_{0.0};
-  Vec3 last_tool_ = Vec3::Zero();
   bool placed_ = false;
 };
 
