@@ -178,7 +178,7 @@ class Tick {
   // The plane of what blocks the way at p_O; false if it is none that is new.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
-    const SurfaceSample wall = sample(field_, p_O);
+    const ImplicitSample wall = sample(field_, p_O);
     const Plane plane{.normal = wall.normal,
                       .offset = wall.normal.dot(p_O) + kImplicitRest_m / surface_.scale_m};
     const auto held = [&](const Plane& p) {
@@ -285,7 +285,7 @@ class Tick {
   const Vec3 h_;
   ImplicitField field_;
   ImplicitRest rest_;
-  SurfaceSample here_;  // at the proxy, if is_sampled_
+  ImplicitSample here_;  // at the proxy, if is_sampled_
   bool is_sampled_ = false;
   bool slipped_ = false;  // in this tick
   std::array<Plane, kMostPlanes> planes_;

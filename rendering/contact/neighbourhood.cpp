@@ -48,13 +48,23 @@ struct Clearance {
 };
 
 // No triangle is nearer to p than this.
-double clearance(std::span<const Object> objects, const Vec3& p) {
-  Clearance visitor{.p = p, .nearest = kMostClearance_m};
+// No surface that the proxy minds is nearer to p than this, beyond its reach.
+double clearance(std::span<const Object> objects, const Shells& shells, const Vec3& p) {
+  double nearest = kMostClearance_m;
   for (const Object& object : objects) {
-    visitor.mesh = &object.mesh;
+    const double reach = shells.of(is_point_tool(object)).reach_m;
+    if (!meets_proxy(object)) {
+      continue;
+    }
+    if (object.surface == SurfaceKind::primitive) {
+      nearest = std::min(nearest, std::abs(sample(object.primitive, p).distance_m) - reach);
+      continue;
+    }
+    Clearance visitor{.p = p, .nearest = (nearest + reach) / kEasyPart, .mesh = &object.mesh};
     visit_near(object.mesh.nodes, p, visitor);
+    nearest = kEasyPart * visitor.nearest - reach;
   }
-  return kEasyPart * visitor.nearest;
+  return nearest;
 }
 
 }  // namespace
@@ -76,42 +86,64 @@ struct Neighbourhood::Gather {
     if (squared > reach_m * reach_m) {
       return;
     }
-    if (to.size_ == kMaxCandidates) {
+    Candidate* const slot = to.add(*object, object_index);
+    if (slot == nullptr) {
       complete = false;
       return;
     }
-    Candidate& slot = to.slots_[to.size_];
-    slot.object = object_index;
-    slot.index = t;
-    slot.prepared = false;
-    slot.one_sided = object->sides == Sides::one;
-    slot.measured_at = 0;
+    slot->index = t;
     const double distance = std::sqrt(squared);
-    to.set_bound(to.size_, distance > 0.0 ? Vec3{offset / distance} : Vec3{Vec3::Zero()}, distance,
-                 p);
-    ++to.size_;
+    to.set_bound(to.size_ - 1, distance > 0.0 ? Vec3{offset / distance} : Vec3{Vec3::Zero()},
+                 distance, p);
   }
 };
 
-bool Neighbourhood::gather(std::span<const Object> objects, const Shell& shell, const Vec3& p,
+Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
+  if (size_ == kMaxCandidates) {
+    return nullptr;
+  }
+  Candidate& slot = slots_[size_++];
+  slot.primitive = object.surface == SurfaceKind::primitive ? &object.primitive : nullptr;
+  slot.object = number;
+  slot.prepared = false;
+  slot.one_sided = object.sides == Sides::one;
+  slot.point_tool = is_point_tool(object);
+  slot.measured_at = 0;
+  return &slot;
+}
+
+bool Neighbourhood::gather(std::span<const Object> objects, const Shells& shells, const Vec3& p,
                            double trust) {
   size_ = 0;
   ++gatherings_;
   centre_ = p;
-  reach_m_ = shell.reach_m;
-  Gather visitor{.to = *this, .p = p, .reach_m = shell.reach_m + trust};
-  for (std::uint32_t i = 0; i < objects.size() && visitor.complete; ++i) {
-    visitor.object = &objects[i];
-    visitor.object_index = i;
-    visit_near(objects[i].mesh.nodes, p, visitor);
+  shells_ = shells;
+  bool complete = true;
+  for (std::uint32_t i = 0; i < objects.size() && complete; ++i) {
+    const Object& object = objects[i];
+    if (!meets_proxy(object)) {
+      continue;
+    }
+    const double reach = shells.of(is_point_tool(object)).reach_m + trust;
+    if (object.surface == SurfaceKind::primitive) {
+      const bool near = std::abs(sample(object.primitive, p).distance_m) <= reach;
+      complete = !near || add(object, i) != nullptr;
+      if (near && complete) {
+        set_no_bound(size_ - 1);
+      }
+      continue;
+    }
+    Gather visitor{.to = *this, .p = p, .reach_m = reach, .object = &object, .object_index = i};
+    visit_near(object.mesh.nodes, p, visitor);
+    complete = visitor.complete;
   }
   work_ += size_ / kGatheredPerWork;
   peak_ = std::max(peak_, size_);
-  trust_m_ = visitor.complete ? trust : -1.0;
-  return visitor.complete;
+  trust_m_ = complete ? trust : -1.0;
+  return complete;
 }
 
-bool Neighbourhood::ensure(std::span<const Object> objects, const Shell& shell, const Vec3& p) {
+bool Neighbourhood::ensure(std::span<const Object> objects, const Shells& shells, const Vec3& p) {
   constexpr double kBorder_m = 1e-6;
   if (trust_from(p) >= kBorder_m) {
     return true;
@@ -120,11 +152,11 @@ bool Neighbourhood::ensure(std::span<const Object> objects, const Shell& shell, 
   wanted_trust_m_ = std::clamp(wanted_trust_m_, kLeastTrust_m, kMostTrust_m);
   double trust = wanted_trust_m_;
   for (int k = 0; k < kShrinkings; ++k, trust *= 0.5) {
-    if (gather(objects, shell, p, trust)) {
+    if (gather(objects, shells, p, trust)) {
       wanted_trust_m_ =
           trust * std::clamp(kWantedCandidates / (1.0 + static_cast<double>(size_)), 0.5, 2.0);
       if (size_ == 0) {
-        trust_m_ = std::max(trust, clearance(objects, p) - shell.reach_m);
+        trust_m_ = std::max(trust, clearance(objects, shells, p));
       }
       return k == 0;
     }
@@ -133,13 +165,21 @@ bool Neighbourhood::ensure(std::span<const Object> objects, const Shell& shell, 
   return false;
 }
 
-// Floats are four to a vector; what they round off is far less than the shell is thick.
+// Floats are four to a vector; what they round off is far less than the shell is thick. Heights
+// count from the reach of the sphere, whoever the candidate's object takes for the tool.
 void Neighbourhood::set_bound(std::size_t i, const Vec3& normal, double distance,
                               const Vec3& from) {
+  const double nearer = shells_.sphere.reach_m - shells_.of(slots_[i].point_tool).reach_m;
   normal_x_[i] = static_cast<float>(normal.x());
   normal_y_[i] = static_cast<float>(normal.y());
   normal_z_[i] = static_cast<float>(normal.z());
-  height_[i] = static_cast<float>(distance - normal.dot(from - centre_));
+  height_[i] = static_cast<float>(distance + nearer - normal.dot(from - centre_));
+}
+
+// Always measured.
+void Neighbourhood::set_no_bound(std::size_t i) {
+  normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
+  height_[i] = -1.0F;
 }
 
 void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p) {
@@ -149,7 +189,7 @@ void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p) {
   const auto x = static_cast<float>(p.x() - of.centre_.x());
   const auto y = static_cast<float>(p.y() - of.centre_.y());
   const auto z = static_cast<float>(p.z() - of.centre_.z());
-  const auto reach = static_cast<float>(of.reach_m_);
+  const auto reach = static_cast<float>(of.shells_.sphere.reach_m);
   const float most = reach + kRounding * (reach + std::abs(x) + std::abs(y) + std::abs(z));
   count = 0;
   std::array<float, kBlock> bound;
@@ -190,15 +230,41 @@ const Nearest& Neighbourhood::nearest(std::size_t i, std::span<const Object> obj
   if (slot.measured_at == places_) {
     return slot.nearest;
   }
+  slot.measured_at = places_;
+  ++work_;
+  if (slot.primitive != nullptr) {
+    measure_primitive(i);
+    return slot.nearest;
+  }
   if (!slot.prepared) {
     slot.triangle = triangle_of(objects[slot.object].mesh, slot.index);
     slot.prepared = true;
   }
+  // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
+  // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
+  // front. On a face it does not: that is the far side.
+  constexpr double kBesideBorder_m = -1e-9;
   slot.nearest = slot.triangle.nearest(place_);
-  slot.measured_at = places_;
+  slot.behind =
+      slot.one_sided && slot.triangle.height(place_) <
+                            (slot.nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);
   set_bound(i, slot.nearest.normal, slot.nearest.distance, place_);
-  ++work_;
   return slot.nearest;
+}
+
+// Only of a convex solid, from outside, is the distance convex.
+void Neighbourhood::measure_primitive(std::size_t i) {
+  Candidate& slot = slots_[i];
+  slot.seen = sample(*slot.primitive, place_);
+  const bool inside = slot.seen.distance_m < 0.0;
+  slot.behind = slot.one_sided && inside;
+  slot.nearest = {.distance = std::abs(slot.seen.distance_m),
+                  .normal = inside ? Vec3{-slot.seen.normal_W} : slot.seen.normal_W};
+  if (!inside && convex(*slot.primitive)) {
+    set_bound(i, slot.nearest.normal, slot.nearest.distance, place_);
+  } else {
+    set_no_bound(i);
+  }
 }
 
 }  // namespace tactus::rendering

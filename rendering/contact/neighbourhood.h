@@ -1,8 +1,8 @@
-// The triangles near the tool, kept from tick to tick: as long as the proxy stays within the trust
-// ball about the place where they were gathered, no other triangle can touch the sphere and the
-// hierarchy need not be asked again.
+// The triangles and primitives near the tool, kept from tick to tick: as long as the proxy stays
+// within the trust ball about the place where they were gathered, no others can touch the sphere
+// and the hierarchies need not be asked again.
 //
-// Distance to a triangle is a convex function, so its tangent at any point bounds it from below
+// Distance to a convex shape is a convex function, so its tangent at any point bounds it from below
 // everywhere. Each candidate keeps the tangent of its last measurement (of its box, before the
 // first): one dot product tells nearly always that it cannot be met, and only the few others are
 // measured.
@@ -20,13 +20,17 @@
 namespace tactus::rendering {
 
 struct Candidate {
-  Triangle triangle;
-  Nearest nearest;                // from the place of `measured_at`
-  std::uint64_t measured_at = 0;  // Neighbourhood::move_to's count
+  Triangle triangle;                     // of a mesh, once it was measured
+  const Primitive* primitive = nullptr;  // of an object without a mesh
+  SurfaceSample seen;                    // of the primitive, from the place of `measured_at`
+  Nearest nearest;                       // from there too
+  std::uint64_t measured_at = 0;         // Neighbourhood::move_to's count
   std::uint32_t object = 0;
   std::uint32_t index = 0;  // of the triangle in its mesh
   bool prepared = false;    // `triangle` is built
   bool one_sided = true;
+  bool point_tool = false;  // to this object the tool is its centre
+  bool behind = false;      // one-sided, and the place is on its far side
 };
 
 class Neighbourhood {
@@ -37,7 +41,7 @@ class Neighbourhood {
   // Makes the candidates valid about p. False if there were too many triangles for kMaxCandidates:
   // then the trust ball is smaller than wanted, or empty (trust_from(p) < 0) if even the smallest
   // did not fit.
-  bool ensure(std::span<const Object> objects, const Shell& shell, const Vec3& p);
+  bool ensure(std::span<const Object> objects, const Shells& shells, const Vec3& p);
 
   // How far the proxy may move from p before the candidates must be gathered again; negative if p
   // itself is outside.
@@ -81,14 +85,18 @@ class Neighbourhood {
     [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 
-  bool gather(std::span<const Object> objects, const Shell& shell, const Vec3& p, double trust);
+  bool gather(std::span<const Object> objects, const Shells& shells, const Vec3& p, double trust);
+  // The next free candidate, or nullptr.
+  Candidate* add(const Object& object, std::uint32_t number);
+  void measure_primitive(std::size_t i);
+  void set_no_bound(std::size_t i);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
   Vec3 centre_ = Vec3::Zero();
   Vec3 place_ = Vec3::Zero();
   double trust_m_ = -1.0;
   double wanted_trust_m_ = 0.0;
-  double reach_m_ = 0.0;
+  Shells shells_{0.0};
   std::uint64_t places_ = 1;
   std::size_t size_ = 0;
   std::size_t peak_ = 0;

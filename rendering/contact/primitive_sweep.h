@@ -4,7 +4,7 @@
 
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/contact/primitive_sweep.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/hierarchy_query.h"
 
@@ -38,15 +39,6 @@ constexpr double kSettled_m = 1e-9;
 constexpr double kMostPushOut_m = 20e-6;
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
-
-bool stops(const Candidate& candidate, const Nearest& nearest, const Vec3& p) {
-  // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
-  // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
-  // front. On a face it does not: that is the far side.
-  constexpr double kBesideBorder_m = -1e-9;
-  return !candidate.one_sided ||
-         candidate.triangle.height(p) >= (nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);
-}
 
 }  // namespace
 
@@ -71,7 +63,7 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
       path->count = rest.sub_goals + 1U;
     }
     const std::size_t gathering = neighbourhood_.gatherings();
-    const bool complete = neighbourhood_.ensure(objects, shell_, p_);
+    const bool complete = neighbourhood_.ensure(objects, shells_, p_);
     const bool gathered = neighbourhood_.gatherings() != gathering;
     if (rest.sub_goals == 0 || gathered) {
       stopper_count_ = 0;
@@ -112,10 +104,12 @@ void SphereProxy::collect_planes(std::span<const Object> objects, double most_pu
   contact_count_ = 0;
   for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
     const Nearest& nearest = neighbourhood_.nearest(i, objects);
-    if (nearest.distance > shell_.reach_m || !stops(neighbourhood_.candidate(i), nearest, p_)) {
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    const Shell& shell = shells_.of(candidate.point_tool);
+    if (nearest.distance > shell.reach_m || candidate.behind) {
       continue;
     }
-    if (nearest.feature == Feature::face || nearest.distance < shell_.inner_m || has_stopped(i)) {
+    if (nearest.feature == Feature::face || nearest.distance < shell.inner_m || has_stopped(i)) {
       add_plane(i, most_push, rest);
     }
   }
@@ -127,7 +121,8 @@ bool SphereProxy::has_stopped(std::size_t i) const {
 }
 
 bool SphereProxy::add_holding_plane(std::size_t i, double most_push, ProxyRest& rest) {
-  if (neighbourhood_.candidate(i).nearest.distance > shell_.reach_m) {
+  const Candidate& candidate = neighbourhood_.candidate(i);
+  if (candidate.nearest.distance > shells_.of(candidate.point_tool).reach_m) {
     return false;  // met on the way, not held by it
   }
   return add_plane(i, most_push, rest);
@@ -135,10 +130,11 @@ bool SphereProxy::add_holding_plane(std::size_t i, double most_push, ProxyRest& 
 
 bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
   const Nearest& nearest = neighbourhood_.candidate(i).nearest;
-  const double to_rest = shell_.rest_m - nearest.distance;
+  const Shell& shell = shells_.of(neighbourhood_.candidate(i).point_tool);
+  const double to_rest = shell.rest_m - nearest.distance;
   constexpr double kRounding_m = 1e-9;  // a sweep ends there
   const double push =
-      nearest.distance < shell_.inner_m - kRounding_m ? std::min(to_rest, most_push) : to_rest;
+      nearest.distance < shell.inner_m - kRounding_m ? std::min(to_rest, most_push) : to_rest;
   const ContactPlane contact{
       .plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
       .nearest = nearest,
@@ -292,8 +288,12 @@ double SphereProxy::sweep_candidates(std::span<const Object> objects, const Swee
   for (const std::uint16_t i : neighbourhood_.within_reach(sweep.from + length * sweep.direction)) {
     const Nearest& start = neighbourhood_.nearest(i, objects);
     const Candidate& candidate = neighbourhood_.candidate(i);
+    const Shell& shell = shells_.of(candidate.point_tool);
     const double travel =
-        travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell_, start);
+        candidate.primitive != nullptr
+            ? travel_to_contact(*candidate.primitive, objects[candidate.object].sides, sweep, free,
+                                shell, candidate.seen)
+            : travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell, start);
     if (travel < free) {
       free = travel;
       stopped_by = i;
@@ -306,29 +306,39 @@ double SphereProxy::sweep_candidates(std::span<const Object> objects, const Swee
 // Shrinks to the first triangle that stops the sphere, over any length.
 struct SphereProxy::Cast {
   const Sweep& sweep;
-  const Shell& shell;
   double free;
   std::size_t room;  // triangles that may still be measured
   const Object* object = nullptr;
+  const Shell* shell = nullptr;
 
   [[nodiscard]] double reach() const { return free; }
   [[nodiscard]] bool exhausted() const { return room == 0; }
   void operator()(std::uint32_t t) {
     room -= room > 0 ? 1 : 0;
     const Triangle triangle = triangle_of(object->mesh, t);
-    free = travel_to_contact(triangle, object->sides == Sides::one, sweep, free, shell,
+    free = travel_to_contact(triangle, object->sides == Sides::one, sweep, free, *shell,
                              triangle.nearest(sweep.from));
   }
 };
 
 double SphereProxy::cast(std::span<const Object> objects, const Sweep& sweep, double length) {
   constexpr std::size_t kMostMeasured = 64;
-  Cast visitor{.sweep = sweep, .shell = shell_, .free = length, .room = kMostMeasured};
+  Cast visitor{.sweep = sweep, .free = length, .room = kMostMeasured};
   double visited = length;
   for (const Object& object : objects) {
+    if (!meets_proxy(object)) {
+      continue;
+    }
+    const Shell& shell = shells_.of(is_point_tool(object));
+    if (object.surface == SurfaceKind::primitive) {
+      visitor.free = travel_to_contact(object.primitive, object.sides, sweep, visitor.free, shell,
+                                       sample(object.primitive, sweep.from));
+      continue;
+    }
     visitor.object = &object;
+    visitor.shell = &shell;
     visited = std::min(visited, visit_along(object.mesh.nodes, sweep.from, sweep.direction,
-                                            shell_.reach_m, visitor));
+                                            shell.reach_m, visitor));
   }
   neighbourhood_.add_work(2 * (kMostMeasured - visitor.room));
   return std::min(visited, visitor.free);

@@ -43,10 +43,10 @@ struct ProxyRest {
 
 class SphereProxy {
  public:
-  explicit SphereProxy(double tool_radius_m) : shell_(tool_radius_m) {}
+  explicit SphereProxy(double tool_radius_m) : shells_(tool_radius_m) {}
 
   // Takes another radius, >= 0; call place() afterwards.
-  void set_tool_radius(double tool_radius_m) { shell_ = Shell(tool_radius_m); }
+  void set_tool_radius(double tool_radius_m) { shells_ = Shells(tool_radius_m); }
 
   // Starts over, out of contact, at p_W. No triangle is asked.
   void place(const Vec3& p_W);
@@ -86,7 +86,7 @@ class SphereProxy {
                           std::size_t& stopped_by);
   double cast(std::span<const Object> objects, const Sweep& sweep, double length);
 
-  Shell shell_;
+  Shells shells_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
   bool slipped_ = false;    // in this tick

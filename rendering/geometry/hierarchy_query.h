@@ -11,7 +11,7 @@
 
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

@@ -8,7 +8,7 @@
 
 #include "rendering/geometry/triangle.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

@@ -12,7 +12,7 @@ inline constexpr double kImplicitRest_m = 1e-7;
 inline constexpr double kImplicitReach_m = 2e-7;
 
 // F and its gradient at a point, in the object frame.
-struct SurfaceSample {
+struct ImplicitSample {
   Vec3 point = Vec3::Zero();
   double value = 0.0;  // F, >= 0 where the proxy may be
   Vec3 gradient = Vec3::Zero();
@@ -21,9 +21,9 @@ struct SurfaceSample {
   double height = 0.0;         // F / |gradient|: the distance to the surface, to first order
 };
 
-inline SurfaceSample sample(ImplicitField& field, const Vec3& p_O) {
+inline ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
   const ValueAndGradient f = field.value_and_gradient(p_O);
-  SurfaceSample s{
+  ImplicitSample s{
       .point = p_O, .value = f.value, .gradient = f.gradient, .steepness = f.gradient.stableNorm()};
   if (s.steepness > 0.0) {
     s.normal = f.gradient / s.steepness;
