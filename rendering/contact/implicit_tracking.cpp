@@ -29,7 +29,11 @@ namespace {
 constexpr double kSettled_m = 1e-9;
 // What stops the proxy within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
+// A move along the surface that gains less than this is none.
+constexpr double kLeastGain_m = 1e-12;
 constexpr std::size_t kMostPlanes = 4;
+// Planes that may be met without a move.
+constexpr std::size_t kMostAttempts = 8;
 
 // The part of a straight way within a box.
 struct Inside {
@@ -189,17 +193,23 @@ class Tick {
                     held)) {
       return false;
     }
-    if (plane_count_ == planes_.size()) {
-      rest_.flags |= kTouchPlanesOverflow;
-      return false;
+    if (plane_count_ < planes_.size()) {
+      planes_[plane_count_++] = plane;
+      return true;
     }
-    planes_[plane_count_++] = plane;
+    // At most three planes hold the proxy: another makes room.
+    const auto holding_end = holding_.begin() + rest_.planes;
+    std::size_t idle = 0;
+    while (std::find(holding_.begin(), holding_end, idle) != holding_end) {
+      ++idle;
+    }
+    planes_[idle] = plane;
     return true;
   }
 
   // To the sub-goal, or as far as the way is free. True when the tick is over.
   bool go() {
-    for (;;) {
+    for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
       const Goal goal = choose_goal();
       if (goal.settled) {
         return true;
@@ -212,15 +222,35 @@ class Tick {
         move_to(goal.point);
         return false;
       }
-      const double length_m = (target_ - state_.p_O).norm() * surface_.scale_m;
-      if (crossing.way == Way::blocked && crossing.free_to * length_m <= kHeld_m &&
-          add_blocking_plane(share_of_way(crossing.blocked_at))) {
-        continue;
+      const Vec3 stop = share_of_way(crossing.free_to);
+      if (crossing.way == Way::unknown) {
+        move_to(stop);
+        return exhausted();
       }
-      const bool stuck = crossing.free_to <= 0.0;
-      move_to(share_of_way(crossing.free_to));
-      return crossing.way == Way::unknown ? exhausted() : stuck;
+      const bool is_held = (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
+      if (!is_held || !add_blocking_plane(share_of_way(crossing.blocked_at))) {
+        return !come_to_rest_at(stop);
+      }
     }
+    return exhausted();
+  }
+
+  // From where a way ended, up to the height at which the proxy rests. False if that is no nearer
+  // to the tool than before: then it stays.
+  bool come_to_rest_at(const Vec3& stop) {
+    constexpr double kMostRise = 4.0 * kImplicitRest_m;
+    constexpr std::size_t kMostRanges = 8;
+    const auto lifted = settle_at_rest(field_, stop, kMostRise / surface_.scale_m);
+    const bool can_rise = lifted && surface_.bounds_O.contains(lifted->point) &&
+                          lifted->value >= 0.0 &&
+                          first_crossing(field_, stop, lifted->point, kMostRanges).way == Way::free;
+    const Vec3 end = can_rise ? lifted->point : stop;
+    const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
+    if (gain_m <= kLeastGain_m) {
+      return false;
+    }
+    move_to(end);
+    return true;
   }
 
   bool glide_toward(const Vec3& goal) {
@@ -262,6 +292,7 @@ class Tick {
     double push_m = 0.0;
     for (std::size_t i = 0; i < projection.active_count; ++i) {
       const double pressure_m = projection.pressure_m[i] * surface_.scale_m;
+      holding_[i] = projection.active[i];
       rest_.normal_W += pressure_m * (surface_.R_WO * planes[projection.active[i]].normal);
       push_m += pressure_m;
     }
@@ -290,6 +321,7 @@ class Tick {
   bool slipped_ = false;  // in this tick
   std::array<Plane, kMostPlanes> planes_;
   std::size_t plane_count_ = 0;
+  std::array<std::size_t, 3> holding_{};  // of planes_, the first rest_.planes
   Vec3 target_ = Vec3::Zero();
 };
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "rendering/geometry/vector.h"
-#include "rendering/surface/implicit_surface.h"
 #include "rendering/material/material.h"
+#include "rendering/surface/implicit_surface.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -21,7 +21,7 @@ struct ImplicitRest {
   FrictionState friction = FrictionState::free;
   std::uint8_t planes = 0;  // tangent planes that hold the proxy: 0 without contact, 2 in a crease
   std::uint16_t sub_goals = 0;
-  std::uint32_t flags = kTouchClean;  // iterations exhausted, planes overflow, tool invalid
+  std::uint32_t flags = kTouchClean;  // iterations exhausted, tool invalid
 };
 
 // Kept in the object's frame, so that a surface that moves takes the proxy along, and sweeps over
