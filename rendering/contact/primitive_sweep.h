@@ -16,8 +16,8 @@ namespace tactus::rendering {
 // is a hollow skin, and the sphere stays on the side where its centre starts. A sphere that starts
 // deeper in the shell than `inner` may move out of it and along it, not deeper.
 //
-// `start` is sample(primitive, sweep.from). `limit` >= 0 and finite.
+// `start` is signed_distance(primitive, sweep.from). `limit` >= 0 and finite.
 double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& sweep, double limit,
-                         const Shell& shell, const SurfaceSample& start);
+                         const Shell& shell, const SignedDistance& start);
 
 }  // namespace tactus::rendering
