@@ -31,7 +31,8 @@ double sine_of_quarter(double r) {
 
 Phase phase_of_turns(double turns) {
   constexpr double kWholeTurn = 0x1p64;
-  return static_cast<Phase>((turns - std::floor(turns)) * kWholeTurn);
+  const double part = turns - std::floor(turns);  // 1 where a tiny negative number is rounded
+  return part < 1.0 ? static_cast<Phase>(part * kWholeTurn) : 0;
 }
 
 double sine(Phase phase) {

@@ -9,7 +9,7 @@ namespace tactus::rendering {
 // itself or 2^-64 of a turn, and adding steps rounds nothing.
 using Phase = std::uint64_t;
 
-// `turns` >= 0 and finite; whole turns are dropped.
+// `turns` finite; whole turns are dropped.
 Phase phase_of_turns(double turns);
 
 // sin(2 pi phase), within 4e-16, the same bits on every machine.

@@ -39,7 +39,9 @@ TEST(Phase, AddingAMillionStepsLosesNothing) {
 
 TEST(Phase, WholeTurnsAreDropped) {
   EXPECT_EQ(phase_of_turns(3.25), Phase{1} << 62U);
+  EXPECT_EQ(phase_of_turns(-3.75), Phase{1} << 62U);
   EXPECT_EQ(phase_of_turns(0.0), 0U);
+  EXPECT_EQ(phase_of_turns(-1e-30), 0U);
 }
 
 }  // namespace
