@@ -32,6 +32,19 @@ inline constexpr std::size_t kMaxSubGoals = 64;
 inline constexpr std::uint32_t kMaxTextureSide = 8192;
 inline constexpr std::size_t kMaxTextureLevels = 14;
 
+// Triangles measured in one tick, or what costs as much. Beyond: the proxy stops where it is,
+// nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
+inline constexpr std::size_t kMaxWork = 384;
+
+// Instructions of an implicit surface's formula; sizes the evaluation's stack frame (16 kilobytes at
+// the most). Beyond: baking and the image check refuse.
+inline constexpr std::size_t kMaxFormulaInstructions = 256;
+
+// Formula instructions carried out for one implicit surface in one tick, whatever for: about 0.2 ms
+// of a desktop core. Beyond: the proxy stops where its way is known to be free, nearer to the tool
+// than before, and goes on in the next tick; kTouchIterationsExhausted.
+inline constexpr std::size_t kMaxFormulaWork = 32768;
+
 // The world lies within this distance of its origin, metres. A tool beyond it is an error of the
 // device; kTouchToolInvalid.
 inline constexpr double kWorldBound_m = 100.0;

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <numbers>
 
+#include "host_tools/bake/edit_distance.h"
+
 namespace tactus::host {
 namespace {
 
@@ -100,24 +102,6 @@ std::optional<std::string> advise_on_unit(std::string_view unknown, std::span<co
                                         converted(values, unit->factor, is_array));
   }
   return std::nullopt;
-}
-
-// Levenshtein: single letters put in, left out or replaced.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) {
-    row[j] = j;
-  }
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 // From the whole name or from the name without its unit, whichever is nearer.

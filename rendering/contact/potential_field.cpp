@@ -5,7 +5,7 @@
 namespace tactus::rendering {
 namespace {
 
-FieldPush push_out(const SignedDistance& seen, double stiffness_N_per_m, double tool_radius_m) {
+FieldPush push_out(const SurfaceSample& seen, double stiffness_N_per_m, double tool_radius_m) {
   const double depth = tool_radius_m - seen.distance_m;
   if (!(depth > 0.0)) {
     return {};
@@ -19,7 +19,7 @@ FieldPush push_out(const SignedDistance& seen, double stiffness_N_per_m, double 
 
 FieldPush potential_field(const Primitive& primitive, double stiffness_N_per_m, const Vec3& tool_W,
                           double tool_radius_m) {
-  return push_out(signed_distance(primitive, tool_W), stiffness_N_per_m, tool_radius_m);
+  return push_out(sample(primitive, tool_W), stiffness_N_per_m, tool_radius_m);
 }
 
 FieldPush potential_field(const ConnectedMesh& mesh, double stiffness_N_per_m, const Vec3& tool_W,
@@ -27,7 +27,7 @@ FieldPush potential_field(const ConnectedMesh& mesh, double stiffness_N_per_m, c
   if (squared_distance(mesh.mesh.nodes[0], tool_W) > tool_radius_m * tool_radius_m) {
     return {};
   }
-  return push_out(signed_distance(mesh, tool_W), stiffness_N_per_m, tool_radius_m);
+  return push_out(sample(mesh, tool_W), stiffness_N_per_m, tool_radius_m);
 }
 
 }  // namespace tactus::rendering

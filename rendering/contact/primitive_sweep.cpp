@@ -32,9 +32,9 @@ class Line {
       : primitive_(primitive), sweep_(sweep), side_(side) {}
 
   [[nodiscard]] Clearance at(double travel) const {
-    return of(signed_distance(primitive_, sweep_.from + travel * sweep_.direction));
+    return of(sample(primitive_, sweep_.from + travel * sweep_.direction));
   }
-  [[nodiscard]] Clearance of(const SignedDistance& seen) const {
+  [[nodiscard]] Clearance of(const SurfaceSample& seen) const {
     return {.height = side_ * seen.distance_m,
             .slope = side_ * seen.normal_W.dot(sweep_.direction)};
   }
@@ -178,7 +178,7 @@ double round_torus(const Line& line, const Clearance& start, bool leaving, doubl
 }  // namespace
 
 double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& sweep, double limit,
-                         const Shell& shell, const SignedDistance& start) {
+                         const Shell& shell, const SurfaceSample& start) {
   const bool inside = start.distance_m < 0.0;
   const bool solid = sides == Sides::one;
   const Line line(primitive, sweep, inside && !solid ? -1.0 : 1.0);

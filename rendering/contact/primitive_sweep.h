@@ -4,7 +4,7 @@
 
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 
@@ -16,8 +16,8 @@ namespace tactus::rendering {
 // is a hollow skin, and the sphere stays on the side where its centre starts. A sphere that starts
 // deeper in the shell than `inner` may move out of it and along it, not deeper.
 //
-// `start` is signed_distance(primitive, sweep.from). `limit` >= 0 and finite.
+// `start` is sample(primitive, sweep.from). `limit` >= 0 and finite.
 double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& sweep, double limit,
-                         const Shell& shell, const SignedDistance& start);
+                         const Shell& shell, const SurfaceSample& start);
 
 }  // namespace tactus::rendering

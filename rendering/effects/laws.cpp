@@ -80,7 +80,7 @@ LawForce force_of(const SpringDamper& law, const LawInput& input) {
 }
 
 LawForce force_of(const FluidDrag& law, const LawInput& input) {
-  const double depth = -signed_distance(law.volume, input.tool.p_W).distance_m;
+  const double depth = -sample(law.volume, input.tool.p_W).distance_m;
   if (depth <= 0.0) {
     return {};
   }

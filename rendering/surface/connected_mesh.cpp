@@ -95,7 +95,7 @@ Vec3 pseudonormal(const ConnectedMesh& mesh, const MeshFeature& feature) {
   return across == kNoTriangle ? own : Vec3{own + unit_normal(mesh.mesh, across)};
 }
 
-SignedDistance signed_distance(const ConnectedMesh& mesh, const Vec3& p_W) {
+SurfaceSample sample(const ConnectedMesh& mesh, const Vec3& p_W) {
   constexpr double kOnSurface_m = 1e-12;  // nearer, rounding decides where the offset points
   const MeshNearest nearest = nearest_on_mesh(mesh.mesh, p_W);
   const Vec3 outward = pseudonormal(mesh, nearest.feature);

@@ -8,7 +8,7 @@
 
 #include "rendering/geometry/triangle.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 
@@ -49,6 +49,6 @@ Vec3 pseudonormal(const ConnectedMesh& mesh, const MeshFeature& feature);
 
 // Signed distance and its gradient, as for primitives. Exact for a closed, consistently wound mesh
 // that does not intersect itself; of another one, a sign of the nearest feature alone.
-SignedDistance signed_distance(const ConnectedMesh& mesh, const Vec3& p_W);
+SurfaceSample sample(const ConnectedMesh& mesh, const Vec3& p_W);
 
 }  // namespace tactus::rendering

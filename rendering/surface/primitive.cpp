@@ -171,7 +171,7 @@ bool valid(const Primitive& primitive) {
          primitive.dimensions_m[1] < primitive.dimensions_m[0];
 }
 
-SignedDistance signed_distance(const Primitive& primitive, const Vec3& p_W) {
+SurfaceSample sample(const Primitive& primitive, const Vec3& p_W) {
   const Sample3 seen = sample_in_O(primitive, primitive.X_WO.point_in(p_W));
   return {.distance_m = seen.distance, .normal_W = primitive.X_WO.direction(seen.normal)};
 }

@@ -27,7 +27,7 @@ struct Primitive {
 };
 
 // How far a surface is from a point, and where.
-struct SignedDistance {
+struct SurfaceSample {
   double distance_m = 0.0;  // signed: < 0 inside, and the distance to the surface on both sides
   Vec3 normal_W = Vec3::UnitX();  // unit, the distance's gradient; on the surface, outward
 };
@@ -46,10 +46,10 @@ bool valid(const Primitive& primitive);
 // is taken, always the same: at a centre and on an axis the one toward +x of O (on the torus's
 // centre circle the one farthest from its axis), on the middle planes of a box the positive side,
 // and x before y before z. Any thread; no heap; the primitive must be valid.
-SignedDistance signed_distance(const Primitive& primitive, const Vec3& p_W);
+SurfaceSample sample(const Primitive& primitive, const Vec3& p_W);
 
-// The surface point that `seen` speaks of, for seen = signed_distance(primitive, p_W).
-inline Vec3 nearest_point(const SignedDistance& seen, const Vec3& p_W) {
+// The surface point that `seen` speaks of, for seen = sample(primitive, p_W).
+inline Vec3 nearest_point(const SurfaceSample& seen, const Vec3& p_W) {
   return p_W - seen.distance_m * seen.normal_W;
 }
 

@@ -17,7 +17,7 @@ double travel(const Primitive& primitive, const Vec3& from, const Vec3& to, cons
               Sides sides = Sides::one) {
   const Vec3 way = to - from;
   return travel_to_contact(primitive, sides, {.from = from, .direction = way.normalized()},
-                           way.norm(), shell, signed_distance(primitive, from));
+                           way.norm(), shell, sample(primitive, from));
 }
 
 // The smallest distance to the surface on the way, on the side given by `sign`: it is 1-Lipschitz,
@@ -26,10 +26,10 @@ double least_clearance(const Primitive& primitive, const Vec3& from, const Vec3&
                        double floor_m) {
   constexpr double kResolution_m = 2e-9;
   const double length = (to - from).norm();
-  double least = sign * signed_distance(primitive, to).distance_m;
+  double least = sign * sample(primitive, to).distance_m;
   for (double at = 0.0; at < length;) {
     const double here =
-        sign * signed_distance(primitive, from + at / length * (to - from)).distance_m;
+        sign * sample(primitive, from + at / length * (to - from)).distance_m;
     least = std::min(least, here);
     at += std::max(here - floor_m, kResolution_m);
   }
@@ -64,7 +64,7 @@ TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
     const Shell shell(i % 3 == 0 ? 0.0 : 0.003);
     const Vec3 from = point();
     const Vec3 to = point();
-    const double start = signed_distance(primitive, from).distance_m;
+    const double start = sample(primitive, from).distance_m;
     if (std::abs(start) < shell.rest_m) {
       continue;
     }
@@ -74,7 +74,7 @@ TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
     const double sign = start < 0.0 ? -1.0 : 1.0;
     ASSERT_GE(least_clearance(primitive, from, end, sign, shell.inner_m), shell.inner_m - 1e-10);
     if (free < length) {
-      ASSERT_LE(std::abs(signed_distance(primitive, end).distance_m), shell.stop_m + 1e-10);
+      ASSERT_LE(std::abs(sample(primitive, end).distance_m), shell.stop_m + 1e-10);
     }
     const double solid = travel(primitive, from, to, shell, Sides::one);
     if (start > 0.0) {
@@ -98,10 +98,10 @@ TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
     const Primitive primitive = testing::random_primitive(kind, random);
     const Shell shell(i % 3 == 0 ? 0.0 : 0.003);
     const Vec3 anywhere(place(random), place(random), place(random));
-    const SignedDistance near = signed_distance(primitive, anywhere);
+    const SurfaceSample near = sample(primitive, anywhere);
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     const Vec3 from = nearest_point(near, anywhere) + sign * shell.rest_m * near.normal_W;
-    const SignedDistance start = signed_distance(primitive, from);
+    const SurfaceSample start = sample(primitive, from);
     if (std::abs(sign * start.distance_m - shell.rest_m) > 1e-9) {
       continue;  // too near to another part of the surface
     }
@@ -115,7 +115,7 @@ TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
     const Vec3 end = from + free / length * (to - from);
     ASSERT_GE(least_clearance(primitive, from, end, sign, shell.inner_m), shell.inner_m - 1e-10);
     if (free < length) {
-      ASSERT_LE(sign * signed_distance(primitive, end).distance_m, shell.stop_m + 1e-10);
+      ASSERT_LE(sign * sample(primitive, end).distance_m, shell.stop_m + 1e-10);
     }
     if (convex(primitive) && sign > 0.0 && way.dot(start.normal_W) > 1e-6) {
       ASSERT_EQ(free, length);
@@ -134,9 +134,9 @@ TEST(PrimitiveSweep, DeepInTheShellItMayMoveOutButNotIn) {
     const Primitive primitive = testing::random_primitive(kind, random);
     const Shell shell(0.004);
     const Vec3 anywhere(place(random), place(random), place(random));
-    const SignedDistance near = signed_distance(primitive, anywhere);
+    const SurfaceSample near = sample(primitive, anywhere);
     const Vec3 from = nearest_point(near, anywhere) + (i % 2 == 0 ? 0.002 : -0.002) * near.normal_W;
-    const SignedDistance start = signed_distance(primitive, from);
+    const SurfaceSample start = sample(primitive, from);
     const double sign = start.distance_m < 0.0 ? -1.0 : 1.0;
     const Vec3 way = Vec3(bell(random), bell(random), bell(random)).normalized();
     const Vec3 to = from + 0.05 * way;

@@ -43,7 +43,7 @@ TEST(ConnectedMesh, SignedDistanceIsBruteForceAndTheWindingNumberTogether) {
       for (const testing::Corners& t : triangles) {
         nearest = std::min(nearest, (testing::nearest_point(t, q) - q).norm());
       }
-      const SignedDistance at = signed_distance(solid.mesh(), q);
+      const SurfaceSample at = sample(solid.mesh(), q);
       ASSERT_NEAR(std::abs(at.distance_m), nearest, 1e-9);
       ASSERT_NEAR(at.normal_W.norm(), 1.0, 1e-9);
       if (nearest > 1e-9) {
@@ -65,9 +65,9 @@ TEST(ConnectedMesh, NamesTheFeatureThatHoldsTheNearestPoint) {
 TEST(ConnectedMesh, OnTheSurfaceTheNormalStillPointsOutward) {
   const ConnectedSolid solid(testing::box({0.02, 0.02, 0.02}));
   const auto face = static_cast<double>(0.01F);
-  EXPECT_LT((signed_distance(solid.mesh(), {face, 0.001, 0.003}).normal_W - Vec3::UnitX()).norm(),
+  EXPECT_LT((sample(solid.mesh(), {face, 0.001, 0.003}).normal_W - Vec3::UnitX()).norm(),
             1e-6);
-  const Vec3 corner = signed_distance(solid.mesh(), {face, face, face}).normal_W;
+  const Vec3 corner = sample(solid.mesh(), {face, face, face}).normal_W;
   EXPECT_LT((corner - Vec3::Ones().normalized()).norm(), 1e-6);
 }
 

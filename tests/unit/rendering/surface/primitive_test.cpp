@@ -39,8 +39,8 @@ void for_random_points(int primitives, int points, const Visit& visit) {
   }
 }
 
-SignedDistance seen(PrimitiveKind kind, const std::array<double, 3>& dimensions, const Vec3& p) {
-  return signed_distance({.kind = kind, .dimensions_m = dimensions}, p);
+SurfaceSample seen(PrimitiveKind kind, const std::array<double, 3>& dimensions, const Vec3& p) {
+  return sample({.kind = kind, .dimensions_m = dimensions}, p);
 }
 
 TEST(Primitive, DistancesAreThoseOfTheClosedForms) {
@@ -60,7 +60,7 @@ TEST(Primitive, DistancesAreThoseOfTheClosedForms) {
 TEST(Primitive, DistanceIsThatOfTheNearestOfTheSurfacesPoints) {
   for_random_points(12, 12, [](const Primitive& primitive, const Vec3& p) {
     const auto surface = testing::patches(primitive);
-    const SignedDistance at = signed_distance(primitive, p);
+    const SurfaceSample at = sample(primitive, p);
     ASSERT_NEAR(std::abs(at.distance_m), testing::searched_distance(surface, p), 1e-8);
     ASSERT_EQ(at.distance_m < 0.0, testing::inside(primitive, p));
     ASSERT_LT(testing::searched_distance(surface, nearest_point(at, p)), 1e-8);
@@ -69,13 +69,13 @@ TEST(Primitive, DistanceIsThatOfTheNearestOfTheSurfacesPoints) {
 
 TEST(Primitive, NormalIsTheUnitGradientOfTheDistance) {
   for_random_points(100, 20, [](const Primitive& primitive, const Vec3& p) {
-    const SignedDistance at = signed_distance(primitive, p);
+    const SurfaceSample at = sample(primitive, p);
     ASSERT_NEAR(at.normal_W.norm(), 1.0, 1e-12);
     Vec3 difference;
     bool smooth = true;
     for (Eigen::Index k = 0; k < 3; ++k) {
-      const SignedDistance ahead = signed_distance(primitive, p + kStep_m * Vec3::Unit(k));
-      const SignedDistance behind = signed_distance(primitive, p - kStep_m * Vec3::Unit(k));
+      const SurfaceSample ahead = sample(primitive, p + kStep_m * Vec3::Unit(k));
+      const SurfaceSample behind = sample(primitive, p - kStep_m * Vec3::Unit(k));
       difference[k] = (ahead.distance_m - behind.distance_m) / (2.0 * kStep_m);
       smooth = smooth && (ahead.normal_W - behind.normal_W).norm() < 1e-2;
     }
@@ -91,7 +91,7 @@ TEST(Primitive, DistanceNeverChangesFasterThanThePointMoves) {
   Vec3 before = Vec3::Zero();
   for_random_points(200, 20, [&](const Primitive& primitive, const Vec3& p) {
     const double change =
-        signed_distance(primitive, p).distance_m - signed_distance(primitive, before).distance_m;
+        sample(primitive, p).distance_m - sample(primitive, before).distance_m;
     ASSERT_LE(std::abs(change), (p - before).norm() + 1e-12);
     before = p + 0.01 * Vec3(place(random), place(random), place(random));
   });
@@ -103,7 +103,7 @@ TEST(Primitive, IsDefinedOnEveryAxisCentreEdgeAndCorner) {
     for (const double x : {0.0, 0.01, 0.02, 0.03, 0.04}) {
       for (const double y : {-0.01, -0.0, 0.0, 0.005, 0.01, 0.02}) {
         for (const double z : {0.0, 0.02, 1e-160, 1e-300}) {
-          const SignedDistance at = seen(kind, dimensions, {x, y, z});
+          const SurfaceSample at = seen(kind, dimensions, {x, y, z});
           ASSERT_TRUE(std::isfinite(at.distance_m));
           ASSERT_NEAR(at.normal_W.norm(), 1.0, 1e-12);
         }

@@ -1,0 +1,141 @@
+#include "rendering/contact/first_crossing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tactus::rendering {
+namespace {
+
+// A crossing is located, and a touch told from a miss, to this.
+constexpr double kResolution_m = 1e-9;
+// 100 m halved this often is below the resolution.
+constexpr std::size_t kMostHalvings = 40;
+
+struct End {
+  double t = 0.0;
+  double value = 0.0;  // F
+};
+
+// The least that F can be between two ends of a range, from its values there and its slope: the
+// lowest corner of the two lines that fall as steeply as the slope lets them.
+double least(const End& a, const End& b, const Interval& slope) {
+  if (slope.lower >= 0.0) {
+    return a.value;
+  }
+  if (slope.upper <= 0.0) {
+    return b.value;
+  }
+  const double width = b.t - a.t;
+  const double meet = (a.value - b.value + slope.upper * width) / (slope.upper - slope.lower);
+  return a.value + slope.lower * std::clamp(meet, 0.0, width);
+}
+
+class Search {
+ public:
+  Search(ImplicitField& field, const Vec3& from, const Vec3& to)
+      : field_(field), from_(from), to_(to), way_(to - from) {
+    const double length_m = way_.norm() * field.surface().scale_m;
+    resolution_ = std::max(kResolution_m / length_m, std::numeric_limits<double>::epsilon());
+  }
+
+  Crossing run(std::size_t most_ranges) {
+    // Ends that wait to the right of the range, the nearest on top.
+    std::array<End, kMostHalvings + 1> open;
+    std::size_t depth = 0;
+    End a = at(0.0);
+    open[depth++] = at(1.0);
+    for (std::size_t ranges = 0; depth > 0; ++ranges) {
+      const End b = open[depth - 1];
+      if (ranges == most_ranges || !field_.can_work()) {
+        return {.way = Way::unknown, .free_to = a.t};
+      }
+      const SegmentRange range = field_.along(from_, way_, {a.t, b.t});
+      if (range.value.lower >= 0.0 || least(a, b, range.slope) >= 0.0) {
+        a = b;
+        --depth;
+        continue;
+      }
+      if (b.value < 0.0 && range.slope.upper < 0.0) {
+        return narrow(a, b);
+      }
+      if (b.t - a.t <= resolution_ || depth == open.size()) {
+        return {.way = Way::blocked, .free_to = a.t, .blocked_at = b.t};
+      }
+      const End middle = at(0.5 * (a.t + b.t));
+      if (middle.value < 0.0) {
+        depth = 0;  // what lies behind does not matter
+      }
+      open[depth++] = middle;
+    }
+    return {};
+  }
+
+ private:
+  End at(double t) {
+    return {.t = t, .value = field_.value(t == 1.0 ? to_ : Vec3{from_ + t * way_})};
+  }
+
+  // F falls all the way from a to b, and below 0: false position. An end that stays a second time
+  // counts half (the Illinois rule: Dowell and Jarratt, BIT 11, 1971), so that both close in.
+  Crossing narrow(End a, End b) {
+    constexpr int kMostSteps = 40;
+    double weight_a = a.value;
+    double weight_b = b.value;
+    bool moved_a = false;
+    bool moved_b = false;
+    for (int step = 0; step < kMostSteps && b.t - a.t > resolution_ && field_.can_work(); ++step) {
+      const double share = weight_a / (weight_a - weight_b);
+      const double guess = a.t + (b.t - a.t) * (share >= 0.0 && share <= 1.0 ? share : 0.5);
+      const End middle = at(std::clamp(guess, a.t + 0.4 * resolution_, b.t - 0.4 * resolution_));
+      if (middle.value < 0.0) {
+        weight_a *= moved_b ? 0.5 : 1.0;
+        b = middle;
+        weight_b = middle.value;
+      } else {
+        weight_b *= moved_a ? 0.5 : 1.0;
+        a = middle;
+        weight_a = middle.value;
+      }
+      moved_a = middle.value >= 0.0;
+      moved_b = !moved_a;
+    }
+    return {.way = Way::blocked, .free_to = a.t, .blocked_at = b.t};
+  }
+
+  ImplicitField& field_;
+  const Vec3& from_;
+  const Vec3& to_;
+  Vec3 way_;
+  double resolution_ = 0.0;
+};
+
+}  // namespace
+
+double ImplicitField::value(const Vec3& p_O) {
+  count();
+  const double f = evaluate(surface_.formula, p_O);
+  return std::isnan(f) ? std::numeric_limits<double>::max() : side_ * f;
+}
+
+ValueAndGradient ImplicitField::value_and_gradient(const Vec3& p_O) {
+  count();
+  ValueAndGradient f = evaluate_gradient(surface_.formula, p_O);
+  f.value = std::isnan(f.value) ? std::numeric_limits<double>::max() : side_ * f.value;
+  f.gradient = f.gradient.allFinite() ? Vec3{side_ * f.gradient} : Vec3::Zero();
+  return f;
+}
+
+SegmentRange ImplicitField::along(const Vec3& from_O, const Vec3& way_O, const Interval& t) {
+  count();
+  const SegmentRange range = evaluate_along(surface_.formula, from_O, way_O, t);
+  return side_ > 0.0 ? range : SegmentRange{.value = -range.value, .slope = -range.slope};
+}
+
+Crossing first_crossing(ImplicitField& field, const Vec3& from_O, const Vec3& to_O,
+                        std::size_t most_ranges) {
+  return Search(field, from_O, to_O).run(most_ranges);
+}
+
+}  // namespace tactus::rendering

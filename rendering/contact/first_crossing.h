@@ -1,0 +1,59 @@
+// Where a straight way first meets an implicit surface, found by intervals: a part of the way is
+// passed only when no point of it can lie behind the surface, so that nothing is too thin to be
+// met.
+#pragma once
+
+#include <cstddef>
+
+#include "rendering/surface/implicit_surface.h"
+
+namespace tactus::rendering {
+
+// A formula seen from one side, in the object frame: F = side * f is above 0 where the proxy may
+// be. Counts the instructions that it carries out.
+class ImplicitField {
+ public:
+  // `side` is 1 or -1; `work` bounds the instructions.
+  ImplicitField(const ImplicitSurface& surface, double side, std::size_t work)
+      : surface_(surface), side_(side), work_(work) {}
+
+  void set_side(double side) { side_ = side; }
+  [[nodiscard]] const ImplicitSurface& surface() const { return surface_; }
+
+  // What is not a number counts as free.
+  double value(const Vec3& p_O);
+  // A gradient that is not finite is given as zero.
+  ValueAndGradient value_and_gradient(const Vec3& p_O);
+  SegmentRange along(const Vec3& from_O, const Vec3& way_O, const Interval& t);
+
+  // Whether one more evaluation is within the bound.
+  [[nodiscard]] bool can_work() const { return work_ >= size(); }
+
+ private:
+  [[nodiscard]] std::size_t size() const { return surface_.formula.instructions.size(); }
+  void count() { work_ -= can_work() ? size() : work_; }
+
+  const ImplicitSurface& surface_;
+  double side_;
+  std::size_t work_;
+};
+
+enum class Way : unsigned char {
+  free,     // all of it
+  blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of way
+            // shows
+  unknown,  // the work ran out; free up to `free_to`
+};
+
+struct Crossing {
+  Way way = Way::free;
+  double free_to = 1.0;     // share of the way, in [0, 1]: F >= 0 from the start up to here
+  double blocked_at = 1.0;  // for Way::blocked: F < 0 here, or undecided; at most 1 nm further
+};
+
+// The first place on the straight way between two points within the bounds where F falls below 0.
+// F(from_O) is >= 0. At most `most_ranges` intervals are looked at.
+Crossing first_crossing(ImplicitField& field, const Vec3& from_O, const Vec3& to_O,
+                        std::size_t most_ranges);
+
+}  // namespace tactus::rendering

@@ -1,0 +1,58 @@
+// A point proxy on an implicit surface: the tracking of Salisbury and Tarr ("Haptic rendering of
+// surfaces defined by implicit functions", ASME DSC 61, 1997) made safe. The tool is a point; its
+// radius is not used. (A formula that is a distance, such as those of the ready shapes, is felt by
+// a sphere of radius r as f - r.)
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/geometry/vector.h"
+#include "rendering/surface/implicit_surface.h"
+#include "rendering/material/material.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+// Where the proxy came to rest.
+struct ImplicitRest {
+  Vec3 proxy_W = Vec3::Zero();   // m; 0.1 um above the surface in contact
+  Vec3 normal_W = Vec3::Zero();  // unit, away from the surface; zero without contact
+  double depth_m = 0.0;          // (proxy - tool) . normal; 0 without contact
+  FrictionState friction = FrictionState::free;
+  std::uint8_t planes = 0;  // tangent planes that hold the proxy: 0 without contact, 2 in a crease
+  std::uint16_t sub_goals = 0;
+  std::uint32_t flags = kTouchClean;  // iterations exhausted, planes overflow, tool invalid
+};
+
+// Kept in the object's frame, so that a surface that moves takes the proxy along, and sweeps over
+// no tool without meeting it.
+struct ImplicitProxyState {
+  Vec3 p_O = Vec3::Zero();
+  Vec3 normal_O = Vec3::Zero();  // the last one that was good, for singular points
+  double side = 0.0;             // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
+  FrictionState friction = FrictionState::free;
+};
+
+class ImplicitTracker {
+ public:
+  // Starts over, out of contact, at p_W. To be called before the first tick, and when the formula
+  // or the bounds of the surface change.
+  void place(const Vec3& p_W);
+
+  // Moves the proxy as near to the tool as the surface and friction let it. The proxy goes only
+  // where intervals show the way to be free, however far the tool jumps and however thin the
+  // surface is; each move brings it nearer to the tool, so it cannot swing. A tool that is not
+  // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap, work bounded by
+  // kMaxFormulaWork.
+  ImplicitRest advance(const ImplicitSurface& surface, const ConeFriction& friction,
+                       const Vec3& h_W);
+
+  [[nodiscard]] const Vec3& position_W() const { return p_W_; }
+
+ private:
+  Vec3 p_W_ = Vec3::Zero();
+  bool placed_ = false;  // the state is in the object's frame
+  ImplicitProxyState state_;
+};
+
+}  // namespace tactus::rendering

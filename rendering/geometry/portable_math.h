@@ -1,0 +1,27 @@
+// Elementary functions whose bits depend on IEEE 754 arithmetic alone. The C library picks other
+// code paths, and so other last bits, by version and processor, which would break the replay of a
+// recorded tick.
+#pragma once
+
+namespace tactus::rendering {
+
+struct SineCosine {
+  double sine = 0.0;
+  double cosine = 1.0;
+};
+
+// Within 4e-16 of the true values for |x| <= kLargestAngle; NaN for a larger or a non-finite one.
+SineCosine sine_cosine(double x);
+inline constexpr double kLargestAngle = 1.0e6;
+
+// e^x, relative error below 1e-15 for |x| <= kLargestExponent. Beyond, x is taken as that limit, so
+// that the result is finite and above zero; NaN stays NaN.
+double exponential(double x);
+inline constexpr double kLargestExponent = 700.0;
+
+// The natural logarithm, relative error below 1e-15 plus 1e-16 absolute. At or below
+// kSmallestLogarithmArgument the value there, about -708; NaN stays NaN, infinity infinity.
+double logarithm(double x);
+inline constexpr double kSmallestLogarithmArgument = 0x1p-1022;
+
+}  // namespace tactus::rendering

@@ -1,0 +1,154 @@
+// Forward automatic differentiation: a value and its derivatives along N directions, carried
+// through every operation by the chain rule. Exact but for rounding. The scalar is a number or an
+// interval; value and derivatives are then intervals that hold those of every point.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "rendering/surface/elementary.h"
+
+namespace tactus::rendering {
+
+template <class Scalar, std::size_t N>
+struct Dual {
+  Scalar v{};
+  std::array<Scalar, N> d{};
+};
+
+// f(a) from its value and slope there.
+template <class S, std::size_t N>
+Dual<S, N> chain(const Dual<S, N>& a, const S& value, const S& slope) {
+  Dual<S, N> r{.v = value};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] * slope;
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator+(const Dual<S, N>& a, const Dual<S, N>& b) {
+  Dual<S, N> r{.v = a.v + b.v};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] + b.d[i];
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator-(const Dual<S, N>& a, const Dual<S, N>& b) {
+  Dual<S, N> r{.v = a.v - b.v};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] - b.d[i];
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator*(const Dual<S, N>& a, const Dual<S, N>& b) {
+  Dual<S, N> r{.v = a.v * b.v};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] * b.v + b.d[i] * a.v;
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator/(const Dual<S, N>& a, const Dual<S, N>& b) {
+  Dual<S, N> r{.v = a.v / b.v};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = (a.d[i] - b.d[i] * r.v) / b.v;
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator-(const Dual<S, N>& a) {
+  Dual<S, N> r{.v = -a.v};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = -a.d[i];
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator+(const Dual<S, N>& a, double c) {
+  return {.v = a.v + c, .d = a.d};
+}
+
+template <class S, std::size_t N>
+Dual<S, N> operator*(const Dual<S, N>& a, double c) {
+  Dual<S, N> r{.v = a.v * c};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] * c;
+  }
+  return r;
+}
+
+// The derivatives are those of the smaller operand; of both, where intervals leave it open.
+template <class S, std::size_t N>
+Dual<S, N> smaller(const Dual<S, N>& a, const Dual<S, N>& b) {
+  Dual<S, N> r{.v = smaller(a.v, b.v)};
+  const Order which = order(a.v, b.v);
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = which == Order::first    ? a.d[i]
+             : which == Order::second ? b.d[i]
+                                      : hull(a.d[i], b.d[i]);
+  }
+  return r;
+}
+
+template <class S, std::size_t N>
+Dual<S, N> power(const Dual<S, N>& a, int n) {
+  return chain(a, power(a.v, n), power(a.v, n - 1) * static_cast<double>(n));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> square_root(const Dual<S, N>& a) {
+  const S root = square_root(a.v);
+  return chain(a, root, square_root_slope(root));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> sine(const Dual<S, N>& a) {
+  return chain(a, sine(a.v), cosine(a.v));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> cosine(const Dual<S, N>& a) {
+  return chain(a, cosine(a.v), -sine(a.v));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> exponential(const Dual<S, N>& a) {
+  const S value = exponential(a.v);
+  return chain(a, value, exponential_slope(a.v, value));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> logarithm(const Dual<S, N>& a) {
+  return chain(a, logarithm(a.v), logarithm_slope(a.v));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> magnitude(const Dual<S, N>& a) {
+  return chain(a, magnitude(a.v), magnitude_slope(a.v));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> real_power(const Dual<S, N>& a, double c) {
+  return chain(a, real_power(a.v, c), real_power_slope(a.v, c));
+}
+
+template <class S, std::size_t N>
+Dual<S, N> power_norm(const Dual<S, N>& a, const Dual<S, N>& b, double p) {
+  Dual<S, N> r{.v = power_norm(a.v, b.v, p)};
+  const S along_a = power_norm_slope(a.v, b.v, p);
+  const S along_b = power_norm_slope(b.v, a.v, p);
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] * along_a + b.d[i] * along_b;
+  }
+  return r;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,220 @@
+#include "rendering/surface/formula.h"
+
+#include <array>
+#include <cmath>
+
+#include "rendering/surface/dual.h"
+#include "rendering/surface/elementary.h"
+
+namespace tactus::rendering {
+namespace {
+
+using Gradient = Dual<double, 3>;
+using AlongSegment = Dual<Interval, 1>;
+
+constexpr Opcode kFirstBinary = Opcode::add;
+constexpr Opcode kLastBinary = Opcode::divide;
+
+bool uses_a(Opcode opcode) {
+  return opcode >= kFirstBinary;
+}
+
+bool uses_b(Opcode opcode) {
+  return (opcode >= kFirstBinary && opcode <= kLastBinary) || opcode == Opcode::minimum ||
+         opcode == Opcode::maximum || opcode == Opcode::power_norm;
+}
+
+bool uses_constant(Opcode opcode) {
+  return opcode == Opcode::constant || opcode == Opcode::offset || opcode == Opcode::scale ||
+         opcode == Opcode::real_power || opcode == Opcode::power_norm;
+}
+
+// What check() has to say about one instruction: nothing if it is good.
+std::expected<void, FormulaFault> check_one(const Instruction& instruction, std::size_t number) {
+  const Opcode opcode = instruction.opcode;
+  if (static_cast<std::uint8_t>(opcode) >= kOpcodes) {
+    return std::unexpected(FormulaFault::opcode);
+  }
+  // Those that it does not use are 0.
+  const bool a_good = uses_a(opcode) ? instruction.a < number : instruction.a == 0;
+  const bool b_good = uses_b(opcode) ? instruction.b < number : instruction.b == 0;
+  if (!a_good || !b_good) {
+    return std::unexpected(FormulaFault::operand);
+  }
+  const bool small_norm = opcode == Opcode::power_norm && !(std::abs(instruction.constant) >= 1.0);
+  if (uses_constant(opcode) && (!std::isfinite(instruction.constant) || small_norm)) {
+    return std::unexpected(FormulaFault::constant);
+  }
+  if (opcode == Opcode::power &&
+      (instruction.exponent < 2 || instruction.exponent > kMaxExponent)) {
+    return std::unexpected(FormulaFault::exponent);
+  }
+  return {};
+}
+
+template <class Number>
+Number constant_number(double c);
+
+template <>
+double constant_number(double c) {
+  return c;
+}
+template <>
+Interval constant_number(double c) {
+  return {c, c};
+}
+template <>
+Gradient constant_number(double c) {
+  return {.v = c};
+}
+template <>
+AlongSegment constant_number(double c) {
+  return {.v = {c, c}};
+}
+
+// Any kind of number that has the operations of dual.h.
+template <class Number>
+struct Coordinates {
+  Number x;
+  Number y;
+  Number z;
+};
+
+template <class Number>
+Number run(std::span<const Instruction> instructions, const Coordinates<Number>& at) {
+  // Left uninitialised on purpose: every result is written before it is read.
+  union Results {
+    Results() {}
+    std::array<Number, kMaxFormulaInstructions> of;
+  } results;
+  Number* result = results.of.data();
+  for (const Instruction& i : instructions) {
+    const Number& a = results.of[i.a];
+    const Number& b = results.of[i.b];
+    switch (i.opcode) {
+      case Opcode::constant:
+        *result = constant_number<Number>(i.constant);
+        break;
+      case Opcode::x:
+        *result = at.x;
+        break;
+      case Opcode::y:
+        *result = at.y;
+        break;
+      case Opcode::z:
+        *result = at.z;
+        break;
+      case Opcode::add:
+        *result = a + b;
+        break;
+      case Opcode::subtract:
+        *result = a - b;
+        break;
+      case Opcode::multiply:
+        *result = a * b;
+        break;
+      case Opcode::divide:
+        *result = a / b;
+        break;
+      case Opcode::negate:
+        *result = -a;
+        break;
+      case Opcode::offset:
+        *result = a + i.constant;
+        break;
+      case Opcode::scale:
+        *result = a * i.constant;
+        break;
+      case Opcode::power:
+        *result = power(a, i.exponent);
+        break;
+      case Opcode::square_root:
+        *result = square_root(a);
+        break;
+      case Opcode::sine:
+        *result = sine(a);
+        break;
+      case Opcode::cosine:
+        *result = cosine(a);
+        break;
+      case Opcode::exponential:
+        *result = exponential(a);
+        break;
+      case Opcode::logarithm:
+        *result = logarithm(a);
+        break;
+      case Opcode::magnitude:
+        *result = magnitude(a);
+        break;
+      case Opcode::minimum:
+        *result = smaller(a, b);
+        break;
+      case Opcode::maximum:
+        *result = -smaller(-a, -b);
+        break;
+      case Opcode::real_power:
+        *result = real_power(a, i.constant);
+        break;
+      case Opcode::power_norm:
+        *result = power_norm(a, b, i.constant);
+        break;
+    }
+    ++result;
+  }
+  return *(result - 1);
+}
+
+AlongSegment coordinate_along(double from, double way, const Interval& t) {
+  // The point of a segment is rounded, and so is its end.
+  constexpr double kUlps = 8.0;
+  const double lower = from + (way < 0.0 ? t.upper : t.lower) * way;
+  const double upper = from + (way < 0.0 ? t.lower : t.upper) * way;
+  const double slack = kUlps * 0x1p-52 * (std::abs(from) + std::abs(way));
+  return {.v = {lower - slack, upper + slack}, .d = {Interval{way, way}}};
+}
+
+}  // namespace
+
+std::expected<void, FormulaError> check(const FormulaView& formula) {
+  const std::size_t size = formula.instructions.size();
+  if (size == 0) {
+    return std::unexpected(FormulaError{.fault = FormulaFault::empty});
+  }
+  if (size > kMaxFormulaInstructions) {
+    return std::unexpected(
+        FormulaError{.fault = FormulaFault::too_long, .place = kMaxFormulaInstructions});
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    if (const auto good = check_one(formula.instructions[i], i); !good) {
+      return std::unexpected(FormulaError{.fault = good.error(), .place = i});
+    }
+  }
+  return {};
+}
+
+double evaluate(const FormulaView& formula, const Vec3& p) {
+  return run<double>(formula.instructions, {p.x(), p.y(), p.z()});
+}
+
+ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p) {
+  const Gradient f = run<Gradient>(formula.instructions, {{.v = p.x(), .d = {1.0, 0.0, 0.0}},
+                                                          {.v = p.y(), .d = {0.0, 1.0, 0.0}},
+                                                          {.v = p.z(), .d = {0.0, 0.0, 1.0}}});
+  return {.value = f.v, .gradient = {f.d[0], f.d[1], f.d[2]}};
+}
+
+SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& way,
+                            const Interval& t) {
+  const AlongSegment f =
+      run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), way.x(), t),
+                                               coordinate_along(from.y(), way.y(), t),
+                                               coordinate_along(from.z(), way.z(), t)});
+  return {.value = f.v, .slope = f.d[0]};
+}
+
+Interval evaluate_box(const FormulaView& formula, const Vec3& lower, const Vec3& upper) {
+  return run<Interval>(formula.instructions,
+                       {{lower.x(), upper.x()}, {lower.y(), upper.y()}, {lower.z(), upper.z()}});
+}
+
+}  // namespace tactus::rendering
