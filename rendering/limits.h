@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace tactus::rendering {
 
@@ -25,6 +26,11 @@ inline constexpr std::size_t kMaxContactPlanes = 24;
 // Straight moves of the proxy in one tick. Beyond: it stops where it is, nearer to the tool than
 // before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxSubGoals = 64;
+
+// Texels along a side of a texture, and the levels that such a side needs. Beyond: the picture is
+// refused, when it is baked and when it is opened.
+inline constexpr std::uint32_t kMaxTextureSide = 8192;
+inline constexpr std::size_t kMaxTextureLevels = 14;
 
 // Triangles measured in one tick, or what costs as much. Beyond: the proxy stops where it is,
 // nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.

@@ -26,7 +26,7 @@ struct Primitive {
   std::array<double, 3> dimensions_m{};  // those that the kind does not name are ignored
 };
 
-// What a primitive looks like from a point.
+// How far a surface is from a point, and where.
 struct SurfaceSample {
   double distance_m = 0.0;  // signed: < 0 inside, and the distance to the surface on both sides
   Vec3 normal_W = Vec3::UnitX();  // unit, the distance's gradient; on the surface, outward

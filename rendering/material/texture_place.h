@@ -1,0 +1,62 @@
+// Where on a picture a point of a surface lies: by the texture coordinates of a triangle, or by
+// projection along the axes where a surface has none.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "rendering/material/texture.h"
+
+namespace tactus::rendering {
+
+// One place in a picture, and how it moves with the surface point.
+struct TextureSpot {
+  TexturePoint at;
+  Vec3 grad_u_W = Vec3::Zero();  // 1/m, along the surface
+  Vec3 grad_v_W = Vec3::Zero();
+  double weight = 1.0;
+};
+
+// Up to three places whose pictures are blended; the weights sum up to 1.
+struct TexturePlace {
+  std::array<TextureSpot, 3> spots{};
+  std::size_t count = 0;
+};
+
+// A triangle with texture coordinates at its corners.
+struct TexturedTriangle {
+  std::array<Vec3, 3> corners_W;
+  std::array<TexturePoint, 3> uv;
+};
+
+// By barycentric interpolation at the point of the triangle's plane nearest to p_W. A triangle
+// without area has the place of its first corner, and no gradients.
+TexturePlace place_on_triangle(const TexturedTriangle& triangle, const Vec3& p_W);
+
+// A picture of tile_m x tile_m, repeated without end, shone along one axis of the frame in which
+// p_O and the unit surface normal n_O are given (0, 1, 2 for x, y, z). It is seen upright from the
+// axis's positive end. Where the surface runs along the axis the picture is drawn out without end:
+// gradients stay along the surface.
+TexturePlace place_along_axis(const Vec3& p_O, const Vec3& n_O, int axis, double tile_m);
+
+// The three pictures along the axes, blended by how squarely the surface faces each (the fourth
+// power of the normal's components): no seams, and nothing drawn out.
+TexturePlace place_triplanar(const Vec3& p_O, const Vec3& n_O, double tile_m);
+
+struct TextureSample {
+  Vec3 colour = Vec3::Zero();  // 0 to 1; grey is the same three times
+  Vec3 slope_W =
+      Vec3::Zero();  // 1/m: the gradient of channel 0 along the surface, at constant weights
+};
+
+// Filtered for a tool that moves `travel_m` along the surface from tick to tick.
+TextureSample look_up(const TextureView& texture, const TexturePlace& place, double travel_m);
+
+// The normal of a surface raised by `height_m` times channel 0, to first order; unit. n is unit.
+Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m);
+
+// The direction that the colour of a normal map stands for, in the frame of the surface: red to the
+// right (u), green up (v), blue out. Unit; out where the colour stands for none.
+Vec3 mapped_normal(const Vec3& colour);
+
+}  // namespace tactus::rendering
