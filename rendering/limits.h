@@ -26,7 +26,12 @@ inline constexpr std::size_t kMaxContactPlanes = 24;
 // before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxSubGoals = 64;
 
-// Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes. Beyond: baking and the image check refuse.
+// Triangles measured in one tick, or what costs as much. Beyond: the proxy stops where it is,
+// nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
+inline constexpr std::size_t kMaxWork = 384;
+
+// Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
+// Beyond: baking and the image check refuse.
 inline constexpr std::size_t kMaxFormulaInstructions = 256;
 
 // Formula instructions carried out for one implicit surface in one tick, whatever for: about 0.2 ms

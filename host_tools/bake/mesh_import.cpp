@@ -65,7 +65,8 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::pat
 
 Vec3 transformed(const aiMatrix4x4t<double>& transform, const aiVector3D& v) {
   const aiVector3t<double> p =
-      transform * aiVector3t<double>(double{v.x}, double{v.y}, double{v.z});
+      transform * aiVector3t<double>(static_cast<double>(v.x), static_cast<double>(v.y),
+                                     static_cast<double>(v.z));
   return {p.x, p.y, p.z};
 }
 

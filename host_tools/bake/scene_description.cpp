@@ -84,7 +84,7 @@ Placement read_placement(const TomlSection& section, std::string_view file) {
 rendering::Sides read_sides(const TomlSection& section) {
   const std::string sides = section.text("sides").value_or("one");
   if (sides != "one" && sides != "two") {
-    section.fail("sides", fmt::format("sides is \"{}\"; write \"one\" or \"two\"", sides));
+    section.fail("sides", fmt::format(R"(sides is "{}"; write "one" or "two")", sides));
   }
   return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
 }
@@ -94,7 +94,7 @@ rendering::ConeFriction read_friction(const toml::table& table, const TomlSectio
   const TomlSection section(table, file, object.title() + " friction", kFrictionKeys);
   const std::string model = section.text("model").value_or("cone");
   if (model != "cone") {
-    section.fail("model", fmt::format("no friction model \"{}\"; write \"cone\"", model));
+    section.fail("model", fmt::format(R"(no friction model "{}"; write "cone")", model));
   }
   const auto stick = section.number("static", kZeroOrMore);
   const auto slip = section.number("dynamic", kZeroOrMore);

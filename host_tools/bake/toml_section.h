@@ -12,10 +12,12 @@
 #include "host_tools/bake/key_advice.h"
 
 // Defined by toml++, which only the .cpp files see: it is a quarter of a million lines to compile.
+// NOLINTBEGIN(readability-identifier-naming)
 namespace toml::inline v3 {
 class table;
 class node;
 }  // namespace toml::inline v3
+// NOLINTEND(readability-identifier-naming)
 
 namespace tactus::host {
 

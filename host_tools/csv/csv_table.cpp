@@ -109,7 +109,7 @@ CsvTable CsvTable::read(const std::filesystem::path& file,
   std::vector<Place> places;
   for (const std::span<const std::string_view> names : {required, optional}) {
     for (const std::string_view name : names) {
-      const auto found = std::find(fields.begin(), fields.end(), name);
+      const auto found = std::ranges::find(fields, name);
       if (found == fields.end()) {
         if (names.data() == required.data()) {
           throw InputError(fmt::format("{}:{}: no column {}; the header is: {}", shown,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/gnuplot.h"
@@ -111,8 +112,8 @@ std::string ends_block(const RunData& run, View view, const Window& window_mm,
                        std::string_view suffix) {
   constexpr double kTogether = 0.08;  // of the panel's width: closer, two labels would overlap
   const auto located = [](const RunRow& row) { return row.located; };
-  const auto first = std::find_if(run.rows.begin(), run.rows.end(), located);
-  const auto last = std::find_if(run.rows.rbegin(), run.rows.rend(), located);
+  const auto first = std::ranges::find_if(run.rows, located);
+  const auto last = std::ranges::find_if(std::views::reverse(run.rows), located);
   std::string block = fmt::format("$ends{} << EOD\n1e9 1e9 \"\"\n", suffix);
   if (first != run.rows.end()) {
     const PlanePoint start = project(view, first->proxy_W);
@@ -208,8 +209,7 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
 void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
                       const std::string& title, const std::filesystem::path& png) {
   const Sheet sheet = lay_out(run, objects);
-  const auto by_force = [](const RunRow& a, const RunRow& b) { return a.force_N < b.force_N; };
-  const double force_N = std::max_element(run.rows.begin(), run.rows.end(), by_force)->force_N;
+  const double force_N = std::ranges::max_element(run.rows, {}, &RunRow::force_N)->force_N;
   const TemporaryFolder folder;
   std::string script = path_blocks(run, View::front, "_front") +
                        path_blocks(run, View::side, "_side") +

@@ -143,7 +143,7 @@ std::uint8_t pixel(const Canvas& canvas, int column, int row) {
                  : kDarkest + (kLightest - kDarkest) * static_cast<double>(brightness);
     }
   }
-  return static_cast<std::uint8_t>(sum / (kOversampling * kOversampling) + 0.5);
+  return static_cast<std::uint8_t>(std::lround(sum / (kOversampling * kOversampling)));
 }
 
 }  // namespace

@@ -25,8 +25,9 @@ constexpr std::array<std::pair<std::string_view, DeviceFault>, 4> kFaultNames = 
 template <class Number>
 std::optional<Number> number(std::string_view text) {
   Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, value);
+  const char* const begin = text.data();  // NOLINT(bugprone-suspicious-stringview-data-usage)
+  const char* const end = begin + text.size();
+  const auto [stopped, error] = std::from_chars(begin, end, value);
   if (error != std::errc{} || stopped != end) {
     return std::nullopt;
   }

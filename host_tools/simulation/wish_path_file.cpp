@@ -64,8 +64,8 @@ std::vector<std::optional<double>> front(std::span<const rendering::Object> obje
       }
       for (std::size_t i = 0; i < xs.size(); ++i) {
         const std::optional<double> z = height(a, b, c, xs[i], y);
-        if (z && (!fronts[i] || *z > *fronts[i])) {
-          fronts[i] = z;
+        if (z) {
+          fronts[i] = std::max(*z, fronts[i].value_or(*z));
         }
       }
     }

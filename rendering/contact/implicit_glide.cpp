@@ -20,7 +20,7 @@ using Vec2 = Eigen::Vector2d;
 // How the normal turns along the tangents, 1 per unit of length; positive on a bulge. Differences
 // of normals, not of gradients: beside a singular point the gradient's size says nothing. A guess
 // is good enough here, every step is checked before it is taken.
-Mat2 shape_operator(ImplicitField& field, const SurfaceSample& at, const Tangents& t,
+Mat2 shape_operator(ImplicitField& field, const ImplicitSample& at, const Tangents& t,
                     double distance) {
   const Vec3 along = sample(field, at.point + distance * t.along).normal - at.normal;
   const Vec3 across = sample(field, at.point + distance * t.across).normal - at.normal;
@@ -50,7 +50,7 @@ Vec2 corrected_step(const Mat2& shape, double depth, double length) {
 // The straight line between two surface points dips into a bulge. The way goes over an apex above
 // their middle, high enough that F climbs on the first half and falls on the second without a
 // doubt: then one interval each is mostly enough to see that nothing is in the way.
-bool is_way_free(ImplicitField& field, const SurfaceSample& from, const SurfaceSample& to) {
+bool is_way_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
   constexpr std::size_t kMostRanges = 8;
   constexpr double kLeastSlope = 0.05;
   const Vec3 chord = to.point - from.point;
@@ -63,7 +63,7 @@ bool is_way_free(ImplicitField& field, const SurfaceSample& from, const SurfaceS
          first_crossing(field, apex, to.point, kMostRanges).way == Way::free;
 }
 
-bool is_better(const SurfaceSample& from, const SurfaceSample& to, const Vec3& tool) {
+bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3& tool) {
   constexpr double kMostTurn_cos = 0.5;
   // Within their resting height the two may differ without being further.
   const double lift = std::abs(to.height - from.height);
@@ -73,13 +73,13 @@ bool is_better(const SurfaceSample& from, const SurfaceSample& to, const Vec3& t
 
 }  // namespace
 
-std::optional<SurfaceSample> glide(ImplicitField& field, const GlideWish& wish) {
+std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish) {
   constexpr int kMostTries = 3;
   constexpr double kShorter = 0.25;
   constexpr double kLeastProbe_m = 1e-6;
   constexpr double kMostProbe_m = 1e-4;
   const double scale_m = field.surface().scale_m;
-  const SurfaceSample& from = wish.from;
+  const ImplicitSample& from = wish.from;
   const Vec3 wanted = wish.goal - from.point;
   const Vec3 tangent = wanted - from.normal.dot(wanted) * from.normal;
   const double length = tangent.norm();

@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "rendering/contact/surface_sample.h"
+#include "rendering/contact/implicit_sample.h"
 
 namespace tactus::rendering {
 
 // Where the proxy is and wants to go, in the object frame.
 struct GlideWish {
-  SurfaceSample from;
+  ImplicitSample from;
   Vec3 goal = Vec3::Zero();  // on the tangent plane at `from`
   Vec3 tool = Vec3::Zero();
 };
@@ -23,6 +23,6 @@ struct GlideWish {
 // from depth * curvature = 1 on it never settles). The minimum of the distance over the surface's
 // second-order shape is at the tangent step s with (1 - depth * S) s = u, S the shape operator and
 // u the plain step: with it the error falls quadratically.
-std::optional<SurfaceSample> glide(ImplicitField& field, const GlideWish& wish);
+std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish);
 
 }  // namespace tactus::rendering

@@ -212,7 +212,7 @@ class Tick {
   // no tangent plane: there the proxy is held against the tool.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
-    const SurfaceSample wall = sample(field_, p_O);
+    const ImplicitSample wall = sample(field_, p_O);
     const Vec3 normal = wall.steepness > 0.0 ? wall.normal : (state_.p_O - h_).stableNormalized();
     const Plane plane{.normal = normal,
                       .offset = normal.dot(p_O) + kImplicitRest_m / surface_.scale_m};
@@ -348,7 +348,7 @@ class Tick {
   const Vec3 h_;
   ImplicitField field_;
   ImplicitRest rest_;
-  SurfaceSample here_;  // at the proxy, if is_sampled_
+  ImplicitSample here_;  // at the proxy, if is_sampled_
   bool is_sampled_ = false;
   double nearest_m_ = std::numeric_limits<double>::infinity();  // from the tool, in contact
   Vec3 best_ = Vec3::Zero();                                    // where that was

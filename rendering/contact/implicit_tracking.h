@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "rendering/geometry/vector.h"
+#include "rendering/material/material.h"
 #include "rendering/surface/implicit_surface.h"
-#include "rendering/world/object.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {

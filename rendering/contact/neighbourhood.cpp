@@ -1,39 +1,70 @@
 #include "rendering/contact/neighbourhood.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rendering/geometry/hierarchy_query.h"
 
 namespace tactus::rendering {
 namespace {
 
-// The trust ball is a few of the tool's steps wide, within these bounds: smaller and it is gathered
-// too often, larger and it holds triangles that the sphere never meets.
-constexpr double kTrustSteps = 3.0;
+// The trust ball is as wide as makes it hold about kWantedCandidates, so that a gathering serves
+// many ticks on a coarse mesh and few on a fine one.
 constexpr double kLeastTrust_m = 50e-6;
 constexpr double kMostTrust_m = 1e-3;
+constexpr double kWantedCandidates = 128.0;
 // In free space the ball reaches to the surface, but no farther than this.
 constexpr double kMostClearance_m = 0.1;
+// Two triangles put into the candidates cost about as much as one measured.
+constexpr std::size_t kGatheredPerWork = 2;
 
-// Shrinks to the distance of the nearest triangle of any object.
+// From the nearest point of the triangle's box to p.
+Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
+  const TriangleIndices& corners = mesh.triangles[t];
+  const Float3& a = mesh.vertices[corners[0]];
+  const Float3& b = mesh.vertices[corners[1]];
+  const Float3& c = mesh.vertices[corners[2]];
+  const auto axis = [](float u, float v, float w, double x) {
+    const auto lower = static_cast<double>(std::min(std::min(u, v), w));
+    const auto upper = static_cast<double>(std::max(std::max(u, v), w));
+    return std::max(x - upper, 0.0) - std::max(lower - x, 0.0);
+  };
+  return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};
+}
+
+// In free space a ball half as large as could be is found at a fraction of the cost.
+constexpr double kEasyPart = 0.5;
+
+// Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far.
 struct Clearance {
   const Vec3& p;
   double nearest;
   const MeshView* mesh = nullptr;
 
-  [[nodiscard]] double reach() const { return nearest; }
+  [[nodiscard]] double reach() const { return kEasyPart * nearest; }
   void operator()(std::uint32_t t) {
-    nearest = std::min(nearest, triangle_of(*mesh, t).nearest(p).distance);
+    nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
   }
 };
 
-double clearance(std::span<const Object> objects, const Vec3& p) {
-  Clearance visitor{.p = p, .nearest = kMostClearance_m};
+// No triangle is nearer to p than this.
+// No surface that the proxy minds is nearer to p than this, beyond its reach.
+double clearance(std::span<const Object> objects, const Shells& shells, const Vec3& p) {
+  double nearest = kMostClearance_m;
   for (const Object& object : objects) {
-    visitor.mesh = &object.mesh;
+    const double reach = shells.of(is_point_tool(object)).reach_m;
+    if (!meets_proxy(object)) {
+      continue;
+    }
+    if (object.surface == SurfaceKind::primitive) {
+      nearest = std::min(nearest, std::abs(sample(object.primitive, p).distance_m) - reach);
+      continue;
+    }
+    Clearance visitor{.p = p, .nearest = (nearest + reach) / kEasyPart, .mesh = &object.mesh};
     visit_near(object.mesh.nodes, p, visitor);
+    nearest = kEasyPart * visitor.nearest - reach;
   }
-  return visitor.nearest;
+  return nearest;
 }
 
 }  // namespace
@@ -50,59 +81,190 @@ struct Neighbourhood::Gather {
 
   [[nodiscard]] double reach() const { return complete ? reach_m : 0.0; }
   void operator()(std::uint32_t t) {
-    const Triangle triangle = triangle_of(object->mesh, t);
-    const double distance = triangle.nearest(p).distance;
-    if (distance > reach_m) {
+    const Vec3 offset = offset_from_box(object->mesh, t, p);
+    const double squared = offset.squaredNorm();
+    if (squared > reach_m * reach_m) {
       return;
     }
-    if (to.size_ == kMaxCandidates) {
+    Candidate* const slot = to.add(*object, object_index);
+    if (slot == nullptr) {
       complete = false;
       return;
     }
-    to.slots_[to.size_] = {triangle, object_index, object->sides == Sides::one};
-    to.order_[to.size_] = {distance, static_cast<std::uint32_t>(to.size_)};
-    ++to.size_;
+    slot->index = t;
+    const double distance = std::sqrt(squared);
+    to.set_bound(to.size_ - 1, distance > 0.0 ? Vec3{offset / distance} : Vec3{Vec3::Zero()},
+                 distance, p);
   }
 };
 
-bool Neighbourhood::gather(std::span<const Object> objects, const Shell& shell, const Vec3& p,
+Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
+  if (size_ == kMaxCandidates) {
+    return nullptr;
+  }
+  Candidate& slot = slots_[size_++];
+  slot.primitive = object.surface == SurfaceKind::primitive ? &object.primitive : nullptr;
+  slot.object = number;
+  slot.prepared = false;
+  slot.one_sided = object.sides == Sides::one;
+  slot.point_tool = is_point_tool(object);
+  slot.measured_at = 0;
+  return &slot;
+}
+
+bool Neighbourhood::gather(std::span<const Object> objects, const Shells& shells, const Vec3& p,
                            double trust) {
   size_ = 0;
   ++gatherings_;
-  Gather visitor{.to = *this, .p = p, .reach_m = shell.reach_m + trust};
-  for (std::uint32_t i = 0; i < objects.size() && visitor.complete; ++i) {
-    visitor.object = &objects[i];
-    visitor.object_index = i;
-    visit_near(objects[i].mesh.nodes, p, visitor);
-  }
-  peak_ = std::max(peak_, size_);
-  if (!visitor.complete) {
-    return false;
-  }
-  std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(size_),
-            [](const Entry& a, const Entry& b) { return a.distance < b.distance; });
   centre_ = p;
-  trust_m_ = trust;
-  return true;
+  shells_ = shells;
+  bool complete = true;
+  for (std::uint32_t i = 0; i < objects.size() && complete; ++i) {
+    const Object& object = objects[i];
+    if (!meets_proxy(object)) {
+      continue;
+    }
+    const double reach = shells.of(is_point_tool(object)).reach_m + trust;
+    if (object.surface == SurfaceKind::primitive) {
+      const bool near = std::abs(sample(object.primitive, p).distance_m) <= reach;
+      complete = !near || add(object, i) != nullptr;
+      if (near && complete) {
+        set_no_bound(size_ - 1);
+      }
+      continue;
+    }
+    Gather visitor{.to = *this, .p = p, .reach_m = reach, .object = &object, .object_index = i};
+    visit_near(object.mesh.nodes, p, visitor);
+    complete = visitor.complete;
+  }
+  work_ += size_ / kGatheredPerWork;
+  peak_ = std::max(peak_, size_);
+  trust_m_ = complete ? trust : -1.0;
+  return complete;
 }
 
-bool Neighbourhood::ensure(std::span<const Object> objects, const Shell& shell, const Vec3& p,
-                           double step) {
-  if (trust_from(p) >= std::min(step, kMostTrust_m)) {
+bool Neighbourhood::ensure(std::span<const Object> objects, const Shells& shells, const Vec3& p) {
+  constexpr double kBorder_m = 1e-6;
+  if (trust_from(p) >= kBorder_m) {
     return true;
   }
   constexpr int kShrinkings = 8;
-  double trust = std::clamp(kTrustSteps * step, kLeastTrust_m, kMostTrust_m);
+  wanted_trust_m_ = std::clamp(wanted_trust_m_, kLeastTrust_m, kMostTrust_m);
+  double trust = wanted_trust_m_;
   for (int k = 0; k < kShrinkings; ++k, trust *= 0.5) {
-    if (gather(objects, shell, p, trust)) {
+    if (gather(objects, shells, p, trust)) {
+      wanted_trust_m_ =
+          trust * std::clamp(kWantedCandidates / (1.0 + static_cast<double>(size_)), 0.5, 2.0);
       if (size_ == 0) {
-        trust_m_ = std::max(trust, clearance(objects, p) - shell.reach_m);
+        trust_m_ = std::max(trust, clearance(objects, shells, p));
       }
       return k == 0;
     }
   }
   clear();
   return false;
+}
+
+// Floats are four to a vector; what they round off is far less than the shell is thick. Heights
+// count from the reach of the sphere, whoever the candidate's object takes for the tool.
+void Neighbourhood::set_bound(std::size_t i, const Vec3& normal, double distance,
+                              const Vec3& from) {
+  const double nearer = shells_.sphere.reach_m - shells_.of(slots_[i].point_tool).reach_m;
+  normal_x_[i] = static_cast<float>(normal.x());
+  normal_y_[i] = static_cast<float>(normal.y());
+  normal_z_[i] = static_cast<float>(normal.z());
+  height_[i] = static_cast<float>(distance + nearer - normal.dot(from - centre_));
+}
+
+// Always measured.
+void Neighbourhood::set_no_bound(std::size_t i) {
+  normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
+  height_[i] = -1.0F;
+}
+
+void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p) {
+  constexpr float kRounding = 1e-6F;  // of the largest length involved
+  constexpr std::size_t kBlock = 16;
+  static_assert(kMaxCandidates % kBlock == 0);
+  const auto x = static_cast<float>(p.x() - of.centre_.x());
+  const auto y = static_cast<float>(p.y() - of.centre_.y());
+  const auto z = static_cast<float>(p.z() - of.centre_.z());
+  const auto reach = static_cast<float>(of.shells_.sphere.reach_m);
+  const float most = reach + kRounding * (reach + std::abs(x) + std::abs(y) + std::abs(z));
+  count = 0;
+  std::array<float, kBlock> bound;
+  for (std::size_t first = 0; first < of.size_; first += kBlock) {
+    int any = 0;
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      const std::size_t i = first + k;
+      bound[k] = of.normal_x_[i] * x + of.normal_y_[i] * y + of.normal_z_[i] * z + of.height_[i];
+      any |= bound[k] <= most ? 1 : 0;
+    }
+    if (any == 0) {
+      continue;
+    }
+    const std::size_t end = std::min(kBlock, of.size_ - first);
+    for (std::size_t k = 0; k < end; ++k) {
+      number[count] = static_cast<std::uint16_t>(first + k);
+      count += bound[k] <= most ? 1U : 0U;
+    }
+  }
+}
+
+std::span<const std::uint16_t> Neighbourhood::within_reach_here() {
+  if (here_place_ != places_ || here_gathering_ != gatherings_) {
+    here_.find(*this, place_);
+    here_place_ = places_;
+    here_gathering_ = gatherings_;
+  }
+  return here_.numbers();
+}
+
+std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p) {
+  there_.find(*this, p);
+  return there_.numbers();
+}
+
+const Nearest& Neighbourhood::nearest(std::size_t i, std::span<const Object> objects) {
+  Candidate& slot = slots_[i];
+  if (slot.measured_at == places_) {
+    return slot.nearest;
+  }
+  slot.measured_at = places_;
+  ++work_;
+  if (slot.primitive != nullptr) {
+    measure_primitive(i);
+    return slot.nearest;
+  }
+  if (!slot.prepared) {
+    slot.triangle = triangle_of(objects[slot.object].mesh, slot.index);
+    slot.prepared = true;
+  }
+  // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
+  // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
+  // front. On a face it does not: that is the far side.
+  constexpr double kBesideBorder_m = -1e-9;
+  slot.nearest = slot.triangle.nearest(place_);
+  slot.behind =
+      slot.one_sided && slot.triangle.height(place_) <
+                            (slot.nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);
+  set_bound(i, slot.nearest.normal, slot.nearest.distance, place_);
+  return slot.nearest;
+}
+
+// Only of a convex solid, from outside, is the distance convex.
+void Neighbourhood::measure_primitive(std::size_t i) {
+  Candidate& slot = slots_[i];
+  slot.seen = sample(*slot.primitive, place_);
+  const bool inside = slot.seen.distance_m < 0.0;
+  slot.behind = slot.one_sided && inside;
+  slot.nearest = {.distance = std::abs(slot.seen.distance_m),
+                  .normal = inside ? Vec3{-slot.seen.normal_W} : slot.seen.normal_W};
+  if (!inside && convex(*slot.primitive)) {
+    set_bound(i, slot.nearest.normal, slot.nearest.distance, place_);
+  } else {
+    set_no_bound(i);
+  }
 }
 
 }  // namespace tactus::rendering

@@ -1,6 +1,11 @@
-// The triangles near the tool, kept from tick to tick: as long as the proxy stays within the trust
-// ball about the place where they were gathered, no other triangle can touch the sphere and the
-// hierarchy need not be asked again.
+// The triangles and primitives near the tool, kept from tick to tick: as long as the proxy stays
+// within the trust ball about the place where they were gathered, no others can touch the sphere
+// and the hierarchies need not be asked again.
+//
+// Distance to a convex shape is a convex function, so its tangent at any point bounds it from below
+// everywhere. Each candidate keeps the tangent of its last measurement (of its box, before the
+// first): one dot product tells nearly always that it cannot be met, and only the few others are
+// measured.
 #pragma once
 
 #include <array>
@@ -15,9 +20,17 @@
 namespace tactus::rendering {
 
 struct Candidate {
-  Triangle triangle;
+  Triangle triangle;                     // of a mesh, once it was measured
+  const Primitive* primitive = nullptr;  // of an object without a mesh
+  SurfaceSample seen;                    // of the primitive, from the place of `measured_at`
+  Nearest nearest;                       // from there too
+  std::uint64_t measured_at = 0;         // Neighbourhood::move_to's count
   std::uint32_t object = 0;
+  std::uint32_t index = 0;  // of the triangle in its mesh
+  bool prepared = false;    // `triangle` is built
   bool one_sided = true;
+  bool point_tool = false;  // to this object the tool is its centre
+  bool behind = false;      // one-sided, and the place is on its far side
 };
 
 class Neighbourhood {
@@ -25,46 +38,79 @@ class Neighbourhood {
   // Forgets everything; the next `ensure` gathers.
   void clear() { trust_m_ = -1.0; }
 
-  // Makes the candidates valid about p, for a tool that moves about `step` metres a tick. False if
-  // there were too many triangles for kMaxCandidates: then the trust ball is smaller than wanted,
-  // or empty (trust_from(p) < 0) if even the smallest did not fit.
-  bool ensure(std::span<const Object> objects, const Shell& shell, const Vec3& p, double step);
+  // Makes the candidates valid about p. False if there were too many triangles for kMaxCandidates:
+  // then the trust ball is smaller than wanted, or empty (trust_from(p) < 0) if even the smallest
+  // did not fit.
+  bool ensure(std::span<const Object> objects, const Shells& shells, const Vec3& p);
 
   // How far the proxy may move from p before the candidates must be gathered again; negative if p
   // itself is outside.
   [[nodiscard]] double trust_from(const Vec3& p) const { return trust_m_ - (p - centre_).norm(); }
 
-  // Candidates by growing distance at the gathering.
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const Candidate& candidate(std::size_t i) const { return slots_[order_[i].slot]; }
-
-  // No position at a distance `moved` from the centre is nearer than this to candidate i or to any
-  // after it.
-  [[nodiscard]] double distance_bound(std::size_t i, double moved) const {
-    return order_[i].distance - moved;
+  // From now on `nearest` measures from p.
+  void move_to(const Vec3& p) {
+    place_ = p;
+    ++places_;
   }
 
-  [[nodiscard]] double moved_from_centre(const Vec3& p) const { return (p - centre_).norm(); }
+  // The candidates that may be within the shell's reach of the place of `move_to`, or of p; all
+  // others are not. Valid until the next call of the same.
+  std::span<const std::uint16_t> within_reach_here();
+  std::span<const std::uint16_t> within_reach(const Vec3& p);
+
+  // The nearest point of candidate i from the place of `move_to`, measured once a place.
+  const Nearest& nearest(std::size_t i, std::span<const Object> objects);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  // Its triangle is there once `nearest` was asked.
+  [[nodiscard]] const Candidate& candidate(std::size_t i) const { return slots_[i]; }
+
   [[nodiscard]] std::size_t peak() const { return peak_; }
 
   // Grows whenever the candidates change, and with them the meaning of their numbers.
   [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
 
+  // What has been done since the last `start_work`, in units of one measured triangle.
+  void start_work() { work_ = 0; }
+  [[nodiscard]] std::size_t work() const { return work_; }
+  void add_work(std::size_t units) { work_ += units; }
+
  private:
   struct Gather;
-  struct Entry {
-    double distance;
-    std::uint32_t slot;
+  struct Within {
+    std::array<std::uint16_t, kMaxCandidates> number{};
+    std::size_t count = 0;
+
+    void find(const Neighbourhood& of, const Vec3& p);
+    [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 
-  bool gather(std::span<const Object> objects, const Shell& shell, const Vec3& p, double trust);
+  bool gather(std::span<const Object> objects, const Shells& shells, const Vec3& p, double trust);
+  // The next free candidate, or nullptr.
+  Candidate* add(const Object& object, std::uint32_t number);
+  void measure_primitive(std::size_t i);
+  void set_no_bound(std::size_t i);
+  void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
   Vec3 centre_ = Vec3::Zero();
+  Vec3 place_ = Vec3::Zero();
   double trust_m_ = -1.0;
+  double wanted_trust_m_ = 0.0;
+  Shells shells_{0.0};
+  std::uint64_t places_ = 1;
   std::size_t size_ = 0;
   std::size_t peak_ = 0;
   std::size_t gatherings_ = 0;
-  std::array<Entry, kMaxCandidates> order_{};
+  std::size_t work_ = 0;
+  // The tangents: distance from p is at least normal . (p - centre_) + height.
+  std::array<float, kMaxCandidates> normal_x_{};
+  std::array<float, kMaxCandidates> normal_y_{};
+  std::array<float, kMaxCandidates> normal_z_{};
+  std::array<float, kMaxCandidates> height_{};
+  Within here_;
+  Within there_;
+  std::uint64_t here_place_ = 0;
+  std::size_t here_gathering_ = 0;
   std::array<Candidate, kMaxCandidates> slots_{};
 };
 

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/contact/primitive_sweep.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/hierarchy_query.h"
 
@@ -39,29 +40,21 @@ constexpr double kMostPushOut_m = 20e-6;
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
 
-bool stops(const Candidate& candidate, const Nearest& nearest, const Vec3& p) {
-  // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
-  // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
-  // front. On a face it does not: that is the far side.
-  constexpr double kBesideBorder_m = -1e-9;
-  return !candidate.one_sided ||
-         candidate.triangle.height(p) >= (nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);
-}
-
 }  // namespace
 
 void SphereProxy::place(const Vec3& p_W) {
   p_ = p_W;
   friction_ = FrictionState::free;
   neighbourhood_.clear();
+  neighbourhood_.move_to(p_);
 }
 
-ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W, double step_m,
-                               ProxyPath* path) {
+ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W, ProxyPath* path) {
   slipped_ = false;
-  clipped_ = false;
+  fresh_ = false;
   stretching_ = true;
   last_to_tool_m_ = std::numeric_limits<double>::infinity();
+  neighbourhood_.start_work();
   ProxyRest rest;
   double most_push = kMostPushOut_m;
   for (;;) {
@@ -70,17 +63,19 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
       path->count = rest.sub_goals + 1U;
     }
     const std::size_t gathering = neighbourhood_.gatherings();
-    const bool complete = neighbourhood_.ensure(objects, shell_, p_, step_m);
-    if (rest.sub_goals == 0 || neighbourhood_.gatherings() != gathering) {
+    const bool complete = neighbourhood_.ensure(objects, shells_, p_);
+    const bool gathered = neighbourhood_.gatherings() != gathering;
+    if (rest.sub_goals == 0 || gathered) {
       stopper_count_ = 0;
     }
+    fresh_ = fresh_ || gathered;
     if (!complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (neighbourhood_.trust_from(p_) < 0.0) {
         return rest;
       }
     }
-    collect_planes(most_push, rest);
+    collect_planes(objects, most_push, rest);
     Goal goal;
     Advance way;
     do {
@@ -90,7 +85,7 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
       }
       way = travel_toward(objects, goal.point);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
-    if (rest.sub_goals == kMaxSubGoals) {
+    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
@@ -98,28 +93,26 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
       return rest;
     }
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
+    neighbourhood_.move_to(p_);
     ++rest.sub_goals;
     most_push = 0.0;
   }
 }
 
-void SphereProxy::collect_planes(double most_push, ProxyRest& rest) {
+void SphereProxy::collect_planes(std::span<const Object> objects, double most_push,
+                                 ProxyRest& rest) {
   contact_count_ = 0;
-  const double moved = neighbourhood_.moved_from_centre(p_);
-  std::size_t i = 0;
-  for (; i < neighbourhood_.size() && neighbourhood_.distance_bound(i, moved) <= shell_.reach_m;
-       ++i) {
+  for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
+    const Nearest& nearest = neighbourhood_.nearest(i, objects);
     const Candidate& candidate = neighbourhood_.candidate(i);
-    const Nearest nearest = candidate.triangle.nearest(p_);
-    nearest_[i] = nearest;
-    if (nearest.distance > shell_.reach_m || !stops(candidate, nearest, p_)) {
+    const Shell& shell = shells_.of(candidate.point_tool);
+    if (nearest.distance > shell.reach_m || candidate.behind) {
       continue;
     }
-    if (nearest.feature == Feature::face || nearest.distance < shell_.inner_m || has_stopped(i)) {
+    if (nearest.feature == Feature::face || nearest.distance < shell.inner_m || has_stopped(i)) {
       add_plane(i, most_push, rest);
     }
   }
-  nearest_count_ = i;
 }
 
 bool SphereProxy::has_stopped(std::size_t i) const {
@@ -128,16 +121,20 @@ bool SphereProxy::has_stopped(std::size_t i) const {
 }
 
 bool SphereProxy::add_holding_plane(std::size_t i, double most_push, ProxyRest& rest) {
-  if (i >= nearest_count_ || nearest_[i].distance > shell_.reach_m) {
+  const Candidate& candidate = neighbourhood_.candidate(i);
+  if (candidate.nearest.distance > shells_.of(candidate.point_tool).reach_m) {
     return false;  // met on the way, not held by it
   }
   return add_plane(i, most_push, rest);
 }
 
 bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
-  const Nearest& nearest = nearest_[i];
-  const double to_rest = shell_.rest_m - nearest.distance;
-  const double push = nearest.distance < shell_.inner_m ? std::min(to_rest, most_push) : to_rest;
+  const Nearest& nearest = neighbourhood_.candidate(i).nearest;
+  const Shell& shell = shells_.of(neighbourhood_.candidate(i).point_tool);
+  const double to_rest = shell.rest_m - nearest.distance;
+  constexpr double kRounding_m = 1e-9;  // a sweep ends there
+  const double push =
+      nearest.distance < shell.inner_m - kRounding_m ? std::min(to_rest, most_push) : to_rest;
   const ContactPlane contact{
       .plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
       .nearest = nearest,
@@ -255,7 +252,8 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
 }
 
 // How much of the way the sphere may go. A move that leaves the trust ball is cut at its border,
-// once; if that part was free, the rest is asked of the hierarchy.
+// where the neighbourhood is gathered anew; one that is longer than such a fresh ball is asked of
+// the hierarchy, as far as that is cheap.
 SphereProxy::Advance SphereProxy::travel_toward(std::span<const Object> objects, const Vec3& goal) {
   const Vec3 way = goal - p_;
   const double length = way.norm();
@@ -263,13 +261,12 @@ SphereProxy::Advance SphereProxy::travel_toward(std::span<const Object> objects,
   const double room = neighbourhood_.trust_from(p_);
   Advance advance{.direction = sweep.direction};
   if (length <= room) {
-    advance.travel = sweep_candidates(sweep, length, advance.stopped_by);
-  } else if (clipped_ || neighbourhood_.size() == 0) {
-    clipped_ = false;
-    advance.travel = cast(objects, sweep, length);
+    advance.travel = sweep_candidates(objects, sweep, length, advance.stopped_by);
   } else {
-    advance.travel = sweep_candidates(sweep, room, advance.stopped_by);
-    clipped_ = advance.stopped_by == kNothing;
+    advance.travel = sweep_candidates(objects, sweep, room, advance.stopped_by);
+    if (fresh_ && advance.travel >= room) {
+      advance.travel = std::max(room, cast(objects, sweep, length));
+    }
   }
   advance.arrived = advance.travel >= length;
   if (advance.stopped_by != kNothing && stopper_count_ < stoppers_.size() &&
@@ -282,23 +279,25 @@ SphereProxy::Advance SphereProxy::travel_toward(std::span<const Object> objects,
   return advance;
 }
 
-double SphereProxy::sweep_candidates(const Sweep& sweep, double length,
-                                     std::size_t& stopped_by) const {
-  const double moved = neighbourhood_.moved_from_centre(sweep.from);
+// A distance is convex along the way, so what is out of reach at its end, by the tangent at its
+// start, is out of reach all along.
+double SphereProxy::sweep_candidates(std::span<const Object> objects, const Sweep& sweep,
+                                     double length, std::size_t& stopped_by) {
+  constexpr std::size_t kWorkOfAStop = 3;
   double free = length;
-  for (std::size_t i = 0;
-       i < neighbourhood_.size() && neighbourhood_.distance_bound(i, moved) <= shell_.stop_m + free;
-       ++i) {
+  for (const std::uint16_t i : neighbourhood_.within_reach(sweep.from + length * sweep.direction)) {
+    const Nearest& start = neighbourhood_.nearest(i, objects);
     const Candidate& candidate = neighbourhood_.candidate(i);
-    const Nearest start = i < nearest_count_ ? nearest_[i] : candidate.triangle.nearest(sweep.from);
-    if (start.distance > shell_.stop_m + free) {
-      continue;
-    }
+    const Shell& shell = shells_.of(candidate.point_tool);
     const double travel =
-        travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell_, start);
+        candidate.primitive != nullptr
+            ? travel_to_contact(*candidate.primitive, objects[candidate.object].sides, sweep, free,
+                                shell, candidate.seen)
+            : travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell, start);
     if (travel < free) {
       free = travel;
       stopped_by = i;
+      neighbourhood_.add_work(kWorkOfAStop);
     }
   }
   return free;
@@ -307,25 +306,42 @@ double SphereProxy::sweep_candidates(const Sweep& sweep, double length,
 // Shrinks to the first triangle that stops the sphere, over any length.
 struct SphereProxy::Cast {
   const Sweep& sweep;
-  const Shell& shell;
   double free;
+  std::size_t room;  // triangles that may still be measured
   const Object* object = nullptr;
+  const Shell* shell = nullptr;
 
   [[nodiscard]] double reach() const { return free; }
+  [[nodiscard]] bool exhausted() const { return room == 0; }
   void operator()(std::uint32_t t) {
+    room -= room > 0 ? 1 : 0;
     const Triangle triangle = triangle_of(object->mesh, t);
-    free = travel_to_contact(triangle, object->sides == Sides::one, sweep, free, shell,
+    free = travel_to_contact(triangle, object->sides == Sides::one, sweep, free, *shell,
                              triangle.nearest(sweep.from));
   }
 };
 
-double SphereProxy::cast(std::span<const Object> objects, const Sweep& sweep, double length) const {
-  Cast visitor{.sweep = sweep, .shell = shell_, .free = length};
+double SphereProxy::cast(std::span<const Object> objects, const Sweep& sweep, double length) {
+  constexpr std::size_t kMostMeasured = 64;
+  Cast visitor{.sweep = sweep, .free = length, .room = kMostMeasured};
+  double visited = length;
   for (const Object& object : objects) {
+    if (!meets_proxy(object)) {
+      continue;
+    }
+    const Shell& shell = shells_.of(is_point_tool(object));
+    if (object.surface == SurfaceKind::primitive) {
+      visitor.free = travel_to_contact(object.primitive, object.sides, sweep, visitor.free, shell,
+                                       sample(object.primitive, sweep.from));
+      continue;
+    }
     visitor.object = &object;
-    visit_along(object.mesh.nodes, sweep.from, sweep.direction, shell_.reach_m, visitor);
+    visitor.shell = &shell;
+    visited = std::min(visited, visit_along(object.mesh.nodes, sweep.from, sweep.direction,
+                                            shell.reach_m, visitor));
   }
-  return visitor.free;
+  neighbourhood_.add_work(2 * (kMostMeasured - visitor.room));
+  return std::min(visited, visitor.free);
 }
 
 }  // namespace tactus::rendering

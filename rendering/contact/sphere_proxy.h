@@ -43,18 +43,17 @@ struct ProxyRest {
 
 class SphereProxy {
  public:
-  explicit SphereProxy(double tool_radius_m) : shell_(tool_radius_m) {}
+  explicit SphereProxy(double tool_radius_m) : shells_(tool_radius_m) {}
 
   // Takes another radius, >= 0; call place() afterwards.
-  void set_tool_radius(double tool_radius_m) { shell_ = Shell(tool_radius_m); }
+  void set_tool_radius(double tool_radius_m) { shells_ = Shells(tool_radius_m); }
 
   // Starts over, out of contact, at p_W. No triangle is asked.
   void place(const Vec3& p_W);
 
-  // Moves the proxy as near to the tool as surfaces and friction let it, for a tool at h_W (finite)
-  // that moves about `step_m` a tick. Bounded work, no heap. `path`, if given, receives the moves.
-  ProxyRest advance(std::span<const Object> objects, const Vec3& h_W, double step_m,
-                    ProxyPath* path);
+  // Moves the proxy as near to the tool as surfaces and friction let it, for a tool at h_W
+  // (finite). Bounded work, no heap. `path`, if given, receives the moves.
+  ProxyRest advance(std::span<const Object> objects, const Vec3& h_W, ProxyPath* path);
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
   [[nodiscard]] FrictionState friction() const { return friction_; }
@@ -74,7 +73,7 @@ class SphereProxy {
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 
-  void collect_planes(double most_push, ProxyRest& rest);
+  void collect_planes(std::span<const Object> objects, double most_push, ProxyRest& rest);
   // True if the plane of candidate i is new.
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
   [[nodiscard]] bool has_stopped(std::size_t i) const;
@@ -83,14 +82,15 @@ class SphereProxy {
   Goal choose_goal(std::span<const Object> objects, const Vec3& h, ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
   Advance travel_toward(std::span<const Object> objects, const Vec3& goal);
-  double sweep_candidates(const Sweep& sweep, double length, std::size_t& stopped_by) const;
-  double cast(std::span<const Object> objects, const Sweep& sweep, double length) const;
+  double sweep_candidates(std::span<const Object> objects, const Sweep& sweep, double length,
+                          std::size_t& stopped_by);
+  double cast(std::span<const Object> objects, const Sweep& sweep, double length);
 
-  Shell shell_;
+  Shells shells_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
   bool slipped_ = false;    // in this tick
-  bool clipped_ = false;    // the last move ended, free, at the border of the trust ball
+  bool fresh_ = false;      // the neighbourhood was gathered in this tick
   bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick
   double last_to_tool_m_ = 0.0;
   Neighbourhood neighbourhood_;
@@ -99,8 +99,6 @@ class SphereProxy {
   std::array<std::size_t, kMaxContactPlanes>
       stoppers_{};  // candidates that stopped a sweep in this tick
   std::size_t stopper_count_ = 0;
-  std::array<Nearest, kMaxCandidates> nearest_;  // of the first nearest_count_ candidates, at p_
-  std::size_t nearest_count_ = 0;
 };
 
 }  // namespace tactus::rendering

@@ -21,6 +21,16 @@ struct Shell {
   double reach_m;  // a triangle nearer than this is in contact
 };
 
+// The tool as each object takes it: a sphere, or its centre alone.
+struct Shells {
+  explicit Shells(double tool_radius_m) : sphere(tool_radius_m) {}
+
+  [[nodiscard]] const Shell& of(bool point_tool) const { return point_tool ? point : sphere; }
+
+  Shell sphere;
+  Shell point{0.0};
+};
+
 struct Sweep {
   Vec3 from = Vec3::Zero();        // m
   Vec3 direction = Vec3::UnitX();  // unit

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 
@@ -79,10 +80,11 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
 
 // Every triangle whose leaf box, grown by `margin`, the segment from `from` along the unit
 // `direction` enters before visitor.reach(); nearer boxes first. The reach may shrink while the
-// walk goes on.
+// walk goes on. Where the visitor says that it is exhausted(), the walk ends; returned is the
+// travel up to which every triangle has been visited, infinity after a whole walk.
 template <class Visitor>
-void visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3& direction,
-                 double margin, Visitor&& visitor) {
+double visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3& direction,
+                   double margin, Visitor&& visitor) {
   struct Pending {
     std::uint32_t node;
     double entry;
@@ -95,6 +97,15 @@ void visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3& d
     const Pending pending = stack[--depth];
     if (!(pending.entry <= visitor.reach())) {
       continue;
+    }
+    if constexpr (requires { visitor.exhausted(); }) {
+      if (visitor.exhausted()) {
+        double entry = pending.entry;
+        for (std::size_t i = 0; i < depth; ++i) {
+          entry = std::min(entry, stack[i].entry);
+        }
+        return entry;
+      }
     }
     const BvhNode& node = nodes[pending.node];
     if (node.is_leaf()) {
@@ -111,6 +122,7 @@ void visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3& d
     stack[depth++] = far;
     stack[depth++] = near;
   }
+  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace tactus::rendering

@@ -16,12 +16,10 @@ Triangle::Triangle(const Vec3& a, const Vec3& b, const Vec3& c)
   const Vec3 area_vector = edge_[0].cross(-edge_[2]);
   const double length = area_vector.norm();
   if (length > 0.0) {
-    normal_ = area_vector / length;
+    normal_ = area_vector * (1.0 / length);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     inward_[k] = normal_.cross(edge_[k]);
-    const double squared = edge_[k].squaredNorm();
-    inverse_squared_length_[k] = squared > 0.0 ? 1.0 / squared : 0.0;
   }
 }
 
@@ -43,8 +41,14 @@ Nearest Triangle::nearest_on_border(const Vec3& q, const std::array<double, 3>& 
       continue;
     }
     const Vec3 from_corner = q - corner_[k];
-    const double along =
-        std::clamp(from_corner.dot(edge_[k]) * inverse_squared_length_[k], 0.0, 1.0);
+    const double product = from_corner.dot(edge_[k]);
+    const double squared_length = edge_[k].squaredNorm();
+    double along = 0.0;
+    if (product >= squared_length) {
+      along = squared_length > 0.0 ? 1.0 : 0.0;
+    } else if (product > 0.0) {
+      along = product / squared_length;
+    }
     const Vec3 offset = from_corner - along * edge_[k];
     const double squared = offset.squaredNorm();
     if (squared < best_squared) {
@@ -56,7 +60,7 @@ Nearest Triangle::nearest_on_border(const Vec3& q, const std::array<double, 3>& 
   }
   best.distance = std::sqrt(best_squared);
   if (best.distance > 0.0) {
-    best.normal /= best.distance;
+    best.normal *= 1.0 / best.distance;
   } else {
     best.normal = normal_;
   }

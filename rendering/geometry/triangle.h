@@ -45,7 +45,6 @@ class Triangle {
   std::array<Vec3, 3> corner_;
   std::array<Vec3, 3> edge_;
   std::array<Vec3, 3> inward_;  // in the plane, perpendicular to each edge, toward the inside
-  std::array<double, 3> inverse_squared_length_{};
   Vec3 normal_ = Vec3::Zero();
 };
 

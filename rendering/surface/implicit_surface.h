@@ -3,7 +3,7 @@
 
 #include "rendering/geometry/vector.h"
 #include "rendering/surface/formula.h"
-#include "rendering/world/object.h"
+#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

@@ -6,57 +6,43 @@
 #include <cstdint>
 #include <span>
 
-#include "rendering/geometry/vector.h"
+#include "rendering/material/material.h"
+#include "rendering/surface/implicit_surface.h"
+#include "rendering/surface/mesh.h"
+#include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {
 
-// Three vertex indices, counter-clockwise seen from the front side.
-using TriangleIndices = std::array<std::uint32_t, 3>;
-static_assert(sizeof(TriangleIndices) == 12);
+enum class SurfaceKind : std::uint8_t { mesh = 0, primitive = 1, implicit = 2 };
 
-// One node of a bounding-volume hierarchy, 32 bytes. The root is node 0; the two children of an
-// inner node are adjacent. Boxes are rounded outwards, so that no vertex lies outside the box of a
-// node above it.
-struct BvhNode {
-  Float3 lower;  // m, world frame
-  std::uint32_t first =
-      0;         // inner node: index of the left child (right is first + 1); leaf: first triangle
-  Float3 upper;  // m, world frame
-  std::uint32_t triangle_count = 0;  // 0 for an inner node
-
-  [[nodiscard]] bool is_leaf() const { return triangle_count != 0; }
-};
-static_assert(sizeof(BvhNode) == 32);
-
-// A triangle mesh in the world frame. Triangles are stored in the order of the hierarchy's leaves.
-struct MeshView {
-  std::span<const Float3> vertices;
-  std::span<const TriangleIndices> triangles;
-  std::span<const BvhNode> nodes;
-};
-
-// Which side of a triangle stops the tool.
-enum class Sides : std::uint8_t {
-  one,  // only the front (counter-clockwise) side: for closed, consistently wound meshes
-  two,  // both: for open and non-orientable meshes, which have no inside
-};
-
-// Melder and Harwin's friction cone: coefficients of the sticking and of the slipping state, >= 0.
-struct ConeFriction {
-  double static_coefficient = 0.0;
-  double dynamic_coefficient = 0.0;
-};
-
-struct Material {
-  double stiffness_N_per_m = 0.0;  // K of F = K (proxy - tool) - B v
-  double damping_Ns_per_m = 0.0;   // B
-  ConeFriction friction;
+// How the tool is kept out of an object, or pushed out of it.
+enum class ContactMethod : std::uint8_t {
+  sphere_proxy = 0,     // a proxy with the tool's radius; meshes and primitives
+  god_object = 1,       // a point proxy: to this object the tool has no radius
+  potential_field = 2,  // the baseline, with its faults: closed meshes and primitives
+  feature_walk = 3,     // a point that walks from feature to feature; meshes
+  tracking = 4,         // a point that follows the tangent plane; implicit surfaces
 };
 
 struct Object {
-  MeshView mesh;
+  SurfaceKind surface = SurfaceKind::mesh;
+  ContactMethod method = ContactMethod::sphere_proxy;
+  MeshView mesh;  // of these three, the one that `surface` names
+  Primitive primitive;
+  ImplicitSurface implicit;  // its `sides` are the object's too
+  // Of the mesh: see ConnectedMesh. Needed by potential_field and feature_walk.
+  std::span<const std::array<std::uint32_t, 3>> neighbours;
+  std::span<const Float3> vertex_normals;
   Sides sides = Sides::one;
   Material material;
 };
+
+inline bool meets_proxy(const Object& object) {
+  return object.method == ContactMethod::sphere_proxy || object.method == ContactMethod::god_object;
+}
+
+inline bool is_point_tool(const Object& object) {
+  return object.method == ContactMethod::god_object;
+}
 
 }  // namespace tactus::rendering

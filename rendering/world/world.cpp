@@ -2,14 +2,31 @@
 
 #include <algorithm>
 
+#include "rendering/contact/potential_field.h"
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
 namespace {
 
+bool usable(const MeshView& mesh) {
+  return !mesh.vertices.empty() && !mesh.triangles.empty() && !mesh.nodes.empty();
+}
+
+// Whether the surface is sound and the method can touch it.
 bool usable(const Object& object) {
-  return !object.mesh.vertices.empty() && !object.mesh.triangles.empty() &&
-         !object.mesh.nodes.empty();
+  switch (object.surface) {
+    case SurfaceKind::primitive:
+      return valid(object.primitive) &&
+             (meets_proxy(object) || object.method == ContactMethod::potential_field);
+    case SurfaceKind::implicit:
+      return object.method == ContactMethod::tracking &&
+             check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
+    default:
+      return usable(object.mesh) &&
+             (meets_proxy(object) || (object.method == ContactMethod::potential_field &&
+                                      object.neighbours.size() == object.mesh.triangles.size() &&
+                                      object.vertex_normals.size() == object.mesh.vertices.size()));
+  }
 }
 
 bool valid(const ToolState& tool) {
@@ -32,10 +49,14 @@ ContactKind kind_of(Feature feature) {
 }  // namespace
 
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
-  const bool good = objects.size() <= kMaxObjects && std::ranges::all_of(objects, usable) &&
-                    config.tool_radius_m >= 0.0;
+  const bool good =
+      objects.size() <= kMaxObjects &&
+      std::ranges::all_of(objects, [](const Object& object) { return usable(object); }) &&
+      config.tool_radius_m >= 0.0;
   objects_ = good ? objects : std::span<const Object>{};
-  proxy_.set_tool_radius(good ? config.tool_radius_m : 0.0);
+  tool_radius_m_ = good ? config.tool_radius_m : 0.0;
+  any_proxy_ = std::ranges::any_of(objects_, meets_proxy);
+  proxy_.set_tool_radius(tool_radius_m_);
   reset();
   return good;
 }
@@ -44,32 +65,109 @@ void World::reset() {
   placed_ = false;
 }
 
+void World::place(const Vec3& p_W) {
+  proxy_.place(p_W);
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    trackers_[i].place(p_W);
+  }
+  last_proxy_ = p_W;
+  placed_ = true;
+}
+
 Touch World::touch(const ToolState& tool, ProxyPath* path) {
   Touch touch;
   if (!valid(tool)) {
-    touch.proxy_W = proxy_.position_W();
+    touch.proxy_W = last_proxy_;
     touch.flags = kTouchToolInvalid;
     return touch;
   }
   if (!placed_) {
-    proxy_.place(tool.p_W);
-    last_tool_ = tool.p_W;
-    placed_ = true;
+    place(tool.p_W);
   }
-  const double step = (tool.p_W - last_tool_).norm();
-  last_tool_ = tool.p_W;
-  const ProxyRest rest = proxy_.advance(objects_, tool.p_W, step, path);
+  touch.proxy_W = tool.p_W;
+  if (any_proxy_) {
+    touch = touch_proxy(tool, path);
+  }
+  Vec3 force = touch.force_W;
+  double hardest = force.squaredNorm();
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    if (meets_proxy(objects_[i])) {
+      continue;
+    }
+    Touch own = objects_[i].method == ContactMethod::tracking ? touch_implicit(i, tool)
+                                                              : touch_field(i, tool);
+    force += own.force_W;
+    own.flags |= touch.flags;
+    const double push = own.force_W.squaredNorm();
+    if (own.contact != ContactKind::none &&
+        (push > hardest || touch.contact == ContactKind::none)) {
+      hardest = push;
+      touch = own;
+    }
+    touch.flags = own.flags;
+  }
+  touch.force_W = force;
+  last_proxy_ = touch.proxy_W;
+  return touch;
+}
+
+Touch World::touch_proxy(const ToolState& tool, ProxyPath* path) {
+  const ProxyRest rest = proxy_.advance(objects_, tool.p_W, path);
+  Touch touch;
   touch.proxy_W = proxy_.position_W();
   touch.sub_goals = rest.sub_goals;
   touch.planes = rest.plane_count;
   touch.flags = rest.flags;
   if (rest.plane_count > 0) {
-    add_force(tool, rest, touch);
+    set_proxy_force(tool, rest, touch);
   }
   return touch;
 }
 
-void World::add_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const {
+Touch World::touch_implicit(std::uint32_t number, const ToolState& tool) {
+  const Object& object = objects_[number];
+  const ImplicitRest rest =
+      trackers_[number].advance(object.implicit, object.material.friction, tool.p_W);
+  Touch touch;
+  touch.proxy_W = rest.proxy_W;
+  touch.sub_goals = rest.sub_goals;
+  touch.planes = rest.planes;
+  touch.flags = rest.flags;
+  if (rest.planes > 0) {
+    touch.normal_W = rest.normal_W;
+    touch.depth_m = rest.depth_m;
+    touch.contact = ContactKind::face;
+    touch.friction = rest.friction;
+    touch.object = number;
+    touch.force_W = object.material.stiffness_N_per_m * (rest.proxy_W - tool.p_W) -
+                    object.material.damping_Ns_per_m * tool.v_W;
+  }
+  return touch;
+}
+
+Touch World::touch_field(std::uint32_t number, const ToolState& tool) const {
+  const Object& object = objects_[number];
+  const Material& material = object.material;
+  const FieldPush push =
+      object.surface == SurfaceKind::primitive
+          ? potential_field(object.primitive, material.stiffness_N_per_m, tool.p_W, tool_radius_m_)
+          : potential_field({object.mesh, object.neighbours, object.vertex_normals},
+                            material.stiffness_N_per_m, tool.p_W, tool_radius_m_);
+  Touch touch;
+  touch.proxy_W = tool.p_W + push.depth_m * push.normal_W;
+  if (push.depth_m > 0.0) {
+    touch.normal_W = push.normal_W;
+    touch.depth_m = push.depth_m;
+    touch.contact = ContactKind::face;
+    touch.friction = FrictionState::slip;
+    touch.object = number;
+    touch.planes = 1;
+    touch.force_W = push.force_W - material.damping_Ns_per_m * tool.v_W;
+  }
+  return touch;
+}
+
+void World::set_proxy_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const {
   const auto hardest = static_cast<std::size_t>(
       std::max_element(rest.pressure_m.begin(), rest.pressure_m.begin() + rest.plane_count) -
       rest.pressure_m.begin());

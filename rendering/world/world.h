@@ -1,9 +1,13 @@
 // The virtual world that one tool touches.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 
+#include "rendering/contact/implicit_tracking.h"
 #include "rendering/contact/sphere_proxy.h"
+#include "rendering/limits.h"
 #include "rendering/world/object.h"
 #include "rendering/world/touch.h"
 
@@ -20,29 +24,38 @@ class World {
   World() = default;
 
   // Takes a scene and starts over; the views must stay alive and unchanged. False, and an empty
-  // world, if there are more than kMaxObjects objects, an object without triangles or hierarchy, or
-  // a negative radius.
+  // world, if there are more than kMaxObjects objects, a negative radius, or an object whose
+  // surface is not valid or does not go with its contact method (see ContactMethod).
   bool set_scene(std::span<const Object> objects, const WorldConfig& config);
 
   // Forgets the contact: the next touch starts with the proxy at the tool.
   void reset();
 
-  // One tick: moves the proxy and gives the force on the hand, F = K (proxy - tool) - B v in
-  // contact and zero otherwise. With several surfaces in contact, K and B are their mean weighted
-  // by how far each pushes. The damper acts on the whole velocity, so a hand that leaves quickly
-  // can feel a pull of at most B v. Real time: no heap, no exceptions, bounded work; trouble is in
-  // Touch::flags. `path`, if given, receives the proxy's moves.
+  // One tick: moves the proxies and gives the force on the hand, F = K (proxy - tool) - B v in
+  // contact and zero otherwise. Objects of the methods sphere_proxy and god_object share one proxy;
+  // with several of them in contact, K and B are their mean weighted by how far each pushes. Every
+  // other object pushes for itself, and the forces add up; the rest of the touch is then told of
+  // the one that pushes hardest. The damper acts on the whole velocity, so a hand that leaves
+  // quickly can feel a pull of at most B v. Real time: no heap, no exceptions, bounded work;
+  // trouble is in Touch::flags. `path`, if given, receives the shared proxy's moves.
   Touch touch(const ToolState& tool, ProxyPath* path = nullptr);
 
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
  private:
-  void add_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const;
+  void place(const Vec3& p_W);
+  Touch touch_proxy(const ToolState& tool, ProxyPath* path);
+  Touch touch_implicit(std::uint32_t number, const ToolState& tool);
+  [[nodiscard]] Touch touch_field(std::uint32_t number, const ToolState& tool) const;
+  void set_proxy_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const;
 
   std::span<const Object> objects_;
+  double tool_radius_m_ = 0.0;
+  Vec3 last_proxy_ = Vec3::Zero();
   SphereProxy proxy_{0.0};
-  Vec3 last_tool_ = Vec3::Zero();
+  bool any_proxy_ = false;                             // some object is met by it
+  std::array<ImplicitTracker, kMaxObjects> trackers_;  // of the objects with their numbers
   bool placed_ = false;
 };
 

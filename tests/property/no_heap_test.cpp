@@ -18,6 +18,7 @@ TEST(HeapTrap, CatchesEveryWayToAllocate) {
     const HeapTrap trap;
     const auto one = std::make_unique<int>(1);
     EXPECT_EQ(trap.calls(), 1U) << "operator new";
+    // NOLINTBEGIN(cppcoreguidelines-no-malloc,bugprone-suspicious-realloc-usage)
     void* volatile block = std::malloc(8);
     block = std::realloc(block, 4096);
     std::free(block);
@@ -25,6 +26,7 @@ TEST(HeapTrap, CatchesEveryWayToAllocate) {
     std::free(block);
     block = std::aligned_alloc(64, 64);
     std::free(block);
+    // NOLINTEND(cppcoreguidelines-no-malloc,bugprone-suspicious-realloc-usage)
     calls = trap.calls();
   }
   EXPECT_EQ(calls, 8U);

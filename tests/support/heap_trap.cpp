@@ -4,7 +4,7 @@
 #include <cerrno>
 
 // glibc's own names for the functions that are replaced below.
-// NOLINTBEGIN(readability-identifier-naming)
+// NOLINTBEGIN(readability-*)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -12,7 +12,6 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
 }
-// NOLINTEND(readability-identifier-naming)
 
 namespace {
 
@@ -60,6 +59,7 @@ void free(void* block) {
   __libc_free(block);
 }
 }
+// NOLINTEND(readability-*)
 
 namespace tactus::testing {
 

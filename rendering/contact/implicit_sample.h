@@ -14,7 +14,7 @@ inline constexpr double kImplicitRest_m = 1e-7;
 inline constexpr double kImplicitReach_m = 2e-7;
 
 // F and its gradient at a point, in the object frame.
-struct SurfaceSample {
+struct ImplicitSample {
   Vec3 point = Vec3::Zero();
   double value = 0.0;          // F, >= 0 where the proxy may be
   double steepness = 0.0;      // |gradient|; 0 at a singular point
@@ -23,10 +23,10 @@ struct SurfaceSample {
                                // infinite at a singular point
 };
 
-SurfaceSample sample(ImplicitField& field, const Vec3& p_O);
+ImplicitSample sample(ImplicitField& field, const Vec3& p_O);
 
 // The point that Newton's steps along the gradient reach from p_O at the height at which the proxy
 // rests. Nothing if they meet a singular point, do not converge, or one is longer than `most`.
-std::optional<SurfaceSample> settle_at_rest(ImplicitField& field, Vec3 p_O, double most);
+std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p_O, double most);
 
 }  // namespace tactus::rendering

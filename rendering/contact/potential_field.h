@@ -1,0 +1,33 @@
+// The potential field: a spring to the nearest point of the surface, from where the tool is and
+// nothing else. It is the oldest way to render a solid and the baseline of the others. Its faults
+// are part of it:
+//
+// - it knows no past, so past the middle of a thin object the nearest surface is the far one, and
+//   the tool pops through; an object of thickness t resists with at most K t / 2;
+// - a tool that is beyond the object in one tick was never in it;
+// - where the nearest point jumps (near corners, deep inside) the force jumps;
+// - overlapping objects push each for itself.
+#pragma once
+
+#include "rendering/surface/connected_mesh.h"
+#include "rendering/surface/primitive.h"
+
+namespace tactus::rendering {
+
+struct FieldPush {
+  double depth_m = 0.0;          // of the sphere below the surface; 0 outside
+  Vec3 normal_W = Vec3::Zero();  // unit, the way out; zero outside
+  Vec3 force_W = Vec3::Zero();   // N, on the hand: K depth normal
+};
+
+// `tool_radius_m` >= 0; 0 is a point. Real time: no heap. A primitive costs some twenty
+// multiplications; a mesh costs one search for the nearest point, also where nothing is touched but
+// the mesh's box is.
+FieldPush potential_field(const Primitive& primitive, double stiffness_N_per_m, const Vec3& tool_W,
+                          double tool_radius_m);
+
+// The mesh has to be closed and wound consistently; elsewhere the sign of the distance is a guess.
+FieldPush potential_field(const ConnectedMesh& mesh, double stiffness_N_per_m, const Vec3& tool_W,
+                          double tool_radius_m);
+
+}  // namespace tactus::rendering

@@ -1,0 +1,44 @@
+// A triangle mesh as a scene hands it over: views of memory that the caller keeps alive and
+// unchanged.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// Three vertex indices, counter-clockwise seen from the front side.
+using TriangleIndices = std::array<std::uint32_t, 3>;
+static_assert(sizeof(TriangleIndices) == 12);
+
+// One node of a bounding-volume hierarchy, 32 bytes. The root is node 0; the two children of an
+// inner node are adjacent. Boxes are rounded outwards, so that no vertex lies outside the box of a
+// node above it.
+struct BvhNode {
+  Float3 lower;  // m, world frame
+  std::uint32_t first =
+      0;         // inner node: index of the left child (right is first + 1); leaf: first triangle
+  Float3 upper;  // m, world frame
+  std::uint32_t triangle_count = 0;  // 0 for an inner node
+
+  [[nodiscard]] bool is_leaf() const { return triangle_count != 0; }
+};
+static_assert(sizeof(BvhNode) == 32);
+
+// In the world frame. Triangles are stored in the order of the hierarchy's leaves.
+struct MeshView {
+  std::span<const Float3> vertices;
+  std::span<const TriangleIndices> triangles;
+  std::span<const BvhNode> nodes;
+};
+
+// Which side of a surface stops the tool.
+enum class Sides : std::uint8_t {
+  one,  // only the front side (of a triangle: counter-clockwise): for surfaces with an inside
+  two,  // both: for open and non-orientable surfaces
+};
+
+}  // namespace tactus::rendering

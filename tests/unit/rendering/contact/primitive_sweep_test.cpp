@@ -1,0 +1,163 @@
+#include "rendering/contact/primitive_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "tests/support/primitive_points.h"
+
+namespace tactus::rendering {
+namespace {
+
+using testing::kAllPrimitives;
+
+double travel(const Primitive& primitive, const Vec3& from, const Vec3& to, const Shell& shell,
+              Sides sides = Sides::one) {
+  const Vec3 way = to - from;
+  return travel_to_contact(primitive, sides, {.from = from, .direction = way.normalized()},
+                           way.norm(), shell, sample(primitive, from));
+}
+
+// The smallest distance to the surface on the way, on the side given by `sign`: it is 1-Lipschitz,
+// so steps as long as what is left above `floor` miss nothing but what is within `kResolution_m`.
+double least_clearance(const Primitive& primitive, const Vec3& from, const Vec3& to, double sign,
+                       double floor_m) {
+  constexpr double kResolution_m = 2e-9;
+  const double length = (to - from).norm();
+  double least = sign * sample(primitive, to).distance_m;
+  for (double at = 0.0; at < length;) {
+    const double here = sign * sample(primitive, from + at / length * (to - from)).distance_m;
+    least = std::min(least, here);
+    at += std::max(here - floor_m, kResolution_m);
+  }
+  return least;
+}
+
+TEST(PrimitiveSweep, MeetsEachKindWhereTheClosedFormSays) {
+  const Shell shell(0.01);
+  const auto check = [&](PrimitiveKind kind, std::array<double, 3> dimensions, const Vec3& from,
+                         const Vec3& to, double expected) {
+    const Primitive primitive{.kind = kind, .dimensions_m = dimensions};
+    EXPECT_NEAR(travel(primitive, from, to, shell), expected, 2e-6) << static_cast<int>(kind);
+  };
+  check(PrimitiveKind::plane, {}, {0, 0.3, 0}, {0.4, 0, 0}, 0.29 / 0.6);
+  check(PrimitiveKind::sphere, {0.05}, {0.2, 0, 0}, {-0.2, 0, 0}, 0.14);
+  check(PrimitiveKind::box, {0.05, 0.05, 0.05}, {-0.2, 0.056, 0}, {0.2, 0.056, 0}, 0.142);
+  check(PrimitiveKind::cylinder, {0.05, 0.1}, {0.2, 0, 0}, {-0.2, 0, 0}, 0.14);
+  check(PrimitiveKind::capsule, {0.05, 0.1}, {0, 0.3, 0}, {0, -0.3, 0}, 0.14);
+  check(PrimitiveKind::cone, {0.03, 0.04}, {0, 0.2, 0}, {0, 0, 0}, 0.15);
+  check(PrimitiveKind::torus, {0.05, 0.01}, {0, 0, 0}, {0.3, 0, 0}, 0.03);
+}
+
+TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
+  constexpr std::uint64_t kSeed = 41;
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  const auto point = [&] { return Vec3{place(random), place(random), place(random)}; };
+  for (int i = 0; i < 40'000; ++i) {
+    const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
+    SCOPED_TRACE("seed 41, case " + std::to_string(i));
+    const Primitive primitive = testing::random_primitive(kind, random);
+    const Shell shell(i % 3 == 0 ? 0.0 : 0.003);
+    const Vec3 from = point();
+    const Vec3 to = point();
+    const double start = sample(primitive, from).distance_m;
+    if (std::abs(start) < shell.rest_m) {
+      continue;
+    }
+    const double length = (to - from).norm();
+    const double free = travel(primitive, from, to, shell, Sides::two);
+    const Vec3 end = from + free / length * (to - from);
+    const double sign = start < 0.0 ? -1.0 : 1.0;
+    ASSERT_GE(least_clearance(primitive, from, end, sign, shell.inner_m), shell.inner_m - 1e-10);
+    if (free < length) {
+      ASSERT_LE(std::abs(sample(primitive, end).distance_m), shell.stop_m + 1e-10);
+    }
+    const double solid = travel(primitive, from, to, shell, Sides::one);
+    if (start > 0.0) {
+      ASSERT_EQ(solid, free);
+    } else if (convex(primitive)) {
+      ASSERT_EQ(solid, length);
+    }
+  }
+}
+
+// Moves that begin at rest on the surface, at every angle to it: what the proxy does all day.
+TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
+  constexpr std::uint64_t kSeed = 43;
+  std::mt19937_64 random(kSeed);
+  std::normal_distribution<double> bell;
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  std::uniform_real_distribution<double> decade(-6.0, -1.0);
+  for (int i = 0; i < 40'000; ++i) {
+    const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
+    SCOPED_TRACE("seed 43, case " + std::to_string(i));
+    const Primitive primitive = testing::random_primitive(kind, random);
+    const Shell shell(i % 3 == 0 ? 0.0 : 0.003);
+    const Vec3 anywhere(place(random), place(random), place(random));
+    const SurfaceSample near = sample(primitive, anywhere);
+    const double sign = i % 2 == 0 ? 1.0 : -1.0;
+    const Vec3 from = nearest_point(near, anywhere) + sign * shell.rest_m * near.normal_W;
+    const SurfaceSample start = sample(primitive, from);
+    if (std::abs(sign * start.distance_m - shell.rest_m) > 1e-9) {
+      continue;  // too near to another part of the surface
+    }
+    Vec3 way = Vec3(bell(random), bell(random), bell(random)).normalized();
+    if (i % 5 < 2) {
+      way = (way - way.dot(start.normal_W) * start.normal_W).normalized();
+    }
+    const Vec3 to = from + std::pow(10.0, decade(random)) * way;
+    const double length = (to - from).norm();
+    const double free = travel(primitive, from, to, shell, Sides::two);
+    const Vec3 end = from + free / length * (to - from);
+    ASSERT_GE(least_clearance(primitive, from, end, sign, shell.inner_m), shell.inner_m - 1e-10);
+    if (free < length) {
+      ASSERT_LE(sign * sample(primitive, end).distance_m, shell.stop_m + 1e-10);
+    }
+    if (convex(primitive) && sign > 0.0 && way.dot(start.normal_W) > 1e-6) {
+      ASSERT_EQ(free, length);
+    }
+  }
+}
+
+TEST(PrimitiveSweep, DeepInTheShellItMayMoveOutButNotIn) {
+  constexpr std::uint64_t kSeed = 47;
+  std::mt19937_64 random(kSeed);
+  std::normal_distribution<double> bell;
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  for (int i = 0; i < 20'000; ++i) {
+    const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
+    SCOPED_TRACE("seed 47, case " + std::to_string(i));
+    const Primitive primitive = testing::random_primitive(kind, random);
+    const Shell shell(0.004);
+    const Vec3 anywhere(place(random), place(random), place(random));
+    const SurfaceSample near = sample(primitive, anywhere);
+    const Vec3 from = nearest_point(near, anywhere) + (i % 2 == 0 ? 0.002 : -0.002) * near.normal_W;
+    const SurfaceSample start = sample(primitive, from);
+    const double sign = start.distance_m < 0.0 ? -1.0 : 1.0;
+    const Vec3 way = Vec3(bell(random), bell(random), bell(random)).normalized();
+    const Vec3 to = from + 0.05 * way;
+    const double free = travel(primitive, from, to, shell, Sides::two);
+    const double floor = std::min(sign * start.distance_m, shell.inner_m);
+    const Vec3 end = from + free * way;
+    ASSERT_GE(least_clearance(primitive, from, end, sign, floor), floor - 1e-10);
+    if (sign * way.dot(start.normal_W) < -1e-6) {
+      ASSERT_EQ(free, 0.0);
+    }
+  }
+}
+
+TEST(PrimitiveSweep, LeavesASolidFromInsideAndMeetsWhatComesNext) {
+  const Shell shell(0.002);
+  const Primitive box{.kind = PrimitiveKind::box, .dimensions_m = {0.05, 0.05, 0.05}};
+  EXPECT_DOUBLE_EQ(travel(box, {0, 0, 0}, {0.1, 0, 0}, shell), 0.1);
+  EXPECT_NEAR(travel(box, {0, 0, 0}, {0.1, 0, 0}, shell, Sides::two), 0.048, 1e-6);
+  // From within the tube on the left, through the hole, to the tube on the right.
+  const Primitive torus{.kind = PrimitiveKind::torus, .dimensions_m = {0.05, 0.01}};
+  EXPECT_NEAR(travel(torus, {-0.05, 0, 0}, {0.1, 0, 0}, shell), 0.088, 1e-6);
+}
+
+}  // namespace
+}  // namespace tactus::rendering
