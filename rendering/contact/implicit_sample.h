@@ -19,7 +19,8 @@ struct ImplicitSample {
   double value = 0.0;          // F, >= 0 where the proxy may be
   double steepness = 0.0;      // |gradient|; 0 at a singular point
   Vec3 normal = Vec3::Zero();  // unit, away from the surface; zero at a singular point
-  double height = 0.0;         // F / |gradient|: the distance to the surface, to first order
+  double height = 0.0;         // F / |gradient|: the distance to the surface, to first order;
+                               // infinite at a singular point
 };
 
 ImplicitSample sample(ImplicitField& field, const Vec3& p_O);

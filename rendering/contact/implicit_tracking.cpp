@@ -30,7 +30,9 @@ constexpr double kSettled_m = 1e-9;
 // What stops the proxy within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
 // A move along the surface that gains less than this is none.
-constexpr double kLeastGain_m = 1e-12;
+constexpr double kLeastGain_m = 1e-10;
+// Intervals on one straight way. Beyond, the sub-goal ends where the way is known to be free.
+constexpr std::size_t kMostRanges = 64;
 constexpr std::size_t kMostPlanes = 4;
 // Planes that may be met without a move.
 constexpr std::size_t kMostAttempts = 8;
@@ -72,6 +74,9 @@ class Tick {
     while (!step()) {
       ++rest_.sub_goals;
     }
+    if (stalled_ > 0 && rest_.planes > 0 && std::isfinite(nearest_m_)) {
+      state_.p_O = best_;
+    }
     return rest_;
   }
 
@@ -106,10 +111,39 @@ class Tick {
       state_.side = 0.0;
       return false;
     }
-    if (here_.height <= kImplicitReach_m / surface_.scale_m) {
+    const double height_m = here_.height * surface_.scale_m;
+    if (height_m < 0.5 * kImplicitRest_m && !has_risen_) {
+      has_risen_ = true;
+      move_to(risen(state_.p_O));
+      return false;
+    }
+    if (is_stalled(height_m)) {
+      return true;
+    }
+    if (height_m <= kImplicitReach_m) {
       add_tangent_plane();
     }
     return go();
+  }
+
+  // In a pit, or in a crease of singular points, the last micrometre is a dance from wall to wall.
+  // The tick ends when it has come no nearer to the tool in a few sub-goals, at the nearest place
+  // where the proxy has been at its height.
+  bool is_stalled(double height_m) {
+    constexpr int kPatience = 4;
+    constexpr double kGain_m = 1e-9;
+    if (height_m > kImplicitReach_m) {
+      nearest_m_ = std::numeric_limits<double>::infinity();
+      stalled_ = 0;
+      return false;
+    }
+    const double distance_m = (state_.p_O - h_).norm() * surface_.scale_m;
+    stalled_ = distance_m < nearest_m_ - kGain_m ? 0 : stalled_ + 1;
+    if (distance_m < nearest_m_ && height_m >= 0.5 * kImplicitRest_m) {
+      nearest_m_ = distance_m;
+      best_ = state_.p_O;
+    }
+    return stalled_ >= kPatience;
   }
 
   // Over, with the proxy where it is known to be free. The planes of the last sub-goal stay in the
@@ -169,27 +203,23 @@ class Tick {
   }
 
   void add_tangent_plane() {
-    if (here_.steepness > 0.0) {
-      state_.normal_O = here_.normal;
-    } else if (state_.normal_O.isZero()) {
-      state_.normal_O = (state_.p_O - h_).normalized();
-    }
     const double rise = kImplicitRest_m / surface_.scale_m - here_.height;
-    planes_[plane_count_++] = {.normal = state_.normal_O,
-                               .offset = state_.normal_O.dot(state_.p_O) + rise};
+    planes_[plane_count_++] = {.normal = here_.normal,
+                               .offset = here_.normal.dot(state_.p_O) + rise};
   }
 
-  // The plane of what blocks the way at p_O; false if it is none that is new.
+  // The plane of what blocks the way at p_O; false if it is none that is new. A singular point has
+  // no tangent plane: there the proxy is held against the tool.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
     const ImplicitSample wall = sample(field_, p_O);
-    const Plane plane{.normal = wall.normal,
-                      .offset = wall.normal.dot(p_O) + kImplicitRest_m / surface_.scale_m};
+    const Vec3 normal = wall.steepness > 0.0 ? wall.normal : (state_.p_O - h_).stableNormalized();
+    const Plane plane{.normal = normal,
+                      .offset = normal.dot(p_O) + kImplicitRest_m / surface_.scale_m};
     const auto held = [&](const Plane& p) {
       return (p.normal - plane.normal).squaredNorm() < kSameNormal && p.offset >= plane.offset;
     };
-    if (!(wall.steepness > 0.0) ||
-        std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
+    if (std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
                     held)) {
       return false;
     }
@@ -223,13 +253,11 @@ class Tick {
         return false;
       }
       const Vec3 stop = share_of_way(crossing.free_to);
-      if (crossing.way == Way::unknown) {
-        move_to(stop);
-        return exhausted();
-      }
-      const bool is_held = (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
+      const bool is_held =
+          crossing.way == Way::blocked && (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
       if (!is_held || !add_blocking_plane(share_of_way(crossing.blocked_at))) {
-        return !come_to_rest_at(stop);
+        const bool has_moved = come_to_rest_at(stop);
+        return !has_moved && (crossing.way == Way::blocked || exhausted());
       }
     }
     return exhausted();
@@ -238,19 +266,24 @@ class Tick {
   // From where a way ended, up to the height at which the proxy rests. False if that is no nearer
   // to the tool than before: then it stays.
   bool come_to_rest_at(const Vec3& stop) {
-    constexpr double kMostRise = 4.0 * kImplicitRest_m;
-    constexpr std::size_t kMostRanges = 8;
-    const auto lifted = settle_at_rest(field_, stop, kMostRise / surface_.scale_m);
-    const bool can_rise = lifted && surface_.bounds_O.contains(lifted->point) &&
-                          lifted->value >= 0.0 &&
-                          first_crossing(field_, stop, lifted->point, kMostRanges).way == Way::free;
-    const Vec3 end = can_rise ? lifted->point : stop;
+    const Vec3 end = risen(stop);
     const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
     if (gain_m <= kLeastGain_m) {
       return false;
     }
     move_to(end);
     return true;
+  }
+
+  // As far up from a free point as the proxy rests, if the way there is free.
+  Vec3 risen(const Vec3& from) {
+    constexpr double kMostRise = 4.0 * kImplicitRest_m;
+    constexpr std::size_t kFewRanges = 8;
+    const auto lifted = settle_at_rest(field_, from, kMostRise / surface_.scale_m);
+    const bool can_rise = lifted && surface_.bounds_O.contains(lifted->point) &&
+                          lifted->value >= 0.0 &&
+                          first_crossing(field_, from, lifted->point, kFewRanges).way == Way::free;
+    return can_rise ? lifted->point : from;
   }
 
   bool glide_toward(const Vec3& goal) {
@@ -271,8 +304,7 @@ class Tick {
     if (leave <= 0.0) {
       return {};  // it stands on the wall, and leaves
     }
-    constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-    return first_crossing(field_, state_.p_O, target_, kAnyNumber);
+    return first_crossing(field_, state_.p_O, target_, kMostRanges);
   }
 
   // Of the way that cross_toward looked at.
@@ -318,7 +350,11 @@ class Tick {
   ImplicitRest rest_;
   ImplicitSample here_;  // at the proxy, if is_sampled_
   bool is_sampled_ = false;
-  bool slipped_ = false;  // in this tick
+  double nearest_m_ = std::numeric_limits<double>::infinity();  // from the tool, in contact
+  Vec3 best_ = Vec3::Zero();                                    // where that was
+  int stalled_ = 0;                                             // sub-goals since it fell
+  bool slipped_ = false;                                        // in this tick
+  bool has_risen_ = false;  // once a tick, from where the sign of F is in doubt
   std::array<Plane, kMostPlanes> planes_;
   std::size_t plane_count_ = 0;
   std::array<std::size_t, 3> holding_{};  // of planes_, the first rest_.planes

@@ -28,8 +28,7 @@ struct ImplicitRest {
 // no tool without meeting it.
 struct ImplicitProxyState {
   Vec3 p_O = Vec3::Zero();
-  Vec3 normal_O = Vec3::Zero();  // the last one that was good, for singular points
-  double side = 0.0;             // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
+  double side = 0.0;  // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
   FrictionState friction = FrictionState::free;
 };
 

@@ -42,16 +42,24 @@ TEST(FirstCrossing, CatchesASheetOfANanometreInOneStepOfAMetre) {
 }
 
 TEST(FirstCrossing, StopsWhereTheWorkRunsOutWithTheWayBehindItFree) {
-  const FormulaSurface gyroid("scale(gyroid(), 0.01)", 1.0);
-  ImplicitField field(gyroid.surface, 1.0, 400);
-  const Vec3 from{0.02, 0.02, 0.02};
-  const Vec3 to{0.02, 0.4, 0.41};
-  ASSERT_GE(gyroid.value_at(from), 0.0);
-  const Crossing crossing = first_crossing(field, from, to, kPlentyOfRanges);
-  EXPECT_EQ(crossing.way, Way::unknown);
-  for (int i = 0; i <= 1000; ++i) {
-    EXPECT_GE(gyroid.value_at(from + 1e-3 * i * crossing.free_to * (to - from)), 0.0);
+  const FormulaSurface sphere("sphere(1)");
+  const Vec3 from{-3.0, 0.0, 1.001};
+  const Vec3 to{3.0, 0.1, 0.999};
+  const auto formula_size = sphere.surface.formula.instructions.size();
+  int unfinished = 0;
+  double last = 0.0;
+  for (std::size_t evaluations = 1; evaluations < 60; ++evaluations) {
+    ImplicitField field(sphere.surface, 1.0, evaluations * formula_size);
+    const Crossing crossing = first_crossing(field, from, to, kPlentyOfRanges);
+    unfinished += crossing.way == Way::unknown ? 1 : 0;
+    EXPECT_GE(crossing.free_to, last) << "more work gets no less far";
+    last = crossing.free_to;
+    for (int i = 0; i <= 1000; ++i) {
+      ASSERT_GE(sphere.value_at(from + 1e-3 * i * crossing.free_to * (to - from)), 0.0);
+    }
   }
+  EXPECT_GE(unfinished, 5);
+  EXPECT_GT(last, 0.5);
 }
 
 class RandomSegments : public ::testing::TestWithParam<const char*> {};
@@ -84,7 +92,7 @@ TEST_P(RandomSegments, AreFreeUpToTheFirstCrossingThatSamplingFinds) {
       EXPECT_LE(f(crossing.blocked_at), 1e-7) << "there is something";
     }
   }
-  EXPECT_GT(blocked, 20);
+  EXPECT_GT(blocked, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -61,7 +62,7 @@ TEST(ImplicitTracking, CatchesAHalfMillimetreShellCrossedAtTwoMetresPerSecond) {
   }
 }
 
-TEST(ImplicitTracking, LetsATheToolOutOfASolidButNotIn) {
+TEST(ImplicitTracking, LetsTheToolOutOfASolidButNotIn) {
   const FormulaSurface sphere("sphere(1)", 0.03);
   ImplicitTracker tracker;
   tracker.place(Vec3::Zero());
@@ -119,11 +120,16 @@ TEST(ImplicitTracking, GoesOverTheEdgeOfABox) {
   ImplicitTracker tracker;
   tracker.place({0.0, 0.03, 0.0});
   ImplicitRest rest;
-  for (int tick = 0; tick <= 100; ++tick) {  // on the top, out to the side, and down
-    const double t = 1e-2 * tick;
-    rest = tracker.advance(box.surface, kNoFriction, {0.0195 * t, 0.0195 - 0.004 * t, 0.0});
-    EXPECT_GE(box.value_at(rest.proxy_W), 0.0);
-    EXPECT_EQ(rest.flags, kTouchClean);
+  // On the top to beyond the edge, down, and in.
+  const std::array<Vec3, 4> corners{Vec3{0.0, 0.0195, 0.0}, Vec3{0.022, 0.0195, 0.0},
+                                    Vec3{0.022, 0.0155, 0.0}, Vec3{0.0195, 0.0155, 0.0}};
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    for (int tick = 0; tick <= 100; ++tick) {
+      const Vec3 tool = corners[leg] + 0.01 * tick * (corners[leg + 1] - corners[leg]);
+      rest = tracker.advance(box.surface, kNoFriction, tool);
+      EXPECT_GE(box.value_at(rest.proxy_W), 0.0);
+      EXPECT_EQ(rest.flags, kTouchClean);
+    }
   }
   EXPECT_NEAR(rest.proxy_W.x(), 0.02, kRest_m);
   EXPECT_NEAR(rest.proxy_W.y(), 0.0155, 1e-6);
@@ -237,15 +243,27 @@ TEST(ImplicitTracking, SurvivesAToolThatIsNotANumberOrBeyondTheWorld) {
   }
 }
 
-TEST(ImplicitTracking, ANumberlessRegionOfAFormulaIsFree) {
+TEST(ImplicitTracking, StaysOutOfWhereTheFormulaGivesNoNumber) {
   const FormulaSurface odd("(x/x - 1)/(y/y - 1) + z", 0.03);  // 0/0 everywhere
   ImplicitTracker tracker;
-  tracker.place({0.01, 0.01, 0.01});
+  const Vec3 start{0.01, 0.01, 0.01};
+  tracker.place(start);
   for (int tick = 0; tick < 50; ++tick) {
     const ImplicitRest rest = tracker.advance(odd.surface, kNoFriction, {0.01, 0.01, -0.01});
-    EXPECT_TRUE(rest.proxy_W.allFinite());
-    EXPECT_EQ(rest.planes, 0);
+    EXPECT_TRUE(rest.proxy_W.allFinite() && rest.normal_W.allFinite());
+    EXPECT_LE((rest.proxy_W - start).norm(), 1e-6);
   }
+}
+
+TEST(ImplicitTracking, LeavesAPlaceInFreeSpaceWhereTheGradientVanishes) {
+  const FormulaSurface hollow("-sphere(1)", 0.03);
+  ImplicitTracker tracker;
+  tracker.place(Vec3::Zero());
+  tracker.advance(hollow.surface, kNoFriction, Vec3::Zero());
+  const Vec3 tool{0.001, 0.002, 0.003};
+  const ImplicitRest rest = tracker.advance(hollow.surface, kNoFriction, tool);
+  EXPECT_EQ(rest.planes, 0);
+  EXPECT_LE((rest.proxy_W - tool).norm(), 1e-15);
 }
 
 TEST(ImplicitTracking, EndsOpenAtItsBounds) {
@@ -263,14 +281,12 @@ TEST(ImplicitTracking, EndsOpenAtItsBounds) {
 TEST(ImplicitTracking, AToolThatJumpsAcrossTheWorldIsStoppedByWhatLiesBetween) {
   const FormulaSurface shell("shell(sphere(0.03), 0.0005)");
   ImplicitTracker tracker;
-  tracker.place({-90.0, 0.01, 0.0});
+  tracker.place({-90.0, 0.0, 0.0});
   ImplicitRest rest;
   for (int tick = 0; tick < 10; ++tick) {
-    rest = tracker.advance(shell.surface, kNoFriction, {90.0, 0.01, 0.0});
+    rest = tracker.advance(shell.surface, kNoFriction, {90.0, 0.0, 0.0});
     EXPECT_GE(rest.proxy_W.norm(), 0.03025);
-    if (tick == 0) {
-      EXPECT_LT(rest.proxy_W.x(), 0.0);
-    }
+    EXPECT_LT(rest.proxy_W.x(), 0.0);
   }
 }
 

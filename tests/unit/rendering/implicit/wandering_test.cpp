@@ -57,9 +57,14 @@ class Wanderer {
   bool jumps_ = false;
 };
 
+// A shape with cusps, in whose bottom no double tells free from solid, or where sheets cross: more
+// ticks may say that they could not finish.
+enum class Ground { regular, singular };
+
 struct Case {
   const char* text;
   Sides sides;
+  Ground ground = Ground::regular;
 };
 
 // How a parameter is printed by GoogleTest.
@@ -118,20 +123,21 @@ TEST_P(Wandering, KeepsTheProxyOnItsSideAndBringsItToRestNearTheTool) {
   RecordProperty("contact", contact);
   RecordProperty("flagged", flagged);
   RecordProperty("short_of", short_of);
-  std::printf("%d contact, %d flagged, %d short of the minimum\n", contact, flagged, short_of);
   EXPECT_GT(contact, ticks() / 20);
-  EXPECT_LE(flagged, ticks() / 50);
-  EXPECT_LE(short_of, contact / 100);
+  EXPECT_LE(flagged, GetParam().ground == Ground::regular ? contact / 1000 : contact);
+  EXPECT_LE(short_of, contact / 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, Wandering,
     ::testing::Values(Case{"sphere(1)", Sides::one}, Case{"shell(sphere(1), 0.01)", Sides::one},
                       Case{"sphere(1)", Sides::two}, Case{"torus(0.9, 0.3)", Sides::one},
-                      Case{"heart()", Sides::one}, Case{"heart()", Sides::two},
-                      Case{"intersection(barth_sextic(), sphere(1.6))", Sides::one},
-                      Case{"klein_bottle()", Sides::two},
-                      Case{"scale(klein_bottle(), 0.4)", Sides::one},
+                      Case{"heart()", Sides::one, Ground::singular},
+                      Case{"heart()", Sides::two, Ground::singular},
+                      Case{"intersection(barth_sextic(), sphere(1.6))", Sides::one,
+                           Ground::singular},
+                      Case{"klein_bottle()", Sides::two, Ground::singular},
+                      Case{"scale(klein_bottle(), 0.4)", Sides::one, Ground::singular},
                       Case{"scale(gyroid(), 0.3)", Sides::two},
                       Case{"scale(shell(gyroid(), 0.1), 0.3)", Sides::one},
                       Case{"scale(quartic(), 0.5)", Sides::one}, Case{"box(1.5, 1, 2)", Sides::one},
