@@ -66,6 +66,38 @@ BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription
   }
 }
 
+BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene) {
+  try {
+    return bake_mesh(picture_of(object.shape, object.placement));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}: {}", scene, object.line, error.what()));
+  }
+}
+
+// A shape's report counts the triangles of its picture.
+BakedObject bake_shape(const ObjectDescription& object, const std::string& scene,
+                       ObjectReport& report, const Progress& progress) {
+  const Stopwatch stopwatch;
+  tell(progress, fmt::format("{}: drawing the shape", object.name));
+  BakedObject baked{.name = object.name,
+                    .sides = object.sides,
+                    .material = object.material,
+                    .mesh = bake_picture(object, scene),
+                    .shape = object.shape,
+                    .placement = object.placement,
+                    .contact = object.contact};
+  report = {.name = object.name,
+            .mesh = "",
+            .triangles = baked.mesh.triangles.size(),
+            .vertices = baked.mesh.vertices.size(),
+            .lines_and_points = 0,
+            .counters = baked.mesh.counters,
+            .bytes = image_bytes(baked.mesh),
+            .seconds = stopwatch.seconds(),
+            .warnings = {}};
+  return baked;
+}
+
 BakedObject bake_object(const ObjectDescription& object, ObjectReport& report,
                         const Progress& progress) {
   const Stopwatch stopwatch;
@@ -75,7 +107,10 @@ BakedObject bake_object(const ObjectDescription& object, ObjectReport& report,
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
                     .material = object.material,
-                    .mesh = bake_object_mesh(imported, object)};
+                    .mesh = bake_object_mesh(imported, object),
+                    .shape = {},
+                    .placement = {},
+                    .contact = object.contact};
   report = {.name = object.name,
             .mesh = object.mesh.string(),
             .triangles = baked.mesh.triangles.size(),
@@ -101,10 +136,15 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                     .objects = {}};
   BakedScene baked{.tool_radius_m = description.tool_radius_m, .objects = {}};
   for (const ObjectDescription& object : description.objects) {
-    require_mesh_file(object, description.file);
+    if (!object.mesh.empty()) {
+      require_mesh_file(object, description.file);
+    }
   }
   for (const ObjectDescription& object : description.objects) {
-    baked.objects.push_back(bake_object(object, report.objects.emplace_back(), progress));
+    ObjectReport& own = report.objects.emplace_back();
+    baked.objects.push_back(object.mesh.empty()
+                                ? bake_shape(object, description.file, own, progress)
+                                : bake_object(object, own, progress));
   }
   tell(progress, fmt::format("writing {}", image.string()));
   const std::vector<std::byte> bytes = write_image(baked);

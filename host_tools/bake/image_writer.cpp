@@ -58,12 +58,51 @@ Offset<image::Material> write_material(FlatBufferBuilder& builder,
                                image::Friction::ConeFriction, friction.Union());
 }
 
+image::Double3 stored(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+image::Pose pose_of(const Placement& placement) {
+  const Mat3 axes = placement.rotation.toRotationMatrix();
+  return {stored(axes.col(0)), stored(axes.col(1)), stored(axes.col(2)),
+          stored(placement.position_m)};
+}
+
+Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) {
+  const image::Pose pose = pose_of(object.placement);
+  if (const auto* primitive = std::get_if<rendering::Primitive>(&object.shape)) {
+    const std::array<double, 3>& d = primitive->dimensions_m;
+    const image::Double3 dimensions(d[0], d[1], d[2]);
+    return image::CreatePrimitive(builder, static_cast<std::uint8_t>(primitive->kind), &pose,
+                                  &dimensions)
+        .Union();
+  }
+  if (const auto* implicit = std::get_if<ImplicitDescription>(&object.shape)) {
+    const auto instructions = write_vector<image::Instruction>(
+        builder, implicit->formula.instructions, alignof(rendering::Instruction));
+    const image::Double3 lower = stored(implicit->bounds_O.lower);
+    const image::Double3 upper = stored(implicit->bounds_O.upper);
+    return image::CreateImplicit(builder, instructions, &pose, object.placement.scale, &lower,
+                                 &upper)
+        .Union();
+  }
+  return {};
+}
+
+image::Shape shape_type(const ShapeDescription& shape) {
+  constexpr std::array kTypes{image::Shape::NONE, image::Shape::Primitive, image::Shape::Implicit};
+  return kTypes[shape.index()];
+}
+
 Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject& object) {
   const auto mesh = write_mesh(builder, object.mesh);
   const auto material = write_material(builder, object.material);
   const auto name = builder.CreateString(object.name);
   const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
-  return image::CreateObject(builder, name, sides, material, mesh);
+  const auto shape = write_shape(builder, object);
+  return image::CreateObject(builder, name, sides, material, mesh,
+                             static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
+                             shape);
 }
 
 std::uint64_t estimated_bytes(const BakedScene& scene) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/shape_description.h"
 #include "rendering/world/object.h"
 
 namespace tactus::host {
@@ -17,6 +18,9 @@ struct BakedObject {
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
   BakedMesh mesh;
+  ShapeDescription shape;
+  Placement placement;  // of the shape
+  rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
 };
 
 struct BakedScene {

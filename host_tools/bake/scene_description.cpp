@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}};
-constexpr std::array kObjectKeys{
+constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
     KeySpec{"mesh", ""},
     KeySpec{"longest_side_m", "m"},
@@ -28,7 +28,13 @@ constexpr std::array kObjectKeys{
     KeySpec{"stiffness_N_per_m", "N_per_m"},
     KeySpec{"damping_Ns_per_m", "Ns_per_m"},
     KeySpec{"friction", ""},
+    KeySpec{"contact", ""},
 };
+constexpr auto kObjectKeys = [] {
+  std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
+  std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
+  return keys;
+}();
 constexpr std::array kRotationKeys{KeySpec{"axis", ""}, KeySpec{"angle_deg", "deg"},
                                    KeySpec{"quaternion_wxyz", ""}};
 constexpr std::array kFrictionKeys{KeySpec{"model", ""}, KeySpec{"static", ""},
@@ -115,14 +121,18 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
                               const std::filesystem::path& folder) {
   const TomlSection section(table, file, fmt::format("object {}", index + 1), kObjectKeys);
   ObjectDescription object;
-  const std::optional<std::string> mesh = section.text("mesh");
-  if (!mesh) {
-    section.fail("mesh", "has no mesh; write mesh = \"file.ply\"");
-  }
-  object.mesh = folder / *mesh;
-  object.line = section.line("mesh");
-  object.name = section.text("name").value_or(object.mesh.stem().string());
   object.placement = read_placement(section, file);
+  object.shape = read_shape(section, object.placement);
+  object.contact = read_contact(section, object.shape);
+  if (const std::optional<std::string> mesh = section.text("mesh")) {
+    object.mesh = folder / *mesh;
+  }
+  object.line = section.line(section.has("mesh")        ? "mesh"
+                             : section.has("primitive") ? "primitive"
+                                                        : "formula");
+  object.name = section.text("name").value_or(object.mesh.empty()
+                                                  ? section.text("primitive").value_or("formula")
+                                                  : object.mesh.stem().string());
   object.sides = read_sides(section);
   object.material.stiffness_N_per_m =
       section.number("stiffness_N_per_m", kZeroOrMore).value_or(kDefaultStiffness_N_per_m);
@@ -150,7 +160,7 @@ const toml::array& object_array(const toml::table& root, const TomlSection& scen
     scene.fail("object", "[object] is a single table; write [[object]], with two brackets");
   }
   if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table)) {
-    scene.fail("object", "there is no [[object]]; add one with a mesh");
+    scene.fail("object", "there is no [[object]]; add one with a mesh, a primitive or a formula");
   }
   if (array->size() > rendering::kMaxObjects) {
     scene.fail("object", fmt::format("{} objects, where {} fit; leave some out", array->size(),

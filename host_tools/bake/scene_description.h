@@ -9,14 +9,18 @@
 
 #include "host_tools/bake/mesh_bake.h"
 #include "host_tools/bake/placement.h"
+#include "host_tools/bake/shape_description.h"
 #include "rendering/world/object.h"
 
 namespace tactus::host {
 
 struct ObjectDescription {
   std::string name;
-  std::filesystem::path mesh;  // relative paths are resolved against the scene file's folder
-  std::size_t line = 0;        // of the mesh key, for errors in the mesh
+  ShapeDescription shape;
+  rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
+  std::filesystem::path mesh;  // relative paths are resolved against the scene file's folder; empty
+                               // with a shape
+  std::size_t line = 0;        // of the mesh key or the shape's, for errors in it
   Placement placement;
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;

@@ -41,8 +41,12 @@ constexpr std::array kTexts{
     Text{"hierarchy does not cover the triangles once each, in order; bake the scene again",
          "node"},
     Text{"hierarchy has a box that does not hold what is below it; bake the scene again", "node"},
+    Text{"shape has a number that is not finite or out of range; bake the scene again", ""},
+    Text{"formula cannot be carried out; bake the scene again", "instruction"},
+    Text{"unknown contact method, or one that does not go with the surface; bake the scene again",
+         "method"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::hierarchy_box) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::method) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];

@@ -31,6 +31,9 @@ enum class SceneFault : std::uint8_t {
   hierarchy_depth,    // more than kMaxHierarchyDepth levels; place: node
   hierarchy_cover,    // leaves that do not list every triangle once, in order; place: node
   hierarchy_box,      // a box that does not hold what is below it; place: node
+  shape,              // a primitive or implicit surface with a number out of range
+  formula,            // instructions that must not be carried out; place: instruction
+  method,             // unknown, or one that does not go with the surface; place: value found
 };
 
 inline constexpr std::uint32_t kNoObject = 0xffffffff;

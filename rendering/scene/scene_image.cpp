@@ -37,6 +37,72 @@ BakedMeshView view(const image::Mesh& mesh) {
           .vertex_normals = in_place<Float3>(mesh.vertex_normals())};
 }
 
+static_assert(sizeof(Instruction) == sizeof(image::Instruction) && offsetof(Instruction, a) == 2 &&
+              offsetof(Instruction, exponent) == 6 && offsetof(Instruction, constant) == 8);
+
+Vec3 to_vec3(const image::Double3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+RigidPose to_pose(const image::Pose& stored) {
+  RigidPose pose;
+  pose.rotation << to_vec3(stored.x_axis()), to_vec3(stored.y_axis()), to_vec3(stored.z_axis());
+  pose.translation = to_vec3(stored.origin());
+  return pose;
+}
+
+// A rotation to 1e-9, within the world.
+bool is_pose(const RigidPose& pose) {
+  constexpr double kTolerance = 1e-9;
+  const Mat3 product = pose.rotation * pose.rotation.transpose();
+  return (product - Mat3::Identity()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kTolerance &&
+         pose.rotation.determinant() > 0.0 &&
+         pose.translation.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
+}
+
+Result take_primitive(const image::Primitive& stored, Object& object) {
+  object.surface = SurfaceKind::primitive;
+  object.primitive = {.kind = static_cast<PrimitiveKind>(stored.kind()),
+                      .X_WO = to_pose(*stored.pose()),
+                      .dimensions_m = {stored.dimensions()->x(), stored.dimensions()->y(),
+                                       stored.dimensions()->z()}};
+  if (stored.kind() > std::to_underlying(PrimitiveKind::torus) || !valid(object.primitive)) {
+    return fail(SceneFault::shape);
+  }
+  return {};
+}
+
+Result take_implicit(const image::Implicit& stored, Object& object) {
+  object.surface = SurfaceKind::implicit;
+  ImplicitSurface& implicit = object.implicit;
+  const RigidPose pose = to_pose(*stored.pose());
+  implicit = {.formula = {in_place<Instruction>(stored.instructions())},
+              .bounds_O = {.lower = to_vec3(*stored.lower()), .upper = to_vec3(*stored.upper())},
+              .R_WO = pose.rotation,
+              .p_WO = pose.translation,
+              .scale_m = stored.scale(),
+              .sides = object.sides};
+  const Vec3 size = implicit.bounds_O.upper - implicit.bounds_O.lower;
+  if (!is_pose(pose) || !(implicit.scale_m > 0.0 && implicit.scale_m <= kWorldBound_m) ||
+      !implicit.bounds_O.lower.allFinite() || !size.allFinite() || !(size.minCoeff() > 0.0)) {
+    return fail(SceneFault::shape);
+  }
+  if (const auto checked = check(implicit.formula); !checked) {
+    return fail(SceneFault::formula, checked.error().place);
+  }
+  return {};
+}
+
+Result take_shape(const image::Object& stored, Object& object) {
+  if (const image::Primitive* primitive = stored.shape_as_Primitive()) {
+    return take_primitive(*primitive, object);
+  }
+  if (const image::Implicit* implicit = stored.shape_as_Implicit()) {
+    return take_implicit(*implicit, object);
+  }
+  return stored.shape_type() == image::Shape::NONE ? Result{} : Result{fail(SceneFault::shape)};
+}
+
 bool is_coefficient(double value) {
   return std::isfinite(value) && value >= 0.0;
 }
@@ -159,8 +225,19 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (const Result mesh = check_mesh(baked); !mesh) {
     return mesh;
   }
-  objects_[index] = {
-      .mesh = baked.mesh, .sides = static_cast<Sides>(object.sides()), .material = *material};
+  Object& taken = objects_[index];
+  taken.mesh = baked.mesh;
+  taken.neighbours = baked.neighbours;
+  taken.vertex_normals = baked.vertex_normals;
+  taken.sides = static_cast<Sides>(object.sides());
+  taken.material = *material;
+  taken.method = static_cast<ContactMethod>(object.method());
+  if (const Result shape = take_shape(object, taken); !shape) {
+    return shape;
+  }
+  if (object.method() > std::to_underlying(ContactMethod::tracking) || !usable(taken)) {
+    return fail(SceneFault::method, object.method());
+  }
   return {};
 }
 

@@ -37,6 +37,9 @@ struct Object {
   Material material;
 };
 
+// Whether the surface is sound and its contact method can touch it.
+bool usable(const Object& object);
+
 inline bool meets_proxy(const Object& object) {
   return object.method == ContactMethod::sphere_proxy || object.method == ContactMethod::god_object;
 }

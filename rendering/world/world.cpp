@@ -8,27 +8,6 @@
 namespace tactus::rendering {
 namespace {
 
-bool usable(const MeshView& mesh) {
-  return !mesh.vertices.empty() && !mesh.triangles.empty() && !mesh.nodes.empty();
-}
-
-// Whether the surface is sound and the method can touch it.
-bool usable(const Object& object) {
-  switch (object.surface) {
-    case SurfaceKind::primitive:
-      return valid(object.primitive) &&
-             (meets_proxy(object) || object.method == ContactMethod::potential_field);
-    case SurfaceKind::implicit:
-      return object.method == ContactMethod::tracking &&
-             check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
-    default:
-      return usable(object.mesh) &&
-             (meets_proxy(object) || (object.method == ContactMethod::potential_field &&
-                                      object.neighbours.size() == object.mesh.triangles.size() &&
-                                      object.vertex_normals.size() == object.mesh.vertices.size()));
-  }
-}
-
 bool valid(const ToolState& tool) {
   // Comparisons with a value that is not a number are false.
   return tool.p_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m &&
@@ -49,10 +28,8 @@ ContactKind kind_of(Feature feature) {
 }  // namespace
 
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
-  const bool good =
-      objects.size() <= kMaxObjects &&
-      std::ranges::all_of(objects, [](const Object& object) { return usable(object); }) &&
-      config.tool_radius_m >= 0.0;
+  const bool good = objects.size() <= kMaxObjects && std::ranges::all_of(objects, usable) &&
+                    config.tool_radius_m >= 0.0;
   objects_ = good ? objects : std::span<const Object>{};
   tool_radius_m_ = good ? config.tool_radius_m : 0.0;
   any_proxy_ = std::ranges::any_of(objects_, meets_proxy);
