@@ -188,10 +188,9 @@ ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p) {
 
 SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& way,
                             const Interval& t) {
-  const AlongSegment f =
-      run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), way.x(), t),
-                                               coordinate_along(from.y(), way.y(), t),
-                                               coordinate_along(from.z(), way.z(), t)});
+  const auto f = run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), way.x(), t),
+                                                          coordinate_along(from.y(), way.y(), t),
+                                                          coordinate_along(from.z(), way.z(), t)});
   return {.value = f.v, .slope = f.d[0]};
 }
 
