@@ -153,21 +153,25 @@ FormulaBuilder::Value FormulaBuilder::negate(Value a) {
                                        : put({.opcode = Opcode::negate, .a = a});
 }
 
+FormulaBuilder::Value FormulaBuilder::whole_power(Value a, int n) {
+  if (n == 1) {
+    return a;
+  }
+  // Squares of what may be there already, with tighter intervals than one high power.
+  return n % 2 == 0 && n > 2
+             ? put({.opcode = Opcode::power, .a = whole_power(a, n / 2), .exponent = 2})
+             : put({.opcode = Opcode::power, .a = a, .exponent = static_cast<std::int16_t>(n)});
+}
+
 std::optional<FormulaBuilder::Value> FormulaBuilder::power(Value a, int n) {
   const int size = n < 0 ? -n : n;
   if (size > rendering::kMaxExponent) {
     return std::nullopt;
   }
-  Value result = a;
   if (size == 0) {
     return constant(1.0);
   }
-  if (size % 2 == 0 && size > 2) {
-    // Squares of what may be there already, with tighter intervals than one high power.
-    result = put({.opcode = Opcode::power, .a = *power(a, size / 2), .exponent = 2});
-  } else if (size > 1) {
-    result = put({.opcode = Opcode::power, .a = a, .exponent = static_cast<std::int16_t>(size)});
-  }
+  const Value result = whole_power(a, size);
   return n < 0 ? divide(constant(1.0), result) : result;
 }
 

@@ -28,6 +28,8 @@ class FormulaBuilder {
   Value multiply(Value a, Value b);
   Value divide(Value a, Value b);
   Value negate(Value a);
+  // a^n for 1 <= n <= kMaxExponent.
+  Value whole_power(Value a, int n);
   // a^n for any integer n; nothing if |n| is above what instructions can hold.
   std::optional<Value> power(Value a, int n);
   Value real_power(Value a, double exponent);

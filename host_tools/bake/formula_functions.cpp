@@ -165,7 +165,7 @@ Result heart(Builder& b, const Coordinates& at, Arguments /*a*/) {
   const Value z2 = square(b, at.z);
   const Value body = b.subtract(sum(b, {x2, times(b, 2.25, y2), z2}), b.constant(1.0));
   const Value dent = b.multiply(b.add(x2, times(b, 9.0 / 80.0, y2)), b.multiply(z2, at.z));
-  return b.subtract(*b.power(body, 3), dent);
+  return b.subtract(b.whole_power(body, 3), dent);
 }
 
 Result barth_sextic(Builder& b, const Coordinates& at, Arguments /*a*/) {

@@ -153,6 +153,7 @@ class Compiler {
     }
     require_arguments(node, function->arguments, function->fewest, function->most);
     std::vector<Value> arguments;
+    arguments.reserve(node.children.size());
     for (const FormulaNode& child : node.children) {
       arguments.push_back(value_of(child, at));
     }

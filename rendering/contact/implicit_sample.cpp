@@ -25,7 +25,7 @@ std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p_O, dou
   constexpr double kGoodEnough = 0.5;
   const double rest = kImplicitRest_m / field.surface().scale_m;
   for (int step = 0;; ++step) {
-    const ImplicitSample s = sample(field, p_O);
+    ImplicitSample s = sample(field, p_O);
     const double rise = rest - s.height;
     if (!(s.steepness > 0.0) || !(std::abs(rise) <= most)) {
       return std::nullopt;

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rendering/contact/first_crossing.h"
 #include "rendering/contact/implicit_glide.h"
@@ -63,11 +64,11 @@ Inside clip(const Box& box, const Vec3& from, const Vec3& way) {
 class Tick {
  public:
   Tick(ImplicitProxyState& state, const ImplicitSurface& surface, const ConeFriction& friction,
-       const Vec3& h_O)
+       Vec3 h_O)
       : state_(state),
         surface_(surface),
         friction_(friction),
-        h_(h_O),
+        h_(std::move(h_O)),
         field_(surface, 1.0, kMaxFormulaWork) {}
 
   ImplicitRest run() {

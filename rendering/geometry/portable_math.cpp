@@ -54,7 +54,8 @@ double power_of_two(int exponent) {
 
 SineCosine sine_cosine(double x) {
   constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
-  if (!(x >= -kLargestAngle && x <= kLargestAngle)) {
+  const bool is_angle = x >= -kLargestAngle && x <= kLargestAngle;
+  if (!is_angle) {
     return {kNaN, kNaN};
   }
   const int quadrant = static_cast<int>(x * kTwoOverPi + (x < 0.0 ? -0.5 : 0.5));
@@ -75,7 +76,8 @@ SineCosine sine_cosine(double x) {
 
 double exponential(double x) {
   constexpr double kLog2OfE = 0x1.71547652b82fep+0;
-  if (!(x >= -kLargestExponent && x <= kLargestExponent)) {
+  const bool is_inside = x >= -kLargestExponent && x <= kLargestExponent;
+  if (!is_inside) {
     if (x > 0.0) {
       return exponential(kLargestExponent);
     }
@@ -99,8 +101,8 @@ double logarithm(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(std::max(x, kSmallestLogarithmArgument));
   // x = m 2^exponent with m between sqrt(1/2) and sqrt(2).
   int exponent = static_cast<int>(bits >> kMantissaBits) - kBias + 1;
-  double m = std::bit_cast<double>((bits & kMantissaMask) |
-                                   (static_cast<std::uint64_t>(kBias - 1) << kMantissaBits));
+  auto m = std::bit_cast<double>((bits & kMantissaMask) |
+                                 (static_cast<std::uint64_t>(kBias - 1) << kMantissaBits));
   if (m < kSqrtHalf) {
     m *= 2.0;
     --exponent;

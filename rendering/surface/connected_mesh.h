@@ -7,8 +7,8 @@
 #include <span>
 
 #include "rendering/geometry/triangle.h"
-#include "rendering/surface/primitive.h"
 #include "rendering/surface/mesh.h"
+#include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {
 

@@ -112,7 +112,8 @@ inline double cosine(double a) {
 // Of sin(a + quarter_turns * pi/2).
 inline Interval shifted_sine(const Interval& a, double at_lower, double at_upper, int shift) {
   constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
-  if (!(a.lower >= -kLargestAngle && a.upper <= kLargestAngle)) {
+  const bool has_sine = a.lower >= -kLargestAngle && a.upper <= kLargestAngle;
+  if (!has_sine) {
     return kEverything;
   }
   const double first = std::floor(a.lower * kTwoOverPi);

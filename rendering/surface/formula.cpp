@@ -80,6 +80,59 @@ struct Coordinates {
   Number z;
 };
 
+// a and b are only looked at where the opcode uses them.
+template <class Number>
+inline Number carry_out(const Instruction& i, const Number& a, const Number& b,
+                        const Coordinates<Number>& at) {
+  switch (i.opcode) {
+    case Opcode::constant:
+      return constant_number<Number>(i.constant);
+    case Opcode::x:
+      return at.x;
+    case Opcode::y:
+      return at.y;
+    case Opcode::z:
+      return at.z;
+    case Opcode::add:
+      return a + b;
+    case Opcode::subtract:
+      return a - b;
+    case Opcode::multiply:
+      return a * b;
+    case Opcode::divide:
+      return a / b;
+    case Opcode::negate:
+      return -a;
+    case Opcode::offset:
+      return a + i.constant;
+    case Opcode::scale:
+      return a * i.constant;
+    case Opcode::power:
+      return power(a, i.exponent);
+    case Opcode::square_root:
+      return square_root(a);
+    case Opcode::sine:
+      return sine(a);
+    case Opcode::cosine:
+      return cosine(a);
+    case Opcode::exponential:
+      return exponential(a);
+    case Opcode::logarithm:
+      return logarithm(a);
+    case Opcode::magnitude:
+      return magnitude(a);
+    case Opcode::minimum:
+      return smaller(a, b);
+    case Opcode::maximum:
+      return -smaller(-a, -b);
+    case Opcode::real_power:
+      return real_power(a, i.constant);
+    case Opcode::power_norm:
+      return power_norm(a, b, i.constant);
+  }
+  return at.x;  // no opcode that check() lets through
+}
+
 template <class Number>
 Number run(std::span<const Instruction> instructions, const Coordinates<Number>& at) {
   // Left uninitialised on purpose: every result is written before it is read.
@@ -89,77 +142,7 @@ Number run(std::span<const Instruction> instructions, const Coordinates<Number>&
   } results;
   Number* result = results.of.data();
   for (const Instruction& i : instructions) {
-    const Number& a = results.of[i.a];
-    const Number& b = results.of[i.b];
-    switch (i.opcode) {
-      case Opcode::constant:
-        *result = constant_number<Number>(i.constant);
-        break;
-      case Opcode::x:
-        *result = at.x;
-        break;
-      case Opcode::y:
-        *result = at.y;
-        break;
-      case Opcode::z:
-        *result = at.z;
-        break;
-      case Opcode::add:
-        *result = a + b;
-        break;
-      case Opcode::subtract:
-        *result = a - b;
-        break;
-      case Opcode::multiply:
-        *result = a * b;
-        break;
-      case Opcode::divide:
-        *result = a / b;
-        break;
-      case Opcode::negate:
-        *result = -a;
-        break;
-      case Opcode::offset:
-        *result = a + i.constant;
-        break;
-      case Opcode::scale:
-        *result = a * i.constant;
-        break;
-      case Opcode::power:
-        *result = power(a, i.exponent);
-        break;
-      case Opcode::square_root:
-        *result = square_root(a);
-        break;
-      case Opcode::sine:
-        *result = sine(a);
-        break;
-      case Opcode::cosine:
-        *result = cosine(a);
-        break;
-      case Opcode::exponential:
-        *result = exponential(a);
-        break;
-      case Opcode::logarithm:
-        *result = logarithm(a);
-        break;
-      case Opcode::magnitude:
-        *result = magnitude(a);
-        break;
-      case Opcode::minimum:
-        *result = smaller(a, b);
-        break;
-      case Opcode::maximum:
-        *result = -smaller(-a, -b);
-        break;
-      case Opcode::real_power:
-        *result = real_power(a, i.constant);
-        break;
-      case Opcode::power_norm:
-        *result = power_norm(a, b, i.constant);
-        break;
-    }
-    ++result;
+    *result++ = carry_out(i, results.of[i.a], results.of[i.b], at);
   }
   return *(result - 1);
 }
@@ -197,18 +180,17 @@ double evaluate(const FormulaView& formula, const Vec3& p) {
 }
 
 ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p) {
-  const Gradient f = run<Gradient>(formula.instructions, {{.v = p.x(), .d = {1.0, 0.0, 0.0}},
-                                                          {.v = p.y(), .d = {0.0, 1.0, 0.0}},
-                                                          {.v = p.z(), .d = {0.0, 0.0, 1.0}}});
+  const auto f = run<Gradient>(formula.instructions, {{.v = p.x(), .d = {1.0, 0.0, 0.0}},
+                                                      {.v = p.y(), .d = {0.0, 1.0, 0.0}},
+                                                      {.v = p.z(), .d = {0.0, 0.0, 1.0}}});
   return {.value = f.v, .gradient = {f.d[0], f.d[1], f.d[2]}};
 }
 
 SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& way,
                             const Interval& t) {
-  const AlongSegment f =
-      run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), way.x(), t),
-                                               coordinate_along(from.y(), way.y(), t),
-                                               coordinate_along(from.z(), way.z(), t)});
+  const auto f = run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), way.x(), t),
+                                                          coordinate_along(from.y(), way.y(), t),
+                                                          coordinate_along(from.z(), way.z(), t)});
   return {.value = f.v, .slope = f.d[0]};
 }
 

@@ -46,7 +46,7 @@ TEST(FormulaCheck, RefusesAnUnknownOpcode) {
 }
 
 TEST(FormulaCheck, RefusesOperandsThatAreNotEarlierResults) {
-  for (std::uint8_t opcode = static_cast<std::uint8_t>(Opcode::add); opcode < kOpcodes; ++opcode) {
+  for (auto opcode = static_cast<std::uint8_t>(Opcode::add); opcode < kOpcodes; ++opcode) {
     for (const std::uint16_t operand : {std::uint16_t{3}, std::uint16_t{4}, std::uint16_t{65535}}) {
       List list = coordinates();
       list.push_back(
@@ -87,7 +87,7 @@ TEST(FormulaCheck, WhatItLetsThroughOfRandomBytesCanBeEvaluated) {
     const std::size_t more = random() % 6;
     for (std::size_t i = 0; i < more; ++i) {
       auto instruction =
-          std::bit_cast<Instruction>(std::array<std::uint64_t, 2>{random() & random(), random()});
+          std::bit_cast<Instruction>(std::array<std::uint64_t, 2>{random(), random()});
       // Near enough to what is right that some lists pass.
       instruction.opcode = static_cast<Opcode>(random() % (kOpcodes + 1U));
       instruction.a %= static_cast<std::uint16_t>(list.size() + 1);
