@@ -41,8 +41,8 @@ inline constexpr std::size_t kMaxTextureLevels = 14;
 // nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxWork = 384;
 
-// Instructions of an implicit surface's formula; sizes the evaluation's stack frame (16 kilobytes
-// at the most). Beyond: baking and the image check refuse.
+// Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
+// Beyond: baking and the image check refuse.
 inline constexpr std::size_t kMaxFormulaInstructions = 256;
 
 // Formula instructions carried out for one implicit surface in one tick, whatever for: about 0.2 ms

@@ -20,7 +20,7 @@ class ImplicitField {
   void set_side(double side) { side_ = side; }
   [[nodiscard]] const ImplicitSurface& surface() const { return surface_; }
 
-  // What is not a number counts as free.
+  // What is not a number counts as above 0; a way into where the formula gives none is blocked.
   double value(const Vec3& p_O);
   // A gradient that is not finite is given as zero.
   ValueAndGradient value_and_gradient(const Vec3& p_O);

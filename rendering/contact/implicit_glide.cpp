@@ -17,54 +17,34 @@ struct Tangents {
 using Mat2 = Eigen::Matrix2d;
 using Vec2 = Eigen::Vector2d;
 
-// How the normal turns along the tangents, 1 per unit of length; positive on a bulge. By
-// differences of exact gradients: a guess is good enough here, every step is checked before it is
-// taken.
+// How the normal turns along the tangents, 1 per unit of length; positive on a bulge. Differences
+// of normals, not of gradients: beside a singular point the gradient's size says nothing. A guess
+// is good enough here, every step is checked before it is taken.
 Mat2 shape_operator(ImplicitField& field, const ImplicitSample& at, const Tangents& t,
                     double distance) {
-  const Vec3 along = field.value_and_gradient(at.point + distance * t.along).gradient - at.gradient;
-  const Vec3 across =
-      field.value_and_gradient(at.point + distance * t.across).gradient - at.gradient;
+  const Vec3 along = sample(field, at.point + distance * t.along).normal - at.normal;
+  const Vec3 across = sample(field, at.point + distance * t.across).normal - at.normal;
   const double twist = 0.5 * (along.dot(t.across) + across.dot(t.along));
   Mat2 shape;
   shape << along.dot(t.along), twist, twist, across.dot(t.across);
-  return shape / (distance * at.steepness);
+  return shape / distance;
 }
 
-// The tangent step (1 - depth * S)^-1 (length, 0). Where the tool lies beyond the centre of
-// curvature that is no minimum: then as far as the curvature lets a step go.
+// The tangent step (1 - depth * S)^-1 (length, 0), shortened to turn the normal by no more than the
+// second order can be trusted with. Where the tool lies beyond the centre of curvature that is no
+// minimum: then as far along the plain step as the normal's turn lets it go.
 Vec2 corrected_step(const Mat2& shape, double depth, double length) {
   constexpr double kMostTurn_rad = 0.3;
-  constexpr double kLeastStiffness = 1e-3;
-  const double most = kMostTurn_rad / std::max(shape.norm(), kMostTurn_rad / (1e6 * length));
+  constexpr double kMostStretch = 1e3;
+  constexpr double kLeastStiffness = 1.0 / kMostStretch;
   const Mat2 stiffness = Mat2::Identity() - depth * shape;
   const double determinant = stiffness.determinant();
-  Vec2 step{most, 0.0};
+  Vec2 step{kMostStretch * length, 0.0};
   if (stiffness.trace() > 0.0 && determinant > kLeastStiffness) {
     step = length / determinant * Vec2{stiffness(1, 1), -stiffness(1, 0)};
   }
-  const double size = step.norm();
-  return size > most ? Vec2{most / size * step} : step;
-}
-
-// Newton's steps along the gradient, to the height at which the proxy rests; none longer than
-// `most`.
-std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p, double rest,
-                                            double most) {
-  constexpr int kMostSteps = 5;
-  constexpr double kTolerance = 0.01;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const ImplicitSample s = sample(field, p);
-    const double rise = rest - s.height;
-    if (!(s.steepness > 0.0) || !(std::abs(rise) <= most)) {
-      return std::nullopt;
-    }
-    if (std::abs(rise) <= kTolerance * rest) {
-      return s;
-    }
-    p += rise * s.normal;
-  }
-  return std::nullopt;
+  const double turn = (shape * step).norm();
+  return turn > kMostTurn_rad ? Vec2{kMostTurn_rad / turn * step} : step;
 }
 
 // The straight line between two surface points dips into a bulge. The way goes over an apex above
@@ -118,8 +98,7 @@ std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish)
   for (int attempt = 0; attempt < kMostTries && field.can_work(); ++attempt, step *= kShorter) {
     const Vec3 guess = from.point + step.x() * t.along + step.y() * t.across -
                        0.5 * step.dot(shape * step) * from.normal;
-    const auto to = settle_at_rest(field, guess, kImplicitRest_m / scale_m,
-                                   step.norm() + kImplicitReach_m / scale_m);
+    const auto to = settle_at_rest(field, guess, step.norm() + kImplicitReach_m / scale_m);
     if (to && field.surface().bounds_O.contains(to->point) && is_better(from, *to, wish.tool) &&
         is_way_free(field, from, *to)) {
       return to;

@@ -1,6 +1,8 @@
 // An implicit surface as the proxy finds it under itself.
 #pragma once
 
+#include <optional>
+
 #include "rendering/contact/first_crossing.h"
 
 namespace tactus::rendering {
@@ -14,22 +16,17 @@ inline constexpr double kImplicitReach_m = 2e-7;
 // F and its gradient at a point, in the object frame.
 struct ImplicitSample {
   Vec3 point = Vec3::Zero();
-  double value = 0.0;  // F, >= 0 where the proxy may be
-  Vec3 gradient = Vec3::Zero();
+  double value = 0.0;          // F, >= 0 where the proxy may be
   double steepness = 0.0;      // |gradient|; 0 at a singular point
   Vec3 normal = Vec3::Zero();  // unit, away from the surface; zero at a singular point
-  double height = 0.0;         // F / |gradient|: the distance to the surface, to first order
+  double height = 0.0;         // F / |gradient|: the distance to the surface, to first order;
+                               // infinite at a singular point
 };
 
-inline ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
-  const ValueAndGradient f = field.value_and_gradient(p_O);
-  ImplicitSample s{
-      .point = p_O, .value = f.value, .gradient = f.gradient, .steepness = f.gradient.stableNorm()};
-  if (s.steepness > 0.0) {
-    s.normal = f.gradient / s.steepness;
-    s.height = f.value / s.steepness;
-  }
-  return s;
-}
+ImplicitSample sample(ImplicitField& field, const Vec3& p_O);
+
+// The point that Newton's steps along the gradient reach from p_O at the height at which the proxy
+// rests. Nothing if they meet a singular point, do not converge, or one is longer than `most`.
+std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p_O, double most);
 
 }  // namespace tactus::rendering

@@ -29,7 +29,13 @@ namespace {
 constexpr double kSettled_m = 1e-9;
 // What stops the proxy within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
+// A move along the surface that gains less than this is none.
+constexpr double kLeastGain_m = 1e-10;
+// Intervals on one straight way. Beyond, the sub-goal ends where the way is known to be free.
+constexpr std::size_t kMostRanges = 64;
 constexpr std::size_t kMostPlanes = 4;
+// Planes that may be met without a move.
+constexpr std::size_t kMostAttempts = 8;
 
 // The part of a straight way within a box.
 struct Inside {
@@ -68,6 +74,9 @@ class Tick {
     while (!step()) {
       ++rest_.sub_goals;
     }
+    if (stalled_ > 0 && rest_.planes > 0 && std::isfinite(nearest_m_)) {
+      state_.p_O = best_;
+    }
     return rest_;
   }
 
@@ -102,10 +111,39 @@ class Tick {
       state_.side = 0.0;
       return false;
     }
-    if (here_.height <= kImplicitReach_m / surface_.scale_m) {
+    const double height_m = here_.height * surface_.scale_m;
+    if (height_m < 0.5 * kImplicitRest_m && !has_risen_) {
+      has_risen_ = true;
+      move_to(risen(state_.p_O));
+      return false;
+    }
+    if (is_stalled(height_m)) {
+      return true;
+    }
+    if (height_m <= kImplicitReach_m) {
       add_tangent_plane();
     }
     return go();
+  }
+
+  // In a pit, or in a crease of singular points, the last micrometre is a dance from wall to wall.
+  // The tick ends when it has come no nearer to the tool in a few sub-goals, at the nearest place
+  // where the proxy has been at its height.
+  bool is_stalled(double height_m) {
+    constexpr int kPatience = 4;
+    constexpr double kGain_m = 1e-9;
+    if (height_m > kImplicitReach_m) {
+      nearest_m_ = std::numeric_limits<double>::infinity();
+      stalled_ = 0;
+      return false;
+    }
+    const double distance_m = (state_.p_O - h_).norm() * surface_.scale_m;
+    stalled_ = distance_m < nearest_m_ - kGain_m ? 0 : stalled_ + 1;
+    if (distance_m < nearest_m_ && height_m >= 0.5 * kImplicitRest_m) {
+      nearest_m_ = distance_m;
+      best_ = state_.p_O;
+    }
+    return stalled_ >= kPatience;
   }
 
   // Over, with the proxy where it is known to be free. The planes of the last sub-goal stay in the
@@ -165,41 +203,43 @@ class Tick {
   }
 
   void add_tangent_plane() {
-    if (here_.steepness > 0.0) {
-      state_.normal_O = here_.normal;
-    } else if (state_.normal_O.isZero()) {
-      state_.normal_O = (state_.p_O - h_).normalized();
-    }
     const double rise = kImplicitRest_m / surface_.scale_m - here_.height;
-    planes_[plane_count_++] = {.normal = state_.normal_O,
-                               .offset = state_.normal_O.dot(state_.p_O) + rise};
+    planes_[plane_count_++] = {.normal = here_.normal,
+                               .offset = here_.normal.dot(state_.p_O) + rise};
   }
 
-  // The plane of what blocks the way at p_O; false if it is none that is new.
+  // The plane of what blocks the way at p_O; false if it is none that is new. A singular point has
+  // no tangent plane: there the proxy is held against the tool.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
     const ImplicitSample wall = sample(field_, p_O);
-    const Plane plane{.normal = wall.normal,
-                      .offset = wall.normal.dot(p_O) + kImplicitRest_m / surface_.scale_m};
+    const Vec3 normal = wall.steepness > 0.0 ? wall.normal : (state_.p_O - h_).stableNormalized();
+    const Plane plane{.normal = normal,
+                      .offset = normal.dot(p_O) + kImplicitRest_m / surface_.scale_m};
     const auto held = [&](const Plane& p) {
       return (p.normal - plane.normal).squaredNorm() < kSameNormal && p.offset >= plane.offset;
     };
-    if (!(wall.steepness > 0.0) ||
-        std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
+    if (std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
                     held)) {
       return false;
     }
-    if (plane_count_ == planes_.size()) {
-      rest_.flags |= kTouchPlanesOverflow;
-      return false;
+    if (plane_count_ < planes_.size()) {
+      planes_[plane_count_++] = plane;
+      return true;
     }
-    planes_[plane_count_++] = plane;
+    // At most three planes hold the proxy: another makes room.
+    const auto holding_end = holding_.begin() + rest_.planes;
+    std::size_t idle = 0;
+    while (std::find(holding_.begin(), holding_end, idle) != holding_end) {
+      ++idle;
+    }
+    planes_[idle] = plane;
     return true;
   }
 
   // To the sub-goal, or as far as the way is free. True when the tick is over.
   bool go() {
-    for (;;) {
+    for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
       const Goal goal = choose_goal();
       if (goal.settled) {
         return true;
@@ -212,15 +252,38 @@ class Tick {
         move_to(goal.point);
         return false;
       }
-      const double length_m = (target_ - state_.p_O).norm() * surface_.scale_m;
-      if (crossing.way == Way::blocked && crossing.free_to * length_m <= kHeld_m &&
-          add_blocking_plane(share_of_way(crossing.blocked_at))) {
-        continue;
+      const Vec3 stop = share_of_way(crossing.free_to);
+      const bool is_held =
+          crossing.way == Way::blocked && (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
+      if (!is_held || !add_blocking_plane(share_of_way(crossing.blocked_at))) {
+        const bool has_moved = come_to_rest_at(stop);
+        return !has_moved && (crossing.way == Way::blocked || exhausted());
       }
-      const bool stuck = crossing.free_to <= 0.0;
-      move_to(share_of_way(crossing.free_to));
-      return crossing.way == Way::unknown ? exhausted() : stuck;
     }
+    return exhausted();
+  }
+
+  // From where a way ended, up to the height at which the proxy rests. False if that is no nearer
+  // to the tool than before: then it stays.
+  bool come_to_rest_at(const Vec3& stop) {
+    const Vec3 end = risen(stop);
+    const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
+    if (gain_m <= kLeastGain_m) {
+      return false;
+    }
+    move_to(end);
+    return true;
+  }
+
+  // As far up from a free point as the proxy rests, if the way there is free.
+  Vec3 risen(const Vec3& from) {
+    constexpr double kMostRise = 4.0 * kImplicitRest_m;
+    constexpr std::size_t kFewRanges = 8;
+    const auto lifted = settle_at_rest(field_, from, kMostRise / surface_.scale_m);
+    const bool can_rise = lifted && surface_.bounds_O.contains(lifted->point) &&
+                          lifted->value >= 0.0 &&
+                          first_crossing(field_, from, lifted->point, kFewRanges).way == Way::free;
+    return can_rise ? lifted->point : from;
   }
 
   bool glide_toward(const Vec3& goal) {
@@ -241,8 +304,7 @@ class Tick {
     if (leave <= 0.0) {
       return {};  // it stands on the wall, and leaves
     }
-    constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-    return first_crossing(field_, state_.p_O, target_, kAnyNumber);
+    return first_crossing(field_, state_.p_O, target_, kMostRanges);
   }
 
   // Of the way that cross_toward looked at.
@@ -262,6 +324,7 @@ class Tick {
     double push_m = 0.0;
     for (std::size_t i = 0; i < projection.active_count; ++i) {
       const double pressure_m = projection.pressure_m[i] * surface_.scale_m;
+      holding_[i] = projection.active[i];
       rest_.normal_W += pressure_m * (surface_.R_WO * planes[projection.active[i]].normal);
       push_m += pressure_m;
     }
@@ -287,9 +350,14 @@ class Tick {
   ImplicitRest rest_;
   ImplicitSample here_;  // at the proxy, if is_sampled_
   bool is_sampled_ = false;
-  bool slipped_ = false;  // in this tick
+  double nearest_m_ = std::numeric_limits<double>::infinity();  // from the tool, in contact
+  Vec3 best_ = Vec3::Zero();                                    // where that was
+  int stalled_ = 0;                                             // sub-goals since it fell
+  bool slipped_ = false;                                        // in this tick
+  bool has_risen_ = false;  // once a tick, from where the sign of F is in doubt
   std::array<Plane, kMostPlanes> planes_;
   std::size_t plane_count_ = 0;
+  std::array<std::size_t, 3> holding_{};  // of planes_, the first rest_.planes
   Vec3 target_ = Vec3::Zero();
 };
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "rendering/geometry/vector.h"
-#include "rendering/surface/implicit_surface.h"
 #include "rendering/material/material.h"
+#include "rendering/surface/implicit_surface.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -21,15 +21,14 @@ struct ImplicitRest {
   FrictionState friction = FrictionState::free;
   std::uint8_t planes = 0;  // tangent planes that hold the proxy: 0 without contact, 2 in a crease
   std::uint16_t sub_goals = 0;
-  std::uint32_t flags = kTouchClean;  // iterations exhausted, planes overflow, tool invalid
+  std::uint32_t flags = kTouchClean;  // iterations exhausted, tool invalid
 };
 
 // Kept in the object's frame, so that a surface that moves takes the proxy along, and sweeps over
 // no tool without meeting it.
 struct ImplicitProxyState {
   Vec3 p_O = Vec3::Zero();
-  Vec3 normal_O = Vec3::Zero();  // the last one that was good, for singular points
-  double side = 0.0;             // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
+  double side = 0.0;  // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
   FrictionState friction = FrictionState::free;
 };
 

@@ -1,0 +1,153 @@
+// The proxy under a tool that wanders at random over many shapes: never behind the surface, never
+// through a shell, and at rest nowhere nearer to the tool could be had.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "rendering/contact/first_crossing.h"
+#include "tests/unit/rendering/implicit/implicit_scene.h"
+
+namespace tactus::rendering {
+namespace {
+
+constexpr std::uint64_t kSeed = 20260321;
+constexpr double kScale_m = 0.03;
+
+int ticks() {
+  return std::getenv("TACTUS_SOAK") != nullptr ? 400'000 : 20'000;  // NOLINT(concurrency-mt-unsafe)
+}
+
+// Goes to random places about the shape at random speeds, trembling; jumps now and then.
+class Wanderer {
+ public:
+  explicit Wanderer(std::uint64_t seed) : random_(seed) {}
+
+  Vec3 next() {
+    if (ticks_left_-- <= 0) {
+      target_ = 1.4 * kScale_m * direction();
+      speed_m_ = std::pow(10.0, -6.0 + 4.5 * unit_(random_));
+      ticks_left_ = 1 + static_cast<int>(300.0 * unit_(random_));
+      jumps_ = unit_(random_) < 0.05;
+    }
+    const Vec3 way = target_ - tool_;
+    const double distance = way.norm();
+    if (jumps_) {
+      tool_ = target_;
+    } else if (distance > 0.0) {
+      tool_ += std::min(1.0, speed_m_ / distance) * way;
+    }
+    return tool_ + 0.1 * speed_m_ * direction();
+  }
+
+ private:
+  Vec3 direction() {
+    const auto signed_unit = [&] { return 2.0 * unit_(random_) - 1.0; };
+    return {signed_unit(), signed_unit(), signed_unit()};
+  }
+
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> unit_{0.0, 1.0};
+  Vec3 tool_ = Vec3::Zero();
+  Vec3 target_ = Vec3::Zero();
+  double speed_m_ = 0.0;
+  int ticks_left_ = 0;
+  bool jumps_ = false;
+};
+
+// A shape with cusps, in whose bottom no double tells free from solid, or where sheets cross: more
+// ticks may say that they could not finish.
+enum class Ground { regular, singular };
+
+struct Case {
+  const char* text;
+  Sides sides;
+  Ground ground = Ground::regular;
+};
+
+// How a parameter is printed by GoogleTest.
+void PrintTo(const Case& shape, std::ostream* out) {
+  *out << shape.text;
+}
+
+class Wandering : public ::testing::TestWithParam<Case> {};
+
+// Whether a short free move would bring a proxy at rest much nearer to the tool.
+bool could_do_better(const FormulaSurface& shape, double side, const ImplicitRest& rest,
+                     const Vec3& tool, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  constexpr double kStep_m = 2e-5;
+  ImplicitField field(shape.surface, side, 1'000'000);
+  const Vec3 from = shape.surface.to_object(rest.proxy_W);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 to_W =
+        rest.proxy_W + kStep_m * Vec3{normal(random), normal(random), normal(random)}.normalized();
+    const double gain = (rest.proxy_W - tool).norm() - (to_W - tool).norm();
+    if (gain > 0.1 * kStep_m &&
+        first_crossing(field, from, shape.surface.to_object(to_W), 10'000).way == Way::free) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST_P(Wandering, KeepsTheProxyOnItsSideAndBringsItToRestNearTheTool) {
+  const FormulaSurface shape(GetParam().text, kScale_m, GetParam().sides);
+  SCOPED_TRACE(kSeed);
+  Wanderer wanderer(kSeed);
+  std::mt19937_64 random(kSeed);
+  ImplicitTracker tracker;
+  const Vec3 start{0.0, 0.0, 3.0 * kScale_m};
+  tracker.place(start);
+  double side = shape.value_at(start) < 0.0 ? -1.0 : 1.0;
+  int contact = 0;
+  int flagged = 0;
+  int short_of = 0;
+  for (int tick = 0; tick < ticks(); ++tick) {
+    const Vec3 tool = wanderer.next();
+    const ImplicitRest rest = tracker.advance(shape.surface, kNoFriction, tool);
+    ASSERT_TRUE(rest.proxy_W.allFinite() && rest.normal_W.allFinite()) << "tick " << tick;
+    ASSERT_GE(side * shape.value_at(rest.proxy_W), -1e-12) << "tick " << tick;
+    flagged += rest.flags != kTouchClean ? 1 : 0;
+    if (rest.planes == 0) {
+      continue;
+    }
+    ++contact;
+    ASSERT_NEAR(rest.normal_W.norm(), 1.0, 1e-9);
+    if (rest.flags == kTouchClean && could_do_better(shape, side, rest, tool, random)) {
+      ++short_of;
+    }
+  }
+  RecordProperty("contact", contact);
+  RecordProperty("flagged", flagged);
+  RecordProperty("short_of", short_of);
+  EXPECT_GT(contact, ticks() / 20);
+  EXPECT_LE(flagged, GetParam().ground == Ground::regular ? contact / 1000 : contact);
+  EXPECT_LE(short_of, contact / 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, Wandering,
+    ::testing::Values(Case{"sphere(1)", Sides::one}, Case{"shell(sphere(1), 0.01)", Sides::one},
+                      Case{"sphere(1)", Sides::two}, Case{"torus(0.9, 0.3)", Sides::one},
+                      Case{"heart()", Sides::one, Ground::singular},
+                      Case{"heart()", Sides::two, Ground::singular},
+                      Case{"intersection(barth_sextic(), sphere(1.6))", Sides::one,
+                           Ground::singular},
+                      Case{"klein_bottle()", Sides::two, Ground::singular},
+                      Case{"scale(klein_bottle(), 0.4)", Sides::one, Ground::singular},
+                      Case{"scale(gyroid(), 0.3)", Sides::two},
+                      Case{"scale(shell(gyroid(), 0.1), 0.3)", Sides::one},
+                      Case{"scale(quartic(), 0.5)", Sides::one}, Case{"box(1.5, 1, 2)", Sides::one},
+                      Case{"difference(box(2,2,2), cylinder(0.5,3))", Sides::one},
+                      Case{"union(box(2,0.3,2), rotate(box(2,0.3,2),1,1,0,50))", Sides::one},
+                      Case{"box(3, 0.003, 3)", Sides::one}, Case{"capsule(0.4, 1.2)", Sides::one},
+                      Case{"cone(1, 1.5)", Sides::one},
+                      Case{"blend_union(sphere(.7), translate(sphere(.7),1,0,0), 6)", Sides::one},
+                      Case{"sphere(1) + 0.05*sin(15*x)*sin(15*y)*sin(15*z)", Sides::one},
+                      Case{"x*y*z", Sides::two}));
+
+}  // namespace
+}  // namespace tactus::rendering
