@@ -27,6 +27,11 @@ inline constexpr std::size_t kMaxContactPlanes = 24;
 // before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxSubGoals = 64;
 
+// Triangles that feature_walk measures in one tick of contact, and on the way to it. Beyond: the
+// point stops where it is, nearer to the tool than before, and goes on in the next tick;
+// kTouchIterationsExhausted.
+inline constexpr std::size_t kMaxFeatureVisits = 96;
+
 // Texels along a side of a texture, and the levels that such a side needs. Beyond: the picture is
 // refused, when it is baked and when it is opened.
 inline constexpr std::uint32_t kMaxTextureSide = 8192;

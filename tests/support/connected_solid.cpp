@@ -1,7 +1,7 @@
 #include "tests/support/connected_solid.h"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -23,7 +23,15 @@ double angle_between(const Vec3& a, const Vec3& b) {
 ConnectedSolid::ConnectedSolid(const Shape& shape) : solid_(shape, rendering::Sides::one, {}) {
   const auto& triangles = solid_.shape().triangles;
   const auto& vertices = solid_.shape().vertices;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> triangle_of_edge;
+  struct Edge {
+    std::uint64_t key;  // from, to
+    std::uint32_t triangle;
+  };
+  const auto key = [](std::uint32_t from, std::uint32_t to) {
+    return (std::uint64_t{from} << 32U) | to;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
   std::vector<Vec3> normals(vertices.size(), Vec3::Zero());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -31,15 +39,18 @@ ConnectedSolid::ConnectedSolid(const Shape& shape) : solid_(shape, rendering::Si
       const Vec3 here = to_vec3(vertices[corner]);
       const Vec3 next = to_vec3(vertices[triangles[t][(k + 1) % 3]]) - here;
       const Vec3 previous = to_vec3(vertices[triangles[t][(k + 2) % 3]]) - here;
-      triangle_of_edge[{corner, triangles[t][(k + 1) % 3]}] = t;
+      edges.push_back({key(corner, triangles[t][(k + 1) % 3]), t});
       normals[corner] += angle_between(next, previous) * next.cross(previous).normalized();
     }
   }
+  std::ranges::sort(edges, {}, &Edge::key);
   for (const auto& triangle : triangles) {
     auto& across = neighbours_.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = triangle_of_edge.find({triangle[(k + 1) % 3], triangle[k]});
-      across[k] = found == triangle_of_edge.end() ? rendering::kNoTriangle : found->second;
+      const std::uint64_t back = key(triangle[(k + 1) % 3], triangle[k]);
+      const auto found = std::ranges::lower_bound(edges, back, {}, &Edge::key);
+      across[k] =
+          found != edges.end() && found->key == back ? found->triangle : rendering::kNoTriangle;
     }
   }
   for (const Vec3& normal : normals) {

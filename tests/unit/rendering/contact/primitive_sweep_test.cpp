@@ -28,8 +28,7 @@ double least_clearance(const Primitive& primitive, const Vec3& from, const Vec3&
   const double length = (to - from).norm();
   double least = sign * sample(primitive, to).distance_m;
   for (double at = 0.0; at < length;) {
-    const double here =
-        sign * sample(primitive, from + at / length * (to - from)).distance_m;
+    const double here = sign * sample(primitive, from + at / length * (to - from)).distance_m;
     least = std::min(least, here);
     at += std::max(here - floor_m, kResolution_m);
   }

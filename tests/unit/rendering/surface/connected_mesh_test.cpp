@@ -65,8 +65,7 @@ TEST(ConnectedMesh, NamesTheFeatureThatHoldsTheNearestPoint) {
 TEST(ConnectedMesh, OnTheSurfaceTheNormalStillPointsOutward) {
   const ConnectedSolid solid(testing::box({0.02, 0.02, 0.02}));
   const auto face = static_cast<double>(0.01F);
-  EXPECT_LT((sample(solid.mesh(), {face, 0.001, 0.003}).normal_W - Vec3::UnitX()).norm(),
-            1e-6);
+  EXPECT_LT((sample(solid.mesh(), {face, 0.001, 0.003}).normal_W - Vec3::UnitX()).norm(), 1e-6);
   const Vec3 corner = sample(solid.mesh(), {face, face, face}).normal_W;
   EXPECT_LT((corner - Vec3::Ones().normalized()).norm(), 1e-6);
 }

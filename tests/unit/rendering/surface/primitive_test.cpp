@@ -90,8 +90,7 @@ TEST(Primitive, DistanceNeverChangesFasterThanThePointMoves) {
   std::uniform_real_distribution<double> place(-0.1, 0.1);
   Vec3 before = Vec3::Zero();
   for_random_points(200, 20, [&](const Primitive& primitive, const Vec3& p) {
-    const double change =
-        sample(primitive, p).distance_m - sample(primitive, before).distance_m;
+    const double change = sample(primitive, p).distance_m - sample(primitive, before).distance_m;
     ASSERT_LE(std::abs(change), (p - before).norm() + 1e-12);
     before = p + 0.01 * Vec3(place(random), place(random), place(random));
   });

@@ -1,0 +1,284 @@
+#include "rendering/contact/feature_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/contact/sphere_sweep.h"
+#include "rendering/friction/cone.h"
+#include "rendering/geometry/hierarchy_query.h"
+#include "rendering/limits.h"
+
+namespace tactus::rendering {
+namespace {
+
+constexpr std::uint32_t next_of(std::uint32_t k) {
+  return (k + 1U) % 3U;
+}
+constexpr std::uint32_t previous_of(std::uint32_t k) {
+  return (k + 2U) % 3U;
+}
+
+// The triangle across edge k of t, if it is wound like t; `shared` is then its number of the edge.
+std::uint32_t across(const ConnectedMesh& mesh, std::uint32_t t, std::uint32_t k,
+                     std::uint32_t& shared) {
+  const std::uint32_t other = mesh.neighbours[t][k];
+  if (other == kNoTriangle) {
+    return kNoTriangle;
+  }
+  const TriangleIndices& own = mesh.mesh.triangles[t];
+  const TriangleIndices& theirs = mesh.mesh.triangles[other];
+  for (shared = 0; shared < 3; ++shared) {
+    if (theirs[shared] == own[next_of(k)] && theirs[next_of(shared)] == own[k]) {
+      return other;
+    }
+  }
+  return kNoTriangle;
+}
+
+class Walk {
+ public:
+  Walk(const ConnectedMesh& mesh, const Vec3& q, std::size_t limit)
+      : mesh_(mesh), q_(q), limit_(limit) {}
+
+  FeatureWalk from(std::uint32_t triangle) {
+    measure(triangle);
+    while (result_.complete && step()) {
+    }
+    return result_;
+  }
+
+ private:
+  // True if it came nearer.
+  bool step() {
+    const MeshFeature here = result_.at.feature;
+    result_.at_border = false;
+    if (here.kind == Feature::face) {
+      return false;
+    }
+    if (here.kind == Feature::vertex) {
+      return step_from_vertex(here);
+    }
+    std::uint32_t shared = 0;
+    const std::uint32_t other = across(mesh_, here.triangle, here.number, shared);
+    result_.at_border = other == kNoTriangle;
+    return !result_.at_border && measure(other);
+  }
+
+  // Round the vertex to one side and, if the ring is open there, to the other. Every triangle of
+  // the ring is measured, so that the nearest is found and not the first that is nearer.
+  bool step_from_vertex(const MeshFeature& here) {
+    bool nearer = false;
+    for (const bool forward : {true, false}) {
+      std::uint32_t t = here.triangle;
+      std::uint32_t corner = here.number;
+      while (result_.complete) {
+        std::uint32_t shared = 0;
+        t = across(mesh_, t, forward ? previous_of(corner) : corner, shared);
+        if (t == kNoTriangle) {
+          result_.at_border = true;
+          break;
+        }
+        if (t == here.triangle) {
+          return nearer;
+        }
+        corner = forward ? shared : next_of(shared);
+        nearer = measure(t) || nearer;
+      }
+    }
+    return nearer;
+  }
+
+  // True, and the new place, if the triangle comes nearer to q by more than rounding: a nanometre
+  // to the side at a depth of a millimetre.
+  bool measure(std::uint32_t triangle) {
+    constexpr double kNearer = 1.0 - 1e-12;
+    if (result_.visited > 0 && result_.visited >= limit_) {
+      result_.complete = false;
+      return false;
+    }
+    const MeshNearest there = nearest_on_triangle(mesh_.mesh, triangle, q_);
+    ++result_.visited;
+    if (result_.visited > 1 && !(there.squared_m2 < kNearer * result_.at.squared_m2)) {
+      return false;
+    }
+    result_.at = there;
+    return true;
+  }
+
+  const ConnectedMesh& mesh_;
+  const Vec3& q_;
+  std::size_t limit_;
+  FeatureWalk result_;
+};
+
+// The first triangle that stops a point.
+struct FirstContact {
+  const MeshView& mesh;
+  bool one_sided;
+  const Shell& shell;
+  const Sweep& sweep;
+  double free;
+  std::size_t room = kMaxFeatureVisits;
+  std::uint32_t triangle = kNoTriangle;
+
+  [[nodiscard]] double reach() const { return free; }
+  [[nodiscard]] bool exhausted() const { return room == 0; }
+  void operator()(std::uint32_t t) {
+    room -= room > 0 ? 1 : 0;
+    const Triangle candidate = triangle_of(mesh, t);
+    const double travel =
+        travel_to_contact(candidate, one_sided, sweep, free, shell, candidate.nearest(sweep.from));
+    if (travel < free) {
+      free = travel;
+      triangle = t;
+    }
+  }
+};
+
+bool usable(const Vec3& h) {
+  return h.allFinite() && h.norm() <= kWorldBound_m;
+}
+
+ContactKind kind_of(Feature feature) {
+  switch (feature) {
+    case Feature::face:
+      return ContactKind::face;
+    case Feature::edge:
+      return ContactKind::edge;
+    case Feature::vertex:
+      return ContactKind::vertex;
+  }
+  return ContactKind::none;
+}
+
+}  // namespace
+
+FeatureWalk walk_features(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q_W,
+                          std::size_t limit) {
+  return Walk(mesh, q_W, limit).from(triangle);
+}
+
+void FeatureWalker::place(const Vec3& p_W) {
+  *this = FeatureWalker{};
+  p_ = p_W;
+}
+
+FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides,
+                                   const ConeFriction& friction, const Vec3& h_W) {
+  // Off one surface and onto the next: more than this in one tick waits for the next one.
+  constexpr int kRounds = 4;
+  FeatureRest rest{.proxy_W = p_};
+  if (!usable(h_W)) {
+    rest.flags = kTouchToolInvalid;
+    return rest;
+  }
+  const Shell shell(0.0);
+  for (int round = 0; round < kRounds; ++round) {
+    if (!in_contact_ && !approach(mesh, sides, h_W, rest)) {
+      rest.proxy_W = p_;
+      return rest;
+    }
+    const FeatureWalk lowest = walk(mesh, feature_.triangle, h_W, rest);
+    const double height = height_of(mesh, lowest.at, h_W);
+    const bool clear = std::sqrt(lowest.at.squared_m2) > shell.rest_m;
+    const bool off = height > 0.0 || lowest.at_border;
+    if (!lowest.complete || !clear || !off) {
+      settle(mesh, friction, h_W, lowest, rest);
+      return rest;
+    }
+    // The way to the tool leads straight away from the surface.
+    const Vec3 way = h_W - lowest.at.point_W;
+    p_ = lowest.at.point_W + shell.rest_m / way.norm() * way;
+    in_contact_ = false;
+    friction_ = FrictionState::free;
+  }
+  rest.flags |= kTouchIterationsExhausted;
+  rest.proxy_W = p_;
+  return rest;
+}
+
+// The free point goes toward the tool. True if it met the surface.
+bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h,
+                             FeatureRest& rest) {
+  const Vec3 way = h - p_;
+  const double length = way.norm();
+  if (!(length > 0.0)) {
+    return false;
+  }
+  const Shell shell(0.0);
+  const Sweep sweep{.from = p_, .direction = way / length};
+  FirstContact visitor{.mesh = mesh.mesh,
+                       .one_sided = sides == Sides::one,
+                       .shell = shell,
+                       .sweep = sweep,
+                       .free = length};
+  const double visited =
+      visit_along(mesh.mesh.nodes, sweep.from, sweep.direction, shell.reach_m, visitor);
+  if (visited < visitor.free) {
+    rest.flags |= kTouchIterationsExhausted;
+    p_ += visited * sweep.direction;
+    return false;
+  }
+  if (visitor.triangle == kNoTriangle) {
+    p_ = h;
+    return false;
+  }
+  const Vec3 stop = p_ + visitor.free * sweep.direction;
+  const MeshNearest at = nearest_on_triangle(mesh.mesh, visitor.triangle, stop);
+  side_ = 1.0;
+  side_ = sides == Sides::two && height_of(mesh, at, stop) < 0.0 ? -1.0 : 1.0;
+  p_ = at.point_W;
+  feature_ = at.feature;
+  friction_ = FrictionState::stick;
+  in_contact_ = true;
+  return true;
+}
+
+// What is left of this tick's visits is the limit; one triangle is always measured.
+FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q,
+                                FeatureRest& rest) const {
+  const std::size_t left =
+      kMaxFeatureVisits - std::min<std::size_t>(rest.visited, kMaxFeatureVisits);
+  const FeatureWalk result = walk_features(mesh, triangle, q, left);
+  rest.visited = static_cast<std::uint16_t>(rest.visited + result.visited);
+  if (!result.complete) {
+    rest.flags |= kTouchIterationsExhausted;
+  }
+  return result;
+}
+
+// Of h over the surface at `at`, its nearest point, on the side of the contact.
+double FeatureWalker::height_of(const ConnectedMesh& mesh, const MeshNearest& at,
+                                const Vec3& h) const {
+  const double front = pseudonormal(mesh, at.feature).dot(h - at.point_W);
+  return (front < 0.0 ? -side_ : side_) * std::sqrt(at.squared_m2);
+}
+
+// In contact: `lowest` is where the point would go without friction.
+void FeatureWalker::settle(const ConnectedMesh& mesh, const ConeFriction& friction, const Vec3& h,
+                           const FeatureWalk& lowest, FeatureRest& rest) {
+  const double depth = std::max(0.0, -height_of(mesh, lowest.at, h));
+  const Vec3 held = nearest_on_triangle(mesh.mesh, feature_.triangle, p_).point_W;
+  const FrictionCircle circle{.static_radius_m = friction.static_coefficient * depth,
+                              .dynamic_radius_m = friction.dynamic_coefficient * depth};
+  const FrictionStep step = apply_cone(held, lowest.at.point_W, circle, friction_);
+  MeshNearest at = lowest.at;
+  if (step.state == FrictionState::stick) {
+    at = nearest_on_triangle(mesh.mesh, feature_.triangle, held);
+  } else if (circle.dynamic_radius_m > 0.0) {
+    at = walk(mesh, lowest.at.feature.triangle, step.goal, rest).at;
+  }
+  p_ = at.point_W;
+  feature_ = at.feature;
+  friction_ = step.state;
+  rest.contact = kind_of(at.feature.kind);
+  rest.friction = friction_;
+  const Vec3 out = lowest.at.point_W - h;
+  rest.normal_W = depth > 0.0 ? Vec3{out / depth}
+                              : Vec3{side_ * pseudonormal(mesh, lowest.at.feature).normalized()};
+  // Within the shell in front of the surface the tool is in contact but not pushed.
+  rest.proxy_W = depth > 0.0 ? p_ : h;
+  rest.depth_m = (rest.proxy_W - h).dot(rest.normal_W);
+}
+
+}  // namespace tactus::rendering
