@@ -33,6 +33,7 @@ constexpr std::array kMethods{
     NamedMethod{"sphere_proxy", ContactMethod::sphere_proxy},
     NamedMethod{"god_object", ContactMethod::god_object},
     NamedMethod{"potential_field", ContactMethod::potential_field},
+    NamedMethod{"feature_walk", ContactMethod::feature_walk},
     NamedMethod{"tracking", ContactMethod::tracking},
 };
 
@@ -151,11 +152,15 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
                                 ? "a formula is touched by \"tracking\" alone; leave contact out"
                                 : "\"tracking\" is for formulas; write \"sphere_proxy\"");
   }
+  if (method->method == ContactMethod::feature_walk &&
+      !std::holds_alternative<std::monostate>(shape)) {
+    section.fail("contact", "\"feature_walk\" is for meshes; write \"sphere_proxy\"");
+  }
   return method->method;
 }
 
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {
-  constexpr int kCells = 80;
+  constexpr int kCells = 40;
   constexpr double kPlaneShown_m = 0.1;
   if (const auto* primitive = std::get_if<Primitive>(&shape)) {
     rendering::Bounds box = bounds(*primitive);

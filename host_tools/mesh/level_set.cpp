@@ -20,11 +20,8 @@ constexpr std::array<Tetrahedron, 6> kTetrahedra{
 class Mesher {
  public:
   Mesher(const LevelFunction& function, const Vec3& lower, const Vec3& upper, int cells)
-      : lower_(lower), step_((upper - lower).maxCoeff() / cells) {
-    for (int k = 0; k < 3; ++k) {
-      points_[static_cast<std::size_t>(k)] =
-          static_cast<std::size_t>(std::ceil((upper - lower)[k] / step_ - 1e-9)) + 1;
-    }
+      : lower_(lower), step_((upper - lower) / cells) {
+    points_.fill(static_cast<std::size_t>(cells) + 1);
     values_.reserve(points_[0] * points_[1] * points_[2]);
     for (std::size_t z = 0; z < points_[2]; ++z) {
       for (std::size_t y = 0; y < points_[1]; ++y) {
@@ -56,8 +53,8 @@ class Mesher {
     const std::size_t x = point % points_[0];
     const std::size_t y = point / points_[0] % points_[1];
     const std::size_t z = point / (points_[0] * points_[1]);
-    return lower_ +
-           step_ * Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    const Vec3 steps{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    return lower_ + step_.cwiseProduct(steps);
   }
 
   [[nodiscard]] bool inside(std::size_t point) const { return values_[point] < 0.0; }
@@ -119,7 +116,7 @@ class Mesher {
   }
 
   Vec3 lower_;
-  double step_;
+  Vec3 step_;
   std::array<std::size_t, 3> points_{};
   std::vector<double> values_;
   std::unordered_map<std::size_t, std::uint32_t> crossings_;

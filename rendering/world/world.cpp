@@ -46,6 +46,7 @@ void World::place(const Vec3& p_W) {
   proxy_.place(p_W);
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     trackers_[i].place(p_W);
+    walkers_[i].place(p_W);
   }
   last_proxy_ = p_W;
   placed_ = true;
@@ -71,8 +72,7 @@ Touch World::touch(const ToolState& tool, ProxyPath* path) {
     if (meets_proxy(objects_[i])) {
       continue;
     }
-    Touch own = objects_[i].method == ContactMethod::tracking ? touch_implicit(i, tool)
-                                                              : touch_field(i, tool);
+    Touch own = touch_alone(i, tool);
     force += own.force_W;
     own.flags |= touch.flags;
     const double push = own.force_W.squaredNorm();
@@ -97,6 +97,38 @@ Touch World::touch_proxy(const ToolState& tool, ProxyPath* path) {
   touch.flags = rest.flags;
   if (rest.plane_count > 0) {
     set_proxy_force(tool, rest, touch);
+  }
+  return touch;
+}
+
+Touch World::touch_alone(std::uint32_t number, const ToolState& tool) {
+  switch (objects_[number].method) {
+    case ContactMethod::tracking:
+      return touch_implicit(number, tool);
+    case ContactMethod::feature_walk:
+      return touch_features(number, tool);
+    default:
+      return touch_field(number, tool);
+  }
+}
+
+Touch World::touch_features(std::uint32_t number, const ToolState& tool) {
+  const Object& object = objects_[number];
+  const FeatureRest rest =
+      walkers_[number].advance({object.mesh, object.neighbours, object.vertex_normals},
+                               object.sides, object.material.friction, tool.p_W);
+  Touch touch;
+  touch.proxy_W = rest.proxy_W;
+  touch.flags = rest.flags;
+  if (rest.contact != ContactKind::none) {
+    touch.normal_W = rest.normal_W;
+    touch.depth_m = rest.depth_m;
+    touch.contact = rest.contact;
+    touch.friction = rest.friction;
+    touch.object = number;
+    touch.planes = 1;
+    touch.force_W = object.material.stiffness_N_per_m * (rest.proxy_W - tool.p_W) -
+                    object.material.damping_Ns_per_m * tool.v_W;
   }
   return touch;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/limits.h"
@@ -46,7 +47,10 @@ class World {
  private:
   void place(const Vec3& p_W);
   Touch touch_proxy(const ToolState& tool, ProxyPath* path);
+  // Of one object that is not met by the shared proxy.
+  Touch touch_alone(std::uint32_t number, const ToolState& tool);
   Touch touch_implicit(std::uint32_t number, const ToolState& tool);
+  Touch touch_features(std::uint32_t number, const ToolState& tool);
   [[nodiscard]] Touch touch_field(std::uint32_t number, const ToolState& tool) const;
   void set_proxy_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const;
 
@@ -56,6 +60,7 @@ class World {
   SphereProxy proxy_{0.0};
   bool any_proxy_ = false;                             // some object is met by it
   std::array<ImplicitTracker, kMaxObjects> trackers_;  // of the objects with their numbers
+  std::array<FeatureWalker, kMaxObjects> walkers_;     // the same
   bool placed_ = false;
 };
 

@@ -137,7 +137,8 @@ TEST(SceneDescription, WantsObjects) {
 
 TEST(SceneDescription, WantsAMeshAndDistinctNames) {
   EXPECT_EQ(scene_error("[[object]]\nname = \"a\"\n"),
-            "folder/scene.toml:1: object 1: has no mesh; write mesh = \"file.ply\"");
+            "folder/scene.toml:1: object 1: has no surface; write mesh = \"file.ply\", primitive = "
+            "\"sphere\" or formula = \"x^2 + y^2 + z^2 - 1\"");
   EXPECT_TRUE(testing::contains(
       scene_error("[[object]]\nmesh = \"a.off\"\n[[object]]\nmesh = \"b/a.ply\"\n"),
       "scene.toml:3: two objects are named 'a'"));
