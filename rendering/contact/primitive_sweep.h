@@ -3,8 +3,8 @@
 #pragma once
 
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/surface/primitive.h"
 #include "rendering/surface/mesh.h"
+#include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {
 

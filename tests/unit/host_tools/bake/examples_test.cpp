@@ -1,0 +1,52 @@
+// Every example that needs no foreign file can be baked and touched.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "host_tools/bake/bake.h"
+#include "host_tools/bake/mapped_scene.h"
+#include "rendering/world/world.h"
+#include "tests/unit/host_tools/bake/temporary_folder.h"
+
+namespace tactus::testing {
+namespace {
+
+class Examples : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Examples, AreBakedAndFelt) {
+  const TemporaryFolder folder;
+  const std::filesystem::path image = folder.path() / "scene.tactus";
+  const std::filesystem::path examples = TACTUS_EXAMPLES;
+  host::bake_file(examples / GetParam() / "scene.toml", image);
+  const host::MappedScene scene(image);
+  // From above each object down through its middle: somewhere on the way it is felt.
+  for (std::uint32_t i = 0; i < scene.image().objects().size(); ++i) {
+    const auto world = std::make_unique<rendering::World>();
+    ASSERT_TRUE(world->set_scene(scene.image().objects(),
+                                 {.tool_radius_m = scene.image().tool_radius_m()}));
+    const rendering::BvhNode& box = scene.image().objects()[i].mesh.nodes.front();
+    const double x = 0.5 * static_cast<double>(box.lower.x + box.upper.x) + 1e-4;
+    const double z = 0.5 * static_cast<double>(box.lower.z + box.upper.z) + 2e-4;
+    const auto top = static_cast<double>(box.upper.y) + 0.01;
+    const auto bottom = static_cast<double>(box.lower.y);
+    double hardest = 0.0;
+    for (double y = top; y > bottom; y -= 2e-4) {
+      const rendering::Touch touch = world->touch({.p_W = {x, y, z}});
+      ASSERT_TRUE(touch.force_W.allFinite());
+      if (touch.contact != rendering::ContactKind::none && touch.object == i) {
+        hardest = std::max(hardest, touch.force_W.norm());
+      }
+    }
+    // The ring of the primitives is met beside its hole only.
+    EXPECT_TRUE(hardest > 0.01 || scene.image().object_name(i) == "ring")
+        << scene.image().object_name(i);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples,
+                         ::testing::Values("ramp", "primitives", "heart", "thin_plate"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace tactus::testing
