@@ -145,6 +145,7 @@ std::vector<std::byte> write_image(const BakedScene& scene) {
   }
   FlatBufferBuilder builder(estimate);
   std::vector<Offset<image::Object>> objects;
+  objects.reserve(scene.objects.size());
   for (const BakedObject& object : scene.objects) {
     objects.push_back(write_object(builder, object));
   }

@@ -149,12 +149,12 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
   }
   if (implicit != (method->method == ContactMethod::tracking)) {
     section.fail("contact", implicit
-                                ? "a formula is touched by \"tracking\" alone; leave contact out"
-                                : "\"tracking\" is for formulas; write \"sphere_proxy\"");
+                                ? R"(a formula is touched by "tracking" alone; leave contact out)"
+                                : R"("tracking" is for formulas; write "sphere_proxy")");
   }
   if (method->method == ContactMethod::feature_walk &&
       !std::holds_alternative<std::monostate>(shape)) {
-    section.fail("contact", "\"feature_walk\" is for meshes; write \"sphere_proxy\"");
+    section.fail("contact", R"("feature_walk" is for meshes; write "sphere_proxy")");
   }
   return method->method;
 }

@@ -25,8 +25,8 @@ Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
   const Float3& b = mesh.vertices[corners[1]];
   const Float3& c = mesh.vertices[corners[2]];
   const auto axis = [](float u, float v, float w, double x) {
-    const auto lower = static_cast<double>(std::min(std::min(u, v), w));
-    const auto upper = static_cast<double>(std::max(std::max(u, v), w));
+    const auto lower = static_cast<double>(std::min({u, v, w}));
+    const auto upper = static_cast<double>(std::max({u, v, w}));
     return std::max(x - upper, 0.0) - std::max(lower - x, 0.0);
   };
   return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};

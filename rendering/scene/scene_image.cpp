@@ -83,8 +83,10 @@ Result take_implicit(const image::Implicit& stored, Object& object) {
               .scale_m = stored.scale(),
               .sides = object.sides};
   const Vec3 size = implicit.bounds_O.upper - implicit.bounds_O.lower;
-  if (!is_pose(pose) || !(implicit.scale_m > 0.0 && implicit.scale_m <= kWorldBound_m) ||
-      !implicit.bounds_O.lower.allFinite() || !size.allFinite() || !(size.minCoeff() > 0.0)) {
+  const bool in_range = is_pose(pose) && implicit.scale_m > 0.0 &&
+                        implicit.scale_m <= kWorldBound_m && implicit.bounds_O.lower.allFinite() &&
+                        size.allFinite() && size.minCoeff() > 0.0;
+  if (!in_range) {
     return fail(SceneFault::shape);
   }
   if (const auto checked = check(implicit.formula); !checked) {

@@ -46,7 +46,7 @@ TEST_P(Examples, AreBakedAndFelt) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples,
                          ::testing::Values("ramp", "primitives", "heart", "thin_plate"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& example) { return std::string(example.param); });
 
 }  // namespace
 }  // namespace tactus::testing
