@@ -79,6 +79,7 @@ MappedScene::Mapping& MappedScene::Mapping::operator=(Mapping&& other) noexcept 
 
 MappedScene::Mapping::~Mapping() {
   if (!bytes_.empty()) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
     ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
   }
 }

@@ -22,7 +22,7 @@ const DeviceParameters& checked(const DeviceParameters& parameters, double tick_
       !(parameters.motor_time_constant_s >= 0.0)) {
     throw InputError("the device's mass, encoder and motor parameters must be positive");
   }
-  return parameters;
+  return parameters;  // NOLINT(bugprone-return-const-ref-from-parameter): the caller stores a copy
 }
 
 std::uint64_t ticks_of(double seconds, double tick_s) {
