@@ -146,10 +146,9 @@ std::size_t partition(std::span<Primitive> primitives, std::uint32_t level) {
   if (best.cost == std::numeric_limits<float>::max()) {
     return primitives.size() / 2;
   }
-  const auto middle = std::stable_partition(
-      primitives.begin(), primitives.end(),
-      [&](const Primitive& p) { return bin_of(p, best.axis, centres) <= best.bin; });
-  return static_cast<std::size_t>(middle - primitives.begin());
+  const auto right = std::ranges::stable_partition(
+      primitives, [&](const Primitive& p) { return bin_of(p, best.axis, centres) <= best.bin; });
+  return static_cast<std::size_t>(right.begin() - primitives.begin());
 }
 
 BvhNode make_node(std::span<const Primitive> primitives) {
