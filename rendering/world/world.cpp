@@ -14,17 +14,6 @@ bool valid(const ToolState& tool) {
          tool.v_W.allFinite();
 }
 
-ContactKind kind_of(Feature feature) {
-  switch (feature) {
-    case Feature::face:
-      return ContactKind::face;
-    case Feature::edge:
-      return ContactKind::edge;
-    default:
-      return ContactKind::vertex;
-  }
-}
-
 }  // namespace
 
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
@@ -64,7 +53,7 @@ Touch World::touch(const ToolState& tool, ProxyPath* path) {
   }
   touch.proxy_W = tool.p_W;
   if (any_proxy_) {
-    touch = touch_proxy(tool, path);
+    touch = proxy_.touch(objects_, tool, path);
   }
   Vec3 force = touch.force_W;
   double hardest = force.squaredNorm();
@@ -85,19 +74,6 @@ Touch World::touch(const ToolState& tool, ProxyPath* path) {
   }
   touch.force_W = force;
   last_proxy_ = touch.proxy_W;
-  return touch;
-}
-
-Touch World::touch_proxy(const ToolState& tool, ProxyPath* path) {
-  const ProxyRest rest = proxy_.advance(objects_, tool.p_W, path);
-  Touch touch;
-  touch.proxy_W = proxy_.position_W();
-  touch.sub_goals = rest.sub_goals;
-  touch.planes = rest.plane_count;
-  touch.flags = rest.flags;
-  if (rest.plane_count > 0) {
-    set_proxy_force(tool, rest, touch);
-  }
   return touch;
 }
 
@@ -174,28 +150,6 @@ Touch World::touch_field(std::uint32_t number, const ToolState& tool) const {
     touch.force_W = push.force_W - material.damping_Ns_per_m * tool.v_W;
   }
   return touch;
-}
-
-void World::set_proxy_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const {
-  const auto hardest = static_cast<std::size_t>(
-      std::max_element(rest.pressure_m.begin(), rest.pressure_m.begin() + rest.plane_count) -
-      rest.pressure_m.begin());
-  double stiffness = 0.0;
-  double damping = 0.0;
-  double pressure = 0.0;
-  for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    const Material& material = objects_[rest.planes[i].object].material;
-    stiffness += rest.pressure_m[i] * material.stiffness_N_per_m;
-    damping += rest.pressure_m[i] * material.damping_Ns_per_m;
-    pressure += rest.pressure_m[i];
-  }
-  const Vec3 stretch = touch.proxy_W - tool.p_W;
-  touch.normal_W = rest.normal_W;
-  touch.force_W = (stiffness * stretch - damping * tool.v_W) / pressure;
-  touch.depth_m = stretch.dot(rest.normal_W);
-  touch.contact = kind_of(rest.planes[hardest].nearest.feature);
-  touch.friction = proxy_.friction();
-  touch.object = rest.planes[hardest].object;
 }
 
 }  // namespace tactus::rendering

@@ -7,9 +7,9 @@
 
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
-#include "rendering/contact/sphere_proxy.h"
 #include "rendering/limits.h"
 #include "rendering/world/object.h"
+#include "rendering/world/proxy_touch.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -46,18 +46,16 @@ class World {
 
  private:
   void place(const Vec3& p_W);
-  Touch touch_proxy(const ToolState& tool, ProxyPath* path);
   // Of one object that is not met by the shared proxy.
   Touch touch_alone(std::uint32_t number, const ToolState& tool);
   Touch touch_implicit(std::uint32_t number, const ToolState& tool);
   Touch touch_features(std::uint32_t number, const ToolState& tool);
   [[nodiscard]] Touch touch_field(std::uint32_t number, const ToolState& tool) const;
-  void set_proxy_force(const ToolState& tool, const ProxyRest& rest, Touch& touch) const;
 
   std::span<const Object> objects_;
   double tool_radius_m_ = 0.0;
   Vec3 last_proxy_ = Vec3::Zero();
-  SphereProxy proxy_{0.0};
+  ProxyTouch proxy_;
   bool any_proxy_ = false;                             // some object is met by it
   std::array<ImplicitTracker, kMaxObjects> trackers_;  // of the objects with their numbers
   std::array<FeatureWalker, kMaxObjects> walkers_;     // the same
