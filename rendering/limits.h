@@ -8,7 +8,15 @@
 namespace tactus::rendering {
 
 // Objects in a scene. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxObjects = 64;
+inline constexpr std::size_t kMaxObjects = 1024;
+
+// Tools in one world, each with its own proxies. Beyond: World::set_scene refuses.
+inline constexpr std::size_t kMaxTools = 10;
+
+// Of the objects, those that the outside moves, and those that the shared proxy does not meet
+// (other contact methods than sphere_proxy and god_object). Beyond: World::set_scene refuses.
+inline constexpr std::size_t kMaxMovers = 64;
+inline constexpr std::size_t kMaxLoneObjects = 64;
 
 // Levels of a bounding-volume hierarchy; sizes every traversal stack. Beyond: baking balances, the
 // image check refuses.

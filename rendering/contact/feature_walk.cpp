@@ -139,18 +139,6 @@ bool usable(const Vec3& h) {
   return h.allFinite() && h.norm() <= kWorldBound_m;
 }
 
-ContactKind kind_of(Feature feature) {
-  switch (feature) {
-    case Feature::face:
-      return ContactKind::face;
-    case Feature::edge:
-      return ContactKind::edge;
-    case Feature::vertex:
-      return ContactKind::vertex;
-  }
-  return ContactKind::none;
-}
-
 }  // namespace
 
 FeatureWalk walk_features(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q_W,

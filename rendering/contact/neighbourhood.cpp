@@ -47,54 +47,108 @@ struct Clearance {
   }
 };
 
-// No triangle is nearer to p than this.
-// No surface that the proxy minds is nearer to p than this, beyond its reach.
-double clearance(std::span<const Object> objects, const Shells& shells, const Vec3& p) {
-  double nearest = kMostClearance_m;
-  for (const Object& object : objects) {
-    const double reach = shells.of(is_point_tool(object)).reach_m;
-    if (!meets_proxy(object)) {
-      continue;
-    }
+// Shrinks to what is certainly free about p beyond the reach of the proxy. Goes over objects.
+struct FreeBall {
+  const Scenery& scenery;
+  const Shells& shells;
+  const Vec3& p;
+  double free;
+
+  [[nodiscard]] double reach() const { return free + shells.sphere.reach_m; }
+  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+
+  void take(std::uint32_t number) {
+    const Object& object = scenery[number];
+    const double own_reach = shells.of(is_point_tool(object)).reach_m;
     if (object.surface == SurfaceKind::primitive) {
-      nearest = std::min(nearest, std::abs(sample(object.primitive, p).distance_m) - reach);
-      continue;
+      const double distance = std::abs(sample(scenery.primitive_W(number), p).distance_m);
+      free = std::min(free, distance - own_reach);
+      return;
     }
-    Clearance visitor{.p = p, .nearest = (nearest + reach) / kEasyPart, .mesh = &object.mesh};
-    visit_near(object.mesh.nodes, p, visitor);
-    nearest = kEasyPart * visitor.nearest - reach;
+    const Mover* const mover = scenery.mover_of(number);
+    const Vec3 p_O = mover == nullptr ? p : mover->X_WO.point_in(p);
+    Clearance visitor{.p = p_O, .nearest = (free + own_reach) / kEasyPart, .mesh = &object.mesh};
+    visit_near(object.mesh.nodes, p_O, visitor);
+    free = kEasyPart * visitor.nearest - own_reach;
   }
-  return nearest;
+};
+
+// No surface that the proxy minds is nearer to p than this, beyond its reach.
+double clearance(const Scenery& scenery, const Shells& shells, const Vec3& p) {
+  FreeBall ball{.scenery = scenery, .shells = shells, .p = p, .free = kMostClearance_m};
+  visit_near(scenery.still_nodes(), p, ball);
+  for (const Mover& mover : scenery.movers()) {
+    if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= ball.reach()) {
+      ball.take(mover.object);
+    }
+  }
+  return ball.free;
 }
 
 }  // namespace
 
-// Collects the candidates within a fixed reach; stops collecting, and says so, when there is no
-// room.
-struct Neighbourhood::Gather {
+// Collects the triangles of one object within a fixed reach; stops collecting, and says so, when
+// there is no room.
+struct Neighbourhood::GatherTriangles {
   Neighbourhood& to;
-  const Vec3& p;
+  const Object& object;
+  std::uint32_t number;
+  const Mover* mover;
+  Vec3 p_O;
   double reach_m;
-  const Object* object = nullptr;
-  std::uint32_t object_index = 0;
   bool complete = true;
 
   [[nodiscard]] double reach() const { return complete ? reach_m : 0.0; }
   void operator()(std::uint32_t t) {
-    const Vec3 offset = offset_from_box(object->mesh, t, p);
+    const Vec3 offset = offset_from_box(object.mesh, t, p_O);
     const double squared = offset.squaredNorm();
     if (squared > reach_m * reach_m) {
       return;
     }
-    Candidate* const slot = to.add(*object, object_index);
+    Candidate* const slot = to.add(object, number);
     if (slot == nullptr) {
       complete = false;
       return;
     }
     slot->index = t;
     const double distance = std::sqrt(squared);
-    to.set_bound(to.size_ - 1, distance > 0.0 ? Vec3{offset / distance} : Vec3{Vec3::Zero()},
-                 distance, p);
+    const Vec3 normal = distance > 0.0 ? Vec3{offset / distance} : Vec3{Vec3::Zero()};
+    to.set_bound(to.size_ - 1, mover == nullptr ? normal : mover->X_WO.direction(normal), distance,
+                 to.centre_);
+  }
+};
+
+// Goes over objects.
+struct Neighbourhood::Gather {
+  Neighbourhood& to;
+  const Scenery& scenery;
+  double trust_m;
+  bool complete = true;
+
+  [[nodiscard]] double reach() const {
+    return complete ? to.shells_.sphere.reach_m + trust_m : 0.0;
+  }
+  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+
+  void take(std::uint32_t number) {
+    const Object& object = scenery[number];
+    const double reach = to.shells_.of(is_point_tool(object)).reach_m + trust_m;
+    if (object.surface == SurfaceKind::primitive) {
+      const Primitive& primitive = scenery.primitive_W(number);
+      if (std::abs(sample(primitive, to.centre_).distance_m) <= reach) {
+        complete = complete && to.add_primitive(object, number, primitive);
+      }
+      return;
+    }
+    const Mover* const mover = scenery.mover_of(number);
+    GatherTriangles visitor{.to = to,
+                            .object = object,
+                            .number = number,
+                            .mover = mover,
+                            .p_O = mover == nullptr ? to.centre_ : mover->X_WO.point_in(to.centre_),
+                            .reach_m = reach};
+    visit_near(object.mesh.nodes, visitor.p_O, visitor);
+    complete = complete && visitor.complete;
   }
 };
 
@@ -103,7 +157,7 @@ Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
     return nullptr;
   }
   Candidate& slot = slots_[size_++];
-  slot.primitive = object.surface == SurfaceKind::primitive ? &object.primitive : nullptr;
+  slot.primitive = nullptr;
   slot.object = number;
   slot.prepared = false;
   slot.one_sided = object.sides == Sides::one;
@@ -112,38 +166,51 @@ Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
   return &slot;
 }
 
-bool Neighbourhood::gather(std::span<const Object> objects, const Shells& shells, const Vec3& p,
+bool Neighbourhood::add_primitive(const Object& object, std::uint32_t number,
+                                  const Primitive& primitive) {
+  Candidate* const slot = add(object, number);
+  if (slot == nullptr) {
+    return false;
+  }
+  slot->primitive = &primitive;
+  set_no_bound(size_ - 1);
+  return true;
+}
+
+bool Neighbourhood::gather(const Scenery& scenery, const Shells& shells, const Vec3& p,
                            double trust) {
   size_ = 0;
   ++gatherings_;
   centre_ = p;
   shells_ = shells;
-  bool complete = true;
-  for (std::uint32_t i = 0; i < objects.size() && complete; ++i) {
-    const Object& object = objects[i];
-    if (!meets_proxy(object)) {
-      continue;
+  Gather visitor{.to = *this, .scenery = scenery, .trust_m = trust};
+  visit_near(scenery.still_nodes(), p, visitor);
+  for (const Mover& mover : scenery.movers()) {
+    if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= visitor.reach()) {
+      visitor.take(mover.object);
     }
-    const double reach = shells.of(is_point_tool(object)).reach_m + trust;
-    if (object.surface == SurfaceKind::primitive) {
-      const bool near = std::abs(sample(object.primitive, p).distance_m) <= reach;
-      complete = !near || add(object, i) != nullptr;
-      if (near && complete) {
-        set_no_bound(size_ - 1);
-      }
-      continue;
-    }
-    Gather visitor{.to = *this, .p = p, .reach_m = reach, .object = &object, .object_index = i};
-    visit_near(object.mesh.nodes, p, visitor);
-    complete = visitor.complete;
   }
   work_ += size_ / kGatheredPerWork;
   peak_ = std::max(peak_, size_);
-  trust_m_ = complete ? trust : -1.0;
-  return complete;
+  trust_m_ = visitor.complete ? trust : -1.0;
+  return visitor.complete;
 }
 
-bool Neighbourhood::ensure(std::span<const Object> objects, const Shells& shells, const Vec3& p) {
+void Neighbourhood::begin_tick(const Scenery& scenery) {
+  if (!scenery.anything_moved() || trust_m_ < 0.0) {
+    return;
+  }
+  const double reach = trust_m_ + shells_.sphere.reach_m;
+  const bool disturbed = std::ranges::any_of(scenery.movers(), [&](const Mover& mover) {
+    return mover.moved &&
+           (mover.distance(centre_) <= reach || mover.distance_before(centre_) <= reach);
+  });
+  if (disturbed) {
+    clear();
+  }
+}
+
+bool Neighbourhood::ensure(const Scenery& scenery, const Shells& shells, const Vec3& p) {
   constexpr double kBorder_m = 1e-6;
   if (trust_from(p) >= kBorder_m) {
     return true;
@@ -152,11 +219,11 @@ bool Neighbourhood::ensure(std::span<const Object> objects, const Shells& shells
   wanted_trust_m_ = std::clamp(wanted_trust_m_, kLeastTrust_m, kMostTrust_m);
   double trust = wanted_trust_m_;
   for (int k = 0; k < kShrinkings; ++k, trust *= 0.5) {
-    if (gather(objects, shells, p, trust)) {
+    if (gather(scenery, shells, p, trust)) {
       wanted_trust_m_ =
           trust * std::clamp(kWantedCandidates / (1.0 + static_cast<double>(size_)), 0.5, 2.0);
       if (size_ == 0) {
-        trust_m_ = std::max(trust, clearance(objects, shells, p));
+        trust_m_ = std::max(trust, clearance(scenery, shells, p));
       }
       return k == 0;
     }
@@ -225,7 +292,7 @@ std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p) {
   return there_.numbers();
 }
 
-const Nearest& Neighbourhood::nearest(std::size_t i, std::span<const Object> objects) {
+const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
   Candidate& slot = slots_[i];
   if (slot.measured_at == places_) {
     return slot.nearest;
@@ -237,7 +304,7 @@ const Nearest& Neighbourhood::nearest(std::size_t i, std::span<const Object> obj
     return slot.nearest;
   }
   if (!slot.prepared) {
-    slot.triangle = triangle_of(objects[slot.object].mesh, slot.index);
+    slot.triangle = triangle_W(scenery, slot.object, slot.index);
     slot.prepared = true;
   }
   // On a border the height is rounding where the sphere stands beside the triangle; its neighbour

@@ -15,7 +15,7 @@
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
-#include "rendering/world/object.h"
+#include "rendering/world/scenery.h"
 
 namespace tactus::rendering {
 
@@ -38,10 +38,13 @@ class Neighbourhood {
   // Forgets everything; the next `ensure` gathers.
   void clear() { trust_m_ = -1.0; }
 
+  // Forgets everything if an object moved that is near enough to matter.
+  void begin_tick(const Scenery& scenery);
+
   // Makes the candidates valid about p. False if there were too many triangles for kMaxCandidates:
   // then the trust ball is smaller than wanted, or empty (trust_from(p) < 0) if even the smallest
   // did not fit.
-  bool ensure(std::span<const Object> objects, const Shells& shells, const Vec3& p);
+  bool ensure(const Scenery& scenery, const Shells& shells, const Vec3& p);
 
   // How far the proxy may move from p before the candidates must be gathered again; negative if p
   // itself is outside.
@@ -59,7 +62,7 @@ class Neighbourhood {
   std::span<const std::uint16_t> within_reach(const Vec3& p);
 
   // The nearest point of candidate i from the place of `move_to`, measured once a place.
-  const Nearest& nearest(std::size_t i, std::span<const Object> objects);
+  const Nearest& nearest(std::size_t i, const Scenery& scenery);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   // Its triangle is there once `nearest` was asked.
@@ -77,6 +80,7 @@ class Neighbourhood {
 
  private:
   struct Gather;
+  struct GatherTriangles;
   struct Within {
     std::array<std::uint16_t, kMaxCandidates> number{};
     std::size_t count = 0;
@@ -85,9 +89,10 @@ class Neighbourhood {
     [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 
-  bool gather(std::span<const Object> objects, const Shells& shells, const Vec3& p, double trust);
+  bool gather(const Scenery& scenery, const Shells& shells, const Vec3& p, double trust);
   // The next free candidate, or nullptr.
   Candidate* add(const Object& object, std::uint32_t number);
+  bool add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);

@@ -5,29 +5,25 @@
 namespace tactus::rendering {
 namespace {
 
-FieldPush push_out(const SurfaceSample& seen, double stiffness_N_per_m, double tool_radius_m) {
+FieldPush push_out(const SurfaceSample& seen, double tool_radius_m) {
   const double depth = tool_radius_m - seen.distance_m;
   if (!(depth > 0.0)) {
     return {};
   }
-  return {.depth_m = depth,
-          .normal_W = seen.normal_W,
-          .force_W = stiffness_N_per_m * depth * seen.normal_W};
+  return {.depth_m = depth, .normal_W = seen.normal_W};
 }
 
 }  // namespace
 
-FieldPush potential_field(const Primitive& primitive, double stiffness_N_per_m, const Vec3& tool_W,
-                          double tool_radius_m) {
-  return push_out(sample(primitive, tool_W), stiffness_N_per_m, tool_radius_m);
+FieldPush potential_field(const Primitive& primitive, const Vec3& tool_W, double tool_radius_m) {
+  return push_out(sample(primitive, tool_W), tool_radius_m);
 }
 
-FieldPush potential_field(const ConnectedMesh& mesh, double stiffness_N_per_m, const Vec3& tool_W,
-                          double tool_radius_m) {
+FieldPush potential_field(const ConnectedMesh& mesh, const Vec3& tool_W, double tool_radius_m) {
   if (squared_distance(mesh.mesh.nodes[0], tool_W) > tool_radius_m * tool_radius_m) {
     return {};
   }
-  return push_out(sample(mesh, tool_W), stiffness_N_per_m, tool_radius_m);
+  return push_out(sample(mesh, tool_W), tool_radius_m);
 }
 
 }  // namespace tactus::rendering

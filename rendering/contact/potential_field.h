@@ -17,17 +17,14 @@ namespace tactus::rendering {
 struct FieldPush {
   double depth_m = 0.0;          // of the sphere below the surface; 0 outside
   Vec3 normal_W = Vec3::Zero();  // unit, the way out; zero outside
-  Vec3 force_W = Vec3::Zero();   // N, on the hand: K depth normal
 };
 
 // `tool_radius_m` >= 0; 0 is a point. Real time: no heap. A primitive costs some twenty
 // multiplications; a mesh costs one search for the nearest point, also where nothing is touched but
 // the mesh's box is.
-FieldPush potential_field(const Primitive& primitive, double stiffness_N_per_m, const Vec3& tool_W,
-                          double tool_radius_m);
+FieldPush potential_field(const Primitive& primitive, const Vec3& tool_W, double tool_radius_m);
 
 // The mesh has to be closed and wound consistently; elsewhere the sign of the distance is a guess.
-FieldPush potential_field(const ConnectedMesh& mesh, double stiffness_N_per_m, const Vec3& tool_W,
-                          double tool_radius_m);
+FieldPush potential_field(const ConnectedMesh& mesh, const Vec3& tool_W, double tool_radius_m);
 
 }  // namespace tactus::rendering

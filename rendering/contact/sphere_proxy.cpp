@@ -25,9 +25,10 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/contact/carry.h"
+#include "rendering/contact/object_cast.h"
 #include "rendering/contact/primitive_sweep.h"
 #include "rendering/friction/cone.h"
-#include "rendering/geometry/hierarchy_query.h"
 
 namespace tactus::rendering {
 namespace {
@@ -45,11 +46,36 @@ constexpr double kHeld_m = 1e-6;
 void SphereProxy::place(const Vec3& p_W) {
   p_ = p_W;
   friction_ = FrictionState::free;
+  touched_ = kNoObject;
   neighbourhood_.clear();
   neighbourhood_.move_to(p_);
 }
 
-ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W, ProxyPath* path) {
+std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
+  neighbourhood_.begin_tick(scenery);
+  if (!scenery.anything_moved()) {
+    return kTouchClean;
+  }
+  const Carried carried = carry(scenery, shells_, p_, touched_);
+  p_ = carried.p_W;
+  neighbourhood_.move_to(p_);
+  return carried.flags;
+}
+
+ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+  const ProxyRest rest = approach(scenery, h_W, path);
+  touched_ = kNoObject;
+  double hardest = 0.0;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    if (rest.pressure_m[i] > hardest) {
+      hardest = rest.pressure_m[i];
+      touched_ = rest.planes[i].object;
+    }
+  }
+  return rest;
+}
+
+ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   slipped_ = false;
   fresh_ = false;
   stretching_ = true;
@@ -63,7 +89,7 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
       path->count = rest.sub_goals + 1U;
     }
     const std::size_t gathering = neighbourhood_.gatherings();
-    const bool complete = neighbourhood_.ensure(objects, shells_, p_);
+    const bool complete = neighbourhood_.ensure(scenery, shells_, p_);
     const bool gathered = neighbourhood_.gatherings() != gathering;
     if (rest.sub_goals == 0 || gathered) {
       stopper_count_ = 0;
@@ -75,15 +101,15 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
         return rest;
       }
     }
-    collect_planes(objects, most_push, rest);
+    collect_planes(scenery, most_push, rest);
     Goal goal;
     Advance way;
     do {
-      goal = choose_goal(objects, h_W, rest);
+      goal = choose_goal(scenery, h_W, rest);
       if (goal.settled) {
         return rest;
       }
-      way = travel_toward(objects, goal.point);
+      way = travel_toward(scenery, goal.point);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
@@ -99,11 +125,10 @@ ProxyRest SphereProxy::advance(std::span<const Object> objects, const Vec3& h_W,
   }
 }
 
-void SphereProxy::collect_planes(std::span<const Object> objects, double most_push,
-                                 ProxyRest& rest) {
+void SphereProxy::collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
   contact_count_ = 0;
   for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
-    const Nearest& nearest = neighbourhood_.nearest(i, objects);
+    const Nearest& nearest = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
     if (nearest.distance > shell.reach_m || candidate.behind) {
@@ -184,8 +209,7 @@ PlaneProjection SphereProxy::project(const Vec3& h) const {
   return projection;
 }
 
-SphereProxy::Goal SphereProxy::choose_goal(std::span<const Object> objects, const Vec3& h,
-                                           ProxyRest& rest) {
+SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
   const PlaneProjection projection = project(h);
   rest.plane_count = projection.active_count;
   rest.normal_W = Vec3::Zero();
@@ -199,7 +223,7 @@ SphereProxy::Goal SphereProxy::choose_goal(std::span<const Object> objects, cons
   FrictionCircle circle;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
-    const ConeFriction& friction = objects[contact.object].material.friction;
+    const ConeFriction& friction = scenery[contact.object].material.friction;
     const double pressure = projection.pressure_m[i];
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
@@ -254,18 +278,18 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
 // How much of the way the sphere may go. A move that leaves the trust ball is cut at its border,
 // where the neighbourhood is gathered anew; one that is longer than such a fresh ball is asked of
 // the hierarchy, as far as that is cheap.
-SphereProxy::Advance SphereProxy::travel_toward(std::span<const Object> objects, const Vec3& goal) {
+SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Vec3& goal) {
   const Vec3 way = goal - p_;
   const double length = way.norm();
   const Sweep sweep{.from = p_, .direction = way / length};
   const double room = neighbourhood_.trust_from(p_);
   Advance advance{.direction = sweep.direction};
   if (length <= room) {
-    advance.travel = sweep_candidates(objects, sweep, length, advance.stopped_by);
+    advance.travel = sweep_candidates(scenery, sweep, length, advance.stopped_by);
   } else {
-    advance.travel = sweep_candidates(objects, sweep, room, advance.stopped_by);
+    advance.travel = sweep_candidates(scenery, sweep, room, advance.stopped_by);
     if (fresh_ && advance.travel >= room) {
-      advance.travel = std::max(room, cast(objects, sweep, length));
+      advance.travel = std::max(room, cast(scenery, sweep, length));
     }
   }
   advance.arrived = advance.travel >= length;
@@ -281,17 +305,17 @@ SphereProxy::Advance SphereProxy::travel_toward(std::span<const Object> objects,
 
 // A distance is convex along the way, so what is out of reach at its end, by the tangent at its
 // start, is out of reach all along.
-double SphereProxy::sweep_candidates(std::span<const Object> objects, const Sweep& sweep,
-                                     double length, std::size_t& stopped_by) {
+double SphereProxy::sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
+                                     std::size_t& stopped_by) {
   constexpr std::size_t kWorkOfAStop = 3;
   double free = length;
   for (const std::uint16_t i : neighbourhood_.within_reach(sweep.from + length * sweep.direction)) {
-    const Nearest& start = neighbourhood_.nearest(i, objects);
+    const Nearest& start = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
     const double travel =
         candidate.primitive != nullptr
-            ? travel_to_contact(*candidate.primitive, objects[candidate.object].sides, sweep, free,
+            ? travel_to_contact(*candidate.primitive, scenery[candidate.object].sides, sweep, free,
                                 shell, candidate.seen)
             : travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell, start);
     if (travel < free) {
@@ -303,45 +327,12 @@ double SphereProxy::sweep_candidates(std::span<const Object> objects, const Swee
   return free;
 }
 
-// Shrinks to the first triangle that stops the sphere, over any length.
-struct SphereProxy::Cast {
-  const Sweep& sweep;
-  double free;
-  std::size_t room;  // triangles that may still be measured
-  const Object* object = nullptr;
-  const Shell* shell = nullptr;
-
-  [[nodiscard]] double reach() const { return free; }
-  [[nodiscard]] bool exhausted() const { return room == 0; }
-  void operator()(std::uint32_t t) {
-    room -= room > 0 ? 1 : 0;
-    const Triangle triangle = triangle_of(object->mesh, t);
-    free = travel_to_contact(triangle, object->sides == Sides::one, sweep, free, *shell,
-                             triangle.nearest(sweep.from));
-  }
-};
-
-double SphereProxy::cast(std::span<const Object> objects, const Sweep& sweep, double length) {
+double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length) {
   constexpr std::size_t kMostMeasured = 64;
-  Cast visitor{.sweep = sweep, .free = length, .room = kMostMeasured};
-  double visited = length;
-  for (const Object& object : objects) {
-    if (!meets_proxy(object)) {
-      continue;
-    }
-    const Shell& shell = shells_.of(is_point_tool(object));
-    if (object.surface == SurfaceKind::primitive) {
-      visitor.free = travel_to_contact(object.primitive, object.sides, sweep, visitor.free, shell,
-                                       sample(object.primitive, sweep.from));
-      continue;
-    }
-    visitor.object = &object;
-    visitor.shell = &shell;
-    visited = std::min(visited, visit_along(object.mesh.nodes, sweep.from, sweep.direction,
-                                            shell.reach_m, visitor));
-  }
-  neighbourhood_.add_work(2 * (kMostMeasured - visitor.room));
-  return std::min(visited, visitor.free);
+  std::size_t room = kMostMeasured;
+  const double free = cast_on_all(scenery, shells_, sweep, length, room);
+  neighbourhood_.add_work(2 * (kMostMeasured - room));
+  return free;
 }
 
 }  // namespace tactus::rendering

@@ -11,7 +11,7 @@
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
-#include "rendering/world/object.h"
+#include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -51,16 +51,19 @@ class SphereProxy {
   // Starts over, out of contact, at p_W. No triangle is asked.
   void place(const Vec3& p_W);
 
+  // First in every tick, once the objects are where they are now: those that moved take the proxy
+  // along or push it. TouchFlags; bounded work, no heap.
+  std::uint32_t begin_tick(const Scenery& scenery);
+
   // Moves the proxy as near to the tool as surfaces and friction let it, for a tool at h_W
   // (finite). Bounded work, no heap. `path`, if given, receives the moves.
-  ProxyRest advance(std::span<const Object> objects, const Vec3& h_W, ProxyPath* path);
+  ProxyRest advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
   [[nodiscard]] FrictionState friction() const { return friction_; }
   [[nodiscard]] std::size_t peak_candidates() const { return neighbourhood_.peak(); }
 
  private:
-  struct Cast;
   struct Goal {
     Vec3 point = Vec3::Zero();
     bool settled = false;
@@ -73,25 +76,27 @@ class SphereProxy {
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 
-  void collect_planes(std::span<const Object> objects, double most_push, ProxyRest& rest);
+  ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
+  void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   // True if the plane of candidate i is new.
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
   [[nodiscard]] bool has_stopped(std::size_t i) const;
   bool add_holding_plane(std::size_t i, double most_push, ProxyRest& rest);
   PlaneProjection project(const Vec3& h) const;
-  Goal choose_goal(std::span<const Object> objects, const Vec3& h, ProxyRest& rest);
+  Goal choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
-  Advance travel_toward(std::span<const Object> objects, const Vec3& goal);
-  double sweep_candidates(std::span<const Object> objects, const Sweep& sweep, double length,
+  Advance travel_toward(const Scenery& scenery, const Vec3& goal);
+  double sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
                           std::size_t& stopped_by);
-  double cast(std::span<const Object> objects, const Sweep& sweep, double length);
+  double cast(const Scenery& scenery, const Sweep& sweep, double length);
 
   Shells shells_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
-  bool slipped_ = false;    // in this tick
-  bool fresh_ = false;      // the neighbourhood was gathered in this tick
-  bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick
+  std::uint32_t touched_ = kNoObject;  // that which pushed hardest in the last tick
+  bool slipped_ = false;               // in this tick
+  bool fresh_ = false;                 // the neighbourhood was gathered in this tick
+  bool stretching_ = true;             // moves on edges and vertices are lengthened, in this tick
   double last_to_tool_m_ = 0.0;
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;

@@ -55,6 +55,9 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
     std::uint32_t node;
     double squared;
   };
+  if (nodes.empty()) {
+    return;
+  }
   std::array<Pending, kMaxHierarchyDepth + 1> stack;
   std::size_t depth = 0;
   stack[depth++] = {0, squared_distance(nodes[0], p)};
@@ -89,6 +92,9 @@ double visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3&
     std::uint32_t node;
     double entry;
   };
+  if (nodes.empty()) {
+    return std::numeric_limits<double>::infinity();
+  }
   const Vec3 inverse = slab_inverse(direction);
   std::array<Pending, kMaxHierarchyDepth + 1> stack;
   std::size_t depth = 0;

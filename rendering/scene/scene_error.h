@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "rendering/world/object.h"
+
 namespace tactus::rendering {
 
 enum class SceneFault : std::uint8_t {
@@ -35,8 +37,6 @@ enum class SceneFault : std::uint8_t {
   formula,            // instructions that must not be carried out; place: instruction
   method,             // unknown, or one that does not go with the surface; place: value found
 };
-
-inline constexpr std::uint32_t kNoObject = 0xffffffff;
 
 struct SceneError {
   SceneFault fault = SceneFault::malformed;

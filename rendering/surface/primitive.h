@@ -35,6 +35,11 @@ struct SurfaceSample {
 struct Bounds {
   Vec3 lower_W = Vec3::Zero();  // m
   Vec3 upper_W = Vec3::Zero();
+
+  // From p_W to the box, 0 inside.
+  [[nodiscard]] double distance(const Vec3& p_W) const {
+    return (p_W - p_W.cwiseMax(lower_W).cwiseMin(upper_W)).norm();
+  }
 };
 
 // True if a touch may use it: every number finite, the rotation orthonormal and right-handed to

@@ -1,5 +1,7 @@
 #include "rendering/world/object.h"
 
+#include "rendering/limits.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -12,7 +14,33 @@ bool has_features(const Object& object) {
          object.vertex_normals.size() == object.mesh.vertices.size();
 }
 
+Bounds bounds(const ImplicitSurface& implicit) {
+  Bounds box{.lower_W = Vec3::Constant(kWorldBound_m), .upper_W = Vec3::Constant(-kWorldBound_m)};
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto side = [&](int axis) {
+      return (corner >> axis & 1) != 0 ? implicit.bounds_O.upper[axis]
+                                       : implicit.bounds_O.lower[axis];
+    };
+    const Vec3 p_W = implicit.to_world({side(0), side(1), side(2)});
+    box.lower_W = box.lower_W.cwiseMin(p_W);
+    box.upper_W = box.upper_W.cwiseMax(p_W);
+  }
+  return box;
+}
+
 }  // namespace
+
+Bounds bounds_of(const Object& object) {
+  switch (object.surface) {
+    case SurfaceKind::primitive:
+      return bounds(object.primitive);
+    case SurfaceKind::implicit:
+      return bounds(object.implicit);
+    default:
+      return {.lower_W = to_vec3(object.mesh.nodes[0].lower),
+              .upper_W = to_vec3(object.mesh.nodes[0].upper)};
+  }
+}
 
 bool usable(const Object& object) {
   switch (object.surface) {

@@ -13,6 +13,8 @@
 
 namespace tactus::rendering {
 
+inline constexpr std::uint32_t kNoObject = 0xffffffff;
+
 enum class SurfaceKind : std::uint8_t { mesh = 0, primitive = 1, implicit = 2 };
 
 // How the tool is kept out of an object, or pushed out of it.
@@ -35,7 +37,11 @@ struct Object {
   std::span<const Float3> vertex_normals;
   Sides sides = Sides::one;
   Material material;
+  bool moves = false;  // the outside moves it: the scene's frame is then its own frame
 };
+
+// Its smallest axis-parallel box, in the frame of the scene; of a plane the world's.
+Bounds bounds_of(const Object& object);
 
 // Whether the surface is sound and its contact method can touch it.
 bool usable(const Object& object);

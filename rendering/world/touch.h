@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "rendering/geometry/triangle.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
@@ -17,6 +18,17 @@ struct ToolState {
 // several.
 enum class ContactKind : std::uint8_t { none = 0, face = 1, edge = 2, vertex = 3 };
 
+inline ContactKind kind_of(Feature feature) {
+  switch (feature) {
+    case Feature::face:
+      return ContactKind::face;
+    case Feature::edge:
+      return ContactKind::edge;
+    default:
+      return ContactKind::vertex;
+  }
+}
+
 // The friction cone's state. `free` means no contact.
 enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 
@@ -30,6 +42,8 @@ enum TouchFlags : std::uint32_t {
       1U << 1,  // kMaxSubGoals reached: the proxy stopped short of its minimum this tick
   kTouchPlanesOverflow = 1U << 2,  // more contact planes than kMaxContactPlanes
   kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
+  kTouchPinched =
+      1U << 4,  // objects that moved left the proxy no room: some of them passed over it
 };
 
 struct Touch {

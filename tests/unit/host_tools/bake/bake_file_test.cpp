@@ -135,10 +135,10 @@ TEST(Image, TakesAtMostAHundredBytesATriangle) {
 }
 
 TEST(Image, RefusesNoneAndTooManyObjects) {
-  EXPECT_TRUE(contains(input_error([] { write_image({}); }), "0 objects, where 1 to 64 fit"));
+  EXPECT_TRUE(contains(input_error([] { write_image({}); }), "0 objects, where 1 to 1024 fit"));
   BakedScene scene;
-  scene.objects.resize(65);
-  EXPECT_TRUE(contains(input_error([&] { write_image(scene); }), "65 objects"));
+  scene.objects.resize(1025);
+  EXPECT_TRUE(contains(input_error([&] { write_image(scene); }), "1025 objects"));
 }
 
 TEST(MappedScene, NamesAFileThatIsNoImage) {

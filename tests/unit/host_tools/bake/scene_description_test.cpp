@@ -129,10 +129,10 @@ TEST(SceneDescription, WantsObjects) {
   EXPECT_TRUE(testing::contains(scene_error("[tool]\nradius_m = 0.1\n"), "there is no [[object]]"));
   EXPECT_TRUE(testing::contains(scene_error("[object]\nmesh = \"a\"\n"), "with two brackets"));
   std::string many;
-  for (int i = 0; i < 65; ++i) {
+  for (int i = 0; i < 1025; ++i) {
     many += "[[object]]\nname = \"o" + std::to_string(i) + "\"\nmesh = \"a\"\n";
   }
-  EXPECT_TRUE(testing::contains(scene_error(many), "65 objects, where 64 fit"));
+  EXPECT_TRUE(testing::contains(scene_error(many), "1025 objects, where 1024 fit"));
 }
 
 TEST(SceneDescription, WantsAMeshAndDistinctNames) {

@@ -1,0 +1,23 @@
+// What objects that move do to a proxy that rests: the one that it touches takes it along, and
+// those that come its way push it, at any speed.
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/contact/sphere_sweep.h"
+#include "rendering/world/scenery.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+struct Carried {
+  Vec3 p_W = Vec3::Zero();            // m; clear of every object where it is now
+  std::uint32_t flags = kTouchClean;  // pinched
+};
+
+// Of a proxy at p_W, clear of every object where it was in the last tick, that touched the object
+// `touched` (kNoObject for none). Seen from each object the proxy goes straight from where it was
+// to where it is, and crosses nothing. Real time: bounded work, no heap.
+Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W, std::uint32_t touched);
+
+}  // namespace tactus::rendering

@@ -1,0 +1,115 @@
+#include "rendering/contact/object_cast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/contact/primitive_sweep.h"
+#include "rendering/geometry/hierarchy_query.h"
+
+namespace tactus::rendering {
+namespace {
+
+// Shrinks to the first triangle that stops the sphere.
+struct TriangleCast {
+  const Object& object;
+  const Sweep& sweep;
+  const Shell& shell;
+  std::size_t& room;
+  ObjectHit hit;
+
+  [[nodiscard]] double reach() const { return hit.travel_m; }
+  [[nodiscard]] bool exhausted() const { return room == 0; }
+  void operator()(std::uint32_t t) {
+    room -= room > 0 ? 1 : 0;
+    const Triangle triangle = triangle_of(object.mesh, t);
+    const double travel = travel_to_contact(triangle, object.sides == Sides::one, sweep,
+                                            hit.travel_m, shell, triangle.nearest(sweep.from));
+    if (travel < hit.travel_m) {
+      hit = {.travel_m = travel, .met = true, .triangle = t};
+    }
+  }
+};
+
+// Goes over objects.
+struct CastOnObjects {
+  const Scenery& scenery;
+  const Shells& shells;
+  const Sweep& sweep_W;
+  std::size_t& room;
+  double free;
+
+  [[nodiscard]] double reach() const { return free; }
+  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+
+  void take(std::uint32_t number) {
+    const Object& object = scenery[number];
+    const Mover* const mover = scenery.mover_of(number);
+    const Sweep sweep_O = mover == nullptr
+                              ? sweep_W
+                              : Sweep{.from = mover->X_WO.point_in(sweep_W.from),
+                                      .direction = mover->X_WO.direction_in(sweep_W.direction)};
+    free = cast_on(object, {.sweep_O = sweep_O, .limit_m = free}, shells.of(is_point_tool(object)),
+                   room)
+               .travel_m;
+  }
+};
+
+}  // namespace
+
+ObjectHit cast_on(const Object& object, const ObjectCast& cast, const Shell& shell,
+                  std::size_t& room) {
+  if (object.surface == SurfaceKind::primitive) {
+    const double travel =
+        travel_to_contact(object.primitive, object.sides, cast.sweep_O, cast.limit_m, shell,
+                          sample(object.primitive, cast.sweep_O.from));
+    return {.travel_m = travel, .met = travel < cast.limit_m};
+  }
+  TriangleCast visitor{.object = object,
+                       .sweep = cast.sweep_O,
+                       .shell = shell,
+                       .room = room,
+                       .hit = {.travel_m = cast.limit_m}};
+  const double visited = visit_along(object.mesh.nodes, cast.sweep_O.from, cast.sweep_O.direction,
+                                     shell.reach_m, visitor);
+  if (visited < visitor.hit.travel_m) {
+    return {.travel_m = visited};
+  }
+  return visitor.hit;
+}
+
+HitSurface surface_at(const Object& object, const ObjectHit& hit, const Vec3& p_O) {
+  if (object.surface == SurfaceKind::primitive) {
+    const SurfaceSample seen = sample(object.primitive, p_O);
+    return {.distance_m = std::abs(seen.distance_m),
+            .normal_O = seen.distance_m < 0.0 ? Vec3{-seen.normal_W} : seen.normal_W};
+  }
+  const Nearest nearest = triangle_of(object.mesh, hit.triangle).nearest(p_O);
+  return {.distance_m = nearest.distance, .normal_O = nearest.normal};
+}
+
+double cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                     double limit_m, std::size_t& room) {
+  CastOnObjects visitor{
+      .scenery = scenery, .shells = shells, .sweep_W = sweep_W, .room = room, .free = limit_m};
+  visit_along(scenery.still_nodes(), sweep_W.from, sweep_W.direction, shells.sphere.reach_m,
+              visitor);
+  return visitor.free;
+}
+
+double cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                   double limit_m, std::size_t& room) {
+  CastOnObjects visitor{.scenery = scenery,
+                        .shells = shells,
+                        .sweep_W = sweep_W,
+                        .room = room,
+                        .free = cast_on_still(scenery, shells, sweep_W, limit_m, room)};
+  for (const Mover& mover : scenery.movers()) {
+    if (meets_proxy(scenery[mover.object]) &&
+        mover.distance(sweep_W.from) <= visitor.free + shells.sphere.reach_m) {
+      visitor.take(mover.object);
+    }
+  }
+  return visitor.free;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,42 @@
+// How far a sphere can travel along a straight line before it touches an object, over any length.
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/contact/sphere_sweep.h"
+#include "rendering/world/scenery.h"
+
+namespace tactus::rendering {
+
+// In the object's own frame O.
+struct ObjectCast {
+  Sweep sweep_O;
+  double limit_m = 0.0;
+};
+
+struct ObjectHit {
+  double travel_m = 0.0;       // that is free
+  bool met = false;            // the object stops the sphere there
+  std::uint32_t triangle = 0;  // of a mesh
+};
+
+// `room` is how many triangles may be measured; what is used is taken from it. When it runs out the
+// travel ends where the walk ended, and nothing is met.
+ObjectHit cast_on(const Object& object, const ObjectCast& cast, const Shell& shell,
+                  std::size_t& room);
+
+// From the surface that was met to the centre at p_O; unit.
+struct HitSurface {
+  double distance_m = 0.0;
+  Vec3 normal_O = Vec3::Zero();
+};
+HitSurface surface_at(const Object& object, const ObjectHit& hit, const Vec3& p_O);
+
+// The same over the objects that stand still, and over all objects where they are in this tick; the
+// free travel.
+double cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                     double limit_m, std::size_t& room);
+double cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                   double limit_m, std::size_t& room);
+
+}  // namespace tactus::rendering

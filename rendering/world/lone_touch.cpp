@@ -1,0 +1,158 @@
+#include "rendering/world/lone_touch.h"
+
+#include "rendering/contact/potential_field.h"
+
+namespace tactus::rendering {
+namespace {
+
+ToolState in_frame(const Scenery& scenery, std::uint32_t number, const ToolState& tool) {
+  const Mover* const mover = scenery.mover_of(number);
+  if (mover == nullptr) {
+    return tool;
+  }
+  return {.p_W = mover->X_WO.point_in(tool.p_W),
+          .v_W = mover->X_WO.direction_in(tool.v_W - scenery.velocity_W(number, tool.p_W))};
+}
+
+void to_world(const Mover* mover, Touch& touch) {
+  if (mover == nullptr) {
+    return;
+  }
+  touch.proxy_W = mover->X_WO.point(touch.proxy_W);
+  touch.normal_W = mover->X_WO.direction(touch.normal_W);
+  touch.force_W = mover->X_WO.direction(touch.force_W);
+}
+
+Touch touch_of(const ImplicitRest& rest) {
+  return {.proxy_W = rest.proxy_W,
+          .normal_W = rest.normal_W,
+          .depth_m = rest.depth_m,
+          .contact = rest.planes > 0 ? ContactKind::face : ContactKind::none,
+          .friction = rest.friction,
+          .sub_goals = rest.sub_goals,
+          .planes = rest.planes,
+          .flags = rest.flags};
+}
+
+Touch touch_of(const FeatureRest& rest) {
+  const bool in_contact = rest.contact != ContactKind::none;
+  return {.proxy_W = rest.proxy_W,
+          .normal_W = rest.normal_W,
+          .depth_m = rest.depth_m,
+          .contact = rest.contact,
+          .friction = rest.friction,
+          .planes = static_cast<std::uint16_t>(in_contact ? 1 : 0),
+          .flags = rest.flags};
+}
+
+Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
+  if (!(push.depth_m > 0.0)) {
+    return {.proxy_W = tool_O};
+  }
+  return {.proxy_W = tool_O + push.depth_m * push.normal_W,
+          .normal_W = push.normal_W,
+          .depth_m = push.depth_m,
+          .contact = ContactKind::face,
+          .friction = FrictionState::slip,
+          .planes = 1};
+}
+
+}  // namespace
+
+void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radius_m) {
+  tool_radius_m_ = tool_radius_m;
+  last_tool_W_ = p_W;
+  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
+    const Mover* const mover = scenery.mover_of(scenery.lone_objects()[k]);
+    const Vec3 p_O = mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
+    trackers_[k].place(p_O);
+    walkers_[k].place(p_O);
+    awake_[k] = true;
+  }
+}
+
+void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& tool) {
+  Vec3 force = touch.force_W;
+  double hardest = force.squaredNorm();
+  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
+    const std::uint32_t number = scenery.lone_objects()[k];
+    const Mover* const mover = scenery.mover_of(number);
+    const Object& object = scenery[number];
+    const bool near = is_near(mover, object, tool.p_W);
+    if (!near && !awake_[k]) {
+      continue;
+    }
+    wake(k, mover);
+    Touch own = touch_in_frame(k, object, in_frame(scenery, number, tool));
+    to_world(mover, own);
+    own.object = number;
+    awake_[k] = near || own.contact != ContactKind::none;
+    force += own.force_W;
+    own.flags |= touch.flags;
+    const double push = own.force_W.squaredNorm();
+    if (own.contact != ContactKind::none &&
+        (push > hardest || touch.contact == ContactKind::none)) {
+      hardest = push;
+      touch = own;
+    }
+    touch.flags = own.flags;
+  }
+  touch.force_W = force;
+  last_tool_W_ = tool.p_W;
+}
+
+void LoneTouch::hold(const Scenery& scenery) {
+  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
+    wake(k, scenery.mover_of(scenery.lone_objects()[k]));
+  }
+}
+
+// Whether the tool's way since the last tick, seen from the object, comes into its box.
+bool LoneTouch::is_near(const Mover* mover, const Object& object, const Vec3& p_W) const {
+  constexpr double kMargin_m = 1e-3;
+  const Vec3 from = mover == nullptr ? last_tool_W_ : mover->X_WO_before.point_in(last_tool_W_);
+  const Vec3 to = mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
+  const Bounds box = bounds_of(object);
+  const double margin = tool_radius_m_ + kMargin_m;
+  return ((from.cwiseMax(to).array() >= box.lower_W.array() - margin) &&
+          (from.cwiseMin(to).array() <= box.upper_W.array() + margin))
+      .all();
+}
+
+// One that slept starts, out of contact, where the tool was in the last tick.
+void LoneTouch::wake(std::size_t k, const Mover* mover) {
+  if (awake_[k]) {
+    return;
+  }
+  const Vec3 p_O = mover == nullptr ? last_tool_W_ : mover->X_WO_before.point_in(last_tool_W_);
+  trackers_[k].place(p_O);
+  walkers_[k].place(p_O);
+  awake_[k] = true;
+}
+
+Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& tool_O) {
+  const Material& material = object.material;
+  const ConnectedMesh mesh{object.mesh, object.neighbours, object.vertex_normals};
+  switch (object.method) {
+    case ContactMethod::tracking:
+      return touch_of(trackers_[k].advance(object.implicit, material.friction, tool_O));
+    case ContactMethod::feature_walk:
+      return touch_of(walkers_[k].advance(mesh, object.sides, material.friction, tool_O));
+    default:
+      return touch_of(object.surface == SurfaceKind::primitive
+                          ? potential_field(object.primitive, tool_O, tool_radius_m_)
+                          : potential_field(mesh, tool_O, tool_radius_m_),
+                      tool_O);
+  }
+}
+
+Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O) {
+  Touch touch = rest_in_frame(k, object, tool_O.p_W);
+  if (touch.contact != ContactKind::none) {
+    touch.force_W = object.material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -
+                    object.material.damping_Ns_per_m * tool_O.v_W;
+  }
+  return touch;
+}
+
+}  // namespace tactus::rendering

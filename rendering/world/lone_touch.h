@@ -1,0 +1,45 @@
+// The objects that one tool touches apart from the shared proxy: potential fields, feature walks
+// and implicit surfaces. Each pushes for itself.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rendering/contact/feature_walk.h"
+#include "rendering/contact/implicit_tracking.h"
+#include "rendering/limits.h"
+#include "rendering/world/scenery.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+// Works in each object's own frame, so an object that moves takes its proxy along and sweeps over
+// no tool without meeting it. An object whose box the tool does not come near costs next to
+// nothing.
+class LoneTouch {
+ public:
+  // Starts over, out of contact, at p_W.
+  void place(const Scenery& scenery, const Vec3& p_W, double tool_radius_m);
+
+  // Adds the forces to `touch`, which is of the shared proxy, and tells of the object that pushes
+  // hardest of all. The tool is finite. Bounded work, no heap.
+  void add_to(Touch& touch, const Scenery& scenery, const ToolState& tool);
+
+  // Instead of add_to in a tick without a valid tool.
+  void hold(const Scenery& scenery);
+
+ private:
+  // Of one object, everything in its own frame.
+  Touch rest_in_frame(std::size_t k, const Object& object, const Vec3& tool_O);
+  Touch touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O);
+  [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
+  void wake(std::size_t k, const Mover* mover);
+
+  double tool_radius_m_ = 0.0;
+  Vec3 last_tool_W_ = Vec3::Zero();
+  std::array<bool, kMaxLoneObjects> awake_{};  // of Scenery::lone_objects()
+  std::array<ImplicitTracker, kMaxLoneObjects> trackers_;
+  std::array<FeatureWalker, kMaxLoneObjects> walkers_;
+};
+
+}  // namespace tactus::rendering

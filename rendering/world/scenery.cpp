@@ -1,0 +1,179 @@
+#include "rendering/world/scenery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rendering/geometry/hierarchy_query.h"
+
+namespace tactus::rendering {
+namespace {
+
+bool sound(const RigidPose& pose) {
+  constexpr double kOrthonormal = 1e-9;
+  return (pose.rotation.transpose() * pose.rotation - Mat3::Identity())
+                 .cwiseAbs()
+                 .maxCoeff<Eigen::PropagateNaN>() <= kOrthonormal &&
+         pose.rotation.determinant() > 0.0 &&
+         pose.translation.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
+}
+
+Float3 rounded(const Vec3& p, float toward) {
+  const auto away = [toward](double x) { return std::nextafter(static_cast<float>(x), toward); };
+  return {away(p.x()), away(p.y()), away(p.z())};
+}
+
+void grow(BvhNode& box, const Bounds& by) {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  const Float3 lower = rounded(by.lower_W, -kFar);
+  const Float3 upper = rounded(by.upper_W, kFar);
+  box.lower = {std::min(box.lower.x, lower.x), std::min(box.lower.y, lower.y),
+               std::min(box.lower.z, lower.z)};
+  box.upper = {std::max(box.upper.x, upper.x), std::max(box.upper.y, upper.y),
+               std::max(box.upper.z, upper.z)};
+}
+
+}  // namespace
+
+double Mover::distance(const Vec3& p_W) const {
+  return bounds_O.distance(X_WO.point_in(p_W));
+}
+
+double Mover::distance_before(const Vec3& p_W) const {
+  return bounds_O.distance(X_WO_before.point_in(p_W));
+}
+
+bool Scenery::set(std::span<const Object> objects) {
+  const auto movers = static_cast<std::size_t>(
+      std::ranges::count_if(objects, [](const Object& object) { return object.moves; }));
+  const auto lone =
+      objects.size() - static_cast<std::size_t>(std::ranges::count_if(objects, meets_proxy));
+  const bool good = objects.size() <= kMaxObjects && movers <= kMaxMovers &&
+                    lone <= kMaxLoneObjects && std::ranges::all_of(objects, usable);
+  objects_ = good ? objects : std::span<const Object>{};
+  mover_count_ = 0;
+  lone_count_ = 0;
+  anything_moved_ = false;
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    mover_of_[i] = kNoMover;
+    if (!meets_proxy(objects_[i])) {
+      lone_[lone_count_++] = i;
+    }
+    if (objects_[i].moves) {
+      mover_of_[i] = static_cast<std::uint8_t>(mover_count_);
+      orders_[mover_count_] = {};
+      movers_[mover_count_] = {
+          .object = i, .primitive_W = objects_[i].primitive, .bounds_O = bounds_of(objects_[i])};
+      ++mover_count_;
+    }
+  }
+  build_hierarchy();
+  return good;
+}
+
+bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
+  if (number >= objects_.size() || mover_of_[number] == kNoMover || !sound(X_WO) ||
+      !twist.linear_W.allFinite() || !twist.angular_W.allFinite()) {
+    return false;
+  }
+  orders_[mover_of_[number]] = {.X_WO = X_WO, .twist = twist};
+  return true;
+}
+
+void Scenery::begin_tick() {
+  anything_moved_ = false;
+  for (std::size_t k = 0; k < mover_count_; ++k) {
+    Mover& mover = movers_[k];
+    mover.X_WO_before = mover.X_WO;
+    mover.X_WO = orders_[k].X_WO;
+    mover.twist = orders_[k].twist;
+    mover.moved = mover.X_WO.rotation != mover.X_WO_before.rotation ||
+                  mover.X_WO.translation != mover.X_WO_before.translation;
+    if (mover.moved) {
+      anything_moved_ = true;
+      const RigidPose& own = objects_[mover.object].primitive.X_WO;
+      mover.primitive_W.X_WO = {.rotation = mover.X_WO.rotation * own.rotation,
+                                .translation = mover.X_WO.point(own.translation)};
+    }
+  }
+}
+
+// By halves along the longest side of the centres' box, so the depth is the logarithm of the count.
+void Scenery::build_hierarchy() {
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    if (meets_proxy(objects_[i]) && !objects_[i].moves) {
+      order_[count++] = i;
+    }
+  }
+  node_count_ = 0;
+  if (count == 0) {
+    return;
+  }
+  constexpr std::uint32_t kLeaf = 2;
+  std::array<Part, kMaxHierarchyDepth> parts;
+  std::size_t waiting = 0;
+  parts[waiting++] = {.node = 0, .first = 0, .count = count};
+  node_count_ = 1;
+  while (waiting > 0) {
+    const Part part = parts[--waiting];
+    const Eigen::Index axis = enclose(part);
+    BvhNode& box = nodes_[part.node];
+    if (part.count <= kLeaf) {
+      box.first = part.first;
+      box.triangle_count = part.count;
+      continue;
+    }
+    const std::uint32_t half = part.count / 2;
+    halve(part, axis);
+    box.first = static_cast<std::uint32_t>(node_count_);
+    node_count_ += 2;
+    parts[waiting++] = {.node = box.first, .first = part.first, .count = half};
+    parts[waiting++] = {
+        .node = box.first + 1, .first = part.first + half, .count = part.count - half};
+  }
+}
+
+Vec3 Scenery::centre(std::uint32_t number) const {
+  const Bounds box = bounds_of(objects_[number]);
+  return 0.5 * (box.lower_W + box.upper_W);
+}
+
+// Gives the part's node its box, and the axis along which its objects lie widest.
+Eigen::Index Scenery::enclose(const Part& part) {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  BvhNode& box = nodes_[part.node];
+  box = {.lower = {kFar, kFar, kFar}, .upper = {-kFar, -kFar, -kFar}};
+  Eigen::AlignedBox3d centres;
+  for (const std::uint32_t number : std::span(order_).subspan(part.first, part.count)) {
+    grow(box, bounds_of(objects_[number]));
+    centres.extend(centre(number));
+  }
+  Eigen::Index widest = 0;
+  centres.sizes().maxCoeff(&widest);
+  return widest;
+}
+
+void Scenery::halve(const Part& part, Eigen::Index axis) {
+  const auto range = std::span(order_).subspan(part.first, part.count);
+  std::ranges::nth_element(range, range.begin() + part.count / 2,
+                           [&](std::uint32_t a, std::uint32_t b) {
+                             const double of_a = centre(a)[axis];
+                             const double of_b = centre(b)[axis];
+                             return of_a < of_b || (of_a == of_b && a < b);
+                           });
+}
+
+Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle) {
+  const MeshView& mesh = scenery[number].mesh;
+  const Mover* const mover = scenery.mover_of(number);
+  if (mover == nullptr) {
+    return triangle_of(mesh, triangle);
+  }
+  const TriangleIndices& corners = mesh.triangles[triangle];
+  return {mover->X_WO.point(to_vec3(mesh.vertices[corners[0]])),
+          mover->X_WO.point(to_vec3(mesh.vertices[corners[1]])),
+          mover->X_WO.point(to_vec3(mesh.vertices[corners[2]]))};
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,132 @@
+// The objects of a scene where they are in this tick: those that stand still under a hierarchy of
+// their boxes, and those that the outside moves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rendering/geometry/rigid_pose.h"
+#include "rendering/geometry/triangle.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/limits.h"
+#include "rendering/surface/mesh.h"
+#include "rendering/surface/primitive.h"
+#include "rendering/world/object.h"
+
+namespace tactus::rendering {
+
+// How a body moves: of its origin, and about it; world frame.
+struct Twist {
+  Vec3 linear_W = Vec3::Zero();   // m/s
+  Vec3 angular_W = Vec3::Zero();  // rad/s
+
+  [[nodiscard]] Vec3 at(const Vec3& from_origin_W) const {
+    return linear_W + angular_W.cross(from_origin_W);
+  }
+};
+
+// An object that moves. Its own frame O is the frame in which the scene gives it; X_WO says where
+// that frame is.
+struct Mover {
+  std::uint32_t object = 0;
+  RigidPose X_WO_before;  // in the last tick
+  RigidPose X_WO;         // in this one
+  Twist twist;
+  Primitive primitive_W;  // of an object without a mesh: where it is in this tick
+  Bounds bounds_O;        // of what the proxy can touch
+  bool moved = false;     // since the last tick
+
+  // Distance from p_W to the box, 0 inside: where it is now, and where it was in the last tick.
+  [[nodiscard]] double distance(const Vec3& p_W) const;
+  [[nodiscard]] double distance_before(const Vec3& p_W) const;
+};
+
+// Lives in static storage; no heap. One thread owns it.
+class Scenery {
+ public:
+  // Takes the objects, each at X_WO = identity; the views must stay alive and unchanged. False, and
+  // none, if there are more than kMaxObjects, more than kMaxMovers that move or more than
+  // kMaxLoneObjects that the shared proxy does not meet, or one that is not usable().
+  bool set(std::span<const Object> objects);
+
+  // From the next tick on object `number` stands there. False, and nothing changed, if it is not an
+  // object that moves, or if a number is not finite, the rotation not orthonormal and right-handed
+  // to 1e-9, or its origin farther than kWorldBound_m from the world's.
+  bool set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist);
+
+  // A new tick: what was set since the last becomes so.
+  void begin_tick();
+
+  [[nodiscard]] std::size_t size() const { return objects_.size(); }
+  [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
+  [[nodiscard]] std::span<const Object> objects() const { return objects_; }
+  // nullptr for an object that stands still.
+  [[nodiscard]] const Mover* mover_of(std::uint32_t number) const {
+    return mover_of_[number] == kNoMover ? nullptr : &movers_[mover_of_[number]];
+  }
+  // Of an object without a mesh, where it is in this tick.
+  [[nodiscard]] const Primitive& primitive_W(std::uint32_t number) const {
+    const Mover* const mover = mover_of(number);
+    return mover == nullptr ? objects_[number].primitive : mover->primitive_W;
+  }
+
+  // Of the surface at p_W, m/s.
+  [[nodiscard]] Vec3 velocity_W(std::uint32_t number, const Vec3& p_W) const {
+    const Mover* const mover = mover_of(number);
+    return mover == nullptr ? Vec3{Vec3::Zero()} : mover->twist.at(p_W - mover->X_WO.translation);
+  }
+
+  [[nodiscard]] std::span<const Mover> movers() const { return {movers_.data(), mover_count_}; }
+  [[nodiscard]] bool anything_moved() const { return anything_moved_; }
+
+  [[nodiscard]] bool any_meets_proxy() const { return lone_count_ < objects_.size(); }
+
+  // Those that the shared proxy does not meet.
+  [[nodiscard]] std::span<const std::uint32_t> lone_objects() const {
+    return {lone_.data(), lone_count_};
+  }
+
+  // The boxes of the objects that stand still and meet the shared proxy; empty if there are none.
+  // A leaf's "triangles" are places of still_object().
+  [[nodiscard]] std::span<const BvhNode> still_nodes() const {
+    return {nodes_.data(), node_count_};
+  }
+  [[nodiscard]] std::uint32_t still_object(std::uint32_t place) const { return order_[place]; }
+
+ private:
+  static constexpr std::uint8_t kNoMover = 0xff;
+  static_assert(kMaxMovers < kNoMover);
+
+  struct Part {
+    std::uint32_t node;
+    std::uint32_t first;  // place of still_object()
+    std::uint32_t count;
+  };
+
+  void build_hierarchy();
+  [[nodiscard]] Vec3 centre(std::uint32_t number) const;
+  Eigen::Index enclose(const Part& part);
+  void halve(const Part& part, Eigen::Index axis);
+
+  std::span<const Object> objects_;
+  std::array<std::uint8_t, kMaxObjects> mover_of_{};
+  std::array<Mover, kMaxMovers> movers_{};
+  struct Order {
+    RigidPose X_WO;
+    Twist twist;
+  };
+  std::array<Order, kMaxMovers> orders_{};  // what set_pose left
+  std::size_t mover_count_ = 0;
+  bool anything_moved_ = false;
+  std::array<std::uint32_t, kMaxLoneObjects> lone_{};
+  std::size_t lone_count_ = 0;
+  std::array<BvhNode, 2 * kMaxObjects> nodes_{};
+  std::size_t node_count_ = 0;
+  std::array<std::uint32_t, kMaxObjects> order_{};
+};
+
+// A triangle of an object's mesh, where it is in this tick; world frame.
+Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle);
+
+}  // namespace tactus::rendering

@@ -1,0 +1,48 @@
+#include "rendering/world/tool_touch.h"
+
+#include "rendering/limits.h"
+
+namespace tactus::rendering {
+namespace {
+
+bool valid(const ToolState& tool) {
+  // Comparisons with a value that is not a number are false.
+  return tool.p_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m &&
+         tool.v_W.allFinite();
+}
+
+}  // namespace
+
+void ToolTouch::start(double tool_radius_m) {
+  radius_m_ = tool_radius_m;
+  proxy_.set_tool_radius(tool_radius_m);
+  reset();
+}
+
+void ToolTouch::place(const Scenery& scenery, const Vec3& p_W) {
+  proxy_.place(p_W);
+  lone_.place(scenery, p_W, radius_m_);
+  last_proxy_W_ = p_W;
+  placed_ = true;
+}
+
+Touch ToolTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path) {
+  const std::uint32_t moved = placed_ ? proxy_.begin_tick(scenery) : kTouchClean;
+  if (!valid(tool)) {
+    lone_.hold(scenery);
+    return {.proxy_W = last_proxy_W_, .flags = moved | kTouchToolInvalid};
+  }
+  if (!placed_) {
+    place(scenery, tool.p_W);
+  }
+  Touch touch{.proxy_W = tool.p_W};
+  if (scenery.any_meets_proxy()) {
+    touch = proxy_.touch(scenery, tool, path);
+  }
+  touch.flags |= moved;
+  lone_.add_to(touch, scenery, tool);
+  last_proxy_W_ = touch.proxy_W;
+  return touch;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,36 @@
+// What one tool feels of a scenery, and remembers from tick to tick.
+#pragma once
+
+#include "rendering/world/lone_touch.h"
+#include "rendering/world/proxy_touch.h"
+#include "rendering/world/scenery.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+class ToolTouch {
+ public:
+  // Takes a radius >= 0, and starts over.
+  void start(double tool_radius_m);
+
+  // Forgets the contact: the next touch starts with the proxies at the tool.
+  void reset() { placed_ = false; }
+
+  // One tick, after scenery.begin_tick(). Real time: no heap, bounded work. `path`, if given,
+  // receives the shared proxy's moves.
+  Touch touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path);
+
+  // Most triangles ever kept near the tool, of kMaxCandidates.
+  [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
+
+ private:
+  void place(const Scenery& scenery, const Vec3& p_W);
+
+  double radius_m_ = 0.0;
+  ProxyTouch proxy_;
+  LoneTouch lone_;
+  Vec3 last_proxy_W_ = Vec3::Zero();
+  bool placed_ = false;
+};
+
+}  // namespace tactus::rendering
