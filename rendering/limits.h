@@ -18,6 +18,19 @@ inline constexpr std::size_t kMaxTools = 10;
 inline constexpr std::size_t kMaxMovers = 64;
 inline constexpr std::size_t kMaxLoneObjects = 64;
 
+// Meshes of a scene that deform, their vertices and their hierarchy nodes. Beyond:
+// World::set_scene refuses.
+inline constexpr std::size_t kMaxDeformables = 8;
+inline constexpr std::size_t kMaxDeformableVertices = 4096;
+inline constexpr std::size_t kMaxDeformableNodes = 6144;
+
+// How far a vertex moves in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
+inline constexpr double kMaxVertexStep_m = 2e-3;
+
+// Boxes of a hierarchy that deforms drawn anew in one tick. Beyond: they wait, and searches reach
+// farther meanwhile.
+inline constexpr std::size_t kRefitNodes = 1024;
+
 // Levels of a bounding-volume hierarchy; sizes every traversal stack. Beyond: baking balances, the
 // image check refuses.
 inline constexpr std::size_t kMaxHierarchyDepth = 64;
@@ -25,7 +38,7 @@ inline constexpr std::size_t kMaxHierarchyDepth = 64;
 // Triangles near the tool that are kept from tick to tick (about 350 bytes each). Beyond: the
 // neighbourhood shrinks, and if even the smallest does not fit, the proxy holds still;
 // kTouchCandidatesOverflow.
-inline constexpr std::size_t kMaxCandidates = 1024;
+inline constexpr std::size_t kMaxCandidates = 768;
 
 // Distinct contact planes at one position of the proxy. Beyond: the proxy holds still;
 // kTouchPlanesOverflow.

@@ -4,10 +4,17 @@
 // again. As in a tick of contact a convex piece of surface lies behind its plane, so a straight way
 // on the plane's front side does not meet it again: each round adds planes of surfaces not met
 // before, and few are ever needed.
+//
+// A triangle that deforms is asked in another way. Its corners go straight from where they were to
+// where they are, so their greatest height over any plane of fixed direction is a convex function
+// of time: if the proxy is in front of such a plane by the height of the corners at both ends of
+// the tick, they were apart all the while. The direction is from the triangle's nearest point to
+// the proxy. A triangle that is farther than all motions together need not be asked.
 #include "rendering/contact/carry.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "rendering/contact/object_cast.h"
 #include "rendering/geometry/hierarchy_query.h"
@@ -21,6 +28,41 @@ constexpr int kMaxRounds = 12;
 constexpr std::size_t kMaxMeasured = 512;
 // A sphere that overlaps a surface already is not thrown out of it.
 constexpr double kMostPush_m = 1e-6;
+
+// Goes over the triangles of a mesh that deforms; keeps the one whose plane the way of the proxy
+// breaks most.
+struct DeformingPlane {
+  const DeformableMesh& deformable;
+  bool one_sided;
+  const Shell& shell;
+  const Vec3& from_O;
+  const Vec3& to_O;
+  double reach_m;
+  double least_gap_m = -1e-9;  // below rounding
+  Plane plane_O{};
+  bool broken = false;
+
+  [[nodiscard]] double reach() const { return reach_m + deformable.slack_m(); }
+  void operator()(std::uint32_t t) {
+    const Triangle before = triangle_of(deformable.before(), t);
+    const Nearest nearest = before.nearest(from_O);
+    if (nearest.distance > reach_m || (one_sided && before.height(from_O) < 0.0)) {
+      return;
+    }
+    const MeshView now = deformable.now();
+    double support = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t corner : now.triangles[t]) {
+      support = std::max(support, nearest.normal.dot(to_vec3(now.vertices[corner])));
+    }
+    const double offset = support + std::min(shell.rest_m, nearest.distance);
+    const double gap = nearest.normal.dot(to_O) - offset;
+    if (gap < least_gap_m) {
+      least_gap_m = gap;
+      plane_O = {.normal = nearest.normal, .offset = offset};
+      broken = true;
+    }
+  }
+};
 
 struct Push {
   const Scenery& scenery;
@@ -41,10 +83,10 @@ struct Push {
     if (length <= kNothing_m) {
       return;
     }
-    const Object& object = scenery[number];
-    const Shell& shell = shells.of(is_point_tool(object));
+    const Shell& shell = shells.of(is_point_tool(scenery[number]));
     const Sweep sweep{.from = from_O, .direction = way / length};
-    const ObjectHit hit = cast_on(object, {.sweep_O = sweep, .limit_m = length}, shell, room);
+    const ObjectHit hit =
+        cast_on(scenery, number, {.sweep_O = sweep, .limit_m = length}, shell, room);
     if (hit.travel_m >= length) {
       return;
     }
@@ -54,11 +96,38 @@ struct Push {
       return;
     }
     const Vec3 met_O = from_O + hit.travel_m * sweep.direction;
-    const HitSurface surface = surface_at(object, hit, met_O);
+    const HitSurface surface = surface_at(scenery, number, hit, met_O);
     const Vec3 normal_W = now.direction(surface.normal_O);
     const double to_rest = std::min(shell.rest_m - surface.distance_m, kMostPush_m);
     planes[plane_count++] = {.normal = normal_W,
                              .offset = normal_W.dot(now.point(met_O)) + to_rest};
+  }
+
+  void ask_deforming(const Mover& mover, const Vec3& goal_W) {
+    const Vec3 from_O = mover.X_WO_before.point_in(from_W);
+    const Vec3 to_O = mover.X_WO.point_in(goal_W);
+    const Object& object = scenery[mover.object];
+    const Shell& shell = shells.of(is_point_tool(object));
+    const DeformableMesh& deformable = *mover.deformable;
+    DeformingPlane visitor{.deformable = deformable,
+                           .one_sided = object.sides == Sides::one,
+                           .shell = shell,
+                           .from_O = from_O,
+                           .to_O = to_O,
+                           .reach_m = shell.reach_m + deformable.step_m() + (to_O - from_O).norm()};
+    visit_near(deformable.before().nodes, from_O, visitor);
+    if (!visitor.broken) {
+      return;
+    }
+    clear = false;
+    if (plane_count == kMaxPlanes) {
+      room = 0;
+      return;
+    }
+    const Vec3 normal_W = mover.X_WO.direction(visitor.plane_O.normal);
+    planes[plane_count++] = {
+        .normal = normal_W,
+        .offset = visitor.plane_O.offset + normal_W.dot(mover.X_WO.translation)};
   }
 
   void ask_movers(const Vec3& goal_W) {
@@ -68,7 +137,12 @@ struct Push {
       }
       const Vec3 from_O = mover.X_WO_before.point_in(from_W);
       const double length = (mover.X_WO.point_in(goal_W) - from_O).norm();
-      if (mover.bounds_O.distance(from_O) <= length + shells.sphere.reach_m) {
+      if (mover.bounds_O.distance(from_O) > length + shells.sphere.reach_m) {
+        continue;
+      }
+      if (mover.deformable != nullptr && mover.deformable->step_m() > 0.0) {
+        ask_deforming(mover, goal_W);
+      } else {
         ask(mover.object, mover.X_WO_before, mover.X_WO, goal_W);
       }
     }
@@ -106,16 +180,44 @@ Vec3 up_to_still(const Scenery& scenery, const Shells& shells, const Vec3& from_
   return from_W + cast_on_still(scenery, shells, sweep, length, room) * sweep.direction;
 }
 
+// Where the point of the mesh next to p_O went in this tick.
+Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, const Vec3& p_O) {
+  const auto corners = [&](const MeshView& mesh) -> std::array<Vec3, 3> {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {to_vec3(mesh.vertices[a]), to_vec3(mesh.vertices[b]), to_vec3(mesh.vertices[c])};
+  };
+  const std::array<Vec3, 3> before = corners(deformable.before());
+  const std::array<Vec3, 3> now = corners(deformable.now());
+  const Nearest nearest = Triangle(before[0], before[1], before[2]).nearest(p_O);
+  const Vec3 at = p_O - nearest.distance * nearest.normal - before[0];
+  const Vec3 ab = before[1] - before[0];
+  const Vec3 ac = before[2] - before[0];
+  const Vec3 normal = ab.cross(ac);
+  const double area = normal.squaredNorm();
+  const double b = area > 0.0 ? at.cross(ac).dot(normal) / area : 0.0;
+  const double c = area > 0.0 ? ab.cross(at).dot(normal) / area : 0.0;
+  return (1.0 - b - c) * (now[0] - before[0]) + b * (now[1] - before[1]) + c * (now[2] - before[2]);
+}
+
+// Where what held the proxy takes it.
+Vec3 taken_along(const Scenery& scenery, const Vec3& p_W, const Touched& touched) {
+  const Mover* const mover =
+      touched.object == kNoObject ? nullptr : scenery.mover_of(touched.object);
+  if (mover == nullptr || !mover->moved) {
+    return p_W;
+  }
+  Vec3 p_O = mover->X_WO_before.point_in(p_W);
+  if (mover->deformable != nullptr && mover->deformable->step_m() > 0.0) {
+    p_O += displacement_O(*mover->deformable, touched.triangle, p_O);
+  }
+  return mover->X_WO.point(p_O);
+}
+
 }  // namespace
 
 Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
-              std::uint32_t touched) {
-  Vec3 wish = p_W;
-  if (touched != kNoObject) {
-    if (const Mover* const mover = scenery.mover_of(touched); mover != nullptr && mover->moved) {
-      wish = mover->X_WO.point(mover->X_WO_before.point_in(p_W));
-    }
-  }
+              const Touched& touched) {
+  const Vec3 wish = taken_along(scenery, p_W, touched);
   Push push{.scenery = scenery, .shells = shells, .from_W = p_W};
   Vec3 goal = wish;
   for (int round = 0; round < kMaxRounds; ++round) {

@@ -10,14 +10,21 @@
 
 namespace tactus::rendering {
 
+// What held the proxy in the last tick.
+struct Touched {
+  std::uint32_t object = kNoObject;
+  std::uint32_t triangle = 0;  // of its mesh
+};
+
 struct Carried {
   Vec3 p_W = Vec3::Zero();            // m; clear of every object where it is now
   std::uint32_t flags = kTouchClean;  // pinched
 };
 
-// Of a proxy at p_W, clear of every object where it was in the last tick, that touched the object
-// `touched` (kNoObject for none). Seen from each object the proxy goes straight from where it was
-// to where it is, and crosses nothing. Real time: bounded work, no heap.
-Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W, std::uint32_t touched);
+// Of a proxy at p_W, clear of every object where it was in the last tick. Seen from each object the
+// proxy goes straight from where it was to where it is, and crosses nothing. Real time: bounded
+// work, no heap.
+Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
+              const Touched& touched);
 
 }  // namespace tactus::rendering

@@ -40,8 +40,9 @@ struct Clearance {
   const Vec3& p;
   double nearest;
   const MeshView* mesh = nullptr;
+  double slack_m = 0.0;
 
-  [[nodiscard]] double reach() const { return kEasyPart * nearest; }
+  [[nodiscard]] double reach() const { return kEasyPart * nearest + slack_m; }
   void operator()(std::uint32_t t) {
     nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
   }
@@ -67,8 +68,12 @@ struct FreeBall {
     }
     const Mover* const mover = scenery.mover_of(number);
     const Vec3 p_O = mover == nullptr ? p : mover->X_WO.point_in(p);
-    Clearance visitor{.p = p_O, .nearest = (free + own_reach) / kEasyPart, .mesh = &object.mesh};
-    visit_near(object.mesh.nodes, p_O, visitor);
+    const PlacedMesh placed = scenery.mesh_O(number);
+    Clearance visitor{.p = p_O,
+                      .nearest = (free + own_reach) / kEasyPart,
+                      .mesh = &placed.mesh,
+                      .slack_m = placed.slack_m};
+    visit_near(placed.mesh.nodes, p_O, visitor);
     free = kEasyPart * visitor.nearest - own_reach;
   }
 };
@@ -94,13 +99,14 @@ struct Neighbourhood::GatherTriangles {
   const Object& object;
   std::uint32_t number;
   const Mover* mover;
+  PlacedMesh placed;
   Vec3 p_O;
   double reach_m;
   bool complete = true;
 
-  [[nodiscard]] double reach() const { return complete ? reach_m : 0.0; }
+  [[nodiscard]] double reach() const { return complete ? reach_m + placed.slack_m : 0.0; }
   void operator()(std::uint32_t t) {
-    const Vec3 offset = offset_from_box(object.mesh, t, p_O);
+    const Vec3 offset = offset_from_box(placed.mesh, t, p_O);
     const double squared = offset.squaredNorm();
     if (squared > reach_m * reach_m) {
       return;
@@ -145,9 +151,10 @@ struct Neighbourhood::Gather {
                             .object = object,
                             .number = number,
                             .mover = mover,
+                            .placed = scenery.mesh_O(number),
                             .p_O = mover == nullptr ? to.centre_ : mover->X_WO.point_in(to.centre_),
                             .reach_m = reach};
-    visit_near(object.mesh.nodes, visitor.p_O, visitor);
+    visit_near(visitor.placed.mesh.nodes, visitor.p_O, visitor);
     complete = complete && visitor.complete;
   }
 };

@@ -11,7 +11,8 @@ namespace {
 
 // Shrinks to the first triangle that stops the sphere.
 struct TriangleCast {
-  const Object& object;
+  const MeshView& mesh;
+  bool one_sided;
   const Sweep& sweep;
   const Shell& shell;
   std::size_t& room;
@@ -21,9 +22,9 @@ struct TriangleCast {
   [[nodiscard]] bool exhausted() const { return room == 0; }
   void operator()(std::uint32_t t) {
     room -= room > 0 ? 1 : 0;
-    const Triangle triangle = triangle_of(object.mesh, t);
-    const double travel = travel_to_contact(triangle, object.sides == Sides::one, sweep,
-                                            hit.travel_m, shell, triangle.nearest(sweep.from));
+    const Triangle triangle = triangle_of(mesh, t);
+    const double travel = travel_to_contact(triangle, one_sided, sweep, hit.travel_m, shell,
+                                            triangle.nearest(sweep.from));
     if (travel < hit.travel_m) {
       hit = {.travel_m = travel, .met = true, .triangle = t};
     }
@@ -42,48 +43,52 @@ struct CastOnObjects {
   void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
 
   void take(std::uint32_t number) {
-    const Object& object = scenery[number];
     const Mover* const mover = scenery.mover_of(number);
     const Sweep sweep_O = mover == nullptr
                               ? sweep_W
                               : Sweep{.from = mover->X_WO.point_in(sweep_W.from),
                                       .direction = mover->X_WO.direction_in(sweep_W.direction)};
-    free = cast_on(object, {.sweep_O = sweep_O, .limit_m = free}, shells.of(is_point_tool(object)),
-                   room)
+    free = cast_on(scenery, number, {.sweep_O = sweep_O, .limit_m = free},
+                   shells.of(is_point_tool(scenery[number])), room)
                .travel_m;
   }
 };
 
 }  // namespace
 
-ObjectHit cast_on(const Object& object, const ObjectCast& cast, const Shell& shell,
-                  std::size_t& room) {
+ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast& cast,
+                  const Shell& shell, std::size_t& room) {
+  const Object& object = scenery[number];
   if (object.surface == SurfaceKind::primitive) {
     const double travel =
         travel_to_contact(object.primitive, object.sides, cast.sweep_O, cast.limit_m, shell,
                           sample(object.primitive, cast.sweep_O.from));
     return {.travel_m = travel, .met = travel < cast.limit_m};
   }
-  TriangleCast visitor{.object = object,
+  const PlacedMesh placed = scenery.mesh_O(number);
+  TriangleCast visitor{.mesh = placed.mesh,
+                       .one_sided = object.sides == Sides::one,
                        .sweep = cast.sweep_O,
                        .shell = shell,
                        .room = room,
                        .hit = {.travel_m = cast.limit_m}};
-  const double visited = visit_along(object.mesh.nodes, cast.sweep_O.from, cast.sweep_O.direction,
-                                     shell.reach_m, visitor);
+  const double visited = visit_along(placed.mesh.nodes, cast.sweep_O.from, cast.sweep_O.direction,
+                                     shell.reach_m + placed.slack_m, visitor);
   if (visited < visitor.hit.travel_m) {
     return {.travel_m = visited};
   }
   return visitor.hit;
 }
 
-HitSurface surface_at(const Object& object, const ObjectHit& hit, const Vec3& p_O) {
+HitSurface surface_at(const Scenery& scenery, std::uint32_t number, const ObjectHit& hit,
+                      const Vec3& p_O) {
+  const Object& object = scenery[number];
   if (object.surface == SurfaceKind::primitive) {
     const SurfaceSample seen = sample(object.primitive, p_O);
     return {.distance_m = std::abs(seen.distance_m),
             .normal_O = seen.distance_m < 0.0 ? Vec3{-seen.normal_W} : seen.normal_W};
   }
-  const Nearest nearest = triangle_of(object.mesh, hit.triangle).nearest(p_O);
+  const Nearest nearest = triangle_of(scenery.mesh_O(number).mesh, hit.triangle).nearest(p_O);
   return {.distance_m = nearest.distance, .normal_O = nearest.normal};
 }
 

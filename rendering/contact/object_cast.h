@@ -22,15 +22,16 @@ struct ObjectHit {
 
 // `room` is how many triangles may be measured; what is used is taken from it. When it runs out the
 // travel ends where the walk ended, and nothing is met.
-ObjectHit cast_on(const Object& object, const ObjectCast& cast, const Shell& shell,
-                  std::size_t& room);
+ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast& cast,
+                  const Shell& shell, std::size_t& room);
 
 // From the surface that was met to the centre at p_O; unit.
 struct HitSurface {
   double distance_m = 0.0;
   Vec3 normal_O = Vec3::Zero();
 };
-HitSurface surface_at(const Object& object, const ObjectHit& hit, const Vec3& p_O);
+HitSurface surface_at(const Scenery& scenery, std::uint32_t number, const ObjectHit& hit,
+                      const Vec3& p_O);
 
 // The same over the objects that stand still, and over all objects where they are in this tick; the
 // free travel.

@@ -25,7 +25,6 @@
 #include <cmath>
 #include <limits>
 
-#include "rendering/contact/carry.h"
 #include "rendering/contact/object_cast.h"
 #include "rendering/contact/primitive_sweep.h"
 #include "rendering/friction/cone.h"
@@ -46,7 +45,7 @@ constexpr double kHeld_m = 1e-6;
 void SphereProxy::place(const Vec3& p_W) {
   p_ = p_W;
   friction_ = FrictionState::free;
-  touched_ = kNoObject;
+  touched_ = {};
   neighbourhood_.clear();
   neighbourhood_.move_to(p_);
 }
@@ -64,12 +63,12 @@ std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
 
 ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   const ProxyRest rest = approach(scenery, h_W, path);
-  touched_ = kNoObject;
+  touched_ = {};
   double hardest = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     if (rest.pressure_m[i] > hardest) {
       hardest = rest.pressure_m[i];
-      touched_ = rest.planes[i].object;
+      touched_ = {.object = rest.planes[i].object, .triangle = rest.planes[i].triangle};
     }
   }
   return rest;
@@ -164,6 +163,7 @@ bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
       .plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
       .nearest = nearest,
       .object = neighbourhood_.candidate(i).object,
+      .triangle = neighbourhood_.candidate(i).index,
       .candidate = i};
   // Triangles that share the nearest edge or vertex give the same plane.
   constexpr double kSameNormal = 1e-20;

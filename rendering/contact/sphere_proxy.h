@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/contact/carry.h"
 #include "rendering/contact/neighbourhood.h"
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/geometry/plane_projection.h"
@@ -28,6 +29,7 @@ struct ContactPlane {
   Plane plane;      // world frame; the centre must stay on its positive side
   Nearest nearest;  // of its triangle, at the proxy
   std::uint32_t object = 0;
+  std::uint32_t triangle = 0;  // of the object's mesh
   std::size_t candidate = 0;
 };
 
@@ -93,10 +95,10 @@ class SphereProxy {
   Shells shells_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
-  std::uint32_t touched_ = kNoObject;  // that which pushed hardest in the last tick
-  bool slipped_ = false;               // in this tick
-  bool fresh_ = false;                 // the neighbourhood was gathered in this tick
-  bool stretching_ = true;             // moves on edges and vertices are lengthened, in this tick
+  Touched touched_;         // what pushed hardest in the last tick
+  bool slipped_ = false;    // in this tick
+  bool fresh_ = false;      // the neighbourhood was gathered in this tick
+  bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick
   double last_to_tool_m_ = 0.0;
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;

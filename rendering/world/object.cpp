@@ -43,6 +43,9 @@ Bounds bounds_of(const Object& object) {
 }
 
 bool usable(const Object& object) {
+  if (object.deforms && (object.surface != SurfaceKind::mesh || !meets_proxy(object))) {
+    return false;
+  }
   switch (object.surface) {
     case SurfaceKind::primitive:
       return valid(object.primitive) &&

@@ -37,7 +37,8 @@ struct Object {
   std::span<const Float3> vertex_normals;
   Sides sides = Sides::one;
   Material material;
-  bool moves = false;  // the outside moves it: the scene's frame is then its own frame
+  bool moves = false;    // the outside moves it: the scene's frame is then its own frame
+  bool deforms = false;  // and its vertices; a mesh that the shared proxy meets
 };
 
 // Its smallest axis-parallel box, in the frame of the scene; of a plane the world's.
@@ -48,6 +49,10 @@ bool usable(const Object& object);
 
 inline bool meets_proxy(const Object& object) {
   return object.method == ContactMethod::sphere_proxy || object.method == ContactMethod::god_object;
+}
+
+inline bool is_mover(const Object& object) {
+  return object.moves || object.deforms;
 }
 
 inline bool is_point_tool(const Object& object) {

@@ -44,31 +44,53 @@ double Mover::distance_before(const Vec3& p_W) const {
 }
 
 bool Scenery::set(std::span<const Object> objects) {
-  const auto movers = static_cast<std::size_t>(
-      std::ranges::count_if(objects, [](const Object& object) { return object.moves; }));
+  const auto movers = static_cast<std::size_t>(std::ranges::count_if(objects, is_mover));
   const auto lone =
       objects.size() - static_cast<std::size_t>(std::ranges::count_if(objects, meets_proxy));
-  const bool good = objects.size() <= kMaxObjects && movers <= kMaxMovers &&
-                    lone <= kMaxLoneObjects && std::ranges::all_of(objects, usable);
+  bool good = objects.size() <= kMaxObjects && movers <= kMaxMovers && lone <= kMaxLoneObjects &&
+              std::ranges::all_of(objects, usable);
   objects_ = good ? objects : std::span<const Object>{};
-  mover_count_ = 0;
-  lone_count_ = 0;
+  mover_count_ = lone_count_ = deformable_count_ = 0;
+  pool_.vertices_used = pool_.nodes_used = 0;
   anything_moved_ = false;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
     mover_of_[i] = kNoMover;
     if (!meets_proxy(objects_[i])) {
       lone_[lone_count_++] = i;
     }
-    if (objects_[i].moves) {
-      mover_of_[i] = static_cast<std::uint8_t>(mover_count_);
-      orders_[mover_count_] = {};
-      movers_[mover_count_] = {
-          .object = i, .primitive_W = objects_[i].primitive, .bounds_O = bounds_of(objects_[i])};
-      ++mover_count_;
-    }
+    good = good && (!is_mover(objects_[i]) || start_mover(i));
+  }
+  if (!good) {
+    objects_ = {};
+    mover_count_ = lone_count_ = 0;
   }
   build_hierarchy();
   return good;
+}
+
+bool Scenery::start_mover(std::uint32_t number) {
+  const Object& object = objects_[number];
+  mover_of_[number] = static_cast<std::uint8_t>(mover_count_);
+  orders_[mover_count_] = {};
+  Mover& mover = movers_[mover_count_++];
+  mover = {.object = number, .primitive_W = object.primitive, .bounds_O = bounds_of(object)};
+  if (!object.deforms) {
+    return true;
+  }
+  if (deformable_count_ == kMaxDeformables) {
+    return false;
+  }
+  DeformableMesh& deformable = deformables_[deformable_count_++];
+  mover.deformable = &deformable;
+  return deformable.start(object.mesh, pool_);
+}
+
+bool Scenery::move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O) {
+  if (number >= objects_.size() || !objects_[number].deforms) {
+    return false;
+  }
+  const auto which = movers_[mover_of_[number]].deformable - deformables_.data();
+  return deformables_[static_cast<std::size_t>(which)].move_vertex(vertex, p_O);
 }
 
 bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
@@ -81,20 +103,34 @@ bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist&
 }
 
 void Scenery::begin_tick() {
+  for (std::size_t k = 0; k < deformable_count_; ++k) {
+    deformables_[k].begin_tick();
+  }
   anything_moved_ = false;
   for (std::size_t k = 0; k < mover_count_; ++k) {
-    Mover& mover = movers_[k];
-    mover.X_WO_before = mover.X_WO;
-    mover.X_WO = orders_[k].X_WO;
-    mover.twist = orders_[k].twist;
-    mover.moved = mover.X_WO.rotation != mover.X_WO_before.rotation ||
-                  mover.X_WO.translation != mover.X_WO_before.translation;
-    if (mover.moved) {
-      anything_moved_ = true;
-      const RigidPose& own = objects_[mover.object].primitive.X_WO;
-      mover.primitive_W.X_WO = {.rotation = mover.X_WO.rotation * own.rotation,
-                                .translation = mover.X_WO.point(own.translation)};
-    }
+    begin_tick(k);
+    anything_moved_ = anything_moved_ || movers_[k].moved;
+  }
+}
+
+void Scenery::begin_tick(std::size_t k) {
+  Mover& mover = movers_[k];
+  mover.X_WO_before = mover.X_WO;
+  mover.X_WO = orders_[k].X_WO;
+  mover.twist = orders_[k].twist;
+  mover.moved = mover.X_WO.rotation != mover.X_WO_before.rotation ||
+                mover.X_WO.translation != mover.X_WO_before.translation;
+  if (mover.moved) {
+    const RigidPose& own = objects_[mover.object].primitive.X_WO;
+    mover.primitive_W.X_WO = {.rotation = mover.X_WO.rotation * own.rotation,
+                              .translation = mover.X_WO.point(own.translation)};
+  }
+  if (mover.deformable != nullptr && mover.deformable->slack_m() > 0.0) {
+    const BvhNode& root = mover.deformable->now().nodes[0];
+    const Vec3 slack = Vec3::Constant(mover.deformable->slack_m());
+    mover.bounds_O = {.lower_W = to_vec3(root.lower) - slack,
+                      .upper_W = to_vec3(root.upper) + slack};
+    mover.moved = mover.moved || mover.deformable->step_m() > 0.0;
   }
 }
 
@@ -102,7 +138,7 @@ void Scenery::begin_tick() {
 void Scenery::build_hierarchy() {
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-    if (meets_proxy(objects_[i]) && !objects_[i].moves) {
+    if (meets_proxy(objects_[i]) && !is_mover(objects_[i])) {
       order_[count++] = i;
     }
   }
@@ -165,7 +201,7 @@ void Scenery::halve(const Part& part, Eigen::Index axis) {
 }
 
 Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle) {
-  const MeshView& mesh = scenery[number].mesh;
+  const MeshView mesh = scenery.mesh_O(number).mesh;
   const Mover* const mover = scenery.mover_of(number);
   if (mover == nullptr) {
     return triangle_of(mesh, triangle);

@@ -10,6 +10,7 @@
 #include "rendering/geometry/triangle.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
+#include "rendering/surface/deformable_mesh.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
 #include "rendering/world/object.h"
@@ -33,27 +34,39 @@ struct Mover {
   RigidPose X_WO_before;  // in the last tick
   RigidPose X_WO;         // in this one
   Twist twist;
+  const DeformableMesh* deformable = nullptr;  // of one that deforms
   Primitive primitive_W;  // of an object without a mesh: where it is in this tick
   Bounds bounds_O;        // of what the proxy can touch
-  bool moved = false;     // since the last tick
+  bool moved = false;     // since the last tick, or deformed
 
   // Distance from p_W to the box, 0 inside: where it is now, and where it was in the last tick.
   [[nodiscard]] double distance(const Vec3& p_W) const;
   [[nodiscard]] double distance_before(const Vec3& p_W) const;
 };
 
+// A search through the hierarchy has to reach by the slack farther than it means to.
+struct PlacedMesh {
+  MeshView mesh;
+  double slack_m = 0.0;
+};
+
 // Lives in static storage; no heap. One thread owns it.
 class Scenery {
  public:
   // Takes the objects, each at X_WO = identity; the views must stay alive and unchanged. False, and
-  // none, if there are more than kMaxObjects, more than kMaxMovers that move or more than
-  // kMaxLoneObjects that the shared proxy does not meet, or one that is not usable().
+  // none, if there are more than kMaxObjects, more than kMaxMovers that move or deform, more
+  // than kMaxLoneObjects that the shared proxy does not meet, more that deform than there is room
+  // for, or one that is not usable().
   bool set(std::span<const Object> objects);
 
   // From the next tick on object `number` stands there. False, and nothing changed, if it is not an
   // object that moves, or if a number is not finite, the rotation not orthonormal and right-handed
   // to 1e-9, or its origin farther than kWorldBound_m from the world's.
   bool set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist);
+
+  // From the next tick on a vertex of an object that deforms moves there, in the object's frame O
+  // (see DeformableMesh). False, and nothing changed, for anything else.
+  bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
   // A new tick: what was set since the last becomes so.
   void begin_tick();
@@ -64,6 +77,14 @@ class Scenery {
   // nullptr for an object that stands still.
   [[nodiscard]] const Mover* mover_of(std::uint32_t number) const {
     return mover_of_[number] == kNoMover ? nullptr : &movers_[mover_of_[number]];
+  }
+  // Of an object with a mesh, as it is in this tick; in its frame O.
+  [[nodiscard]] PlacedMesh mesh_O(std::uint32_t number) const {
+    const Mover* const mover = mover_of(number);
+    if (mover == nullptr || mover->deformable == nullptr) {
+      return {.mesh = objects_[number].mesh};
+    }
+    return {.mesh = mover->deformable->now(), .slack_m = mover->deformable->slack_m()};
   }
   // Of an object without a mesh, where it is in this tick.
   [[nodiscard]] const Primitive& primitive_W(std::uint32_t number) const {
@@ -104,6 +125,8 @@ class Scenery {
     std::uint32_t count;
   };
 
+  bool start_mover(std::uint32_t number);
+  void begin_tick(std::size_t k);
   void build_hierarchy();
   [[nodiscard]] Vec3 centre(std::uint32_t number) const;
   Eigen::Index enclose(const Part& part);
@@ -119,6 +142,9 @@ class Scenery {
   std::array<Order, kMaxMovers> orders_{};  // what set_pose left
   std::size_t mover_count_ = 0;
   bool anything_moved_ = false;
+  DeformablePool pool_;
+  std::array<DeformableMesh, kMaxDeformables> deformables_;
+  std::size_t deformable_count_ = 0;
   std::array<std::uint32_t, kMaxLoneObjects> lone_{};
   std::size_t lone_count_ = 0;
   std::array<BvhNode, 2 * kMaxObjects> nodes_{};

@@ -37,6 +37,12 @@ class World {
     return scenery_.set_pose(object, X_WO, twist);
   }
 
+  // From the next tick on a vertex of an object that `deforms` moves there, by at most
+  // kMaxVertexStep_m a tick. False for whatever Scenery::move_vertex refuses.
+  bool move_vertex(std::uint32_t object, std::uint32_t vertex, const Vec3& p_O) {
+    return scenery_.move_vertex(object, vertex, p_O);
+  }
+
   // One tick: moves the proxies and gives the force on the hand, F = K (proxy - tool) - B v in
   // contact and zero otherwise, with v relative to the surface. Objects of the methods sphere_proxy
   // and god_object share one proxy; with several of them in contact, K and B are their mean

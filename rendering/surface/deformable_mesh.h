@@ -1,0 +1,62 @@
+// A mesh whose vertices the outside moves while the loop runs. Its hierarchy follows a bounded
+// number of nodes a tick; until a node's turn comes, `slack_m` covers what it does not.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rendering/geometry/vector.h"
+#include "rendering/limits.h"
+#include "rendering/surface/mesh.h"
+
+namespace tactus::rendering {
+
+// Memory for the meshes of a scene that deform, one after another.
+struct DeformablePool {
+  std::array<Float3, kMaxDeformableVertices> before;  // in the last tick
+  std::array<Float3, kMaxDeformableVertices> now;
+  std::array<Float3, kMaxDeformableVertices> wanted;  // by the outside
+  std::array<BvhNode, kMaxDeformableNodes> nodes;
+  std::size_t vertices_used = 0;
+  std::size_t nodes_used = 0;
+};
+
+// In the object's own frame O. No heap; one thread.
+class DeformableMesh {
+ public:
+  // Starts as `rest`, which must stay alive, with memory out of the pool; the pool too must stay.
+  // False if the pool has too little left.
+  bool start(const MeshView& rest, DeformablePool& pool);
+
+  // From the next tick on the vertex moves there, by at most kMaxVertexStep_m a tick. False, and
+  // nothing changed, if there is no such vertex or a number is not finite or beyond kWorldBound_m.
+  bool move_vertex(std::uint32_t vertex, const Vec3& p_O);
+
+  // A new tick: vertices take their step, and kRefitNodes boxes are drawn anew.
+  void begin_tick();
+
+  [[nodiscard]] MeshView now() const { return {now_, triangles_, nodes_}; }
+  [[nodiscard]] MeshView before() const { return {before_, triangles_, nodes_}; }
+  // No vertex of now() or before() is farther outside the box of a node above it.
+  [[nodiscard]] double slack_m() const { return moved_in_last_pass_m_ + moved_in_pass_m_; }
+  // How far a vertex moved at most from `before` to `now`, m.
+  [[nodiscard]] double step_m() const { return step_m_; }
+
+ private:
+  double take_step();
+  void refit(BvhNode& node) const;
+
+  std::span<Float3> before_;
+  std::span<Float3> now_;
+  std::span<Float3> wanted_;
+  std::span<BvhNode> nodes_;
+  std::span<const TriangleIndices> triangles_;
+  std::size_t nodes_left_ = 0;  // of this pass, from the leaves to the root
+  double moved_in_pass_m_ = 0.0;
+  double moved_in_last_pass_m_ = 0.0;
+  double step_m_ = 0.0;
+  bool asked_ = false;  // some vertex is not yet where it is wanted
+};
+
+}  // namespace tactus::rendering

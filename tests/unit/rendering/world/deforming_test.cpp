@@ -1,0 +1,220 @@
+// Meshes whose vertices move. The oracles: the height of a sheet that is known in closed form,
+// every triangle asked by brute force, and a rigid motion of all vertices together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "rendering/geometry/hierarchy_query.h"
+#include "rendering/surface/deformable_mesh.h"
+#include "rendering/world/world.h"
+#include "tests/support/solid.h"
+
+namespace tactus::rendering {
+namespace {
+
+using testing::Solid;
+
+constexpr double kMicron = 1e-6;
+constexpr Material kSlippery{.stiffness_N_per_m = 1000.0};
+constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.6, 0.4}};
+
+Object deforming(Object object) {
+  object.deforms = true;
+  return object;
+}
+
+// A square sheet in the plane y = 0, 10 mm between vertices, its front upward.
+testing::Shape sheet(int cells) {
+  testing::Shape shape{.name = "sheet", .closed = false};
+  for (int i = 0; i <= cells; ++i) {
+    for (int k = 0; k <= cells; ++k) {
+      shape.vertices.push_back({0.01F * static_cast<float>(i - cells / 2), 0.0F,
+                                0.01F * static_cast<float>(k - cells / 2)});
+    }
+  }
+  const auto at = [cells](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };
+  for (int i = 0; i < cells; ++i) {
+    for (int k = 0; k < cells; ++k) {
+      shape.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+      shape.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+    }
+  }
+  return shape;
+}
+
+class DeformingTest : public ::testing::Test {
+ protected:
+  void take(const Solid& solid, double radius_m) {
+    object_ = deforming(solid.object());
+    ASSERT_TRUE(world_->set_scene({&object_, 1}, {.tool_radius_m = radius_m}));
+    vertices_.assign(object_.mesh.vertices.begin(), object_.mesh.vertices.end());
+  }
+
+  // Moves every vertex to where `to` takes its place at rest, and remembers it.
+  template <class Map>
+  void deform(Map&& to) {
+    for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+      const Vec3 p = to(to_vec3(object_.mesh.vertices[i]));
+      ASSERT_TRUE(world_->move_vertex(0, i, p));
+      vertices_[i] = {static_cast<float>(p.x()), static_cast<float>(p.y()),
+                      static_cast<float>(p.z())};
+    }
+  }
+
+  // To the nearest of all triangles, at their places now.
+  [[nodiscard]] double distance(const Vec3& p) const {
+    double nearest = 1.0;
+    for (const TriangleIndices& t : object_.mesh.triangles) {
+      const Triangle triangle(to_vec3(vertices_[t[0]]), to_vec3(vertices_[t[1]]),
+                              to_vec3(vertices_[t[2]]));
+      nearest = std::min(nearest, triangle.nearest(p).distance);
+    }
+    return nearest;
+  }
+
+  Object object_;
+  std::vector<Float3> vertices_;
+  std::unique_ptr<World> world_ = std::make_unique<World>();
+};
+
+TEST_F(DeformingTest, ASheetThatBulgesLiftsTheProxyOffAStillTool) {
+  const Solid solid(sheet(20), Sides::one, kSlippery);
+  for (const double radius_m : {0.0, 0.002}) {
+    take(solid, radius_m);
+    const Vec3 tool(0.003, 0.001 + radius_m, 0.002);
+    world_->touch({.p_W = tool});
+    for (int tick = 0; tick < 300; ++tick) {
+      const double top = 0.03 * std::sin(0.02 * tick);
+      const auto height = [top](const Vec3& p) {
+        return top / (1.0 + 400.0 * (p.x() * p.x() + p.z() * p.z()));
+      };
+      deform([&](const Vec3& p) { return Vec3(p.x(), height(p), p.z()); });
+      const Touch touch = world_->touch({.p_W = tool});
+      ASSERT_EQ(touch.flags, kTouchClean) << "tick " << tick;
+      ASSERT_GE(distance(touch.proxy_W), radius_m + 0.2 * kMicron) << "tick " << tick;
+      // The chords of the sheet lie below its vertices by less than a millimetre.
+      ASSERT_GE(touch.proxy_W.y(), height(touch.proxy_W) - 0.0008) << "tick " << tick;
+    }
+  }
+}
+
+TEST_F(DeformingTest, AVertexTakesLongWaysInStepsOfTwoMillimetres) {
+  const Solid solid(sheet(2), Sides::one, kSlippery);
+  take(solid, 0.0);
+  world_->touch({.p_W = {0.0, 0.001, 0.0}});
+  deform([](const Vec3& p) { return Vec3(p + Vec3(0.0, 0.01, 0.0)); });
+  for (int tick = 1; tick <= 7; ++tick) {
+    const Touch touch = world_->touch({.p_W = {0.0, -0.001, 0.0}});
+    EXPECT_NEAR(touch.proxy_W.y(), std::min(0.01, 0.002 * tick), kMicron);
+  }
+}
+
+TEST_F(DeformingTest, VerticesThatMoveTogetherFeelLikeAnObjectThatMoves) {
+  const Solid ball(testing::bumpy_sphere(0.05, 3, 0.05), Sides::one, kRough);
+  for (const double radius_m : {0.0, 0.002}) {
+    take(ball, radius_m);
+    Object rigid = ball.object();
+    rigid.moves = true;
+    const auto other = std::make_unique<World>();
+    ASSERT_TRUE(other->set_scene({&rigid, 1}, {.tool_radius_m = radius_m}));
+    for (int tick = 0; tick < 1000; ++tick) {
+      const double t = 0.001 * tick;
+      // Steps that floats hold exactly.
+      const Vec3 shift(std::ldexp(std::floor(std::ldexp(0.1 * std::sin(7.0 * t), 16)), -16), 0, 0);
+      deform([&](const Vec3& p) { return Vec3(p + shift); });
+      other->set_pose(0, {.translation = shift}, {});
+      const double around = 1.3 * t;
+      const Vec3 tool = shift + (0.05 + radius_m + 0.006 * std::cos(9.0 * t)) *
+                                    Vec3(std::cos(around), 0.0, std::sin(around));
+      const Touch a = world_->touch({.p_W = tool});
+      const Touch b = other->touch({.p_W = tool});
+      ASSERT_LE((a.proxy_W - b.proxy_W).norm(), 20 * kMicron) << "tick " << tick;
+    }
+  }
+}
+
+// A ball whose surface boils, a tool that wanders about it, in and out: the proxy never comes
+// nearer to any triangle than its radius, and never inside.
+TEST_F(DeformingTest, ABallThatBoilsNeverSwallowsTheProxy) {
+  constexpr std::uint64_t kSeed = 17;
+  std::mt19937_64 random(kSeed);
+  std::normal_distribution<double> normal;
+  const Solid ball(testing::icosphere(0.05, 3), Sides::one, kRough);
+  for (const double radius_m : {0.0, 0.002}) {
+    take(ball, radius_m);
+    std::vector<double> phase(vertices_.size());
+    std::ranges::generate(phase, [&] { return 6.28 * normal(random); });
+    Vec3 wish(0.07, 0.0, 0.0);
+    std::size_t touched = 0;
+    for (int tick = 0; tick < 4000; ++tick) {
+      std::size_t i = 0;
+      deform([&](const Vec3& p) {
+        return Vec3(p * (1.0 + 0.08 * std::sin(0.15 * tick + phase[i++])));
+      });
+      wish += 0.001 * Vec3(normal(random), normal(random), normal(random));
+      wish *= std::min(1.0, 0.07 / wish.norm());
+      const Touch touch = world_->touch({.p_W = wish});
+      const bool pinched = (touch.flags & kTouchPinched) != 0;
+      ASSERT_FALSE(pinched) << "seed 17, tick " << tick << ", radius " << radius_m;
+      ASSERT_GE(distance(touch.proxy_W), radius_m + 0.2 * kMicron) << "seed 17, tick " << tick;
+      ASSERT_GE(touch.proxy_W.norm(), 0.044 + radius_m) << "seed 17, tick " << tick;
+      touched += touch.contact != ContactKind::none ? 1 : 0;
+    }
+    EXPECT_GT(touched, 500U);
+  }
+}
+
+TEST_F(DeformingTest, OnlyAMeshOfTheSharedProxyMayDeform) {
+  const Solid ball(testing::icosphere(0.05, 2), Sides::one, kRough);
+  Object object = deforming(ball.object());
+  EXPECT_TRUE(world_->set_scene({&object, 1}, {}));
+  EXPECT_FALSE(world_->move_vertex(0, 100'000, {}));
+  EXPECT_FALSE(world_->move_vertex(1, 0, {}));
+  EXPECT_FALSE(world_->move_vertex(0, 0, Vec3::Constant(std::nan(""))));
+  object.method = ContactMethod::potential_field;
+  EXPECT_FALSE(world_->set_scene({&object, 1}, {}));
+  const Solid large(testing::icosphere(0.05, 5), Sides::one, kRough);
+  object = deforming(large.object());
+  EXPECT_FALSE(world_->set_scene({&object, 1}, {})) << "more vertices than there is room for";
+}
+
+TEST(DeformableMesh, NoVertexIsOutsideABoxAboveItByMoreThanTheSlack) {
+  constexpr std::uint64_t kSeed = 23;
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  const Solid ball(testing::icosphere(0.05, 4), Sides::one, kRough);
+  const auto pool = std::make_unique<DeformablePool>();
+  DeformableMesh mesh;
+  ASSERT_TRUE(mesh.start(ball.object().mesh, *pool));
+  std::uniform_int_distribution<std::uint32_t> which(
+      0, static_cast<std::uint32_t>(mesh.now().vertices.size()) - 1);
+  double greatest_slack = 0.0;
+  for (int tick = 0; tick < 200; ++tick) {
+    for (int i = 0; i < 50 && tick < 150; ++i) {
+      ASSERT_TRUE(mesh.move_vertex(which(random), {place(random), place(random), place(random)}));
+    }
+    mesh.begin_tick();
+    greatest_slack = std::max(greatest_slack, mesh.slack_m());
+    const MeshView now = mesh.now();
+    // Boxes of inner nodes hold their children's but for the slack, so leaves and the root do.
+    for (const BvhNode& node : now.nodes) {
+      for (std::uint32_t t = node.first; node.is_leaf() && t < node.first + node.triangle_count;
+           ++t) {
+        for (const std::uint32_t corner : now.triangles[t]) {
+          for (const BvhNode& above : {node, now.nodes[0]}) {
+            ASSERT_LE(std::sqrt(squared_distance(above, to_vec3(now.vertices[corner]))),
+                      mesh.slack_m() + 1e-9)
+                << "seed 23, tick " << tick;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(greatest_slack, 0.0);
+}
+
+}  // namespace
+}  // namespace tactus::rendering
