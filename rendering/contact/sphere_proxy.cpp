@@ -62,7 +62,21 @@ std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
 }
 
 ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
-  const ProxyRest rest = approach(scenery, h_W, path);
+  slipped_ = false;
+  fresh_ = false;
+  neighbourhood_.start_work();
+  ProxyRest rest;
+  approach(scenery, h_W, kMostPushOut_m, path, rest);
+  return rest;
+}
+
+void SphereProxy::go_on(const Scenery& scenery, const Vec3& h_W, ProxyPath* path, ProxyRest& rest) {
+  approach(scenery, h_W, 0.0, path, rest);
+}
+
+void SphereProxy::approach(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
+                           ProxyRest& rest) {
+  seek(scenery, h, most_push, path, rest);
   touched_ = {};
   double hardest = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
@@ -71,17 +85,12 @@ ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPat
       touched_ = {.object = rest.planes[i].object, .triangle = rest.planes[i].triangle};
     }
   }
-  return rest;
 }
 
-ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
-  slipped_ = false;
-  fresh_ = false;
+void SphereProxy::seek(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
+                       ProxyRest& rest) {
   stretching_ = true;
   last_to_tool_m_ = std::numeric_limits<double>::infinity();
-  neighbourhood_.start_work();
-  ProxyRest rest;
-  double most_push = kMostPushOut_m;
   for (;;) {
     if (path != nullptr) {
       path->points[rest.sub_goals] = p_;
@@ -97,25 +106,25 @@ ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPa
     if (!complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (neighbourhood_.trust_from(p_) < 0.0) {
-        return rest;
+        return;
       }
     }
     collect_planes(scenery, most_push, rest);
     Goal goal;
     Advance way;
     do {
-      goal = choose_goal(scenery, h_W, rest);
+      goal = choose_goal(scenery, h, rest);
       if (goal.settled) {
-        return rest;
+        return;
       }
       way = travel_toward(scenery, goal.point);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
-      return rest;
+      return;
     }
     if (way.travel <= 0.0) {
-      return rest;
+      return;
     }
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     neighbourhood_.move_to(p_);
@@ -228,8 +237,9 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
-    circle.static_radius_m += friction.static_coefficient * pressure;
-    circle.dynamic_radius_m += friction.dynamic_coefficient * pressure;
+    const double push = factors_.of(contact.object) * pressure;
+    circle.static_radius_m += friction.static_coefficient * push;
+    circle.dynamic_radius_m += friction.dynamic_coefficient * push;
   }
   rest.normal_W.normalize();
   const FrictionStep step = apply_cone(p_, projection.point, circle, friction_);

@@ -43,6 +43,23 @@ struct ProxyRest {
   std::uint32_t flags = kTouchClean;
 };
 
+// What multiplies the coefficients of friction: of some objects, and of all others.
+struct FrictionFactors {
+  std::array<std::uint32_t, 3> object{};
+  std::array<double, 3> factor{};
+  std::size_t count = 0;
+  double others = 1.0;
+
+  [[nodiscard]] double of(std::uint32_t number) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (object[i] == number) {
+        return factor[i];
+      }
+    }
+    return others;
+  }
+};
+
 class SphereProxy {
  public:
   explicit SphereProxy(double tool_radius_m) : shells_(tool_radius_m) {}
@@ -61,6 +78,12 @@ class SphereProxy {
   // (finite). Bounded work, no heap. `path`, if given, receives the moves.
   ProxyRest advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
 
+  // More of the tick that gave `rest`, toward another goal: its limits and its friction go on.
+  void go_on(const Scenery& scenery, const Vec3& h_W, ProxyPath* path, ProxyRest& rest);
+
+  // From now on; all 1 at the start.
+  void set_friction_factors(const FrictionFactors& factors) { factors_ = factors; }
+
   [[nodiscard]] const Vec3& position_W() const { return p_; }
   [[nodiscard]] FrictionState friction() const { return friction_; }
   [[nodiscard]] std::size_t peak_candidates() const { return neighbourhood_.peak(); }
@@ -78,7 +101,10 @@ class SphereProxy {
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 
-  ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
+  void approach(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
+                ProxyRest& rest);
+  void seek(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
+            ProxyRest& rest);
   void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   // True if the plane of candidate i is new.
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
@@ -96,6 +122,7 @@ class SphereProxy {
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
   Touched touched_;         // what pushed hardest in the last tick
+  FrictionFactors factors_;
   bool slipped_ = false;    // in this tick
   bool fresh_ = false;      // the neighbourhood was gathered in this tick
   bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick

@@ -11,6 +11,12 @@ double texel_size(const Vec3& gradient, std::uint32_t texels) {
   return 1.0 / (gradient.norm() * texels);
 }
 
+double level_for(const TextureView& texture, const TextureSpot& spot, double travel_m) {
+  const double texel_m = std::min(texel_size(spot.grad_u_W, texture.size().width),
+                                  texel_size(spot.grad_v_W, texture.size().height));
+  return mip_level(texture, travel_m, texel_m);
+}
+
 // u and v axes of the picture seen from the positive end of each axis: v is up, u to the right.
 constexpr std::array<std::array<Eigen::Index, 2>, 3> kPictureAxes{{{2, 1}, {0, 2}, {0, 1}}};
 constexpr std::array<std::array<double, 2>, 3> kPictureSigns{{{-1, 1}, {1, -1}, {1, 1}}};
@@ -71,9 +77,7 @@ TextureSample look_up(const TextureView& texture, const TexturePlace& place, dou
   TextureSample sample;
   for (std::size_t i = 0; i < place.count; ++i) {
     const TextureSpot& spot = place.spots[i];
-    const double texel_m = std::min(texel_size(spot.grad_u_W, texture.size().width),
-                                    texel_size(spot.grad_v_W, texture.size().height));
-    const double level = mip_level(texture, travel_m, texel_m);
+    const double level = level_for(texture, spot, travel_m);
     const TextureSlope rise = slope(texture, spot.at, level);
     sample.colour += spot.weight * look_up(texture, spot.at, level);
     sample.slope_W += spot.weight * (rise.per_u * spot.grad_u_W + rise.per_v * spot.grad_v_W);
@@ -90,6 +94,27 @@ Vec3 mapped_normal(const Vec3& colour) {
   const Vec3 n = 2.0 * colour - Vec3::Ones();
   const double length = n.norm();
   return length > 0.0 ? Vec3{n / length} : Vec3::UnitZ();
+}
+
+Vec3 mapped_normal(const TextureView& texture, const TexturePlace& place, const Vec3& n_W,
+                   double travel_m) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < place.count; ++i) {
+    const TextureSpot& spot = place.spots[i];
+    const Vec3 right = spot.grad_u_W - spot.grad_u_W.dot(n_W) * n_W;
+    const double length = right.norm();
+    if (!(length > 0.0)) {
+      sum += spot.weight * n_W;
+      continue;
+    }
+    // A mirrored picture has its up side down.
+    const Vec3 across = n_W.cross(right) / length;
+    const double up = across.dot(spot.grad_v_W) < 0.0 ? -1.0 : 1.0;
+    const Vec3 n = mapped_normal(look_up(texture, spot.at, level_for(texture, spot, travel_m)));
+    sum += spot.weight * (n.x() / length * right + up * n.y() * across + n.z() * n_W);
+  }
+  const double length = sum.norm();
+  return length > 0.0 ? Vec3{sum / length} : n_W;
 }
 
 }  // namespace tactus::rendering

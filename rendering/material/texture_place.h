@@ -59,4 +59,9 @@ Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m
 // right (u), green up (v), blue out. Unit; out where the colour stands for none.
 Vec3 mapped_normal(const Vec3& colour);
 
+// The unit normal `n_W` tilted by a normal map at that place. Where the picture is drawn out
+// without end it does not tilt.
+Vec3 mapped_normal(const TextureView& texture, const TexturePlace& place, const Vec3& n_W,
+                   double travel_m);
+
 }  // namespace tactus::rendering

@@ -28,6 +28,23 @@ Bounds bounds(const ImplicitSurface& implicit) {
   return box;
 }
 
+bool touchable(const Object& object) {
+  if (object.deforms && (object.surface != SurfaceKind::mesh || !meets_proxy(object))) {
+    return false;
+  }
+  switch (object.surface) {
+    case SurfaceKind::primitive:
+      return valid(object.primitive) &&
+             (meets_proxy(object) || object.method == ContactMethod::potential_field);
+    case SurfaceKind::implicit:
+      return object.method == ContactMethod::tracking &&
+             check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
+    default:
+      return usable(object.mesh) && object.method != ContactMethod::tracking &&
+             (meets_proxy(object) || has_features(object));
+  }
+}
+
 }  // namespace
 
 Bounds bounds_of(const Object& object) {
@@ -43,20 +60,8 @@ Bounds bounds_of(const Object& object) {
 }
 
 bool usable(const Object& object) {
-  if (object.deforms && (object.surface != SurfaceKind::mesh || !meets_proxy(object))) {
-    return false;
-  }
-  switch (object.surface) {
-    case SurfaceKind::primitive:
-      return valid(object.primitive) &&
-             (meets_proxy(object) || object.method == ContactMethod::potential_field);
-    case SurfaceKind::implicit:
-      return object.method == ContactMethod::tracking &&
-             check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
-    default:
-      return usable(object.mesh) && object.method != ContactMethod::tracking &&
-             (meets_proxy(object) || has_features(object));
-  }
+  return touchable(object) &&
+         check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
 }
 
 }  // namespace tactus::rendering

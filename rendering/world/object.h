@@ -7,6 +7,7 @@
 #include <span>
 
 #include "rendering/material/material.h"
+#include "rendering/material/surface_detail.h"
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
@@ -37,6 +38,7 @@ struct Object {
   std::span<const Float3> vertex_normals;
   Sides sides = Sides::one;
   Material material;
+  SurfaceDetail detail;
   bool moves = false;    // the outside moves it: the scene's frame is then its own frame
   bool deforms = false;  // and its vertices; a mesh that the shared proxy meets
 };

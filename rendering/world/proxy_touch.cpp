@@ -3,38 +3,184 @@
 #include <algorithm>
 
 namespace tactus::rendering {
+namespace {
+
+constexpr int kMostPasses = 4;
+
+// Where the scene's frame, which is the object's own, is in this tick.
+RigidPose pose_of(const Scenery& scenery, std::uint32_t object) {
+  const Mover* const mover = scenery.mover_of(object);
+  return mover == nullptr ? RigidPose{} : mover->X_WO;
+}
+
+}  // namespace
+
+void ProxyTouch::set_tool_radius(double tool_radius_m) {
+  proxy_.set_tool_radius(tool_radius_m);
+  shading_.set_tool_radius(tool_radius_m);
+}
+
+void ProxyTouch::place(const Vec3& p_W) {
+  proxy_.place(p_W);
+  shading_.reset();
+  set_friction({});
+  before_.count = 0;
+  last_tool_W_ = p_W;
+}
+
 Touch ProxyTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path) {
-  const ProxyRest rest = proxy_.advance(scenery, tool.p_W, path);
+  tool_step_m_ = (tool.p_W - last_tool_W_).norm();
+  last_tool_W_ = tool.p_W;
+  first_pass_ = true;
+  shading_.begin(proxy_.position_W(), tool.p_W);
+  set_friction(friction_);
+  ProxyRest rest = proxy_.advance(scenery, tool.p_W + shading_.offset(), path);
+  Felt felt = come_back(scenery, tool, path, rest);
+  shade(scenery, tool, path, rest, felt);
+  before_ = here_;
   Touch touch;
   touch.proxy_W = proxy_.position_W();
   touch.sub_goals = rest.sub_goals;
   touch.planes = rest.plane_count;
   touch.flags = rest.flags;
   if (rest.plane_count > 0) {
-    set_force(scenery, tool, rest, touch);
+    set_force(tool, rest, felt, touch);
   }
   return touch;
 }
 
-void ProxyTouch::set_force(const Scenery& scenery, const ToolState& tool, const ProxyRest& rest,
+void ProxyTouch::shade(const Scenery& scenery, const ToolState& tool, ProxyPath* path,
+                       ProxyRest& rest, Felt& felt) {
+  first_pass_ = false;
+  for (int pass = 1; felt.detailed; ++pass) {
+    const bool improves = shading_.improve({.normal_W = rest.normal_W,
+                                            .lean = felt.lean,
+                                            .depth_m = felt.depth_m,
+                                            .interpolated = felt.interpolated});
+    set_friction(felt.friction);
+    if (!improves || pass == kMostPasses || (rest.flags & kTouchIterationsExhausted) != 0) {
+      return;
+    }
+    proxy_.go_on(scenery, tool.p_W + shading_.offset(), path, rest);
+    felt = come_back(scenery, tool, path, rest);
+  }
+  shading_.reset();
+  set_friction({});
+}
+
+// A goal that was shifted off the surface takes the proxy with it: it goes back toward the tool,
+// and meets the surface again if there is one between them.
+ProxyTouch::Felt ProxyTouch::come_back(const Scenery& scenery, const ToolState& tool,
+                                       ProxyPath* path, ProxyRest& rest) {
+  if (rest.plane_count == 0 && shading_.is_on()) {
+    shading_.reset();
+    set_friction(friction_);
+    proxy_.go_on(scenery, tool.p_W, path, rest);
+  }
+  return feel(scenery, tool, rest);
+}
+
+void ProxyTouch::set_friction(const FrictionFactors& felt) {
+  friction_ = felt;
+  FrictionFactors factors = felt;
+  for (double& factor : factors.factor) {
+    factor *= shading_.depth_ratio();
+  }
+  factors.others = shading_.depth_ratio();
+  proxy_.set_friction_factors(factors);
+}
+
+ProxyTouch::Felt ProxyTouch::feel(const Scenery& scenery, const ToolState& tool,
+                                  const ProxyRest& rest) {
+  here_.count = 0;
+  Felt felt;
+  double height = 0.0;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    const ContactPlane& plane = rest.planes[i];
+    const Object& object = scenery[plane.object];
+    const double push = rest.pressure_m[i];
+    felt.pressure_m += push;
+    felt.damping_W += push * object.material.damping_Ns_per_m *
+                      (tool.v_W - scenery.velocity_W(plane.object, proxy_.position_W()));
+    if (object.detail.empty()) {
+      felt.stiffness += push * object.material.stiffness_N_per_m;
+      continue;
+    }
+    const Detail detail = detail_of(scenery, plane);
+    felt.detailed = true;
+    felt.interpolated = felt.interpolated || !object.detail.corner_normals.empty();
+    felt.stiffness += push * detail.stiffness_factor * object.material.stiffness_N_per_m;
+    felt.lean += push * lean_of(detail.normal_O, plane.plane.normal);
+    height += push * detail.height_m;
+    felt.friction.object[felt.friction.count] = plane.object;
+    felt.friction.factor[felt.friction.count++] = detail.friction_factor;
+  }
+  if (rest.plane_count == 0) {
+    return felt;
+  }
+  felt.depth_m = (proxy_.position_W() - tool.p_W).dot(rest.normal_W);
+  felt.felt_depth_m = felt.depth_m;
+  if (felt.detailed) {
+    felt.felt_depth_m = std::max(felt.depth_m + height / felt.pressure_m, 0.0);
+    const double share = felt.depth_m > 0.0 ? felt.felt_depth_m / felt.depth_m : 0.0;
+    felt.lean *= share / felt.pressure_m;
+    for (std::size_t i = 0; i < felt.friction.count; ++i) {
+      felt.friction.factor[i] *= share;
+    }
+  }
+  return felt;
+}
+
+Detail ProxyTouch::detail_of(const Scenery& scenery, const ContactPlane& plane) {
+  const Object& object = scenery[plane.object];
+  const RigidPose X_WO = pose_of(scenery, plane.object);
+  const Nearest& nearest = plane.nearest;
+  const ContactPoint here{
+      .object = plane.object,
+      .point_O = X_WO.point_in(proxy_.position_W() - nearest.distance * nearest.normal)};
+  here_.points[here_.count++] = here;
+  if (first_pass_) {
+    travel_m_ = travel_to(here);
+  }
+  Detail detail = detail_at(object.detail, {object.mesh, object.neighbours, object.vertex_normals},
+                            {.triangle = plane.triangle,
+                             .feature = nearest.feature,
+                             .edge = nearest.edge,
+                             .point_O = here.point_O,
+                             .normal_O = X_WO.direction_in(nearest.normal),
+                             .travel_m = travel_m_});
+  detail.normal_O = X_WO.direction(detail.normal_O);
+  return detail;
+}
+
+// In this tick. What was not touched before is met at the tool's speed.
+double ProxyTouch::travel_to(const ContactPoint& here) const {
+  double travel = tool_step_m_;
+  bool known = false;
+  for (std::size_t i = 0; i < before_.count; ++i) {
+    if (before_.points[i].object == here.object) {
+      const double way = (here.point_O - before_.points[i].point_O).norm();
+      travel = known ? std::min(travel, way) : way;
+      known = true;
+    }
+  }
+  return travel;
+}
+
+void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
                            Touch& touch) const {
   const auto hardest = static_cast<std::size_t>(
       std::max_element(rest.pressure_m.begin(), rest.pressure_m.begin() + rest.plane_count) -
       rest.pressure_m.begin());
-  double stiffness = 0.0;
-  Vec3 damping = Vec3::Zero();
-  double pressure = 0.0;
-  for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    const Material& material = scenery[rest.planes[i].object].material;
-    stiffness += rest.pressure_m[i] * material.stiffness_N_per_m;
-    damping += rest.pressure_m[i] * material.damping_Ns_per_m *
-               (tool.v_W - scenery.velocity_W(rest.planes[i].object, touch.proxy_W));
-    pressure += rest.pressure_m[i];
-  }
   const Vec3 stretch = touch.proxy_W - tool.p_W;
   touch.normal_W = rest.normal_W;
-  touch.force_W = (stiffness * stretch - damping) / pressure;
-  touch.depth_m = stretch.dot(rest.normal_W);
+  touch.depth_m = felt.depth_m;
+  if (felt.felt_depth_m > 0.0 || !felt.detailed) {
+    const Vec3 felt_stretch =
+        felt.detailed ? Vec3{stretch - (felt.depth_m - felt.felt_depth_m) * rest.normal_W}
+                      : stretch;
+    touch.force_W = (felt.stiffness * felt_stretch - felt.damping_W) / felt.pressure_m;
+  }
   touch.contact = kind_of(rest.planes[hardest].nearest.feature);
   touch.friction = proxy_.friction();
   touch.object = rest.planes[hardest].object;

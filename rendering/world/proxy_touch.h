@@ -1,9 +1,13 @@
-// The shared proxy's part of a tick: from where it came to rest to what the hand feels.
+// The shared proxy's part of a tick: from where it came to rest to what the hand feels, with force
+// shading and textures.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "rendering/contact/sphere_proxy.h"
+#include "rendering/material/force_shading.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -12,17 +16,20 @@ namespace tactus::rendering {
 class ProxyTouch {
  public:
   // Takes another radius, >= 0; call place() afterwards.
-  void set_tool_radius(double tool_radius_m) { proxy_.set_tool_radius(tool_radius_m); }
+  void set_tool_radius(double tool_radius_m);
 
   // Starts over, out of contact, at p_W.
-  void place(const Vec3& p_W) { proxy_.place(p_W); }
+  void place(const Vec3& p_W);
 
   // First in every tick: objects that moved take the proxy along or push it. TouchFlags.
   std::uint32_t begin_tick(const Scenery& scenery) { return proxy_.begin_tick(scenery); }
 
   // Moves the proxy for a tool that is finite, and gives the force of the surfaces that hold it:
   // F = K (proxy - tool) - B v, with v relative to the surface, and K and B their mean weighted by
-  // how far each pushes. Bounded work, no heap. `path`, if given, receives the moves.
+  // how far each pushes. A surface with detail shifts the proxy so that the force is along its
+  // shading normal, and its bumps shorten the stretch; that takes up to kMostPasses of the proxy's
+  // advance, within the limits of one tick. Bounded work, no heap. `path`, if given, receives the
+  // moves.
   Touch touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path);
 
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
@@ -31,10 +38,46 @@ class ProxyTouch {
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
  private:
-  void set_force(const Scenery& scenery, const ToolState& tool, const ProxyRest& rest,
+  // What the surfaces of a rest feel like. The sums are weighted by how far each pushes.
+  struct Felt {
+    bool detailed = false;
+    bool interpolated = false;
+    double pressure_m = 0.0;        // the sum of the weights
+    double stiffness = 0.0;         // sum, N
+    Vec3 damping_W = Vec3::Zero();  // sum, N m
+    double depth_m = 0.0;           // of the tool below the planes
+    double felt_depth_m = 0.0;      // below their bumps; >= 0
+    Vec3 lean = Vec3::Zero();       // see ShadedRest
+    FrictionFactors friction;
+  };
+  struct ContactPoint {
+    std::uint32_t object = 0;
+    Vec3 point_O = Vec3::Zero();
+  };
+  struct ContactPoints {
+    std::array<ContactPoint, 3> points{};
+    std::size_t count = 0;
+  };
+
+  void shade(const Scenery& scenery, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
+             Felt& felt);
+  Felt come_back(const Scenery& scenery, const ToolState& tool, ProxyPath* path, ProxyRest& rest);
+  void set_friction(const FrictionFactors& felt);
+  Felt feel(const Scenery& scenery, const ToolState& tool, const ProxyRest& rest);
+  Detail detail_of(const Scenery& scenery, const ContactPlane& plane);
+  [[nodiscard]] double travel_to(const ContactPoint& here) const;
+  void set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
                  Touch& touch) const;
 
   SphereProxy proxy_{0.0};
+  ForceShading shading_;
+  FrictionFactors friction_;  // of the surfaces where the proxy is
+  ContactPoints before_;      // of surfaces with detail, at the end of the last tick
+  ContactPoints here_;        // in this pass
+  Vec3 last_tool_W_ = Vec3::Zero();
+  double tool_step_m_ = 0.0;
+  double travel_m_ = 0.0;  // of the contact in this tick
+  bool first_pass_ = true;
 };
 
 }  // namespace tactus::rendering

@@ -1,0 +1,94 @@
+#include "rendering/material/force_shading.h"
+
+#include <algorithm>
+
+namespace tactus::rendering {
+namespace {
+
+// A tenth of a micrometre: a tenth of a millinewton at 1000 N/m.
+constexpr double kSettled_m = 1e-7;
+// The shortest step of the iteration, in units of the plain one, and how much longer the next tick
+// tries again.
+constexpr double kShortest = 0.05;
+constexpr double kLengthening = 1.5;
+// On an edge a pass leaves kDepthOfRadius / (1 - kDepthOfRadius) of the error.
+constexpr double kDepthOfRadius = 0.25;
+
+Vec3 along(const Vec3& v, const Vec3& normal) {
+  return v - v.dot(normal) * normal;
+}
+
+}  // namespace
+
+void ForceShading::set_tool_radius(double tool_radius_m) {
+  tool_radius_m_ = tool_radius_m;
+  reset();
+}
+
+void ForceShading::reset() {
+  const double tool_radius_m = tool_radius_m_;
+  *this = {};
+  tool_radius_m_ = tool_radius_m;
+}
+
+void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W) {
+  has_residual_ = false;
+  relaxation_ = std::min(1.0, kLengthening * relaxation_);
+  const double depth = (proxy_W - tool_W).dot(normal_);
+  if (!(depth > 0.0 && depth_m_ > 0.0)) {
+    reset();
+    return;
+  }
+  stretch_ *= depth / depth_m_;
+  set_offset(depth);
+}
+
+void ForceShading::set_offset(double depth_m) {
+  const double rounding = kDepthOfRadius * tool_radius_m_;
+  const bool lifted = interpolated_ && rounding > 0.0 && depth_m > rounding;
+  const double left = lifted ? rounding : depth_m;
+  depth_m_ = depth_m;
+  depth_ratio_ = lifted ? depth_m / rounding : 1.0;
+  offset_ = stretch_ - left * normal_;
+}
+
+bool ForceShading::improve(const ShadedRest& rest) {
+  if (!(rest.depth_m > 0.0)) {
+    reset();
+    return false;
+  }
+  if (!is_on()) {  // the proxy went straight to the tool
+    stretch_ = rest.depth_m * rest.normal_W;
+  }
+  const Vec3 error = rest.depth_m * (rest.normal_W + rest.lean) - stretch_;
+  const Vec3 residual = along(error, rest.normal_W);
+  if (has_residual_) {
+    const Vec3 change = residual - residual_;
+    const double squared = change.squaredNorm();
+    if (squared > kSettled_m * kSettled_m) {
+      relaxation_ =
+          std::clamp(-relaxation_ * residual_.dot(change) / squared, kShortest, 1.0);
+    }
+  }
+  residual_ = residual;
+  has_residual_ = true;
+  stretch_ += error + (relaxation_ - 1.0) * residual;
+  normal_ = rest.normal_W;
+  interpolated_ = rest.interpolated;
+  const Vec3 before = offset_;
+  set_offset(rest.depth_m);
+  return (offset_ - before).squaredNorm() > kSettled_m * kSettled_m;
+}
+
+Vec3 lean_of(const Vec3& shading_normal, const Vec3& normal) {
+  constexpr double kMostLean = 1.7320508075688772;  // tan 60 degrees
+  const double facing = shading_normal.dot(normal);
+  const Vec3 across = along(shading_normal, normal);
+  const double length = across.norm();
+  if (length <= kMostLean * facing) {
+    return across / facing;
+  }
+  return length > 0.0 ? Vec3{kMostLean / length * across} : Vec3{Vec3::Zero()};
+}
+
+}  // namespace tactus::rendering
