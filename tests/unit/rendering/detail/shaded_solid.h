@@ -1,15 +1,18 @@
 // A shape with corner normals, and with a texture, ready for a World.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "host_tools/bake/corner_normals.h"
 #include "host_tools/bake/mesh_bake.h"
 #include "host_tools/bake/mip_pyramid.h"
-#include "rendering/world/object.h"
+#include "rendering/world/world.h"
 #include "tests/support/shapes.h"
 
 namespace tactus::testing {
@@ -41,19 +44,37 @@ class ShadedSolid {
   rendering::Object flat_;
 };
 
-// A picture made by grey(u, v), 0 to 1, as the layer of an object.
+// One tool in a world of one object.
+class Hand {
+ public:
+  Hand(const rendering::Object& object, double radius_m) : object_(object) {
+    EXPECT_TRUE(world_->set_scene({&object_, 1}, {.tool_radius_m = radius_m}));
+  }
+  rendering::Touch touch(const Vec3& tool, rendering::ProxyPath* path = nullptr) {
+    return world_->touch({.p_W = tool}, path);
+  }
+
+ private:
+  rendering::Object object_;
+  std::unique_ptr<rendering::World> world_ = std::make_unique<rendering::World>();
+};
+
+// A picture made by colour(u, v), each channel 0 to 1, as the layer of an object. Grey takes the
+// first channel.
 class Picture {
  public:
-  template <class Grey>
-  Picture(const rendering::TextureLayer& layer, std::uint32_t side, const Grey& grey)
+  template <class Colour>
+  Picture(const rendering::TextureLayer& layer, std::uint32_t side, const Colour& colour)
       : layer_(layer) {
     layer_.width = side;
     layer_.height = side;
     std::vector<std::uint8_t> texels;
     for (std::uint32_t y = 0; y < side; ++y) {
       for (std::uint32_t x = 0; x < side; ++x) {
-        const double value = grey((x + 0.5) / side, 1.0 - (y + 0.5) / side);
-        texels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * value)));
+        const Vec3 value = colour((x + 0.5) / side, 1.0 - (y + 0.5) / side);
+        for (int channel = 0; channel < static_cast<int>(layer.format); ++channel) {
+          texels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * value[channel])));
+        }
       }
     }
     texels_ = host::build_mip_pyramid(texels, {side, side}, layer.format);

@@ -12,24 +12,11 @@
 namespace tactus::rendering {
 namespace {
 
+using testing::Hand;
 using testing::ShadedSolid;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr Material kFrictionless{.stiffness_N_per_m = 1000.0};
-
-class Hand {
- public:
-  Hand(const Object& object, double radius_m) : object_(object) {
-    EXPECT_TRUE(world_->set_scene({&object_, 1}, {.tool_radius_m = radius_m}));
-  }
-  Touch touch(const Vec3& tool, ProxyPath* path = nullptr) {
-    return world_->touch({.p_W = tool}, path);
-  }
-
- private:
-  Object object_;
-  std::unique_ptr<World> world_ = std::make_unique<World>();
-};
 
 constexpr int kSides = 16;
 constexpr double kRadius_m = 0.02;
@@ -75,6 +62,84 @@ TEST(ForceShading, ASixteenSidedCylinderTurnsTheForceTenTimesMoreEvenly) {
           "faceted, %.2f deg shaded, ratio %.1f\n",
           1e3 * radius_m, 1e3 * depth_m, faceted, shaded, faceted / shaded);
       EXPECT_GE(faceted / shaded, 10.0);
+    }
+  }
+}
+
+TEST(ForceShading, TheForceIsAlongTheInterpolatedNormal) {
+  // On the prism's round side the interpolated normal at a surface point is nearly radial, so the
+  // force leads away from the axis through the proxy's contact point.
+  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kFrictionless);
+  Hand hand(cylinder.shaded(), 0.0);
+  hand.touch({0.03, 0.001, 0.0});
+  for (double angle_deg = 0.0; angle_deg < 30.0; angle_deg += 0.1) {
+    const Vec3 out{std::cos(angle_deg * kDegree), std::sin(angle_deg * kDegree), 0.0};
+    const Touch t = hand.touch(0.0185 * out);
+    EXPECT_LE((t.force_W.normalized() - out).norm(), 0.01) << angle_deg;
+    EXPECT_NEAR(t.force_W.norm(), 1000.0 * (t.proxy_W - 0.0185 * out).norm(), 1e-9);
+  }
+}
+
+TEST(ForceShading, ABoxIsFeltAsWithout) {
+  const ShadedSolid box(testing::box({0.04, 0.04, 0.04}), 40.0, kFrictionless);
+  for (const double radius_m : {0.0, 0.002}) {
+    Hand flat(box.flat(), radius_m);
+    Hand shaded(box.shaded(), radius_m);
+    for (int i = 0; i < 4000; ++i) {
+      const double angle = 0.001 * i;
+      const Vec3 tool{0.019 * std::sin(3.0 * angle),
+                      0.02 + radius_m - 0.001 * std::sin(7.0 * angle), 0.015 * std::sin(angle)};
+      const Touch expected = flat.touch(tool);
+      const Touch found = shaded.touch(tool);
+      ASSERT_LE((expected.force_W - found.force_W).norm(), 2e-4) << i;
+    }
+  }
+}
+
+// The coefficient that is felt when the tool slides along the axis at a depth.
+double felt_friction(const Object& object, double radius_m, double depth_m) {
+  Hand hand(object, radius_m);
+  const double x = kRadius_m * std::cos(std::numbers::pi / kSides) + radius_m - depth_m;
+  const double angle = 14.0 * kDegree;
+  hand.touch({0.03, 0.008, 0.0});
+  Touch t;
+  for (int i = 0; i < 200; ++i) {
+    t = hand.touch({x * std::cos(angle), x * std::sin(angle), 0.00005 * i});
+  }
+  const double across = std::hypot(t.force_W.x(), t.force_W.y());
+  return std::abs(t.force_W.z()) / across;
+}
+
+TEST(ForceShading, FrictionKeepsItsCoefficient) {
+  constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.4, 0.3}};
+  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kRough);
+  for (const double radius_m : {0.0, 0.002}) {
+    for (const double depth_m : {0.0005, 0.002, 0.004}) {
+      // The lean of the force shortens what the plane is pressed by its cosine, here above 0.98.
+      EXPECT_NEAR(felt_friction(cylinder.shaded(), radius_m, depth_m), 0.3, 0.006)
+          << radius_m << " " << depth_m;
+    }
+  }
+}
+
+TEST(ForceShading, AStillToolIsHeldStill) {
+  constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.4, 0.3}};
+  for (const Material& material : {kFrictionless, kRough}) {
+    const ShadedSolid ball(testing::icosphere(0.02, 2), 40.0, material);
+    Hand hand(ball.shaded(), 0.001);
+    hand.touch({0.0, 0.0, 0.04});
+    Touch t;
+    for (int i = 0; i <= 100; ++i) {
+      t = hand.touch({0.00012 * i, 0.00005 * i, 0.03 - 0.0001 * i});
+    }
+    const Vec3 tool{0.012, 0.005, 0.02 - 0.005};
+    for (int i = 0; i < 20; ++i) {
+      t = hand.touch(tool);
+    }
+    for (int i = 0; i < 100; ++i) {
+      const Touch next = hand.touch(tool);
+      ASSERT_LE((next.force_W - t.force_W).norm(), 2e-4) << i;
+      t = next;
     }
   }
 }
