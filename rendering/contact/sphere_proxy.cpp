@@ -37,6 +37,8 @@ constexpr double kSettled_m = 1e-9;
 // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the inside)
 // is pushed out no faster than this a tick; within the shell it is put right at once.
 constexpr double kMostPushOut_m = 20e-6;
+// What a proxy that sticks may be below its rest: it then clears the seams that it slides over next.
+constexpr double kUnevenRest_m = 50e-9;
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
 
@@ -218,6 +220,22 @@ PlaneProjection SphereProxy::project(const Vec3& h) const {
   return projection;
 }
 
+// Straight up to where the planes want it: a sweep ends a little below, where the next seam would
+// stop it, and friction alone would leave it there.
+Vec3 SphereProxy::risen_to_rest() const {
+  std::array<Plane, kMaxContactPlanes> planes;
+  bool low = false;
+  for (std::size_t i = 0; i < contact_count_; ++i) {
+    planes[i] = contacts_[i].plane;
+    low = low || planes[i].normal.dot(p_) < planes[i].offset - kSettled_m;
+  }
+  if (!low) {
+    return p_;
+  }
+  const PlaneProjection up = project_on_planes(p_, std::span(planes).first(contact_count_));
+  return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
+}
+
 SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
   const PlaneProjection projection = project(h);
   rest.plane_count = projection.active_count;
@@ -242,11 +260,15 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
     circle.dynamic_radius_m += friction.dynamic_coefficient * push;
   }
   rest.normal_W.normalize();
-  const FrictionStep step = apply_cone(p_, projection.point, circle, friction_);
+  const Vec3 risen = projection.feasible ? risen_to_rest() : p_;
+  const FrictionStep step = apply_cone(risen, projection.point, circle, friction_);
   slipped_ = slipped_ || step.state == FrictionState::slip;
   friction_ = slipped_ ? FrictionState::slip : step.state;
   const Vec3 move = step.goal - p_;
-  if (step.state == FrictionState::stick || move.norm() <= kSettled_m || !projection.feasible) {
+  if (step.state == FrictionState::stick || !projection.feasible) {
+    return {.point = step.goal, .settled = move.norm() <= kUnevenRest_m || !projection.feasible};
+  }
+  if (move.norm() <= kSettled_m) {
     return {.point = p_, .settled = true};
   }
   return {.point = p_ + follow_curvature(move, h, rest)};

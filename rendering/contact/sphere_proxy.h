@@ -111,6 +111,7 @@ class SphereProxy {
   [[nodiscard]] bool has_stopped(std::size_t i) const;
   bool add_holding_plane(std::size_t i, double most_push, ProxyRest& rest);
   PlaneProjection project(const Vec3& h) const;
+  [[nodiscard]] Vec3 risen_to_rest() const;
   Goal choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
   Advance travel_toward(const Scenery& scenery, const Vec3& goal);
