@@ -25,7 +25,7 @@ usage() {
   cat <<END
 usage: tests/run.sh [--only STAGE]... [--soak] [--help]
   --only STAGE   run this stage only; may be repeated
-  --soak         random tests twenty times as long
+  --soak         random tests a hundred times as long
 stages: $(printf '%s\n' "${stages[@]}" | awk '{print $1}' | paste -sd' ')
 Each stage's whole output is kept in build/test-logs/STAGE.log.
 END

@@ -92,6 +92,7 @@ void SphereProxy::approach(const Scenery& scenery, const Vec3& h, double most_pu
 void SphereProxy::seek(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
                        ProxyRest& rest) {
   stretching_ = true;
+  last_hold_.count = 0;
   last_to_tool_m_ = std::numeric_limits<double>::infinity();
   for (;;) {
     if (path != nullptr) {
@@ -116,6 +117,9 @@ void SphereProxy::seek(const Scenery& scenery, const Vec3& h, double most_push, 
     Advance way;
     do {
       goal = choose_goal(scenery, h, rest);
+      if (!goal.settled && goes_back(goal.point) && recall_planes()) {
+        goal = choose_goal(scenery, h, rest);
+      }
       if (goal.settled) {
         return;
       }
@@ -128,6 +132,10 @@ void SphereProxy::seek(const Scenery& scenery, const Vec3& h, double most_push, 
     if (way.travel <= 0.0) {
       return;
     }
+    last_hold_ = {.planes = rest.planes,
+                  .count = goal.stretched ? std::size_t{0} : rest.plane_count,
+                  .from = p_,
+                  .gathering = neighbourhood_.gatherings()};
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     neighbourhood_.move_to(p_);
     ++rest.sub_goals;
@@ -148,6 +156,29 @@ void SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
       add_plane(i, most_push, rest);
     }
   }
+}
+
+// In a flat valley the proxy can go back and forth within the thickness of the shell: on either
+// side it does not touch the other, and the nearest point of each plane lies beyond it. When it is
+// about to go back to where it came from, the planes that held it there hold it again.
+bool SphereProxy::goes_back(const Vec3& goal) const {
+  constexpr double kMostOfTheWay = 0.25;
+  return last_hold_.count > 0 && last_hold_.gathering == neighbourhood_.gatherings() &&
+         (goal - last_hold_.from).norm() <= kMostOfTheWay * (p_ - last_hold_.from).norm();
+}
+
+bool SphereProxy::recall_planes() {
+  constexpr double kShell_m = 0.3e-6;  // from rest to inner, and a little
+  bool any = false;
+  for (std::size_t i = 0; i < last_hold_.count && contact_count_ < kMaxContactPlanes; ++i) {
+    const Plane& plane = last_hold_.planes[i].plane;
+    if (plane.normal.dot(p_) >= plane.offset - kShell_m) {
+      contacts_[contact_count_++] = last_hold_.planes[i];
+      any = true;
+    }
+  }
+  last_hold_.count = 0;
+  return any;
 }
 
 bool SphereProxy::has_stopped(std::size_t i) const {
@@ -271,7 +302,8 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
   if (move.norm() <= kSettled_m) {
     return {.point = p_, .settled = true};
   }
-  return {.point = p_ + follow_curvature(move, h, rest)};
+  const Vec3 way = follow_curvature(move, h, rest);
+  return {.point = p_ + way, .stretched = way != move};
 }
 
 // On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and

@@ -92,6 +92,14 @@ class SphereProxy {
   struct Goal {
     Vec3 point = Vec3::Zero();
     bool settled = false;
+    bool stretched = false;  // the move was lengthened
+  };
+  // What held the proxy at its last sub-goal in this tick.
+  struct LastHold {
+    std::array<ContactPlane, 3> planes{};
+    std::size_t count = 0;
+    Vec3 from = Vec3::Zero();
+    std::size_t gathering = 0;
   };
   static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
   struct Advance {
@@ -106,6 +114,8 @@ class SphereProxy {
   void seek(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
             ProxyRest& rest);
   void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
+  [[nodiscard]] bool goes_back(const Vec3& goal) const;
+  bool recall_planes();
   // True if the plane of candidate i is new.
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
   [[nodiscard]] bool has_stopped(std::size_t i) const;
@@ -131,6 +141,7 @@ class SphereProxy {
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t contact_count_ = 0;
+  LastHold last_hold_;
   std::array<std::size_t, kMaxContactPlanes>
       stoppers_{};  // candidates that stopped a sweep in this tick
   std::size_t stopper_count_ = 0;
