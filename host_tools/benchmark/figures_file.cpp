@@ -1,0 +1,82 @@
+#include "host_tools/benchmark/figures_file.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+#include <utility>
+
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr const char* kColumns =
+    "mesh,triangles,radius_mm,friction,ticks,median_ns,p99_ns,p999_ns,max_ns,"
+    "instructions_mean,instructions_median,instructions_p99,instructions_p999,instructions_max,"
+    "contact_ticks,flagged_ticks,peak_candidates";
+
+// On Arm the kernel names no model; then it is the architecture.
+std::string processor(const utsname& system) {
+  const std::string key = "model name";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with(key) && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return system.machine;
+}
+
+std::string instructions_row(const std::optional<InstructionCount>& count) {
+  return count ? fmt::format("{:.0f},{:.0f},{:.0f},{:.0f},{:.0f}", count->mean, count->median,
+                             count->p99, count->p999, count->max)
+               : ",,,,";
+}
+
+}  // namespace
+
+std::string describe_machine() {
+  utsname system{};
+  ::uname(&system);
+  return fmt::format("{}, {} cores, {} {}; {}; {:%Y-%m-%d}", processor(system),
+                     std::thread::hardware_concurrency(), system.sysname, system.release,
+                     TACTUS_BUILD, fmt::gmtime(std::chrono::system_clock::now()));
+}
+
+FiguresFile::FiguresFile(std::filesystem::path path) : path_(std::move(path)) {
+  std::ifstream file(path_);
+  std::string columns;
+  if (!std::getline(file, columns)) {
+    write(fmt::format("{}\n", kColumns));
+  } else if (columns != kColumns) {
+    throw InputError(fmt::format(
+        "{}:1: these are not the columns of this version; give another file", path_.string()));
+  }
+}
+
+void FiguresFile::append(const TouchFigures& figures) {
+  const TouchTiming& t = figures.timing;
+  std::string text = described_ ? "" : fmt::format("# {}\n", describe_machine());
+  described_ = true;
+  text +=
+      fmt::format("{},{},{:g},{:d},{},{:.0f},{:.0f},{:.0f},{:.0f},{},{},{},{}\n", figures.mesh,
+                  figures.triangles, 1e3 * figures.radius_m, figures.friction, t.ticks, t.median_ns,
+                  t.p99_ns, t.p999_ns, t.max_ns, instructions_row(figures.instructions),
+                  t.contact_ticks, t.flagged_ticks, t.peak_candidates);
+  write(text);
+}
+
+void FiguresFile::write(const std::string& text) {
+  std::ofstream file(path_, std::ios::app);
+  if (!(file << text << std::flush)) {
+    throw InputError(
+        fmt::format("{}: cannot be written; check the folder and its permissions", path_.string()));
+  }
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,36 @@
+// Instructions a tick, counted by valgrind's callgrind. Unlike times they are the same in every
+// run, whatever else the machine does.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <vector>
+
+#include "host_tools/benchmark/benchmark_mesh.h"
+
+namespace tactus::host {
+
+struct InstructionCount {
+  double mean = 0.0;
+  double median = 0.0;
+  double p99 = 0.0;
+  double p999 = 0.0;
+  double max = 0.0;
+};
+
+// Starts this program again under callgrind, which counts the World::touch of every tick of the
+// path, and nothing else. Takes about a millisecond a tick and 4 kB of the folder for temporary
+// files. Throws InputError when valgrind is missing or fails.
+InstructionCount count_instructions(const BenchmarkMesh& mesh, bool friction, double tool_radius_m,
+                                    std::span<const Vec3> path);
+
+// What the program does when it was started so: touches the scene in `folder` along the path
+// there.
+void touch_to_be_counted(const std::filesystem::path& folder);
+
+// The total of every part of callgrind's output that counted anything, in its order.
+std::vector<double> totals_of(std::istream& callgrind_out);
+
+}  // namespace tactus::host

