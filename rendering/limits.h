@@ -31,6 +31,9 @@ inline constexpr double kMaxVertexStep_m = 2e-3;
 // farther meanwhile.
 inline constexpr std::size_t kRefitNodes = 1024;
 
+// Effects in a scene. Beyond: World::set_scene refuses.
+inline constexpr std::size_t kMaxEffects = 16;
+
 // Levels of a bounding-volume hierarchy; sizes every traversal stack. Beyond: baking balances, the
 // image check refuses.
 inline constexpr std::size_t kMaxHierarchyDepth = 64;

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <numbers>
 
 #include "host_tools/bake/atomic_file.h"
+#include "host_tools/bake/corner_normals.h"
 #include "host_tools/bake/mesh_import.h"
+#include "host_tools/bake/texture_bake.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -66,6 +70,22 @@ BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription
   }
 }
 
+// Shading and textures; the texture coordinates go where no texture uses them.
+void add_detail(const ObjectDescription& object, const std::string& scene, BakedObject& baked) {
+  constexpr double kRadian = std::numbers::pi / 180.0;
+  BakedMesh& mesh = baked.mesh;
+  if (object.detail.angle_limit_deg) {
+    mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, mesh.neighbours,
+                                         kRadian * *object.detail.angle_limit_deg);
+  }
+  baked.textures = bake_textures(object.detail, !mesh.corner_places.empty(), scene);
+  if (std::ranges::none_of(baked.textures.layers, [](const rendering::TextureLayer& layer) {
+        return layer.projection == rendering::TextureProjection::uv;
+      })) {
+    mesh.corner_places.clear();
+  }
+}
+
 BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene) {
   try {
     return bake_mesh(picture_of(object.shape, object.placement));
@@ -85,21 +105,23 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
                     .mesh = bake_picture(object, scene),
                     .shape = object.shape,
                     .placement = object.placement,
-                    .contact = object.contact};
+                    .contact = object.contact,
+                    .moves = object.moves};
+  add_detail(object, scene, baked);
   report = {.name = object.name,
             .mesh = "",
             .triangles = baked.mesh.triangles.size(),
             .vertices = baked.mesh.vertices.size(),
             .lines_and_points = 0,
             .counters = baked.mesh.counters,
-            .bytes = image_bytes(baked.mesh),
+            .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
             .warnings = {}};
   return baked;
 }
 
-BakedObject bake_object(const ObjectDescription& object, ObjectReport& report,
-                        const Progress& progress) {
+BakedObject bake_object(const ObjectDescription& object, const std::string& scene,
+                        ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
   tell(progress, fmt::format("{}: reading {}", object.name, object.mesh.string()));
   const ImportedMesh imported = import_mesh(object.mesh);
@@ -110,14 +132,16 @@ BakedObject bake_object(const ObjectDescription& object, ObjectReport& report,
                     .mesh = bake_object_mesh(imported, object),
                     .shape = {},
                     .placement = {},
-                    .contact = object.contact};
+                    .contact = object.contact,
+                    .moves = object.moves};
+  add_detail(object, scene, baked);
   report = {.name = object.name,
             .mesh = object.mesh.string(),
             .triangles = baked.mesh.triangles.size(),
             .vertices = baked.mesh.vertices.size(),
             .lines_and_points = imported.lines_and_points,
             .counters = baked.mesh.counters,
-            .bytes = image_bytes(baked.mesh),
+            .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
             .warnings = warnings_for(object, baked.mesh.counters)};
   return baked;
@@ -134,7 +158,10 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                     .bytes = 0,
                     .seconds = 0.0,
                     .objects = {}};
-  BakedScene baked{.tool_radius_m = description.tool_radius_m, .objects = {}};
+  BakedScene baked{.tool_radius_m = description.tool_radius_m,
+                   .tool_count = description.tool_count,
+                   .objects = {},
+                   .effects = description.effects};
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);
@@ -144,7 +171,7 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
     ObjectReport& own = report.objects.emplace_back();
     baked.objects.push_back(object.mesh.empty()
                                 ? bake_shape(object, description.file, own, progress)
-                                : bake_object(object, own, progress));
+                                : bake_object(object, description.file, own, progress));
   }
   tell(progress, fmt::format("writing {}", image.string()));
   const std::vector<std::byte> bytes = write_image(baked);

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "host_tools/bake/effect_writer.h"
 #include "host_tools/input_error.h"
 #include "rendering/limits.h"
 #include "rendering/scene/image_format.h"
@@ -34,6 +35,13 @@ Offset<flatbuffers::Vector<const Stored*>> write_vector(FlatBufferBuilder& build
   return builder.CreateVectorOfStructs(static_cast<const Stored*>(bytes), values.size());
 }
 
+template <class Stored, class T>
+Offset<flatbuffers::Vector<const Stored*>> write_optional(FlatBufferBuilder& builder,
+                                                          const std::vector<T>& values) {
+  return values.empty() ? Offset<flatbuffers::Vector<const Stored*>>{}
+                        : write_vector<Stored>(builder, values, rendering::kCacheLine);
+}
+
 Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh) {
   constexpr std::size_t kLine = rendering::kCacheLine;
   const auto vertices = write_vector<image::Float3>(builder, mesh.vertices, kLine);
@@ -44,10 +52,13 @@ Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh
   // the walk reads together, shares one.
   const auto nodes =
       write_vector<image::Node>(builder, mesh.nodes, kLine, sizeof(rendering::BvhNode));
+  const auto corner_normals = write_optional<image::CornerNormals>(builder, mesh.corner_normals);
+  const auto corner_places = write_optional<image::CornerPlaces>(builder, mesh.corner_places);
   const rendering::BakeCounters& c = mesh.counters;
   const image::BakeCounters counters(c.welded_vertices, c.degenerate_triangles, c.open_edges,
                                      c.non_manifold_edges, c.inconsistent_edges);
-  return image::CreateMesh(builder, vertices, triangles, neighbours, nodes, normals, &counters);
+  return image::CreateMesh(builder, vertices, triangles, neighbours, nodes, normals, &counters,
+                           corner_normals, corner_places);
 }
 
 Offset<image::Material> write_material(FlatBufferBuilder& builder,
@@ -58,25 +69,15 @@ Offset<image::Material> write_material(FlatBufferBuilder& builder,
                                image::Friction::ConeFriction, friction.Union());
 }
 
-image::Double3 stored(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 image::Pose pose_of(const Placement& placement) {
-  const Mat3 axes = placement.rotation.toRotationMatrix();
-  return {stored(axes.col(0)), stored(axes.col(1)), stored(axes.col(2)),
-          stored(placement.position_m)};
+  return stored(rendering::RigidPose{placement.rotation.toRotationMatrix(), placement.position_m});
 }
 
 Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) {
-  const image::Pose pose = pose_of(object.placement);
   if (const auto* primitive = std::get_if<rendering::Primitive>(&object.shape)) {
-    const std::array<double, 3>& d = primitive->dimensions_m;
-    const image::Double3 dimensions(d[0], d[1], d[2]);
-    return image::CreatePrimitive(builder, static_cast<std::uint8_t>(primitive->kind), &pose,
-                                  &dimensions)
-        .Union();
+    return write_primitive(builder, *primitive).Union();
   }
+  const image::Pose pose = pose_of(object.placement);
   if (const auto* implicit = std::get_if<ImplicitDescription>(&object.shape)) {
     const auto instructions = write_vector<image::Instruction>(
         builder, implicit->formula.instructions, alignof(rendering::Instruction));
@@ -100,15 +101,19 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
   const auto name = builder.CreateString(object.name);
   const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
   const auto shape = write_shape(builder, object);
+  const auto layers = write_optional<image::TextureLayer>(builder, object.textures.layers);
+  const auto texels = object.textures.texels.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
+                                                     : builder.CreateVector(object.textures.texels);
   return image::CreateObject(builder, name, sides, material, mesh,
                              static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
-                             shape);
+                             shape, object.moves, layers, texels);
 }
 
 std::uint64_t estimated_bytes(const BakedScene& scene) {
   std::uint64_t bytes = kObjectOverheadBytes;
   for (const BakedObject& object : scene.objects) {
-    bytes += image_bytes(object.mesh) + object.name.size() + kObjectOverheadBytes;
+    bytes += image_bytes(object.mesh) + object.textures.texels.size() + object.name.size() +
+             kObjectOverheadBytes;
   }
   return bytes;
 }
@@ -130,7 +135,9 @@ std::uint64_t image_bytes(const BakedMesh& mesh) {
          std::as_bytes(std::span(mesh.triangles)).size() +
          std::as_bytes(std::span(mesh.neighbours)).size() +
          std::as_bytes(std::span(mesh.vertex_normals)).size() +
-         std::as_bytes(std::span(mesh.nodes)).size();
+         std::as_bytes(std::span(mesh.nodes)).size() +
+         std::as_bytes(std::span(mesh.corner_normals)).size() +
+         std::as_bytes(std::span(mesh.corner_places)).size();
 }
 
 std::vector<std::byte> write_image(const BakedScene& scene) {
@@ -149,7 +156,9 @@ std::vector<std::byte> write_image(const BakedScene& scene) {
   for (const BakedObject& object : scene.objects) {
     objects.push_back(write_object(builder, object));
   }
-  const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects));
+  const auto effects = write_effects(builder, scene.effects);
+  const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects),
+                                       static_cast<std::uint8_t>(scene.tool_count), effects);
   image::FinishSceneBuffer(builder, root);
   return with_header({builder.GetBufferPointer(), builder.GetSize()});
 }

@@ -9,9 +9,16 @@
 
 #include "host_tools/bake/mesh_bake.h"
 #include "host_tools/bake/shape_description.h"
+#include "rendering/effects/effect.h"
 #include "rendering/world/object.h"
 
 namespace tactus::host {
+
+// Pictures on a surface, with their coarser levels.
+struct BakedTextures {
+  std::vector<rendering::TextureLayer> layers;
+  std::vector<std::uint8_t> texels;
+};
 
 struct BakedObject {
   std::string name;
@@ -21,11 +28,15 @@ struct BakedObject {
   ShapeDescription shape;
   Placement placement;  // of the shape
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
+  BakedTextures textures;
+  bool moves = false;
 };
 
 struct BakedScene {
   double tool_radius_m = 0.0;
+  std::size_t tool_count = 1;  // 1 to kMaxTools
   std::vector<BakedObject> objects;
+  std::vector<rendering::Effect> effects;
 };
 
 // What an object's arrays take in the image.

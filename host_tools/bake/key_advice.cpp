@@ -23,6 +23,9 @@ constexpr std::array kUnitWords{
     UnitWords{"N_per_m", "newtons per metre"},
     UnitWords{"Ns_per_m", "newton seconds per metre"},
     UnitWords{"deg", "degrees"},
+    UnitWords{"N", "newtons"},
+    UnitWords{"Hz", "hertz"},
+    UnitWords{"Ns2_per_m2", "newton seconds squared per metre squared"},
 };
 
 // One of `other` is `factor` of `unit`. Names of other units are compared in lower case.
@@ -59,6 +62,12 @@ constexpr std::array kOtherUnits{
     OtherUnit{"turn", "deg", 360.0},
     OtherUnit{"turns", "deg", 360.0},
     OtherUnit{"degrees", "deg", 1.0},
+    OtherUnit{"mn", "N", 1e-3},
+    OtherUnit{"kn", "N", 1e3},
+    OtherUnit{"newton", "N", 1.0},
+    OtherUnit{"newtons", "N", 1.0},
+    OtherUnit{"khz", "Hz", 1e3},
+    OtherUnit{"rpm", "Hz", 1.0 / 60.0},
 };
 
 std::string lower(std::string_view text) {

@@ -32,10 +32,10 @@ void require_sound(const TriangleMesh& mesh) {
   }
 }
 
-std::vector<TriangleIndices> reordered(std::span<const TriangleIndices> triangles,
-                                       std::span<const std::uint32_t> order) {
-  std::vector<TriangleIndices> result(order.size());
-  std::ranges::transform(order, result.begin(), [&](std::uint32_t i) { return triangles[i]; });
+template <class T>
+std::vector<T> reordered(const std::vector<T>& values, std::span<const std::uint32_t> order) {
+  std::vector<T> result(order.size());
+  std::ranges::transform(order, result.begin(), [&](std::uint32_t i) { return values[i]; });
   return result;
 }
 
@@ -53,6 +53,9 @@ BakedMesh bake_mesh(TriangleMesh mesh, const MeshBakeOptions& options) {
   }
   Hierarchy hierarchy = build_hierarchy(mesh.vertices, mesh.triangles);
   mesh.triangles = reordered(mesh.triangles, hierarchy.order);
+  if (!mesh.corner_places.empty()) {
+    baked.corner_places = reordered(mesh.corner_places, hierarchy.order);
+  }
   order_vertices_by_use(mesh);
   Topology topology = find_topology(mesh.triangles, mesh.vertices.size());
   baked.counters.open_edges = topology.open_edges;

@@ -23,6 +23,8 @@ struct BakedMesh {
   std::vector<rendering::TriangleNeighbours> neighbours;
   std::vector<rendering::Float3> vertex_normals;
   std::vector<rendering::BvhNode> nodes;
+  std::vector<rendering::CornerPlaces> corner_places;    // one a triangle, or none
+  std::vector<rendering::CornerNormals> corner_normals;  // one a triangle once it is shaded
   rendering::BakeCounters counters;
 
   // Valid as long as this mesh lives and keeps its vectors.

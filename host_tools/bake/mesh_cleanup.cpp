@@ -149,8 +149,21 @@ std::uint32_t weld(TriangleMesh& mesh, double weld_m) {
 }
 
 std::uint32_t drop_degenerate(TriangleMesh& mesh) {
-  return static_cast<std::uint32_t>(std::erase_if(
-      mesh.triangles, [&](const TriangleIndices& t) { return is_degenerate(mesh, t); }));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (is_degenerate(mesh, mesh.triangles[i])) {
+      continue;
+    }
+    mesh.triangles[kept] = mesh.triangles[i];
+    if (!mesh.corner_places.empty()) {
+      mesh.corner_places[kept] = mesh.corner_places[i];
+    }
+    ++kept;
+  }
+  const std::size_t gone = mesh.triangles.size() - kept;
+  mesh.triangles.resize(kept);
+  mesh.corner_places.resize(mesh.corner_places.empty() ? 0 : kept);
+  return static_cast<std::uint32_t>(gone);
 }
 
 void order_vertices_by_use(TriangleMesh& mesh) {

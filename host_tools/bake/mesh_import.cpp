@@ -85,18 +85,24 @@ class Collector {
     }
   }
 
-  ImportedMesh result;
+  // Texture coordinates for some of the triangles are of no use.
+  ImportedMesh take() {
+    if (result_.corner_places.size() != result_.triangles.size()) {
+      result_.corner_places.clear();
+    }
+    return std::move(result_);
+  }
 
  private:
   void add_mesh(const aiMesh& mesh, const aiMatrix4x4t<double>& transform) {
-    const auto first = static_cast<std::uint32_t>(result.vertices.size());
+    const auto first = static_cast<std::uint32_t>(result_.vertices.size());
     for (const aiVector3D& v : std::span(mesh.mVertices, mesh.mNumVertices)) {
       if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
         fail(path_, fmt::format("vertex {} is not finite ({}, {}, {}); repair or export the mesh "
                                 "again",
-                                result.vertices.size(), v.x, v.y, v.z));
+                                result_.vertices.size(), v.x, v.y, v.z));
       }
-      result.vertices.push_back(transformed(transform, v));
+      result_.vertices.push_back(transformed(transform, v));
     }
     for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
       add_face(face, mesh, first);
@@ -105,22 +111,43 @@ class Collector {
 
   void add_face(const aiFace& face, const aiMesh& mesh, std::uint32_t first) {
     if (face.mNumIndices != 3) {
-      ++result.lines_and_points;
+      ++result_.lines_and_points;
       return;
     }
     rendering::TriangleIndices triangle{};
     for (unsigned k = 0; k < 3; ++k) {
       if (face.mIndices[k] >= mesh.mNumVertices) {
         fail(path_, fmt::format("face {} names vertex {} of {}; repair or export the mesh again",
-                                result.triangles.size(), face.mIndices[k], mesh.mNumVertices));
+                                result_.triangles.size(), face.mIndices[k], mesh.mNumVertices));
       }
       triangle[k] = first + face.mIndices[k];
     }
-    result.triangles.push_back(triangle);
+    result_.triangles.push_back(triangle);
+    add_places(face, mesh);
+  }
+
+  void add_places(const aiFace& face, const aiMesh& mesh) {
+    constexpr unsigned kPlane = 2;
+    if (!mesh.HasTextureCoords(0) || mesh.mNumUVComponents[0] < kPlane) {
+      return;
+    }
+    rendering::CornerPlaces places{};
+    for (unsigned k = 0; k < 3; ++k) {
+      const aiVector3D& uv = mesh.mTextureCoords[0][face.mIndices[k]];
+      if (!(std::abs(uv.x) <= rendering::kMostTexturePlace &&
+            std::abs(uv.y) <= rendering::kMostTexturePlace)) {
+        fail(path_, fmt::format("a texture coordinate of face {} is ({}, {}); repair or export the "
+                                "mesh again",
+                                result_.triangles.size() - 1, uv.x, uv.y));
+      }
+      places[k] = {uv.x, uv.y};
+    }
+    result_.corner_places.push_back(places);
   }
 
   const aiScene& scene_;
   const std::filesystem::path& path_;
+  ImportedMesh result_;
 };
 
 void require_readable(const std::filesystem::path& path) {
@@ -145,10 +172,11 @@ ImportedMesh import_mesh(const std::filesystem::path& path) {
   const aiScene& scene = read_scene(importer, path);
   Collector collector(scene, path);
   collector.add_node(*scene.mRootNode, aiMatrix4x4t<double>());
-  if (collector.result.triangles.empty()) {
+  ImportedMesh mesh = collector.take();
+  if (mesh.triangles.empty()) {
     fail(path, "has no triangle; export a surface mesh");
   }
-  return std::move(collector.result);
+  return mesh;
 }
 
 }  // namespace tactus::host

@@ -37,7 +37,8 @@ TriangleMesh place(const ImportedMesh& mesh, const Placement& placement) {
     scale = *placement.longest_side_m / longest;
   }
   const Mat3 linear = placement.rotation.toRotationMatrix() * scale;
-  TriangleMesh result{.vertices = {}, .triangles = mesh.triangles};
+  TriangleMesh result{
+      .vertices = {}, .triangles = mesh.triangles, .corner_places = mesh.corner_places};
   result.vertices.reserve(mesh.vertices.size());
   for (const Vec3& vertex : mesh.vertices) {
     const rendering::Float3 p = rounded(placement.position_m + linear * (vertex - centre));

@@ -7,6 +7,8 @@
 #include <array>
 
 #include "host_tools/bake/atomic_file.h"
+#include "host_tools/bake/effect_description.h"
+#include "host_tools/bake/placement_description.h"
 #include "host_tools/bake/toml_section.h"
 #include "host_tools/input_error.h"
 #include "rendering/limits.h"
@@ -14,8 +16,8 @@
 namespace tactus::host {
 namespace {
 
-constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}};
-constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}};
+constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""}};
+constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
     KeySpec{"mesh", ""},
@@ -29,63 +31,17 @@ constexpr std::array kOwnKeys{
     KeySpec{"damping_Ns_per_m", "Ns_per_m"},
     KeySpec{"friction", ""},
     KeySpec{"contact", ""},
+    KeySpec{"shading", ""},
+    KeySpec{"texture", ""},
+    KeySpec{"moves", ""},
 };
 constexpr auto kObjectKeys = [] {
   std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
   std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
   return keys;
 }();
-constexpr std::array kRotationKeys{KeySpec{"axis", ""}, KeySpec{"angle_deg", "deg"},
-                                   KeySpec{"quaternion_wxyz", ""}};
 constexpr std::array kFrictionKeys{KeySpec{"model", ""}, KeySpec{"static", ""},
                                    KeySpec{"dynamic", ""}};
-
-Vec3 to_vector(std::span<const double> values) {
-  return {values[0], values[1], values[2]};
-}
-
-Eigen::Quaterniond read_rotation(const toml::table& table, const TomlSection& object,
-                                 std::string_view file) {
-  const TomlSection section(table, file, object.title() + " rotation", kRotationKeys);
-  const auto axis = section.numbers("axis", 3);
-  const auto angle_deg = section.number("angle_deg", kAnyNumber);
-  const auto quaternion = section.numbers("quaternion_wxyz", 4);
-  if (quaternion && !axis && !angle_deg) {
-    const Eigen::Quaterniond q((*quaternion)[0], (*quaternion)[1], (*quaternion)[2],
-                               (*quaternion)[3]);
-    if (!(q.norm() > 0.0)) {
-      section.fail("quaternion_wxyz", "quaternion_wxyz is zero; write [1.0, 0.0, 0.0, 0.0]");
-    }
-    return q.normalized();
-  }
-  if (quaternion || !axis || !angle_deg) {
-    section.fail("axis",
-                 "must be either { axis = [0.0, 1.0, 0.0], angle_deg = 90.0 } or "
-                 "{ quaternion_wxyz = [1.0, 0.0, 0.0, 0.0] }; write one of the two");
-  }
-  const Vec3 direction = to_vector(*axis);
-  if (!(direction.norm() > 0.0)) {
-    section.fail("axis", "axis is zero; write the direction to turn about, as in [0.0, 1.0, 0.0]");
-  }
-  return Eigen::Quaterniond(Eigen::AngleAxisd(*angle_deg * M_PI / 180.0, direction.normalized()));
-}
-
-Placement read_placement(const TomlSection& section, std::string_view file) {
-  Placement placement;
-  placement.longest_side_m = section.number("longest_side_m", kAboveZero);
-  const std::optional<double> scale = section.number("scale", kAboveZero);
-  if (placement.longest_side_m && scale) {
-    section.fail("scale", "both longest_side_m and scale set the size; leave one of them out");
-  }
-  placement.scale = scale.value_or(1.0);
-  if (const auto position = section.numbers("position_m", 3)) {
-    placement.position_m = to_vector(*position);
-  }
-  if (const toml::table* rotation = section.table("rotation")) {
-    placement.rotation = read_rotation(*rotation, section, file);
-  }
-  return placement;
-}
 
 rendering::Sides read_sides(const TomlSection& section) {
   const std::string sides = section.text("sides").value_or("one");
@@ -140,6 +96,8 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   if (const toml::table* friction = section.table("friction")) {
     object.material.friction = read_friction(*friction, section, file);
   }
+  object.moves = section.flag("moves").value_or(false);
+  object.detail = read_detail(section, file, folder, object.shape, object.contact);
   object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
   return object;
 }
@@ -151,6 +109,28 @@ toml::table parse(std::string_view text, std::string_view file) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}; correct the line", file,
                                  error.source().begin.line, error.description()));
   }
+}
+
+// The tables of [[effect]], none if there are none.
+std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlSection& scene,
+                                            std::string_view file) {
+  std::vector<rendering::Effect> effects;
+  const toml::node* node = root.get("effect");
+  if (node == nullptr) {
+    return effects;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
+    scene.fail("effect", "[effect] is a single table; write [[effect]], with two brackets");
+  }
+  if (array->size() > rendering::kMaxEffects) {
+    scene.fail("effect", fmt::format("{} effects, where {} fit; leave some out", array->size(),
+                                     rendering::kMaxEffects));
+  }
+  for (const toml::node& effect : *array) {
+    effects.push_back(read_effect(*effect.as_table(), effects.size(), file));
+  }
+  return effects;
 }
 
 const toml::array& object_array(const toml::table& root, const TomlSection& scene) {
@@ -180,15 +160,16 @@ void require_distinct_name(std::span<const ObjectDescription> others, const std:
 }  // namespace
 
 SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path) {
-  SceneDescription scene{
-      .file = path.string(), .tool_radius_m = kDefaultToolRadius_m, .objects = {}};
+  SceneDescription scene{.file = path.string(), .tool_radius_m = kDefaultToolRadius_m};
   const toml::table root = parse(text, scene.file);
   const TomlSection section(root, scene.file, "scene", kSceneKeys);
   if (const toml::table* tool = section.table("tool")) {
     const TomlSection tool_section(*tool, scene.file, "[tool]", kToolKeys);
     scene.tool_radius_m =
         tool_section.number("radius_m", kZeroOrMore).value_or(kDefaultToolRadius_m);
+    scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
   }
+  scene.effects = read_effects(root, section, scene.file);
   for (const toml::node& node : object_array(root, section)) {
     const toml::table& table = *node.as_table();
     ObjectDescription object =

@@ -7,9 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "host_tools/bake/detail_description.h"
 #include "host_tools/bake/mesh_bake.h"
 #include "host_tools/bake/placement.h"
 #include "host_tools/bake/shape_description.h"
+#include "rendering/effects/effect.h"
 #include "rendering/world/object.h"
 
 namespace tactus::host {
@@ -25,12 +27,16 @@ struct ObjectDescription {
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
   MeshBakeOptions mesh_options;
+  bool moves = false;  // the program that runs the world gives its pose
+  DetailDescription detail;
 };
 
 struct SceneDescription {
   std::string file;  // as errors name it
   double tool_radius_m = 0.0;
-  std::vector<ObjectDescription> objects;  // at least one
+  std::size_t tool_count = 1;
+  std::vector<ObjectDescription> objects = {};  // at least one
+  std::vector<rendering::Effect> effects = {};
 };
 
 inline constexpr double kDefaultToolRadius_m = 0.002;

@@ -77,24 +77,6 @@ std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& ki
   }
 }
 
-Primitive read_primitive(const TomlSection& section, const std::string& name,
-                         const Placement& placement) {
-  const auto* const kind = std::ranges::find(kKinds, name, &NamedKind::name);
-  if (kind == kKinds.end()) {
-    section.fail("primitive",
-                 fmt::format("no primitive \"{}\"; write one of {}", name, list(kKinds)));
-  }
-  const Primitive primitive{.kind = kind->kind,
-                            .X_WO = {placement.rotation.toRotationMatrix(), placement.position_m},
-                            .dimensions_m = dimensions(section, *kind)};
-  if (!valid(primitive)) {
-    section.fail("primitive", fmt::format("the {}'s dimensions must be above 0 and at most 100 m, "
-                                          "and a torus's tube thinner than its ring; correct them",
-                                          name));
-  }
-  return primitive;
-}
-
 ImplicitDescription read_implicit(const TomlSection& section, const std::string& text) {
   constexpr double kDefaultBound = 2.0;
   ImplicitDescription implicit;
@@ -118,6 +100,24 @@ ImplicitDescription read_implicit(const TomlSection& section, const std::string&
 }
 
 }  // namespace
+
+Primitive read_primitive(const TomlSection& section, const std::string& name,
+                         const Placement& placement) {
+  const auto* const kind = std::ranges::find(kKinds, name, &NamedKind::name);
+  if (kind == kKinds.end()) {
+    section.fail("primitive",
+                 fmt::format("no primitive \"{}\"; write one of {}", name, list(kKinds)));
+  }
+  const Primitive primitive{.kind = kind->kind,
+                            .X_WO = {placement.rotation.toRotationMatrix(), placement.position_m},
+                            .dimensions_m = dimensions(section, *kind)};
+  if (!valid(primitive)) {
+    section.fail("primitive", fmt::format("the {}'s dimensions must be above 0 and at most 100 m, "
+                                          "and a torus's tube thinner than its ring; correct them",
+                                          name));
+  }
+  return primitive;
+}
 
 ShapeDescription read_shape(const TomlSection& section, const Placement& placement) {
   const auto primitive = section.text("primitive");

@@ -29,6 +29,10 @@ inline constexpr std::array kShapeKeys{
 // Throws InputError with the file and the line. The placement's scale is the formula's unit.
 ShapeDescription read_shape(const TomlSection& section, const Placement& placement);
 
+// The primitive of that name, with the dimensions that the section gives.
+rendering::Primitive read_primitive(const TomlSection& section, const std::string& name,
+                                    const Placement& placement);
+
 // Throws InputError when the method does not go with the shape.
 rendering::ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape);
 

@@ -80,6 +80,30 @@ std::optional<double> TomlSection::number(std::string_view key, NumberRange rang
   return node == nullptr ? std::nullopt : std::optional(checked(*node, key, range));
 }
 
+std::optional<std::size_t> TomlSection::count(std::string_view key, std::size_t most) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  const std::optional<std::int64_t> value = node->value_exact<std::int64_t>();
+  if (!value || *value < 1 || static_cast<std::size_t>(*value) > most) {
+    fail(key, fmt::format("{} must be a whole number from 1 to {}; write {} = 1", key, most, key));
+  }
+  return static_cast<std::size_t>(*value);
+}
+
+std::optional<bool> TomlSection::flag(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  const std::optional<bool> value = node->value_exact<bool>();
+  if (!value) {
+    fail(key, fmt::format("{} must be true or false; write {} = true", key, key));
+  }
+  return value;
+}
+
 std::optional<std::string> TomlSection::text(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) {
@@ -103,8 +127,12 @@ std::optional<std::vector<double>> TomlSection::numbers(std::string_view key,
   }
   const toml::array* array = node->as_array();
   if (array == nullptr || array->size() != count) {
+    std::string example = count == 3 ? "0.0" : "1.0";
+    for (std::size_t i = 1; i < count; ++i) {
+      example += ", 0.0";
+    }
     fail(key, fmt::format("{} must be {} numbers; write {} = [{}]", key, count, key,
-                          count == 3 ? "0.0, 0.0, 0.0" : "1.0, 0.0, 0.0, 0.0"));
+                          count == 2 ? "0.0, 1.0" : example));
   }
   std::vector<double> values;
   for (const toml::node& element : *array) {

@@ -39,6 +39,9 @@ class TomlSection {
               std::span<const KeySpec> keys);
 
   [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range) const;
+  // From 1 to `most`.
+  [[nodiscard]] std::optional<std::size_t> count(std::string_view key, std::size_t most) const;
+  [[nodiscard]] std::optional<bool> flag(std::string_view key) const;
   [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
   [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key,
                                                            std::size_t count) const;

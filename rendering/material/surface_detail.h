@@ -58,6 +58,8 @@ struct SurfaceDetail {
 inline constexpr double kMostTextureFactor = 100.0;
 inline constexpr double kMostBump_m = 0.1;
 inline constexpr double kLeastTile_m = 1e-5;
+// Bytes of all the textures of an object, for baking.
+inline constexpr std::size_t kMostTexels = std::size_t{1} << 30U;
 // Texture coordinates lie between plus and minus this.
 inline constexpr float kMostTexturePlace = 1048576.0F;
 

@@ -22,7 +22,7 @@ constexpr std::array kTexts{
     Text{"bytes follow after the image's end; copy it again or bake the scene again", "byte"},
     Text{"checksum does not match, bits have changed; copy it again or bake the scene again", ""},
     Text{"payload is malformed; bake the scene again", ""},
-    Text{"number of objects is outside of 1 to 64; split the scene", "count"},
+    Text{"number of objects is outside of 1 to 1024; split the scene", "count"},
     Text{"tool radius is negative or not finite; bake the scene again", ""},
     Text{"unknown value of sides; bake the scene again", "value"},
     Text{"unknown friction model; update the program", "model"},
@@ -45,8 +45,15 @@ constexpr std::array kTexts{
     Text{"formula cannot be carried out; bake the scene again", "instruction"},
     Text{"unknown contact method, or one that does not go with the surface; bake the scene again",
          "method"},
+    Text{"number of tools is outside of 1 to 10; bake the scene again", "count"},
+    Text{"corner normals are not as many as triangles; bake the scene again", "count"},
+    Text{"texture coordinates are not as many as triangles, or out of range; bake the scene again",
+         "triangle"},
+    Text{"texture has a size or a number that is out of range; bake the scene again", "texture"},
+    Text{"more than 16 effects; leave some out", "count"},
+    Text{"effect has an unknown law or a number out of range; bake the scene again", "effect"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::method) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::effect) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];

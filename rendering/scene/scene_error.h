@@ -36,6 +36,12 @@ enum class SceneFault : std::uint8_t {
   shape,              // a primitive or implicit surface with a number out of range
   formula,            // instructions that must not be carried out; place: instruction
   method,             // unknown, or one that does not go with the surface; place: value found
+  tool_count,         // none, or more than kMaxTools; place: number found
+  corner_normals,     // not one a triangle; place: number found
+  corner_places,      // not one a triangle, or not finite or out of range; place: triangle
+  texture,            // sizes, bytes or numbers out of range, or a second of its kind; place: layer
+  effect_count,       // more than kMaxEffects; place: number found
+  effect,             // unknown law, or a number out of range; place: effect
 };
 
 struct SceneError {

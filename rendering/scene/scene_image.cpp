@@ -4,8 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/scene/effect_reader.h"
 #include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_generated.h"
+#include "rendering/scene/shape_reader.h"
+#include "rendering/scene/stored.h"
 
 namespace tactus::rendering {
 namespace {
@@ -16,16 +19,10 @@ std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
   return std::unexpected(SceneError{.fault = fault, .place = place});
 }
 
-// A FlatBuffers vector of structs as the house's own type of the same bytes.
-template <class T, class Stored>
-std::span<const T> in_place(const flatbuffers::Vector<const Stored*>* stored) {
-  static_assert(sizeof(T) == sizeof(Stored) && alignof(T) == alignof(Stored));
-  const void* data = stored->Data();
-  return {static_cast<const T*>(data), stored->size()};
-}
-
 static_assert(offsetof(BvhNode, first) == 12 && offsetof(BvhNode, upper) == 16 &&
               offsetof(BvhNode, triangle_count) == 28);
+static_assert(offsetof(TextureLayer, width) == 4 && offsetof(TextureLayer, first_byte) == 12 &&
+              offsetof(TextureLayer, high) == 32);
 static_assert(std::to_underlying(image::Sides::one) == std::to_underlying(Sides::one) &&
               std::to_underlying(image::Sides::two) == std::to_underlying(Sides::two));
 
@@ -37,72 +34,29 @@ BakedMeshView view(const image::Mesh& mesh) {
           .vertex_normals = in_place<Float3>(mesh.vertex_normals())};
 }
 
-static_assert(sizeof(Instruction) == sizeof(image::Instruction) && offsetof(Instruction, a) == 2 &&
-              offsetof(Instruction, exponent) == 6 && offsetof(Instruction, constant) == 8);
-
-Vec3 to_vec3(const image::Double3& v) {
-  return {v.x(), v.y(), v.z()};
+SurfaceDetail view_detail(const image::Object& stored) {
+  const flatbuffers::Vector<std::uint8_t>* texels = stored.texels();
+  return {.corner_normals = in_place<CornerNormals>(stored.mesh()->corner_normals()),
+          .corner_places = in_place<CornerPlaces>(stored.mesh()->corner_places()),
+          .layers = in_place<TextureLayer>(stored.textures()),
+          .texels = texels == nullptr ? std::span<const std::uint8_t>{}
+                                      : std::span(texels->data(), texels->size())};
 }
 
-RigidPose to_pose(const image::Pose& stored) {
-  RigidPose pose;
-  pose.rotation << to_vec3(stored.x_axis()), to_vec3(stored.y_axis()), to_vec3(stored.z_axis());
-  pose.translation = to_vec3(stored.origin());
-  return pose;
-}
-
-// A rotation to 1e-9, within the world.
-bool is_pose(const RigidPose& pose) {
-  constexpr double kTolerance = 1e-9;
-  const Mat3 product = pose.rotation * pose.rotation.transpose();
-  return (product - Mat3::Identity()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kTolerance &&
-         pose.rotation.determinant() > 0.0 &&
-         pose.translation.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
-}
-
-Result take_primitive(const image::Primitive& stored, Object& object) {
-  object.surface = SurfaceKind::primitive;
-  object.primitive = {.kind = static_cast<PrimitiveKind>(stored.kind()),
-                      .X_WO = to_pose(*stored.pose()),
-                      .dimensions_m = {stored.dimensions()->x(), stored.dimensions()->y(),
-                                       stored.dimensions()->z()}};
-  if (stored.kind() > std::to_underlying(PrimitiveKind::torus) || !valid(object.primitive)) {
-    return fail(SceneFault::shape);
+// Of a shape, the mesh is a picture and has no detail.
+Result check_detail(const Object& object) {
+  const bool is_mesh = object.surface == SurfaceKind::mesh;
+  const DetailCheck checked = check(object.detail, is_mesh ? object.mesh.triangles.size() : 0);
+  switch (checked.fault) {
+    case DetailFault::normals:
+      return fail(SceneFault::corner_normals, checked.place);
+    case DetailFault::places:
+      return fail(SceneFault::corner_places, checked.place);
+    case DetailFault::layer:
+      return fail(SceneFault::texture, checked.place);
+    default:
+      return {};
   }
-  return {};
-}
-
-Result take_implicit(const image::Implicit& stored, Object& object) {
-  object.surface = SurfaceKind::implicit;
-  ImplicitSurface& implicit = object.implicit;
-  const RigidPose pose = to_pose(*stored.pose());
-  implicit = {.formula = {in_place<Instruction>(stored.instructions())},
-              .bounds_O = {.lower = to_vec3(*stored.lower()), .upper = to_vec3(*stored.upper())},
-              .R_WO = pose.rotation,
-              .p_WO = pose.translation,
-              .scale_m = stored.scale(),
-              .sides = object.sides};
-  const Vec3 size = implicit.bounds_O.upper - implicit.bounds_O.lower;
-  const bool in_range = is_pose(pose) && implicit.scale_m > 0.0 &&
-                        implicit.scale_m <= kWorldBound_m && implicit.bounds_O.lower.allFinite() &&
-                        size.allFinite() && size.minCoeff() > 0.0;
-  if (!in_range) {
-    return fail(SceneFault::shape);
-  }
-  if (const auto checked = check(implicit.formula); !checked) {
-    return fail(SceneFault::formula, checked.error().place);
-  }
-  return {};
-}
-
-Result take_shape(const image::Object& stored, Object& object) {
-  if (const image::Primitive* primitive = stored.shape_as_Primitive()) {
-    return take_primitive(*primitive, object);
-  }
-  if (const image::Implicit* implicit = stored.shape_as_Implicit()) {
-    return take_implicit(*implicit, object);
-  }
-  return stored.shape_type() == image::Shape::NONE ? Result{} : Result{fail(SceneFault::shape)};
 }
 
 bool is_coefficient(double value) {
@@ -202,6 +156,13 @@ Result SceneImage::take(const image::Scene& scene) {
   if (!is_coefficient(tool_radius_m_)) {
     return fail(SceneFault::tool_radius);
   }
+  tool_count_ = scene.tool_count();
+  if (tool_count_ == 0 || tool_count_ > kMaxTools) {
+    return fail(SceneFault::tool_count, tool_count_);
+  }
+  if (const Result effects = take_effects(scene); !effects) {
+    return effects;
+  }
   object_count_ = scene.objects()->size();
   if (object_count_ == 0 || object_count_ > kMaxObjects) {
     return fail(SceneFault::object_count, object_count_);
@@ -211,6 +172,21 @@ Result SceneImage::take(const image::Scene& scene) {
       taken.error().object = i;
       return taken;
     }
+  }
+  return {};
+}
+
+Result SceneImage::take_effects(const image::Scene& scene) {
+  effect_count_ = scene.effects() == nullptr ? 0 : scene.effects()->size();
+  if (effect_count_ > kMaxEffects) {
+    return fail(SceneFault::effect_count, effect_count_);
+  }
+  for (std::uint32_t i = 0; i < effect_count_; ++i) {
+    const std::optional<Effect> effect = read_effect(*scene.effects()->Get(i));
+    if (!effect) {
+      return fail(SceneFault::effect, i);
+    }
+    effects_[i] = *effect;
   }
   return {};
 }
@@ -236,6 +212,11 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   taken.method = static_cast<ContactMethod>(object.method());
   if (const Result shape = take_shape(object, taken); !shape) {
     return shape;
+  }
+  taken.moves = object.moves();
+  taken.detail = view_detail(object);
+  if (const Result detail = check_detail(taken); !detail) {
+    return detail;
   }
   if (object.method() > std::to_underlying(ContactMethod::tracking) || !usable(taken)) {
     return fail(SceneFault::method, object.method());

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "rendering/effects/effect.h"
 #include "rendering/limits.h"
 #include "rendering/scene/mesh_check.h"
 #include "rendering/scene/scene_error.h"
@@ -42,12 +43,18 @@ class SceneImage {
   static std::expected<SceneImage, SceneError> open(std::span<const std::byte> bytes);
 
   [[nodiscard]] double tool_radius_m() const { return tool_radius_m_; }
+  [[nodiscard]] std::size_t tool_count() const { return tool_count_; }  // 1 to kMaxTools
   [[nodiscard]] std::uint32_t version() const { return version_; }
   [[nodiscard]] std::uint64_t checksum() const { return checksum_; }
 
   // At least one, at most kMaxObjects.
   [[nodiscard]] std::span<const Object> objects() const {
     return std::span(objects_).first(object_count_);
+  }
+
+  // At most kMaxEffects, all valid.
+  [[nodiscard]] std::span<const Effect> effects() const {
+    return std::span(effects_).first(effect_count_);
   }
 
   // `index` counts objects().
@@ -58,14 +65,18 @@ class SceneImage {
  private:
   SceneImage() = default;
   std::expected<void, SceneError> take(const image::Scene& scene);
+  std::expected<void, SceneError> take_effects(const image::Scene& scene);
   std::expected<void, SceneError> take_object(const image::Object& object, std::size_t index);
 
   const image::Scene* scene_ = nullptr;
   double tool_radius_m_ = 0.0;
+  std::size_t tool_count_ = 1;
   std::uint32_t version_ = 0;
   std::uint64_t checksum_ = 0;
   std::size_t object_count_ = 0;
   std::array<Object, kMaxObjects> objects_{};
+  std::size_t effect_count_ = 0;
+  std::array<Effect, kMaxEffects> effects_{};
 };
 
 }  // namespace tactus::rendering

@@ -142,13 +142,18 @@ Detail ProxyTouch::detail_of(const Scenery& scenery, const ContactPlane& plane) 
   if (first_pass_) {
     travel_m_ = travel_to(here);
   }
-  Detail detail = detail_at(object.detail, {object.mesh, object.neighbours, object.vertex_normals},
-                            {.triangle = plane.triangle,
-                             .feature = nearest.feature,
-                             .edge = nearest.edge,
-                             .point_O = here.point_O,
-                             .normal_O = X_WO.direction_in(nearest.normal),
-                             .travel_m = travel_m_});
+  SurfaceDetail stored = object.detail;
+  if (object.deforms) {
+    stored.corner_normals = {};  // they do not follow the vertices
+  }
+  Detail detail = detail_at(
+      stored, {scenery.mesh_O(plane.object).mesh, object.neighbours, object.vertex_normals},
+      {.triangle = plane.triangle,
+       .feature = nearest.feature,
+       .edge = nearest.edge,
+       .point_O = here.point_O,
+       .normal_O = X_WO.direction_in(nearest.normal),
+       .travel_m = travel_m_});
   detail.normal_O = X_WO.direction(detail.normal_O);
   return detail;
 }

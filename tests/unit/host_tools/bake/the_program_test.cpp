@@ -71,7 +71,7 @@ TEST_F(TheProgram, PrintsOneJsonObjectALine) {
   EXPECT_EQ(std::ranges::count(bake.output, '\n'), 1);
   EXPECT_TRUE(contains(bake.output, "\"triangles\":12,\"vertices\":8,\"dropped_triangles\":0"));
   const Outcome inspect = run("inspect other.tactus --json");
-  EXPECT_TRUE(contains(inspect.output, "\"version\":2"));
+  EXPECT_TRUE(contains(inspect.output, "\"version\":3"));
   EXPECT_EQ(std::ranges::count(inspect.output, '\n'), 1);
 }
 

@@ -1,0 +1,117 @@
+#include "rendering/scene/effect_reader.h"
+
+#include "rendering/scene/shape_reader.h"
+#include "rendering/scene/stored.h"
+
+namespace tactus::rendering {
+namespace {
+
+using Law = std::optional<EffectLaw>;
+
+SnapLaw to_snap(const image::Snap& stored) {
+  return {.stiffness_N_per_m = stored.stiffness(),
+          .damping_Ns_per_m = stored.damping(),
+          .capture_m = stored.capture()};
+}
+
+Law read_law(const image::Spring& stored) {
+  return Spring{.anchor_W = to_vec3(*stored.anchor()), .stiffness_N_per_m = stored.stiffness()};
+}
+
+Law read_law(const image::SpringDamper& stored) {
+  return SpringDamper{
+      .spring = {.anchor_W = to_vec3(*stored.anchor()), .stiffness_N_per_m = stored.stiffness()},
+      .damping_Ns_per_m = stored.damping()};
+}
+
+Law read_law(const image::FluidDrag& stored) {
+  const std::optional<Primitive> volume = read_primitive(*stored.volume());
+  if (!volume) {
+    return std::nullopt;
+  }
+  return FluidDrag{.volume = *volume,
+                   .linear_Ns_per_m = stored.linear(),
+                   .quadratic_Ns2_per_m2 = stored.quadratic(),
+                   .rim_m = stored.rim()};
+}
+
+Law read_law(const image::Magnet& stored) {
+  return Magnet{
+      .pole_W = to_vec3(*stored.pole()), .strength_N = stored.strength(), .core_m = stored.core()};
+}
+
+Law read_law(const image::ConstantField& stored) {
+  return ConstantField{.force_W = to_vec3(*stored.force())};
+}
+
+Law read_law(const image::Vibration& stored) {
+  return Vibration{.direction_W = to_vec3(*stored.direction()),
+                   .amplitude_N = stored.amplitude(),
+                   .frequency_Hz = stored.frequency()};
+}
+
+Law read_law(const image::StickSlip& stored) {
+  return StickSlip{.stiffness_N_per_m = stored.stiffness(), .break_force_N = stored.break_force()};
+}
+
+Law read_law(const image::SnapToPoint& stored) {
+  return SnapToPoint{.point_W = to_vec3(*stored.point()), .law = to_snap(*stored.snap())};
+}
+
+Law read_law(const image::SnapToLine& stored) {
+  return SnapToLine{.point_W = to_vec3(*stored.point()),
+                    .direction_W = to_vec3(*stored.direction()),
+                    .law = to_snap(*stored.snap())};
+}
+
+Law read_law(const image::SnapToPlane& stored) {
+  return SnapToPlane{.point_W = to_vec3(*stored.point()),
+                     .normal_W = to_vec3(*stored.normal()),
+                     .law = to_snap(*stored.snap())};
+}
+
+template <class Stored>
+Law read_law_as(const image::Effect& stored) {
+  const Stored* const law = stored.law_as<Stored>();
+  return law == nullptr ? std::nullopt : read_law(*law);
+}
+
+Law read_law(const image::Effect& stored) {
+  switch (stored.law_type()) {
+    case image::Law::Spring:
+      return read_law_as<image::Spring>(stored);
+    case image::Law::SpringDamper:
+      return read_law_as<image::SpringDamper>(stored);
+    case image::Law::FluidDrag:
+      return read_law_as<image::FluidDrag>(stored);
+    case image::Law::Magnet:
+      return read_law_as<image::Magnet>(stored);
+    case image::Law::ConstantField:
+      return read_law_as<image::ConstantField>(stored);
+    case image::Law::Vibration:
+      return read_law_as<image::Vibration>(stored);
+    case image::Law::StickSlip:
+      return read_law_as<image::StickSlip>(stored);
+    case image::Law::SnapToPoint:
+      return read_law_as<image::SnapToPoint>(stored);
+    case image::Law::SnapToLine:
+      return read_law_as<image::SnapToLine>(stored);
+    case image::Law::SnapToPlane:
+      return read_law_as<image::SnapToPlane>(stored);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Effect> read_effect(const image::Effect& stored) {
+  const Law law = read_law(stored);
+  if (!law) {
+    return std::nullopt;
+  }
+  const Effect effect{.law = *law, .max_force_N = stored.max_force()};
+  return valid(effect) ? std::optional(effect) : std::nullopt;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,17 @@
+// An effect of a scene image.
+#pragma once
+
+#include <optional>
+
+#include "rendering/effects/effect.h"
+
+namespace tactus::rendering {
+
+namespace image {
+struct Effect;
+}  // namespace image
+
+// Nothing if the law is unknown, or if it is not valid(): see rendering/effects/effect.h.
+std::optional<Effect> read_effect(const image::Effect& stored);
+
+}  // namespace tactus::rendering

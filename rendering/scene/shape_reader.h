@@ -1,0 +1,24 @@
+// What is touched where that is no mesh.
+#pragma once
+
+#include <expected>
+#include <optional>
+
+#include "rendering/scene/scene_error.h"
+#include "rendering/world/object.h"
+
+namespace tactus::rendering {
+
+namespace image {
+struct Object;
+struct Primitive;
+}  // namespace image
+
+// Nothing if it is not valid.
+std::optional<Primitive> read_primitive(const image::Primitive& stored);
+
+// The shape of an object whose sides are read; without one, its mesh stays what is touched. The
+// error's object is left at kNoObject.
+std::expected<void, SceneError> take_shape(const image::Object& stored, Object& object);
+
+}  // namespace tactus::rendering

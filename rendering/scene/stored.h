@@ -1,0 +1,35 @@
+// What the generated schema stores, as the house's own types. For this folder's .cpp files alone.
+#pragma once
+
+#include <span>
+
+#include "rendering/geometry/rigid_pose.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/scene/scene_generated.h"
+
+namespace tactus::rendering {
+
+// A FlatBuffers vector of structs as the house's own type of the same bytes; none where
+// there is none.
+template <class T, class Stored>
+std::span<const T> in_place(const flatbuffers::Vector<const Stored*>* stored) {
+  static_assert(sizeof(T) == sizeof(Stored) && alignof(T) == alignof(Stored));
+  if (stored == nullptr) {
+    return {};
+  }
+  const void* data = stored->Data();
+  return {static_cast<const T*>(data), stored->size()};
+}
+
+inline Vec3 to_vec3(const image::Double3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+inline RigidPose to_pose(const image::Pose& stored) {
+  RigidPose pose;
+  pose.rotation << to_vec3(stored.x_axis()), to_vec3(stored.y_axis()), to_vec3(stored.z_axis());
+  pose.translation = to_vec3(stored.origin());
+  return pose;
+}
+
+}  // namespace tactus::rendering
