@@ -13,19 +13,10 @@
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
+#include "rendering/world/motion.h"
 #include "rendering/world/object.h"
 
 namespace tactus::rendering {
-
-// How a body moves: of its origin, and about it; world frame.
-struct Twist {
-  Vec3 linear_W = Vec3::Zero();   // m/s
-  Vec3 angular_W = Vec3::Zero();  // rad/s
-
-  [[nodiscard]] Vec3 at(const Vec3& from_origin_W) const {
-    return linear_W + angular_W.cross(from_origin_W);
-  }
-};
 
 // An object that moves. Its own frame O is the frame in which the scene gives it; X_WO says where
 // that frame is.

@@ -1,0 +1,62 @@
+#include "rendering/world/motion.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "rendering/geometry/portable_math.h"
+#include "rendering/limits.h"
+
+namespace tactus::rendering {
+namespace {
+
+// Of a number of full turns.
+SineCosine of_turns(double turns) {
+  return sine_cosine(2.0 * std::numbers::pi * (turns - std::floor(turns)));
+}
+
+Mat3 turned_about(const Vec3& axis, const SineCosine& angle) {
+  const double rest = 1.0 - angle.cosine;
+  Mat3 cross;
+  cross << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
+  return angle.cosine * Mat3::Identity() + angle.sine * cross + rest * axis * axis.transpose();
+}
+
+bool bounded(const Vec3& v) {
+  return v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
+}
+
+bool is_frequency(double hz) {
+  return hz >= 0.0 && std::isfinite(hz);
+}
+
+}  // namespace
+
+bool valid(const Motion& motion) {
+  return motion.velocity_W.allFinite() && bounded(motion.sway_W) && motion.spin_W.allFinite() &&
+         bounded(motion.pivot_W) && is_frequency(motion.sway_Hz) &&
+         std::abs(motion.wave_m) <= kWorldBound_m && is_frequency(motion.wave_Hz) &&
+         motion.wave_per_m.allFinite();
+}
+
+Placement place_at(const Motion& motion, double t_s) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const SineCosine sway = of_turns(motion.sway_Hz * t_s);
+  Placement at;
+  const Vec3 way = motion.velocity_W * t_s + sway.sine * motion.sway_W;
+  const Vec3 velocity = motion.velocity_W + kTurn * motion.sway_Hz * sway.cosine * motion.sway_W;
+  const double rate = motion.spin_W.norm();
+  if (rate > 0.0) {
+    at.X_WO.rotation = turned_about(motion.spin_W / rate, of_turns(rate * t_s / kTurn));
+  }
+  const Vec3 origin_to_pivot = at.X_WO.rotation * motion.pivot_W;
+  at.X_WO.translation = motion.pivot_W - origin_to_pivot + way;
+  at.twist = {.linear_W = velocity - motion.spin_W.cross(origin_to_pivot),
+              .angular_W = motion.spin_W};
+  return at;
+}
+
+double wave_at(const Motion& motion, const Vec3& rest_O, double t_s) {
+  return motion.wave_m * of_turns(motion.wave_Hz * t_s - motion.wave_per_m.dot(rest_O)).sine;
+}
+
+}  // namespace tactus::rendering

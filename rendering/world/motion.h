@@ -1,0 +1,49 @@
+// How a scene moves an object by itself: on a straight way, to and fro, round and round, and in
+// waves over its surface. What the outside sets (World::set_pose, World::move_vertex) takes its
+// place.
+#pragma once
+
+#include "rendering/geometry/rigid_pose.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// How a body moves: of its origin, and about it; world frame.
+struct Twist {
+  Vec3 linear_W = Vec3::Zero();   // m/s
+  Vec3 angular_W = Vec3::Zero();  // rad/s
+
+  [[nodiscard]] Vec3 at(const Vec3& from_origin_W) const {
+    return linear_W + angular_W.cross(from_origin_W);
+  }
+};
+
+struct Motion {
+  Vec3 velocity_W = Vec3::Zero();  // m/s
+  Vec3 sway_W = Vec3::Zero();      // m, the farthest point of going to and fro
+  double sway_Hz = 0.0;
+  Vec3 spin_W = Vec3::Zero();   // rad/s
+  Vec3 pivot_W = Vec3::Zero();  // m, a point of the axis of the spin at the start
+  // Of a mesh that deforms: a point p of its surface goes by wave_m sin(2 pi (wave_Hz t - k . p))
+  // along its normal, both as they are at rest.
+  double wave_m = 0.0;
+  double wave_Hz = 0.0;
+  Vec3 wave_per_m = Vec3::Zero();  // k, waves a metre
+};
+
+// True if every number is finite, frequencies are not negative and kWorldBound_m bounds the
+// lengths.
+bool valid(const Motion& motion);
+
+struct Placement {
+  RigidPose X_WO;
+  Twist twist;
+};
+
+// At t_s >= 0; at 0 an object is where the scene puts it. The same bits on every machine.
+Placement place_at(const Motion& motion, double t_s);
+
+// How far along its normal a point of the surface is from rest, m.
+double wave_at(const Motion& motion, const Vec3& rest_O, double t_s);
+
+}  // namespace tactus::rendering
