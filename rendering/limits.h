@@ -27,6 +27,9 @@ inline constexpr std::size_t kMaxDeformableNodes = 6144;
 // How far a vertex moves in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
 inline constexpr double kMaxVertexStep_m = 2e-3;
 
+// Vertices of a mesh that a scene's own waves move in one tick. Beyond: they take turns.
+inline constexpr std::size_t kWaveVertices = 512;
+
 // Boxes of a hierarchy that deforms drawn anew in one tick. Beyond: they wait, and searches reach
 // farther meanwhile.
 inline constexpr std::size_t kRefitNodes = 1024;

@@ -60,6 +60,14 @@ Bounds bounds_of(const Object& object) {
 }
 
 bool usable(const Object& object) {
+  if (object.motion != nullptr) {
+    const bool can_wave =
+        object.motion->wave_m == 0.0 ||
+        (object.deforms && object.vertex_normals.size() == object.mesh.vertices.size());
+    if (!valid(*object.motion) || !can_wave) {
+      return false;
+    }
+  }
   return touchable(object) &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
 }

@@ -11,6 +11,7 @@
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
+#include "rendering/world/motion.h"
 
 namespace tactus::rendering {
 
@@ -41,6 +42,9 @@ struct Object {
   SurfaceDetail detail;  // of a mesh that deforms, its textures alone
   bool moves = false;    // the outside moves it: the scene's frame is then its own frame
   bool deforms = false;  // and its vertices; a mesh that the shared proxy meets
+  // Of one that moves or deforms: how it does so until the outside takes over; nullptr for not at
+  // all. Waves need vertex_normals.
+  const Motion* motion = nullptr;
 };
 
 // Its smallest axis-parallel box, in the frame of the scene; of a plane the world's.

@@ -73,7 +73,10 @@ bool Scenery::start_mover(std::uint32_t number) {
   mover_of_[number] = static_cast<std::uint8_t>(mover_count_);
   orders_[mover_count_] = {};
   Mover& mover = movers_[mover_count_++];
-  mover = {.object = number, .primitive_W = object.primitive, .bounds_O = bounds_of(object)};
+  mover = {.object = number,
+           .primitive_W = object.primitive,
+           .bounds_O = bounds_of(object),
+           .motion = object.motion};
   if (!object.deforms) {
     return true;
   }
@@ -85,12 +88,18 @@ bool Scenery::start_mover(std::uint32_t number) {
   return deformable.start(object.mesh, pool_);
 }
 
+DeformableMesh& Scenery::deformable_of(const Mover& mover) {
+  return deformables_[static_cast<std::size_t>(mover.deformable - deformables_.data())];
+}
+
 bool Scenery::move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O) {
   if (number >= objects_.size() || !objects_[number].deforms) {
     return false;
   }
-  const auto which = movers_[mover_of_[number]].deformable - deformables_.data();
-  return deformables_[static_cast<std::size_t>(which)].move_vertex(vertex, p_O);
+  Mover& mover = movers_[mover_of_[number]];
+  const bool good = deformable_of(mover).move_vertex(vertex, p_O);
+  mover.motion = good ? nullptr : mover.motion;
+  return good;
 }
 
 bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
@@ -99,22 +108,44 @@ bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist&
     return false;
   }
   orders_[mover_of_[number]] = {.X_WO = X_WO, .twist = twist};
+  movers_[mover_of_[number]].motion = nullptr;
   return true;
 }
 
-void Scenery::begin_tick() {
-  for (std::size_t k = 0; k < deformable_count_; ++k) {
-    deformables_[k].begin_tick();
-  }
+void Scenery::begin_tick(double time_s) {
   anything_moved_ = false;
   for (std::size_t k = 0; k < mover_count_; ++k) {
-    begin_tick(k);
+    begin_tick(k, time_s);
     anything_moved_ = anything_moved_ || movers_[k].moved;
   }
 }
 
-void Scenery::begin_tick(std::size_t k) {
+// Some vertices a tick, in turns.
+void Scenery::wave(Mover& mover, double time_s) {
+  const Object& object = objects_[mover.object];
+  const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
+  DeformableMesh& mesh = deformable_of(mover);
+  for (std::size_t k = 0; k < std::min<std::size_t>(kWaveVertices, count); ++k) {
+    const std::uint32_t i = mover.next_vertex;
+    mover.next_vertex = i + 1 == count ? 0 : i + 1;
+    const Vec3 rest_O = to_vec3(object.mesh.vertices[i]);
+    mesh.move_vertex(
+        i, rest_O + wave_at(*mover.motion, rest_O, time_s) * to_vec3(object.vertex_normals[i]));
+  }
+}
+
+void Scenery::begin_tick(std::size_t k, double time_s) {
   Mover& mover = movers_[k];
+  if (mover.motion != nullptr) {
+    const Placement at = place_at(*mover.motion, time_s);
+    orders_[k] = {.X_WO = at.X_WO, .twist = at.twist};
+    if (mover.deformable != nullptr && mover.motion->wave_m != 0.0) {
+      wave(mover, time_s);
+    }
+  }
+  if (mover.deformable != nullptr) {
+    deformable_of(mover).begin_tick();
+  }
   mover.X_WO_before = mover.X_WO;
   mover.X_WO = orders_[k].X_WO;
   mover.twist = orders_[k].twist;

@@ -26,9 +26,11 @@ struct Mover {
   RigidPose X_WO;         // in this one
   Twist twist;
   const DeformableMesh* deformable = nullptr;  // of one that deforms
-  Primitive primitive_W;  // of an object without a mesh: where it is in this tick
-  Bounds bounds_O;        // of what the proxy can touch
-  bool moved = false;     // since the last tick, or deformed
+  Primitive primitive_W;           // of an object without a mesh: where it is in this tick
+  Bounds bounds_O;                 // of what the proxy can touch
+  const Motion* motion = nullptr;  // its own, until the outside takes over
+  std::uint32_t next_vertex = 0;   // whose turn it is in the waves
+  bool moved = false;              // since the last tick, or deformed
 
   // Distance from p_W to the box, 0 inside: where it is now, and where it was in the last tick.
   [[nodiscard]] double distance(const Vec3& p_W) const;
@@ -59,8 +61,9 @@ class Scenery {
   // (see DeformableMesh). False, and nothing changed, for anything else.
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
-  // A new tick: what was set since the last becomes so.
-  void begin_tick();
+  // A new tick, `time_s` after the scene was set: objects stand where their own motion has them by
+  // now, or where the outside set them since the last tick.
+  void begin_tick(double time_s);
 
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
   [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
@@ -117,7 +120,9 @@ class Scenery {
   };
 
   bool start_mover(std::uint32_t number);
-  void begin_tick(std::size_t k);
+  DeformableMesh& deformable_of(const Mover& mover);
+  void begin_tick(std::size_t k, double time_s);
+  void wave(Mover& mover, double time_s);
   void build_hierarchy();
   [[nodiscard]] Vec3 centre(std::uint32_t number) const;
   Eigen::Index enclose(const Part& part);
