@@ -61,6 +61,7 @@ Bounds bounds_of(const Object& object) {
 
 bool usable(const Object& object) {
   return touchable(object) &&
+         (object.detail.empty() || object.method != ContactMethod::potential_field) &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
 }
 
