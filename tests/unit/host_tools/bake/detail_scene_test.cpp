@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <tuple>
 
 #include "host_tools/bake/bake.h"
 #include "host_tools/bake/mapped_scene.h"
@@ -41,13 +42,14 @@ std::string picture(png_uint_32 format, png_uint_32 side, const std::vector<std:
 class DetailScene : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_.write("half.png", picture(PNG_FORMAT_GRAY, 2, {0, 255, 0, 255}));  // black left
-    folder_.write("lean.png", picture(PNG_FORMAT_RGB, 1, {204, 128, 230}));
+    std::ignore =
+        folder_.write("half.png", picture(PNG_FORMAT_GRAY, 2, {0, 255, 0, 255}));  // black left
+    std::ignore = folder_.write("lean.png", picture(PNG_FORMAT_RGB, 1, {204, 128, 230}));
     // 40 mm x 40 mm in the plane y = 0, the picture once across; a second without coordinates.
     const std::string corners = "v -0.02 0 0.02\nv 0.02 0 0.02\nv 0.02 0 -0.02\nv -0.02 0 -0.02\n";
-    folder_.write("plate.obj",
-                  corners + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
-    folder_.write("bare.obj", corners + "f 1 2 3\nf 1 3 4\n");
+    std::ignore = folder_.write(
+        "plate.obj", corners + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+    std::ignore = folder_.write("bare.obj", corners + "f 1 2 3\nf 1 3 4\n");
   }
 
   MappedScene baked(const std::string& text) {
