@@ -245,6 +245,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);
   world_.reset();
+  world_.set_tick(1.0 / config.rate_hz);
   configured_ = true;
 
   mode_ = Mode::init;

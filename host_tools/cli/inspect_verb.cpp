@@ -70,6 +70,10 @@ nlohmann::ordered_json to_json(const Summary& s) {
           {"damping_Ns_per_m", material.damping_Ns_per_m},
           {"friction_static", material.friction.static_coefficient},
           {"friction_dynamic", material.friction.dynamic_coefficient},
+          {"shaded", !s.object.detail.corner_normals.empty()},
+          {"textures", s.object.detail.layers.size()},
+          {"texture_bytes", s.object.detail.texels.size()},
+          {"moves", s.object.moves},
           {"dropped_triangles", s.counters.degenerate_triangles},
           {"welded_vertices", s.counters.welded_vertices},
           {"open_edges", s.counters.open_edges},
@@ -83,6 +87,8 @@ void print_json(const Options& options, const MappedScene& scene) {
                               {"checksum", fmt::format("{:016x}", scene.image().checksum())},
                               {"bytes", scene.bytes().size()},
                               {"tool_radius_m", scene.image().tool_radius_m()},
+                              {"tool_count", scene.image().tool_count()},
+                              {"effects", scene.image().effects().size()},
                               {"objects", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
     json["objects"].push_back(to_json(summarise(scene.image(), i)));
@@ -103,6 +109,10 @@ void print_object(const Summary& s) {
              material.damping_Ns_per_m);
   fmt::print("  friction   static {}, dynamic {}\n", material.friction.static_coefficient,
              material.friction.dynamic_coefficient);
+  fmt::print("  detail     {}, {} texture{} of {} bytes{}\n",
+             s.object.detail.corner_normals.empty() ? "flat" : "shaded",
+             s.object.detail.layers.size(), s.object.detail.layers.size() == 1 ? "" : "s",
+             s.object.detail.texels.size(), s.object.moves ? ", moves" : "");
   fmt::print("  edges      {} open, {} non-manifold, {} inconsistently wound\n",
              s.counters.open_edges, s.counters.non_manifold_edges, s.counters.inconsistent_edges);
   fmt::print("  baking     welded {} vertices, dropped {} triangles\n", s.counters.welded_vertices,
@@ -112,8 +122,12 @@ void print_object(const Summary& s) {
 void print_text(const Options& options, const MappedScene& scene) {
   fmt::print("{}: format version {}, {} bytes, checksum {:016x} is right\n", options.image,
              scene.image().version(), scene.bytes().size(), scene.image().checksum());
-  fmt::print("tool radius {} m, {} object{}\n", scene.image().tool_radius_m(),
+  fmt::print("tool radius {} m, {} tool{}, {} object{}\n", scene.image().tool_radius_m(),
+             scene.image().tool_count(), scene.image().tool_count() == 1 ? "" : "s",
              scene.image().objects().size(), scene.image().objects().size() == 1 ? "" : "s");
+  if (!scene.image().effects().empty()) {
+    fmt::print("effects {}\n", scene.image().effects().size());
+  }
   for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
     print_object(summarise(scene.image(), i));
   }

@@ -91,7 +91,8 @@ void run_sim(const Options& options) {
   const MappedScene scene(options.scene);
   const auto objects = scene.image().objects();
   const double tool_radius_m = scene.image().tool_radius_m();
-  const RunPlan plan = plan_run(options.run, objects, tool_radius_m);
+  RunPlan plan = plan_run(options.run, objects, tool_radius_m);
+  plan.config.effects = scene.image().effects();
   for (const std::string& warning : plan.warnings) {
     fmt::print(stderr, "tactus sim: warning: {}\n", warning);
   }

@@ -131,8 +131,8 @@ void run(const Options& options) {
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
   const auto world = std::make_unique<rendering::World>();
-  if (!world->set_scene(scene.image().objects(),
-                        {.tool_radius_m = scene.image().tool_radius_m()})) {
+  if (!world->set_scene(scene.image().objects(), {.tool_radius_m = scene.image().tool_radius_m(),
+                                                  .effects = scene.image().effects()})) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
   }
   LogFile file(options.output, kHeader);
@@ -141,6 +141,9 @@ void run(const Options& options) {
   constexpr std::size_t kTicksBetweenSteps = 4096;
   for (std::size_t row = 0; row < path.size(); ++row) {
     const rendering::ToolState tool = path.tool(row);
+    if (row > 0) {
+      world->set_tick(path.time_s(row) - path.time_s(row - 1));
+    }
     const rendering::Touch touch = world->touch(tool);
     write_row(file, path.time_s(row), tool.p_W, touch);
     summary.add(touch);

@@ -34,7 +34,8 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
     throw InputError(fmt::format("controller: {} is {}, outside of {} to {}", error.field,
                                  error.value, error.least, error.greatest));
   }
-  if (!controller_->load_scene(objects, {.tool_radius_m = tool_radius_m})) {
+  if (!controller_->load_scene(objects,
+                               {.tool_radius_m = tool_radius_m, .effects = config.effects})) {
     throw InputError(
         "the controller refused the scene: too many objects, or one without triangles");
   }

@@ -60,6 +60,8 @@ class FeatureWalker {
                       const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
+  // Where it is, in contact.
+  [[nodiscard]] const MeshFeature& feature() const { return feature_; }
 
  private:
   bool approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h, FeatureRest& rest);

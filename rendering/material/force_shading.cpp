@@ -31,8 +31,8 @@ void ForceShading::reset() {
   tool_radius_m_ = tool_radius_m;
 }
 
-void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W) {
-  has_residual_ = false;
+void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes) {
+  has_residual_ = has_residual_ && passes == Passes::one;
   relaxation_ = std::min(1.0, kLengthening * relaxation_);
   const double depth = (proxy_W - tool_W).dot(normal_);
   if (!(depth > 0.0 && depth_m_ > 0.0)) {
@@ -66,8 +66,7 @@ bool ForceShading::improve(const ShadedRest& rest) {
     const Vec3 change = residual - residual_;
     const double squared = change.squaredNorm();
     if (squared > kSettled_m * kSettled_m) {
-      relaxation_ =
-          std::clamp(-relaxation_ * residual_.dot(change) / squared, kShortest, 1.0);
+      relaxation_ = std::clamp(-relaxation_ * residual_.dot(change) / squared, kShortest, 1.0);
     }
   }
   residual_ = residual;

@@ -44,9 +44,12 @@ class ForceShading {
   // Forgets the contact: the offset is zero.
   void reset();
 
+  // How many passes a tick makes: of one, the iteration runs from tick to tick.
+  enum class Passes : bool { one, several };
+
   // Begins a tick with what the last one came to, at the depth of its proxy now. All are in the
   // world frame, metres.
-  void begin(const Vec3& proxy_W, const Vec3& tool_W);
+  void begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes = Passes::several);
 
   // Takes a pass's outcome; true if another pass with the new offset() is worth while.
   bool improve(const ShadedRest& rest);

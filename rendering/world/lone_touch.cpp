@@ -1,5 +1,7 @@
 #include "rendering/world/lone_touch.h"
 
+#include <algorithm>
+
 #include "rendering/contact/potential_field.h"
 
 namespace tactus::rendering {
@@ -67,11 +69,13 @@ void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radiu
     const Vec3 p_O = mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
     trackers_[k].place(p_O);
     walkers_[k].place(p_O);
+    details_[k] = {};
     awake_[k] = true;
   }
 }
 
 void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& tool) {
+  tool_step_m_ = (tool.p_W - last_tool_W_).norm();
   Vec3 force = touch.force_W;
   double hardest = force.squaredNorm();
   for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
@@ -127,32 +131,90 @@ void LoneTouch::wake(std::size_t k, const Mover* mover) {
   const Vec3 p_O = mover == nullptr ? last_tool_W_ : mover->X_WO_before.point_in(last_tool_W_);
   trackers_[k].place(p_O);
   walkers_[k].place(p_O);
+  details_[k] = {};
   awake_[k] = true;
 }
 
-Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& tool_O) {
-  const Material& material = object.material;
+Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O) {
+  ConeFriction friction = object.material.friction;
+  friction.static_coefficient *= details_[k].friction_factor;
+  friction.dynamic_coefficient *= details_[k].friction_factor;
   const ConnectedMesh mesh{object.mesh, object.neighbours, object.vertex_normals};
   switch (object.method) {
     case ContactMethod::tracking:
-      return touch_of(trackers_[k].advance(object.implicit, material.friction, tool_O));
+      return touch_of(trackers_[k].advance(object.implicit, friction, goal_O));
     case ContactMethod::feature_walk:
-      return touch_of(walkers_[k].advance(mesh, object.sides, material.friction, tool_O));
+      return touch_of(walkers_[k].advance(mesh, object.sides, friction, goal_O));
     default:
       return touch_of(object.surface == SurfaceKind::primitive
-                          ? potential_field(object.primitive, tool_O, tool_radius_m_)
-                          : potential_field(mesh, tool_O, tool_radius_m_),
-                      tool_O);
+                          ? potential_field(object.primitive, goal_O, tool_radius_m_)
+                          : potential_field(mesh, goal_O, tool_radius_m_),
+                      goal_O);
   }
 }
 
 Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O) {
-  Touch touch = rest_in_frame(k, object, tool_O.p_W);
-  if (touch.contact != ContactKind::none) {
-    touch.force_W = object.material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -
-                    object.material.damping_Ns_per_m * tool_O.v_W;
+  const bool detailed = !object.detail.empty();
+  ForceShading& shading = details_[k].shading;
+  Touch touch;
+  if (detailed) {
+    shading.begin(last_proxy_O(k, object), tool_O.p_W, ForceShading::Passes::one);
+    touch = rest_in_frame(k, object, tool_O.p_W + shading.offset());
+    if (touch.contact == ContactKind::none && shading.is_on()) {
+      shading.reset();
+      touch = rest_in_frame(k, object, tool_O.p_W);
+    }
+  } else {
+    touch = rest_in_frame(k, object, tool_O.p_W);
+  }
+  if (touch.contact == ContactKind::none) {
+    details_[k] = {};
+    return touch;
+  }
+  touch.force_W = object.material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -
+                  object.material.damping_Ns_per_m * tool_O.v_W;
+  if (detailed) {
+    shade_in_frame(k, object, tool_O, touch);
   }
   return touch;
+}
+
+// One pass a tick: what this one finds shifts the goal of the next.
+void LoneTouch::shade_in_frame(std::size_t k, const Object& object, const ToolState& tool_O,
+                               Touch& touch) {
+  DetailState& state = details_[k];
+  SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
+  contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
+  if (object.method == ContactMethod::feature_walk) {
+    const MeshFeature& feature = walkers_[k].feature();
+    contact.triangle = feature.triangle;
+    contact.feature = feature.kind;
+    contact.edge = feature.number;
+  }
+  const Detail felt =
+      detail_at(object.detail, {object.mesh, object.neighbours, object.vertex_normals}, contact);
+  const Vec3 stretch = touch.proxy_W - tool_O.p_W;
+  touch.depth_m = stretch.dot(touch.normal_W);
+  const double felt_depth = std::max(touch.depth_m + felt.height_m, 0.0);
+  const double share = touch.depth_m > 0.0 ? felt_depth / touch.depth_m : 0.0;
+  state.shading.improve({.normal_W = touch.normal_W,
+                         .lean = share * lean_of(felt.normal_O, touch.normal_W),
+                         .depth_m = touch.depth_m});
+  state.friction_factor = share * felt.friction_factor;
+  state.point_O = touch.proxy_W;
+  state.touched = true;
+  const Material& material = object.material;
+  touch.force_W = Vec3::Zero();
+  if (felt_depth > 0.0) {
+    touch.force_W = felt.stiffness_factor * material.stiffness_N_per_m *
+                        (stretch - (touch.depth_m - felt_depth) * touch.normal_W) -
+                    material.damping_Ns_per_m * tool_O.v_W;
+  }
+}
+
+const Vec3& LoneTouch::last_proxy_O(std::size_t k, const Object& object) const {
+  return object.method == ContactMethod::tracking ? trackers_[k].position_W()
+                                                  : walkers_[k].position_W();
 }
 
 }  // namespace tactus::rendering

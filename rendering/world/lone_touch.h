@@ -8,6 +8,7 @@
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/limits.h"
+#include "rendering/material/force_shading.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -29,17 +30,29 @@ class LoneTouch {
   void hold(const Scenery& scenery);
 
  private:
+  // What shading and textures remember of one object, in its frame.
+  struct DetailState {
+    ForceShading shading;
+    Vec3 point_O = Vec3::Zero();  // touched in the last tick
+    bool touched = false;
+    double friction_factor = 1.0;
+  };
+
   // Of one object, everything in its own frame.
-  Touch rest_in_frame(std::size_t k, const Object& object, const Vec3& tool_O);
+  Touch rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O);
+  [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
+  void shade_in_frame(std::size_t k, const Object& object, const ToolState& tool_O, Touch& touch);
   Touch touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O);
   [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
   void wake(std::size_t k, const Mover* mover);
 
   double tool_radius_m_ = 0.0;
   Vec3 last_tool_W_ = Vec3::Zero();
+  double tool_step_m_ = 0.0;
   std::array<bool, kMaxLoneObjects> awake_{};  // of Scenery::lone_objects()
   std::array<ImplicitTracker, kMaxLoneObjects> trackers_;
   std::array<FeatureWalker, kMaxLoneObjects> walkers_;
+  std::array<DetailState, kMaxLoneObjects> details_;
 };
 
 }  // namespace tactus::rendering

@@ -69,6 +69,7 @@ bool usable(const Object& object) {
     }
   }
   return touchable(object) &&
+         (object.detail.empty() || object.method != ContactMethod::potential_field) &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
 }
 

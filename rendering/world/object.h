@@ -39,7 +39,7 @@ struct Object {
   std::span<const Float3> vertex_normals;
   Sides sides = Sides::one;
   Material material;
-  SurfaceDetail detail;  // of a mesh that deforms, its textures alone
+  SurfaceDetail detail;  // not of a potential field; of a mesh that deforms, its textures alone
   bool moves = false;    // the outside moves it: the scene's frame is then its own frame
   bool deforms = false;  // and its vertices; a mesh that the shared proxy meets
   // Of one that moves or deforms: how it does so until the outside takes over; nullptr for not at

@@ -1,19 +1,24 @@
 #include "rendering/world/world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tactus::rendering {
 
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
   const bool good_config =
-      config.tool_radius_m >= 0.0 && config.tool_count >= 1 && config.tool_count <= kMaxTools;
+      config.tool_radius_m >= 0.0 && config.tool_count >= 1 && config.tool_count <= kMaxTools &&
+      config.effects.size() <= kMaxEffects &&
+      std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   const bool good = scenery_.set(good_config ? objects : std::span<const Object>{}) && good_config;
   time_s_ = 0.0;
   tool_count_ = good ? config.tool_count : 1;
+  effects_ = good ? config.effects : std::span<const Effect>{};
   for (ToolTouch& tool : tools_) {
     tool.start(good ? config.tool_radius_m : 0.0);
   }
+  reset();
   return good;
 }
 
@@ -21,21 +26,43 @@ void World::reset() {
   for (ToolTouch& tool : tools_) {
     tool.reset();
   }
+  for (EffectTouch& effects : effect_touches_) {
+    effects.reset();
+  }
+}
+
+bool World::set_tick(double tick_s) {
+  const bool good = std::isfinite(tick_s) && tick_s > 0.0;
+  tick_s_ = good ? tick_s : tick_s_;
+  return good;
+}
+
+void World::begin_tick() {
+  scenery_.begin_tick(time_s_);
+  time_s_ += tick_s_;
+}
+
+Touch World::touch_one(std::size_t number, const ToolState& tool, ProxyPath* path) {
+  Touch touch = tools_[number].touch(scenery_, tool, path);
+  if ((touch.flags & kTouchToolInvalid) != 0) {
+    effect_touches_[number].hold();
+  } else {
+    effect_touches_[number].add_to(touch, effects_, tool, tick_s_);
+  }
+  return touch;
 }
 
 Touch World::touch(const ToolState& tool, ProxyPath* path) {
-  scenery_.begin_tick(time_s_);
-  time_s_ += tick_s_;
-  return tools_[0].touch(scenery_, tool, path);
+  begin_tick();
+  return touch_one(0, tool, path);
 }
 
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  scenery_.begin_tick(time_s_);
-  time_s_ += tick_s_;
+  begin_tick();
   for (std::size_t i = 0; i < tool_count_; ++i) {
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
-    const Touch touch = tools_[i].touch(scenery_, tool, nullptr);
+    const Touch touch = touch_one(i, tool, nullptr);
     if (i < touches.size()) {
       touches[i] = touch;
     }

@@ -23,8 +23,10 @@ TEST_P(Examples, AreBakedAndFelt) {
   // From above each object down through its middle: somewhere on the way it is felt.
   for (std::uint32_t i = 0; i < scene.image().objects().size(); ++i) {
     const auto world = std::make_unique<rendering::World>();
-    ASSERT_TRUE(world->set_scene(scene.image().objects(),
-                                 {.tool_radius_m = scene.image().tool_radius_m()}));
+    ASSERT_TRUE(
+        world->set_scene(scene.image().objects(), {.tool_radius_m = scene.image().tool_radius_m(),
+                                                   .tool_count = scene.image().tool_count(),
+                                                   .effects = scene.image().effects()}));
     const rendering::BvhNode& box = scene.image().objects()[i].mesh.nodes.front();
     const double x = 0.5 * static_cast<double>(box.lower.x + box.upper.x) + 1e-4;
     const double z = 0.5 * static_cast<double>(box.lower.z + box.upper.z) + 2e-4;
@@ -45,7 +47,8 @@ TEST_P(Examples, AreBakedAndFelt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples,
-                         ::testing::Values("ramp", "primitives", "heart", "thin_plate"),
+                         ::testing::Values("ramp", "primitives", "heart", "thin_plate", "grating",
+                                           "stone", "tiles", "shaded_cylinder", "effects"),
                          [](const auto& example) { return std::string(example.param); });
 
 }  // namespace

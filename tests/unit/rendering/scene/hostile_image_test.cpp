@@ -127,6 +127,97 @@ TEST(HostileImage, WithABadToolRadiusIsRefused) {
   }
 }
 
+TEST(HostileImage, WithABadToolCountIsRefused) {
+  for (const std::size_t bad : {std::size_t{0}, kMaxTools + 1}) {
+    host::BakedScene scene = testing::small_scene();
+    scene.tool_count = bad;
+    const SceneError error = error_of(scene);
+    EXPECT_EQ(error.fault, SceneFault::tool_count);
+    EXPECT_EQ(error.place, bad);
+  }
+}
+
+TEST(HostileImage, WithTooFewCornerNormalsOrPlacesIsRefused) {
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.corner_normals.resize(3); }).fault,
+            SceneFault::corner_normals);
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.corner_places.resize(5); }).fault,
+            SceneFault::corner_places);
+}
+
+TEST(HostileImage, WithATexturePlaceOutOfRangeIsRefused) {
+  for (const float bad : {kNaN, INFINITY, -2e6F}) {
+    const SceneError error = error_after([&](host::BakedMesh& mesh) {
+      mesh.corner_places.resize(mesh.triangles.size());
+      mesh.corner_places[2][1][0] = bad;
+    });
+    EXPECT_EQ(error.fault, SceneFault::corner_places);
+    EXPECT_EQ(error.place, 2U);
+  }
+}
+
+// The error after a change to a good texture of 2 x 2 texels on the second object.
+template <class Change>
+SceneError texture_error(Change change) {
+  host::BakedScene scene = testing::small_scene();
+  host::BakedTextures& textures = scene.objects[1].textures;
+  textures.layers = {{.width = 2, .height = 2, .tile_m = 0.01}};
+  textures.texels.resize(5);
+  EXPECT_TRUE(SceneImage::open(host::write_image(scene)).has_value());
+  change(textures);
+  return error_of(scene);
+}
+
+TEST(HostileImage, WithABadTextureIsRefused) {
+  const auto refused = [](auto change) {
+    const SceneError error =
+        texture_error([&](host::BakedTextures& textures) { change(textures.layers.front()); });
+    EXPECT_EQ(error.fault, SceneFault::texture);
+    EXPECT_EQ(error.object, 1U);
+    EXPECT_EQ(error.place, 0U);
+  };
+  refused([](TextureLayer& layer) { layer.use = static_cast<TextureUse>(4); });
+  refused([](TextureLayer& layer) { layer.projection = static_cast<TextureProjection>(5); });
+  refused([](TextureLayer& layer) { layer.projection = TextureProjection::uv; });
+  refused([](TextureLayer& layer) { layer.format = static_cast<TextureFormat>(2); });
+  refused([](TextureLayer& layer) { layer.format = TextureFormat::rgb; });
+  refused([](TextureLayer& layer) { layer.width = 0; });
+  refused([](TextureLayer& layer) { layer.height = 0xffffffff; });
+  refused([](TextureLayer& layer) { layer.first_byte = 1; });
+  refused([](TextureLayer& layer) { layer.first_byte = 0xffffffff; });
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    refused([bad](TextureLayer& layer) { layer.tile_m = bad; });
+  }
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
+    refused([bad](TextureLayer& layer) { layer.low = bad; });
+    refused([bad](TextureLayer& layer) { layer.high = bad; });
+  }
+}
+
+TEST(HostileImage, WithTwoTexturesOfOneKindIsRefused) {
+  const SceneError error = texture_error(
+      [](host::BakedTextures& textures) { textures.layers.push_back(textures.layers.front()); });
+  EXPECT_EQ(error.fault, SceneFault::texture);
+  EXPECT_EQ(error.place, 1U);
+}
+
+TEST(HostileImage, WithABadEffectIsRefused) {
+  const Effect good{.law = Spring{.stiffness_N_per_m = 1.0}, .max_force_N = 1.0};
+  const auto refused = [&](const Effect& bad) {
+    host::BakedScene scene = testing::small_scene();
+    scene.effects = {good, bad};
+    const SceneError error = error_of(scene);
+    EXPECT_EQ(error.fault, SceneFault::effect);
+    EXPECT_EQ(error.place, 1U);
+  };
+  refused({.law = good.law, .max_force_N = std::nan("")});
+  refused({.law = Spring{.stiffness_N_per_m = -1.0}, .max_force_N = 1.0});
+  refused({.law = Vibration{.direction_W = {1.0, 1.0, 0.0}}, .max_force_N = 1.0});
+  refused({.law = FluidDrag{.volume = {.dimensions_m = {-1.0}}}, .max_force_N = 1.0});
+  host::BakedScene scene = testing::small_scene();
+  scene.effects.assign(kMaxEffects + 1, good);
+  EXPECT_EQ(error_of(scene).fault, SceneFault::effect_count);
+}
+
 // One triangle, with what the writer cannot be made to write.
 std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, image::Friction model) {
   flatbuffers::FlatBufferBuilder builder;

@@ -181,6 +181,32 @@ TEST_F(DeformingTest, OnlyAMeshOfTheSharedProxyMayDeform) {
   EXPECT_FALSE(world_->set_scene({&object, 1}, {})) << "more vertices than there is room for";
 }
 
+TEST_F(DeformingTest, ASceneMovesAndWavesItsObjectsByItselfUntilTheOutsideTakesOver) {
+  const Solid solid(sheet(4), Sides::one, kSlippery);
+  const Motion motion{.velocity_W = {0.0, 0.1, 0.0}, .wave_m = 0.003, .wave_Hz = 5.0};
+  const std::vector<Float3> up(25, Float3{0.0F, 1.0F, 0.0F});
+  object_ = deforming(solid.object());
+  object_.motion = &motion;
+  EXPECT_FALSE(world_->set_scene({&object_, 1}, {})) << "waves need normals";
+  object_.vertex_normals = up;
+  ASSERT_TRUE(world_->set_scene({&object_, 1}, {}));
+  world_->set_tick(0.001);
+  Touch touch;
+  for (int tick = 0; tick < 250; ++tick) {
+    touch = world_->touch({.p_W = {0.0, tick == 0 ? 0.001 : -0.001, 0.0}});
+    const double t = 0.001 * tick;
+    ASSERT_NEAR(touch.proxy_W.y(),
+                tick == 0 ? 0.001 : 0.1 * t + 0.003 * std::sin(31.41592653589793 * t), 2 * kMicron)
+        << "tick " << tick;
+  }
+  ASSERT_TRUE(world_->set_pose(0, {.translation = {0.0, 0.01, 0.0}}, {}));
+  for (int tick = 0; tick < 10; ++tick) {
+    touch = world_->touch({.p_W = {0.0, -0.001, 0.0}});
+  }
+  const double last = touch.proxy_W.y();
+  EXPECT_EQ(world_->touch({.p_W = {0.0, -0.001, 0.0}}).proxy_W.y(), last);
+}
+
 TEST(DeformableMesh, NoVertexIsOutsideABoxAboveItByMoreThanTheSlack) {
   constexpr std::uint64_t kSeed = 23;
   std::mt19937_64 random(kSeed);

@@ -1,0 +1,32 @@
+// The effects of a scene on one tool, and the account of each.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "rendering/effects/effect.h"
+#include "rendering/limits.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+class EffectTouch {
+ public:
+  // Starts over: anchors, phases and accounts.
+  void reset() { states_ = {}; }
+
+  // Adds the effects' forces to `touch`. At most kMaxEffects, valid; the tool finite; tick_s > 0.
+  // No heap.
+  void add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool, double tick_s);
+
+  // Instead of add_to in a tick without a valid tool: the hand feels nothing until the next.
+  void hold();
+
+  // What effect `index` has given to the hand since the start, J.
+  [[nodiscard]] double delivered_J(std::size_t index) const { return states_[index].delivered_J; }
+
+ private:
+  std::array<EffectState, kMaxEffects> states_{};
+};
+
+}  // namespace tactus::rendering
