@@ -11,6 +11,7 @@
 #include "host_tools/bake/mesh_import.h"
 #include "host_tools/bake/texture_bake.h"
 #include "host_tools/input_error.h"
+#include "rendering/world/scenery.h"
 
 namespace tactus::host {
 namespace {
@@ -106,7 +107,7 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
                     .shape = object.shape,
                     .placement = object.placement,
                     .contact = object.contact,
-                    .moves = object.moves};
+                    .motion = object.motion};
   add_detail(object, scene, baked);
   report = {.name = object.name,
             .mesh = "",
@@ -133,7 +134,7 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
                     .shape = {},
                     .placement = {},
                     .contact = object.contact,
-                    .moves = object.moves};
+                    .motion = object.motion};
   add_detail(object, scene, baked);
   report = {.name = object.name,
             .mesh = object.mesh.string(),
@@ -145,6 +146,29 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
             .seconds = stopwatch.seconds(),
             .warnings = warnings_for(object, baked.mesh.counters)};
   return baked;
+}
+
+// Of the controller's fixed memory.
+void require_room(const BakedScene& scene, const std::string& file) {
+  rendering::SceneryNeeds needs;
+  for (const BakedObject& object : scene.objects) {
+    rendering::Object counted;
+    counted.method = object.contact;
+    counted.mesh = object.mesh.view();
+    counted.moves = object.motion.moves;
+    counted.deforms = object.motion.deforms;
+    needs.add(counted);
+  }
+  if (!needs.fit()) {
+    throw InputError(fmt::format(
+        "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy and "
+        "god_object, where {} fit; the {} that deform have {} vertices and {} boxes, where {} with "
+        "{} and {} fit; let some stand still, or simplify the meshes that deform",
+        file, needs.movers, rendering::kMaxMovers, needs.lone, rendering::kMaxLoneObjects,
+        needs.deformables, needs.deformable_vertices, needs.deformable_nodes,
+        rendering::kMaxDeformables, rendering::kMaxDeformableVertices,
+        rendering::kMaxDeformableNodes));
+  }
 }
 
 }  // namespace
@@ -173,6 +197,7 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                                 ? bake_shape(object, description.file, own, progress)
                                 : bake_object(object, description.file, own, progress));
   }
+  require_room(baked, description.file);
   tell(progress, fmt::format("writing {}", image.string()));
   const std::vector<std::byte> bytes = write_image(baked);
   write_file_atomically(image, bytes);

@@ -95,18 +95,33 @@ image::Shape shape_type(const ShapeDescription& shape) {
   return kTypes[shape.index()];
 }
 
+image::Double3 stored(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+std::optional<image::Motion> stored(const std::optional<rendering::Motion>& motion) {
+  if (!motion) {
+    return std::nullopt;
+  }
+  return image::Motion(stored(motion->velocity_W), stored(motion->sway_W), motion->sway_Hz,
+                       stored(motion->spin_W), stored(motion->pivot_W), motion->wave_m,
+                       motion->wave_Hz, stored(motion->wave_per_m));
+}
+
 Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject& object) {
   const auto mesh = write_mesh(builder, object.mesh);
   const auto material = write_material(builder, object.material);
   const auto name = builder.CreateString(object.name);
   const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
   const auto shape = write_shape(builder, object);
+  const std::optional<image::Motion> motion = stored(object.motion.motion);
   const auto layers = write_optional<image::TextureLayer>(builder, object.textures.layers);
   const auto texels = object.textures.texels.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
                                                      : builder.CreateVector(object.textures.texels);
   return image::CreateObject(builder, name, sides, material, mesh,
                              static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
-                             shape, object.moves, layers, texels);
+                             shape, object.motion.moves, layers, texels,
+                             object.motion.deforms, motion ? &*motion : nullptr);
 }
 
 std::uint64_t estimated_bytes(const BakedScene& scene) {

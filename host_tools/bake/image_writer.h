@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/motion_description.h"
 #include "host_tools/bake/shape_description.h"
 #include "rendering/effects/effect.h"
 #include "rendering/world/object.h"
@@ -29,7 +30,7 @@ struct BakedObject {
   Placement placement;  // of the shape
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
   BakedTextures textures;
-  bool moves = false;
+  MotionDescription motion;
 };
 
 struct BakedScene {

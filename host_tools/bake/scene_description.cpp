@@ -34,6 +34,8 @@ constexpr std::array kOwnKeys{
     KeySpec{"shading", ""},
     KeySpec{"texture", ""},
     KeySpec{"moves", ""},
+    KeySpec{"deforms", ""},
+    KeySpec{"motion", ""},
 };
 constexpr auto kObjectKeys = [] {
   std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
@@ -96,7 +98,8 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   if (const toml::table* friction = section.table("friction")) {
     object.material.friction = read_friction(*friction, section, file);
   }
-  object.moves = section.flag("moves").value_or(false);
+  object.motion =
+      read_motion(section, file, object.shape, object.contact, object.placement.position_m);
   object.detail = read_detail(section, file, folder, object.shape, object.contact);
   object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
   return object;

@@ -9,6 +9,7 @@
 
 #include "host_tools/bake/detail_description.h"
 #include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/motion_description.h"
 #include "host_tools/bake/placement.h"
 #include "host_tools/bake/shape_description.h"
 #include "rendering/effects/effect.h"
@@ -27,7 +28,7 @@ struct ObjectDescription {
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
   MeshBakeOptions mesh_options;
-  bool moves = false;  // the program that runs the world gives its pose
+  MotionDescription motion;
   DetailDescription detail;
 };
 

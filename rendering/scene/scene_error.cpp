@@ -52,8 +52,12 @@ constexpr std::array kTexts{
     Text{"texture has a size or a number that is out of range; bake the scene again", "texture"},
     Text{"more than 16 effects; leave some out", "count"},
     Text{"effect has an unknown law or a number out of range; bake the scene again", "effect"},
+    Text{"motion has a number out of range, or its object does not move; bake the scene again", ""},
+    Text{"more objects move, deform or are touched apart from the proxy than there is room for; let "
+         "some stand still",
+         "count"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::effect) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::capacity) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];

@@ -42,6 +42,8 @@ enum class SceneFault : std::uint8_t {
   texture,            // sizes, bytes or numbers out of range, or a second of its kind; place: layer
   effect_count,       // more than kMaxEffects; place: number found
   effect,             // unknown law, or a number out of range; place: effect
+  motion,             // a number out of range, or of an object that does not move
+  capacity,           // see Scenery::set; place: objects that move or are touched alone
 };
 
 struct SceneError {

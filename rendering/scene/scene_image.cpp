@@ -173,6 +173,11 @@ Result SceneImage::take(const image::Scene& scene) {
       return taken;
     }
   }
+  SceneryNeeds needs;
+  std::ranges::for_each(objects(), [&](const Object& object) { needs.add(object); });
+  if (!needs.fit()) {
+    return fail(SceneFault::capacity, std::max(needs.movers, needs.lone));
+  }
   return {};
 }
 
@@ -214,6 +219,11 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
     return shape;
   }
   taken.moves = object.moves();
+  taken.deforms = object.deforms();
+  taken.motion = in_place<Motion>(object.motion());
+  if (taken.motion != nullptr && (!valid(*taken.motion) || !is_mover(taken))) {
+    return fail(SceneFault::motion, 0);
+  }
   taken.detail = view_detail(object);
   if (const Result detail = check_detail(taken); !detail) {
     return detail;

@@ -21,6 +21,14 @@ std::span<const T> in_place(const flatbuffers::Vector<const Stored*>* stored) {
   return {static_cast<const T*>(data), stored->size()};
 }
 
+// The same of a single struct; nullptr where there is none.
+template <class T, class Stored>
+const T* in_place(const Stored* stored) {
+  static_assert(sizeof(T) == sizeof(Stored) && alignof(T) == alignof(Stored));
+  const void* data = stored;
+  return static_cast<const T*>(data);
+}
+
 inline Vec3 to_vec3(const image::Double3& v) {
   return {v.x(), v.y(), v.z()};
 }

@@ -43,12 +43,26 @@ double Mover::distance_before(const Vec3& p_W) const {
   return bounds_O.distance(X_WO_before.point_in(p_W));
 }
 
+void SceneryNeeds::add(const Object& object) {
+  movers += is_mover(object) ? 1 : 0;
+  lone += meets_proxy(object) ? 0 : 1;
+  if (object.deforms) {
+    ++deformables;
+    deformable_vertices += object.mesh.vertices.size();
+    deformable_nodes += object.mesh.nodes.size();
+  }
+}
+
+bool SceneryNeeds::fit() const {
+  return movers <= kMaxMovers && lone <= kMaxLoneObjects && deformables <= kMaxDeformables &&
+         deformable_vertices <= kMaxDeformableVertices && deformable_nodes <= kMaxDeformableNodes;
+}
+
 bool Scenery::set(std::span<const Object> objects) {
-  const auto movers = static_cast<std::size_t>(std::ranges::count_if(objects, is_mover));
-  const auto lone =
-      objects.size() - static_cast<std::size_t>(std::ranges::count_if(objects, meets_proxy));
-  bool good = objects.size() <= kMaxObjects && movers <= kMaxMovers && lone <= kMaxLoneObjects &&
-              std::ranges::all_of(objects, usable);
+  SceneryNeeds needs;
+  std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
+  bool good =
+      objects.size() <= kMaxObjects && needs.fit() && std::ranges::all_of(objects, usable);
   objects_ = good ? objects : std::span<const Object>{};
   mover_count_ = lone_count_ = deformable_count_ = 0;
   pool_.vertices_used = pool_.nodes_used = 0;

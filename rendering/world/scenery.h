@@ -43,6 +43,19 @@ struct PlacedMesh {
   double slack_m = 0.0;
 };
 
+// What of the fixed sizes of a scenery some objects would take.
+struct SceneryNeeds {
+  std::size_t movers = 0;  // objects that move or deform
+  std::size_t lone = 0;    // that the shared proxy does not meet
+  std::size_t deformables = 0;
+  std::size_t deformable_vertices = 0;
+  std::size_t deformable_nodes = 0;
+
+  void add(const Object& object);
+  // In kMaxMovers, kMaxLoneObjects, kMaxDeformables, kMaxDeformableVertices, kMaxDeformableNodes.
+  [[nodiscard]] bool fit() const;
+};
+
 // Lives in static storage; no heap. One thread owns it.
 class Scenery {
  public:
