@@ -163,6 +163,25 @@ TEST(Grating, BeyondTheNyquistLimitFoldsNothingBack) {
   }
 }
 
+TEST(BumpTexture, GoesWithAnObjectThatMoves) {
+  const Picture picture = grating();
+  Object object = picture.on(ground());
+  object.moves = true;
+  const auto world = std::make_unique<World>();
+  ASSERT_TRUE(world->set_scene({&object, 1}, {}));
+  world->touch({.p_W = {0.0, 0.001, 0.0}});
+  for (int i = 0; i < 40; ++i) {
+    const double shift = 0.00005 * i;
+    world->set_pose(0, {.translation = {shift, 0.002, 0.0}}, {});
+    Touch t;
+    for (int settle = 0; settle < 10; ++settle) {
+      t = world->touch({.p_W = {0.0, 0.0015, 0.0}});
+    }
+    EXPECT_NEAR(t.force_W.y(), kStiffness_N_per_m * (0.0005 + height(t.proxy_W.x() - shift)),
+                1.5e-3);
+  }
+}
+
 TEST(StiffnessTexture, MultipliesTheStiffness) {
   const Picture picture = plain(TextureUse::stiffness, 0.2, 0.5, 2.5);
   Hand hand(picture.on(ground()), 0.002);

@@ -2,6 +2,7 @@
 // and the controller.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -291,12 +292,28 @@ std::size_t walk(const MeshView& mesh, std::uint32_t index, std::size_t level) {
   return node.triangle_count;
 }
 
+bool valid_effect(const Effect& effect) {
+  return valid(effect);
+}
+
+// Feels the textures of a triangle's middle, trusting everything.
+bool is_felt(const Object& object, std::uint32_t triangle) {
+  const MeshView& mesh = object.mesh;
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t vertex : mesh.triangles[triangle]) {
+    middle += to_vec3(mesh.vertices[vertex]) / 3.0;
+  }
+  const Detail felt = detail_at(object.detail, {mesh, object.neighbours, object.vertex_normals},
+                                {.triangle = triangle, .point_O = middle, .travel_m = 1e-4});
+  return felt.height_m <= 0.0;
+}
+
 // Under the address sanitizer this is where a check that is missing shows.
 TEST(HostileImage, OfRandomDamageIsRefusedOrSafeToWalk) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE(::testing::Message() << "seed " << seed);
   std::mt19937 random(seed);
-  const std::vector<std::byte> sound = host::write_image(testing::small_scene());
+  const std::vector<std::byte> sound = host::write_image(testing::detailed_scene());
   std::uniform_int_distribution<std::size_t> place(sizeof(ImageHeader), sound.size() - 1);
   std::uniform_int_distribution<unsigned> value(0, 255);
   std::uniform_int_distribution<int> changes(1, 4);
@@ -312,8 +329,10 @@ TEST(HostileImage, OfRandomDamageIsRefusedOrSafeToWalk) {
       continue;
     }
     ++opened;
+    ASSERT_TRUE(std::ranges::all_of(image->effects(), valid_effect));
     for (const Object& object : image->objects()) {
       ASSERT_EQ(walk(object.mesh, 0, 1), object.mesh.triangles.size());
+      ASSERT_TRUE(is_felt(object, 0));
     }
   }
   EXPECT_GT(opened, 0) << "damage to padding and coefficients should pass";

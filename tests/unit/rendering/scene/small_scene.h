@@ -35,6 +35,33 @@ inline host::BakedScene small_scene() {
                .mesh = tetrahedron(0.2F)}}};
 }
 
+// The same with all that a scene may have beside.
+inline host::BakedScene detailed_scene() {
+  host::BakedScene scene = small_scene();
+  scene.tool_count = 2;
+  scene.effects = {
+      {.law = rendering::Spring{.stiffness_N_per_m = 5.0}, .max_force_N = 1.0},
+      {.law = rendering::FluidDrag{.volume = {.dimensions_m = {0.1}}, .linear_Ns_per_m = 1.0},
+       .max_force_N = 1.0}};
+  host::BakedObject& object = scene.objects[0];
+  object.moves = true;
+  object.mesh.corner_normals.resize(object.mesh.triangles.size());
+  object.mesh.corner_places.resize(object.mesh.triangles.size(), {{{0, 0}, {1, 0}, {0, 1}}});
+  object.textures.layers = {{.use = rendering::TextureUse::bump,
+                             .projection = rendering::TextureProjection::uv,
+                             .width = 4,
+                             .height = 4,
+                             .high = 0.001},
+                            {.use = rendering::TextureUse::normal,
+                             .format = rendering::TextureFormat::rgb,
+                             .width = 2,
+                             .height = 1,
+                             .first_byte = 21,
+                             .tile_m = 0.01}};
+  object.textures.texels.resize(21 + 9, 100);
+  return scene;
+}
+
 // Makes a changed image's checksum right again.
 inline void seal(std::span<std::byte> image) {
   rendering::ImageHeader header;
