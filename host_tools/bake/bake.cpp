@@ -161,7 +161,8 @@ void require_room(const BakedScene& scene, const std::string& file) {
   }
   if (!needs.fit()) {
     throw InputError(fmt::format(
-        "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy and "
+        "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy "
+        "and "
         "god_object, where {} fit; the {} that deform have {} vertices and {} boxes, where {} with "
         "{} and {} fit; let some stand still, or simplify the meshes that deform",
         file, needs.movers, rendering::kMaxMovers, needs.lone, rendering::kMaxLoneObjects,

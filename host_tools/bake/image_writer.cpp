@@ -120,8 +120,8 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
                                                      : builder.CreateVector(object.textures.texels);
   return image::CreateObject(builder, name, sides, material, mesh,
                              static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
-                             shape, object.motion.moves, layers, texels,
-                             object.motion.deforms, motion ? &*motion : nullptr);
+                             shape, object.motion.moves, layers, texels, object.motion.deforms,
+                             motion ? &*motion : nullptr);
 }
 
 std::uint64_t estimated_bytes(const BakedScene& scene) {

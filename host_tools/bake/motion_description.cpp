@@ -11,11 +11,14 @@ namespace {
 using rendering::ContactMethod;
 using rendering::Motion;
 
-constexpr std::array kMotionKeys{
-    KeySpec{"velocity_m_per_s", "m_per_s"}, KeySpec{"sway_m", "m"},
-    KeySpec{"sway_hz", "hz"},               KeySpec{"spin_rad_per_s", "rad_per_s"},
-    KeySpec{"pivot_m", "m"},                KeySpec{"wave_m", "m"},
-    KeySpec{"wave_hz", "hz"},               KeySpec{"waves_per_m", "per_m"}};
+constexpr std::array kMotionKeys{KeySpec{"velocity_m_per_s", "m_per_s"},
+                                 KeySpec{"sway_m", "m"},
+                                 KeySpec{"sway_hz", "hz"},
+                                 KeySpec{"spin_rad_per_s", "rad_per_s"},
+                                 KeySpec{"pivot_m", "m"},
+                                 KeySpec{"wave_m", "m"},
+                                 KeySpec{"wave_hz", "hz"},
+                                 KeySpec{"waves_per_m", "per_m"}};
 
 Vec3 vector(const TomlSection& section, std::string_view key, const Vec3& otherwise) {
   const auto values = section.numbers(key, 3);
@@ -43,9 +46,8 @@ Motion read(const toml::table& table, const TomlSection& object, std::string_vie
                  "= 1.0");
   }
   if (!valid(motion)) {
-    section.fail("velocity_m_per_s",
-                 fmt::format("a length is above {} m; write it in metres",
-                             rendering::kWorldBound_m));
+    section.fail("velocity_m_per_s", fmt::format("a length is above {} m; write it in metres",
+                                                 rendering::kWorldBound_m));
   }
   return motion;
 }

@@ -53,9 +53,10 @@ constexpr std::array kTexts{
     Text{"more than 16 effects; leave some out", "count"},
     Text{"effect has an unknown law or a number out of range; bake the scene again", "effect"},
     Text{"motion has a number out of range, or its object does not move; bake the scene again", ""},
-    Text{"more objects move, deform or are touched apart from the proxy than there is room for; let "
-         "some stand still",
-         "count"},
+    Text{
+        "more objects move, deform or are touched apart from the proxy than there is room for; let "
+        "some stand still",
+        "count"},
 };
 static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::capacity) + 1);
 

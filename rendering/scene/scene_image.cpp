@@ -9,6 +9,7 @@
 #include "rendering/scene/scene_generated.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
+#include "rendering/world/scenery.h"
 
 namespace tactus::rendering {
 namespace {

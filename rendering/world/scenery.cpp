@@ -44,8 +44,8 @@ double Mover::distance_before(const Vec3& p_W) const {
 }
 
 void SceneryNeeds::add(const Object& object) {
-  movers += is_mover(object) ? 1 : 0;
-  lone += meets_proxy(object) ? 0 : 1;
+  movers += is_mover(object) ? 1U : 0U;
+  lone += meets_proxy(object) ? 0U : 1U;
   if (object.deforms) {
     ++deformables;
     deformable_vertices += object.mesh.vertices.size();
@@ -61,8 +61,7 @@ bool SceneryNeeds::fit() const {
 bool Scenery::set(std::span<const Object> objects) {
   SceneryNeeds needs;
   std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
-  bool good =
-      objects.size() <= kMaxObjects && needs.fit() && std::ranges::all_of(objects, usable);
+  bool good = objects.size() <= kMaxObjects && needs.fit() && std::ranges::all_of(objects, usable);
   objects_ = good ? objects : std::span<const Object>{};
   mover_count_ = lone_count_ = deformable_count_ = 0;
   pool_.vertices_used = pool_.nodes_used = 0;

@@ -48,7 +48,8 @@ TEST_P(Examples, AreBakedAndFelt) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples,
                          ::testing::Values("ramp", "primitives", "heart", "thin_plate", "grating",
-                                           "stone", "tiles", "shaded_cylinder", "effects"),
+                                           "stone", "tiles", "shaded_cylinder", "effects", "paddle",
+                                           "membrane"),
                          [](const auto& example) { return std::string(example.param); });
 
 }  // namespace
