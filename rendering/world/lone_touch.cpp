@@ -168,7 +168,9 @@ Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolS
     touch = rest_in_frame(k, object, tool_O.p_W);
   }
   if (touch.contact == ContactKind::none) {
-    details_[k] = {};
+    if (detailed) {
+      details_[k] = {};
+    }
     return touch;
   }
   touch.force_W = object.material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -

@@ -25,6 +25,7 @@ void ProxyTouch::place(const Vec3& p_W) {
   shading_.reset();
   set_friction({});
   before_.count = 0;
+  detailed_ = false;
   last_tool_W_ = p_W;
 }
 
@@ -32,12 +33,17 @@ Touch ProxyTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
   last_tool_W_ = tool.p_W;
   first_pass_ = true;
-  shading_.begin(proxy_.position_W(), tool.p_W);
-  set_friction(friction_);
+  if (detailed_) {
+    shading_.begin(proxy_.position_W(), tool.p_W);
+    set_friction(friction_);
+  }
   ProxyRest rest = proxy_.advance(scenery, tool.p_W + shading_.offset(), path);
   Felt felt = come_back(scenery, tool, path, rest);
-  shade(scenery, tool, path, rest, felt);
-  before_ = here_;
+  if (felt.detailed || detailed_) {
+    shade(scenery, tool, path, rest, felt);
+    before_ = here_;
+  }
+  detailed_ = felt.detailed;
   Touch touch;
   touch.proxy_W = proxy_.position_W();
   touch.sub_goals = rest.sub_goals;

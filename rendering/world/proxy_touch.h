@@ -78,6 +78,7 @@ class ProxyTouch {
   double tool_step_m_ = 0.0;
   double travel_m_ = 0.0;  // of the contact in this tick
   bool first_pass_ = true;
+  bool detailed_ = false;  // some surface in the last tick was
 };
 
 }  // namespace tactus::rendering

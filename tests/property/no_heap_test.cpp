@@ -1,9 +1,11 @@
 // The controller never touches the heap while it ticks.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <vector>
 
 #include "firmware/control/controller.h"
 #include "tests/support/heap_trap.h"
@@ -69,6 +71,44 @@ TEST(Controller, NeverUsesTheHeapInAHundredThousandTicksOfContact) {
   EXPECT_EQ(calls, 0U);
   EXPECT_EQ(controller.mode(), firmware::Mode::active);
   EXPECT_GT(contacts, kTicks / 2);
+}
+
+TEST(World, NeverUsesTheHeapForShadingTexturesAndEffects) {
+  const Solid solid(bumpy_sphere(0.05, 3, 0.02), rendering::Sides::one,
+                    {.stiffness_N_per_m = 1000.0, .friction = {0.6, 0.4}});
+  const rendering::MeshView& mesh = solid.object().mesh;
+  std::vector<rendering::CornerNormals> corners;
+  for (const rendering::TriangleIndices& triangle : mesh.triangles) {
+    auto& normals = corners.emplace_back();
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+      normals[k] = rendering::encode(to_vec3(mesh.vertices[triangle[k]]).normalized());
+    }
+  }
+  // Two texels by two, and the coarser level of one.
+  const std::array<std::uint8_t, 5> texels{0, 255, 255, 0, 128};
+  const rendering::TextureLayer bump{
+      .use = rendering::TextureUse::bump, .width = 2, .height = 2, .tile_m = 0.004, .high = 1e-4};
+  rendering::Object object = solid.object();
+  object.detail = {.corner_normals = corners, .layers = {&bump, 1}, .texels = texels};
+  const rendering::Effect spring{.law = rendering::Spring{.stiffness_N_per_m = 5.0},
+                                 .max_force_N = 1.0};
+  const auto world = std::make_unique<rendering::World>();
+  ASSERT_TRUE(world->set_scene({&object, 1}, {.tool_radius_m = 0.002, .effects = {&spring, 1}}));
+  world->touch({.p_W = {0.1, 0.0, 0.0}});
+  int contacts = 0;
+  std::size_t calls = 0;
+  {
+    const HeapTrap trap;
+    for (int tick = 0; tick < 20'000; ++tick) {
+      const drivers::JointSample at = stroke(tick);
+      const rendering::Touch touch =
+          world->touch({.p_W = {at.position[0], at.position[1], at.position[2]}});
+      contacts += touch.contact != rendering::ContactKind::none ? 1 : 0;
+    }
+    calls = trap.calls();
+  }
+  EXPECT_EQ(calls, 0U);
+  EXPECT_GT(contacts, 10'000);
 }
 
 }  // namespace

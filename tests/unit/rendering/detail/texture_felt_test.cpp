@@ -163,6 +163,29 @@ TEST(Grating, BeyondTheNyquistLimitFoldsNothingBack) {
   }
 }
 
+TEST(BumpTexture, IsFeltByAFeatureWalkToo) {
+  const Picture picture = grating();
+  const testing::ShadedSolid block(testing::moved(testing::box({0.04, 0.04, 0.04}), {0, -0.02, 0}),
+                                   40.0, {.stiffness_N_per_m = kStiffness_N_per_m});
+  Object object = picture.on(block.shaded());
+  object.method = ContactMethod::feature_walk;
+  for (const double depth_m : {0.0005, 0.003}) {
+    for (double x = 0.0003; x < 0.0008; x += 0.0001) {
+      Hand hand(object, 0.0);
+      hand.touch({x, 0.0005, 0.0});
+      Touch t;
+      for (int i = 0; i <= 200; ++i) {
+        t = hand.touch({x, 0.0005 - std::min(0.01 * i, 1.0) * (0.0005 + depth_m), 0.0});
+      }
+      const Touch next = hand.touch({x, -depth_m, 0.0});
+      EXPECT_LE((next.force_W - t.force_W).norm(), 2e-3) << depth_m << " " << x;
+      EXPECT_NEAR(t.force_W.x() / t.force_W.y(), -slope(t.proxy_W.x()), 0.02)
+          << depth_m << " " << x;
+      EXPECT_NEAR(t.force_W.y(), kStiffness_N_per_m * (depth_m + height(t.proxy_W.x())), 2e-3);
+    }
+  }
+}
+
 TEST(BumpTexture, GoesWithAnObjectThatMoves) {
   const Picture picture = grating();
   Object object = picture.on(ground());
