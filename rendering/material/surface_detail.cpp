@@ -127,15 +127,14 @@ Detail detail_at(const SurfaceDetail& detail, const ConnectedMesh& mesh,
       felt.normal_O = mapped_normal(*texture, place, felt.normal_O, contact.travel_m);
       continue;
     }
-    const TextureSample seen = look_up(*texture, place, contact.travel_m);
-    if (layer.use == TextureUse::stiffness) {
-      felt.stiffness_factor = between(layer, seen.colour.x());
-    } else if (layer.use == TextureUse::friction) {
-      felt.friction_factor = between(layer, seen.colour.x());
-    } else {
+    if (layer.use == TextureUse::bump) {
+      const TextureSample seen = look_up(*texture, place, contact.travel_m);
       felt.height_m = (seen.colour.x() - 1.0) * layer.high;
       felt.normal_O = bumped_normal(felt.normal_O, seen, layer.high);
+      continue;
     }
+    const double factor = between(layer, look_up_colour(*texture, place, contact.travel_m).x());
+    (layer.use == TextureUse::stiffness ? felt.stiffness_factor : felt.friction_factor) = factor;
   }
   return felt;
 }

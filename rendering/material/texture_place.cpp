@@ -85,6 +85,15 @@ TextureSample look_up(const TextureView& texture, const TexturePlace& place, dou
   return sample;
 }
 
+Vec3 look_up_colour(const TextureView& texture, const TexturePlace& place, double travel_m) {
+  Vec3 colour = Vec3::Zero();
+  for (std::size_t i = 0; i < place.count; ++i) {
+    const TextureSpot& spot = place.spots[i];
+    colour += spot.weight * look_up(texture, spot.at, level_for(texture, spot, travel_m));
+  }
+  return colour;
+}
+
 Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m) {
   const Vec3 along = sample.slope_W - sample.slope_W.dot(n_W) * n_W;
   return (n_W - height_m * along).normalized();

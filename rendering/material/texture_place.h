@@ -52,6 +52,9 @@ struct TextureSample {
 // Filtered for a tool that moves `travel_m` along the surface from tick to tick.
 TextureSample look_up(const TextureView& texture, const TexturePlace& place, double travel_m);
 
+// The same without the slope, at a fifth of the cost.
+Vec3 look_up_colour(const TextureView& texture, const TexturePlace& place, double travel_m);
+
 // The normal of a surface raised by `height_m` times channel 0, to first order; unit. n is unit.
 Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m);
 
