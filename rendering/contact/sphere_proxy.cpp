@@ -37,7 +37,8 @@ constexpr double kSettled_m = 1e-9;
 // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the inside)
 // is pushed out no faster than this a tick; within the shell it is put right at once.
 constexpr double kMostPushOut_m = 20e-6;
-// What a proxy that sticks may be below its rest: it then clears the seams that it slides over next.
+// What a proxy that sticks may be below its rest: it then clears the seams that it slides over
+// next.
 constexpr double kUnevenRest_m = 50e-9;
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
@@ -64,21 +65,22 @@ std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
 }
 
 ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
-  slipped_ = false;
+  start_ = p_;
+  start_friction_ = friction_;
   fresh_ = false;
   neighbourhood_.start_work();
-  ProxyRest rest;
-  approach(scenery, h_W, kMostPushOut_m, path, rest);
-  return rest;
+  return approach(scenery, h_W, path);
 }
 
-void SphereProxy::go_on(const Scenery& scenery, const Vec3& h_W, ProxyPath* path, ProxyRest& rest) {
-  approach(scenery, h_W, 0.0, path, rest);
+ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+  p_ = start_;
+  friction_ = start_friction_;
+  neighbourhood_.move_to(p_);
+  return approach(scenery, h_W, path);
 }
 
-void SphereProxy::approach(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
-                           ProxyRest& rest) {
-  seek(scenery, h, most_push, path, rest);
+ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+  const ProxyRest rest = seek(scenery, h_W, path);
   touched_ = {};
   double hardest = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
@@ -87,13 +89,15 @@ void SphereProxy::approach(const Scenery& scenery, const Vec3& h, double most_pu
       touched_ = {.object = rest.planes[i].object, .triangle = rest.planes[i].triangle};
     }
   }
+  return rest;
 }
 
-void SphereProxy::seek(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
-                       ProxyRest& rest) {
+ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+  slipped_ = false;
   stretching_ = true;
-  last_hold_.count = 0;
   last_to_tool_m_ = std::numeric_limits<double>::infinity();
+  ProxyRest rest;
+  double most_push = kMostPushOut_m;
   for (;;) {
     if (path != nullptr) {
       path->points[rest.sub_goals] = p_;
@@ -109,28 +113,28 @@ void SphereProxy::seek(const Scenery& scenery, const Vec3& h, double most_push, 
     if (!complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (neighbourhood_.trust_from(p_) < 0.0) {
-        return;
+        return rest;
       }
     }
     collect_planes(scenery, most_push, rest);
     Goal goal;
     Advance way;
     do {
-      goal = choose_goal(scenery, h, rest);
+      goal = choose_goal(scenery, h_W, rest);
       if (!goal.settled && goes_back(goal.point) && recall_planes()) {
-        goal = choose_goal(scenery, h, rest);
+        goal = choose_goal(scenery, h_W, rest);
       }
       if (goal.settled) {
-        return;
+        return rest;
       }
       way = travel_toward(scenery, goal.point);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
-      return;
+      return rest;
     }
     if (way.travel <= 0.0) {
-      return;
+      return rest;
     }
     last_hold_ = {.planes = rest.planes,
                   .count = goal.stretched ? std::size_t{0} : rest.plane_count,
@@ -279,6 +283,7 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
     return {.point = h, .settled = arrived};
   }
   FrictionCircle circle;
+  double total = 0.0;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
     const ConeFriction& friction = scenery[contact.object].material.friction;
@@ -287,8 +292,14 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
     const double push = factors_.of(contact.object) * pressure;
+    total += pressure;
     circle.static_radius_m += friction.static_coefficient * push;
     circle.dynamic_radius_m += friction.dynamic_coefficient * push;
+  }
+  if (factors_.depth_m > 0.0) {
+    const double deeper = factors_.depth_m / total;
+    circle.static_radius_m *= deeper;
+    circle.dynamic_radius_m *= deeper;
   }
   rest.normal_W.normalize();
   const Vec3 risen = projection.feasible ? risen_to_rest() : p_;

@@ -43,12 +43,13 @@ struct ProxyRest {
   std::uint32_t flags = kTouchClean;
 };
 
-// What multiplies the coefficients of friction: of some objects, and of all others.
+// What friction is told beside the materials: factors of the coefficients of some objects, and, if
+// the goal is not as deep as the tool, how deep that is.
 struct FrictionFactors {
   std::array<std::uint32_t, 3> object{};
   std::array<double, 3> factor{};
   std::size_t count = 0;
-  double others = 1.0;
+  double depth_m = 0.0;  // 0: the goal's
 
   [[nodiscard]] double of(std::uint32_t number) const {
     for (std::size_t i = 0; i < count; ++i) {
@@ -56,7 +57,7 @@ struct FrictionFactors {
         return factor[i];
       }
     }
-    return others;
+    return 1.0;
   }
 };
 
@@ -78,10 +79,14 @@ class SphereProxy {
   // (finite). Bounded work, no heap. `path`, if given, receives the moves.
   ProxyRest advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
 
-  // More of the tick that gave `rest`, toward another goal: its limits and its friction go on.
-  void go_on(const Scenery& scenery, const Vec3& h_W, ProxyPath* path, ProxyRest& rest);
+  // The last advance once more, from where that began, toward another goal: so that friction holds
+  // what came of it, and not of the try before. The work of both counts for the tick.
+  ProxyRest advance_again(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
 
-  // From now on; all 1 at the start.
+  // Whether the tick's work leaves room for another.
+  [[nodiscard]] bool can_advance_again() const { return 2 * neighbourhood_.work() <= kMaxWork; }
+
+  // From now on; all 1 and 0 at the start.
   void set_friction_factors(const FrictionFactors& factors) { factors_ = factors; }
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
@@ -109,10 +114,8 @@ class SphereProxy {
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 
-  void approach(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
-                ProxyRest& rest);
-  void seek(const Scenery& scenery, const Vec3& h, double most_push, ProxyPath* path,
-            ProxyRest& rest);
+  ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
+  ProxyRest seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   [[nodiscard]] bool goes_back(const Vec3& goal) const;
   bool recall_planes();
@@ -132,8 +135,10 @@ class SphereProxy {
   Shells shells_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
-  Touched touched_;         // what pushed hardest in the last tick
+  Touched touched_;  // what pushed hardest in the last tick
   FrictionFactors factors_;
+  Vec3 start_ = Vec3::Zero();  // of the last advance
+  FrictionState start_friction_ = FrictionState::free;
   bool slipped_ = false;    // in this tick
   bool fresh_ = false;      // the neighbourhood was gathered in this tick
   bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick

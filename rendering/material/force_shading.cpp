@@ -13,6 +13,8 @@ constexpr double kShortest = 0.05;
 constexpr double kLengthening = 1.5;
 // On an edge a pass leaves kDepthOfRadius / (1 - kDepthOfRadius) of the error.
 constexpr double kDepthOfRadius = 0.25;
+// An edge has no rounding for a point. Much deeper than rounding errors all the same.
+constexpr double kLeastDepth_m = 20e-6;
 
 Vec3 along(const Vec3& v, const Vec3& normal) {
   return v - v.dot(normal) * normal;
@@ -44,12 +46,18 @@ void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes)
 }
 
 void ForceShading::set_offset(double depth_m) {
-  const double rounding = kDepthOfRadius * tool_radius_m_;
-  const bool lifted = interpolated_ && rounding > 0.0 && depth_m > rounding;
-  const double left = lifted ? rounding : depth_m;
+  const double most = std::max(kDepthOfRadius * tool_radius_m_, kLeastDepth_m);
+  const double left = interpolated_ ? std::min(depth_m, most) : depth_m;
   depth_m_ = depth_m;
-  depth_ratio_ = lifted ? depth_m / rounding : 1.0;
+  lifted_from_m_ = left < depth_m ? depth_m : 0.0;
   offset_ = stretch_ - left * normal_;
+}
+
+bool ForceShading::lower() {
+  const bool lifted = lifted_from_m_ > 0.0;
+  lifted_from_m_ = 0.0;
+  offset_ = stretch_ - depth_m_ * normal_;
+  return lifted;
 }
 
 bool ForceShading::improve(const ShadedRest& rest) {

@@ -21,7 +21,7 @@
 // A sphere that rolls over an edge holds still on it only while its goal is nearer than the edge's
 // rounding, its radius. So on interpolated planes the goal of a deep tool is lifted toward the
 // proxy, to a depth D < d: g = h + G - D n, as the second pass of the paper starts from the
-// surface. Friction is then told how much less its plane is pressed.
+// surface. Friction is then told the tool's depth.
 #pragma once
 
 #include "rendering/geometry/vector.h"
@@ -54,11 +54,14 @@ class ForceShading {
   // Takes a pass's outcome; true if another pass with the new offset() is worth while.
   bool improve(const ShadedRest& rest);
 
+  // Takes the lift back until the next improve(); false if there was none.
+  bool lower();
+
   // From the tool to the proxy's goal.
   [[nodiscard]] const Vec3& offset() const { return offset_; }
   [[nodiscard]] bool is_on() const { return offset_ != Vec3::Zero(); }
-  // How many times the depth is the goal's, >= 1.
-  [[nodiscard]] double depth_ratio() const { return depth_ratio_; }
+  // How deep the tool is, where the goal is lifted; else 0.
+  [[nodiscard]] double lifted_from_m() const { return lifted_from_m_; }
 
  private:
   void set_offset(double depth_m);
@@ -69,7 +72,7 @@ class ForceShading {
   double depth_m_ = 0.0;         // d, of the proxy that G is for
   bool interpolated_ = false;
   Vec3 offset_ = Vec3::Zero();
-  double depth_ratio_ = 1.0;
+  double lifted_from_m_ = 0.0;
   Vec3 residual_ = Vec3::Zero();  // of the pass before in this tick
   bool has_residual_ = false;
   double relaxation_ = 1.0;

@@ -64,24 +64,28 @@ void ProxyTouch::shade(const Scenery& scenery, const ToolState& tool, ProxyPath*
                                             .depth_m = felt.depth_m,
                                             .interpolated = felt.interpolated});
     set_friction(felt.friction);
-    if (!improves || pass == kMostPasses || (rest.flags & kTouchIterationsExhausted) != 0) {
+    if (!improves || pass == kMostPasses || !proxy_.can_advance_again()) {
       return;
     }
-    proxy_.go_on(scenery, tool.p_W + shading_.offset(), path, rest);
+    rest = proxy_.advance_again(scenery, tool.p_W + shading_.offset(), path);
     felt = come_back(scenery, tool, path, rest);
   }
   shading_.reset();
   set_friction({});
 }
 
-// A goal that was shifted off the surface takes the proxy with it: it goes back toward the tool,
-// and meets the surface again if there is one between them.
+// A goal that was lifted or shifted off the surface takes the proxy with it: it is lowered, and
+// then goes straight to the tool, and the proxy meets the surface if that is between them.
 ProxyTouch::Felt ProxyTouch::come_back(const Scenery& scenery, const ToolState& tool,
                                        ProxyPath* path, ProxyRest& rest) {
+  if (rest.plane_count == 0 && shading_.lower()) {
+    set_friction(friction_);
+    rest = proxy_.advance_again(scenery, tool.p_W + shading_.offset(), path);
+  }
   if (rest.plane_count == 0 && shading_.is_on()) {
     shading_.reset();
     set_friction(friction_);
-    proxy_.go_on(scenery, tool.p_W, path, rest);
+    rest = proxy_.advance_again(scenery, tool.p_W, path);
   }
   return feel(scenery, tool, rest);
 }
@@ -89,10 +93,7 @@ ProxyTouch::Felt ProxyTouch::come_back(const Scenery& scenery, const ToolState& 
 void ProxyTouch::set_friction(const FrictionFactors& felt) {
   friction_ = felt;
   FrictionFactors factors = felt;
-  for (double& factor : factors.factor) {
-    factor *= shading_.depth_ratio();
-  }
-  factors.others = shading_.depth_ratio();
+  factors.depth_m = shading_.lifted_from_m();
   proxy_.set_friction_factors(factors);
 }
 
