@@ -23,12 +23,16 @@ constexpr const char* kExamples =
     "here\n"
     "  tactus plot run.csv --scene scene.tactus -o figures/  writes figures/run_force.png, ...\n"
     "  tactus plot run.csv --scene scene.tactus -o ears      writes ears_force.png and "
-    "ears_path.png";
+    "ears_path.png\n"
+    "  tactus plot shaded.csv --against faceted.csv --scene scene.tactus\n"
+    "                                                        and shaded_against.png: both forces, "
+    "and how they turn";
 
 struct Options {
   std::string run;
   std::string scene;
   std::string output;
+  std::string against;
 };
 
 void run_plot(const Options& options) {
@@ -49,6 +53,13 @@ void run_plot(const Options& options) {
   draw_path_figure(run, scene.image().objects(), fmt::format("{}: path of the proxy", name),
                    files.path);
   fmt::print("{}\n{}\n", files.force.string(), files.path.string());
+  if (!options.against.empty()) {
+    const RunData other = read_run(options.against);
+    draw_against_figure({run, csv.stem().string()},
+                        {other, std::filesystem::path(options.against).stem().string()},
+                        files.against);
+    fmt::print("{}\n", files.against.string());
+  }
 }
 
 }  // namespace
@@ -60,6 +71,8 @@ void add_plot_verb(CLI::App& app) {
   verb->add_option("--scene", options->scene, "Scene image (.tactus) of the run")->required();
   verb->add_option("-o,--output", options->output,
                    "Folder or prefix of the PNG files; default: this folder");
+  verb->add_option("--against", options->against,
+                   "Another run (CSV), drawn over this one in a third figure");
   verb->footer(kExamples);
   verb->callback([options] { run_plot(*options); });
 }

@@ -54,7 +54,8 @@ RunData read_run(const std::filesystem::path& file) {
                                    table.line(i), row.t_s, run.rows.back().t_s));
     }
     row.proxy_W = triple(table, i, "proxy_x_m", "proxy_y_m", "proxy_z_m");
-    row.force_N = triple(table, i, "force_x_N", "force_y_N", "force_z_N").norm();
+    row.force_W = triple(table, i, "force_x_N", "force_y_N", "force_z_N");
+    row.force_N = row.force_W.norm();
     row.commanded_N = run.has_commanded
                           ? triple(table, i, kCommanded[0], kCommanded[1], kCommanded[2]).norm()
                           : row.force_N;

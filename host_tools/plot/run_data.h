@@ -16,7 +16,8 @@ namespace tactus::host {
 struct RunRow {
   double t_s = 0.0;
   Vec3 proxy_W = Vec3::Zero();  // m
-  double force_N = 0.0;         // magnitude of the rendered force
+  Vec3 force_W = Vec3::Zero();  // N, the rendered force
+  double force_N = 0.0;         // its magnitude
   double commanded_N =
       0.0;  // of the force after the limits; equal to force_N where the run has none
   double depth_m = 0.0;

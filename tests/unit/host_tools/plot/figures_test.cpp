@@ -25,6 +25,7 @@ RunData stroke(std::size_t rows) {
     RunRow row{.t_s = t, .proxy_W = {0.05 * std::sin(t), 0.05 * std::cos(t), 0.0}};
     row.contact = i > rows / 4;
     row.force_N = row.contact ? 1.0 + std::sin(9.0 * t) : 0.0;
+    row.force_W = row.force_N * Vec3(std::cos(t), std::sin(t), 0.0);
     row.depth_m = row.force_N / 800.0;
     row.friction = !row.contact        ? FrictionState::free
                    : (i / 50) % 2 == 0 ? FrictionState::stick
@@ -77,6 +78,13 @@ TEST(Figures, PathFigureIsAPicture) {
   EXPECT_EQ(png_size(file).width, 1800U);
 }
 
+TEST(Figures, TwoRunsAreDrawnOverOneAnother) {
+  const std::filesystem::path png = fresh("against.png");
+  draw_against_figure({stroke(500), "one"}, {stroke(300), "other's"}, png);
+  EXPECT_EQ(png_size(png).width, 1200U);
+  EXPECT_EQ(png_size(png).height, 700U);
+}
+
 TEST(Figures, ARunOfOneRowWithoutContactIsDrawnToo) {
   const Solid ball(testing::icosphere(0.04, 1), rendering::Sides::one, {});
   const std::filesystem::path force = fresh("tactus_one_force.png");
@@ -109,6 +117,7 @@ TEST(Figures, NamesFollowAFolderOrAPrefix) {
   EXPECT_EQ(figure_files(folder, "run").force, std::filesystem::path(folder) / "run_force.png");
   EXPECT_EQ(figure_files("new/folder/", "run").path, "new/folder/run_path.png");
   EXPECT_EQ(figure_files("new/ears", "run").path, "new/ears_path.png");
+  EXPECT_EQ(figure_files("new/ears", "run").against, "new/ears_against.png");
 }
 
 }  // namespace

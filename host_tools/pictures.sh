@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Makes the pictures of rendering/README.md anew. Needs a built `tactus`: host_tools/demo.sh builds one.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+tactus="${1:-build/demo/bin/tactus}"
+if [[ ! -x "$tactus" ]]; then
+  echo "host_tools/pictures.sh: no program $tactus; run host_tools/demo.sh first, or give its path" >&2
+  exit 2
+fi
+work="$(mktemp -d)"
+trap 'rm -r "$work"' EXIT
+examples=host_tools/examples
+pictures=rendering/pictures
+mkdir -p "$pictures"
+
+touch_scene() {  # SCENE.toml PATH.csv NAME
+  "$tactus" bake "$examples/$1" -o "$work/$3.tactus" >"$work/log"
+  "$tactus" touch "$work/$3.tactus" --path "$examples/$2" --output "$work/$3.csv" >"$work/log"
+}
+draw() {  # NAME FIGURE [OTHER]
+  "$tactus" plot "$work/$1.csv" --scene "$work/$1.tactus" -o "$work/" ${3:+--against "$work/$3.csv"} >"$work/log"
+  cp "$work/$1_$2.png" "$pictures/$1_$2.png"
+  echo "$pictures/$1_$2.png"
+}
+
+touch_scene thin_plate/scene.toml thin_plate/press.csv potential_field
+touch_scene thin_plate/proxy.toml thin_plate/press.csv sphere_proxy
+draw sphere_proxy against potential_field
+touch_scene shaded_cylinder/scene.toml shaded_cylinder/round.csv shaded
+touch_scene shaded_cylinder/faceted.toml shaded_cylinder/round.csv faceted
+draw shaded against faceted
+touch_scene heart/scene.toml heart/stroke.csv heart
+draw heart path
+touch_scene heart/scene.toml heart/gyroid.csv gyroid
+draw gyroid path
+touch_scene grating/scene.toml grating/stroke.csv grating
+draw grating force
