@@ -15,10 +15,10 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-TouchTiming time_touch(const rendering::Object& object, double tool_radius_m,
+TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_radius_m,
                        std::span<const Vec3> path) {
   const auto world = std::make_unique<rendering::World>();
-  world->set_scene({&object, 1}, {.tool_radius_m = tool_radius_m});
+  world->set_scene(objects, {.tool_radius_m = tool_radius_m});
   for (const Vec3& p : path.first(std::min<std::size_t>(path.size(), 1000))) {
     world->touch({.p_W = p});
   }

@@ -1,4 +1,4 @@
-// Times the touch of one mesh, tick by tick.
+// Times the touch of objects, tick by tick.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,9 @@ struct TouchTiming {
   std::size_t peak_candidates = 0;  // triangles kept near the tool
 };
 
-// Touches the object with a tool that follows `path`, once for warming the caches' code and once
+// Touches the objects with a tool that follows `path`, once for warming the caches' code and once
 // timed. Clock reads cost about 20 ns a tick and are included.
-TouchTiming time_touch(const rendering::Object& object, double tool_radius_m,
+TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_radius_m,
                        std::span<const Vec3> path);
 
 }  // namespace tactus::host

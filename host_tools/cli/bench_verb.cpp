@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host_tools/benchmark/benchmark_mesh.h"
+#include "host_tools/benchmark/crowd.h"
 #include "host_tools/benchmark/figures_file.h"
 #include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/benchmark/touch_benchmark.h"
@@ -28,6 +29,7 @@ constexpr const char* kExamples =
     "bunny, and the Stanford\n"
     "dragon (871,306 triangles, 0.2 m) once --dragon has fetched it, each with a god-object point "
     "and a 2 mm sphere.\n"
+    "objects: a ball is stroked alone, among 64 and among 1,000.\n"
     "sim: hand, device and controller in lockstep at 1 kHz.\n"
     "\n"
     "Times are of this machine and noisy: compare ratios within one run. Instructions are the same "
@@ -105,7 +107,7 @@ void bench_touch(const Options& options, const BenchmarkMesh& mesh, FiguresFile*
                          .triangles = mesh.mesh.triangles.size(),
                          .radius_m = radius_m,
                          .friction = !options.frictionless,
-                         .timing = time_touch(object, radius_m, path)};
+                         .timing = time_touch({&object, 1}, radius_m, path)};
     if (options.instructions) {
       figures.instructions = count_instructions(mesh, figures.friction, radius_m, path);
     }
@@ -114,6 +116,34 @@ void bench_touch(const Options& options, const BenchmarkMesh& mesh, FiguresFile*
     if (file != nullptr) {
       file->append(figures);
     }
+  }
+}
+
+// One ball is stroked, alone and among others.
+void bench_objects(const Options& options) {
+  constexpr double kToolRadius_m = 0.002;
+  double alone_ns = 0.0;
+  for (const std::size_t count : {std::size_t{1}, std::size_t{64}, std::size_t{1000}}) {
+    const Crowd crowd(count);
+    const std::vector<Vec3> path =
+        stroke_workload(crowd.objects()[0].mesh, kToolRadius_m, options.ticks);
+    const TouchTiming timing = time_touch(crowd.objects(), kToolRadius_m, path);
+    alone_ns = count == 1 ? timing.median_ns : alone_ns;
+    if (options.json) {
+      const nlohmann::ordered_json json{{"bench", "objects"},
+                                        {"objects", count},
+                                        {"radius_m", kToolRadius_m},
+                                        {"ticks", timing.ticks},
+                                        {"median_ns", timing.median_ns},
+                                        {"p99_ns", timing.p99_ns},
+                                        {"p999_ns", timing.p999_ns},
+                                        {"max_ns", timing.max_ns}};
+      fmt::print("{}\n", json.dump());
+    } else {
+      fmt::print("objects {:>4}: median {:>6.0f} ns, {:+.0f} against one alone; p99 {:>7.0f}\n",
+                 count, timing.median_ns, timing.median_ns - alone_ns, timing.p99_ns);
+    }
+    std::fflush(stdout);
   }
 }
 
@@ -185,6 +215,13 @@ void run_bench(const Options& options) {
   if (!options.csv.empty()) {
     file.emplace(options.csv);
   }
+  const bool all = options.what == "all";
+  if (all || options.what == "objects") {
+    bench_objects(options);
+  }
+  if (options.what == "objects") {
+    return;
+  }
   for_each_mesh(options, [&](const BenchmarkMesh& mesh) {
     if (options.what != "sim") {
       bench_touch(options, mesh, file ? &*file : nullptr);
@@ -200,8 +237,8 @@ void run_bench(const Options& options) {
 void add_bench_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("bench", "Measure how long a tick takes");
   const auto options = std::make_shared<Options>();
-  verb->add_option("what", options->what, "touch, sim or all")
-      ->check(CLI::IsMember({"touch", "sim", "all"}))
+  verb->add_option("what", options->what, "touch, objects, sim or all")
+      ->check(CLI::IsMember({"touch", "objects", "sim", "all"}))
       ->capture_default_str();
   verb->add_option("--mesh", options->mesh,
                    "Measure on this mesh file instead of spheres, bunny and dragon");
