@@ -39,7 +39,7 @@ constexpr double kLeastLeverage = 0.05;
 
 Delta::Delta(const DeltaGeometry& geometry) : geometry_(geometry) {
   for (std::size_t leg = 0; leg < 3; ++leg) {
-    const SineCosine azimuth = sine_cosine(geometry.azimuth_rad[leg]);
+    const rendering::SineCosine azimuth = rendering::sine_cosine(geometry.azimuth_rad[leg]);
     azimuth_sine_[leg] = azimuth.sine;
     azimuth_cosine_[leg] = azimuth.cosine;
   }
@@ -115,7 +115,8 @@ Pose Delta::assemble(const Arms& arms, const Vec3& seed_D) const {
 // A seed far away may lead to none or to a folded assembly where the nominal one leads to the true
 // pose.
 Pose Delta::forward(const Vec3& joints, const Vec3& seed_D) const {
-  const Arms arms = {sine_cosine(joints.x()), sine_cosine(joints.y()), sine_cosine(joints.z())};
+  const Arms arms = {rendering::sine_cosine(joints.x()), rendering::sine_cosine(joints.y()),
+                     rendering::sine_cosine(joints.z())};
   Pose near_seed = assemble(arms, seed_D);
   if (near_seed.status == kPoseGood) {
     return near_seed;

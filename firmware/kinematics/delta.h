@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "firmware/kinematics/pose.h"
-#include "firmware/kinematics/sine.h"
+#include "rendering/geometry/portable_math.h"
 
 namespace tactus::firmware {
 
@@ -57,7 +57,7 @@ class Delta {
 
   // Per leg, in its frame: elbow to platform hinge for a tool at the origin.
   using Offsets = std::array<Vec3, 3>;
-  using Arms = std::array<SineCosine, 3>;
+  using Arms = std::array<rendering::SineCosine, 3>;
 
   [[nodiscard]] Vec3 in_leg_frame(std::size_t leg, const Vec3& v_D) const;
   [[nodiscard]] Rods rods(const Vec3& p_D, const Offsets& offset) const;

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include "host_tools/simulation/portable_math.h"
 #include "host_tools/simulation/random.h"
+#include "rendering/geometry/portable_math.h"
 
 namespace tactus::host {
 
@@ -28,9 +28,11 @@ Tremor::Tremor(double amplitude_m, std::uint64_t seed, double tick_s)
   constexpr double kTurn = 2.0 * std::numbers::pi;
   SplitMix64 random(seed);
   for (Phasor& phasor : phasors_) {
-    const SinCos start = sin_cos(random.uniform(0.0, kTurn));
-    const SinCos turn = sin_cos(kTurn * random.uniform(kLowest_Hz, kHighest_Hz) * tick_s);
-    phasor = {.cos = start.cos, .sin = start.sin, .turn_cos = turn.cos, .turn_sin = turn.sin};
+    const rendering::SineCosine start = rendering::sine_cosine(random.uniform(0.0, kTurn));
+    const rendering::SineCosine turn =
+        rendering::sine_cosine(kTurn * random.uniform(kLowest_Hz, kHighest_Hz) * tick_s);
+    phasor = {
+        .cos = start.cosine, .sin = start.sine, .turn_cos = turn.cosine, .turn_sin = turn.sine};
   }
 }
 

@@ -1,6 +1,5 @@
-// Elementary functions whose bits depend only on IEEE 754 arithmetic. The C library picks other
-// code paths, and so other last bits, by processor; a simulation that feeds its results back would
-// then diverge from one machine to the next.
+// The exponential function for the plant, where rendering/geometry/portable_math.h has the general
+// one: inline, and for arguments that are not positive.
 #pragma once
 
 #include <bit>
@@ -38,13 +37,5 @@ inline double exp_nonpositive(double x) {
       std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << kMantissaBits);
   return scale * (even + r * odd);
 }
-
-struct SinCos {
-  double sin;
-  double cos;
-};
-
-// For |x| <= 1e4 rad, absolute error below 1e-15 plus the rounding of x.
-SinCos sin_cos(double x);
 
 }  // namespace tactus::host

@@ -23,15 +23,6 @@ TEST(PortableMath, ExpOfZeroIsOneAndFarBelowIsZero) {
   EXPECT_EQ(exp_nonpositive(-701.0), 0.0);
 }
 
-TEST(PortableMath, SineAndCosineAgreeWithTheLibrary) {
-  SplitMix64 random(2);
-  for (int i = 0; i < 100000; ++i) {
-    const double x = random.uniform(-100.0, 100.0);
-    EXPECT_NEAR(sin_cos(x).sin, std::sin(x), 1e-15) << "x = " << x;
-    EXPECT_NEAR(sin_cos(x).cos, std::cos(x), 1e-15) << "x = " << x;
-  }
-}
-
 // Published check values of SplitMix64 for seed 1234567.
 TEST(SplitMix64, GivesThePublishedSequence) {
   SplitMix64 random(1234567);
