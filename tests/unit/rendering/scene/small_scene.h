@@ -44,7 +44,7 @@ inline host::BakedScene detailed_scene() {
       {.law = rendering::FluidDrag{.volume = {.dimensions_m = {0.1}}, .linear_Ns_per_m = 1.0},
        .max_force_N = 1.0}};
   host::BakedObject& object = scene.objects[0];
-  object.moves = true;
+  object.motion.moves = true;
   object.mesh.corner_normals.resize(object.mesh.triangles.size());
   object.mesh.corner_places.resize(object.mesh.triangles.size(), {{{0, 0}, {1, 0}, {0, 1}}});
   object.textures.layers = {{.use = rendering::TextureUse::bump,
