@@ -9,6 +9,9 @@
 namespace tactus::rendering {
 namespace {
 
+// Of a plane that moves: the box of one at rest is the world's, and would move along.
+const Bounds kEverywhere{.lower_W = Vec3::Constant(-1e6), .upper_W = Vec3::Constant(1e6)};
+
 bool sound(const RigidPose& pose) {
   constexpr double kOrthonormal = 1e-9;
   return (pose.rotation.transpose() * pose.rotation - Mat3::Identity())
@@ -90,6 +93,9 @@ bool Scenery::start_mover(std::uint32_t number) {
            .primitive_W = object.primitive,
            .bounds_O = bounds_of(object),
            .motion = object.motion};
+  if (object.surface == SurfaceKind::primitive && object.primitive.kind == PrimitiveKind::plane) {
+    mover.bounds_O = kEverywhere;
+  }
   if (!object.deforms) {
     return true;
   }

@@ -169,6 +169,19 @@ TEST_F(MovingTest, FormulasWalksAndFieldsMoveTheSameWay) {
   EXPECT_LE((touch.proxy_W - Vec3(0.2, 0.132, 0.0)).norm(), 1e-12);
 }
 
+TEST_F(MovingTest, APlaneThatMovesIsWithoutEnd) {
+  take({.surface = SurfaceKind::primitive,
+        .primitive = {.kind = PrimitiveKind::plane},
+        .material = kSlippery},
+       0.0);
+  world_->touch({.p_W = {-99.0, 0.01, 0.0}});
+  for (double shift = 0.0; shift < 50.0; shift += 5.0) {
+    ASSERT_TRUE(world_->set_pose(0, {.translation = {shift, 0.001 * shift, 0.0}}, {}));
+    const Touch touch = world_->touch({.p_W = {-99.0, -0.001, 0.0}});
+    EXPECT_NEAR(touch.proxy_W.y(), 0.001 * shift, kMicron) << "shift " << shift;
+  }
+}
+
 TEST_F(MovingTest, JawsThatCloseOnTheProxySaySoAndItIsFreeAgainWhenTheyOpen) {
   const Solid jaw(testing::box({0.1, 0.02, 0.1}), Sides::one, kSlippery);
   objects_ = {jaw.object(), moving(jaw.object())};
