@@ -41,10 +41,10 @@ inline constexpr std::size_t kMaxEffects = 16;
 // image check refuses.
 inline constexpr std::size_t kMaxHierarchyDepth = 64;
 
-// Triangles near the tool that are kept from tick to tick (about 350 bytes each). Beyond: the
+// Triangles near the tool that are kept from tick to tick (about 370 bytes each). Beyond: the
 // neighbourhood shrinks, and if even the smallest does not fit, the proxy holds still;
 // kTouchCandidatesOverflow.
-inline constexpr std::size_t kMaxCandidates = 768;
+inline constexpr std::size_t kMaxCandidates = 512;
 
 // Distinct contact planes at one position of the proxy. Beyond: the proxy holds still;
 // kTouchPlanesOverflow.
@@ -66,7 +66,7 @@ inline constexpr std::size_t kMaxTextureLevels = 14;
 
 // Triangles measured in one tick, or what costs as much. Beyond: the proxy stops where it is,
 // nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
-inline constexpr std::size_t kMaxWork = 384;
+inline constexpr std::size_t kMaxWork = 256;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.

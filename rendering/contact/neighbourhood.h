@@ -1,11 +1,14 @@
 // The triangles and primitives near the tool, kept from tick to tick: as long as the proxy stays
-// within the trust ball about the place where they were gathered, no others can touch the sphere
-// and the hierarchies need not be asked again.
+// within the trusted capsule, which goes from the place where they were gathered in the direction
+// in which the proxy came there, no others can touch the sphere and the hierarchies need not be
+// asked again. A sphere of radius R that may move aside by w can touch a surface only within
+// sqrt(2 R w) of its way, so that a slim capsule meets far fewer triangles than a ball that lasts
+// as long.
 //
 // Distance to a convex shape is a convex function, so its tangent at any point bounds it from below
-// everywhere. Each candidate keeps the tangent of its last measurement (of its box, before the
-// first): one dot product tells nearly always that it cannot be met, and only the few others are
-// measured.
+// everywhere. Each candidate keeps the tangent of its last measurement (before the first, a plane
+// in front of its corners): one dot product tells nearly always that it cannot be met, and only the
+// few others are measured.
 #pragma once
 
 #include <array>
@@ -13,6 +16,7 @@
 #include <span>
 
 #include "rendering/contact/sphere_sweep.h"
+#include "rendering/geometry/capsule.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
 #include "rendering/world/scenery.h"
@@ -36,19 +40,23 @@ struct Candidate {
 class Neighbourhood {
  public:
   // Forgets everything; the next `ensure` gathers.
-  void clear() { trust_m_ = -1.0; }
+  void clear() { trust_.radius = -1.0; }
 
   // Forgets everything if an object moved that is near enough to matter.
   void begin_tick(const Scenery& scenery);
 
   // Makes the candidates valid about p. False if there were too many triangles for kMaxCandidates:
-  // then the trust ball is smaller than wanted, or empty (trust_from(p) < 0) if even the smallest
-  // did not fit.
+  // then the capsule is smaller than wanted, or empty (trust_from(p) < 0) if even the smallest did
+  // not fit.
   bool ensure(const Scenery& scenery, const Shells& shells, const Vec3& p);
 
-  // How far the proxy may move from p before the candidates must be gathered again; negative if p
-  // itself is outside.
-  [[nodiscard]] double trust_from(const Vec3& p) const { return trust_m_ - (p - centre_).norm(); }
+  // How far the proxy may move from p, whereto it will, before the candidates must be gathered
+  // again; negative if p itself is outside.
+  [[nodiscard]] double trust_from(const Vec3& p) const { return trust_.depth(p); }
+  // The same along a unit direction, for a p that is inside.
+  [[nodiscard]] double trust_along(const Vec3& p, const Vec3& direction) const {
+    return trust_.room_along(p, direction);
+  }
 
   // From now on `nearest` measures from p.
   void move_to(const Vec3& p) {
@@ -60,6 +68,12 @@ class Neighbourhood {
   // others are not. Valid until the next call of the same.
   std::span<const std::uint16_t> within_reach_here();
   std::span<const std::uint16_t> within_reach(const Vec3& p);
+
+  // Whether candidate i is one of those, for p.
+  [[nodiscard]] bool may_reach(std::size_t i, const Vec3& p) const {
+    const Bounded at(*this, p);
+    return at.bound(*this, i) <= at.most;
+  }
 
   // The nearest point of candidate i from the place of `move_to`, measured once a place.
   const Nearest& nearest(std::size_t i, const Scenery& scenery);
@@ -77,10 +91,23 @@ class Neighbourhood {
   void start_work() { work_ = 0; }
   [[nodiscard]] std::size_t work() const { return work_; }
   void add_work(std::size_t units) { work_ += units; }
+  // What gathering anew will about cost.
+  [[nodiscard]] std::size_t work_to_gather() const { return tested_ / kTestsPerWork; }
 
  private:
+  static constexpr std::size_t kTestsPerWork = 2;  // with the boxes on the way to them
+
   struct Gather;
   struct GatherTriangles;
+  // A place, as the tangents take it.
+  struct Bounded {
+    Bounded(const Neighbourhood& of, const Vec3& p);
+    [[nodiscard]] float bound(const Neighbourhood& of, std::size_t i) const {
+      return of.normal_x_[i] * x + of.normal_y_[i] * y + of.normal_z_[i] * z + of.height_[i];
+    }
+    float x, y, z;
+    float most;  // a larger bound is out of reach
+  };
   struct Within {
     std::array<std::uint16_t, kMaxCandidates> number{};
     std::size_t count = 0;
@@ -89,7 +116,9 @@ class Neighbourhood {
     [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 
-  bool gather(const Scenery& scenery, const Shells& shells, const Vec3& p, double trust);
+  // The next capsule to trust, from p on.
+  [[nodiscard]] Capsule plan(const Vec3& p);
+  bool gather(const Scenery& scenery, const Shells& shells, const Capsule& trust);
   // The next free candidate, or nullptr.
   Candidate* add(const Object& object, std::uint32_t number);
   bool add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
@@ -97,17 +126,18 @@ class Neighbourhood {
   void set_no_bound(std::size_t i);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
-  Vec3 centre_ = Vec3::Zero();
   Vec3 place_ = Vec3::Zero();
-  double trust_m_ = -1.0;
-  double wanted_trust_m_ = 0.0;
+  Capsule trust_;
+  double wanted_length_m_ = 0.0;
+  double slimness_ = 1.0;  // of the capsule: its radius is its length over this
   Shells shells_{0.0};
   std::uint64_t places_ = 1;
   std::size_t size_ = 0;
+  std::size_t tested_ = 0;  // triangles, at the last gathering
   std::size_t peak_ = 0;
   std::size_t gatherings_ = 0;
   std::size_t work_ = 0;
-  // The tangents: distance from p is at least normal . (p - centre_) + height.
+  // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   std::array<float, kMaxCandidates> normal_x_{};
   std::array<float, kMaxCandidates> normal_y_{};
   std::array<float, kMaxCandidates> normal_z_{};

@@ -5,6 +5,7 @@
 
 #include "rendering/contact/primitive_sweep.h"
 #include "rendering/geometry/hierarchy_query.h"
+#include "rendering/geometry/straight_way.h"
 
 namespace tactus::rendering {
 namespace {
@@ -22,6 +23,14 @@ struct TriangleCast {
   [[nodiscard]] bool exhausted() const { return room == 0; }
   void operator()(std::uint32_t t) {
     room -= room > 0 ? 1 : 0;
+    const StraightWay way(hit.travel_m * sweep.direction);
+    const TriangleIndices& corners = mesh.triangles[t];
+    const Vec3 a = to_vec3(mesh.vertices[corners[0]]) - sweep.from;
+    const Vec3 b = to_vec3(mesh.vertices[corners[1]]) - sweep.from;
+    const Vec3 c = to_vec3(mesh.vertices[corners[2]]) - sweep.from;
+    if (way.clears(way.gap(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)), shell.reach_m)) {
+      return;
+    }
     const Triangle triangle = triangle_of(mesh, t);
     const double travel = travel_to_contact(triangle, one_sided, sweep, hit.travel_m, shell,
                                             triangle.nearest(sweep.from));

@@ -42,6 +42,10 @@ constexpr double kMostPushOut_m = 20e-6;
 constexpr double kUnevenRest_m = 50e-9;
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
+// Among more candidates than this a cast would look at too many triangles to pay.
+constexpr std::size_t kMostToCast = 24;
+// Projection and friction, in measured triangles.
+constexpr std::size_t kWorkOfASubGoal = 2;
 
 }  // namespace
 
@@ -129,7 +133,9 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       }
       way = travel_toward(scenery, goal.point);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
-    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
+    const std::size_t to_come =
+        fresh_ && way.leaves && !way.arrived ? neighbourhood_.work_to_gather() : 0;
+    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() + to_come > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
@@ -143,6 +149,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     neighbourhood_.move_to(p_);
     ++rest.sub_goals;
+    neighbourhood_.add_work(kWorkOfASubGoal);
     most_push = 0.0;
   }
 }
@@ -350,20 +357,21 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   return allowed ? stretched : move;
 }
 
-// How much of the way the sphere may go. A move that leaves the trust ball is cut at its border,
-// where the neighbourhood is gathered anew; one that is longer than such a fresh ball is asked of
+// How much of the way the sphere may go. A move that leaves the trusted capsule is cut at its
+// border, where the neighbourhood is gathered anew; one that leaves even a fresh one is asked of
 // the hierarchy, as far as that is cheap.
 SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Vec3& goal) {
   const Vec3 way = goal - p_;
   const double length = way.norm();
   const Sweep sweep{.from = p_, .direction = way / length};
-  const double room = neighbourhood_.trust_from(p_);
+  const double room = neighbourhood_.trust_along(p_, sweep.direction);
   Advance advance{.direction = sweep.direction};
   if (length <= room) {
     advance.travel = sweep_candidates(scenery, sweep, length, advance.stopped_by);
   } else {
     advance.travel = sweep_candidates(scenery, sweep, room, advance.stopped_by);
-    if (fresh_ && advance.travel >= room) {
+    advance.leaves = advance.travel >= room;
+    if (fresh_ && advance.leaves && neighbourhood_.size() <= kMostToCast) {
       advance.travel = std::max(room, cast(scenery, sweep, length));
     }
   }
@@ -385,6 +393,9 @@ double SphereProxy::sweep_candidates(const Scenery& scenery, const Sweep& sweep,
   constexpr std::size_t kWorkOfAStop = 3;
   double free = length;
   for (const std::uint16_t i : neighbourhood_.within_reach(sweep.from + length * sweep.direction)) {
+    if (free < length && !neighbourhood_.may_reach(i, sweep.from + free * sweep.direction)) {
+      continue;
+    }
     const Nearest& start = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
@@ -406,7 +417,7 @@ double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double leng
   constexpr std::size_t kMostMeasured = 64;
   std::size_t room = kMostMeasured;
   const double free = cast_on_all(scenery, shells_, sweep, length, room);
-  neighbourhood_.add_work(2 * (kMostMeasured - room));
+  neighbourhood_.add_work((kMostMeasured - room) / 2);
   return free;
 }
 

@@ -111,6 +111,7 @@ class SphereProxy {
     Vec3 direction = Vec3::Zero();      // unit
     double travel = 0.0;                // m
     bool arrived = false;               // the whole way was free
+    bool leaves = false;                // it ends where the candidates end
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 

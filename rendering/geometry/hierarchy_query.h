@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -47,6 +51,54 @@ void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
   }
 }
 
+// A box about a point, of which the boxes of a hierarchy are asked whether they come near; four
+// floats at a time, which the compiler turns into the vector instructions of the machine.
+class NearBox {
+ public:
+  // `half` are the half sides of the box about p.
+  NearBox(const Vec3& p, const Vec3& half, double reach) {
+    // What rounding to float takes off is given to the reach.
+    constexpr double kRounding = 4e-7;
+    const double size = p.cwiseAbs().maxCoeff() + half.maxCoeff() + reach;
+    const auto wide = static_cast<float>(reach + kRounding * size);
+    squared_reach_ = wide * wide;
+    for (int k = 0; k < 3; ++k) {
+      lower_[k] = static_cast<float>(p[k] - half[k]);
+      upper_[k] = static_cast<float>(p[k] + half[k]);
+    }
+  }
+
+  [[nodiscard]] bool near(const BvhNode& node) const {
+    // Beside the corners stand integers.
+    constexpr Integers kThree{-1, -1, -1, 0};
+    const auto node_lower = std::bit_cast<Floats>(bits_at(&node.lower) & kThree);
+    const auto node_upper = std::bit_cast<Floats>(bits_at(&node.upper) & kThree);
+    const Floats below = node_lower - upper_;
+    const Floats above = lower_ - node_upper;
+    const Floats zero{};
+    Floats gap = below > above ? below : above;
+    gap = gap > zero ? gap : zero;
+    gap *= gap;
+    return gap[0] + gap[1] + gap[2] <= squared_reach_;
+  }
+
+ private:
+  using Floats [[gnu::vector_size(16)]] = float;
+  using Integers [[gnu::vector_size(16)]] = std::int32_t;
+
+  static Integers bits_at(const Float3* corner) {
+    Integers bits;
+    std::memcpy(&bits, corner, sizeof bits);
+    return bits;
+  }
+
+  Floats lower_{};
+  Floats upper_{};
+  float squared_reach_ = 0.0F;
+};
+static_assert(offsetof(BvhNode, first) == sizeof(Float3) &&
+              offsetof(BvhNode, triangle_count) == 16 + sizeof(Float3));
+
 // Every triangle whose leaf box comes within visitor.reach() of p, nearer boxes first where that is
 // free to know. The reach may shrink while the walk goes on.
 template <class Visitor>
@@ -78,6 +130,37 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
     }
     stack[depth++] = far;
     stack[depth++] = near;
+  }
+}
+
+// Every triangle whose leaf box comes within the reach of the box about p with the half sides
+// `half`, in no order, but for the leaves that visitor.skips(leaf). The reach stays as it is.
+template <class Visitor>
+void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& half, double reach,
+                    Visitor&& visitor) {
+  const NearBox box(p, half, reach);
+  if (nodes.empty() || !box.near(nodes[0])) {
+    return;
+  }
+  std::array<std::uint32_t, kMaxHierarchyDepth + 1> stack;
+  std::size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const BvhNode& node = nodes[stack[--depth]];
+    if (node.is_leaf()) {
+      if constexpr (requires { visitor.skips(node); }) {
+        if (visitor.skips(node)) {
+          continue;
+        }
+      }
+      visit_leaf(node, visitor);
+      continue;
+    }
+    for (std::uint32_t child = node.first; child < node.first + 2; ++child) {
+      if (box.near(nodes[child])) {
+        stack[depth++] = child;
+      }
+    }
   }
 }
 

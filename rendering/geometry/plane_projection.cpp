@@ -96,6 +96,17 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
   return best.count != 0;
 }
 
+// Nearly every tick.
+PlaneProjection project_on_one(const Problem& problem) {
+  PlaneSolution<double> s;
+  const bool pushes = solve_one_plane(problem.h, problem.planes[0], s) &&
+                      s.pressure[0] > problem.rounding(Vec3::Zero());
+  return pushes ? PlaneProjection{.point = problem.h + s.step,
+                                  .pressure_m = {s.pressure[0], 0.0, 0.0},
+                                  .active_count = 1}
+                : PlaneProjection{.point = problem.h};
+}
+
 }  // namespace
 
 PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) {
@@ -107,6 +118,9 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
   constexpr int kMostStalls = 6;
   int stalls = 0;
   const Problem problem{h, planes};
+  if (planes.size() == 1) {
+    return project_on_one(problem);
+  }
   const std::size_t most_exchanges = 8 + 4 * planes.size();
   Solution solution;
   PlaneProjection result;

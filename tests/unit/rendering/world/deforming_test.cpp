@@ -131,7 +131,8 @@ TEST_F(DeformingTest, VerticesThatMoveTogetherFeelLikeAnObjectThatMoves) {
                                     Vec3(std::cos(around), 0.0, std::sin(around));
       const Touch a = world_->touch({.p_W = tool});
       const Touch b = other->touch({.p_W = tool});
-      ASSERT_LE((a.proxy_W - b.proxy_W).norm(), 20 * kMicron) << "tick " << tick;
+      // Rounding decides in how many moves a slip ends, and so where in its cone it sticks.
+      ASSERT_LE((a.proxy_W - b.proxy_W).norm(), 30 * kMicron) << "tick " << tick;
     }
   }
 }

@@ -1,0 +1,87 @@
+#include "rendering/contact/free_ball.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/geometry/hierarchy_query.h"
+
+namespace tactus::rendering {
+namespace {
+
+// In free space the ball reaches to the surface, but no farther than this.
+constexpr double kMostClearance_m = 0.1;
+
+// From the nearest point of the triangle's box to p.
+Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
+  const TriangleIndices& corners = mesh.triangles[t];
+  const Float3& a = mesh.vertices[corners[0]];
+  const Float3& b = mesh.vertices[corners[1]];
+  const Float3& c = mesh.vertices[corners[2]];
+  const auto axis = [](float u, float v, float w, double x) {
+    const auto lower = static_cast<double>(std::min({u, v, w}));
+    const auto upper = static_cast<double>(std::max({u, v, w}));
+    return std::max(x - upper, 0.0) - std::max(lower - x, 0.0);
+  };
+  return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};
+}
+
+// In free space a ball half as large as could be is found at a fraction of the cost.
+constexpr double kEasyPart = 0.5;
+
+// Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far.
+struct Clearance {
+  const Vec3& p;
+  double nearest;
+  const MeshView* mesh = nullptr;
+  double slack_m = 0.0;
+
+  [[nodiscard]] double reach() const { return kEasyPart * nearest + slack_m; }
+  void operator()(std::uint32_t t) {
+    nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
+  }
+};
+
+// Shrinks to what is certainly free about p beyond the reach of the proxy. Goes over objects.
+struct FreeBall {
+  const Scenery& scenery;
+  const Shells& shells;
+  const Vec3& p;
+  double free;
+
+  [[nodiscard]] double reach() const { return free + shells.sphere.reach_m; }
+  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+
+  void take(std::uint32_t number) {
+    const Object& object = scenery[number];
+    const double own_reach = shells.of(is_point_tool(object)).reach_m;
+    if (object.surface == SurfaceKind::primitive) {
+      const double distance = std::abs(sample(scenery.primitive_W(number), p).distance_m);
+      free = std::min(free, distance - own_reach);
+      return;
+    }
+    const Mover* const mover = scenery.mover_of(number);
+    const Vec3 p_O = mover == nullptr ? p : mover->X_WO.point_in(p);
+    const PlacedMesh placed = scenery.mesh_O(number);
+    Clearance visitor{.p = p_O,
+                      .nearest = (free + own_reach) / kEasyPart,
+                      .mesh = &placed.mesh,
+                      .slack_m = placed.slack_m};
+    visit_near(placed.mesh.nodes, p_O, visitor);
+    free = kEasyPart * visitor.nearest - own_reach;
+  }
+};
+
+}  // namespace
+
+double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p) {
+  FreeBall ball{.scenery = scenery, .shells = shells, .p = p, .free = kMostClearance_m};
+  visit_near(scenery.still_nodes(), p, ball);
+  for (const Mover& mover : scenery.movers()) {
+    if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= ball.reach()) {
+      ball.take(mover.object);
+    }
+  }
+  return ball.free;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,14 @@
+// How far it is from a place in free space to anything that the proxy could touch.
+#pragma once
+
+#include "rendering/contact/sphere_sweep.h"
+#include "rendering/world/scenery.h"
+
+namespace tactus::rendering {
+
+// No surface that the shared proxy minds is nearer to p than this, beyond its reach; world frame,
+// m. At least half of what it could be, which is found at a fraction of the cost, and never more
+// than 0.1 m.
+double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p);
+
+}  // namespace tactus::rendering
