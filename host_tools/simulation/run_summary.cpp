@@ -14,8 +14,8 @@ namespace tactus::host {
 namespace {
 
 constexpr std::array<std::string_view, kTouchFlagCount> kTouchFlagNames = {
-    "candidates_overflow", "iterations_exhausted", "planes_overflow", "tool_invalid"};
-static_assert(rendering::kTouchToolInvalid == 1U << (kTouchFlagCount - 1));
+    "candidates_overflow", "iterations_exhausted", "planes_overflow", "tool_invalid", "pinched"};
+static_assert(rendering::kTouchPinched == 1U << (kTouchFlagCount - 1));
 
 double magnitude(const firmware::Triple& v) {
   return Vec3(v[0], v[1], v[2]).norm();
