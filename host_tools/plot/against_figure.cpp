@@ -43,13 +43,6 @@ double largest_force_N(const RunData& run) {
 }
 
 constexpr std::string_view kScript = R"gnuplot(
-if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
-  set terminal pngcairo size 1200,700 font "DejaVu Sans,13" linewidth 1.3 rounded background "#ffffff"
-}} else {{
-  set terminal png truecolor size 1200,700 font "DejaVu Sans,11"
-}}
-set output {output}
-set multiplot
 set xrange [{first:.6g}:{last:.6g}]
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
@@ -86,9 +79,9 @@ void draw_against_figure(const NamedRun& run, const NamedRun& other,
   const double force_top = std::max(largest_force_N(run.run), largest_force_N(other.run));
   const double turn_top = std::max(largest_turn_deg(run.run), largest_turn_deg(other.run));
   std::string script = data_block("run", run.run) + data_block("other", other.run);
+  script += picture_head(png, 1200, 700);
   script += fmt::format(
-      kScript, fmt::arg("output", gnuplot_string(png.string())),
-      fmt::arg("first", std::min(run.run.rows.front().t_s, other.run.rows.front().t_s)),
+      kScript, fmt::arg("first", std::min(run.run.rows.front().t_s, other.run.rows.front().t_s)),
       fmt::arg("last", std::max(run.run.rows.back().t_s, other.run.rows.back().t_s) + 1e-3),
       fmt::arg("force_top", std::max(kAir * force_top, kLeastTop)),
       fmt::arg("turn_top", std::max(kAir * turn_top, kLeastTop)),

@@ -45,13 +45,6 @@ std::string background(std::string_view name, const std::vector<Stretch>& bands)
 }
 
 constexpr std::string_view kHead = R"gnuplot(
-if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
-  set terminal pngcairo size 1600,1000 font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
-}} else {{
-  set terminal png truecolor size 1600,1000 font "DejaVu Sans,12"
-}}
-set output {output}
-set multiplot
 set xrange [{first:.6g}:{last:.6g}]
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
@@ -108,8 +101,8 @@ void draw_force_figure(const RunData& run, const std::string& title,
   std::string script = time_series(run.rows);
   script += background("stick", stretches(run.rows, rendering::FrictionState::stick));
   script += background("slip", stretches(run.rows, rendering::FrictionState::slip));
-  script += fmt::format(kHead, fmt::arg("output", gnuplot_string(png.string())),
-                        fmt::arg("first", first_s), fmt::arg("last", last_s),
+  script += picture_head(png, 1600, 1000);
+  script += fmt::format(kHead, fmt::arg("first", first_s), fmt::arg("last", last_s),
                         fmt::arg("title", gnuplot_string(title)));
   script +=
       fmt::format(kForcePanel, fmt::arg("top", axis_top(force_N, 0.1)),

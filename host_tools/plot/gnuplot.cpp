@@ -100,6 +100,20 @@ void run_gnuplot(const TemporaryFolder& folder, std::string_view script) {
   }
 }
 
+std::string picture_head(const std::filesystem::path& png, double width, double height) {
+  constexpr std::string_view kHead = R"gnuplot(
+if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
+  set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
+}} else {{
+  set terminal png truecolor size {width},{height} font "DejaVu Sans,12"
+}}
+set output {output}
+set multiplot
+)gnuplot";
+  return fmt::format(kHead, fmt::arg("width", width), fmt::arg("height", height),
+                     fmt::arg("output", gnuplot_string(png.string())));
+}
+
 std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {

@@ -34,6 +34,9 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 // is not installed, or what it complained about.
 void run_gnuplot(const TemporaryFolder& folder, std::string_view script);
 
+// Begins a script that draws several panels into one PNG of that many pixels.
+std::string picture_head(const std::filesystem::path& png, double width, double height);
+
 // A string in gnuplot's single quotes.
 std::string gnuplot_string(std::string_view text);
 

@@ -131,13 +131,6 @@ std::string ends_block(const RunData& run, View view, const Window& window_mm,
 }
 
 constexpr std::string_view kHead = R"gnuplot(
-if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
-  set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
-}} else {{
-  set terminal png truecolor size {width},{height} font "DejaVu Sans,12"
-}}
-set output {output}
-set multiplot
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 unset key
@@ -215,11 +208,11 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
                        path_blocks(run, View::side, "_side") +
                        ends_block(run, View::front, sheet.front.window, "_front") +
                        ends_block(run, View::side, sheet.side.window, "_side");
-  script += fmt::format(
-      kHead, fmt::arg("width", kSheetWidth), fmt::arg("height", sheet.height),
-      fmt::arg("output", gnuplot_string(png.string())), fmt::arg("force", std::max(force_N, 0.1)),
-      fmt::arg("title", gnuplot_string(title)), fmt::arg("title_x", sheet.front.left / kSheetWidth),
-      fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));
+  script += picture_head(png, kSheetWidth, sheet.height);
+  script += fmt::format(kHead, fmt::arg("force", std::max(force_N, 0.1)),
+                        fmt::arg("title", gnuplot_string(title)),
+                        fmt::arg("title_x", sheet.front.left / kSheetWidth),
+                        fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));
   script += panel_script(sheet, sheet.front, objects, folder, false);
   script += panel_script(sheet, sheet.side, objects, folder, true);
   script += "unset multiplot\nunset output\n";

@@ -225,6 +225,9 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (taken.motion != nullptr && (!valid(*taken.motion) || !is_mover(taken))) {
     return fail(SceneFault::motion, 0);
   }
+  if (!is_aligned(object.textures())) {
+    return fail(SceneFault::malformed);
+  }
   taken.detail = view_detail(object);
   if (const Result detail = check_detail(taken); !detail) {
     return detail;

@@ -35,6 +35,9 @@ Result take_primitive(const image::Primitive& stored, Object& object) {
   return {};
 }
 Result take_implicit(const image::Implicit& stored, Object& object) {
+  if (!is_aligned(stored.instructions())) {
+    return fail(SceneFault::malformed);
+  }
   object.surface = SurfaceKind::implicit;
   ImplicitSurface& implicit = object.implicit;
   const RigidPose pose = to_pose(*stored.pose());

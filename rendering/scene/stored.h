@@ -1,6 +1,8 @@
 // What the generated schema stores, as the house's own types. For this folder's .cpp files alone.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <span>
 
 #include "rendering/geometry/rigid_pose.h"
@@ -9,7 +11,14 @@
 
 namespace tactus::rendering {
 
-// A FlatBuffers vector of structs as the house's own type of the same bytes; none where
+// FlatBuffers' verifier asks for the alignment of a vector's length alone, four bytes; structs with
+// doubles need eight.
+template <class Stored>
+bool is_aligned(const flatbuffers::Vector<const Stored*>* stored) {
+  return stored == nullptr || std::bit_cast<std::uintptr_t>(stored->Data()) % alignof(Stored) == 0;
+}
+
+// A FlatBuffers vector of structs, aligned, as the house's own type of the same bytes; none where
 // there is none.
 template <class T, class Stored>
 std::span<const T> in_place(const flatbuffers::Vector<const Stored*>* stored) {

@@ -24,6 +24,8 @@ using rendering::Touch;
 using rendering::World;
 
 constexpr double kTolerance_m = 1e-6;
+// Fewer ticks on a shape may pass beside it.
+constexpr std::size_t kTicksToMeetEveryShape = 300;
 
 struct Case {
   Shape shape;
@@ -242,7 +244,9 @@ void wander(std::size_t ticks_in_all) {
   std::printf("%zu ticks on %zu cases, %zu in contact, %zu pinched; least clearance %.3f um\n",
               ticks * all.size(), all.size(), tally.contacts, tally.pinched,
               1e6 * tally.worst_clearance_m);
-  EXPECT_GT(tally.contacts, ticks * all.size() / 20);
+  if (ticks >= kTicksToMeetEveryShape) {
+    EXPECT_GT(tally.contacts, ticks * all.size() / 20);
+  }
   EXPECT_LT(tally.pinched, ticks * all.size() / 100);
 }
 

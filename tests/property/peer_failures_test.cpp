@@ -61,25 +61,6 @@ Shape star_shaped(int subdivisions, double (*radius)(const Vec3&)) {
   return shape;
 }
 
-// A plate in y = 0 of right triangles with the given legs, its front upward.
-Shape tiled_plate(double leg_m, int cells) {
-  Shape shape{.name = "plate", .closed = false};
-  for (int i = 0; i <= cells; ++i) {
-    for (int k = 0; k <= cells; ++k) {
-      shape.vertices.push_back({static_cast<float>(leg_m * (i - cells / 2)), 0.0F,
-                                static_cast<float>(leg_m * (k - cells / 2))});
-    }
-  }
-  const auto at = [cells](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };
-  for (int i = 0; i < cells; ++i) {
-    for (int k = 0; k < cells; ++k) {
-      shape.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
-      shape.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
-    }
-  }
-  return shape;
-}
-
 // A gutter along z of half a circle, in facets of half a degree, open upward; its front inside.
 Shape half_pipe(double radius_m) {
   constexpr int kFacets = 360;
@@ -209,7 +190,7 @@ TEST_F(PeerFailures, TheForceRipplesLittleMoreThanTheExactProxysOwn) {
 }
 
 TEST_F(PeerFailures, FrictionIsItsCoefficientWithinOnePercentFromAMillimetreToAMetreASecond) {
-  const Solid solid(tiled_plate(0.0005, 400), Sides::one, kRough);
+  const Solid solid(flat_sheet(0.0005, 400), Sides::one, kRough);
   for (const double radius_m : {0.0, 0.002}) {
     for (const double speed : {0.001, 0.01, 0.1, 1.0}) {
       take(solid, radius_m);
@@ -234,7 +215,7 @@ TEST_F(PeerFailures, FrictionIsItsCoefficientWithinOnePercentFromAMillimetreToAM
 }
 
 TEST_F(PeerFailures, TrianglesWithLegsOfAMicrometreAreFelt) {
-  const Solid solid(tiled_plate(1e-6, 200), Sides::one, kSlippery);
+  const Solid solid(flat_sheet(1e-6, 200), Sides::one, kSlippery);
   for (const double radius_m : {0.0, 2e-5, 0.002}) {
     take(solid, radius_m);
     world_->touch({.p_W = {0.0, radius_m + 0.001, 0.0}});

@@ -263,6 +263,23 @@ Shape pit(double half_width_m, double depth_m) {
   return s;
 }
 
+Shape flat_sheet(double cell_m, int cells) {
+  Shape s{.name = "flat sheet", .closed = false};
+  for (int i = 0; i <= cells; ++i) {
+    for (int k = 0; k <= cells; ++k) {
+      s.vertices.push_back(to_float3({cell_m * (i - cells / 2), 0.0, cell_m * (k - cells / 2)}));
+    }
+  }
+  const auto at = [cells](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };
+  for (int i = 0; i < cells; ++i) {
+    for (int k = 0; k < cells; ++k) {
+      s.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+      s.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+    }
+  }
+  return s;
+}
+
 Shape height_field(double size_m, int cells, double amplitude_m) {
   return grid("height field", cells, cells, [&](int r, int c) {
     const double x = size_m * (static_cast<double>(c) / cells - 0.5);

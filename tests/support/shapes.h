@@ -39,6 +39,8 @@ Shape slotted_block(double gap_m, double depth_m);
 Shape pit(double half_width_m, double depth_m);
 
 // Open or without an inside.
+// A square of cells in y = 0 about the origin, two right triangles each, its front upward.
+Shape flat_sheet(double cell_m, int cells);
 Shape height_field(double size_m, int cells, double amplitude_m);
 Shape moebius(double radius_m, double width_m, int segments);
 Shape helicoid(double radius_m, double pitch_m, int segments);

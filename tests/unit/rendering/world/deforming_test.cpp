@@ -26,24 +26,7 @@ Object deforming(Object object) {
   return object;
 }
 
-// A square sheet in the plane y = 0, 10 mm between vertices, its front upward.
-testing::Shape sheet(int cells) {
-  testing::Shape shape{.name = "sheet", .closed = false};
-  for (int i = 0; i <= cells; ++i) {
-    for (int k = 0; k <= cells; ++k) {
-      shape.vertices.push_back({0.01F * static_cast<float>(i - cells / 2), 0.0F,
-                                0.01F * static_cast<float>(k - cells / 2)});
-    }
-  }
-  const auto at = [cells](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };
-  for (int i = 0; i < cells; ++i) {
-    for (int k = 0; k < cells; ++k) {
-      shape.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
-      shape.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
-    }
-  }
-  return shape;
-}
+constexpr double kCell_m = 0.01;
 
 class DeformingTest : public ::testing::Test {
  protected:
@@ -81,7 +64,7 @@ class DeformingTest : public ::testing::Test {
 };
 
 TEST_F(DeformingTest, ASheetThatBulgesLiftsTheProxyOffAStillTool) {
-  const Solid solid(sheet(20), Sides::one, kSlippery);
+  const Solid solid(testing::flat_sheet(kCell_m, 20), Sides::one, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {
     take(solid, radius_m);
     const Vec3 tool(0.003, 0.001 + radius_m, 0.002);
@@ -102,7 +85,7 @@ TEST_F(DeformingTest, ASheetThatBulgesLiftsTheProxyOffAStillTool) {
 }
 
 TEST_F(DeformingTest, AVertexTakesLongWaysInStepsOfTwoMillimetres) {
-  const Solid solid(sheet(2), Sides::one, kSlippery);
+  const Solid solid(testing::flat_sheet(kCell_m, 2), Sides::one, kSlippery);
   take(solid, 0.0);
   world_->touch({.p_W = {0.0, 0.001, 0.0}});
   deform([](const Vec3& p) { return Vec3(p + Vec3(0.0, 0.01, 0.0)); });
@@ -183,7 +166,7 @@ TEST_F(DeformingTest, OnlyAMeshOfTheSharedProxyMayDeform) {
 }
 
 TEST_F(DeformingTest, ASceneMovesAndWavesItsObjectsByItselfUntilTheOutsideTakesOver) {
-  const Solid solid(sheet(4), Sides::one, kSlippery);
+  const Solid solid(testing::flat_sheet(kCell_m, 4), Sides::one, kSlippery);
   const Motion motion{.velocity_W = {0.0, 0.1, 0.0}, .wave_m = 0.003, .wave_Hz = 5.0};
   const std::vector<Float3> up(25, Float3{0.0F, 1.0F, 0.0F});
   object_ = deforming(solid.object());
