@@ -81,8 +81,7 @@ void read_projection(const TomlSection& section, bool is_mesh, TextureDescriptio
     return;
   }
   if (!is_mesh) {
-    section.fail("projection",
-                 "\"uv\" is for meshes with texture coordinates; write \"triplanar\"");
+    section.fail("projection", R"("uv" is for meshes with texture coordinates; write "triplanar")");
   }
   if (tile_m) {
     section.fail("tile_m",

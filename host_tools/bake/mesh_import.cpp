@@ -134,8 +134,10 @@ class Collector {
     rendering::CornerPlaces places{};
     for (unsigned k = 0; k < 3; ++k) {
       const aiVector3D& uv = mesh.mTextureCoords[0][face.mIndices[k]];
-      if (!(std::abs(uv.x) <= rendering::kMostTexturePlace &&
-            std::abs(uv.y) <= rendering::kMostTexturePlace)) {
+      // Comparisons with a value that is not a number are false.
+      const bool in_range = std::abs(uv.x) <= rendering::kMostTexturePlace &&
+                            std::abs(uv.y) <= rendering::kMostTexturePlace;
+      if (!in_range) {
         fail(path_, fmt::format("a texture coordinate of face {} is ({}, {}); repair or export the "
                                 "mesh again",
                                 result_.triangles.size() - 1, uv.x, uv.y));

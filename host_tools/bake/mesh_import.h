@@ -13,10 +13,9 @@ namespace tactus::host {
 struct ImportedMesh {
   std::vector<Vec3> vertices;
   std::vector<rendering::TriangleIndices> triangles;
-  std::vector<rendering::CornerPlaces> corner_places =
-      {};                              // one a triangle; none if the file has
-                                       // no texture coordinates, or not for all
-  std::uint32_t lines_and_points = 0;  // primitives that have no surface, left out
+  std::vector<rendering::CornerPlaces> corner_places;  // one a triangle; none if the file has
+                                                       // no texture coordinates, or not for all
+  std::uint32_t lines_and_points = 0;                  // primitives that have no surface, left out
 };
 
 // All meshes of the file, at the places that the file's nodes give them, with polygons cut into

@@ -36,8 +36,8 @@ struct SceneDescription {
   std::string file;  // as errors name it
   double tool_radius_m = 0.0;
   std::size_t tool_count = 1;
-  std::vector<ObjectDescription> objects = {};  // at least one
-  std::vector<rendering::Effect> effects = {};
+  std::vector<ObjectDescription> objects;  // at least one
+  std::vector<rendering::Effect> effects;
 };
 
 inline constexpr double kDefaultToolRadius_m = 0.002;

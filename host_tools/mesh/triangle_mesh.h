@@ -11,7 +11,7 @@ namespace tactus::host {
 struct TriangleMesh {
   std::vector<rendering::Float3> vertices;
   std::vector<rendering::TriangleIndices> triangles;
-  std::vector<rendering::CornerPlaces> corner_places = {};  // one a triangle, or none
+  std::vector<rendering::CornerPlaces> corner_places;  // one a triangle, or none
 };
 
 }  // namespace tactus::host

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "rendering/geometry/hierarchy_query.h"
@@ -242,7 +243,7 @@ Eigen::Index Scenery::enclose(const Part& part) {
 
 void Scenery::halve(const Part& part, Eigen::Index axis) {
   const auto range = std::span(order_).subspan(part.first, part.count);
-  std::ranges::nth_element(range, range.begin() + part.count / 2,
+  std::ranges::nth_element(range, range.begin() + static_cast<std::ptrdiff_t>(part.count / 2),
                            [&](std::uint32_t a, std::uint32_t b) {
                              const double of_a = centre(a)[axis];
                              const double of_b = centre(b)[axis];

@@ -19,7 +19,7 @@ struct WorldConfig {
   double tool_radius_m = 0.0;  // >= 0; 0 is the god-object point
   std::size_t tool_count = 1;  // 1 to kMaxTools
   // At most kMaxEffects, each felt by every tool; kept alive and unchanged by the caller.
-  std::span<const Effect> effects = {};
+  std::span<const Effect> effects;
 };
 
 // Lives in static storage: a few megabytes of fixed arrays, no heap. Not thread-safe; one thread
