@@ -37,7 +37,8 @@ void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes)
   has_residual_ = has_residual_ && passes == Passes::one;
   relaxation_ = std::min(1.0, kLengthening * relaxation_);
   const double depth = (proxy_W - tool_W).dot(normal_);
-  if (!(depth > 0.0 && depth_m_ > 0.0)) {
+  const bool deep = depth > 0.0 && depth_m_ > 0.0;
+  if (!deep) {
     reset();
     return;
   }

@@ -40,7 +40,7 @@ class Shading {
 
   [[nodiscard]] Vec3 on_vertex() const {
     constexpr double kAgree = 0.99999;
-    const Vec3 here = on_face();
+    Vec3 here = on_face();
     const std::size_t corner = nearest_corner();
     constexpr std::size_t kCorners = 3;
     for (const std::size_t edge : {corner, (corner + kCorners - 1) % kCorners}) {

@@ -62,7 +62,8 @@ TexturedTriangle textured(const CornerPlaces& places, const MeshView& mesh, std:
   TexturedTriangle triangle;
   for (std::size_t k = 0; k < triangle.uv.size(); ++k) {
     triangle.corners_W[k] = to_vec3(mesh.vertices[mesh.triangles[number][k]]);
-    triangle.uv[k] = {.u = places[k][0], .v = places[k][1]};
+    triangle.uv[k] = {.u = static_cast<double>(places[k][0]),
+                      .v = static_cast<double>(places[k][1])};
   }
   return triangle;
 }
