@@ -1,7 +1,6 @@
 // What the generated schema stores, as the house's own types. For this folder's .cpp files alone.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -15,7 +14,8 @@ namespace tactus::rendering {
 // doubles need eight.
 template <class Stored>
 bool is_aligned(const flatbuffers::Vector<const Stored*>* stored) {
-  return stored == nullptr || std::bit_cast<std::uintptr_t>(stored->Data()) % alignof(Stored) == 0;
+  return stored == nullptr ||
+         reinterpret_cast<std::uintptr_t>(stored->Data()) % alignof(Stored) == 0;
 }
 
 // A FlatBuffers vector of structs, aligned, as the house's own type of the same bytes; none where

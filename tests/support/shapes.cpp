@@ -265,9 +265,10 @@ Shape pit(double half_width_m, double depth_m) {
 
 Shape flat_sheet(double cell_m, int cells) {
   Shape s{.name = "flat sheet", .closed = false};
+  const int half = cells / 2;
   for (int i = 0; i <= cells; ++i) {
     for (int k = 0; k <= cells; ++k) {
-      s.vertices.push_back(to_float3({cell_m * (i - cells / 2), 0.0, cell_m * (k - cells / 2)}));
+      s.vertices.push_back(to_float3({cell_m * (i - half), 0.0, cell_m * (k - half)}));
     }
   }
   const auto at = [cells](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };

@@ -308,7 +308,7 @@ TEST_F(DetailScene, MistakesInEffectsAreToldWithLineAndRemedy) {
     expect_error(effect(lines), line, part);
   };
   refused("max_force_N = 1.0\n", "scene.toml:5: effect 1", "the law is missing");
-  refused("law = \"springs\"\n", "scene.toml:6", "no law \"springs\"; write one of \"spring\"");
+  refused("law = \"springs\"\n", "scene.toml:6", R"(no law "springs"; write one of "spring")");
   refused("law = \"spring\"\nstiffness_N_per_m = 5\n", "scene.toml:5", "write max_force_N = 3.0");
   refused("law = \"spring\"\nmax_force_N = 1\n", "scene.toml:5", "write stiffness_N_per_m = 200");
   refused("law = \"spring\"\nmax_force_mN = 100\n", "scene.toml:7", "write max_force_N = 0.1");

@@ -12,7 +12,6 @@
 namespace tactus::testing {
 namespace {
 
-using rendering::Object;
 using rendering::Touch;
 using rendering::World;
 

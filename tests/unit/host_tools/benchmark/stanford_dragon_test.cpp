@@ -2,8 +2,8 @@
 #include "host_tools/benchmark/stanford_dragon.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "host_tools/bake/corner_normals.h"
@@ -47,7 +48,7 @@ class ShadedSolid {
 // One tool in a world of one object.
 class Hand {
  public:
-  Hand(const rendering::Object& object, double radius_m) : object_(object) {
+  Hand(rendering::Object object, double radius_m) : object_(std::move(object)) {
     EXPECT_TRUE(world_->set_scene({&object_, 1}, {.tool_radius_m = radius_m}));
   }
   rendering::Touch touch(const Vec3& tool, rendering::ProxyPath* path = nullptr) {

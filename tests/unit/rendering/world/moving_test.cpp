@@ -2,6 +2,7 @@
 // feel the same as at rest.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -273,7 +274,7 @@ TEST(Tools, TenFingersEachFeelWhatTheyWouldFeelAlone) {
   std::array<Touch, 10> touches;
   for (int tick = 0; tick < 1000; ++tick) {
     for (std::size_t i = 0; i < 10; ++i) {
-      const double finger = static_cast<double>(i);
+      const auto finger = static_cast<double>(i);
       const double angle = 0.6 * finger + 0.001 * tick;
       const double distance = 0.054 - 0.003 * std::sin(0.01 * tick + finger);
       tools[i].p_W = distance * Vec3(std::cos(angle), 0.2 * std::sin(3 * angle), std::sin(angle));
@@ -295,12 +296,19 @@ TEST(Tools, ThereIsAtLeastOneAndAreAtMostTen) {
   EXPECT_FALSE(world->set_scene({&ball.object(), 1}, {.tool_count = 11}));
 }
 
+// In a cube of ten by ten by ten.
+Vec3 place_of(std::size_t number) {
+  const std::array<std::size_t, 3> cell{number % 10, number / 10 % 10, number / 100};
+  return 0.03 * Vec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]),
+                     static_cast<double>(cell[2]));
+}
+
 TEST(ManyObjects, AThousandFeelLikeTheOneThatIsTouched) {
   const Solid ball(testing::icosphere(0.01, 3), Sides::one, kRough);
   std::vector<std::unique_ptr<Solid>> solids;
   std::vector<Object> objects;
   for (int i = 0; i < 1000; ++i) {
-    const Vec3 place(0.03 * (i % 10), 0.03 * (i / 10 % 10), 0.03 * (i / 100));
+    const Vec3 place = place_of(static_cast<std::size_t>(i));
     if (i % 2 == 0) {
       solids.push_back(std::make_unique<Solid>(testing::moved(testing::icosphere(0.01, 2), place),
                                                Sides::one, kRough));
@@ -319,9 +327,7 @@ TEST(ManyObjects, AThousandFeelLikeTheOneThatIsTouched) {
   for (const std::size_t number : {0U, 345U, 999U, 444U}) {
     ASSERT_TRUE(one->set_scene({&objects[number], 1}, {.tool_radius_m = 0.002}));
     all->reset();
-    const Vec3 centre(0.03 * static_cast<double>(number % 10),
-                      0.03 * static_cast<double>(number / 10 % 10),
-                      0.03 * static_cast<double>(number / 100));
+    const Vec3 centre = place_of(number);
     for (int tick = 0; tick < 2000; ++tick) {
       const double angle = 0.003 * tick;
       const double distance = 0.0125 - 0.002 * std::sin(0.01 * tick);
