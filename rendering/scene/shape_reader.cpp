@@ -63,10 +63,10 @@ Result take_implicit(const image::Implicit& stored, Object& object) {
 }  // namespace
 
 std::optional<Primitive> read_primitive(const image::Primitive& stored) {
-  const Primitive primitive{.kind = static_cast<PrimitiveKind>(stored.kind()),
-                            .X_WO = to_pose(*stored.pose()),
-                            .dimensions_m = {stored.dimensions()->x(), stored.dimensions()->y(),
-                                             stored.dimensions()->z()}};
+  Primitive primitive{.kind = static_cast<PrimitiveKind>(stored.kind()),
+                      .X_WO = to_pose(*stored.pose()),
+                      .dimensions_m = {stored.dimensions()->x(), stored.dimensions()->y(),
+                                       stored.dimensions()->z()}};
   if (stored.kind() > std::to_underlying(PrimitiveKind::torus) || !valid(primitive)) {
     return std::nullopt;
   }
