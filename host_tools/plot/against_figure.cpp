@@ -47,7 +47,7 @@ set xrange [{first:.6g}:{last:.6g}]
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 set grid ytics linecolor "#e3e3e3" linewidth 0.7 linetype 1
-set lmargin at screen 0.085
+set lmargin at screen 0.095
 set rmargin at screen 0.975
 set key at screen 0.975,0.97 right top horizontal samplen 2.2 textcolor "#333333" noenhanced
 set tmargin at screen 0.89
@@ -59,7 +59,7 @@ plot $other using 1:2 with lines linecolor "#d0421b" linewidth 1.5 title {other_
      $run using 1:2 with lines linecolor "#17406d" linewidth 1.5 title {run_name}
 unset key
 set tmargin at screen 0.47
-set bmargin at screen 0.10
+set bmargin at screen 0.13
 set format x "%g"
 set xlabel "time (s)" textcolor "#333333"
 set ylabel "turn in a tick (degrees)" textcolor "#333333" offset 0.5
