@@ -95,11 +95,7 @@ image::Shape shape_type(const ShapeDescription& shape) {
   return kTypes[shape.index()];
 }
 
-image::Double3 stored(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-std::optional<image::Motion> stored(const std::optional<rendering::Motion>& motion) {
+std::optional<image::Motion> write_motion(const std::optional<rendering::Motion>& motion) {
   if (!motion) {
     return std::nullopt;
   }
@@ -114,7 +110,7 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
   const auto name = builder.CreateString(object.name);
   const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
   const auto shape = write_shape(builder, object);
-  const std::optional<image::Motion> motion = stored(object.motion.motion);
+  const std::optional<image::Motion> motion = write_motion(object.motion.motion);
   const auto layers = write_optional<image::TextureLayer>(builder, object.textures.layers);
   const auto texels = object.textures.texels.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
                                                      : builder.CreateVector(object.textures.texels);
