@@ -73,6 +73,15 @@ struct Push {
   std::size_t room = kMaxMeasured;
   bool clear = true;  // in this round
 
+  // One more plane to stay in front of; in the world frame.
+  void add(const Vec3& normal_W, double offset) {
+    if (plane_count == kMaxPlanes) {
+      room = 0;
+      return;
+    }
+    planes[plane_count++] = {.normal = normal_W, .offset = offset};
+  }
+
   // The way that the object sees, from where the proxy was to goal_W.
   void ask(std::uint32_t number, const RigidPose& before, const RigidPose& now,
            const Vec3& goal_W) {
@@ -91,7 +100,7 @@ struct Push {
       return;
     }
     clear = false;
-    if (!hit.met || plane_count == kMaxPlanes) {
+    if (!hit.met) {
       room = 0;
       return;
     }
@@ -99,8 +108,7 @@ struct Push {
     const HitSurface surface = surface_at(scenery, number, hit, met_O);
     const Vec3 normal_W = now.direction(surface.normal_O);
     const double to_rest = std::min(shell.rest_m - surface.distance_m, kMostPush_m);
-    planes[plane_count++] = {.normal = normal_W,
-                             .offset = normal_W.dot(now.point(met_O)) + to_rest};
+    add(normal_W, normal_W.dot(now.point(met_O)) + to_rest);
   }
 
   void ask_deforming(const Mover& mover, const Vec3& goal_W) {
@@ -120,14 +128,8 @@ struct Push {
       return;
     }
     clear = false;
-    if (plane_count == kMaxPlanes) {
-      room = 0;
-      return;
-    }
     const Vec3 normal_W = mover.X_WO.direction(visitor.plane_O.normal);
-    planes[plane_count++] = {
-        .normal = normal_W,
-        .offset = visitor.plane_O.offset + normal_W.dot(mover.X_WO.translation)};
+    add(normal_W, visitor.plane_O.offset + normal_W.dot(mover.X_WO.translation));
   }
 
   void ask_movers(const Vec3& goal_W) {

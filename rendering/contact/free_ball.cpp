@@ -59,8 +59,7 @@ struct FreeBall {
       free = std::min(free, distance - own_reach);
       return;
     }
-    const Mover* const mover = scenery.mover_of(number);
-    const Vec3 p_O = mover == nullptr ? p : mover->X_WO.point_in(p);
+    const Vec3 p_O = point_in(scenery.mover_of(number), p);
     const PlacedMesh placed = scenery.mesh_O(number);
     Clearance visitor{.p = p_O,
                       .nearest = (free + own_reach) / kEasyPart,

@@ -75,8 +75,7 @@ struct Neighbourhood::GatherTriangles {
       return;
     }
     slot->index = t;
-    to.set_bound(to.size_ - 1, mover == nullptr ? u : mover->X_WO.direction(u), -most,
-                 to.trust_.start);
+    to.set_bound(to.size_ - 1, direction_from(mover, u), -most, to.trust_.start);
   }
 };
 
@@ -103,17 +102,16 @@ struct Neighbourhood::Gather {
     }
     const Mover* const mover = scenery.mover_of(number);
     const PlacedMesh placed = scenery.mesh_O(number);
-    const Vec3 way = mover == nullptr ? trust.way : mover->X_WO.direction_in(trust.way);
-    GatherTriangles visitor{
-        .to = to,
-        .object = object,
-        .number = number,
-        .mover = mover,
-        .mesh = placed.mesh,
-        .slack_m = placed.slack_m,
-        .start = mover == nullptr ? trust.start : mover->X_WO.point_in(trust.start),
-        .way = StraightWay(way),
-        .reach_m = reach};
+    const Vec3 way = direction_in(mover, trust.way);
+    GatherTriangles visitor{.to = to,
+                            .object = object,
+                            .number = number,
+                            .mover = mover,
+                            .mesh = placed.mesh,
+                            .slack_m = placed.slack_m,
+                            .start = point_in(mover, trust.start),
+                            .way = StraightWay(way),
+                            .reach_m = reach};
     visit_all_near(placed.mesh.nodes, visitor.start + 0.5 * way, 0.5 * way.cwiseAbs(),
                    reach + placed.slack_m, visitor);
     tested += visitor.tested;

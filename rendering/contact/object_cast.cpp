@@ -53,10 +53,8 @@ struct CastOnObjects {
 
   void take(std::uint32_t number) {
     const Mover* const mover = scenery.mover_of(number);
-    const Sweep sweep_O = mover == nullptr
-                              ? sweep_W
-                              : Sweep{.from = mover->X_WO.point_in(sweep_W.from),
-                                      .direction = mover->X_WO.direction_in(sweep_W.direction)};
+    const Sweep sweep_O{.from = point_in(mover, sweep_W.from),
+                        .direction = direction_in(mover, sweep_W.direction)};
     free = cast_on(scenery, number, {.sweep_O = sweep_O, .limit_m = free},
                    shells.of(is_point_tool(scenery[number])), room)
                .travel_m;

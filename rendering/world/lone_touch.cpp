@@ -9,20 +9,14 @@ namespace {
 
 ToolState in_frame(const Scenery& scenery, std::uint32_t number, const ToolState& tool) {
   const Mover* const mover = scenery.mover_of(number);
-  if (mover == nullptr) {
-    return tool;
-  }
-  return {.p_W = mover->X_WO.point_in(tool.p_W),
-          .v_W = mover->X_WO.direction_in(tool.v_W - scenery.velocity_W(number, tool.p_W))};
+  return {.p_W = point_in(mover, tool.p_W),
+          .v_W = direction_in(mover, tool.v_W - scenery.velocity_W(number, tool.p_W))};
 }
 
 void to_world(const Mover* mover, Touch& touch) {
-  if (mover == nullptr) {
-    return;
-  }
-  touch.proxy_W = mover->X_WO.point(touch.proxy_W);
-  touch.normal_W = mover->X_WO.direction(touch.normal_W);
-  touch.force_W = mover->X_WO.direction(touch.force_W);
+  touch.proxy_W = point_from(mover, touch.proxy_W);
+  touch.normal_W = direction_from(mover, touch.normal_W);
+  touch.force_W = direction_from(mover, touch.force_W);
 }
 
 Touch touch_of(const ImplicitRest& rest) {
@@ -66,7 +60,7 @@ void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radiu
   last_tool_W_ = p_W;
   for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
     const Mover* const mover = scenery.mover_of(scenery.lone_objects()[k]);
-    const Vec3 p_O = mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
+    const Vec3 p_O = point_in(mover, p_W);
     trackers_[k].place(p_O);
     walkers_[k].place(p_O);
     details_[k] = {};
@@ -114,8 +108,8 @@ void LoneTouch::hold(const Scenery& scenery) {
 // Whether the tool's way since the last tick, seen from the object, comes into its box.
 bool LoneTouch::is_near(const Mover* mover, const Object& object, const Vec3& p_W) const {
   constexpr double kMargin_m = 1e-3;
-  const Vec3 from = mover == nullptr ? last_tool_W_ : mover->X_WO_before.point_in(last_tool_W_);
-  const Vec3 to = mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
+  const Vec3 from = point_in_before(mover, last_tool_W_);
+  const Vec3 to = point_in(mover, p_W);
   const Bounds box = bounds_of(object);
   const double margin = tool_radius_m_ + kMargin_m;
   return ((from.cwiseMax(to).array() >= box.lower_W.array() - margin) &&
@@ -128,7 +122,7 @@ void LoneTouch::wake(std::size_t k, const Mover* mover) {
   if (awake_[k]) {
     return;
   }
-  const Vec3 p_O = mover == nullptr ? last_tool_W_ : mover->X_WO_before.point_in(last_tool_W_);
+  const Vec3 p_O = point_in_before(mover, last_tool_W_);
   trackers_[k].place(p_O);
   walkers_[k].place(p_O);
   details_[k] = {};

@@ -254,13 +254,10 @@ void Scenery::halve(const Part& part, Eigen::Index axis) {
 Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle) {
   const MeshView mesh = scenery.mesh_O(number).mesh;
   const Mover* const mover = scenery.mover_of(number);
-  if (mover == nullptr) {
-    return triangle_of(mesh, triangle);
-  }
   const TriangleIndices& corners = mesh.triangles[triangle];
-  return {mover->X_WO.point(to_vec3(mesh.vertices[corners[0]])),
-          mover->X_WO.point(to_vec3(mesh.vertices[corners[1]])),
-          mover->X_WO.point(to_vec3(mesh.vertices[corners[2]]))};
+  return {point_from(mover, to_vec3(mesh.vertices[corners[0]])),
+          point_from(mover, to_vec3(mesh.vertices[corners[1]])),
+          point_from(mover, to_vec3(mesh.vertices[corners[2]]))};
 }
 
 }  // namespace tactus::rendering

@@ -37,6 +37,23 @@ struct Mover {
   [[nodiscard]] double distance_before(const Vec3& p_W) const;
 };
 
+// To the frame O of an object and from it; the same for one that stands still, a mover of nullptr.
+inline Vec3 point_in(const Mover* mover, const Vec3& p_W) {
+  return mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
+}
+inline Vec3 point_in_before(const Mover* mover, const Vec3& p_W) {
+  return mover == nullptr ? p_W : mover->X_WO_before.point_in(p_W);
+}
+inline Vec3 direction_in(const Mover* mover, const Vec3& d_W) {
+  return mover == nullptr ? d_W : mover->X_WO.direction_in(d_W);
+}
+inline Vec3 point_from(const Mover* mover, const Vec3& p_O) {
+  return mover == nullptr ? p_O : mover->X_WO.point(p_O);
+}
+inline Vec3 direction_from(const Mover* mover, const Vec3& d_O) {
+  return mover == nullptr ? d_O : mover->X_WO.direction(d_O);
+}
+
 // A search through the hierarchy has to reach by the slack farther than it means to.
 struct PlacedMesh {
   MeshView mesh;
