@@ -6,7 +6,7 @@ namespace tactus::hal {
 
 namespace {
 
-bool is_valid(const GpioLineConfig& line) {
+bool is_valid_line(const GpioLineConfig& line) {
   if (line.direction == GpioDirection::output) {
     return line.edges == GpioEdges::none && line.debounce_us == 0;
   }
@@ -34,7 +34,7 @@ Result<void> GpioLines::request(const GpioRequest& request) {
     return failure(ErrorCode::invalid_state);
   }
   const auto lines = request.lines;
-  if (lines.empty() || lines.size() > kMaxGpioLines || !std::ranges::all_of(lines, is_valid) ||
+  if (lines.empty() || lines.size() > kMaxGpioLines || !std::ranges::all_of(lines, is_valid_line) ||
       names_an_offset_twice(lines) || request.edge_buffer > kMaxGpioEdgeBuffer) {
     return failure(ErrorCode::invalid_argument);
   }

@@ -5,8 +5,8 @@
 namespace tactus::hal {
 
 std::span<const SimulatedPwmWrite> SimulatedPwmOutput::writes() const {
-  const std::uint64_t recorded = std::min<std::uint64_t>(write_count_, kRecorded);
-  return std::span(writes_).first(static_cast<std::size_t>(recorded));
+  const std::size_t recorded = std::min(write_count_, kRecorded);
+  return std::span(writes_).first(recorded);
 }
 
 double SimulatedPwmOutput::mean_level() const {
@@ -29,8 +29,7 @@ Result<void> SimulatedPwmOutput::record(const PwmSettings& settings) {
     return failure(failure_code_);
   }
   if (write_count_ < kRecorded) {
-    writes_[static_cast<std::size_t>(write_count_)] = {.time_ns = clock_.now_ns(),
-                                                       .settings = settings};
+    writes_[write_count_] = {.time_ns = clock_.now_ns(), .settings = settings};
   }
   ++write_count_;
   return {};

@@ -10,7 +10,7 @@ namespace image = rendering::image;
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-image::Snap stored(const rendering::SnapLaw& law) {
+image::Snap stored_snap(const rendering::SnapLaw& law) {
   return {law.stiffness_N_per_m, law.damping_Ns_per_m, law.capture_m};
 }
 
@@ -20,11 +20,11 @@ class LawWriter {
   explicit LawWriter(FlatBufferBuilder& builder) : builder_(builder) {}
 
   Offset<void> operator()(const rendering::Spring& law) const {
-    const image::Double3 anchor = host::stored(law.anchor_W);
+    const image::Double3 anchor = stored(law.anchor_W);
     return image::CreateSpring(builder_, &anchor, law.stiffness_N_per_m).Union();
   }
   Offset<void> operator()(const rendering::SpringDamper& law) const {
-    const image::Double3 anchor = host::stored(law.spring.anchor_W);
+    const image::Double3 anchor = stored(law.spring.anchor_W);
     return image::CreateSpringDamper(builder_, &anchor, law.spring.stiffness_N_per_m,
                                      law.damping_Ns_per_m)
         .Union();
@@ -36,35 +36,35 @@ class LawWriter {
         .Union();
   }
   Offset<void> operator()(const rendering::Magnet& law) const {
-    const image::Double3 pole = host::stored(law.pole_W);
+    const image::Double3 pole = stored(law.pole_W);
     return image::CreateMagnet(builder_, &pole, law.strength_N, law.core_m).Union();
   }
   Offset<void> operator()(const rendering::ConstantField& law) const {
-    const image::Double3 force = host::stored(law.force_W);
+    const image::Double3 force = stored(law.force_W);
     return image::CreateConstantField(builder_, &force).Union();
   }
   Offset<void> operator()(const rendering::Vibration& law) const {
-    const image::Double3 direction = host::stored(law.direction_W);
+    const image::Double3 direction = stored(law.direction_W);
     return image::CreateVibration(builder_, &direction, law.amplitude_N, law.frequency_Hz).Union();
   }
   Offset<void> operator()(const rendering::StickSlip& law) const {
     return image::CreateStickSlip(builder_, law.stiffness_N_per_m, law.break_force_N).Union();
   }
   Offset<void> operator()(const rendering::SnapToPoint& law) const {
-    const image::Double3 point = host::stored(law.point_W);
-    const image::Snap snap = stored(law.law);
+    const image::Double3 point = stored(law.point_W);
+    const image::Snap snap = stored_snap(law.law);
     return image::CreateSnapToPoint(builder_, &point, &snap).Union();
   }
   Offset<void> operator()(const rendering::SnapToLine& law) const {
-    const image::Double3 point = host::stored(law.point_W);
-    const image::Double3 direction = host::stored(law.direction_W);
-    const image::Snap snap = stored(law.law);
+    const image::Double3 point = stored(law.point_W);
+    const image::Double3 direction = stored(law.direction_W);
+    const image::Snap snap = stored_snap(law.law);
     return image::CreateSnapToLine(builder_, &point, &direction, &snap).Union();
   }
   Offset<void> operator()(const rendering::SnapToPlane& law) const {
-    const image::Double3 point = host::stored(law.point_W);
-    const image::Double3 normal = host::stored(law.normal_W);
-    const image::Snap snap = stored(law.law);
+    const image::Double3 point = stored(law.point_W);
+    const image::Double3 normal = stored(law.normal_W);
+    const image::Snap snap = stored_snap(law.law);
     return image::CreateSnapToPlane(builder_, &point, &normal, &snap).Union();
   }
 
@@ -73,13 +73,13 @@ class LawWriter {
 };
 
 // In the order of rendering::EffectLaw.
-constexpr std::array kLaws{
+constexpr std::array kImageLaws{
     image::Law::Spring,      image::Law::SpringDamper,  image::Law::FluidDrag,
     image::Law::Magnet,      image::Law::ConstantField, image::Law::Vibration,
     image::Law::StickSlip,   image::Law::SnapToPoint,   image::Law::SnapToLine,
     image::Law::SnapToPlane,
 };
-static_assert(kLaws.size() == std::variant_size_v<rendering::EffectLaw>);
+static_assert(kImageLaws.size() == std::variant_size_v<rendering::EffectLaw>);
 
 }  // namespace
 
@@ -107,7 +107,7 @@ Offset<flatbuffers::Vector<Offset<image::Effect>>> write_effects(
   for (const rendering::Effect& effect : effects) {
     const Offset<void> law = std::visit(LawWriter(builder), effect.law);
     list.push_back(
-        image::CreateEffect(builder, kLaws[effect.law.index()], law, effect.max_force_N));
+        image::CreateEffect(builder, kImageLaws[effect.law.index()], law, effect.max_force_N));
   }
   return list.empty() ? Offset<flatbuffers::Vector<Offset<image::Effect>>>{}
                       : builder.CreateVector(list);

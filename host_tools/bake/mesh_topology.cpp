@@ -10,6 +10,7 @@ namespace {
 
 using rendering::Float3;
 using rendering::kNoNeighbour;
+using rendering::to_float3;
 using rendering::TriangleIndices;
 
 // One side of an edge, kept under the smaller of its two vertices.
@@ -82,10 +83,6 @@ void take_edge(Topology& topology, std::span<const HalfEdge> sharing) {
 // The interior angle between two edges from one corner; atan2 stays exact for flat and sharp ones.
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-Float3 to_float3(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace tactus::host {
 namespace {
 
 // More points than pixels change nothing that can be seen.
-constexpr std::size_t kMostPoints = 12000;
+constexpr std::size_t kMostForcePoints = 12000;
 
 // An axis that starts at zero and leaves a little air above the curve.
 double axis_top(double largest, double least_top) {
@@ -25,7 +25,7 @@ double end_s(const std::vector<RunRow>& rows) {
 
 std::string time_series(const std::vector<RunRow>& rows) {
   std::string block = "$run << EOD\n";
-  for (const std::size_t i : thin(rows, kMostPoints)) {
+  for (const std::size_t i : thin(rows, kMostForcePoints)) {
     const RunRow& row = rows[i];
     fmt::format_to(std::back_inserter(block), "{:.6g} {:.6g} {:.6g} {:.6g}\n", row.t_s, row.force_N,
                    row.commanded_N, 1e3 * row.depth_m);
@@ -44,7 +44,7 @@ std::string background(std::string_view name, const std::vector<Stretch>& bands)
   return block + "EOD\n";
 }
 
-constexpr std::string_view kHead = R"gnuplot(
+constexpr std::string_view kForceHead = R"gnuplot(
 set xrange [{first:.6g}:{last:.6g}]
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
@@ -102,7 +102,7 @@ void draw_force_figure(const RunData& run, const std::string& title,
   script += background("stick", stretches(run.rows, rendering::FrictionState::stick));
   script += background("slip", stretches(run.rows, rendering::FrictionState::slip));
   script += picture_head(png, 1600, 1000);
-  script += fmt::format(kHead, fmt::arg("first", first_s), fmt::arg("last", last_s),
+  script += fmt::format(kForceHead, fmt::arg("first", first_s), fmt::arg("last", last_s),
                         fmt::arg("title", gnuplot_string(title)));
   script +=
       fmt::format(kForcePanel, fmt::arg("top", axis_top(force_N, 0.1)),

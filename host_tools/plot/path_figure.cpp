@@ -11,7 +11,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr std::size_t kMostPoints = 40000;
+constexpr std::size_t kMostPathPoints = 40000;
 
 // The sheet, in pixels: two panels side by side with room for their axes, and a colour bar at the
 // right.
@@ -88,7 +88,7 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
   std::string touching = fmt::format("$touching{} << EOD\n", suffix);
   std::string free = fmt::format("$free{} << EOD\n", suffix);
   bool was_contact = run.rows.front().contact;
-  for (const std::size_t i : thin(run.rows, kMostPoints)) {
+  for (const std::size_t i : thin(run.rows, kMostPathPoints)) {
     const RunRow& row = run.rows[i];
     if (!row.located) {
       continue;
@@ -130,7 +130,7 @@ std::string ends_block(const RunData& run, View view, const Window& window_mm,
   return block + "EOD\n";
 }
 
-constexpr std::string_view kHead = R"gnuplot(
+constexpr std::string_view kPathHead = R"gnuplot(
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 unset key
@@ -209,7 +209,7 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
                        ends_block(run, View::front, sheet.front.window, "_front") +
                        ends_block(run, View::side, sheet.side.window, "_side");
   script += picture_head(png, kSheetWidth, sheet.height);
-  script += fmt::format(kHead, fmt::arg("force", std::max(force_N, 0.1)),
+  script += fmt::format(kPathHead, fmt::arg("force", std::max(force_N, 0.1)),
                         fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("title_x", sheet.front.left / kSheetWidth),
                         fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));

@@ -43,8 +43,7 @@ struct SimulationConfig {
   double rate_hz = 1000.0;
   std::vector<FaultEvent> faults;
   std::vector<RequestEvent> requests;
-  std::span<const rendering::Effect> effects =
-      {};  // of the scene; they must outlive the simulation
+  std::span<const rendering::Effect> effects;  // of the scene; they must outlive the simulation
 };
 
 class Simulation {

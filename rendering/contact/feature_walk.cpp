@@ -135,7 +135,7 @@ struct FirstContact {
   }
 };
 
-bool usable(const Vec3& h) {
+bool in_reach(const Vec3& h) {
   return h.allFinite() && h.norm() <= kWorldBound_m;
 }
 
@@ -156,7 +156,7 @@ FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides,
   // Off one surface and onto the next: more than this in one tick waits for the next one.
   constexpr int kRounds = 4;
   FeatureRest rest{.proxy_W = p_};
-  if (!usable(h_W)) {
+  if (!in_reach(h_W)) {
     rest.flags = kTouchToolInvalid;
     return rest;
   }

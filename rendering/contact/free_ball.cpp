@@ -29,7 +29,7 @@ Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
 constexpr double kEasyPart = 0.5;
 
 // Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far.
-struct Clearance {
+struct ClearanceVisitor {
   const Vec3& p;
   double nearest;
   const MeshView* mesh = nullptr;
@@ -61,10 +61,10 @@ struct FreeBall {
     }
     const Vec3 p_O = point_in(scenery.mover_of(number), p);
     const PlacedMesh placed = scenery.mesh_O(number);
-    Clearance visitor{.p = p_O,
-                      .nearest = (free + own_reach) / kEasyPart,
-                      .mesh = &placed.mesh,
-                      .slack_m = placed.slack_m};
+    ClearanceVisitor visitor{.p = p_O,
+                             .nearest = (free + own_reach) / kEasyPart,
+                             .mesh = &placed.mesh,
+                             .slack_m = placed.slack_m};
     visit_near(placed.mesh.nodes, p_O, visitor);
     free = kEasyPart * visitor.nearest - own_reach;
   }

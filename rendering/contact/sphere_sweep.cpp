@@ -14,7 +14,7 @@ double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& 
                          const Shell& shell, const Nearest& start) {
   constexpr int kMaxSteps = 32;
   // A descent below a nanometre a metre is the rounding of a move along a contact plane.
-  constexpr double kParallel = -1e-9;
+  constexpr double kParallelDescent = -1e-9;
   double travel = 0.0;
   Nearest at = start;
   if (one_sided) {
@@ -34,7 +34,7 @@ double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& 
   }
   for (int step = 0; step < kMaxSteps; ++step) {
     const double descent = at.normal.dot(sweep.direction);
-    if (descent >= kParallel) {
+    if (descent >= kParallelDescent) {
       return limit;
     }
     travel += std::max(0.0, at.distance - shell.inner_m) / -descent;

@@ -38,9 +38,9 @@ double Capsule::room_along(const Vec3& p, const Vec3& direction) const {
     const Vec3 q = from_start - p_along * way;
     const Vec3 d = direction - d_along * way;
     const double a = d.squaredNorm();
-    constexpr double kParallel = 1e-18;  // then it leaves through an end for certain
+    constexpr double kAlongTheWay = 1e-18;  // then it leaves through an end for certain
     const double travel =
-        a > kParallel ? larger_root(a, q.dot(d), q.squaredNorm() - squared_radius) : kFar_m;
+        a > kAlongTheWay ? larger_root(a, q.dot(d), q.squaredNorm() - squared_radius) : kFar_m;
     along = p_along + travel * d_along;
     if (along >= 0.0 && along <= 1.0) {
       return std::max(0.0, travel);

@@ -27,5 +27,10 @@ inline Vec3 to_vec3(const Float3& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
+// Rounds to the nearest.
+inline Float3 to_float3(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
 }  // namespace rendering
 }  // namespace tactus

@@ -9,12 +9,13 @@ namespace {
 
 // log2 of x > 0, exact at powers of two and linear between them: at most 0.086 too low.
 double even_log2(double x) {
-  constexpr int kMantissaBits = 52;
-  constexpr int kBias = 1023;
+  constexpr int kDoubleMantissaBits = 52;
+  constexpr int kDoubleBias = 1023;
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  const int exponent = static_cast<int>(bits >> kMantissaBits) - kBias;
-  const auto mantissa = std::bit_cast<double>((bits & ((std::uint64_t{1} << kMantissaBits) - 1)) |
-                                              (static_cast<std::uint64_t>(kBias) << kMantissaBits));
+  const int exponent = static_cast<int>(bits >> kDoubleMantissaBits) - kDoubleBias;
+  const auto mantissa =
+      std::bit_cast<double>((bits & ((std::uint64_t{1} << kDoubleMantissaBits) - 1)) |
+                            (static_cast<std::uint64_t>(kDoubleBias) << kDoubleMantissaBits));
   return exponent + (mantissa - 1.0);
 }
 

@@ -16,12 +16,12 @@ Result fail(SceneFault fault, std::size_t place = 0) {
   return std::unexpected(SceneError{.fault = fault, .place = place});
 }
 
-bool is_finite(const Float3& v) {
+bool has_finite_coordinates(const Float3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 Result check_finite(std::span<const Float3> values, SceneFault fault) {
-  const auto bad = std::ranges::find_if_not(values, is_finite);
+  const auto bad = std::ranges::find_if_not(values, has_finite_coordinates);
   if (bad != values.end()) {
     return fail(fault, static_cast<std::size_t>(bad - values.begin()));
   }

@@ -6,10 +6,6 @@
 namespace tactus::rendering {
 namespace {
 
-Float3 to_float3(const Vec3& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 Float3 least(const Float3& a, const Float3& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }

@@ -5,7 +5,7 @@
 namespace tactus::rendering {
 namespace {
 
-bool usable(const MeshView& mesh) {
+bool usable_mesh(const MeshView& mesh) {
   return !mesh.vertices.empty() && !mesh.triangles.empty() && !mesh.nodes.empty();
 }
 
@@ -40,7 +40,7 @@ bool touchable(const Object& object) {
       return object.method == ContactMethod::tracking &&
              check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
     default:
-      return usable(object.mesh) && object.method != ContactMethod::tracking &&
+      return usable_mesh(object.mesh) && object.method != ContactMethod::tracking &&
              (meets_proxy(object) || has_features(object));
   }
 }

@@ -10,6 +10,7 @@
 #include "rendering/world/world.h"
 #include "tests/property/wanderer.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/share.h"
 #include "tests/support/solid.h"
 
 namespace tactus::testing {
@@ -23,11 +24,11 @@ using rendering::to_vec3;
 using rendering::Touch;
 using rendering::World;
 
-constexpr double kTolerance_m = 1e-6;
+constexpr double kMovingTolerance_m = 1e-6;
 // Fewer ticks on a shape may pass beside it.
-constexpr std::size_t kTicksToMeetEveryShape = 300;
+constexpr std::size_t kTicksToMeetEveryMover = 300;
 
-struct Case {
+struct MovingCase {
   Shape shape;
   Sides sides;
   double radius_m;
@@ -35,7 +36,7 @@ struct Case {
   std::uint64_t seed;
 };
 
-struct Tally {
+struct MovingTally {
   std::size_t contacts = 0;
   std::size_t pinched = 0;
   double worst_clearance_m = 1.0;
@@ -48,8 +49,8 @@ Object changing(const Solid& solid, bool deforms) {
   return object;
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> list;
+std::vector<MovingCase> cases() {
+  std::vector<MovingCase> list;
   std::uint64_t seed = 1;
   for (const Shape& shape : wandered_shapes()) {
     for (const double radius_m : {0.0, 0.001, 0.004}) {
@@ -63,7 +64,7 @@ std::vector<Case> cases() {
 
 class ChangingObject {
  public:
-  ChangingObject(const Case& c, bool deforms)
+  ChangingObject(const MovingCase& c, bool deforms)
       : case_(c),
         solid_(c.shape, c.sides, {.stiffness_N_per_m = 1000.0, .friction = {c.mu, 0.7 * c.mu}}),
         object_(changing(solid_, deforms)),
@@ -74,14 +75,14 @@ class ChangingObject {
   }
 
  protected:
-  void expect_clear(double distance_m, Tally& tally) const {
+  void expect_clear(double distance_m, MovingTally& tally) const {
     tally.worst_clearance_m = std::min(tally.worst_clearance_m, distance_m - case_.radius_m);
     ASSERT_GT(distance_m, 0.0) << "crosses a triangle";
-    ASSERT_GE(distance_m, case_.radius_m - kTolerance_m) << "cuts into a triangle";
+    ASSERT_GE(distance_m, case_.radius_m - kMovingTolerance_m) << "cuts into a triangle";
   }
   [[nodiscard]] double reach_m() const { return case_.radius_m + 1e-5; }
 
-  const Case& case_;
+  const MovingCase& case_;
   Solid solid_;
   Object object_;
   std::unique_ptr<Wanderer> tool_;
@@ -94,9 +95,9 @@ class ChangingObject {
 // Goes to and fro through some centimetres at up to 5 m/s, and turns at up to 40 rad/s.
 class FlyingObject : public ChangingObject {
  public:
-  explicit FlyingObject(const Case& c) : ChangingObject(c, false) {}
+  explicit FlyingObject(const MovingCase& c) : ChangingObject(c, false) {}
 
-  void tick(Tally& tally) {
+  void tick(MovingTally& tally) {
     if (ticks_left_-- <= 0) {
       choose_motion();
     }
@@ -151,13 +152,13 @@ class FlyingObject : public ChangingObject {
 // thin.
 class BoilingObject : public ChangingObject {
  public:
-  explicit BoilingObject(const Case& c) : ChangingObject(c, true), shape_(solid_.shape()) {
+  explicit BoilingObject(const MovingCase& c) : ChangingObject(c, true), shape_(solid_.shape()) {
     for (std::size_t i = 0; i < shape_.vertices.size(); ++i) {
       phase_.push_back(3.14 * signed_unit_(random_));
     }
   }
 
-  void tick(Tally& tally) {
+  void tick(MovingTally& tally) {
     const Shape before = shape_;
     const Vec3 from = path_.points[path_.count - 1];
     boil();
@@ -205,7 +206,8 @@ class BoilingObject : public ChangingObject {
   }
 
   // The vertices and the proxy go straight, side by side, while the objects move.
-  void check_all_through(const Shape& before, const Vec3& from, const Vec3& to, Tally& tally) {
+  void check_all_through(const Shape& before, const Vec3& from, const Vec3& to,
+                         MovingTally& tally) {
     constexpr int kMoments = 4;
     Shape between = shape_;
     for (int moment = 1; moment <= kMoments; ++moment) {
@@ -227,10 +229,10 @@ class BoilingObject : public ChangingObject {
 
 template <class Changing>
 void wander(std::size_t ticks_in_all) {
-  const std::vector<Case> all = cases();
+  const std::vector<MovingCase> all = cases();
   const std::size_t ticks = ticks_in_all / all.size() + 1;
-  Tally tally;
-  for (const Case& c : all) {
+  MovingTally tally;
+  for (const MovingCase& c : all) {
     Changing object(c);
     for (std::size_t tick = 0; tick < ticks; ++tick) {
       SCOPED_TRACE(c.shape.name + " radius " + std::to_string(c.radius_m) + " seed " +
@@ -244,18 +246,18 @@ void wander(std::size_t ticks_in_all) {
   std::printf("%zu ticks on %zu cases, %zu in contact, %zu pinched; least clearance %.3f um\n",
               ticks * all.size(), all.size(), tally.contacts, tally.pinched,
               1e6 * tally.worst_clearance_m);
-  if (ticks >= kTicksToMeetEveryShape) {
+  if (ticks >= kTicksToMeetEveryMover) {
     EXPECT_GT(tally.contacts, ticks * all.size() / 20);
   }
   EXPECT_LT(tally.pinched, ticks * all.size() / 100);
 }
 
 TEST(MovingObject, NeverSwallowsTheProxy) {
-  wander<FlyingObject>(ticks_in_all(300'000));
+  wander<FlyingObject>(share_of(std::size_t{300'000}));
 }
 
 TEST(DeformingObject, NeverSwallowsTheProxy) {
-  wander<BoilingObject>(ticks_in_all(50'000));
+  wander<BoilingObject>(share_of(std::size_t{50'000}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "tests/property/wanderer.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/shapes.h"
+#include "tests/support/share.h"
 #include "tests/support/solid.h"
 
 namespace tactus::testing {
@@ -97,7 +98,7 @@ TEST(SphereProxy, CrossesNoTriangleKeepsItsRadiusAndRestsAtALocalMinimum) {
       cases.push_back({shape, Sides::two, radius_m, true});
     }
   }
-  const std::size_t ticks = ticks_in_all(1'000'000) / cases.size() + 1;
+  const std::size_t ticks = share_of(std::size_t{1'000'000}) / cases.size() + 1;
   Tally all;
   std::uint64_t seed = 1;
   for (const Case& c : cases) {

@@ -37,13 +37,6 @@ std::vector<Shape> wandered_shapes() {
   return list;
 }
 
-std::size_t ticks_in_all(std::size_t by_itself) {
-  constexpr double kMillion = 1e6;
-  const char* wanted = std::getenv("TACTUS_PROPERTY_TICKS");
-  const double share = wanted != nullptr ? std::strtod(wanted, nullptr) / kMillion : 1.0;
-  return static_cast<std::size_t>(share * static_cast<double>(by_itself));
-}
-
 Vec3 Wanderer::next() {
   if (ticks_left_-- <= 0) {
     choose_target();

@@ -12,9 +12,6 @@ namespace tactus::testing {
 // Closed and open, acute, thin, slivered, doubled and self-intersecting.
 std::vector<Shape> wandered_shapes();
 
-// What a test runs by itself, in the proportion of TACTUS_PROPERTY_TICKS to a million.
-std::size_t ticks_in_all(std::size_t by_itself);
-
 // A tool that wanders about the shape: it picks points near the surface, on either side, and goes
 // there at speeds from a micrometre to half the shape a tick, trembling.
 class Wanderer {

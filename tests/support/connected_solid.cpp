@@ -8,11 +8,8 @@
 namespace tactus::testing {
 namespace {
 
+using rendering::to_float3;
 using rendering::to_vec3;
-
-rendering::Float3 to_float3(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));

@@ -51,4 +51,8 @@ double Csv::number(std::size_t row, const std::string& column) const {
                       : std::strtod(cell.c_str(), nullptr);
 }
 
+Vec3 Csv::vector(std::size_t row, const std::string& prefix) const {
+  return {number(row, prefix + "x"), number(row, prefix + "y"), number(row, prefix + "z")};
+}
+
 }  // namespace tactus::testing

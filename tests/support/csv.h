@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rendering/geometry/vector.h"
+
 namespace tactus::testing {
 
 class Csv {
@@ -17,6 +19,8 @@ class Csv {
   [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const;
   // NaN for an empty cell.
   [[nodiscard]] double number(std::size_t row, const std::string& column) const;
+  // Of the columns PREFIXx, PREFIXy and PREFIXz.
+  [[nodiscard]] Vec3 vector(std::size_t row, const std::string& prefix) const;
 
  private:
   std::map<std::string, std::size_t> columns_;

@@ -11,13 +11,13 @@ namespace {
 using rendering::Primitive;
 using rendering::PrimitiveKind;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
 // A surface of revolution about y from its profile (r, y) of v.
 Patch turned(const std::function<Eigen::Vector2d(double)>& profile) {
   return [profile](double u, double v) {
     const Eigen::Vector2d ry = profile(v);
-    return Vec3(ry.x() * std::cos(kTurn * u), ry.y(), ry.x() * std::sin(kTurn * u));
+    return Vec3(ry.x() * std::cos(kFullCircle * u), ry.y(), ry.x() * std::sin(kFullCircle * u));
   };
 }
 
@@ -53,7 +53,7 @@ std::vector<Patch> patches_in_O(const Primitive& primitive) {
   const double a = primitive.dimensions_m[0];
   const double b = primitive.dimensions_m[1];
   const double c = primitive.dimensions_m[2];
-  constexpr double kQuarter = kTurn / 4.0;
+  constexpr double kQuarter = kFullCircle / 4.0;
   switch (primitive.kind) {
     case PrimitiveKind::plane:
       return {[](double u, double v) { return Vec3(u - 0.5, 0.0, v - 0.5); }};
@@ -68,7 +68,7 @@ std::vector<Patch> patches_in_O(const Primitive& primitive) {
     case PrimitiveKind::cone:
       return {ring(0.0, 0.0, a, 0.0), ring(a, 0.0, 0.0, b)};
     case PrimitiveKind::torus:
-      return {arc(a, 0.0, b, 0.0, kTurn)};
+      return {arc(a, 0.0, b, 0.0, kFullCircle)};
   }
   return {};
 }

@@ -11,12 +11,9 @@ namespace tactus::testing {
 namespace {
 
 using rendering::Float3;
+using rendering::to_float3;
 using rendering::to_vec3;
 using rendering::TriangleIndices;
-
-Float3 to_float3(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
 
 std::uint32_t add_vertex(Shape& s, const Vec3& v) {
   s.vertices.push_back(to_float3(v));

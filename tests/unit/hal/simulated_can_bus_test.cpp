@@ -21,11 +21,11 @@ struct SimulatedCanRig {
   SimulatedCanBus right_node{network};
 };
 
-using Rigs = ::testing::Types<SimulatedCanRig<true, 0>, SimulatedCanRig<false, 0>,
-                              SimulatedCanRig<true, 1'000'000>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(Simulated, CanBusContract, Rigs);
+using CanRigs = ::testing::Types<SimulatedCanRig<true, 0>, SimulatedCanRig<false, 0>,
+                                 SimulatedCanRig<true, 1'000'000>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Simulated, CanBusContract, CanRigs);
 
-constexpr TimeNs kUs = 1000;
+constexpr TimeNs kCanUs = 1000;
 
 class SimulatedCan : public ::testing::Test {
  protected:
@@ -47,13 +47,13 @@ class SimulatedCan : public ::testing::Test {
 TEST_F(SimulatedCan, FrameTakesItsBitsTimesTheBitTime) {
   const SimulatedCanNetworkConfig config{
       .fd = true, .bit_rate = 1'000'000, .data_bit_rate = 5'000'000};
-  EXPECT_EQ(wire_time_ns({.length = 8}, config), 111 * kUs);
-  EXPECT_EQ(wire_time_ns({.extended = true, .length = 8}, config), 131 * kUs);
-  EXPECT_EQ(wire_time_ns({.remote = true, .length = 8}, config), 47 * kUs);
-  EXPECT_EQ(wire_time_ns({.length = 8}, {.bit_rate = 500'000}), 222 * kUs);
+  EXPECT_EQ(wire_time_ns({.length = 8}, config), 111 * kCanUs);
+  EXPECT_EQ(wire_time_ns({.extended = true, .length = 8}, config), 131 * kCanUs);
+  EXPECT_EQ(wire_time_ns({.remote = true, .length = 8}, config), 47 * kCanUs);
+  EXPECT_EQ(wire_time_ns({.length = 8}, {.bit_rate = 500'000}), 222 * kCanUs);
   const TimeNs plain = wire_time_ns({.fd = true, .length = 64}, config);
   const TimeNs fast = wire_time_ns({.fd = true, .bit_rate_switch = true, .length = 64}, config);
-  EXPECT_GT(plain, 512 * kUs);
+  EXPECT_GT(plain, 512 * kCanUs);
   EXPECT_LT(fast, plain / 3);
 }
 
@@ -62,10 +62,10 @@ TEST_F(SimulatedCan, ReceiverIsWokenWhenTheFrameEnds) {
   SimulatedCanBus right(wire_);
   ASSERT_TRUE(left.send(can_frame(1, {1, 2, 3, 4, 5, 6, 7, 8})));
   std::array<CanReceived, 1> one;
-  EXPECT_EQ(code_of(right.receive(one, 110 * kUs)), ErrorCode::timeout);
-  EXPECT_EQ(right.receive(one, 1000 * kUs), 1U);
-  EXPECT_EQ(clock_.now_ns(), 111 * kUs);
-  EXPECT_EQ(one[0].time_ns, 111 * kUs);
+  EXPECT_EQ(code_of(right.receive(one, 110 * kCanUs)), ErrorCode::timeout);
+  EXPECT_EQ(right.receive(one, 1000 * kCanUs), 1U);
+  EXPECT_EQ(clock_.now_ns(), 111 * kCanUs);
+  EXPECT_EQ(one[0].time_ns, 111 * kCanUs);
 }
 
 TEST_F(SimulatedCan, EveryOtherNodeHearsAFrame) {
@@ -87,7 +87,7 @@ TEST_F(SimulatedCan, FullSendQueueTakesWhatFitsThenRefuses) {
   EXPECT_EQ(code_of(left.send(six)), ErrorCode::queue_full);
   EXPECT_EQ(left.counters().sent, 4U);
   EXPECT_EQ(left.counters().send_refused, 8U);
-  clock_.advance_by(1000 * kUs);
+  clock_.advance_by(1000 * kCanUs);
   EXPECT_EQ(left.send(six), 4U);
 }
 
@@ -102,7 +102,7 @@ TEST_F(SimulatedCan, LowestIdentifierGoesFirst) {
   ASSERT_TRUE(b.send(can_frame(0x200, {})));
   CanFrame extended{.id = 0x200U << 18U, .extended = true};
   ASSERT_TRUE(c.send(extended));  // same base identifier: loses against the standard frame
-  clock_.advance_by(10'000 * kUs);
+  clock_.advance_by(10'000 * kCanUs);
   std::vector<std::uint32_t> order;
   for (const CanReceived& received : all(listener)) {
     order.push_back(received.frame.id);
@@ -152,7 +152,7 @@ TEST_F(SimulatedCan, BusOffIsSilentAndDeafUntilRestart) {
   EXPECT_EQ(left.status().transmit_errors, 255);
   EXPECT_EQ(code_of(left.send(can_frame(1, {1}))), ErrorCode::bus_off);
   ASSERT_TRUE(right.send(can_frame(2, {2})));
-  clock_.advance_by(1000 * kUs);
+  clock_.advance_by(1000 * kCanUs);
   EXPECT_EQ(right.waiting_to_be_read(), 0U);
   ASSERT_TRUE(left.restart());
   EXPECT_EQ(left.status().state, CanState::error_active);
@@ -164,7 +164,7 @@ TEST_F(SimulatedCan, BusOffIsSilentAndDeafUntilRestart) {
   EXPECT_EQ(left.counters().error_reports, 2U);
   EXPECT_EQ(left.counters().received, 0U);
   ASSERT_TRUE(left.send(can_frame(3, {})));
-  clock_.advance_by(1000 * kUs);
+  clock_.advance_by(1000 * kCanUs);
   EXPECT_EQ(all(right).size(), 1U);
 }
 
@@ -178,7 +178,7 @@ TEST_F(SimulatedCan, FailedTransmissionsLeadOffTheBusStepByStep) {
   ASSERT_TRUE(left.send(can_frame(1, {})));
   std::map<CanState, int> failures_until;
   for (int failures = 1; failures <= 32; ++failures) {
-    clock_.advance_by(47 * kUs);
+    clock_.advance_by(47 * kCanUs);
     EXPECT_EQ(left.status().transmit_errors, std::min(8 * failures, 255));
     failures_until.try_emplace(left.status().state, failures);
   }
@@ -199,7 +199,7 @@ TEST_F(SimulatedCan, FailedTransmissionIsTriedAgainAndTheCounterRecovers) {
   SimulatedCanBus right(wire_);
   left.fail_transmissions(1);
   ASSERT_TRUE(left.send(can_frame(1, {})));
-  clock_.advance_by(94 * kUs);
+  clock_.advance_by(94 * kCanUs);
   EXPECT_EQ(right.waiting_to_be_read(), 1U);
   EXPECT_EQ(left.status().transmit_errors, 7);
 }
@@ -223,10 +223,10 @@ TEST_F(SimulatedCan, LinkThatGoesDownTakesItsFrameOffTheWire) {
   SimulatedCanBus listener(wire_);
   ASSERT_TRUE(left.send(can_frame(1, {})));
   ASSERT_TRUE(other.send(can_frame(2, {})));
-  clock_.advance_by(10 * kUs);
+  clock_.advance_by(10 * kCanUs);
   left.set_link_up(false);
   left.set_link_up(true);
-  clock_.advance_by(47 * kUs);
+  clock_.advance_by(47 * kCanUs);
   const auto received = all(listener);
   ASSERT_EQ(received.size(), 1U);
   EXPECT_EQ(received[0].frame.id, 2U);
@@ -270,7 +270,7 @@ class Drive final : public SimulatedEventSource {
     }
     std::array<CanReceived, 1> one;
     EXPECT_EQ(bus_.receive(one, kNoWait), 1U);
-    answer_ns_ = one[0].time_ns + 200 * kUs;
+    answer_ns_ = one[0].time_ns + 200 * kCanUs;
   }
 
  private:
@@ -284,10 +284,10 @@ TEST_F(SimulatedCan, EmulatedDriveAnswersWhileTheHostWaits) {
   Drive drive(wire_);
   std::array<CanReceived, 1> one;
   for (TimeNs tick = 0; tick < 5; ++tick) {
-    clock_.sleep_until(tick * 1000 * kUs);
+    clock_.sleep_until(tick * 1000 * kCanUs);
     ASSERT_TRUE(host.send(can_frame(0x40, {1})));
-    ASSERT_EQ(host.receive(one, clock_.now_ns() + 500 * kUs), 1U);
-    EXPECT_EQ(one[0].time_ns, (tick * 1000 + 55 + 200 + 55) * kUs);
+    ASSERT_EQ(host.receive(one, clock_.now_ns() + 500 * kCanUs), 1U);
+    EXPECT_EQ(one[0].time_ns, (tick * 1000 + 55 + 200 + 55) * kCanUs);
   }
 }
 

@@ -20,7 +20,7 @@ struct SimulatedGpioRig {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Simulated, GpioLinesContract, SimulatedGpioRig);
 
-constexpr TimeNs kUs = 1000;
+constexpr TimeNs kGpioUs = 1000;
 
 class SimulatedGpio : public ::testing::Test {
  protected:
@@ -91,26 +91,26 @@ TEST_F(SimulatedGpio, EdgeCarriesTheTimeItHappened) {
 TEST_F(SimulatedGpio, DebounceStartsAgainAtEveryBounce) {
   request({{.offset = 3, .edges = GpioEdges::both, .debounce_us = 100}});
   chip_.drive(3, true);
-  clock_.advance_to(90 * kUs);
+  clock_.advance_to(90 * kGpioUs);
   chip_.drive(3, false);
-  clock_.advance_to(95 * kUs);
+  clock_.advance_to(95 * kGpioUs);
   chip_.drive(3, true);
-  clock_.advance_to(194 * kUs);
+  clock_.advance_to(194 * kGpioUs);
   EXPECT_EQ(lines_.get(1), 0U);
   EXPECT_TRUE(edges().empty());
-  clock_.advance_to(1000 * kUs);
+  clock_.advance_to(1000 * kGpioUs);
   const auto seen = edges();
   ASSERT_EQ(seen.size(), 1U);
-  EXPECT_EQ(seen[0].time_ns, 195 * kUs);
+  EXPECT_EQ(seen[0].time_ns, 195 * kGpioUs);
   EXPECT_EQ(lines_.get(1), 1U);
 }
 
 TEST_F(SimulatedGpio, GlitchShorterThanTheDebounceLeavesNoTrace) {
   request({{.offset = 3, .edges = GpioEdges::both, .debounce_us = 100}});
   chip_.drive(3, true);
-  clock_.advance_to(99 * kUs);
+  clock_.advance_to(99 * kGpioUs);
   chip_.drive(3, false);
-  clock_.advance_to(1000 * kUs);
+  clock_.advance_to(1000 * kGpioUs);
   EXPECT_TRUE(edges().empty());
 }
 
@@ -118,8 +118,8 @@ TEST_F(SimulatedGpio, WaitForAnEdgeEndsWhenTheLineSettles) {
   request({{.offset = 3, .edges = GpioEdges::both, .debounce_us = 100}});
   chip_.drive(3, true);
   std::array<GpioEdgeEvent, 1> one;
-  EXPECT_EQ(lines_.read_edges(one, 1000 * kUs), 1U);
-  EXPECT_EQ(clock_.now_ns(), 100 * kUs);
+  EXPECT_EQ(lines_.read_edges(one, 1000 * kGpioUs), 1U);
+  EXPECT_EQ(clock_.now_ns(), 100 * kGpioUs);
 }
 
 TEST_F(SimulatedGpio, EdgesTheInterruptMissedShowAsAGap) {

@@ -54,10 +54,10 @@ struct SimulatedUsbRig {
   SimulatedUsbEndpoint simulated_endpoint{simulated, peer, {.out_time_ns = kDelayNs}};
 };
 
-using Rigs = ::testing::Types<SimulatedUsbRig<0, 0>, SimulatedUsbRig<200'000, 5'000'000>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(Simulated, UsbEndpointContract, Rigs);
+using UsbRigs = ::testing::Types<SimulatedUsbRig<0, 0>, SimulatedUsbRig<200'000, 5'000'000>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Simulated, UsbEndpointContract, UsbRigs);
 
-constexpr TimeNs kUs = 1000;
+constexpr TimeNs kUsbUs = 1000;
 
 class SimulatedUsb : public ::testing::Test {
  protected:
@@ -70,24 +70,25 @@ class SimulatedUsb : public ::testing::Test {
   }
 
   SimulatedClock clock_{0};
-  EchoPeer peer_{300 * kUs};
-  SimulatedUsbEndpoint endpoint_{clock_, peer_, {.max_packet_bytes = 8, .out_time_ns = 100 * kUs}};
+  EchoPeer peer_{300 * kUsbUs};
+  SimulatedUsbEndpoint endpoint_{
+      clock_, peer_, {.max_packet_bytes = 8, .out_time_ns = 100 * kUsbUs}};
   std::array<std::byte, 64> buffer_{};
   std::array<std::byte, 20> data_{};
 };
 
 TEST_F(SimulatedUsb, ExchangeTakesTheTimeOfTheWayOutAndOfTheAnswer) {
-  ASSERT_EQ(endpoint_.bulk_out(data_, 1000 * kUs), data_.size());
-  EXPECT_EQ(clock_.now_ns(), 100 * kUs);
-  ASSERT_EQ(endpoint_.bulk_in(buffer_, 1000 * kUs), data_.size());
-  EXPECT_EQ(clock_.now_ns(), 400 * kUs);
+  ASSERT_EQ(endpoint_.bulk_out(data_, 1000 * kUsbUs), data_.size());
+  EXPECT_EQ(clock_.now_ns(), 100 * kUsbUs);
+  ASSERT_EQ(endpoint_.bulk_in(buffer_, 1000 * kUsbUs), data_.size());
+  EXPECT_EQ(clock_.now_ns(), 400 * kUsbUs);
 }
 
 TEST_F(SimulatedUsb, ReadStopsExactlyAtItsDeadline) {
-  ASSERT_TRUE(endpoint_.answer(data_, 300 * kUs));
-  expect_refused(endpoint_.bulk_in(buffer_, 299 * kUs), ErrorCode::timeout);
-  EXPECT_EQ(clock_.now_ns(), 299 * kUs);
-  EXPECT_EQ(endpoint_.bulk_in(buffer_, 300 * kUs), data_.size());
+  ASSERT_TRUE(endpoint_.answer(data_, 300 * kUsbUs));
+  expect_refused(endpoint_.bulk_in(buffer_, 299 * kUsbUs), ErrorCode::timeout);
+  EXPECT_EQ(clock_.now_ns(), 299 * kUsbUs);
+  EXPECT_EQ(endpoint_.bulk_in(buffer_, 300 * kUsbUs), data_.size());
 }
 
 TEST_F(SimulatedUsb, AnswerCanComeWithinTheWait) {
@@ -95,8 +96,8 @@ TEST_F(SimulatedUsb, AnswerCanComeWithinTheWait) {
   UsbTransfer write = UsbTransfer::out(data_);
   ASSERT_TRUE(endpoint_.submit(read));
   ASSERT_TRUE(endpoint_.submit(write));
-  EXPECT_EQ(endpoint_.wait(read, 1000 * kUs), data_.size());
-  EXPECT_EQ(clock_.now_ns(), 400 * kUs);
+  EXPECT_EQ(endpoint_.wait(read, 1000 * kUsbUs), data_.size());
+  EXPECT_EQ(clock_.now_ns(), 400 * kUsbUs);
   EXPECT_EQ(write.result(), data_.size());
 }
 
@@ -119,10 +120,10 @@ TEST_F(SimulatedUsb, OverflowLosesThePacketAndNothingElse) {
 
 TEST_F(SimulatedUsb, DeviceThatTakesOnlyPartGivesAShortWrite) {
   endpoint_.take_only(16);
-  EXPECT_EQ(endpoint_.bulk_out(data_, 1000 * kUs), 16U);
-  expect_refused(endpoint_.bulk_out(data_, 2000 * kUs), ErrorCode::timeout);
+  EXPECT_EQ(endpoint_.bulk_out(data_, 1000 * kUsbUs), 16U);
+  expect_refused(endpoint_.bulk_out(data_, 2000 * kUsbUs), ErrorCode::timeout);
   endpoint_.take_only(SimulatedUsbEndpoint::kTakeAll);
-  EXPECT_EQ(endpoint_.bulk_out(data_, 3000 * kUs), data_.size());
+  EXPECT_EQ(endpoint_.bulk_out(data_, 3000 * kUsbUs), data_.size());
   EXPECT_EQ(peer_.heard().size(), 36U);
 }
 
@@ -131,29 +132,29 @@ TEST_F(SimulatedUsb, HaltedEndpointStalls) {
   ASSERT_TRUE(endpoint_.submit(read));
   endpoint_.set_halted(true);
   expect_refused(read.result(), ErrorCode::stalled);
-  expect_refused(endpoint_.bulk_out(data_, 1000 * kUs), ErrorCode::stalled);
+  expect_refused(endpoint_.bulk_out(data_, 1000 * kUsbUs), ErrorCode::stalled);
   endpoint_.set_halted(false);
-  EXPECT_TRUE(endpoint_.bulk_out(data_, 1000 * kUs));
+  EXPECT_TRUE(endpoint_.bulk_out(data_, 1000 * kUsbUs));
 }
 
 TEST_F(SimulatedUsb, InjectedFailuresComeAndGo) {
   endpoint_.fail_next(2, ErrorCode::io);
-  expect_refused(endpoint_.bulk_out(data_, 1000 * kUs), ErrorCode::io);
-  expect_refused(endpoint_.bulk_in(buffer_, 1000 * kUs), ErrorCode::io);
-  EXPECT_TRUE(endpoint_.bulk_out(data_, 1000 * kUs));
+  expect_refused(endpoint_.bulk_out(data_, 1000 * kUsbUs), ErrorCode::io);
+  expect_refused(endpoint_.bulk_in(buffer_, 1000 * kUsbUs), ErrorCode::io);
+  EXPECT_TRUE(endpoint_.bulk_out(data_, 1000 * kUsbUs));
 }
 
 TEST_F(SimulatedUsb, UnplugLooksAsOnLinuxFirstIoThenDisconnected) {
   UsbTransfer read = UsbTransfer::in(buffer_);
   ASSERT_TRUE(endpoint_.submit(read));
-  endpoint_.unplug(3000 * kUs);
+  endpoint_.unplug(3000 * kUsbUs);
   expect_refused(read.result(), ErrorCode::io);
   EXPECT_EQ(endpoint_.state(), UsbState::attached);
-  expect_refused(endpoint_.bulk_in(buffer_, 1000 * kUs), ErrorCode::io);
+  expect_refused(endpoint_.bulk_in(buffer_, 1000 * kUsbUs), ErrorCode::io);
   EXPECT_FALSE(endpoint_.answer(data_));
-  clock_.advance_to(3000 * kUs);
+  clock_.advance_to(3000 * kUsbUs);
   EXPECT_EQ(endpoint_.state(), UsbState::detached);
-  expect_refused(endpoint_.bulk_in(buffer_, 9000 * kUs), ErrorCode::disconnected);
+  expect_refused(endpoint_.bulk_in(buffer_, 9000 * kUsbUs), ErrorCode::disconnected);
 }
 
 TEST_F(SimulatedUsb, WhatTheDeviceHadToSayIsLostWithIt) {
@@ -166,15 +167,15 @@ TEST_F(SimulatedUsb, WhatTheDeviceHadToSayIsLostWithIt) {
 
 TEST_F(SimulatedUsb, ControlToAStoppedDeviceWaitsForTheDeadline) {
   endpoint_.set_stopped(true);
-  expect_refused(endpoint_.control_out(kStore, {}, 50 * kUs), ErrorCode::timeout);
-  EXPECT_EQ(clock_.now_ns(), 50 * kUs);
+  expect_refused(endpoint_.control_out(kStore, {}, 50 * kUsbUs), ErrorCode::timeout);
+  EXPECT_EQ(clock_.now_ns(), 50 * kUsbUs);
 }
 
 TEST_F(SimulatedUsb, LateAnswerIsNotOvertaken) {
-  ASSERT_TRUE(endpoint_.answer(std::span(data_).first(5), 300 * kUs));
+  ASSERT_TRUE(endpoint_.answer(std::span(data_).first(5), 300 * kUsbUs));
   ASSERT_TRUE(endpoint_.answer(std::span(data_).first(3)));
-  expect_refused(endpoint_.bulk_in(buffer_, 200 * kUs), ErrorCode::timeout);
-  EXPECT_EQ(endpoint_.bulk_in(buffer_, 300 * kUs), 5U);
+  expect_refused(endpoint_.bulk_in(buffer_, 200 * kUsbUs), ErrorCode::timeout);
+  EXPECT_EQ(endpoint_.bulk_in(buffer_, 300 * kUsbUs), 5U);
   EXPECT_EQ(endpoint_.bulk_in(buffer_, kNoWait), 3U);
 }
 

@@ -12,6 +12,7 @@
 #include "rendering/limits.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/connected_solid.h"
+#include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
@@ -59,7 +60,7 @@ TEST(FeatureWalk, OnConvexMeshesEndsAtTheNearestPointFromAnyFaceThatSeesIt) {
     const auto triangles = testing::corners_of(solid.shape());
     std::uniform_int_distribution<std::uint32_t> any(
         0, static_cast<std::uint32_t>(triangles.size() - 1));
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < testing::share_of(1000); ++i) {
       const Vec3 q = random_point(random, 0.08);
       if (testing::winding_number(shape, q) > 0.5) {
         continue;
@@ -176,7 +177,7 @@ TEST(FeatureWalk, IsNeverFreeInsideAndRestsOnlyWhereNothingNextToItIsNearer) {
     Vec3 h(0.1, 0.1, 0.1);
     finger.place(h);
     Vec3 goal = random_point(random, 0.05);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < testing::share_of(4000); ++i) {
       SCOPED_TRACE(shape.name + ", seed 137, tick " + std::to_string(i));
       goal = (goal - h).norm() < 1e-3 ? random_point(random, 0.06) : goal;
       h += (i % 97 == 0 ? 0.02 : 5e-4) * (goal - h).normalized();

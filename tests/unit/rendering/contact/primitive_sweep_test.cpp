@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/support/primitive_points.h"
+#include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
@@ -56,7 +57,7 @@ TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> place(-0.1, 0.1);
   const auto point = [&] { return Vec3{place(random), place(random), place(random)}; };
-  for (int i = 0; i < 40'000; ++i) {
+  for (int i = 0; i < testing::share_of(40'000); ++i) {
     const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
     SCOPED_TRACE("seed 41, case " + std::to_string(i));
     const Primitive primitive = testing::random_primitive(kind, random);
@@ -91,7 +92,7 @@ TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
   std::normal_distribution<double> bell;
   std::uniform_real_distribution<double> place(-0.1, 0.1);
   std::uniform_real_distribution<double> decade(-6.0, -1.0);
-  for (int i = 0; i < 40'000; ++i) {
+  for (int i = 0; i < testing::share_of(40'000); ++i) {
     const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
     SCOPED_TRACE("seed 43, case " + std::to_string(i));
     const Primitive primitive = testing::random_primitive(kind, random);
@@ -127,7 +128,7 @@ TEST(PrimitiveSweep, DeepInTheShellItMayMoveOutButNotIn) {
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> bell;
   std::uniform_real_distribution<double> place(-0.1, 0.1);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < testing::share_of(20'000); ++i) {
     const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
     SCOPED_TRACE("seed 47, case " + std::to_string(i));
     const Primitive primitive = testing::random_primitive(kind, random);

@@ -7,20 +7,22 @@
 #include <vector>
 
 #include "rendering/world/world.h"
+#include "tests/support/materials.h"
 #include "tests/unit/rendering/detail/shaded_solid.h"
 
 namespace tactus::rendering {
 namespace {
 
 using testing::Hand;
+using testing::kSlippery;
 using testing::ShadedSolid;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr Material kFrictionless{.stiffness_N_per_m = 1000.0};
 
 constexpr int kSides = 16;
 constexpr double kRadius_m = 0.02;
 constexpr double kStep_deg = 0.05;
+constexpr Material kRubbed{.stiffness_N_per_m = 1000.0, .friction = {0.4, 0.3}};
 
 // Directions of the force, in degrees about the axis, as the tool goes round the prism.
 std::vector<double> directions(const Object& object, double radius_m, double depth_m) {
@@ -50,7 +52,7 @@ double largest_turn_per_degree(const std::vector<double>& directions) {
 }
 
 TEST(ForceShading, ASixteenSidedCylinderTurnsTheForceTenTimesMoreEvenly) {
-  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kFrictionless);
+  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {
     for (const double depth_m : {0.0005, 0.001, 0.002}) {
       const double faceted =
@@ -69,7 +71,7 @@ TEST(ForceShading, ASixteenSidedCylinderTurnsTheForceTenTimesMoreEvenly) {
 TEST(ForceShading, TheForceIsAlongTheInterpolatedNormal) {
   // On the prism's round side the interpolated normal at a surface point is nearly radial, so the
   // force leads away from the axis through the proxy's contact point.
-  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kFrictionless);
+  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kSlippery);
   Hand hand(cylinder.shaded(), 0.0);
   hand.touch({0.03, 0.001, 0.0});
   for (double angle_deg = 0.0; angle_deg < 30.0; angle_deg += 0.1) {
@@ -81,7 +83,7 @@ TEST(ForceShading, TheForceIsAlongTheInterpolatedNormal) {
 }
 
 TEST(ForceShading, ABoxIsFeltAsWithout) {
-  const ShadedSolid box(testing::box({0.04, 0.04, 0.04}), 40.0, kFrictionless);
+  const ShadedSolid box(testing::box({0.04, 0.04, 0.04}), 40.0, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {
     Hand flat(box.flat(), radius_m);
     Hand shaded(box.shaded(), radius_m);
@@ -111,8 +113,7 @@ double felt_friction(const Object& object, double radius_m, double depth_m) {
 }
 
 TEST(ForceShading, FrictionKeepsItsCoefficient) {
-  constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.4, 0.3}};
-  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kRough);
+  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kRubbed);
   for (const double radius_m : {0.0, 0.002}) {
     for (const double depth_m : {0.0005, 0.002, 0.004}) {
       // The lean of the force shortens what the plane is pressed by its cosine, here above 0.98.
@@ -123,8 +124,7 @@ TEST(ForceShading, FrictionKeepsItsCoefficient) {
 }
 
 TEST(ForceShading, AStillToolIsHeldStill) {
-  constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.4, 0.3}};
-  for (const Material& material : {kFrictionless, kRough}) {
+  for (const Material& material : {kSlippery, kRubbed}) {
     const ShadedSolid ball(testing::icosphere(0.02, 2), 40.0, material);
     Hand hand(ball.shaded(), 0.001);
     hand.touch({0.0, 0.0, 0.04});

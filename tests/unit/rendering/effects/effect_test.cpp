@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/share.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -239,7 +241,7 @@ TEST(Effect, AConservativeLawDeliversWhatItStored) {
       double stored_at_start = 0.0;
       double sampling = 1e-9;  // the laws' steepest is 520 N/m
       Vec3 last = hand.at(0.0).p_W;
-      for (int i = 0; i < 200'000; ++i) {
+      for (int i = 0; i < testing::share_of(200'000); ++i) {
         const ToolState tool = hand.at(i * 1e-5);
         apply(effect, state, tool, 1e-5);
         sampling += 0.5 * 520.0 * (tool.p_W - last).squaredNorm();

@@ -14,16 +14,11 @@ namespace {
 
 using testing::Csv;
 
-Vec3 vector_at(const Csv& csv, std::size_t row, const std::string& prefix) {
-  return {csv.number(row, prefix + "x"), csv.number(row, prefix + "y"),
-          csv.number(row, prefix + "z")};
-}
-
 std::vector<Plane> planes_of(const Csv& csv, std::size_t row) {
   std::vector<Plane> planes;
   for (int i = 0; i < static_cast<int>(csv.number(row, "m")); ++i) {
     const std::string k = std::to_string(i);
-    const Vec3 n = vector_at(csv, row, "n" + k);
+    const Vec3 n = csv.vector(row, "n" + k);
     planes.push_back({.normal = n.normalized(), .offset = csv.number(row, "d" + k) / n.norm()});
   }
   return planes;
@@ -52,7 +47,7 @@ class ReferenceCases : public ::testing::Test {
 TEST_F(ReferenceCases, ThePointIsTheExactMinimum) {
   std::size_t checked = 0;
   for (std::size_t row = 0; row < csv_.rows(); ++row) {
-    const Vec3 h = vector_at(csv_, row, "h");
+    const Vec3 h = csv_.vector(row, "h");
     const std::vector<Plane> planes = planes_of(csv_, row);
     const PlaneProjection got = project_on_planes(h, planes);
     ASSERT_TRUE(got.point.allFinite()) << "row " << row;
@@ -63,7 +58,7 @@ TEST_F(ReferenceCases, ThePointIsTheExactMinimum) {
                            ? planes[0].normal.cross(planes[1].normal).squaredNorm()
                            : csv_.number(row, "unit_gram_det_of_active_set");
     const double tolerance = 10.0 * (1e-14 + (det > 0.0 ? 3e-17 / std::sqrt(det) : 0.0));
-    EXPECT_LE((got.point - vector_at(csv_, row, "g")).norm(), tolerance)
+    EXPECT_LE((got.point - csv_.vector(row, "g")).norm(), tolerance)
         << "row " << row << " " << csv_.text(row, "category");
     EXPECT_TRUE(got.feasible) << "row " << row << " " << csv_.text(row, "category");
     ++checked;
@@ -82,7 +77,7 @@ TEST_F(ReferenceCases, ThePlanesThatHoldThePointAreTheExactOnes) {
     if (!comparable || nearly_parallel(planes)) {
       continue;
     }
-    const PlaneProjection got = project_on_planes(vector_at(csv_, row, "h"), planes);
+    const PlaneProjection got = project_on_planes(csv_.vector(row, "h"), planes);
     EXPECT_EQ(mask_of(got), static_cast<unsigned>(csv_.number(row, "active_mask")))
         << "row " << row << " " << csv_.text(row, "category");
     ++checked;

@@ -13,11 +13,13 @@
 
 #include "rendering/geometry/plane_projection.h"
 #include "tests/support/counted.h"
+#include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
 
 using testing::Counted;
+using testing::share_of;
 using CountedVector = Eigen::Matrix<Counted, 3, 1>;
 using Real = long double;
 using RealVector = Eigen::Matrix<Real, 3, 1>;
@@ -186,7 +188,7 @@ TEST(PlaneProjection, NearlyParallelAndRedundantPlanesGiveAnAllowedPointAsNearAs
   for (int exponent = -12; exponent <= -1; ++exponent) {
     Real worst = 0.0L;
     Real excess = 0.0L;
-    for (int k = 0; k < 2'000; ++k) {
+    for (int k = 0; k < share_of(2'000); ++k) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", angle 1e" + std::to_string(exponent) +
                    ", case " + std::to_string(k));
       const Vec3 p = 0.1 * bundle.direction();

@@ -10,14 +10,14 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260318;
+constexpr std::uint64_t kPortableMathSeed = 20260318;
 constexpr int kPoints = 200'000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(PortableMath, SineAndCosineAreWithinFourTenthsOfARoundingAtAnyAllowedAngle) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kPortableMathSeed);
+  std::mt19937_64 random(kPortableMathSeed);
   for (const double range : {1.0, 10.0, 1000.0, kLargestAngle}) {
     std::uniform_real_distribution<double> angle(-range, range);
     for (int i = 0; i < kPoints; ++i) {
@@ -37,8 +37,8 @@ TEST(PortableMath, SineOfWhatIsNoAngleIsNoNumber) {
 }
 
 TEST(PortableMath, TheExponentialIsWithinItsRelativeError) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kPortableMathSeed);
+  std::mt19937_64 random(kPortableMathSeed);
   for (const double range : {0.01, 1.0, 30.0, kLargestExponent}) {
     std::uniform_real_distribution<double> exponent(-range, range);
     for (int i = 0; i < kPoints; ++i) {
@@ -58,8 +58,8 @@ TEST(PortableMath, TheExponentialStaysFiniteAndAboveZero) {
 }
 
 TEST(PortableMath, TheLogarithmIsWithinItsErrorFromTheSmallestToTheLargestNumber) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kPortableMathSeed);
+  std::mt19937_64 random(kPortableMathSeed);
   for (const double range : {0.01, 1.0, 30.0, 700.0}) {
     std::uniform_real_distribution<double> exponent(-range, range);
     for (int i = 0; i < kPoints; ++i) {

@@ -13,12 +13,7 @@ namespace {
 
 using testing::Csv;
 
-constexpr double kScale_m = 0.05;
-
-Vec3 vector_at(const Csv& csv, std::size_t row, const std::string& prefix) {
-  return {csv.number(row, prefix + "x"), csv.number(row, prefix + "y"),
-          csv.number(row, prefix + "z")};
-}
+constexpr double kClosestScale_m = 0.05;
 
 std::string formula_of(const std::string& surface) {
   if (surface == "sphere_r1") {
@@ -31,20 +26,20 @@ std::string formula_of(const std::string& surface) {
 // point outside is pressed from the inside, with inside and outside swapped.
 void expect_closest(const std::string& surface, const Vec3& p, const Vec3& c) {
   const bool outside = FormulaSurface(formula_of(surface)).value_at(p) > 0.0;
-  const FormulaSurface shape((outside ? "-(" : "(") + formula_of(surface) + ")", kScale_m);
+  const FormulaSurface shape((outside ? "-(" : "(") + formula_of(surface) + ")", kClosestScale_m);
   const Vec3 away = (c - p).normalized();
   const Vec3 beside = away.unitOrthogonal();
   const Vec3 start = c + 0.03 * away + 0.02 * beside;
-  ASSERT_GT(shape.value_at(kScale_m * start), 0.0);
+  ASSERT_GT(shape.value_at(kClosestScale_m * start), 0.0);
   ImplicitTracker tracker;
-  tracker.place(kScale_m * start);
+  tracker.place(kClosestScale_m * start);
   ImplicitRest rest;
   for (int tick = 0; tick < 20; ++tick) {
-    rest = tracker.advance(shape.surface, kNoFriction, kScale_m * p);
+    rest = tracker.advance(shape.surface, kNoFriction, kClosestScale_m * p);
   }
   // It rests 0.1 um above, and is as near to the tool as that lets it.
-  EXPECT_LE((rest.proxy_W - kScale_m * c).norm(), 1e-6);
-  EXPECT_NEAR((rest.proxy_W - kScale_m * p).norm(), kScale_m * (c - p).norm(), 2e-7);
+  EXPECT_LE((rest.proxy_W - kClosestScale_m * c).norm(), 1e-6);
+  EXPECT_NEAR((rest.proxy_W - kClosestScale_m * p).norm(), kClosestScale_m * (c - p).norm(), 2e-7);
   EXPECT_GE(shape.value_at(rest.proxy_W), 0.0);
   EXPECT_EQ(rest.planes, 1);
 }
@@ -54,7 +49,7 @@ TEST(ImplicitClosestPoint, IsReachedOnSphereAndTorus) {
   ASSERT_EQ(csv.rows(), 200U);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     SCOPED_TRACE(row);
-    expect_closest(csv.text(row, "surface"), vector_at(csv, row, "p"), vector_at(csv, row, "c"));
+    expect_closest(csv.text(row, "surface"), csv.vector(row, "p"), csv.vector(row, "c"));
   }
 }
 
@@ -63,7 +58,7 @@ TEST(ImplicitClosestPoint, IsReachedOnTheHeart) {
   ASSERT_EQ(csv.rows(), 60U);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     SCOPED_TRACE(row);
-    expect_closest(csv.text(row, "surface"), vector_at(csv, row, "p"), vector_at(csv, row, "c"));
+    expect_closest(csv.text(row, "surface"), csv.vector(row, "p"), csv.vector(row, "c"));
   }
 }
 

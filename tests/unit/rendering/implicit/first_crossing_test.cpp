@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kPlentyOfWork = 10'000'000;
 constexpr std::size_t kPlentyOfRanges = 100'000;
-constexpr std::uint64_t kSeed = 20260320;
+constexpr std::uint64_t kCrossingSeed = 20260320;
 
 Crossing cross(const FormulaSurface& shape, const Vec3& from, const Vec3& to) {
   ImplicitField field(shape.surface, 1.0, kPlentyOfWork);
@@ -68,8 +68,8 @@ TEST_P(RandomSegments, AreFreeUpToTheFirstCrossingThatSamplingFinds) {
   constexpr int kSegments = 300;
   constexpr int kSamples = 4000;
   const FormulaSurface shape(GetParam(), 0.05);
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kCrossingSeed);
+  std::mt19937_64 random(kCrossingSeed);
   std::uniform_real_distribution<double> side(-1.6, 1.6);
   int blocked = 0;
   for (int run = 0; run < kSegments; ++run) {

@@ -37,14 +37,10 @@ const std::map<std::string, std::string>& ready() {
   return all;
 }
 
-Vec3 vector_at(const Csv& csv, std::size_t row, const std::array<std::string, 3>& columns) {
-  return {csv.number(row, columns[0]), csv.number(row, columns[1]), csv.number(row, columns[2])};
-}
-
 void expect_reference(const std::string& text, const Csv& csv, std::size_t row) {
   const Formula formula = parse_formula(text);
-  const Vec3 p = vector_at(csv, row, {"x", "y", "z"});
-  const Vec3 gradient = vector_at(csv, row, {"fx", "fy", "fz"});
+  const Vec3 p = csv.vector(row, "");
+  const Vec3 gradient = csv.vector(row, "f");
   const ValueAndGradient f = evaluate_gradient(formula.view(), p);
   const double size = std::max({1.0, std::abs(csv.number(row, "f")), gradient.norm()});
   EXPECT_NEAR(f.value, csv.number(row, "f"), 1e-12 * size) << text << " row " << row;

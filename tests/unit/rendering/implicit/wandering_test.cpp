@@ -13,8 +13,8 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260321;
-constexpr double kScale_m = 0.03;
+constexpr std::uint64_t kWanderingSeed = 20260321;
+constexpr double kWanderingScale_m = 0.03;
 
 int ticks() {
   return std::getenv("TACTUS_SOAK") != nullptr ? 400'000 : 20'000;  // NOLINT(concurrency-mt-unsafe)
@@ -27,7 +27,7 @@ class Wanderer {
 
   Vec3 next() {
     if (ticks_left_-- <= 0) {
-      target_ = 1.4 * kScale_m * direction();
+      target_ = 1.4 * kWanderingScale_m * direction();
       speed_m_ = std::pow(10.0, -6.0 + 4.5 * unit_(random_));
       ticks_left_ = 1 + static_cast<int>(300.0 * unit_(random_));
       jumps_ = unit_(random_) < 0.05;
@@ -94,12 +94,12 @@ bool could_do_better(const FormulaSurface& shape, double side, const ImplicitRes
 }
 
 TEST_P(Wandering, KeepsTheProxyOnItsSideAndBringsItToRestNearTheTool) {
-  const FormulaSurface shape(GetParam().text, kScale_m, GetParam().sides);
-  SCOPED_TRACE(kSeed);
-  Wanderer wanderer(kSeed);
-  std::mt19937_64 random(kSeed);
+  const FormulaSurface shape(GetParam().text, kWanderingScale_m, GetParam().sides);
+  SCOPED_TRACE(kWanderingSeed);
+  Wanderer wanderer(kWanderingSeed);
+  std::mt19937_64 random(kWanderingSeed);
   ImplicitTracker tracker;
-  const Vec3 start{0.0, 0.0, 3.0 * kScale_m};
+  const Vec3 start{0.0, 0.0, 3.0 * kWanderingScale_m};
   tracker.place(start);
   double side = shape.value_at(start) < 0.0 ? -1.0 : 1.0;
   int contact = 0;

@@ -50,11 +50,12 @@ TEST(Texture, StandsUprightAndRepeats) {
   const auto bytes = marked_pyramid({0, 51, 102, 153}, {2, 2}, TextureFormat::grey);
   const TextureView texture = open(bytes, {2, 2});
   for (const double shift : {-3.0, 0.0, 5.0}) {
-    EXPECT_NEAR(look_up(texture, {0.25 + shift, 0.75}, 0.0).x(), 0.0, 1e-12);
-    EXPECT_NEAR(look_up(texture, {0.75, 0.75 + shift}, 0.0).x(), 0.2, 1e-12);
-    EXPECT_NEAR(look_up(texture, {0.25 + shift, 0.25}, 0.0).x(), 0.4, 1e-12);
-    EXPECT_NEAR(look_up(texture, {0.75, 0.25 + shift}, 0.0).x(), 0.6, 1e-12);
-    EXPECT_NEAR(look_up(texture, {shift, shift}, 0.0).x(), 0.3, 1e-12) << "mean across the seam";
+    EXPECT_NEAR(look_up(texture, TexturePoint{0.25 + shift, 0.75}, 0.0).x(), 0.0, 1e-12);
+    EXPECT_NEAR(look_up(texture, TexturePoint{0.75, 0.75 + shift}, 0.0).x(), 0.2, 1e-12);
+    EXPECT_NEAR(look_up(texture, TexturePoint{0.25 + shift, 0.25}, 0.0).x(), 0.4, 1e-12);
+    EXPECT_NEAR(look_up(texture, TexturePoint{0.75, 0.25 + shift}, 0.0).x(), 0.6, 1e-12);
+    EXPECT_NEAR(look_up(texture, TexturePoint{shift, shift}, 0.0).x(), 0.3, 1e-12)
+        << "mean across the seam";
   }
 }
 
@@ -85,10 +86,10 @@ TEST(Texture, BlendsBetweenLevelsAndStopsAtTheLast) {
   const auto bytes = marked_pyramid(std::vector<std::uint8_t>(192, 0), {8, 8}, TextureFormat::rgb);
   const TextureView texture = open(bytes, {8, 8}, TextureFormat::rgb);
   for (const double level : {0.0, 0.25, 1.0, 1.7, 3.0}) {
-    EXPECT_NEAR(look_up(texture, {0.3, 0.3}, level).z(), 10.0 * level / 255.0, 1e-12);
+    EXPECT_NEAR(look_up(texture, TexturePoint{0.3, 0.3}, level).z(), 10.0 * level / 255.0, 1e-12);
   }
-  EXPECT_NEAR(look_up(texture, {0.3, 0.3}, 9.0).y(), 30.0 / 255.0, 1e-12);
-  EXPECT_EQ(look_up(texture, {0.3, 0.3}, -2.0).x(), 0.0);
+  EXPECT_NEAR(look_up(texture, TexturePoint{0.3, 0.3}, 9.0).y(), 30.0 / 255.0, 1e-12);
+  EXPECT_EQ(look_up(texture, TexturePoint{0.3, 0.3}, -2.0).x(), 0.0);
 }
 
 TEST(Texture, TheLevelsTexelIsNeverSmallerThanATicksTravel) {
@@ -116,7 +117,7 @@ TEST(Texture, IsContinuousEverywhere) {
     byte = static_cast<std::uint8_t>(grey(random));
   }
   const TextureView texture = open(bytes, {5, 3});
-  double value = look_up(texture, {-1.0, -0.5}, 0.0).x();
+  double value = look_up(texture, TexturePoint{-1.0, -0.5}, 0.0).x();
   double rise = slope(texture, {-1.0, -0.5}, 0.0).per_u;
   for (int i = 1; i < 200'000; ++i) {
     const double t = i * 1e-5;

@@ -10,6 +10,7 @@
 
 #include "tests/support/brute_force.h"
 #include "tests/support/connected_solid.h"
+#include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
@@ -36,7 +37,7 @@ TEST(ConnectedMesh, SignedDistanceIsBruteForceAndTheWindingNumberTogether) {
   for (const Shape& shape : closed_shapes()) {
     const ConnectedSolid solid(shape);
     const auto triangles = testing::corners_of(shape);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < testing::share_of(2000); ++i) {
       SCOPED_TRACE(shape.name + ", seed 51, case " + std::to_string(i));
       const Vec3 q(place(random), place(random), place(random));
       double nearest = std::numeric_limits<double>::infinity();

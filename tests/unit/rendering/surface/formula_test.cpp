@@ -15,7 +15,7 @@ namespace {
 
 using List = std::vector<Instruction>;
 
-constexpr std::uint64_t kSeed = 20260319;
+constexpr std::uint64_t kFormulaSeed = 20260319;
 
 FormulaFault fault_of(const List& list) {
   const auto good = check({list});
@@ -79,8 +79,8 @@ TEST(FormulaCheck, RefusesExponentsOutOfRange) {
 }
 
 TEST(FormulaCheck, WhatItLetsThroughOfRandomBytesCanBeEvaluated) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kFormulaSeed);
+  std::mt19937_64 random(kFormulaSeed);
   std::size_t passed = 0;
   for (int run = 0; run < 200'000; ++run) {
     List list = coordinates();
@@ -137,8 +137,8 @@ bool holds(const Interval& range, double value, double slack) {
 }
 
 TEST(FormulaRanges, HoldTheValueAndTheSlopeAtEveryPointOfASegment) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kFormulaSeed);
+  std::mt19937_64 random(kFormulaSeed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::uniform_real_distribution<double> side(-2.0, 2.0);
   int tight = 0;

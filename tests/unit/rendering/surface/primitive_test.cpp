@@ -9,6 +9,7 @@
 
 #include "rendering/limits.h"
 #include "tests/support/primitive_points.h"
+#include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
@@ -16,13 +17,13 @@ namespace {
 using testing::kAllPrimitives;
 using testing::random_primitive;
 
-constexpr std::uint64_t kSeed = 31;
+constexpr std::uint64_t kPrimitiveSeed = 31;
 constexpr double kStep_m = 1e-6;  // of the differences
 
 // Calls visit(primitive, random point) for every kind in turn.
 template <class Visit>
 void for_random_points(int primitives, int points, const Visit& visit) {
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kPrimitiveSeed);
   std::uniform_real_distribution<double> place(-0.12, 0.12);
   for (int i = 0; i < primitives; ++i) {
     for (const PrimitiveKind kind : kAllPrimitives) {
@@ -58,7 +59,7 @@ TEST(Primitive, DistancesAreThoseOfTheClosedForms) {
 }
 
 TEST(Primitive, DistanceIsThatOfTheNearestOfTheSurfacesPoints) {
-  for_random_points(12, 12, [](const Primitive& primitive, const Vec3& p) {
+  for_random_points(testing::share_of(12), 12, [](const Primitive& primitive, const Vec3& p) {
     const auto surface = testing::patches(primitive);
     const SurfaceSample at = sample(primitive, p);
     ASSERT_NEAR(std::abs(at.distance_m), testing::searched_distance(surface, p), 1e-8);
@@ -86,7 +87,7 @@ TEST(Primitive, NormalIsTheUnitGradientOfTheDistance) {
 }
 
 TEST(Primitive, DistanceNeverChangesFasterThanThePointMoves) {
-  std::mt19937_64 random(kSeed + 1);
+  std::mt19937_64 random(kPrimitiveSeed + 1);
   std::uniform_real_distribution<double> place(-0.1, 0.1);
   Vec3 before = Vec3::Zero();
   for_random_points(200, 20, [&](const Primitive& primitive, const Vec3& p) {
@@ -118,8 +119,8 @@ TEST(Primitive, IsDefinedOnEveryAxisCentreEdgeAndCorner) {
 }
 
 TEST(Primitive, BoundsAreTheSmallestThatHoldTheSurface) {
-  std::mt19937_64 random(kSeed);
-  for (int i = 0; i < 50; ++i) {
+  std::mt19937_64 random(kPrimitiveSeed);
+  for (int i = 0; i < testing::share_of(50); ++i) {
     for (const PrimitiveKind kind : kAllPrimitives) {
       if (kind == PrimitiveKind::plane) {
         continue;

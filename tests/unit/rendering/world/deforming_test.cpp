@@ -10,16 +10,17 @@
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/world/world.h"
+#include "tests/support/materials.h"
+#include "tests/support/share.h"
 #include "tests/support/solid.h"
 
 namespace tactus::rendering {
 namespace {
 
+using testing::kMicron;
+using testing::kRough;
+using testing::kSlippery;
 using testing::Solid;
-
-constexpr double kMicron = 1e-6;
-constexpr Material kSlippery{.stiffness_N_per_m = 1000.0};
-constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.6, 0.4}};
 
 Object deforming(Object object) {
   object.deforms = true;
@@ -124,6 +125,7 @@ TEST_F(DeformingTest, VerticesThatMoveTogetherFeelLikeAnObjectThatMoves) {
 // nearer to any triangle than its radius, and never inside.
 TEST_F(DeformingTest, ABallThatBoilsNeverSwallowsTheProxy) {
   constexpr std::uint64_t kSeed = 17;
+  const int ticks = testing::share_of(4000);
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> normal;
   const Solid ball(testing::icosphere(0.05, 3), Sides::one, kRough);
@@ -133,7 +135,7 @@ TEST_F(DeformingTest, ABallThatBoilsNeverSwallowsTheProxy) {
     std::ranges::generate(phase, [&] { return 6.28 * normal(random); });
     Vec3 wish(0.07, 0.0, 0.0);
     std::size_t touched = 0;
-    for (int tick = 0; tick < 4000; ++tick) {
+    for (int tick = 0; tick < ticks; ++tick) {
       std::size_t i = 0;
       deform([&](const Vec3& p) {
         return Vec3(p * (1.0 + 0.08 * std::sin(0.15 * tick + phase[i++])));
@@ -147,7 +149,7 @@ TEST_F(DeformingTest, ABallThatBoilsNeverSwallowsTheProxy) {
       ASSERT_GE(touch.proxy_W.norm(), 0.044 + radius_m) << "seed 17, tick " << tick;
       touched += touch.contact != ContactKind::none ? 1 : 0;
     }
-    EXPECT_GT(touched, 500U);
+    EXPECT_GT(touched, static_cast<std::size_t>(ticks / 8));
   }
 }
 

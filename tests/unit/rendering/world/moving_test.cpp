@@ -9,17 +9,18 @@
 #include <vector>
 
 #include "rendering/world/world.h"
+#include "tests/support/materials.h"
 #include "tests/support/solid.h"
 
 namespace tactus::rendering {
 namespace {
 
+using testing::kMicron;
+using testing::kRough;
+using testing::kSlippery;
 using testing::Solid;
 
-constexpr double kMicron = 1e-6;
 constexpr double kTick_s = 1e-3;
-constexpr Material kSlippery{.stiffness_N_per_m = 1000.0};
-constexpr Material kRough{.stiffness_N_per_m = 1000.0, .friction = {0.6, 0.4}};
 
 Object moving(Object object) {
   object.moves = true;

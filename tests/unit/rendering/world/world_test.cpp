@@ -8,15 +8,15 @@
 #include <memory>
 
 #include "rendering/limits.h"
+#include "tests/support/materials.h"
 #include "tests/support/solid.h"
 
 namespace tactus::rendering {
 namespace {
 
+using testing::kMicron;
+using testing::kSlippery;
 using testing::Solid;
-
-constexpr double kMicron = 1e-6;
-constexpr Material kFrictionless{.stiffness_N_per_m = 1000.0};
 
 testing::Shape plate_shape(double half_m, double z_m) {
   testing::Shape plate{.name = "plate", .closed = false};
@@ -54,7 +54,7 @@ TEST_F(WorldTest, ForceIsStiffnessTimesStretchMinusDampingTimesVelocity) {
 }
 
 TEST_F(WorldTest, AWallATenthOfAMillimetreThickStopsAToolAtFiveMetresASecond) {
-  const Solid wall(testing::box({0.1, 0.1, 0.0001}), Sides::one, kFrictionless);
+  const Solid wall(testing::box({0.1, 0.1, 0.0001}), Sides::one, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {
     start(wall, radius_m, {0.003, 0.002, 0.02});
     double z = 0.02;
@@ -67,7 +67,7 @@ TEST_F(WorldTest, AWallATenthOfAMillimetreThickStopsAToolAtFiveMetresASecond) {
 }
 
 TEST_F(WorldTest, AOneSidedMeshLetsTheToolOutAndNotInAgain) {
-  const Solid box(testing::box({0.04, 0.04, 0.04}), Sides::one, kFrictionless);
+  const Solid box(testing::box({0.04, 0.04, 0.04}), Sides::one, kSlippery);
   EXPECT_EQ(start(box, 0.002, Vec3::Zero()).force_W, Vec3::Zero());
   for (double z = 0.0; z < 0.03; z += 0.0005) {
     EXPECT_LE(touch({0.0, 0.0, z}).force_W.norm(), 1000.0 * 20 * kMicron) << "z " << z;
@@ -76,14 +76,14 @@ TEST_F(WorldTest, AOneSidedMeshLetsTheToolOutAndNotInAgain) {
 }
 
 TEST_F(WorldTest, ATwoSidedMeshKeepsTheToolWhereItIs) {
-  const Solid box(testing::box({0.04, 0.04, 0.04}), Sides::two, kFrictionless);
+  const Solid box(testing::box({0.04, 0.04, 0.04}), Sides::two, kSlippery);
   start(box, 0.002, Vec3::Zero());
   EXPECT_NEAR(touch({0.0, 0.0, 0.05}).proxy_W.z(), 0.018, kMicron);
 }
 
 TEST_F(WorldTest, APinchedSphereRestsOnBothEdgesOfASlot) {
   // Two edges a gap g apart carry a sphere of radius r at a height of sqrt(r^2 - g^2 / 4).
-  const Solid block(testing::slotted_block(0.0015, 0.02), Sides::one, kFrictionless);
+  const Solid block(testing::slotted_block(0.0015, 0.02), Sides::one, kSlippery);
   start(block, 0.002, {0.0002, 0.01, 0.0});
   const Touch t = touch({0.0, -0.005, 0.0});
   EXPECT_NEAR(t.proxy_W.y(), std::sqrt(0.002 * 0.002 - 0.00075 * 0.00075), 2 * kMicron);
@@ -110,7 +110,7 @@ TEST_F(WorldTest, FrictionIsTheSameOverASeamAsOnAFace) {
 }
 
 TEST_F(WorldTest, AToolThatIsNotANumberGivesNoForceAndTheNextGoodOneIsFeltAgain) {
-  const Solid plate(plate_shape(0.1, 0.0), Sides::one, kFrictionless);
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one, kSlippery);
   start(plate, 0.0, {0.0, 0.0, 0.01});
   const Touch good = touch({0.0, 0.0, -0.002});
   for (const double bad :
@@ -141,7 +141,7 @@ TEST_F(WorldTest, EachObjectIsFeltWithItsOwnMaterial) {
 }
 
 TEST_F(WorldTest, RefusesASceneBeyondItsLimits) {
-  const Solid plate(plate_shape(0.1, 0.0), Sides::one, kFrictionless);
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one, kSlippery);
   const std::vector<Object> many(kMaxObjects + 1, plate.object());
   EXPECT_FALSE(world_->set_scene(many, {}));
   EXPECT_FALSE(world_->set_scene({&plate.object(), 1}, {.tool_radius_m = -1.0}));
@@ -150,7 +150,7 @@ TEST_F(WorldTest, RefusesASceneBeyondItsLimits) {
 
 TEST_F(WorldTest, MoreTrianglesThanFitMakeTheProxyHoldStillAndAreCounted) {
   // A cone of 4000 slender triangles that all meet in the apex.
-  const Solid cone(testing::cone(4000, 0.02, 0.02), Sides::one, kFrictionless);
+  const Solid cone(testing::cone(4000, 0.02, 0.02), Sides::one, kSlippery);
   start(cone, 0.001, {0.0, 0.0, 0.03});
   const Touch t = touch({0.0, 0.0, 0.005});
   EXPECT_NE(t.flags & kTouchCandidatesOverflow, 0U);

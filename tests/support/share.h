@@ -1,0 +1,20 @@
+// The share of its work that a long test does: where a sanitizer or an emulator makes it thirty
+// times slower it does less, in a soak more. tests/checks/build_and_test.sh says how much.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstdlib>
+
+namespace tactus::testing {
+
+// In the proportion of TACTUS_PROPERTY_TICKS to a million; all of it where that is not set.
+template <std::integral Count>
+Count share_of(Count count) {
+  constexpr double kMillion = 1e6;
+  const char* wanted = std::getenv("TACTUS_PROPERTY_TICKS");
+  const double share = wanted != nullptr ? std::strtod(wanted, nullptr) / kMillion : 1.0;
+  return std::max(Count{1}, static_cast<Count>(share * static_cast<double>(count)));
+}
+
+}  // namespace tactus::testing
