@@ -1,0 +1,87 @@
+// What the models have in common: a tick of motion, and a bristle that yields on the way.
+//
+// A bristle of stiffness sigma0 that yields toward the level G obeys, per length s of a straight
+// way in the direction u, with f = sigma0 z,
+//   df/ds = sigma0 (u - f / G),
+// a linear equation also where f and u are vectors. With a = sigma0 s / G its solution is
+//   f(s) = u G + (f(0) - u G) exp(-a),
+// and its mean over the way
+//   u G + (f(0) - u G) (1 - exp(-a)) / a.
+// f stays within the convex hull of f(0) and u G. The work, mean times way, is the change of
+// f^2 / (2 sigma0) and the integral of f^2 / G over the way, which is the heat and never negative.
+#pragma once
+
+#include "rendering/friction/tangent.h"
+#include "rendering/geometry/portable_math.h"
+
+namespace tactus::rendering {
+
+template <typename Vector>
+struct FrictionTick {
+  Vector displacement_m = zero_tangent<Vector>();
+  double way_m = 0.0;  // its length
+  double speed_m_per_s = 0.0;
+  double normal_force_N = 0.0;  // > 0
+  double step_s = 0.0;          // > 0
+};
+
+// How sigma0 z came through a tick.
+template <typename Vector>
+struct ElasticWay {
+  Vector end_N = zero_tangent<Vector>();
+  Vector mean_N = zero_tangent<Vector>();
+  Vector bent_N = zero_tangent<Vector>();  // the change that the motion made; cuts are left out
+  bool slipping = false;
+};
+
+// exp(-a), its mean from 0 to a, and (1 - that mean) / a, all without cancellation; a >= 0.
+struct Decay {
+  double left = 1.0;
+  double mean = 1.0;
+  double rest = 0.5;
+};
+
+inline Decay decay(double a) {
+  constexpr double kSeriesEnds = 0.125;  // the first term left out is below 2e-16 there
+  constexpr int kTerms = 10;
+  constexpr double kAllGone = 40.0;  // exp(-40) is below a double's rounding of 1
+  Decay result;
+  if (a < kSeriesEnds) {
+    // sum over k of (-a)^k / (k + 2)!, by Horner's rule from the last factor outward.
+    double sum = 1.0;
+    for (int k = kTerms; k > 0; --k) {
+      sum = 1.0 - a / (k + 2) * sum;
+    }
+    result.rest = 0.5 * sum;
+    result.mean = 1.0 - a * result.rest;
+    result.left = 1.0 - a * result.mean;
+    return result;
+  }
+  result.left = a < kAllGone ? exponential(-a) : 0.0;
+  result.mean = (1.0 - result.left) / a;
+  result.rest = (1.0 - result.mean) / a;
+  return result;
+}
+
+// `way` along a straight line, of the length `way_m`, from the elastic force f; level_N > 0.
+template <typename Vector>
+ElasticWay<Vector> yield_toward(double level_N, double stiffness_N_per_m, const Vector& f,
+                                const Vector& way, double way_m) {
+  const Decay d = decay(stiffness_N_per_m * way_m / level_N);
+  const Vector stretch = stiffness_N_per_m * way;
+  ElasticWay<Vector> result;
+  result.end_N = d.left * f + d.mean * stretch;
+  result.mean_N = d.mean * f + d.rest * stretch;
+  result.bent_N = result.end_N - f;
+  result.slipping = 2.0 * length(result.bent_N) < length(stretch);
+  return result;
+}
+
+// f shortened to `most_N`.
+template <typename Vector>
+Vector cut_to(const Vector& f, double most_N) {
+  const double size = length(f);
+  return size > most_N ? Vector{(most_N / size) * f} : f;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,115 @@
+// The friction models: from a displacement along the surface, or of a joint, and the normal force
+// to the friction force, once a tick.
+//
+// One code serves both uses. `Vector` is `double` in a joint and `Vec3`, a vector in the tangent
+// plane, under a proxy; forces are N and displacements m, or N m and rad in a turning joint.
+//
+// Sign: as the papers have it, m dv/dt = u - F: F points along the motion, and what the mover feels
+// is -F.
+//
+// Normal force. The levels Fc and Fs, the bristle damping sigma1 and the viscous term sigma2 are
+// per newton of it; where none is given it is 1 N and they are N and N s/m. The bristle stiffness
+// sigma0 is not: a load that grows adds no tangential force by itself (Mindlin and Deresiewicz, J.
+// Applied Mechanics 20, 1953), just as a stuck proxy does not move when it is pressed. So a
+// changing load stores no energy: sigma0 z^2/2 does not know it, and what a falling load makes of
+// it is lost with the force, which is cut to Fs N.
+//
+// What one tick assumes: the displacement happens at constant velocity, under a constant normal
+// force. The equations are then solved exactly (elasto-plastic: to second order), so that no speed,
+// stiffness or step makes them unstable.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "rendering/friction/tangent.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+inline constexpr std::size_t kFrictionKinds = 7;
+enum class FrictionKind : std::uint8_t {
+  cone = 0,             // Melder and Harwin: sticks up to Fs, slips at Fc until it is turned back
+  coulomb_viscous = 1,  // Fc, and sigma2 times the velocity
+  stribeck = 2,         // Coulomb and viscous, with g(v) falling from Fs to Fc
+  karnopp = 3,          // sticks below a band of velocities up to Fs, slips at Fc
+  dahl = 4,             // a bristle that yields toward Fc
+  lugre = 5,            // a bristle that yields toward g(v), with damping
+  elasto_plastic = 6,   // LuGre whose bristle does not yield up to a fraction of Fc: no drift
+};
+
+struct FrictionParameters {
+  FrictionKind kind = FrictionKind::cone;
+  double coulomb = 0.0;          // Fc, N per N of normal force
+  double static_level = 0.0;     // Fs, the same; >= coulomb. dahl and coulomb_viscous do not use it
+  double viscous_s_per_m = 0.0;  // sigma2, N s/m per N; not of the cone
+  // g(v) = Fc + (Fs - Fc) exp(-(v/vs)^alpha)
+  double stribeck_velocity_m_per_s = 1e-3;  // vs > 0
+  double stribeck_exponent = 2.0;           // alpha > 0
+  // sigma0. Of the first four kinds it is the spring they stick by, and 0 means rigid. > 0 for the
+  // last three.
+  double stiffness_N_per_m = 0.0;
+  double damping_s_per_m = 0.0;  // sigma1, N s/m per N; of lugre and elasto_plastic
+  // v_d: sigma1 fades as exp(-(v/v_d)^2); 0 means that it does not.
+  double damping_fade_m_per_s = 0.0;
+  double stick_velocity_m_per_s = 1e-3;  // karnopp: below it a slip ends; > 0
+  double elastic_fraction = 0.7;         // elasto_plastic: z_ba sigma0 / Fc, in (0, 1)
+};
+
+// True if every number is finite and within the bounds above.
+bool valid(const FrictionParameters& parameters);
+
+// All that a model remembers. Start over with FrictionState{}: contact made anew starts without
+// force, so that it cannot kick.
+template <typename Vector>
+struct FrictionState {
+  Vector elastic_force_N = zero_tangent<Vector>();  // sigma0 z
+  bool slipping = false;
+};
+
+template <typename Vector>
+struct FrictionForce {
+  Vector force_N = zero_tangent<Vector>();  // at the tick's end
+  // Over the tick: times the displacement it is the work of the tick, to rounding. The audit of
+  // energy pairs these two. (Held over the next tick, as a device does, a force works otherwise:
+  // see sampled_device.h.)
+  Vector mean_force_N = zero_tangent<Vector>();
+  Vector bristle_m = zero_tangent<Vector>();  // z at the tick's end; zero if rigid
+  bool slipping = false;  // of the last three kinds: more than half of the motion was slip
+};
+
+// One tick. The parameters must be valid, the displacement finite, step_s > 0. A normal force of
+// zero or less, or one that is not a number, is no contact: no force, and the state starts over.
+//
+// What holds, with W = mean_force_N . displacement_m summed over ticks, from a state that is new:
+// - W >= stored_J(), to rounding: over no motion, and under no course of the normal force, does a
+//   model give out energy. Of lugre and elasto_plastic if lugre_passivity() says so.
+// - |elastic_force_N| <= Fs N (Fc N where there is no Fs).
+// - rotated inputs give rotated outputs.
+// Real time: no heap, bounded work.
+template <typename Vector>
+FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
+                                      FrictionState<Vector>& state, const Vector& displacement_m,
+                                      double normal_force_N, double step_s);
+
+extern template FrictionForce<double> update_friction(const FrictionParameters&,
+                                                      FrictionState<double>&, const double&, double,
+                                                      double);
+extern template FrictionForce<Vec3> update_friction(const FrictionParameters&, FrictionState<Vec3>&,
+                                                    const Vec3&, double, double);
+
+// g(v): what a steady slip at `speed_m_per_s` (>= 0) takes, N per N, without the viscous term.
+double steady_level(const FrictionParameters& parameters, double speed_m_per_s);
+
+// sigma1 at that speed, N s/m per N.
+double damping_at(const FrictionParameters& parameters, double speed_m_per_s);
+
+// What the bristle would give back: sigma0 z^2/2, 0 if rigid.
+template <typename Vector>
+double stored_J(const FrictionParameters& parameters, const FrictionState<Vector>& state) {
+  const double stiffness = parameters.stiffness_N_per_m;
+  return stiffness > 0.0 ? 0.5 * dot(state.elastic_force_N, state.elastic_force_N) / stiffness
+                         : 0.0;
+}
+
+}  // namespace tactus::rendering
