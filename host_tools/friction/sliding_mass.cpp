@@ -1,0 +1,86 @@
+#include "host_tools/friction/sliding_mass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::host {
+
+using rendering::FrictionKind;
+
+void SlidingMass::place(double x_m, double v_m_per_s) {
+  state_ = {.x_m = x_m, .v_m_per_s = v_m_per_s};
+  bristle_ = {};
+}
+
+double SlidingMass::energy_J() const {
+  return 0.5 * parameters_.mass_kg * state_.v_m_per_s * state_.v_m_per_s +
+         rendering::stored_J(parameters_.friction, bristle_);
+}
+
+// What the forces lack to stop the mass at d, by the equation of the header: its root is the
+// displacement. `supply_N` is 2 m v0 / T + u + k (y - x0).
+double SlidingMass::excess_N(double displacement_m, double supply_N, double step_s) const {
+  rendering::FrictionState<double> trial = bristle_;
+  const double friction_N = rendering::update_friction(parameters_.friction, trial, displacement_m,
+                                                       parameters_.normal_force_N, step_s)
+                                .mean_force_N;
+  const double inertia = 2.0 * parameters_.mass_kg / (step_s * step_s);
+  return (inertia + 0.5 * parameters_.spring_N_per_m) * displacement_m + friction_N - supply_N;
+}
+
+// The bracket grows from v0 T toward the side on which a root must lie, so that it holds the
+// nearest one or, of several within its last stretch, one of them. Then halving until doubles end.
+double SlidingMass::solve(double supply_N, double step_s) const {
+  const double start = state_.v_m_per_s * step_s;
+  const double inertia = 2.0 * parameters_.mass_kg / (step_s * step_s);
+  const bool falls_short = excess_N(start, supply_N, step_s) < 0.0;
+  double near = start;
+  double reach = 1e-3 * std::fabs(excess_N(start, supply_N, step_s)) / inertia;
+  double far = start;
+  do {
+    near = far;
+    far = start + (falls_short ? reach : -reach);
+    reach *= 2.0;
+  } while ((excess_N(far, supply_N, step_s) < 0.0) == falls_short && near != far);
+  for (double middle = 0.5 * (near + far); middle != near && middle != far;
+       middle = 0.5 * (near + far)) {
+    ((excess_N(middle, supply_N, step_s) < 0.0) == falls_short ? near : far) = middle;
+  }
+  return far;
+}
+
+// Rigid friction at rest is whatever is needed, up to a level.
+bool SlidingMass::hold(double supply_N, double step_s) {
+  const rendering::FrictionParameters& friction = parameters_.friction;
+  if (friction.stiffness_N_per_m > 0.0) {
+    return false;
+  }
+  const bool lets_go_at_coulomb = friction.kind == FrictionKind::coulomb_viscous ||
+                                  (friction.kind == FrictionKind::cone && bristle_.slipping);
+  const double level = lets_go_at_coulomb ? friction.coulomb : friction.static_level;
+  const double needed_N = supply_N - parameters_.mass_kg * state_.v_m_per_s / step_s;
+  if (std::fabs(needed_N) > level * parameters_.normal_force_N) {
+    return false;
+  }
+  bristle_ = {.elastic_force_N = needed_N, .slipping = false};
+  state_.friction = {.force_N = needed_N, .mean_force_N = needed_N};
+  state_.v_m_per_s = 0.0;
+  return true;
+}
+
+const SlidingMassState& SlidingMass::step(const Drive& drive, double step_s) {
+  const double supply_N = 2.0 * parameters_.mass_kg * state_.v_m_per_s / step_s + drive.push_N +
+                          parameters_.spring_N_per_m * (drive.spring_end_m - state_.x_m);
+  state_.time_s += step_s;
+  if (hold(supply_N, step_s)) {
+    return state_;
+  }
+  const double displacement_m = solve(supply_N, step_s);
+  state_.friction = rendering::update_friction(parameters_.friction, bristle_, displacement_m,
+                                               parameters_.normal_force_N, step_s);
+  state_.x_m += displacement_m;
+  state_.v_m_per_s = 2.0 * displacement_m / step_s - state_.v_m_per_s;
+  return state_;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,60 @@
+// A mass on a surface with friction, pushed by a force or pulled by a spring: the set-up of the
+// published experiments.
+//   m dv/dt = u + k (y - x) - F
+// A step solves motion and friction together, for the displacement d that satisfies
+//   2 m (d - v0 T) / T^2 = u + k (y - x0 - d / 2) - F(d),
+// the midpoint rule with F the model's own mean over the step: second order, stable at any
+// stiffness, and the energies balance to rounding. Where several d do, the one nearest to v0 T is
+// taken.
+//
+// A rigid model (no stiffness) that can hold the mass holds it: then d = 0 and v = 0.
+#pragma once
+
+#include "rendering/friction/friction_model.h"
+
+namespace tactus::host {
+
+struct SlidingMassParameters {
+  rendering::FrictionParameters friction;  // valid
+  double mass_kg = 1.0;                    // > 0
+  double spring_N_per_m = 0.0;             // >= 0
+  double normal_force_N = 1.0;             // >= 0
+};
+
+// What acts on the mass during a step, by its value in the step's middle.
+struct Drive {
+  double push_N = 0.0;
+  double spring_end_m = 0.0;  // y
+};
+
+struct SlidingMassState {
+  double time_s = 0.0;
+  double x_m = 0.0;
+  double v_m_per_s = 0.0;
+  rendering::FrictionForce<double> friction;  // of the last step; F acts against the motion
+};
+
+class SlidingMass {
+ public:
+  explicit SlidingMass(const SlidingMassParameters& parameters) : parameters_(parameters) {}
+
+  // Starts over at time 0, with new contact.
+  void place(double x_m, double v_m_per_s);
+  void set_normal_force(double force_N) { parameters_.normal_force_N = force_N; }
+  const SlidingMassState& step(const Drive& drive, double step_s);
+
+  [[nodiscard]] const SlidingMassState& state() const { return state_; }
+  // Of the mass and the bristle; not of the spring.
+  [[nodiscard]] double energy_J() const;
+
+ private:
+  [[nodiscard]] double excess_N(double displacement_m, double supply_N, double step_s) const;
+  [[nodiscard]] double solve(double supply_N, double step_s) const;
+  bool hold(double supply_N, double step_s);
+
+  SlidingMassParameters parameters_;
+  SlidingMassState state_;
+  rendering::FrictionState<double> bristle_;
+};
+
+}  // namespace tactus::host

@@ -1,0 +1,41 @@
+// Taking the bristle along: round a corner, and from one surface to the next.
+#pragma once
+
+#include <cmath>
+
+#include "rendering/friction/friction_model.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// `tangent`, which is perpendicular to the unit normal `from`, turned by the least rotation that
+// takes `from` to the unit normal `to`. Its length stays, to rounding. On tangent vectors that
+// rotation is the mirror image in the plane perpendicular to h = from + to. Opposite normals have
+// no least rotation: the one about the tangent itself is taken.
+inline Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
+  const Vec3 half = from + to;
+  const double squared = half.squaredNorm();
+  if (!(squared > 0.0)) {
+    return tangent;
+  }
+  const Vec3 mirrored = tangent - (2.0 * half.dot(tangent) / squared) * half;
+  return mirrored - to.dot(mirrored) * to;
+}
+
+// The contact plane turns: the elastic force keeps its size, and so the bristle its energy.
+inline void turn(FrictionState<Vec3>& state, const Vec3& from, const Vec3& to) {
+  state.elastic_force_N = turned(state.elastic_force_N, from, to);
+}
+
+// The same contact goes on with another stiffness (0: rigid): the force stays where that adds no
+// energy, and is lowered to the energy that there is where it would.
+template <typename Vector>
+void change_stiffness(FrictionState<Vector>& state, double old_N_per_m, double new_N_per_m) {
+  const bool is_softer = new_N_per_m > 0.0 && !(old_N_per_m > 0.0 && old_N_per_m <= new_N_per_m);
+  if (is_softer) {
+    const double share = old_N_per_m > 0.0 ? std::sqrt(new_N_per_m / old_N_per_m) : 0.0;
+    state.elastic_force_N *= share;
+  }
+}
+
+}  // namespace tactus::rendering
