@@ -1,0 +1,20 @@
+// The parameters of the published experiments (Canudas de Wit et al. 1995, table I), without a
+// normal force: N, N/m, N s/m.
+#pragma once
+
+#include "rendering/friction/friction_model.h"
+
+namespace tactus::testing {
+
+inline rendering::FrictionParameters published(rendering::FrictionKind kind) {
+  return {.kind = kind,
+          .coulomb = 1.0,
+          .static_level = 1.5,
+          .viscous_s_per_m = 0.4,
+          .stribeck_velocity_m_per_s = 1e-3,
+          .stiffness_N_per_m = 1e5,
+          .damping_s_per_m = 316.22776601683796,
+          .elastic_fraction = 0.7};
+}
+
+}  // namespace tactus::testing
