@@ -20,7 +20,7 @@ double SlidingMass::energy_J() const {
 // What the forces lack to stop the mass at d, by the equation of the header: its root is the
 // displacement. `supply_N` is 2 m v0 / T + u + k (y - x0).
 double SlidingMass::excess_N(double displacement_m, double supply_N, double step_s) const {
-  rendering::FrictionState<double> trial = bristle_;
+  rendering::FrictionMemory<double> trial = bristle_;
   const double friction_N = rendering::update_friction(parameters_.friction, trial, displacement_m,
                                                        parameters_.normal_force_N, step_s)
                                 .mean_force_N;

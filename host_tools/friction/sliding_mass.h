@@ -54,7 +54,7 @@ class SlidingMass {
 
   SlidingMassParameters parameters_;
   SlidingMassState state_;
-  rendering::FrictionState<double> bristle_;
+  rendering::FrictionMemory<double> bristle_;
 };
 
 }  // namespace tactus::host

@@ -36,7 +36,7 @@ double bell(double exponent) {
 
 template <typename Vector>
 ElasticWay<Vector> advance(const FrictionParameters& parameters, const FrictionTick<Vector>& tick,
-                           const FrictionState<Vector>& state) {
+                           const FrictionMemory<Vector>& state) {
   switch (parameters.kind) {
     case FrictionKind::dahl:
       return advance_dahl(parameters, tick, state.elastic_force_N);
@@ -102,7 +102,7 @@ double damping_at(const FrictionParameters& p, double speed_m_per_s) {
 
 template <typename Vector>
 FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
-                                      FrictionState<Vector>& state, const Vector& displacement_m,
+                                      FrictionMemory<Vector>& state, const Vector& displacement_m,
                                       double normal_force_N, double step_s) {
   if (!(normal_force_N > 0.0)) {
     state = {};
@@ -138,9 +138,9 @@ FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
   return result;
 }
 
-template FrictionForce<double> update_friction(const FrictionParameters&, FrictionState<double>&,
+template FrictionForce<double> update_friction(const FrictionParameters&, FrictionMemory<double>&,
                                                const double&, double, double);
-template FrictionForce<Vec3> update_friction(const FrictionParameters&, FrictionState<Vec3>&,
+template FrictionForce<Vec3> update_friction(const FrictionParameters&, FrictionMemory<Vec3>&,
                                              const Vec3&, double, double);
 
 }  // namespace tactus::rendering

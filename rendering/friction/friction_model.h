@@ -59,10 +59,10 @@ struct FrictionParameters {
 // True if every number is finite and within the bounds above.
 bool valid(const FrictionParameters& parameters);
 
-// All that a model remembers. Start over with FrictionState{}: contact made anew starts without
+// All that a model remembers. Start over with FrictionMemory{}: contact made anew starts without
 // force, so that it cannot kick.
 template <typename Vector>
-struct FrictionState {
+struct FrictionMemory {
   Vector elastic_force_N = zero_tangent<Vector>();  // sigma0 z
   bool slipping = false;
 };
@@ -89,14 +89,15 @@ struct FrictionForce {
 // Real time: no heap, bounded work.
 template <typename Vector>
 FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
-                                      FrictionState<Vector>& state, const Vector& displacement_m,
+                                      FrictionMemory<Vector>& state, const Vector& displacement_m,
                                       double normal_force_N, double step_s);
 
 extern template FrictionForce<double> update_friction(const FrictionParameters&,
-                                                      FrictionState<double>&, const double&, double,
-                                                      double);
-extern template FrictionForce<Vec3> update_friction(const FrictionParameters&, FrictionState<Vec3>&,
-                                                    const Vec3&, double, double);
+                                                      FrictionMemory<double>&, const double&,
+                                                      double, double);
+extern template FrictionForce<Vec3> update_friction(const FrictionParameters&,
+                                                    FrictionMemory<Vec3>&, const Vec3&, double,
+                                                    double);
 
 // g(v): what a steady slip at `speed_m_per_s` (>= 0) takes, N per N, without the viscous term.
 double steady_level(const FrictionParameters& parameters, double speed_m_per_s);
@@ -106,7 +107,7 @@ double damping_at(const FrictionParameters& parameters, double speed_m_per_s);
 
 // What the bristle would give back: sigma0 z^2/2, 0 if rigid.
 template <typename Vector>
-double stored_J(const FrictionParameters& parameters, const FrictionState<Vector>& state) {
+double stored_J(const FrictionParameters& parameters, const FrictionMemory<Vector>& state) {
   const double stiffness = parameters.stiffness_N_per_m;
   return stiffness > 0.0 ? 0.5 * dot(state.elastic_force_N, state.elastic_force_N) / stiffness
                          : 0.0;

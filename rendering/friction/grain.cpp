@@ -3,7 +3,7 @@
 namespace tactus::rendering {
 
 FrictionForce<Vec3> update_friction(const FrictionParameters& parameters, const Grain& grain,
-                                    FrictionState<Vec3>& state, const Vec3& displacement_m,
+                                    FrictionMemory<Vec3>& state, const Vec3& displacement_m,
                                     double normal_force_N, double step_s) {
   FrictionForce<Vec3> force =
       update_friction(parameters, state, through(grain, displacement_m), normal_force_N, step_s);

@@ -30,7 +30,7 @@ inline Vec3 through(const Grain& grain, const Vec3& v) {
 
 // update_friction with a grain. The state is that of the isotropic space; so is `bristle_m`.
 FrictionForce<Vec3> update_friction(const FrictionParameters& parameters, const Grain& grain,
-                                    FrictionState<Vec3>& state, const Vec3& displacement_m,
+                                    FrictionMemory<Vec3>& state, const Vec3& displacement_m,
                                     double normal_force_N, double step_s);
 
 }  // namespace tactus::rendering

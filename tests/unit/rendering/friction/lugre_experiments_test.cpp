@@ -16,7 +16,7 @@ namespace {
 using host::SlidingMass;
 using host::SlidingMassState;
 using rendering::FrictionKind;
-using rendering::FrictionState;
+using rendering::FrictionMemory;
 using rendering::update_friction;
 
 constexpr double kOnePercent = 0.01;
@@ -71,7 +71,7 @@ TEST_P(LugreExperiments, FrictionLagsBehindTheVelocity) {
   const Csv csv("lugre_friction_lag_scalars.csv");
   const double omega = csv.number(0, "omega_rad_s");
   const auto parameters = published(FrictionKind::lugre);
-  FrictionState<double> state;
+  FrictionMemory<double> state;
   std::vector<double> velocity;
   std::vector<double> force;
   const auto way = [&](double t) { return 1e-3 * (1.5 * t + std::sin(omega * t) / omega); };
@@ -174,7 +174,9 @@ TEST_P(LugreExperiments, StickSlipHasThePeriodAndTheAmplitude) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rates, LugreExperiments, ::testing::Values(1000.0, 4000.0),
-                         [](const auto& rate) { return std::to_string(std::lround(rate.param)) + "Hz"; });
+                         [](const auto& rate) {
+                           return std::to_string(std::lround(rate.param)) + "Hz";
+                         });
 
 }  // namespace
 }  // namespace tactus::testing
