@@ -32,6 +32,7 @@ struct ElasticWay {
   Vector mean_N = zero_tangent<Vector>();
   Vector bent_N = zero_tangent<Vector>();  // the change that the motion made; cuts are left out
   bool slipping = false;
+  bool left_band = false;  // see FrictionMemory
 };
 
 // exp(-a), its mean from 0 to a, and (1 - that mean) / a, all without cancellation; a >= 0.

@@ -23,18 +23,18 @@ inline Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
 }
 
 // The contact plane turns: the elastic force keeps its size, and so the bristle its energy.
-inline void turn(FrictionMemory<Vec3>& state, const Vec3& from, const Vec3& to) {
-  state.elastic_force_N = turned(state.elastic_force_N, from, to);
+inline void turn(FrictionMemory<Vec3>& memory, const Vec3& from, const Vec3& to) {
+  memory.elastic_force_N = turned(memory.elastic_force_N, from, to);
 }
 
 // The same contact goes on with another stiffness (0: rigid): the force stays where that adds no
 // energy, and is lowered to the energy that there is where it would.
 template <typename Vector>
-void change_stiffness(FrictionMemory<Vector>& state, double old_N_per_m, double new_N_per_m) {
+void change_stiffness(FrictionMemory<Vector>& memory, double old_N_per_m, double new_N_per_m) {
   const bool is_softer = new_N_per_m > 0.0 && !(old_N_per_m > 0.0 && old_N_per_m <= new_N_per_m);
   if (is_softer) {
     const double share = old_N_per_m > 0.0 ? std::sqrt(new_N_per_m / old_N_per_m) : 0.0;
-    state.elastic_force_N *= share;
+    memory.elastic_force_N *= share;
   }
 }
 

@@ -23,7 +23,7 @@ bool is_bristle(FrictionKind kind) {
 }
 
 bool is_damped(FrictionKind kind) {
-  return kind == FrictionKind::lugre || kind == FrictionKind::elasto_plastic;
+  return kind != FrictionKind::cone && kind != FrictionKind::dahl;
 }
 
 bool needs_static_level(FrictionKind kind) {
@@ -36,16 +36,16 @@ double bell(double exponent) {
 
 template <typename Vector>
 ElasticWay<Vector> advance(const FrictionParameters& parameters, const FrictionTick<Vector>& tick,
-                           const FrictionMemory<Vector>& state) {
+                           const FrictionMemory<Vector>& memory) {
   switch (parameters.kind) {
     case FrictionKind::dahl:
-      return advance_dahl(parameters, tick, state.elastic_force_N);
+      return advance_dahl(parameters, tick, memory.elastic_force_N);
     case FrictionKind::lugre:
-      return advance_lugre(parameters, tick, state.elastic_force_N);
+      return advance_lugre(parameters, tick, memory.elastic_force_N);
     case FrictionKind::elasto_plastic:
-      return advance_elasto_plastic(parameters, tick, state.elastic_force_N);
+      return advance_elasto_plastic(parameters, tick, memory.elastic_force_N);
     default:
-      return advance_slider(parameters, tick, state.elastic_force_N, state.slipping);
+      return advance_slider(parameters, tick, memory);
   }
 }
 
@@ -102,10 +102,10 @@ double damping_at(const FrictionParameters& p, double speed_m_per_s) {
 
 template <typename Vector>
 FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
-                                      FrictionMemory<Vector>& state, const Vector& displacement_m,
+                                      FrictionMemory<Vector>& memory, const Vector& displacement_m,
                                       double normal_force_N, double step_s) {
   if (!(normal_force_N > 0.0)) {
-    state = {};
+    memory = {};
     return {};
   }
   const double way_m = length(displacement_m);
@@ -116,10 +116,11 @@ FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
                                   .step_s = step_s};
   ElasticWay<Vector> elastic;
   if (parameters.coulomb > 0.0) {
-    elastic = advance(parameters, tick, state);
+    elastic = advance(parameters, tick, memory);
   }
-  state.elastic_force_N = elastic.end_N;
-  state.slipping = elastic.slipping;
+  memory = {.elastic_force_N = elastic.end_N,
+            .slipping = elastic.slipping,
+            .left_band = elastic.left_band};
   FrictionForce<Vector> result{
       .force_N = elastic.end_N, .mean_force_N = elastic.mean_N, .slipping = elastic.slipping};
   const double per_step = normal_force_N / step_s;

@@ -49,7 +49,9 @@ struct FrictionParameters {
   // sigma0. Of the first four kinds it is the spring they stick by, and 0 means rigid. > 0 for the
   // last three.
   double stiffness_N_per_m = 0.0;
-  double damping_s_per_m = 0.0;  // sigma1, N s/m per N; of lugre and elasto_plastic
+  // sigma1, N s/m per N; not of cone and dahl. coulomb_viscous, stribeck and karnopp have it while
+  // they stick, so that a mass that stops does not ring on their spring.
+  double damping_s_per_m = 0.0;
   // v_d: sigma1 fades as exp(-(v/v_d)^2); 0 means that it does not.
   double damping_fade_m_per_s = 0.0;
   double stick_velocity_m_per_s = 1e-3;  // karnopp: below it a slip ends; > 0
@@ -65,6 +67,7 @@ template <typename Vector>
 struct FrictionMemory {
   Vector elastic_force_N = zero_tangent<Vector>();  // sigma0 z
   bool slipping = false;
+  bool left_band = false;  // of karnopp: the slip has been faster than stick_velocity_m_per_s
 };
 
 template <typename Vector>
@@ -79,9 +82,9 @@ struct FrictionForce {
 };
 
 // One tick. The parameters must be valid, the displacement finite, step_s > 0. A normal force of
-// zero or less, or one that is not a number, is no contact: no force, and the state starts over.
+// zero or less, or one that is not a number, is no contact: no force, and the memory starts over.
 //
-// What holds, with W = mean_force_N . displacement_m summed over ticks, from a state that is new:
+// What holds, with W = mean_force_N . displacement_m summed over ticks, from a memory that is new:
 // - W >= stored_J(), to rounding: over no motion, and under no course of the normal force, does a
 //   model give out energy. Of lugre and elasto_plastic if lugre_passivity() says so.
 // - |elastic_force_N| <= Fs N (Fc N where there is no Fs).
@@ -89,7 +92,7 @@ struct FrictionForce {
 // Real time: no heap, bounded work.
 template <typename Vector>
 FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
-                                      FrictionMemory<Vector>& state, const Vector& displacement_m,
+                                      FrictionMemory<Vector>& memory, const Vector& displacement_m,
                                       double normal_force_N, double step_s);
 
 extern template FrictionForce<double> update_friction(const FrictionParameters&,
@@ -107,9 +110,9 @@ double damping_at(const FrictionParameters& parameters, double speed_m_per_s);
 
 // What the bristle would give back: sigma0 z^2/2, 0 if rigid.
 template <typename Vector>
-double stored_J(const FrictionParameters& parameters, const FrictionMemory<Vector>& state) {
+double stored_J(const FrictionParameters& parameters, const FrictionMemory<Vector>& memory) {
   const double stiffness = parameters.stiffness_N_per_m;
-  return stiffness > 0.0 ? 0.5 * dot(state.elastic_force_N, state.elastic_force_N) / stiffness
+  return stiffness > 0.0 ? 0.5 * dot(memory.elastic_force_N, memory.elastic_force_N) / stiffness
                          : 0.0;
 }
 

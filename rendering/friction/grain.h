@@ -28,9 +28,9 @@ inline Vec3 through(const Grain& grain, const Vec3& v) {
          ((grain.along - grain.across) * grain.direction.dot(v)) * grain.direction;
 }
 
-// update_friction with a grain. The state is that of the isotropic space; so is `bristle_m`.
+// update_friction with a grain. The memory is that of the isotropic space; so is `bristle_m`.
 FrictionForce<Vec3> update_friction(const FrictionParameters& parameters, const Grain& grain,
-                                    FrictionMemory<Vec3>& state, const Vec3& displacement_m,
+                                    FrictionMemory<Vec3>& memory, const Vec3& displacement_m,
                                     double normal_force_N, double step_s);
 
 }  // namespace tactus::rendering

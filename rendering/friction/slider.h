@@ -9,7 +9,8 @@
 //
 // Karnopp ("Computer simulation of stick-slip friction in mechanical dynamic systems", J. Dynamic
 // Systems, Measurement and Control 107(1), 1985): a slip ends when the velocity falls below a band,
-// and then it takes Fs to break away again, whatever the rate.
+// and then it takes Fs to break away again, whatever the rate. A slip that has not yet left the
+// band goes on until the motion turns back.
 //
 // Work: a tick that stays within the circle is a spring's. Otherwise its first part, up to the rim,
 // is; the rest slides with the force f1 of its end, and from f to f1, with the trial force t
@@ -32,16 +33,13 @@ struct SliderLevels {
 
 template <typename Vector>
 SliderLevels slider_levels(const FrictionParameters& parameters, const FrictionTick<Vector>& tick,
-                           bool was_slipping) {
+                           bool holds_at_coulomb) {
   const double coulomb_N = parameters.coulomb * tick.normal_force_N;
   const double static_N = parameters.static_level * tick.normal_force_N;
   switch (parameters.kind) {
     case FrictionKind::cone:
-      return {.hold_N = was_slipping ? coulomb_N : static_N, .slip_N = coulomb_N};
-    case FrictionKind::karnopp: {
-      const bool slips = was_slipping && tick.speed_m_per_s >= parameters.stick_velocity_m_per_s;
-      return {.hold_N = slips ? coulomb_N : static_N, .slip_N = coulomb_N};
-    }
+    case FrictionKind::karnopp:
+      return {.hold_N = holds_at_coulomb ? coulomb_N : static_N, .slip_N = coulomb_N};
     case FrictionKind::stribeck: {
       const double level_N = steady_level(parameters, tick.speed_m_per_s) * tick.normal_force_N;
       return {.hold_N = level_N, .slip_N = level_N};
@@ -77,11 +75,15 @@ ElasticWay<Vector> advance_rigid(const SliderLevels& levels, const FrictionTick<
 
 template <typename Vector>
 ElasticWay<Vector> advance_slider(const FrictionParameters& parameters,
-                                  const FrictionTick<Vector>& tick, const Vector& f,
-                                  bool was_slipping) {
+                                  const FrictionTick<Vector>& tick,
+                                  const FrictionMemory<Vector>& memory) {
   // A slipping slider lies on the rim itself; rounding must not make it slip again.
   constexpr double kRim = 1.0 + 1e-9;
-  const SliderLevels levels = slider_levels(parameters, tick, was_slipping);
+  const bool is_karnopp = parameters.kind == FrictionKind::karnopp;
+  const bool is_slow = is_karnopp && tick.speed_m_per_s < parameters.stick_velocity_m_per_s;
+  const bool slip_ends = is_slow && memory.left_band;
+  const SliderLevels levels = slider_levels(parameters, tick, memory.slipping && !slip_ends);
+  const Vector& f = memory.elastic_force_N;
   if (parameters.stiffness_N_per_m <= 0.0) {
     return advance_rigid(levels, tick, f);
   }
@@ -90,17 +92,17 @@ ElasticWay<Vector> advance_slider(const FrictionParameters& parameters,
   const double size = length(trial);
   ElasticWay<Vector> result;
   if (size <= levels.hold_N * kRim) {
-    const bool slides_on = parameters.kind == FrictionKind::karnopp && was_slipping &&
-                           tick.speed_m_per_s >= parameters.stick_velocity_m_per_s;
     result.end_N = trial;
     result.mean_N = f + 0.5 * stretch;
-    result.slipping = slides_on;
-    return result;
+    result.bent_N = stretch;
+    result.slipping = is_karnopp && memory.slipping && !is_slow;
+  } else {
+    const double share = share_within(levels.hold_N, f, stretch);
+    result.end_N = (levels.slip_N / size) * trial;
+    result.mean_N = share * (f + 0.5 * share * stretch) + (1.0 - share) * result.end_N;
+    result.slipping = true;
   }
-  const double share = share_within(levels.hold_N, f, stretch);
-  result.end_N = (levels.slip_N / size) * trial;
-  result.mean_N = share * (f + 0.5 * share * stretch) + (1.0 - share) * result.end_N;
-  result.slipping = true;
+  result.left_band = result.slipping && is_karnopp && (memory.left_band || !is_slow);
   return result;
 }
 

@@ -92,8 +92,8 @@ TEST(Dahl, LoopsTakeTheirAreaHoweverManyTicksTheyHave) {
       EXPECT_NEAR(state.elastic_force_N, csv.number(row, "F_turning_N_analytic"), 1e-9);
       const double area = stroke(parameters, state, -2.0 * amplitude, ticks) +
                           stroke(parameters, state, 2.0 * amplitude, ticks);
-      // The table has twelve digits.
-      EXPECT_NEAR(area, csv.number(row, "loop_area_J_analytic"), 2e-12 * area + 1e-18) << ticks;
+      // The table has twelve digits, and a large loop's end is its beginning to rounding.
+      EXPECT_NEAR(area, csv.number(row, "loop_area_J_analytic"), 5e-12 * area + 1e-18) << ticks;
     }
   }
 }
@@ -102,7 +102,7 @@ TEST(Dahl, LoopsTakeTheirAreaHoweverManyTicksTheyHave) {
 double way_to(const FrictionParameters& parameters, FrictionMemory<double>& state, double force_N) {
   const double direction = force_N > state.elastic_force_N ? 1.0 : -1.0;
   double lower = 0.0;
-  double upper = 1e-3;
+  double upper = 0.1;
   for (int i = 0; i < 80; ++i) {
     const double middle = 0.5 * (lower + upper);
     FrictionMemory<double> trial = state;

@@ -99,9 +99,10 @@ TEST(Lugre, LevelsAndDampingScaleWithTheNormalForceAndTheBristleDoesNot) {
 TEST(Lugre, PressingHarderAddsNoForceByItself) {
   const FrictionParameters parameters = published(FrictionKind::lugre);
   FrictionMemory<double> state;
-  const double force = update_friction(parameters, state, 1e-3, 1.0, 1.0).force_N;
-  const double pressed = update_friction(parameters, state, 0.0, 5.0, 1e-3).force_N;
-  EXPECT_NEAR(pressed, force - 0.4e-3, 1e-12);
+  update_friction(parameters, state, 1e-3, 1.0, 1.0);
+  const double force = update_friction(parameters, state, 0.0, 1.0, 1e-3).force_N;
+  EXPECT_GT(force, 1.0);
+  EXPECT_EQ(update_friction(parameters, state, 0.0, 5.0, 1e-3).force_N, force);
 }
 
 TEST(Lugre, FollowsALoadThatFallsDownToNothing) {
