@@ -9,8 +9,8 @@
 // A tick is a straight way. Its first part, until |z| grows beyond z_ba, is elastic and exact.
 // From there on |z| does not fall below z_ba again on a straight way, and alpha is taken from the
 // middle of short steps, on each of which the bristle yields exactly (bristle.h) with alpha held:
-// second order, passive whatever alpha is. The steps start at an eighth of z_ss and double; after
-// 32 z_ss the bristle lies along the way, at z_ss.
+// second order, passive whatever alpha is. The first is an eighth of z_ss, each next one and a
+// half times as long; after 32 z_ss the bristle lies along the way, at z_ss.
 #pragma once
 
 #include <algorithm>
@@ -81,6 +81,7 @@ ElasticWay<Vector> advance_elasto_plastic(const FrictionParameters& parameters,
                                           const Vector& elastic_force_N) {
   constexpr double kSettled = 32.0;
   constexpr double kFirstStep = 0.125;
+  constexpr double kGrowth = 1.5;
   const double stiffness = parameters.stiffness_N_per_m;
   const double normal = tick.normal_force_N;
   const ElastoPlasticLevels levels{
@@ -113,7 +114,7 @@ ElasticWay<Vector> advance_elasto_plastic(const FrictionParameters& parameters,
     add_part(sum, plastic_step(levels, stiffness, sum.end_N, direction, part_m),
              part_m / tick.way_m);
     left_m -= part_m;
-    step_m *= 2.0;
+    step_m *= kGrowth;
   }
   sum.slipping = 2.0 * length(sum.bent_N) < stiffness * tick.way_m;
   return sum;
