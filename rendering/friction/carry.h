@@ -11,15 +11,14 @@ namespace tactus::rendering {
 // `tangent`, which is perpendicular to the unit normal `from`, turned by the least rotation that
 // takes `from` to the unit normal `to`. Its length stays, to rounding. On tangent vectors that
 // rotation is the mirror image in the plane perpendicular to h = from + to. Opposite normals have
-// no least rotation: the one about the tangent itself is taken.
+// no least rotation: the one about the tangent itself is taken, also where h is mostly rounding.
 inline Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
+  constexpr double kOpposite = 1e-16;  // |h|^2: 1e-8 rad
   const Vec3 half = from + to;
   const double squared = half.squaredNorm();
-  if (!(squared > 0.0)) {
-    return tangent;
-  }
-  const Vec3 mirrored = tangent - (2.0 * half.dot(tangent) / squared) * half;
-  return mirrored - to.dot(mirrored) * to;
+  const double twice = squared > kOpposite ? 2.0 * half.dot(tangent) / squared : 0.0;
+  const Vec3 there = tangent - twice * half;
+  return there - to.dot(there) * to;
 }
 
 // The contact plane turns: the elastic force keeps its size, and so the bristle its energy.

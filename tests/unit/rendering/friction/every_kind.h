@@ -1,0 +1,52 @@
+// Parameters of every kind of friction, passive, for tests that hold of all.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rendering/friction/friction_model.h"
+#include "rendering/friction/passivity.h"
+
+namespace tactus::testing {
+
+struct NamedFriction {
+  std::string name;
+  rendering::FrictionParameters parameters;
+};
+
+// How the name is printed by GoogleTest.
+inline void PrintTo(const NamedFriction& friction, std::ostream* out) {
+  *out << friction.name;
+}
+
+// With a bristle of `stiffness_N_per_m` and coefficients of a fingertip on a surface.
+inline std::vector<NamedFriction> every_kind(double stiffness_N_per_m) {
+  using rendering::FrictionKind;
+  rendering::FrictionParameters base{.coulomb = 0.5,
+                                     .static_level = 0.8,
+                                     .viscous_s_per_m = 0.3,
+                                     .stribeck_velocity_m_per_s = 0.01,
+                                     .stiffness_N_per_m = stiffness_N_per_m,
+                                     .damping_s_per_m = 5.0,
+                                     .stick_velocity_m_per_s = 1e-3,
+                                     .elastic_fraction = 0.7};
+  base.kind = FrictionKind::lugre;
+  rendering::FrictionParameters viscous = base;
+  viscous.viscous_s_per_m = lugre_passivity(base).needed_viscous_s_per_m;
+  base.damping_fade_m_per_s = lugre_passivity(base).largest_fade_m_per_s;
+  const auto with = [&](FrictionKind kind) {
+    rendering::FrictionParameters parameters = base;
+    parameters.kind = kind;
+    return parameters;
+  };
+  return {{"cone", with(FrictionKind::cone)},
+          {"coulomb_viscous", with(FrictionKind::coulomb_viscous)},
+          {"stribeck", with(FrictionKind::stribeck)},
+          {"karnopp", with(FrictionKind::karnopp)},
+          {"dahl", with(FrictionKind::dahl)},
+          {"lugre_fading", with(FrictionKind::lugre)},
+          {"lugre_viscous", viscous},
+          {"elasto_plastic", with(FrictionKind::elasto_plastic)}};
+}
+
+}  // namespace tactus::testing
