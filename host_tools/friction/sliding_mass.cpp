@@ -1,6 +1,5 @@
 #include "host_tools/friction/sliding_mass.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tactus::host {
@@ -29,22 +28,32 @@ double SlidingMass::excess_N(double displacement_m, double supply_N, double step
 }
 
 // The bracket grows from v0 T toward the side on which a root must lie, so that it holds the
-// nearest one or, of several within its last stretch, one of them. Then halving until doubles end.
+// nearest one or, of several within its last stretch, one of them. Then it is halved until doubles
+// end.
 double SlidingMass::solve(double supply_N, double step_s) const {
+  constexpr int kMostDoublings = 200;
+  constexpr int kMostHalvings = 200;
   const double start = state_.v_m_per_s * step_s;
+  const double excess = excess_N(start, supply_N, step_s);
+  const bool falls_short = excess < 0.0;
+  const auto is_near = [&](double d) {
+    return (excess_N(d, supply_N, step_s) < 0.0) == falls_short;
+  };
   const double inertia = 2.0 * parameters_.mass_kg / (step_s * step_s);
-  const bool falls_short = excess_N(start, supply_N, step_s) < 0.0;
+  double reach = (falls_short ? 1e-3 : -1e-3) * std::fabs(excess) / inertia;
   double near = start;
-  double reach = 1e-3 * std::fabs(excess_N(start, supply_N, step_s)) / inertia;
-  double far = start;
-  do {
+  double far = start + reach;
+  for (int i = 0; i < kMostDoublings && near != far && is_near(far); ++i) {
     near = far;
-    far = start + (falls_short ? reach : -reach);
     reach *= 2.0;
-  } while ((excess_N(far, supply_N, step_s) < 0.0) == falls_short && near != far);
-  for (double middle = 0.5 * (near + far); middle != near && middle != far;
-       middle = 0.5 * (near + far)) {
-    ((excess_N(middle, supply_N, step_s) < 0.0) == falls_short ? near : far) = middle;
+    far = start + reach;
+  }
+  for (int i = 0; i < kMostHalvings; ++i) {
+    const double middle = 0.5 * (near + far);
+    if (middle == near || middle == far) {
+      break;
+    }
+    (is_near(middle) ? near : far) = middle;
   }
   return far;
 }

@@ -11,6 +11,9 @@
 // f^2 / (2 sigma0) and the integral of f^2 / G over the way, which is the heat and never negative.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "rendering/friction/tangent.h"
 #include "rendering/geometry/portable_math.h"
 
@@ -44,14 +47,15 @@ struct Decay {
 
 inline Decay decay(double a) {
   constexpr double kSeriesEnds = 0.125;  // the first term left out is below 2e-16 there
-  constexpr int kTerms = 10;
-  constexpr double kAllGone = 40.0;  // exp(-40) is below a double's rounding of 1
+  constexpr double kAllGone = 40.0;      // exp(-40) is below a double's rounding of 1
+  // sum over k of (-a)^k / (k + 2)!, by Horner's rule: each factor is 1 / (k + 2).
+  constexpr std::array kFactors{1.0 / 3, 1.0 / 4, 1.0 / 5,  1.0 / 6,  1.0 / 7,
+                                1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12};
   Decay result;
   if (a < kSeriesEnds) {
-    // sum over k of (-a)^k / (k + 2)!, by Horner's rule from the last factor outward.
     double sum = 1.0;
-    for (int k = kTerms; k > 0; --k) {
-      sum = 1.0 - a / (k + 2) * sum;
+    for (std::size_t k = kFactors.size(); k-- > 0;) {
+      sum = 1.0 - a * kFactors[k] * sum;
     }
     result.rest = 0.5 * sum;
     result.mean = 1.0 - a * result.rest;
