@@ -63,10 +63,17 @@ Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh
 
 Offset<image::Material> write_material(FlatBufferBuilder& builder,
                                        const rendering::Material& material) {
-  const auto friction = image::CreateConeFriction(builder, material.friction.static_coefficient,
-                                                  material.friction.dynamic_coefficient);
+  const rendering::FrictionParameters& model = material.friction;
+  const image::Friction friction(std::to_underlying(model.kind), model.coulomb, model.static_level,
+                                 model.viscous_s_per_m, model.stribeck_velocity_m_per_s,
+                                 model.stribeck_exponent, model.stiffness_N_per_m,
+                                 model.damping_s_per_m, model.damping_fade_m_per_s,
+                                 model.stick_velocity_m_per_s, model.elastic_fraction);
+  const rendering::Float3& way = material.grain.direction_O;
+  const image::Grain grain(image::Float3(way.x, way.y, way.z), material.grain.along,
+                           material.grain.across);
   return image::CreateMaterial(builder, material.stiffness_N_per_m, material.damping_Ns_per_m,
-                               image::Friction::ConeFriction, friction.Union());
+                               &friction, material.grain.differs() ? &grain : nullptr);
 }
 
 image::Pose pose_of(const Placement& placement) {

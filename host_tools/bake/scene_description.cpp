@@ -53,8 +53,8 @@ rendering::Sides read_sides(const TomlSection& section) {
   return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
 }
 
-rendering::ConeFriction read_friction(const toml::table& table, const TomlSection& object,
-                                      std::string_view file) {
+rendering::FrictionParameters read_friction(const toml::table& table, const TomlSection& object,
+                                            std::string_view file) {
   const TomlSection section(table, file, object.title() + " friction", kFrictionKeys);
   const std::string model = section.text("model").value_or("cone");
   if (model != "cone") {
@@ -72,7 +72,7 @@ rendering::ConeFriction read_friction(const toml::table& table, const TomlSectio
                              "sticking, swap or lower it",
                              dynamic, *stick));
   }
-  return {.static_coefficient = *stick, .dynamic_coefficient = dynamic};
+  return rendering::cone_friction(*stick, dynamic);
 }
 
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,

@@ -19,11 +19,11 @@ constexpr double kDragonSide_m = 0.2;
 }  // namespace
 
 rendering::Object object_of(const BenchmarkMesh& mesh, bool friction) {
-  const rendering::ConeFriction rough{.static_coefficient = 0.6, .dynamic_coefficient = 0.4};
+  const rendering::FrictionParameters rough = rendering::cone_friction(0.6, 0.4);
   return {.mesh = mesh.mesh.view(),
           .sides = rendering::Sides::one,
           .material = {.stiffness_N_per_m = 1000.0,
-                       .friction = friction ? rough : rendering::ConeFriction{}}};
+                       .friction = friction ? rough : rendering::FrictionParameters{}}};
 }
 
 BenchmarkMesh sphere_mesh(int level) {

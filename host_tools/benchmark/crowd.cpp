@@ -44,8 +44,7 @@ Crowd::Crowd(std::size_t count) {
   meshes_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     rendering::Object object{
-        .material = {.stiffness_N_per_m = 1000.0,
-                     .friction = {.static_coefficient = 0.6, .dynamic_coefficient = 0.4}}};
+        .material = {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)}};
     if (i % 2 == 0) {
       object.mesh = meshes_.emplace_back(ball_at(grid[i])).view();
     } else {

@@ -68,8 +68,8 @@ nlohmann::ordered_json to_json(const Summary& s) {
           {"sides", s.sides()},
           {"stiffness_N_per_m", material.stiffness_N_per_m},
           {"damping_Ns_per_m", material.damping_Ns_per_m},
-          {"friction_static", material.friction.static_coefficient},
-          {"friction_dynamic", material.friction.dynamic_coefficient},
+          {"friction_static", material.friction.static_level},
+          {"friction_dynamic", material.friction.coulomb},
           {"shaded", !s.object.detail.corner_normals.empty()},
           {"textures", s.object.detail.layers.size()},
           {"texture_bytes", s.object.detail.texels.size()},
@@ -107,8 +107,8 @@ void print_object(const Summary& s) {
   fmt::print("  sides      {}\n", s.sides());
   fmt::print("  stiffness  {} N/m, damping {} N s/m\n", material.stiffness_N_per_m,
              material.damping_Ns_per_m);
-  fmt::print("  friction   static {}, dynamic {}\n", material.friction.static_coefficient,
-             material.friction.dynamic_coefficient);
+  fmt::print("  friction   static {}, dynamic {}\n", material.friction.static_level,
+             material.friction.coulomb);
   fmt::print("  detail     {}, {} texture{} of {} bytes{}\n",
              s.object.detail.corner_normals.empty() ? "flat" : "shaded",
              s.object.detail.layers.size(), s.object.detail.layers.size() == 1 ? "" : "s",

@@ -151,8 +151,8 @@ void FeatureWalker::place(const Vec3& p_W) {
   p_ = p_W;
 }
 
-FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides,
-                                   const ConeFriction& friction, const Vec3& h_W) {
+FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
+                                   const Vec3& h_W) {
   // Off one surface and onto the next: more than this in one tick waits for the next one.
   constexpr int kRounds = 4;
   FeatureRest rest{.proxy_W = p_};
@@ -171,7 +171,7 @@ FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides,
     const bool clear = std::sqrt(lowest.at.squared_m2) > shell.rest_m;
     const bool off = height > 0.0 || lowest.at_border;
     if (!lowest.complete || !clear || !off) {
-      settle(mesh, friction, h_W, lowest, rest);
+      settle(mesh, material, h_W, lowest, rest);
       return rest;
     }
     // The way to the tool leads straight away from the surface.
@@ -242,28 +242,41 @@ double FeatureWalker::height_of(const ConnectedMesh& mesh, const MeshNearest& at
   return (front < 0.0 ? -side_ : side_) * std::sqrt(at.squared_m2);
 }
 
+MeshNearest FeatureWalker::stay_in_cone(const ConnectedMesh& mesh,
+                                        const FrictionParameters& friction, double depth,
+                                        const FeatureWalk& lowest, FeatureRest& rest) {
+  const Vec3 held = nearest_on_triangle(mesh.mesh, feature_.triangle, p_).point_W;
+  const FrictionCircle circle{.static_radius_m = friction.static_level * depth,
+                              .dynamic_radius_m = friction.coulomb * depth};
+  const FrictionStep step = apply_cone(held, lowest.at.point_W, circle, friction_);
+  friction_ = step.state;
+  if (step.state == FrictionState::stick) {
+    return nearest_on_triangle(mesh.mesh, feature_.triangle, held);
+  }
+  return circle.dynamic_radius_m > 0.0 ? walk(mesh, lowest.at.feature.triangle, step.goal, rest).at
+                                       : lowest.at;
+}
+
 // In contact: `lowest` is where the point would go without friction.
-void FeatureWalker::settle(const ConnectedMesh& mesh, const ConeFriction& friction, const Vec3& h,
+void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
                            const FeatureWalk& lowest, FeatureRest& rest) {
   const double depth = std::max(0.0, -height_of(mesh, lowest.at, h));
-  const Vec3 held = nearest_on_triangle(mesh.mesh, feature_.triangle, p_).point_W;
-  const FrictionCircle circle{.static_radius_m = friction.static_coefficient * depth,
-                              .dynamic_radius_m = friction.dynamic_coefficient * depth};
-  const FrictionStep step = apply_cone(held, lowest.at.point_W, circle, friction_);
-  MeshNearest at = lowest.at;
-  if (step.state == FrictionState::stick) {
-    at = nearest_on_triangle(mesh.mesh, feature_.triangle, held);
-  } else if (circle.dynamic_radius_m > 0.0) {
-    at = walk(mesh, lowest.at.feature.triangle, step.goal, rest).at;
-  }
-  p_ = at.point_W;
-  feature_ = at.feature;
-  friction_ = step.state;
-  rest.contact = kind_of(at.feature.kind);
-  rest.friction = friction_;
   const Vec3 out = lowest.at.point_W - h;
   rest.normal_W = depth > 0.0 ? Vec3{out / depth}
                               : Vec3{side_ * pseudonormal(mesh, lowest.at.feature).normalized()};
+  MeshNearest at = lowest.at;
+  if (is_plain_cone(material)) {
+    at = stay_in_cone(mesh, material.friction, depth, lowest, rest);
+  } else if (depth > 0.0) {
+    const FrictionLag lag =
+        model_.lag(sliding_surface(material), rest.normal_W, material.stiffness_N_per_m * depth);
+    at = walk(mesh, lowest.at.feature.triangle, lowest.at.point_W - lag.lag_m, rest).at;
+    friction_ = lag.state;
+  }
+  p_ = at.point_W;
+  feature_ = at.feature;
+  rest.contact = kind_of(at.feature.kind);
+  rest.friction = friction_;
   // Within the shell in front of the surface the tool is in contact but not pushed.
   rest.proxy_W = depth > 0.0 ? p_ : h;
   rest.depth_m = (rest.proxy_W - h).dot(rest.normal_W);

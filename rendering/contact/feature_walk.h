@@ -12,6 +12,7 @@
 
 #include <cstdint>
 
+#include "rendering/friction/surface_friction.h"
 #include "rendering/material/material.h"
 #include "rendering/surface/connected_mesh.h"
 #include "rendering/world/touch.h"
@@ -53,10 +54,15 @@ class FeatureWalker {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
+  // First in a tick, what friction models are driven by: see SurfaceFriction.
+  void begin_friction(const Vec3& tool_step_W, double tick_s) {
+    model_.begin_tick(tool_step_W, tick_s);
+  }
+
   // Moves the point as near to the tool as the surface and friction let it. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most
   // kMaxFeatureVisits triangles measured in contact, and as many on the way to it.
-  FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const ConeFriction& friction,
+  FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
                       const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
@@ -69,13 +75,16 @@ class FeatureWalker {
                    FeatureRest& rest) const;
   [[nodiscard]] double height_of(const ConnectedMesh& mesh, const MeshNearest& at,
                                  const Vec3& h) const;
-  void settle(const ConnectedMesh& mesh, const ConeFriction& friction, const Vec3& h,
+  MeshNearest stay_in_cone(const ConnectedMesh& mesh, const FrictionParameters& friction,
+                           double depth, const FeatureWalk& lowest, FeatureRest& rest);
+  void settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
               const FeatureWalk& lowest, FeatureRest& rest);
 
   Vec3 p_ = Vec3::Zero();
   MeshFeature feature_;
   double side_ = 1.0;  // 1 in front of the surface, -1 behind it
   FrictionState friction_ = FrictionState::free;
+  SurfaceFriction model_;
   bool in_contact_ = false;
 };
 

@@ -63,11 +63,11 @@ Inside clip(const Box& box, const Vec3& from, const Vec3& way) {
 
 class Tick {
  public:
-  Tick(ImplicitProxyState& state, const ImplicitSurface& surface, const ConeFriction& friction,
+  Tick(ImplicitProxyState& state, const ImplicitSurface& surface, const Material& material,
        Vec3 h_O)
       : state_(state),
         surface_(surface),
-        friction_(friction),
+        material_(material),
         h_(std::move(h_O)),
         field_(surface, 1.0, kMaxFormulaWork) {}
 
@@ -138,7 +138,7 @@ class Tick {
       stalled_ = 0;
       return false;
     }
-    const double distance_m = (state_.p_O - h_).norm() * surface_.scale_m;
+    const double distance_m = (state_.p_O - (h_ - lag_O_)).norm() * surface_.scale_m;
     stalled_ = distance_m < nearest_m_ - kGain_m ? 0 : stalled_ + 1;
     if (distance_m < nearest_m_ && height_m >= 0.5 * kImplicitRest_m) {
       nearest_m_ = distance_m;
@@ -330,10 +330,15 @@ class Tick {
       push_m += pressure_m;
     }
     rest_.normal_W.normalize();
+    return is_plain_cone(material_) ? stay_in_cone(projection, push_m)
+                                    : lag_behind(projection, push_m);
+  }
+
+  Goal stay_in_cone(const PlaneProjection& projection, double push_m) {
     const FrictionStep step =
         apply_cone(surface_.scale_m * (state_.p_O - projection.point), Vec3::Zero(),
-                   {.static_radius_m = friction_.static_coefficient * push_m,
-                    .dynamic_radius_m = friction_.dynamic_coefficient * push_m},
+                   {.static_radius_m = material_.friction.static_level * push_m,
+                    .dynamic_radius_m = material_.friction.coulomb * push_m},
                    state_.friction);
     slipped_ = slipped_ || step.state == FrictionState::slip;
     state_.friction = slipped_ ? FrictionState::slip : step.state;
@@ -343,15 +348,26 @@ class Tick {
     return {.point = goal, .settled = settled};
   }
 
+  Goal lag_behind(const PlaneProjection& projection, double push_m) {
+    const FrictionLag lag = state_.model.lag(sliding_surface(material_), rest_.normal_W,
+                                             material_.stiffness_N_per_m * push_m);
+    state_.friction = lag.state;
+    lag_O_ = surface_.R_WO.transpose() * (lag.lag_m / surface_.scale_m);
+    const Vec3 goal = projection.point - lag_O_;
+    const bool settled =
+        !projection.feasible || (goal - state_.p_O).norm() * surface_.scale_m <= kSettled_m;
+    return {.point = goal, .settled = settled};
+  }
+
   ImplicitProxyState& state_;
   const ImplicitSurface& surface_;
-  const ConeFriction& friction_;
+  const Material& material_;
   const Vec3 h_;
   ImplicitField field_;
   ImplicitRest rest_;
   ImplicitSample here_;  // at the proxy, if is_sampled_
   bool is_sampled_ = false;
-  double nearest_m_ = std::numeric_limits<double>::infinity();  // from the tool, in contact
+  double nearest_m_ = std::numeric_limits<double>::infinity();  // from the lagging tool, in contact
   Vec3 best_ = Vec3::Zero();                                    // where that was
   int stalled_ = 0;                                             // sub-goals since it fell
   bool slipped_ = false;                                        // in this tick
@@ -360,6 +376,7 @@ class Tick {
   std::size_t plane_count_ = 0;
   std::array<std::size_t, 3> holding_{};  // of planes_, the first rest_.planes
   Vec3 target_ = Vec3::Zero();
+  Vec3 lag_O_ = Vec3::Zero();  // of the tool's nearest point, by a friction model
 };
 
 }  // namespace
@@ -370,7 +387,7 @@ void ImplicitTracker::place(const Vec3& p_W) {
   state_ = {};
 }
 
-ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const ConeFriction& friction,
+ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Material& material,
                                       const Vec3& h_W) {
   ImplicitRest rest;
   if (!(h_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m)) {
@@ -382,7 +399,7 @@ ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Cone
     state_.p_O = surface.to_object(p_W_);
     placed_ = true;
   }
-  rest = Tick(state_, surface, friction, surface.to_object(h_W)).run();
+  rest = Tick(state_, surface, material, surface.to_object(h_W)).run();
   p_W_ = surface.to_world(state_.p_O);
   rest.proxy_W = p_W_;
   rest.friction = state_.friction;

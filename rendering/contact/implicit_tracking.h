@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/material/material.h"
 #include "rendering/surface/implicit_surface.h"
@@ -30,6 +31,7 @@ struct ImplicitProxyState {
   Vec3 p_O = Vec3::Zero();
   double side = 0.0;  // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
   FrictionState friction = FrictionState::free;
+  SurfaceFriction model;
 };
 
 class ImplicitTracker {
@@ -38,13 +40,17 @@ class ImplicitTracker {
   // or the bounds of the surface change.
   void place(const Vec3& p_W);
 
+  // First in a tick, what friction models are driven by: see SurfaceFriction.
+  void begin_friction(const Vec3& tool_step_W, double tick_s) {
+    state_.model.begin_tick(tool_step_W, tick_s);
+  }
+
   // Moves the proxy as near to the tool as the surface and friction let it. The proxy goes only
   // where intervals show the way to be free, however far the tool jumps and however thin the
   // surface is; each move brings it nearer to the tool, so it cannot swing. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap, work bounded by
   // kMaxFormulaWork.
-  ImplicitRest advance(const ImplicitSurface& surface, const ConeFriction& friction,
-                       const Vec3& h_W);
+  ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }
 

@@ -52,6 +52,8 @@ constexpr std::size_t kWorkOfASubGoal = 2;
 void SphereProxy::place(const Vec3& p_W) {
   p_ = p_W;
   friction_ = FrictionState::free;
+  model_ = {};
+  carried_W_ = Vec3::Zero();
   touched_ = {};
   neighbourhood_.clear();
   neighbourhood_.move_to(p_);
@@ -63,14 +65,21 @@ std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
     return kTouchClean;
   }
   const Carried carried = carry(scenery, shells_, p_, touched_);
+  carried_W_ += carried.p_W - p_;
   p_ = carried.p_W;
   neighbourhood_.move_to(p_);
   return carried.flags;
 }
 
+void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
+  model_.begin_tick(tool_step_W - carried_W_, tick_s);
+  carried_W_ = Vec3::Zero();
+}
+
 ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   start_ = p_;
   start_friction_ = friction_;
+  start_model_ = model_;
   fresh_ = false;
   neighbourhood_.start_work();
   return approach(scenery, h_W, path);
@@ -79,6 +88,7 @@ ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPat
 ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   p_ = start_;
   friction_ = start_friction_;
+  model_ = start_model_;
   neighbourhood_.move_to(p_);
   return approach(scenery, h_W, path);
 }
@@ -291,32 +301,80 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
   }
   FrictionCircle circle;
   double total = 0.0;
+  bool in_cone = true;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
-    const ConeFriction& friction = scenery[contact.object].material.friction;
+    const Material& material = scenery[contact.object].material;
     const double pressure = projection.pressure_m[i];
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
     const double push = factors_.of(contact.object) * pressure;
     total += pressure;
-    circle.static_radius_m += friction.static_coefficient * push;
-    circle.dynamic_radius_m += friction.dynamic_coefficient * push;
+    circle.static_radius_m += material.friction.static_level * push;
+    circle.dynamic_radius_m += material.friction.coulomb * push;
+    in_cone = in_cone && is_plain_cone(material);
+  }
+  rest.normal_W.normalize();
+  if (!in_cone) {
+    return lag_behind(scenery, projection, h, rest);
   }
   if (factors_.depth_m > 0.0) {
     const double deeper = factors_.depth_m / total;
     circle.static_radius_m *= deeper;
     circle.dynamic_radius_m *= deeper;
   }
-  rest.normal_W.normalize();
+  return stay_in_cone(projection, circle, h, rest);
+}
+
+SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,
+                                            const FrictionCircle& circle, const Vec3& h,
+                                            const ProxyRest& rest) {
   const Vec3 risen = projection.feasible ? risen_to_rest() : p_;
   const FrictionStep step = apply_cone(risen, projection.point, circle, friction_);
   slipped_ = slipped_ || step.state == FrictionState::slip;
   friction_ = slipped_ ? FrictionState::slip : step.state;
-  const Vec3 move = step.goal - p_;
   if (step.state == FrictionState::stick || !projection.feasible) {
-    return {.point = step.goal, .settled = move.norm() <= kUnevenRest_m || !projection.feasible};
+    const double away = (step.goal - p_).norm();
+    return {.point = step.goal, .settled = away <= kUnevenRest_m || !projection.feasible};
   }
+  return go_toward(step.goal, h, rest);
+}
+
+// The surface that pushes hardest has its way, under the push of all.
+SphereProxy::Goal SphereProxy::lag_behind(const Scenery& scenery, const PlaneProjection& projection,
+                                          const Vec3& h, const ProxyRest& rest) {
+  std::size_t hardest = 0;
+  double push = 0.0;
+  double stiffness = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    hardest = rest.pressure_m[i] > rest.pressure_m[hardest] ? i : hardest;
+    push += factors_.of(rest.planes[i].object) * rest.pressure_m[i];
+    stiffness += rest.pressure_m[i] * scenery[rest.planes[i].object].material.stiffness_N_per_m;
+    total += rest.pressure_m[i];
+  }
+  push *= factors_.depth_m > 0.0 ? factors_.depth_m / total : 1.0;
+  stiffness /= total;
+  const std::uint32_t object = rest.planes[hardest].object;
+  const Material& material = scenery[object].material;
+  const FrictionLag lag =
+      model_.lag({.friction = material.friction,
+                  .stiffness_N_per_m = stiffness,
+                  .grain = {.direction = direction_from(scenery.mover_of(object),
+                                                        to_vec3(material.grain.direction_O)),
+                            .along = material.grain.along,
+                            .across = material.grain.across}},
+                 rest.normal_W, stiffness * push);
+  friction_ = lag.state;
+  if (!projection.feasible) {
+    return {.point = p_, .settled = true};
+  }
+  return go_toward(projection.point - lag.lag_m, h - lag.lag_m, rest);
+}
+
+SphereProxy::Goal SphereProxy::go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest) {
+  const Vec3 move = goal - p_;
   if (move.norm() <= kSettled_m) {
     return {.point = p_, .settled = true};
   }

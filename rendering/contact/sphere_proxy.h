@@ -10,6 +10,7 @@
 #include "rendering/contact/carry.h"
 #include "rendering/contact/neighbourhood.h"
 #include "rendering/contact/sphere_sweep.h"
+#include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
 #include "rendering/world/scenery.h"
@@ -75,6 +76,10 @@ class SphereProxy {
   // along or push it. TouchFlags; bounded work, no heap.
   std::uint32_t begin_tick(const Scenery& scenery);
 
+  // Next, what friction models are driven by: the tool's step since the last tick, in the world's
+  // frame, and how long it took.
+  void begin_friction(const Vec3& tool_step_W, double tick_s);
+
   // Moves the proxy as near to the tool as surfaces and friction let it, for a tool at h_W
   // (finite). Bounded work, no heap. `path`, if given, receives the moves.
   ProxyRest advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
@@ -127,6 +132,11 @@ class SphereProxy {
   PlaneProjection project(const Vec3& h) const;
   [[nodiscard]] Vec3 risen_to_rest() const;
   Goal choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
+  Goal stay_in_cone(const PlaneProjection& projection, const FrictionCircle& circle, const Vec3& h,
+                    const ProxyRest& rest);
+  Goal lag_behind(const Scenery& scenery, const PlaneProjection& projection, const Vec3& h,
+                  const ProxyRest& rest);
+  Goal go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
   Advance travel_toward(const Scenery& scenery, const Vec3& goal);
   double sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
@@ -136,7 +146,10 @@ class SphereProxy {
   Shells shells_;
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
-  Touched touched_;  // what pushed hardest in the last tick
+  SurfaceFriction model_;
+  SurfaceFriction start_model_;    // of the last advance
+  Vec3 carried_W_ = Vec3::Zero();  // by objects that moved, since the last begin_friction
+  Touched touched_;                // what pushed hardest in the last tick
   FrictionFactors factors_;
   Vec3 start_ = Vec3::Zero();  // of the last advance
   FrictionState start_friction_ = FrictionState::free;

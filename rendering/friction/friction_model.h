@@ -58,6 +58,22 @@ struct FrictionParameters {
   double elastic_fraction = 0.7;         // elasto_plastic: z_ba sigma0 / Fc, in (0, 1)
 };
 
+// The friction cone of a static and a dynamic coefficient of friction.
+constexpr FrictionParameters cone_friction(double static_coefficient, double dynamic_coefficient) {
+  return {.kind = FrictionKind::cone,
+          .coulomb = dynamic_coefficient,
+          .static_level = static_coefficient};
+}
+
+// All that is per newton of normal force, times a factor: as under so many times the normal force.
+constexpr FrictionParameters scaled(FrictionParameters parameters, double factor) {
+  parameters.coulomb *= factor;
+  parameters.static_level *= factor;
+  parameters.viscous_s_per_m *= factor;
+  parameters.damping_s_per_m *= factor;
+  return parameters;
+}
+
 // True if every number is finite and within the bounds above.
 bool valid(const FrictionParameters& parameters);
 

@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "scene images are used
 inline constexpr std::array<char, 8> kImageMagic{'T', 'A', 'C', 'T', 'U', 'S', '\r', '\n'};
 
 // Raised by every change that an older controller may not ignore.
-inline constexpr std::uint32_t kFormatVersion = 3;
+inline constexpr std::uint32_t kFormatVersion = 4;
 
 // What SceneImage::open asks of the first byte's address. Baking places node pairs so that one pair
 // fills one 64-byte cache line if the image starts at a multiple of 64, as a mapped file does.

@@ -64,21 +64,37 @@ bool is_coefficient(double value) {
   return std::isfinite(value) && value >= 0.0;
 }
 
+FrictionParameters friction_of(const image::Friction& stored) {
+  return {.kind = static_cast<FrictionKind>(stored.kind()),
+          .coulomb = stored.coulomb(),
+          .static_level = stored.static_level(),
+          .viscous_s_per_m = stored.viscous(),
+          .stribeck_velocity_m_per_s = stored.stribeck_velocity(),
+          .stribeck_exponent = stored.stribeck_exponent(),
+          .stiffness_N_per_m = stored.stiffness(),
+          .damping_s_per_m = stored.damping(),
+          .damping_fade_m_per_s = stored.damping_fade(),
+          .stick_velocity_m_per_s = stored.stick_velocity(),
+          .elastic_fraction = stored.elastic_fraction()};
+}
+
 std::expected<Material, SceneError> read_material(const image::Material& stored) {
+  const image::Friction& friction = *stored.friction();
+  if (friction.kind() >= kFrictionKinds) {
+    return fail(SceneFault::friction_model, friction.kind());
+  }
   Material material{.stiffness_N_per_m = stored.stiffness(),
                     .damping_Ns_per_m = stored.damping(),
-                    .friction = {}};
-  if (const image::ConeFriction* cone = stored.friction_as_ConeFriction()) {
-    material.friction = {.static_coefficient = cone->static_coefficient(),
-                         .dynamic_coefficient = cone->dynamic_coefficient()};
-  } else if (stored.friction_type() != image::Friction::NONE) {
-    return fail(SceneFault::friction_model, std::to_underlying(stored.friction_type()));
+                    .friction = friction_of(friction),
+                    .grain = {}};
+  if (const image::Grain* grain = stored.grain()) {
+    material.grain = {
+        .direction_O = {grain->direction().x(), grain->direction().y(), grain->direction().z()},
+        .along = grain->along(),
+        .across = grain->across()};
   }
-  const ConeFriction& friction = material.friction;
   if (!is_coefficient(material.stiffness_N_per_m) || !is_coefficient(material.damping_Ns_per_m) ||
-      !is_coefficient(friction.static_coefficient) ||
-      !is_coefficient(friction.dynamic_coefficient) ||
-      friction.dynamic_coefficient > friction.static_coefficient) {
+      !valid(material.friction) || !valid(material.grain)) {
     return fail(SceneFault::material);
   }
   return material;

@@ -81,6 +81,9 @@ void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& to
       continue;
     }
     wake(k, mover);
+    const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
+    trackers_[k].begin_friction(step_O, scenery.tick_s());
+    walkers_[k].begin_friction(step_O, scenery.tick_s());
     Touch own = touch_in_frame(k, object, in_frame(scenery, number, tool));
     to_world(mover, own);
     own.object = number;
@@ -130,15 +133,14 @@ void LoneTouch::wake(std::size_t k, const Mover* mover) {
 }
 
 Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O) {
-  ConeFriction friction = object.material.friction;
-  friction.static_coefficient *= details_[k].friction_factor;
-  friction.dynamic_coefficient *= details_[k].friction_factor;
+  Material material = object.material;
+  material.friction = scaled(material.friction, details_[k].friction_factor);
   const ConnectedMesh mesh{object.mesh, object.neighbours, object.vertex_normals};
   switch (object.method) {
     case ContactMethod::tracking:
-      return touch_of(trackers_[k].advance(object.implicit, friction, goal_O));
+      return touch_of(trackers_[k].advance(object.implicit, material, goal_O));
     case ContactMethod::feature_walk:
-      return touch_of(walkers_[k].advance(mesh, object.sides, friction, goal_O));
+      return touch_of(walkers_[k].advance(mesh, object.sides, material, goal_O));
     default:
       return touch_of(object.surface == SurfaceKind::primitive
                           ? potential_field(object.primitive, goal_O, tool_radius_m_)

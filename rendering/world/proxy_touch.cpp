@@ -30,8 +30,10 @@ void ProxyTouch::place(const Vec3& p_W) {
 }
 
 Touch ProxyTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path) {
-  tool_step_m_ = (tool.p_W - last_tool_W_).norm();
+  const Vec3 tool_step = tool.p_W - last_tool_W_;
+  tool_step_m_ = tool_step.norm();
   last_tool_W_ = tool.p_W;
+  proxy_.begin_friction(tool_step, scenery.tick_s());
   first_pass_ = true;
   if (detailed_) {
     shading_.begin(proxy_.position_W(), tool.p_W);

@@ -132,10 +132,11 @@ bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist&
   return true;
 }
 
-void Scenery::begin_tick(double time_s) {
+void Scenery::begin_tick(double time_s, double tick_s) {
+  tick_s_ = tick_s;
   anything_moved_ = false;
   for (std::size_t k = 0; k < mover_count_; ++k) {
-    begin_tick(k, time_s);
+    begin_tick_of(k, time_s);
     anything_moved_ = anything_moved_ || movers_[k].moved;
   }
 }
@@ -154,7 +155,7 @@ void Scenery::wave(Mover& mover, double time_s) {
   }
 }
 
-void Scenery::begin_tick(std::size_t k, double time_s) {
+void Scenery::begin_tick_of(std::size_t k, double time_s) {
   Mover& mover = movers_[k];
   if (mover.motion != nullptr) {
     const Placement at = place_at(*mover.motion, time_s);

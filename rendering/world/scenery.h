@@ -92,8 +92,9 @@ class Scenery {
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
   // A new tick, `time_s` after the scene was set: objects stand where their own motion has them by
-  // now, or where the outside set them since the last tick.
-  void begin_tick(double time_s);
+  // now, or where the outside set them since the last tick. It lasts tick_s.
+  void begin_tick(double time_s, double tick_s);
+  [[nodiscard]] double tick_s() const { return tick_s_; }
 
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
   [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
@@ -151,7 +152,7 @@ class Scenery {
 
   bool start_mover(std::uint32_t number);
   DeformableMesh& deformable_of(const Mover& mover);
-  void begin_tick(std::size_t k, double time_s);
+  void begin_tick_of(std::size_t k, double time_s);
   void wave(Mover& mover, double time_s);
   void build_hierarchy();
   [[nodiscard]] Vec3 centre(std::uint32_t number) const;
@@ -168,6 +169,7 @@ class Scenery {
   std::array<Order, kMaxMovers> orders_{};  // what set_pose left
   std::size_t mover_count_ = 0;
   bool anything_moved_ = false;
+  double tick_s_ = 1e-3;
   DeformablePool pool_;
   std::array<DeformableMesh, kMaxDeformables> deformables_;
   std::size_t deformable_count_ = 0;

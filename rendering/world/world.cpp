@@ -38,7 +38,7 @@ bool World::set_tick(double tick_s) {
 }
 
 void World::begin_tick() {
-  scenery_.begin_tick(time_s_);
+  scenery_.begin_tick(time_s_, tick_s_);
   time_s_ += tick_s_;
 }
 

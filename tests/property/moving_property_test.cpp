@@ -66,7 +66,9 @@ class ChangingObject {
  public:
   ChangingObject(const MovingCase& c, bool deforms)
       : case_(c),
-        solid_(c.shape, c.sides, {.stiffness_N_per_m = 1000.0, .friction = {c.mu, 0.7 * c.mu}}),
+        solid_(
+            c.shape, c.sides,
+            {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(c.mu, 0.7 * c.mu)}),
         object_(changing(solid_, deforms)),
         tool_(std::make_unique<Wanderer>(solid_.shape(), c.seed)),
         random_(c.seed + 1000) {

@@ -49,7 +49,9 @@ drivers::JointSample stroke(int tick) {
 TEST(Controller, NeverUsesTheHeapInAHundredThousandTicksOfContact) {
   constexpr int kTicks = 100'000;
   const Solid solid(bumpy_sphere(0.05, 4, 0.02), rendering::Sides::one,
-                    {.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 0.5, .friction = {0.6, 0.4}});
+                    {.stiffness_N_per_m = 1000.0,
+                     .damping_Ns_per_m = 0.5,
+                     .friction = rendering::cone_friction(0.6, 0.4)});
   static firmware::Controller controller;
   ASSERT_TRUE(controller.configure(firmware::cartesian_config()));
   ASSERT_TRUE(controller.load_scene({&solid.object(), 1}, {.tool_radius_m = 0.002}));
@@ -75,7 +77,7 @@ TEST(Controller, NeverUsesTheHeapInAHundredThousandTicksOfContact) {
 
 TEST(World, NeverUsesTheHeapForShadingTexturesAndEffects) {
   const Solid solid(bumpy_sphere(0.05, 3, 0.02), rendering::Sides::one,
-                    {.stiffness_N_per_m = 1000.0, .friction = {0.6, 0.4}});
+                    {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)});
   const rendering::MeshView& mesh = solid.object().mesh;
   std::vector<rendering::CornerNormals> corners;
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {

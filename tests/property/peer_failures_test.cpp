@@ -28,7 +28,8 @@ constexpr double kTick_s = 1e-3;
 constexpr double kStiffness = 1000.0;
 constexpr double kDynamic = 0.4;
 constexpr Material kSlippery{.stiffness_N_per_m = kStiffness};
-constexpr Material kRough{.stiffness_N_per_m = kStiffness, .friction = {0.6, kDynamic}};
+constexpr Material kRough{.stiffness_N_per_m = kStiffness,
+                          .friction = rendering::cone_friction(0.6, kDynamic)};
 
 // The strokes that the renderer was measured with.
 Vec3 stroke_direction(double t) {

@@ -65,7 +65,9 @@ void check_minimum(const Touch& touch, const Vec3& tool, std::span<const Corners
 
 void run(const Case& c, std::uint64_t seed, std::size_t ticks, Tally& tally) {
   const double mu = c.friction ? 0.6 : 0.0;
-  const Solid solid(c.shape, c.sides, {.stiffness_N_per_m = 1000.0, .friction = {mu, 0.7 * mu}});
+  const Solid solid(
+      c.shape, c.sides,
+      {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(mu, 0.7 * mu)});
   const std::vector<Corners> corners = corners_of(solid.shape());
   const auto world = std::make_unique<World>();
   ASSERT_TRUE(world->set_scene({&solid.object(), 1}, {.tool_radius_m = c.radius_m}));

@@ -15,7 +15,7 @@ std::vector<std::uint64_t> hashes(const host::DevicePreset& device,
   const Solid ball = Solid(icosphere(0.03, 3), rendering::Sides::one,
                            {.stiffness_N_per_m = 800.0,
                             .damping_Ns_per_m = 0.5,
-                            .friction = {.static_coefficient = 0.6, .dynamic_coefficient = 0.4}});
+                            .friction = rendering::cone_friction(0.6, 0.4)});
   const host::WishPath path({{.t_s = 0.0, .p_W = {0.0, 0.0, 0.045}},
                              {.t_s = 0.5, .p_W = {0.0, 0.0, 0.045}},
                              {.t_s = 1.0, .p_W = {0.0, 0.0, 0.025}},

@@ -15,11 +15,11 @@ inline constexpr double kStiffness_N_per_m = 800.0;
 inline constexpr double kFront_m = 0.01;  // z of the slab's front face
 
 inline Solid slab(double static_friction, double dynamic_friction, double damping_Ns_per_m = 0.0) {
-  return {box({0.2, 0.2, 2.0 * kFront_m}), rendering::Sides::one,
-          rendering::Material{.stiffness_N_per_m = kStiffness_N_per_m,
-                              .damping_Ns_per_m = damping_Ns_per_m,
-                              .friction = {.static_coefficient = static_friction,
-                                           .dynamic_coefficient = dynamic_friction}}};
+  return {
+      box({0.2, 0.2, 2.0 * kFront_m}), rendering::Sides::one,
+      rendering::Material{.stiffness_N_per_m = kStiffness_N_per_m,
+                          .damping_Ns_per_m = damping_Ns_per_m,
+                          .friction = rendering::cone_friction(static_friction, dynamic_friction)}};
 }
 
 // A waypoint with the tool's surface `depth_m` below the slab's front.

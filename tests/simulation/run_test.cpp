@@ -18,7 +18,7 @@ TEST(Run, TheDefaultPathTouchesStrokesAndLeaves) {
     const Solid ball(icosphere(0.04, 4), rendering::Sides::one,
                      {.stiffness_N_per_m = 800.0,
                       .damping_Ns_per_m = 0.5,
-                      .friction = {.static_coefficient = 0.6, .dynamic_coefficient = 0.4}});
+                      .friction = rendering::cone_friction(0.6, 0.4)});
     const host::RunPlan plan =
         host::plan_run({.device = device}, {&ball.object(), 1}, kToolRadius_m);
     EXPECT_TRUE(plan.warnings.empty());

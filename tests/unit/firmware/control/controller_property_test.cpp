@@ -149,9 +149,10 @@ void run_random_ticks(const ControllerConfig& base, std::uint64_t first_seed) {
     config.safety.soft_start_s = 0.05 * unit(generator);
     config.velocity_cutoff_hz = run % 2 == 0 ? 0.0 : 50.0;
     config.joints[1].max_effort *= unit(generator);
-    const Floor floor({.stiffness_N_per_m = std::pow(10.0, 5.0 * unit(generator)),
-                       .damping_Ns_per_m = std::pow(10.0, 3.0 * unit(generator)),
-                       .friction = {unit(generator), 0.5 * unit(generator)}});
+    const Floor floor(
+        {.stiffness_N_per_m = std::pow(10.0, 5.0 * unit(generator)),
+         .damping_Ns_per_m = std::pow(10.0, 3.0 * unit(generator)),
+         .friction = rendering::cone_friction(unit(generator), 0.5 * unit(generator))});
     for (Controller* each : {&controller, &twin}) {
       ASSERT_TRUE(each->configure(config));
       ASSERT_TRUE(each->load_scene(floor.objects(), {.tool_radius_m = 0.002}));

@@ -55,8 +55,8 @@ scale = 0.001
   EXPECT_EQ(bunny.sides, rendering::Sides::two);
   EXPECT_EQ(bunny.material.stiffness_N_per_m, 800.0);
   EXPECT_EQ(bunny.material.damping_Ns_per_m, 0.5);
-  EXPECT_EQ(bunny.material.friction.static_coefficient, 0.6);
-  EXPECT_EQ(bunny.material.friction.dynamic_coefficient, 0.4);
+  EXPECT_EQ(bunny.material.friction.static_level, 0.6);
+  EXPECT_EQ(bunny.material.friction.coulomb, 0.4);
   EXPECT_EQ(bunny.mesh_options.weld_m, 1e-6);
   EXPECT_EQ(scene.objects[1].mesh, "/elsewhere/plate.stl");
   EXPECT_EQ(scene.objects[1].placement.scale, 0.001);
@@ -73,7 +73,7 @@ TEST(SceneDescription, NeedsNothingButAMesh) {
   EXPECT_EQ(plate.sides, rendering::Sides::one);
   EXPECT_EQ(plate.material.stiffness_N_per_m, kDefaultStiffness_N_per_m);
   EXPECT_EQ(plate.material.damping_Ns_per_m, 0.0);
-  EXPECT_EQ(plate.material.friction.static_coefficient, 0.0);
+  EXPECT_EQ(plate.material.friction.static_level, 0.0);
 }
 
 TEST(SceneDescription, TakesAQuaternionOfAnyLength) {
@@ -85,7 +85,7 @@ TEST(SceneDescription, TakesAQuaternionOfAnyLength) {
 
 TEST(SceneDescription, TakesDynamicFrictionFromStaticWhenItIsAbsent) {
   const SceneDescription scene = parse("[[object]]\nmesh = \"a\"\nfriction = { static = 0.3 }\n");
-  EXPECT_EQ(scene.objects[0].material.friction.dynamic_coefficient, 0.3);
+  EXPECT_EQ(scene.objects[0].material.friction.coulomb, 0.3);
 }
 
 TEST(SceneDescription, AsksForAMissingUnit) {

@@ -20,7 +20,7 @@ namespace {
 using testing::ConnectedSolid;
 using testing::Shape;
 
-constexpr ConeFriction kFrictionless{};
+constexpr Material kFrictionless{.stiffness_N_per_m = 1000.0};
 constexpr double kSkin_m = 1e-6;  // thicker than the shell within which contact begins
 
 Vec3 random_point(std::mt19937_64& random, double size) {
@@ -38,8 +38,8 @@ class Finger {
   explicit Finger(const Shape& shape, Sides sides = Sides::one) : solid_(shape), sides_(sides) {}
 
   void place(const Vec3& p) { walker_.place(p); }
-  FeatureRest touch(const Vec3& h, const ConeFriction& friction = kFrictionless) {
-    return walker_.advance(solid_.mesh(), sides_, friction, h);
+  FeatureRest touch(const Vec3& h, const Material& material = kFrictionless) {
+    return walker_.advance(solid_.mesh(), sides_, material, h);
   }
   [[nodiscard]] const ConnectedSolid& solid() const { return solid_; }
 
@@ -203,7 +203,7 @@ TEST(FeatureWalk, IsNeverFreeInsideAndRestsOnlyWhereNothingNextToItIsNearer) {
 }
 
 TEST(FeatureWalk, FrictionHoldsWithinTheConeAndDragsBeyond) {
-  constexpr ConeFriction kFriction{.static_coefficient = 0.8, .dynamic_coefficient = 0.5};
+  constexpr Material kFriction{.stiffness_N_per_m = 1000.0, .friction = cone_friction(0.8, 0.5)};
   Finger box(testing::box({0.1, 0.04, 0.1}));
   box.place({0.0, 0.03, 0.0});
   const double depth = 0.005;

@@ -36,7 +36,7 @@ Vec3 near_surface(const Shape& shape, std::mt19937_64& random) {
 void wander(const Shape& shape, double radius_m, bool friction, std::uint64_t seed, int ticks) {
   const rendering::Material material{
       .stiffness_N_per_m = 1000.0,
-      .friction = friction ? rendering::ConeFriction{0.6, 0.4} : rendering::ConeFriction{}};
+      .friction = friction ? rendering::cone_friction(0.6, 0.4) : rendering::FrictionParameters{}};
   const ShadedSolid solid(shape, 70.0, material);
   const Picture bumps(
       {.use = rendering::TextureUse::bump, .tile_m = 0.003, .high = 0.0003}, 32,

@@ -22,7 +22,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kSides = 16;
 constexpr double kRadius_m = 0.02;
 constexpr double kStep_deg = 0.05;
-constexpr Material kRubbed{.stiffness_N_per_m = 1000.0, .friction = {0.4, 0.3}};
+constexpr Material kRubbed{.stiffness_N_per_m = 1000.0, .friction = cone_friction(0.4, 0.3)};
 
 // Directions of the force, in degrees about the axis, as the tool goes round the prism.
 std::vector<double> directions(const Object& object, double radius_m, double depth_m) {

@@ -18,7 +18,7 @@ constexpr double kWave_m = 0.001;
 constexpr double kBump_m = 50e-6;
 
 // The half space below y = 0.
-Object ground(const ConeFriction& friction = {}) {
+Object ground(const FrictionParameters& friction = {}) {
   return {.surface = SurfaceKind::primitive,
           .primitive = {.kind = PrimitiveKind::plane},
           .material = {.stiffness_N_per_m = kStiffness_N_per_m, .friction = friction}};
@@ -215,7 +215,7 @@ TEST(StiffnessTexture, MultipliesTheStiffness) {
 
 TEST(FrictionTexture, MultipliesBothCoefficients) {
   const Picture picture = plain(TextureUse::friction, 0.4, 0.0, 2.0);
-  Hand hand(picture.on(ground({0.5, 0.25})), 0.001);
+  Hand hand(picture.on(ground(cone_friction(0.5, 0.25))), 0.001);
   hand.touch({0.0, 0.01, 0.0});
   double most = 0.0;
   Touch t;
@@ -230,7 +230,7 @@ TEST(FrictionTexture, MultipliesBothCoefficients) {
 
 TEST(FrictionTexture, OfABumpFollowsWhatPresses) {
   const Picture picture = plain(TextureUse::bump, 0.0, 0.0, 0.0004);  // black: 0.4 mm lower
-  Hand hand(picture.on(ground({0.25, 0.25})), 0.001);
+  Hand hand(picture.on(ground(cone_friction(0.25, 0.25))), 0.001);
   hand.touch({0.0, 0.01, 0.0});
   Touch t;
   for (int i = 0; i < 400; ++i) {

@@ -75,7 +75,7 @@ TEST_P(ConeRuns, TheWorldFollowsTheReferenceOnAFlatMesh) {
   const testing::Solid solid(
       plate, Sides::one,
       {.stiffness_N_per_m = 1.0,
-       .friction = {GetParam().static_coefficient, GetParam().dynamic_coefficient}});
+       .friction = cone_friction(GetParam().static_coefficient, GetParam().dynamic_coefficient)});
   World world;
   ASSERT_TRUE(world.set_scene({&solid.object(), 1}, {}));
   world.touch({.p_W = {0.0, 0.0, 0.001}});

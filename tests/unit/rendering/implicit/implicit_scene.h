@@ -35,6 +35,11 @@ class FormulaSurface {
   host::Formula formula_;
 };
 
-inline constexpr ConeFriction kNoFriction{};
+inline constexpr Material kNoFriction{.stiffness_N_per_m = 1000.0};
+
+constexpr Material rough(double static_coefficient, double dynamic_coefficient) {
+  return {.stiffness_N_per_m = 1000.0,
+          .friction = cone_friction(static_coefficient, dynamic_coefficient)};
+}
 
 }  // namespace tactus::rendering

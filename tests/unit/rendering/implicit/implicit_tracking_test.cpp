@@ -182,7 +182,7 @@ TEST(ImplicitTracking, SlipsAtTheAngleOfFrictionOnACurvedSurfaceAtAnySpeed) {
     for (int tick = 0; tick <= ticks; ++tick) {
       const double angle = speed_m_per_s * 1e-3 * tick / 0.049;
       tool = 0.049 * Vec3{std::sin(angle), std::cos(angle), 0.0};
-      rest = tracker.advance(sphere.surface, {kMu, kMu}, tool);
+      rest = tracker.advance(sphere.surface, rough(kMu, kMu), tool);
     }
     const Vec3 stretch = rest.proxy_W - tool;
     const double normal = stretch.dot(rest.proxy_W.normalized());
@@ -196,11 +196,11 @@ TEST(ImplicitTracking, SticksWithinTheCircleOfStaticFriction) {
   const FormulaSurface ground("y", 0.1);
   ImplicitTracker tracker;
   tracker.place({0.0, 0.01, 0.0});
-  tracker.advance(ground.surface, {0.8, 0.5}, {0.0, -0.005, 0.0});
-  ImplicitRest rest = tracker.advance(ground.surface, {0.8, 0.5}, {0.0039, -0.005, 0.0});
+  tracker.advance(ground.surface, rough(0.8, 0.5), {0.0, -0.005, 0.0});
+  ImplicitRest rest = tracker.advance(ground.surface, rough(0.8, 0.5), {0.0039, -0.005, 0.0});
   EXPECT_EQ(rest.friction, FrictionState::stick);
   EXPECT_NEAR(rest.proxy_W.x(), 0.0, 1e-12);
-  rest = tracker.advance(ground.surface, {0.8, 0.5}, {0.0041, -0.005, 0.0});
+  rest = tracker.advance(ground.surface, rough(0.8, 0.5), {0.0041, -0.005, 0.0});
   EXPECT_EQ(rest.friction, FrictionState::slip);
   EXPECT_NEAR(rest.proxy_W.x(), 0.0041 - 0.5 * 0.005, 1e-6);
 }

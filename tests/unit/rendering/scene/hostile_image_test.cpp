@@ -112,11 +112,11 @@ TEST(HostileImage, WithABadMaterialIsRefused) {
       EXPECT_EQ(error_of(scene).fault, SceneFault::material);
     }
     host::BakedScene scene = testing::small_scene();
-    scene.objects[0].material.friction.dynamic_coefficient = bad;
+    scene.objects[0].material.friction.coulomb = bad;
     EXPECT_EQ(error_of(scene).fault, SceneFault::material);
   }
   host::BakedScene scene = testing::small_scene();
-  scene.objects[0].material.friction = {.static_coefficient = 0.2, .dynamic_coefficient = 0.3};
+  scene.objects[0].material.friction = cone_friction(0.2, 0.3);
   EXPECT_EQ(error_of(scene).fault, SceneFault::material) << "dynamic above static";
 }
 
@@ -220,7 +220,7 @@ TEST(HostileImage, WithABadEffectIsRefused) {
 }
 
 // One triangle, with what the writer cannot be made to write.
-std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, image::Friction model) {
+std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, std::uint8_t model) {
   flatbuffers::FlatBufferBuilder builder;
   const std::vector<image::Float3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<image::Triple> triangles{{0, 1, 2}};
@@ -231,8 +231,8 @@ std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, image:
   for (std::size_t i = 0; i < objects; ++i) {
     const auto mesh = image::CreateMeshDirect(builder, &vertices, &triangles, &neighbours, &nodes,
                                               &vertices, &counters);
-    const auto friction = image::CreateConeFriction(builder, 0.5, 0.5).Union();
-    const auto material = image::CreateMaterial(builder, 1.0, 0.0, model, friction);
+    const image::Friction friction(model, 0.5, 0.5, 0.0, 1e-3, 2.0, 0.0, 0.0, 0.0, 1e-3, 0.7);
+    const auto material = image::CreateMaterial(builder, 1.0, 0.0, &friction);
     list.push_back(image::CreateObjectDirect(builder, "raw", sides, material, mesh));
   }
   image::FinishSceneBuffer(builder, image::CreateSceneDirect(builder, 0.0, &list));
@@ -253,15 +253,14 @@ void expect_refused(const std::vector<std::byte>& bytes, SceneFault fault, std::
 }
 
 TEST(HostileImage, WithUnknownSidesOrFrictionIsRefused) {
-  constexpr auto kCone = image::Friction::ConeFriction;
+  constexpr auto kCone = std::uint8_t{std::to_underlying(FrictionKind::cone)};
   EXPECT_TRUE(SceneImage::open(raw_image(1, image::Sides::two, kCone)).has_value());
   expect_refused(raw_image(1, static_cast<image::Sides>(2), kCone), SceneFault::sides, 2);
-  expect_refused(raw_image(1, image::Sides::two, static_cast<image::Friction>(9)),
-                 SceneFault::friction_model, 9);
+  expect_refused(raw_image(1, image::Sides::two, 9), SceneFault::friction_model, 9);
 }
 
 TEST(HostileImage, WithNoneOrTooManyObjectsIsRefused) {
-  constexpr auto kCone = image::Friction::ConeFriction;
+  constexpr auto kCone = std::uint8_t{std::to_underlying(FrictionKind::cone)};
   EXPECT_TRUE(SceneImage::open(raw_image(kMaxObjects, image::Sides::two, kCone)).has_value());
   expect_refused(raw_image(0, image::Sides::two, kCone), SceneFault::object_count, 0);
   expect_refused(raw_image(kMaxObjects + 1, image::Sides::two, kCone), SceneFault::object_count,

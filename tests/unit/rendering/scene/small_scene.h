@@ -27,7 +27,7 @@ inline host::BakedScene small_scene() {
                .sides = rendering::Sides::one,
                .material = {.stiffness_N_per_m = 800.0,
                             .damping_Ns_per_m = 0.5,
-                            .friction = {.static_coefficient = 0.6, .dynamic_coefficient = 0.4}},
+                            .friction = rendering::cone_friction(0.6, 0.4)},
                .mesh = tetrahedron(0.1F)},
               {.name = "right",
                .sides = rendering::Sides::two,

@@ -95,7 +95,7 @@ TEST_F(WorldTest, FrictionIsTheSameOverASeamAsOnAFace) {
   // Sliding straight across the diagonal between two coplanar triangles: the lag stays mu times
   // depth at every step.
   const Solid plate(plate_shape(0.1, 0.0), Sides::one,
-                    {.stiffness_N_per_m = 1000.0, .friction = {0.5, 0.5}});
+                    {.stiffness_N_per_m = 1000.0, .friction = cone_friction(0.5, 0.5)});
   for (const double radius_m : {0.0, 0.002}) {
     start(plate, radius_m, {-0.01, 0.0, 0.01 + radius_m});
     for (int tick = 0; tick < 4000; ++tick) {

@@ -1,0 +1,63 @@
+#include "rendering/friction/surface_friction.h"
+
+#include "rendering/friction/carry.h"
+
+namespace tactus::rendering {
+namespace {
+
+// The grain along the contact plane; none where it stands on it.
+Grain in_plane(const Grain& grain, const Vec3& normal) {
+  constexpr double kUpright = 1e-6;
+  const Vec3 flat = grain.direction - grain.direction.dot(normal) * normal;
+  const double length = flat.norm();
+  if (length <= kUpright * grain.direction.norm()) {
+    return {.direction = flat, .along = grain.across, .across = grain.across};
+  }
+  return {.direction = flat / length, .along = grain.along, .across = grain.across};
+}
+
+bool sticks_by_a_spring(FrictionKind kind) {
+  return kind <= FrictionKind::karnopp;
+}
+
+}  // namespace
+
+void SurfaceFriction::begin_tick(const Vec3& tool_step, double tick_s) {
+  is_held_ = ran_;
+  ran_ = false;
+  tool_step_ = tool_step;
+  tick_s_ = tick_s;
+}
+
+FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& normal,
+                                 double normal_force_N) {
+  if (!ran_) {
+    run(surface, normal, normal_force_N);
+    ran_ = true;
+  }
+  return {.lag_m = turned(force_N_, normal_, normal) / surface.stiffness_N_per_m, .state = state_};
+}
+
+void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
+                          double normal_force_N) {
+  FrictionParameters friction = surface.friction;
+  if (sticks_by_a_spring(friction.kind) && friction.stiffness_N_per_m <= 0.0) {
+    friction.stiffness_N_per_m = surface.stiffness_N_per_m;
+  }
+  Vec3 step = tool_step_ - tool_step_.dot(normal) * normal;
+  if (is_held_) {
+    turn(memory_, normal_, normal);
+    change_stiffness(memory_, stiffness_N_per_m_, friction.stiffness_N_per_m);
+  } else {
+    memory_ = {};
+    step = Vec3::Zero();
+  }
+  const FrictionForce<Vec3> felt = update_friction(friction, in_plane(surface.grain, normal),
+                                                   memory_, step, normal_force_N, tick_s_);
+  force_N_ = felt.force_N;
+  state_ = felt.slipping ? FrictionState::slip : FrictionState::stick;
+  normal_ = normal;
+  stiffness_N_per_m_ = friction.stiffness_N_per_m;
+}
+
+}  // namespace tactus::rendering

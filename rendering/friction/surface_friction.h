@@ -1,0 +1,81 @@
+// Friction under a proxy: from the tool's motion to how far the proxy lags.
+//
+// The proxy without friction, p_s, is the point of the surface nearest to the tool; K (p_s - tool)
+// is the normal force. A tangential force F on the tool takes the proxy to p_s - F / K, since the
+// tool feels K (proxy - tool): the lag is F / K whatever the model. The model is driven by the
+// tool's own step along the contact plane, seen from the surface, so that what friction takes from
+// the tool is the model's work F . dx, and the model's passivity is the tool's. On a plane p_s
+// moves as the tool does.
+//
+// The friction cone is the limit of a rigid contact: what sticks does not move, so that the tool
+// stretches the K of the proxy alone. A model that sticks by a spring of its own (the cone,
+// Coulomb, Stribeck, Karnopp) is therefore given K for that spring where it has none, and then
+// holds the proxy still: F grows by K dx, the lag by dx. Dahl's and LuGre's bristles are in the
+// place of that spring: one of stiffness sigma0 < K lets the proxy creep along by the share
+// 1 - sigma0 / K of the tool's step before it slips.
+//
+// Contact that is made starts without force, and what is left of a force when the normal force
+// falls is cut with it (friction_model.h): neither can kick. Where the contact plane turns, the
+// force turns with it.
+#pragma once
+
+#include "rendering/friction/cone.h"
+#include "rendering/friction/friction_model.h"
+#include "rendering/friction/grain.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/material/material.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+// What holds the proxy, in the frame of the contact.
+struct SlidingSurface {
+  const FrictionParameters& friction;
+  double stiffness_N_per_m = 0.0;  // K > 0
+  Grain grain;                     // its direction need not lie in the contact plane
+};
+
+struct FrictionLag {
+  Vec3 lag_m = Vec3::Zero();  // tangential, along the tool's motion: the proxy is at p_s less this
+  FrictionState state = FrictionState::stick;
+};
+
+// Of a contact in the object's own frame.
+inline SlidingSurface sliding_surface(const Material& material) {
+  return {.friction = material.friction,
+          .stiffness_N_per_m = material.stiffness_N_per_m,
+          .grain = {.direction = to_vec3(material.grain.direction_O),
+                    .along = material.grain.along,
+                    .across = material.grain.across}};
+}
+
+// Whether the cone's own, exact rule applies (cone.h) and no model is asked.
+inline bool is_plain_cone(const Material& material) {
+  return material.friction.kind == FrictionKind::cone && !material.grain.differs();
+}
+
+class SurfaceFriction {
+ public:
+  // First in a tick: the tool's step since the last one as the surface sees it (m), and how long
+  // it took. A contact that `lag` was not asked about in the last tick is over.
+  void begin_tick(const Vec3& tool_step, double tick_s);
+
+  // For a contact with the unit `normal`, pressed with normal_force_N > 0. The first call in a
+  // tick runs the model, the others turn its force to their plane.
+  FrictionLag lag(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
+
+ private:
+  void run(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
+
+  FrictionMemory<Vec3> memory_;
+  Vec3 normal_ = Vec3::Zero();  // of the last run
+  Vec3 force_N_ = Vec3::Zero();
+  double stiffness_N_per_m_ = 0.0;  // of the bristle in the last run
+  Vec3 tool_step_ = Vec3::Zero();
+  double tick_s_ = 1e-3;
+  FrictionState state_ = FrictionState::free;
+  bool ran_ = false;      // in this tick
+  bool is_held_ = false;  // it ran in the last tick
+};
+
+}  // namespace tactus::rendering
