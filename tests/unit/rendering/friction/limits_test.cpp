@@ -1,12 +1,15 @@
 // Where each model turns into a simpler one, and that none is ever unstable.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "host_tools/friction/sliding_mass.h"
 #include "tests/unit/rendering/friction/every_kind.h"
+#include "tests/unit/rendering/friction/published.h"
 
 namespace tactus::testing {
 namespace {
