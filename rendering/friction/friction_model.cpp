@@ -35,8 +35,9 @@ double bell(double exponent) {
 }
 
 template <typename Vector>
-ElasticWay<Vector> advance(const FrictionParameters& parameters, const FrictionTick<Vector>& tick,
-                           const FrictionMemory<Vector>& memory) {
+ElasticWay<Vector> advance_elastic(const FrictionParameters& parameters,
+                                   const FrictionTick<Vector>& tick,
+                                   const FrictionMemory<Vector>& memory) {
   switch (parameters.kind) {
     case FrictionKind::dahl:
       return advance_dahl(parameters, tick, memory.elastic_force_N);
@@ -116,7 +117,7 @@ FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
                                   .step_s = step_s};
   ElasticWay<Vector> elastic;
   if (parameters.coulomb > 0.0) {
-    elastic = advance(parameters, tick, memory);
+    elastic = advance_elastic(parameters, tick, memory);
   }
   memory = {.elastic_force_N = elastic.end_N,
             .slipping = elastic.slipping,

@@ -7,7 +7,7 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kAnySpeed = std::numeric_limits<double>::infinity();
 constexpr int kHalvings = 60;
 
 // w s^2 / (s + sigma2) with s = sigma1 exp(-w^2): the condition's left side is v_d / 4 times this
@@ -46,7 +46,7 @@ double first_failure_m_per_s(const FrictionParameters& p, double peak) {
 LugrePassivity lugre_passivity(const FrictionParameters& p) {
   const bool is_damped = p.kind == FrictionKind::lugre || p.kind == FrictionKind::elasto_plastic;
   if (!is_damped || p.damping_s_per_m <= 0.0 || p.coulomb <= 0.0) {
-    return {.largest_fade_m_per_s = kInfinity, .safe_speed_m_per_s = kInfinity};
+    return {.largest_fade_m_per_s = kAnySpeed, .safe_speed_m_per_s = kAnySpeed};
   }
   const double sigma1 = p.damping_s_per_m;
   const double peak = most_demanding(p);
@@ -56,7 +56,7 @@ LugrePassivity lugre_passivity(const FrictionParameters& p) {
   result.passive = p.viscous_s_per_m >= result.needed_viscous_s_per_m ||
                    (fades && p.damping_fade_m_per_s <= result.largest_fade_m_per_s);
   if (result.passive) {
-    result.safe_speed_m_per_s = kInfinity;
+    result.safe_speed_m_per_s = kAnySpeed;
   } else {
     result.safe_speed_m_per_s =
         fades ? first_failure_m_per_s(p, peak)

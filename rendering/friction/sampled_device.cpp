@@ -11,7 +11,6 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostCoefficients = kMaxDelayTicks + 4;
 
 // Coefficients from the constant one upward.
@@ -75,8 +74,8 @@ bool is_stable(const SampledDevice& device, const RenderedSpring& spring) {
 // `holds` is true at `good` and false at `bad`.
 template <typename Predicate>
 double last_that_holds(double good, double bad, const Predicate& holds) {
-  constexpr int kHalvings = 60;
-  for (int i = 0; i < kHalvings; ++i) {
+  constexpr int kToRounding = 60;
+  for (int i = 0; i < kToRounding; ++i) {
     const double middle = 0.5 * (good + bad);
     (holds(middle) ? good : bad) = middle;
   }
@@ -104,7 +103,7 @@ double largest_that_holds(double hopeless, const Predicate& holds) {
 
 double spectral_radius(const SampledDevice& device, const RenderedSpring& spring) {
   if (!is_covered(device)) {
-    return kInfinity;
+    return std::numeric_limits<double>::infinity();
   }
   const Polynomial p = characteristic(device, spring);
   double largest = 0.0;

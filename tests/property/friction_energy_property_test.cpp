@@ -15,7 +15,7 @@
 #include "rendering/friction/carry.h"
 #include "rendering/friction/grain.h"
 #include "rendering/friction/passivity.h"
-#include "tests/property/wanderer.h"
+#include "tests/support/share.h"
 
 namespace tactus::testing {
 namespace {
@@ -140,7 +140,7 @@ class FrictionEnergy : public ::testing::TestWithParam<FrictionKind> {
 
   static void expect_passive(const Worst& worst) {
     EXPECT_LE(worst.given_out_J, kRounding_J);
-    EXPECT_GT(worst.friction_J, 1.0);
+    EXPECT_GT(worst.friction_J, 0.0);
   }
 };
 
@@ -148,7 +148,7 @@ TEST_P(FrictionEnergy, OfAJointIsNeverGivenOutOverAClosedMotion) {
   SCOPED_TRACE(seed());
   Dice dice(seed());
   Worst worst;
-  for (std::size_t i = 0; i < ticks_in_all(kMotions); ++i) {
+  for (std::size_t i = 0; i < share_of(kMotions); ++i) {
     const FrictionParameters friction = random_friction(GetParam(), dice);
     ASSERT_TRUE(valid(friction));
     const double step_s = dice.one_in(2) ? 1e-3 : dice.decades(-5.0, -1.0);
@@ -167,7 +167,7 @@ TEST_P(FrictionEnergy, OfASurfaceWithAGrainIsNeverGivenOutOverAClosedMotion) {
   SCOPED_TRACE(seed());
   Dice dice(seed());
   Worst worst;
-  for (std::size_t i = 0; i < ticks_in_all(kMotions); ++i) {
+  for (std::size_t i = 0; i < share_of(kMotions); ++i) {
     const FrictionParameters friction = random_friction(GetParam(), dice);
     const double step_s = dice.one_in(2) ? 1e-3 : dice.decades(-5.0, -1.0);
     const auto in_plane = [&] {
@@ -201,7 +201,7 @@ TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
   SCOPED_TRACE(seed());
   Dice dice(seed());
   Worst worst;
-  for (std::size_t i = 0; i < ticks_in_all(kMotions / 4); ++i) {
+  for (std::size_t i = 0; i < share_of(kMotions / 4); ++i) {
     const FrictionParameters friction = random_friction(GetParam(), dice);
     Vec3 normal = dice.direction();
     const auto steps = closed_motion<Vec3>(1e-3, dice, [&] { return dice.direction(); });

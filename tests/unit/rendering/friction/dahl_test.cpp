@@ -16,8 +16,6 @@ using rendering::FrictionMemory;
 using rendering::FrictionParameters;
 using rendering::update_friction;
 
-constexpr double kStep_s = 1e-3;
-
 FrictionParameters dahl() {
   FrictionParameters parameters = published(FrictionKind::dahl);
   parameters.viscous_s_per_m = 0.0;
@@ -31,7 +29,7 @@ double stroke(const FrictionParameters& parameters, FrictionMemory<double>& stat
   for (int k = 0; k < ticks; ++k) {
     const double displacement = way_m / ticks;
     work_J +=
-        update_friction(parameters, state, displacement, 1.0, kStep_s).mean_force_N * displacement;
+        update_friction(parameters, state, displacement, 1.0, kTick_s).mean_force_N * displacement;
   }
   return work_J;
 }
@@ -52,7 +50,7 @@ TEST(Dahl, FollowsTheClosedFormThroughRandomReversals) {
     const auto exponent = static_cast<long double>(parameters.stiffness_N_per_m) *
                           std::fabs(static_cast<long double>(displacement)) / fabsl(limit);
     force = limit + (force - limit) * std::exp(-exponent);
-    const auto result = update_friction(parameters, state, displacement, 1.0, kStep_s);
+    const auto result = update_friction(parameters, state, displacement, 1.0, kTick_s);
     ASSERT_NEAR(result.force_N, static_cast<double>(force), 1e-14) << i;
   }
 }
@@ -71,7 +69,7 @@ TEST(Dahl, FollowsTheLoop) {
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const double displacement = csv.number(row, "x_m") - x;
     x = csv.number(row, "x_m");
-    const auto result = update_friction(parameters, state, displacement, 1.0, kStep_s);
+    const auto result = update_friction(parameters, state, displacement, 1.0, kTick_s);
     ASSERT_NEAR(result.force_N, csv.number(row, "F_N"), 1e-9) << "row " << row;
     ASSERT_NEAR(result.bristle_m, csv.number(row, "z_m"), 1e-14) << "row " << row;
   }

@@ -99,7 +99,7 @@ double bristle_after(const FrictionParameters& p, double level_N, double z, doub
     }
     return sign * (1.0 - alpha * at * sign / steady);
   };
-  const int steps = 1 + static_cast<int>(std::fabs(way_m) / (5e-3 * steady));
+  const int steps = 1 + static_cast<int>(std::fabs(way_m) / (2e-2 * steady));
   const double h = std::fabs(way_m) / steps;
   for (int k = 0; k < steps; ++k) {
     const double a = slope(z);

@@ -1,12 +1,15 @@
 // Where each model turns into a simpler one, and that none is ever unstable.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "host_tools/friction/sliding_mass.h"
 #include "tests/unit/rendering/friction/every_kind.h"
+#include "tests/unit/rendering/friction/published.h"
 
 namespace tactus::testing {
 namespace {
@@ -16,8 +19,6 @@ using rendering::FrictionKind;
 using rendering::FrictionMemory;
 using rendering::FrictionParameters;
 using rendering::update_friction;
-
-constexpr double kStep_s = 1e-3;
 
 FrictionParameters plain(FrictionKind kind, double static_level) {
   return {.kind = kind,
@@ -33,7 +34,7 @@ std::vector<double> strokes(const FrictionParameters& parameters, double way_m) 
   FrictionMemory<double> memory;
   for (int k = 0; k < 400; ++k) {
     const double way = (k / 100) % 2 == 0 ? way_m : -way_m;
-    forces.push_back(update_friction(parameters, memory, way, 2.0, kStep_s).force_N);
+    forces.push_back(update_friction(parameters, memory, way, 2.0, kTick_s).force_N);
   }
   return forces;
 }
@@ -99,12 +100,12 @@ TEST(Limits, NoSpeedMakesAStiffBristleUnstableAtOneKilohertz) {
     for (int k = 0; k < 100'000; ++k) {
       const double speed = std::pow(10.0, decade(random));
       const double normal = 5.0 * std::fabs(any(random));
-      const Vec3 way = kStep_s * speed * Vec3{any(random), any(random), 0.0};
-      const auto result = update_friction(p, memory, way, normal, kStep_s);
+      const Vec3 way = kTick_s * speed * Vec3{any(random), any(random), 0.0};
+      const auto result = update_friction(p, memory, way, normal, kTick_s);
       // What sigma1 and sigma2 can add: the bristle moves by at most its motion and twice its
       // bound.
-      const double rate = way.norm() / kStep_s;
-      const double bend = std::min(rate, 2.0 * p.static_level * normal / 1e5 / kStep_s);
+      const double rate = way.norm() / kTick_s;
+      const double bend = std::min(rate, 2.0 * p.static_level * normal / 1e5 / kTick_s);
       const double bound =
           (p.static_level + p.damping_s_per_m * bend + p.viscous_s_per_m * rate) * normal;
       ASSERT_LE(result.force_N.norm(), bound * (1.0 + 1e-9)) << friction.name;
@@ -121,7 +122,7 @@ TEST(Limits, AThrownMassComesToRestAtOneKilohertz) {
       mass.place(0.0, speed);
       double energy_J = mass.energy_J();
       for (int k = 0; k < 2000; ++k) {
-        mass.step({}, kStep_s);
+        mass.step({}, kTick_s);
         ASSERT_LE(mass.energy_J(), energy_J * (1.0 + 1e-12) + 1e-15) << friction.name << " " << k;
         energy_J = mass.energy_J();
       }

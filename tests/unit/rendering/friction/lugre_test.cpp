@@ -19,7 +19,6 @@ using rendering::steady_level;
 using rendering::update_friction;
 
 TEST(Lugre, FollowsTheExactRecurrenceSampleBySample) {
-  constexpr double kStep_s = 1e-3;
   const Csv csv("lugre_discretisation_A0.1_fs1000.csv");
   const FrictionParameters parameters = published(FrictionKind::lugre);
   FrictionMemory<double> state;
@@ -27,7 +26,7 @@ TEST(Lugre, FollowsTheExactRecurrenceSampleBySample) {
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const double displacement = csv.number(row, "x_m") - x;
     x = csv.number(row, "x_m");
-    const auto result = update_friction(parameters, state, displacement, 1.0, kStep_s);
+    const auto result = update_friction(parameters, state, displacement, 1.0, kTick_s);
     // Twelve digits of x leave this much of its differences.
     ASSERT_NEAR(result.bristle_m, csv.number(row, "z_exact_zoh_v_m"), 2e-13) << "row " << row;
     ASSERT_NEAR(result.force_N, csv.number(row, "F_exact_zoh_v_N"), 2e-7) << "row " << row;

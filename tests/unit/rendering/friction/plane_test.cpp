@@ -17,8 +17,6 @@ using rendering::FrictionMemory;
 using rendering::FrictionParameters;
 using rendering::update_friction;
 
-constexpr double kStep_s = 1e-3;
-
 Vec3 circle(double phase) {
   return {0.02 * std::cos(phase), 0.02 * std::sin(phase), 0.0};
 }
@@ -52,9 +50,9 @@ TEST_P(EveryKindInThePlane, RotatesWithItsMotion) {
     for (int k = 0; k < 2000; ++k) {
       const Vec3 way = path(0.01 * (k + 1)) - path(0.01 * k);
       const double normal = 1.0 + 0.5 * std::sin(0.07 * k);
-      const auto a = update_friction(GetParam().parameters, here, way, normal, kStep_s);
+      const auto a = update_friction(GetParam().parameters, here, way, normal, kTick_s);
       const auto b =
-          update_friction(GetParam().parameters, there, Vec3{rotation * way}, normal, kStep_s);
+          update_friction(GetParam().parameters, there, Vec3{rotation * way}, normal, kTick_s);
       ASSERT_LE((rotation * a.force_N - b.force_N).norm(), 1e-12) << k;
       ASSERT_LE((rotation * a.mean_force_N - b.mean_force_N).norm(), 1e-12) << k;
       ASSERT_EQ(a.slipping, b.slipping) << k;
@@ -68,8 +66,8 @@ TEST_P(EveryKindInThePlane, IsTheJointsFrictionOnAStraightLine) {
   FrictionMemory<double> joint;
   for (int k = 0; k < 3000; ++k) {
     const double way = 2e-4 * std::sin(0.0001 * k * k) * std::sin(0.01 * k);
-    const auto a = update_friction(GetParam().parameters, plane, Vec3{way * line}, 2.0, kStep_s);
-    const auto b = update_friction(GetParam().parameters, joint, way, 2.0, kStep_s);
+    const auto a = update_friction(GetParam().parameters, plane, Vec3{way * line}, 2.0, kTick_s);
+    const auto b = update_friction(GetParam().parameters, joint, way, 2.0, kTick_s);
     ASSERT_LE((a.force_N - b.force_N * line).norm(), 1e-12) << k;
     ASSERT_NEAR(a.mean_force_N.dot(line), b.mean_force_N, 1e-12) << k;
   }
@@ -82,7 +80,7 @@ TEST_P(EveryKindInThePlane, NeverExceedsItsLevelAndNeverLeavesThePlane) {
     for (int k = 0; k < 5000; ++k) {
       const Vec3 way = path(0.007 * (k + 1)) - path(0.007 * k);
       const double normal = 0.5 + 0.5 * std::sin(0.03 * k);
-      const auto result = update_friction(p, memory, way, normal, kStep_s);
+      const auto result = update_friction(p, memory, way, normal, kTick_s);
       ASSERT_LE(memory.elastic_force_N.norm(), p.static_level * normal * (1.0 + 1e-9));
       ASSERT_EQ(result.force_N.z(), 0.0);
     }
@@ -103,7 +101,7 @@ TEST_P(EveryKindInThePlane, LosesEnergyOnEveryRoundAndRepeatsItself) {
         const double turn = 2.0 * M_PI / kTicks;
         const Vec3 way = path((k + 1) * turn) - path(k * turn);
         work_J +=
-            update_friction(GetParam().parameters, memory, way, 1.0, kStep_s).mean_force_N.dot(way);
+            update_friction(GetParam().parameters, memory, way, 1.0, kTick_s).mean_force_N.dot(way);
       }
     }
     EXPECT_LE((memory.elastic_force_N - last).norm(), 1e-9);
@@ -127,7 +125,7 @@ TEST(BristleInThePlane, LagsBehindTheTangentOfACircleByTheClosedForm) {
   for (int k = 1; k <= 4 * kTicks; ++k) {
     const std::complex<double> turn = std::polar(kRadius_m, 2.0 * M_PI * k / kTicks);
     const Vec3 next{turn.real(), turn.imag(), 0.0};
-    update_friction(parameters, memory, Vec3{next - place}, 1.0, kStep_s);
+    update_friction(parameters, memory, Vec3{next - place}, 1.0, kTick_s);
     place = next;
   }
   const double length_m = parameters.coulomb / parameters.stiffness_N_per_m;

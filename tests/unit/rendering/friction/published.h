@@ -1,10 +1,12 @@
 // The parameters of the published experiments (Canudas de Wit et al. 1995, table I), without a
-// normal force: N, N/m, N s/m.
+// normal force: N, N/m, N s/m; and the tick of a controller at 1 kHz.
 #pragma once
 
 #include "rendering/friction/friction_model.h"
 
 namespace tactus::testing {
+
+inline constexpr double kTick_s = 1e-3;
 
 inline rendering::FrictionParameters published(rendering::FrictionKind kind) {
   return {.kind = kind,
