@@ -219,6 +219,7 @@ TEST_F(FeltFrictionLimits, RoundCornersNoModelGivesEnergyOrJumps) {
     // Jumps that no corner makes: where slip begins, these end, or fall to the other.
     friction.damping_s_per_m = 0.0;
     friction.static_level = friction.coulomb;
+    friction.viscous_s_per_m = 0.1;
     object_ = cylinder.object();
     object_.material = {.stiffness_N_per_m = kFeltStiffness_N_per_m, .friction = friction};
     ASSERT_TRUE(world_->set_scene({&object_, 1}, {.tool_radius_m = 0.002}));
