@@ -13,6 +13,7 @@
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
+#include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
 #include "host_tools/cli/plot_verb.h"
 #include "host_tools/cli/sim_verb.h"
@@ -27,9 +28,10 @@ using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
 constexpr std::array kVerbs{
-    AddVerb{tactus::host::add_bake_verb},  AddVerb{tactus::host::add_inspect_verb},
-    AddVerb{tactus::host::add_touch_verb}, AddVerb{tactus::host::add_sim_verb},
-    AddVerb{tactus::host::add_plot_verb},  AddVerb{tactus::host::add_bench_verb},
+    AddVerb{tactus::host::add_bake_verb},     AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
+    AddVerb{tactus::host::add_friction_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.

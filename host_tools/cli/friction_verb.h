@@ -1,0 +1,10 @@
+// `tactus friction`: a friction model on a motion, on a mass, or in an experiment.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_friction_verb(CLI::App& app);
+
+}  // namespace tactus::host

@@ -1,0 +1,75 @@
+// What the friction models and their parameters are called: by the papers, which the command line
+// follows, and in TOML files. One table for `tactus friction`, `tactus fit` and baking.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rendering/friction/friction_model.h"
+
+namespace tactus::host {
+
+struct FrictionKindName {
+  rendering::FrictionKind kind;
+  std::string_view name;   // of --model and of `model` in TOML
+  std::string_view title;  // in a heading
+};
+
+// In the order of FrictionKind.
+std::span<const FrictionKindName> friction_kind_names();
+const FrictionKindName& name_of(rendering::FrictionKind kind);
+
+// A hyphen counts as an underscore. Throws InputError, listing the names, if there is no such
+// model.
+rendering::FrictionKind friction_kind(std::string_view name);
+
+// Forces are N where no normal force is given, as in a joint, and else per newton of it, as on a
+// surface.
+enum class ForceScale { newton, per_newton };
+
+enum class ParameterRange { zero_or_more, above_zero, share };
+
+struct FrictionParameterName {
+  std::string_view symbol;  // sigma0
+  double rendering::FrictionParameters::* member;
+  ParameterRange range;
+  std::string_view unit;          // ForceScale::newton
+  std::string_view surface_unit;  // ForceScale::per_newton
+  std::string_view joint_key;     // in TOML, ForceScale::newton
+  std::string_view surface_key;   // in TOML, ForceScale::per_newton
+  std::string_view meaning;
+  unsigned kinds;  // bit 1 << kind for every model that has it
+
+  [[nodiscard]] bool belongs_to(rendering::FrictionKind kind) const {
+    return (kinds >> static_cast<unsigned>(kind) & 1U) != 0;
+  }
+  [[nodiscard]] std::string_view unit_of(ForceScale scale) const {
+    return scale == ForceScale::newton ? unit : surface_unit;
+  }
+  [[nodiscard]] std::string_view key_of(ForceScale scale) const {
+    return scale == ForceScale::newton ? joint_key : surface_key;
+  }
+};
+
+// All of them.
+std::span<const FrictionParameterName> friction_parameter_names();
+const FrictionParameterName& parameter_name(std::string_view symbol);
+std::vector<FrictionParameterName> parameters_of(rendering::FrictionKind kind);
+
+// Table I of the LuGre paper, for 1 N; the models without bristles are rigid.
+rendering::FrictionParameters published_parameters(rendering::FrictionKind kind);
+
+// Takes over "sigma0=1e5" and the like. Throws InputError: not of that form, a name that the model
+// does not have (with the list of those it has), not a number, out of range; each with the unit.
+void set_parameter(rendering::FrictionParameters& parameters, std::string_view assignment,
+                   ForceScale scale);
+
+// Throws InputError where Fs is below Fc, or a model lacks the stiffness that it needs.
+void check_parameters(const rendering::FrictionParameters& parameters, ForceScale scale);
+
+// One line a parameter, with units, default and which models have it: for --help.
+std::string parameter_help();
+
+}  // namespace tactus::host
