@@ -9,6 +9,7 @@
 #include "host_tools/benchmark/debian_bunny.h"
 #include "host_tools/benchmark/stanford_dragon.h"
 #include "host_tools/mesh/icosphere.h"
+#include "rendering/friction/passivity.h"
 
 namespace tactus::host {
 namespace {
@@ -18,8 +19,23 @@ constexpr double kDragonSide_m = 0.2;
 
 }  // namespace
 
+rendering::FrictionParameters fingertip_friction(rendering::FrictionKind kind) {
+  rendering::FrictionParameters friction = rendering::cone_friction(0.6, 0.4);
+  friction.kind = kind;
+  friction.viscous_s_per_m = 0.05;
+  friction.stribeck_velocity_m_per_s = 0.01;
+  if (kind >= rendering::FrictionKind::dahl) {
+    friction.stiffness_N_per_m = 800.0;
+    friction.damping_s_per_m = 2.0;
+  }
+  if (kind >= rendering::FrictionKind::lugre) {
+    friction.damping_fade_m_per_s = rendering::lugre_passivity(friction).largest_fade_m_per_s;
+  }
+  return friction;
+}
+
 rendering::Object object_of(const BenchmarkMesh& mesh, bool friction) {
-  const rendering::FrictionParameters rough = rendering::cone_friction(0.6, 0.4);
+  const auto rough = fingertip_friction(rendering::FrictionKind::cone);
   return {.mesh = mesh.mesh.view(),
           .sides = rendering::Sides::one,
           .material = {.stiffness_N_per_m = 1000.0,

@@ -18,6 +18,10 @@ struct BenchmarkMesh {
 // One-sided, 1000 N/m; friction 0.6 / 0.4 or none. Views the mesh, which must outlive it.
 rendering::Object object_of(const BenchmarkMesh& mesh, bool friction);
 
+// A fingertip's: 0.6 / 0.4, and for the models that have them a bristle of 800 N/m, damping that
+// fades as early as keeps it passive, 0.05 s/m of viscosity, 10 mm/s of Stribeck velocity.
+rendering::FrictionParameters fingertip_friction(rendering::FrictionKind kind);
+
 // An icosphere of 0.1 m radius with 20 * 4^level triangles.
 BenchmarkMesh sphere_mesh(int level);
 

@@ -17,6 +17,7 @@
 #include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
+#include "host_tools/friction/parameter_names.h"
 #include "host_tools/simulation/run.h"
 
 namespace tactus::host {
@@ -30,6 +31,7 @@ constexpr const char* kExamples =
     "dragon (871,306 triangles, 0.2 m) once --dragon has fetched it, each with a god-object point "
     "and a 2 mm sphere.\n"
     "objects: a ball is stroked alone, among 64 and among 1,000.\n"
+    "friction: a ball of 20,480 triangles is stroked under every friction model.\n"
     "sim: hand, device and controller in lockstep at 1 kHz.\n"
     "\n"
     "Times are of this machine and noisy: compare ratios within one run. Instructions are the same "
@@ -147,6 +149,32 @@ void bench_objects(const Options& options) {
   }
 }
 
+// One ball is stroked under every friction model; the cone is the first.
+void bench_friction(const Options& options) {
+  constexpr int kLevel = 5;
+  constexpr double kToolRadius_m = 0.002;
+  const BenchmarkMesh ball = sphere_mesh(kLevel);
+  rendering::Object object = object_of(ball, true);
+  const std::vector<Vec3> path = stroke_workload(object.mesh, kToolRadius_m, options.ticks);
+  double cone_ns = 0.0;
+  for (const FrictionKindName& kind : friction_kind_names()) {
+    object.material.friction = fingertip_friction(kind.kind);
+    const TouchTiming timing = time_touch({&object, 1}, kToolRadius_m, path);
+    cone_ns = kind.kind == rendering::FrictionKind::cone ? timing.median_ns : cone_ns;
+    if (options.json) {
+      const nlohmann::ordered_json json{{"bench", "friction"},           {"model", kind.name},
+                                        {"radius_m", kToolRadius_m},     {"ticks", timing.ticks},
+                                        {"median_ns", timing.median_ns}, {"p99_ns", timing.p99_ns},
+                                        {"p999_ns", timing.p999_ns},     {"max_ns", timing.max_ns}};
+      fmt::print("{}\n", json.dump());
+    } else {
+      fmt::print("friction {:<15}: median {:>6.0f} ns, {:+.0f} against the cone; p99 {:>7.0f}\n",
+                 kind.name, timing.median_ns, timing.median_ns - cone_ns, timing.p99_ns);
+    }
+    std::fflush(stdout);
+  }
+}
+
 void bench_sim(const Options& options, const BenchmarkMesh& mesh) {
   constexpr double kToolRadius_m = 0.002;
   rendering::Object object = object_of(mesh, !options.frictionless);
@@ -219,7 +247,10 @@ void run_bench(const Options& options) {
   if (all || options.what == "objects") {
     bench_objects(options);
   }
-  if (options.what == "objects") {
+  if (all || options.what == "friction") {
+    bench_friction(options);
+  }
+  if (options.what == "objects" || options.what == "friction") {
     return;
   }
   for_each_mesh(options, [&](const BenchmarkMesh& mesh) {
@@ -237,8 +268,8 @@ void run_bench(const Options& options) {
 void add_bench_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("bench", "Measure how long a tick takes");
   const auto options = std::make_shared<Options>();
-  verb->add_option("what", options->what, "touch, objects, sim or all")
-      ->check(CLI::IsMember({"touch", "objects", "sim", "all"}))
+  verb->add_option("what", options->what, "touch, objects, friction, sim or all")
+      ->check(CLI::IsMember({"touch", "objects", "friction", "sim", "all"}))
       ->capture_default_str();
   verb->add_option("--mesh", options->mesh,
                    "Measure on this mesh file instead of spheres, bunny and dragon");

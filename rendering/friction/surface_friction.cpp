@@ -35,7 +35,8 @@ FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& norm
     run(surface, normal, normal_force_N);
     ran_ = true;
   }
-  return {.lag_m = turned(force_N_, normal_, normal) / surface.stiffness_N_per_m, .state = state_};
+  const Vec3 force_N = normal == normal_ ? force_N_ : turned(force_N_, normal_, normal);
+  return {.lag_m = force_N / surface.stiffness_N_per_m, .state = state_};
 }
 
 void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
@@ -46,14 +47,19 @@ void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
   }
   Vec3 step = tool_step_ - tool_step_.dot(normal) * normal;
   if (is_held_) {
-    turn(memory_, normal_, normal);
+    if (normal != normal_) {
+      turn(memory_, normal_, normal);
+    }
     change_stiffness(memory_, stiffness_N_per_m_, friction.stiffness_N_per_m);
   } else {
     memory_ = {};
     step = Vec3::Zero();
   }
-  const FrictionForce<Vec3> felt = update_friction(friction, in_plane(surface.grain, normal),
-                                                   memory_, step, normal_force_N, tick_s_);
+  const bool has_grain = surface.grain.along != 1.0 || surface.grain.across != 1.0;
+  const FrictionForce<Vec3> felt =
+      has_grain ? update_friction(friction, in_plane(surface.grain, normal), memory_, step,
+                                  normal_force_N, tick_s_)
+                : update_friction(friction, memory_, step, normal_force_N, tick_s_);
   force_N_ = felt.force_N;
   state_ = felt.slipping ? FrictionState::slip : FrictionState::stick;
   normal_ = normal;
