@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <numbers>
 
 #include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/corner_normals.h"
+#include "host_tools/bake/friction_check.h"
 #include "host_tools/bake/mesh_import.h"
 #include "host_tools/bake/texture_bake.h"
 #include "host_tools/input_error.h"
@@ -191,12 +193,14 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);
     }
+    require_stable_friction(object, description);
   }
   for (const ObjectDescription& object : description.objects) {
     ObjectReport& own = report.objects.emplace_back();
     baked.objects.push_back(object.mesh.empty()
                                 ? bake_shape(object, description.file, own, progress)
                                 : bake_object(object, description.file, own, progress));
+    std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
   }
   require_room(baked, description.file);
   tell(progress, fmt::format("writing {}", image.string()));

@@ -17,7 +17,8 @@
 namespace tactus::host {
 namespace {
 
-constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""}};
+constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
+                                KeySpec{"device", ""}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
@@ -74,6 +75,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
       section.number("stiffness_N_per_m", kZeroOrMore).value_or(kDefaultStiffness_N_per_m);
   object.material.damping_Ns_per_m = section.number("damping_Ns_per_m", kZeroOrMore).value_or(0.0);
   object.material.friction = read_friction(section, file, object.material.stiffness_N_per_m);
+  object.friction_line = section.line("friction");
   object.material.grain = read_grain(section, file, object.contact);
   object.motion =
       read_motion(section, file, object.shape, object.contact, object.placement.position_m);
@@ -149,6 +151,7 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
         tool_section.number("radius_m", kZeroOrMore).value_or(kDefaultToolRadius_m);
     scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
   }
+  scene.device = read_device(section, scene.file);
   scene.effects = read_effects(root, section, scene.file);
   for (const toml::node& node : object_array(root, section)) {
     const toml::table& table = *node.as_table();
