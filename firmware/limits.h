@@ -26,4 +26,8 @@ inline constexpr double kMaxRate_Hz = 50'000.0;
 // wrist.
 inline constexpr double kMaxForce_N = 50.0;
 
+// The largest share of a joint's friction that a configuration may have compensated: what is left
+// is the room for a fit that is wrong.
+inline constexpr double kMaxCompensatedShare = 0.9;
+
 }  // namespace tactus::firmware

@@ -1,5 +1,6 @@
 #include "firmware/configuration/controller_config.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tactus::firmware {
@@ -32,6 +33,8 @@ class RangeCheck {
 constexpr double kWidest = 10.0;
 constexpr double kStrongest = 1000.0;
 constexpr double kLeastEffort = 1e-6;
+constexpr double kStiffest = 1e12;
+constexpr double kLeastTurnLength = 1e-9;
 
 void check_geometry(RangeCheck& check, const DeltaGeometry& g) {
   check.in("mechanism.arm_m", g.arm_m, 0.001, 1.0);
@@ -47,7 +50,32 @@ void check_geometry(RangeCheck& check, const DeltaGeometry& g) {
   check.in("mechanism.nominal_height_m", g.nominal_height_m, 0.0, 2.0);
 }
 
+bool has_static_level(rendering::FrictionKind kind) {
+  return kind != rendering::FrictionKind::dahl && kind != rendering::FrictionKind::coulomb_viscous;
+}
+
+void check_friction(RangeCheck& check, const JointFriction& joint) {
+  check.in("friction.compensated_share", joint.compensated_share, 0.0, kMaxCompensatedShare);
+  check.in("friction.turn_length", joint.turn_length, 0.0, 1.0);
+  if (joint.compensated_share > 0.0) {
+    const rendering::FrictionParameters& model = joint.model;
+    check.in("friction.model.coulomb", model.coulomb, 0.0, kStrongest);
+    check.in("friction.model.static_level", model.static_level,
+             has_static_level(model.kind) ? model.coulomb : 0.0, kStrongest);
+    check.in("friction.model.viscous_s_per_m", model.viscous_s_per_m, 0.0, kStrongest);
+    check.in("friction.model.stiffness_N_per_m", model.stiffness_N_per_m, 0.0, kStiffest);
+    check.in("friction.turn_length", presliding_length(joint), kLeastTurnLength, 1.0);
+  }
+}
+
 }  // namespace
+
+double presliding_length(const JointFriction& joint) {
+  const rendering::FrictionParameters& model = joint.model;
+  const double level = has_static_level(model.kind) ? model.static_level : model.coulomb;
+  const double own = model.stiffness_N_per_m > 0.0 ? level / model.stiffness_N_per_m : 0.0;
+  return std::max(own, joint.turn_length);
+}
 
 std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   RangeCheck check;
@@ -63,6 +91,9 @@ std::expected<void, ConfigError> validate(const ControllerConfig& config) {
     check.in("joints.lower", joint.lower, -kWidest, kWidest);
     check.in("joints.upper", joint.upper, joint.lower, kWidest);
     check.in("joints.max_effort", joint.max_effort, kLeastEffort, kStrongest);
+  }
+  for (const JointFriction& joint : config.friction) {
+    check_friction(check, joint);
   }
   const SafetyConfig& safety = config.safety;
   check.in("safety.max_force_N", safety.max_force_N, 0.0, kMaxForce_N);

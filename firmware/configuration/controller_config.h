@@ -9,6 +9,7 @@
 
 #include "firmware/kinematics/mechanism.h"
 #include "firmware/limits.h"
+#include "rendering/friction/friction_model.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::firmware {
@@ -19,6 +20,22 @@ struct JointLimits {
   double upper = 0.25;
   double max_effort = 10.0;  // the whole effort vector is scaled down to keep each joint's within
 };
+
+// The friction of a joint as it was measured, and how much of it the motor takes over
+// (control/friction_compensation.h). Levels are N and N s/m, or N m and N m s/rad.
+struct JointFriction {
+  rendering::FrictionParameters model;
+  // Of the Coulomb and the viscous friction, 0 to kMaxCompensatedShare; 0 is off. Less than one by
+  // what the true friction may be below the model's.
+  double compensated_share = 0.0;
+  // m or rad: the push turns round over no less than this. A few counts of the encoder; 0 leaves it
+  // to the model's own presliding, if it has a stiffness.
+  double turn_length = 0.0;
+};
+
+// The displacement over which the compensation of a joint turns round, m or rad; 0 if neither the
+// model nor turn_length says one.
+double presliding_length(const JointFriction& joint);
 
 struct SafetyConfig {
   double max_force_N = 10.0;           // largest force on the hand, vector magnitude
@@ -36,6 +53,7 @@ struct ControllerConfig {
       Vec3::Zero();  // m: the point of the device frame that is the world frame's origin
   double velocity_cutoff_hz = 0.0;  // first-order low-pass on the tool's velocity; 0 is none
   std::array<JointLimits, kJointCount> joints{};
+  std::array<JointFriction, kJointCount> friction{};
   SafetyConfig safety;
 };
 

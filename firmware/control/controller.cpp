@@ -1,5 +1,6 @@
 #include "firmware/control/controller.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "firmware/limits.h"
@@ -38,7 +39,7 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
 
   record_touch(touched);
   const Vec3 force_W = limit_force(touched);
-  const drivers::JointCommand command = command_joints(force_W);
+  const drivers::JointCommand command = command_joints(sample, force_W);
   record_.stage_ns.safety = watch.lap_ns();
 
   close_record(command);
@@ -171,13 +172,15 @@ Vec3 Controller::limit_force(const rendering::Touch& touch) {
   return limited.force_W;
 }
 
-drivers::JointCommand Controller::command_joints(const Vec3& force_W) {
+drivers::JointCommand Controller::command_joints(const drivers::JointSample& sample,
+                                                 const Vec3& force_W) {
   Vec3 effort = joint_effort(pose_, force_W);
   if (!all_finite(effort)) {
     raise(kFaultCommandNotFinite);
   }
   drivers::JointCommand command;
   if (mode_ != Mode::active) {
+    friction_compensation_.rest();
     return command;
   }
   const double scale = effort_scale(effort, config_.joints);
@@ -185,11 +188,40 @@ drivers::JointCommand Controller::command_joints(const Vec3& force_W) {
   effort *= scale;
   force_limiter_.applied(scale * force_W);
   record_.force_commanded_W = to_triple(scale * force_W);
+  if (friction_compensation_.is_on()) {
+    effort = compensated(sample, effort, length_of(scale * force_W));
+    if (mode_ != Mode::active) {
+      return command;
+    }
+  }
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     command.effort[joint] = effort[static_cast<Eigen::Index>(joint)];
   }
   command.enable = true;
   return command;
+}
+
+// The efforts with the push against the joints' friction, for a rendered force of that size.
+Vec3 Controller::compensated(const drivers::JointSample& sample, const Vec3& effort,
+                             double force_N) {
+  const PushRoom room{.pose = pose_,
+                      .effort = effort,
+                      .force_N = std::max(0.0, config_.safety.max_force_N - force_N)};
+  const FrictionPush push =
+      friction_compensation_.push(joints_of(sample.position), joints_of(sample.velocity), room);
+  if (!all_finite(push.effort)) {
+    raise(kFaultCommandNotFinite);
+    return Vec3::Zero();
+  }
+  raise(push.is_held_back ? kLimitCompensation : kNoFault);
+  Vec3 sum;
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    const auto axis = static_cast<Eigen::Index>(joint);
+    const double limit = config_.joints[joint].max_effort;
+    sum[axis] = std::clamp(effort[axis] + push.effort[axis], -limit, limit);
+    record_.joint_compensation[joint] = push.effort[axis];
+  }
+  return sum;
 }
 
 void Controller::open_record(const drivers::JointSample& sample, Request request) {
@@ -244,6 +276,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   sample_check_.configure(config);
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);
+  friction_compensation_.configure(config);
   world_.reset();
   world_.set_tick(1.0 / config.rate_hz);
   configured_ = true;

@@ -12,6 +12,7 @@
 
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
+#include "firmware/control/friction_compensation.h"
 #include "firmware/control/mode.h"
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
@@ -60,7 +61,8 @@ class Controller {
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
   Vec3 limit_force(const rendering::Touch& touch);
-  drivers::JointCommand command_joints(const Vec3& force_W);
+  drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
+  Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   ControllerConfig config_;
   bool configured_ = false;
@@ -68,6 +70,7 @@ class Controller {
   SampleCheck sample_check_;
   VelocityFilter velocity_filter_;
   ForceLimiter force_limiter_;
+  FrictionCompensation friction_compensation_;
   rendering::World world_;
 
   Mode mode_ = Mode::init;

@@ -36,6 +36,7 @@ enum FaultBits : std::uint32_t {
   kLimitEffort = 1U << 19,
   kLimitStaleSample = 1U << 20,
   kLimitTouch = 1U << 21,
+  kLimitCompensation = 1U << 22,
 };
 
 inline constexpr std::uint32_t kFaultMask = 0x0000'FFFFU;
@@ -70,6 +71,8 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kLimitEffort, "limiting_effort", "force scaled down to a joint's largest effort"},
     {kLimitStaleSample, "stale_sample", "sample too old, used once more"},
     {kLimitTouch, "limiting_touch", "touch gave up something: see the touch flags"},
+    {kLimitCompensation, "limiting_compensation",
+     "friction compensation held back by a force or effort limit"},
 });
 
 // The stable code of a single bit, 0 to 31.

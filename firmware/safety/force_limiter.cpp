@@ -8,11 +8,6 @@
 namespace tactus::firmware {
 namespace {
 
-double gain_per_tick(double duration_s, double rate_hz) {
-  const double ticks = duration_s * rate_hz;
-  return ticks > 1.0 ? 1.0 / ticks : 1.0;
-}
-
 // The vector at most `limit` long, same direction. Dividing by the length first keeps 1e300 N from
 // overflowing.
 Vec3 shortened(const Vec3& v, double length, double limit) {
@@ -20,6 +15,11 @@ Vec3 shortened(const Vec3& v, double length, double limit) {
 }
 
 }  // namespace
+
+double gain_per_tick(double duration_s, double rate_hz) {
+  const double ticks = duration_s * rate_hz;
+  return ticks > 1.0 ? 1.0 / ticks : 1.0;
+}
 
 double length_of(const Vec3& v) {
   const double largest = v.cwiseAbs().maxCoeff();

@@ -49,6 +49,9 @@ class ForceLimiter {
   Vec3 last_W_ = Vec3::Zero();
 };
 
+// What a gain from 0 to 1 rises a tick.
+double gain_per_tick(double duration_s, double rate_hz);
+
 // Euclidean length that does not overflow for finite vectors.
 double length_of(const Vec3& v);
 

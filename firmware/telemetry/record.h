@@ -62,12 +62,15 @@ struct TelemetryRecord {
   Triple proxy_W{};                                        // m
   Triple normal_W{};
   Triple force_rendered_W{};   // N, as the touch gave it
-  Triple force_commanded_W{};  // N, what the commanded efforts put on the hand
+  Triple force_commanded_W{};  // N, what the commanded efforts put on the hand, without the
+                               // compensation of the joints' friction
   double depth_m = 0.0;
 
   TickCounters counters;
   std::uint64_t state_hash =
-      0;                // of all fields above, in order, and of the hash of the tick before
+      0;  // of all fields above, in order, and of the hash of the tick before
+  // What of joint_effort is friction compensation; not hashed, joint_effort is.
+  std::array<double, drivers::kMaxJoints> joint_compensation{};
   StageTimes stage_ns;  // not hashed
 };
 static_assert(std::is_trivially_copyable_v<TelemetryRecord>);

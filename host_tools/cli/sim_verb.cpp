@@ -119,6 +119,9 @@ void add_sim_verb(CLI::App& app) {
                    "How long to simulate; default: until the wish path ends");
   verb->add_option("--rate-hz", run.rate_hz, "Ticks of the controller a second, 50 to 50000")
       ->capture_default_str();
+  verb->add_option("--compensate", run.compensated_share,
+                   "Share of the joints' friction that the controller takes over, 0 to 0.9")
+      ->capture_default_str();
   verb->add_option("--path", run.path, "Wish path of the hand (CSV)");
   verb->add_option("-o,--output", options->output, "Write one line a tick to this CSV file");
   verb->add_option("--hashes", options->hashes, "Write the state hash of every tick to this file");

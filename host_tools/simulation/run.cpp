@@ -49,6 +49,20 @@ WishPath choose_path(const RunOptions& options, const DevicePreset& device,
   return default_wish_path(objects, tool_radius_m, kPress_m, 0.8 * travel(device).x());
 }
 
+// As if the device's friction had been measured and found exactly.
+void compensate_friction(double share, SimulationConfig& config) {
+  const bool is_share = share >= 0.0 && share <= firmware::kMaxCompensatedShare;
+  if (!is_share) {
+    throw InputError(fmt::format("--compensate {}: write a share of the joints' friction, 0 to {}",
+                                 share, firmware::kMaxCompensatedShare));
+  }
+  constexpr double kCounts = 2.0;
+  config.controller.friction.fill(
+      {.model = config.device.device.plant.joint_friction,
+       .compensated_share = share,
+       .turn_length = kCounts * config.device.device.encoder_resolution});
+}
+
 void warn_of_stops(RunPlan& plan, const std::string& device_name) {
   const Vec3 reach_m = plan.config.path.reach();
   const Vec3 travel_m = travel(plan.config.device);
@@ -107,6 +121,7 @@ RunPlan plan_run(const RunOptions& options, std::span<const rendering::Object> o
                  .faults = {},
                  .requests = {}},
       .warnings = {}};
+  compensate_friction(options.compensated_share, plan.config);
   for (const std::string& fault : options.faults) {
     plan.config.faults.push_back(parse_fault(fault));
   }

@@ -20,6 +20,7 @@ struct RunOptions {
   std::string hand = "pen";          // or finger, firm
   std::uint64_t seed = 1;
   double rate_hz = 1000.0;
+  double compensated_share = 0.0;   // of the joints' friction, by the controller: 0 to 0.9
   std::optional<double> seconds;    // default: until the wish path ends
   std::string path;                 // CSV file; empty is the path made from the scene
   std::vector<std::string> faults;  // like parse_fault

@@ -68,6 +68,8 @@ TEST(Run, UnknownNamesAndUselessNumbersAreRefused) {
   const std::span<const rendering::Object> objects(&wall.object(), 1);
   EXPECT_THROW(host::plan_run({.device = "omega"}, objects, kToolRadius_m), host::InputError);
   EXPECT_THROW(host::plan_run({.hand = "paw"}, objects, kToolRadius_m), host::InputError);
+  EXPECT_THROW(host::plan_run({.compensated_share = 0.95}, objects, kToolRadius_m),
+               host::InputError);
   EXPECT_THROW(host::plan_run({.seconds = 0.0}, objects, kToolRadius_m), host::InputError);
   EXPECT_THROW(host::plan_run({.path = "/no/such.csv"}, objects, kToolRadius_m), host::InputError);
   const host::RunPlan slow = host::plan_run({.rate_hz = 10.0}, objects, kToolRadius_m);

@@ -15,13 +15,47 @@ TEST(ControllerConfig, ThePresetsAreValid) {
   EXPECT_TRUE(validate(falcon_config()));
 }
 
+// The model of a joint whose friction is compensated.
+rendering::FrictionParameters& compensated(ControllerConfig& config) {
+  config.friction[0] = {.model = {.kind = rendering::FrictionKind::stribeck},
+                        .compensated_share = 0.5,
+                        .turn_length = 1e-4};
+  return config.friction[0].model;
+}
+
 struct BadField {
   std::string_view field;
   std::function<void(ControllerConfig&, double)> set;
 };
 
+TEST(ControllerConfig, CompensationNeedsALengthToTurnRoundOver) {
+  ControllerConfig config;
+  config.friction[0] = {
+      .model = {.kind = rendering::FrictionKind::coulomb_viscous, .coulomb = 0.04},
+      .compensated_share = 0.5};
+  const auto valid = validate(config);
+  ASSERT_FALSE(valid);
+  EXPECT_EQ(valid.error().field, "friction.turn_length");
+  config.friction[0].turn_length = 20e-6;
+  EXPECT_TRUE(validate(config));
+  EXPECT_EQ(presliding_length(config.friction[0]), 20e-6);
+  config.friction[0].model.stiffness_N_per_m = 1000.0;
+  EXPECT_EQ(presliding_length(config.friction[0]), 40e-6);
+}
+
+TEST(ControllerConfig, CompensationIsOffAndLeavesRoomAtMost) {
+  ControllerConfig config;
+  EXPECT_EQ(config.friction[0].compensated_share, 0.0);
+  compensated(config);
+  config.friction[0].compensated_share = 0.91;
+  const auto valid = validate(config);
+  ASSERT_FALSE(valid);
+  EXPECT_EQ(valid.error().field, "friction.compensated_share");
+  EXPECT_EQ(valid.error().greatest, 0.9);
+}
+
 TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
-  const std::array<BadField, 15> fields = {{
+  const std::array<BadField, 21> fields = {{
       {"rate_hz", [](ControllerConfig& c, double v) { c.rate_hz = v; }},
       {"workspace_origin_D", [](ControllerConfig& c, double v) { c.workspace_origin_D.y() = v; }},
       {"velocity_cutoff_hz", [](ControllerConfig& c, double v) { c.velocity_cutoff_hz = v; }},
@@ -34,6 +68,17 @@ TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
       {"safety.soft_start_s", [](ControllerConfig& c, double v) { c.safety.soft_start_s = v; }},
       {"safety.contact_start_s",
        [](ControllerConfig& c, double v) { c.safety.contact_start_s = v; }},
+      {"friction.compensated_share",
+       [](ControllerConfig& c, double v) { c.friction[1].compensated_share = v; }},
+      {"friction.turn_length",
+       [](ControllerConfig& c, double v) { c.friction[2].turn_length = v; }},
+      {"friction.model.coulomb", [](ControllerConfig& c, double v) { compensated(c).coulomb = v; }},
+      {"friction.model.static_level",
+       [](ControllerConfig& c, double v) { compensated(c).static_level = v; }},
+      {"friction.model.viscous_s_per_m",
+       [](ControllerConfig& c, double v) { compensated(c).viscous_s_per_m = v; }},
+      {"friction.model.stiffness_N_per_m",
+       [](ControllerConfig& c, double v) { compensated(c).stiffness_N_per_m = v; }},
       {"mechanism.arm_m",
        [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.arm_m = v}; }},
       {"mechanism.rod_m",

@@ -186,5 +186,15 @@ TEST(ControllerProperty, RandomTicksOfAFalconStaySafeAndReplayToTheBit) {
   run_random_ticks(falcon_config(), 2000);
 }
 
+TEST(ControllerProperty, RandomTicksWithFrictionCompensationStaySafeAndReplayToTheBit) {
+  ControllerConfig config = falcon_config();
+  config.friction.fill({.model = {.kind = rendering::FrictionKind::coulomb_viscous,
+                                  .coulomb = 0.006,
+                                  .viscous_s_per_m = 0.001},
+                        .compensated_share = 0.9,
+                        .turn_length = 0.002});
+  run_random_ticks(config, 3000);
+}
+
 }  // namespace
 }  // namespace tactus::firmware

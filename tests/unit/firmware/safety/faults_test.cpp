@@ -32,6 +32,7 @@ TEST(Faults, CodesAreStable) {
   EXPECT_EQ(fault_code(kLimitEffort), 19);
   EXPECT_EQ(fault_code(kLimitStaleSample), 20);
   EXPECT_EQ(fault_code(kLimitTouch), 21);
+  EXPECT_EQ(fault_code(kLimitCompensation), 22);
 }
 
 TEST(Faults, EveryBitHasItsOwnNameAndAMeaning) {
