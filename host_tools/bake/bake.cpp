@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <numbers>
 
 #include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/corner_normals.h"
+#include "host_tools/bake/friction_check.h"
 #include "host_tools/bake/mesh_import.h"
 #include "host_tools/bake/texture_bake.h"
 #include "host_tools/input_error.h"
@@ -193,6 +195,7 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);
     }
+    require_stable_friction(object, description);
     needs.add(counted(object.contact, object.motion, {}));
   }
   require_room(needs, description.file);
@@ -201,6 +204,7 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
     baked.objects.push_back(object.mesh.empty()
                                 ? bake_shape(object, description.file, own, progress)
                                 : bake_object(object, description.file, own, progress));
+    std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
   }
   needs = {};
   for (const BakedObject& object : baked.objects) {

@@ -22,9 +22,13 @@ constexpr std::array kUnitWords{
     UnitWords{"m", "metres"},
     UnitWords{"N_per_m", "newtons per metre"},
     UnitWords{"Ns_per_m", "newton seconds per metre"},
+    UnitWords{"s_per_m", "seconds per metre"},
+    UnitWords{"m_per_s", "metres per second"},
+    UnitWords{"kg", "kilograms"},
     UnitWords{"deg", "degrees"},
     UnitWords{"N", "newtons"},
     UnitWords{"Hz", "hertz"},
+    UnitWords{"hz", "hertz"},
     UnitWords{"Ns2_per_m2", "newton seconds squared per metre squared"},
 };
 
@@ -58,6 +62,11 @@ constexpr std::array kOtherUnits{
     OtherUnit{"n_s_per_m", "Ns_per_m", 1.0},
     OtherUnit{"kg_per_s", "Ns_per_m", 1.0},
     OtherUnit{"ns_m", "Ns_per_m", 1.0},
+    OtherUnit{"s_per_mm", "s_per_m", 1e3},
+    OtherUnit{"mm_per_s", "m_per_s", 1e-3},
+    OtherUnit{"cm_per_s", "m_per_s", 1e-2},
+    OtherUnit{"um_per_s", "m_per_s", 1e-6},
+    OtherUnit{"g", "kg", 1e-3},
     OtherUnit{"rad", "deg", 180.0 / std::numbers::pi},
     OtherUnit{"turn", "deg", 360.0},
     OtherUnit{"turns", "deg", 360.0},
@@ -68,6 +77,7 @@ constexpr std::array kOtherUnits{
     OtherUnit{"newtons", "N", 1.0},
     OtherUnit{"khz", "Hz", 1e3},
     OtherUnit{"rpm", "Hz", 1.0 / 60.0},
+    OtherUnit{"khz", "hz", 1e3},
 };
 
 std::string lower(std::string_view text) {

@@ -8,6 +8,7 @@
 
 #include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/effect_description.h"
+#include "host_tools/bake/friction_description.h"
 #include "host_tools/bake/placement_description.h"
 #include "host_tools/bake/toml_section.h"
 #include "host_tools/input_error.h"
@@ -16,7 +17,8 @@
 namespace tactus::host {
 namespace {
 
-constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""}};
+constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
+                                KeySpec{"device", ""}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
@@ -30,6 +32,7 @@ constexpr std::array kOwnKeys{
     KeySpec{"stiffness_N_per_m", "N_per_m"},
     KeySpec{"damping_Ns_per_m", "Ns_per_m"},
     KeySpec{"friction", ""},
+    KeySpec{"grain", ""},
     KeySpec{"contact", ""},
     KeySpec{"shading", ""},
     KeySpec{"texture", ""},
@@ -42,8 +45,6 @@ constexpr auto kObjectKeys = [] {
   std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
   return keys;
 }();
-constexpr std::array kFrictionKeys{KeySpec{"model", ""}, KeySpec{"static", ""},
-                                   KeySpec{"dynamic", ""}};
 
 rendering::Sides read_sides(const TomlSection& section) {
   const std::string sides = section.text("sides").value_or("one");
@@ -51,28 +52,6 @@ rendering::Sides read_sides(const TomlSection& section) {
     section.fail("sides", fmt::format(R"(sides is "{}"; write "one" or "two")", sides));
   }
   return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
-}
-
-rendering::FrictionParameters read_friction(const toml::table& table, const TomlSection& object,
-                                            std::string_view file) {
-  const TomlSection section(table, file, object.title() + " friction", kFrictionKeys);
-  const std::string model = section.text("model").value_or("cone");
-  if (model != "cone") {
-    section.fail("model", fmt::format(R"(no friction model "{}"; write "cone")", model));
-  }
-  const auto stick = section.number("static", kZeroOrMore);
-  const auto slip = section.number("dynamic", kZeroOrMore);
-  if (!stick) {
-    section.fail("static", "the coefficient static is missing; write static = 0.6");
-  }
-  const double dynamic = slip.value_or(*stick);
-  if (dynamic > *stick) {
-    section.fail("dynamic",
-                 fmt::format("dynamic ({}) is above static ({}); sliding cannot hold more than "
-                             "sticking, swap or lower it",
-                             dynamic, *stick));
-  }
-  return rendering::cone_friction(*stick, dynamic);
 }
 
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
@@ -95,9 +74,9 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   object.material.stiffness_N_per_m =
       section.number("stiffness_N_per_m", kZeroOrMore).value_or(kDefaultStiffness_N_per_m);
   object.material.damping_Ns_per_m = section.number("damping_Ns_per_m", kZeroOrMore).value_or(0.0);
-  if (const toml::table* friction = section.table("friction")) {
-    object.material.friction = read_friction(*friction, section, file);
-  }
+  object.material.friction = read_friction(section, file, object.material.stiffness_N_per_m);
+  object.friction_line = section.line("friction");
+  object.material.grain = read_grain(section, file, object.contact);
   object.motion =
       read_motion(section, file, object.shape, object.contact, object.placement.position_m);
   object.detail = read_detail(section, file, folder, object.shape, object.contact);
@@ -172,6 +151,7 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
         tool_section.number("radius_m", kZeroOrMore).value_or(kDefaultToolRadius_m);
     scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
   }
+  scene.device = read_device(section, scene.file);
   scene.effects = read_effects(root, section, scene.file);
   for (const toml::node& node : object_array(root, section)) {
     const toml::table& table = *node.as_table();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host_tools/bake/detail_description.h"
+#include "host_tools/bake/device_description.h"
 #include "host_tools/bake/mesh_bake.h"
 #include "host_tools/bake/motion_description.h"
 #include "host_tools/bake/placement.h"
@@ -27,6 +28,7 @@ struct ObjectDescription {
   Placement placement;
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
+  std::size_t friction_line = 0;  // of its friction, for errors in it
   MeshBakeOptions mesh_options;
   MotionDescription motion;
   DetailDescription detail;
@@ -36,6 +38,7 @@ struct SceneDescription {
   std::string file;  // as errors name it
   double tool_radius_m = 0.0;
   std::size_t tool_count = 1;
+  DeviceDescription device;
   std::vector<ObjectDescription> objects;  // at least one
   std::vector<rendering::Effect> effects;
 };

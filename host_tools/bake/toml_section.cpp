@@ -80,14 +80,17 @@ std::optional<double> TomlSection::number(std::string_view key, NumberRange rang
   return node == nullptr ? std::nullopt : std::optional(checked(*node, key, range));
 }
 
-std::optional<std::size_t> TomlSection::count(std::string_view key, std::size_t most) const {
+std::optional<std::size_t> TomlSection::count(std::string_view key, std::size_t most,
+                                              std::size_t least) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) {
     return std::nullopt;
   }
   const std::optional<std::int64_t> value = node->value_exact<std::int64_t>();
-  if (!value || *value < 1 || static_cast<std::size_t>(*value) > most) {
-    fail(key, fmt::format("{} must be a whole number from 1 to {}; write {} = 1", key, most, key));
+  if (!value || *value < 0 || static_cast<std::size_t>(*value) < least ||
+      static_cast<std::size_t>(*value) > most) {
+    fail(key, fmt::format("{} must be a whole number from {} to {}; write {} = 1", key, least, most,
+                          key));
   }
   return static_cast<std::size_t>(*value);
 }

@@ -39,8 +39,9 @@ class TomlSection {
               std::span<const KeySpec> keys);
 
   [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range) const;
-  // From 1 to `most`.
-  [[nodiscard]] std::optional<std::size_t> count(std::string_view key, std::size_t most) const;
+  // From `least` to `most`.
+  [[nodiscard]] std::optional<std::size_t> count(std::string_view key, std::size_t most,
+                                                 std::size_t least = 1) const;
   [[nodiscard]] std::optional<bool> flag(std::string_view key) const;
   [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
   [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host_tools/bake/friction_description.h"
 #include "host_tools/bake/mapped_scene.h"
 
 namespace tactus::host {
@@ -56,6 +57,20 @@ nlohmann::ordered_json to_json(const Float3& v) {
   return nlohmann::ordered_json::array({v.x, v.y, v.z});
 }
 
+// With the keys of a scene file.
+nlohmann::ordered_json to_json(const rendering::FrictionParameters& friction) {
+  nlohmann::ordered_json json{{"model", name_of(friction.kind).name}};
+  for (const FrictionParameterName& name : surface_parameters(friction.kind)) {
+    json[std::string(name.surface_key)] = friction.*name.member;
+  }
+  return json;
+}
+
+nlohmann::ordered_json to_json(const rendering::MaterialGrain& grain) {
+  return {
+      {"direction", to_json(grain.direction_O)}, {"along", grain.along}, {"across", grain.across}};
+}
+
 nlohmann::ordered_json to_json(const Summary& s) {
   const rendering::Material& material = s.object.material;
   return {{"name", s.name},
@@ -68,8 +83,8 @@ nlohmann::ordered_json to_json(const Summary& s) {
           {"sides", s.sides()},
           {"stiffness_N_per_m", material.stiffness_N_per_m},
           {"damping_Ns_per_m", material.damping_Ns_per_m},
-          {"friction_static", material.friction.static_level},
-          {"friction_dynamic", material.friction.coulomb},
+          {"friction", to_json(material.friction)},
+          {"grain", material.grain.differs() ? to_json(material.grain) : nlohmann::ordered_json()},
           {"shaded", !s.object.detail.corner_normals.empty()},
           {"textures", s.object.detail.layers.size()},
           {"texture_bytes", s.object.detail.texels.size()},
@@ -96,6 +111,20 @@ void print_json(const Options& options, const MappedScene& scene) {
   fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
+void print_friction(const rendering::Material& material) {
+  std::string text = fmt::format("  friction   {}", name_of(material.friction.kind).name);
+  for (const FrictionParameterName& name : surface_parameters(material.friction.kind)) {
+    text += fmt::format(", {} {}", name.surface_key, material.friction.*name.member);
+  }
+  fmt::print("{}\n", text);
+  const rendering::MaterialGrain& grain = material.grain;
+  if (grain.differs()) {
+    fmt::print("  grain      direction ({:.6g}, {:.6g}, {:.6g}), along {}, across {}\n",
+               grain.direction_O.x, grain.direction_O.y, grain.direction_O.z, grain.along,
+               grain.across);
+  }
+}
+
 void print_object(const Summary& s) {
   const rendering::Material& material = s.object.material;
   fmt::print("\n{}\n", s.name);
@@ -107,8 +136,7 @@ void print_object(const Summary& s) {
   fmt::print("  sides      {}\n", s.sides());
   fmt::print("  stiffness  {} N/m, damping {} N s/m\n", material.stiffness_N_per_m,
              material.damping_Ns_per_m);
-  fmt::print("  friction   static {}, dynamic {}\n", material.friction.static_level,
-             material.friction.coulomb);
+  print_friction(material);
   fmt::print("  detail     {}, {} texture{} of {} bytes{}\n",
              s.object.detail.corner_normals.empty() ? "flat" : "shaded",
              s.object.detail.layers.size(), s.object.detail.layers.size() == 1 ? "" : "s",

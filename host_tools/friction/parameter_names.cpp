@@ -41,7 +41,7 @@ constexpr unsigned kDamped = kAll & ~bit(FrictionKind::cone) & ~bit(FrictionKind
 
 constexpr std::array kParameterNames{
     FrictionParameterName{"Fc", &FrictionParameters::coulomb, ParameterRange::zero_or_more, "N",
-                          "N/N", "coulomb_N", "coulomb", "friction of a fast slip", kAll},
+                          "N/N", "coulomb_N", "dynamic", "friction of a fast slip", kAll},
     FrictionParameterName{"Fs", &FrictionParameters::static_level, ParameterRange::zero_or_more,
                           "N", "N/N", "static_N", "static",
                           "friction at rest, at most; not below Fc",

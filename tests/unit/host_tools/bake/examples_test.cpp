@@ -49,7 +49,7 @@ TEST_P(Examples, AreBakedAndFelt) {
 INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples,
                          ::testing::Values("ramp", "primitives", "heart", "thin_plate", "grating",
                                            "stone", "tiles", "shaded_cylinder", "effects", "paddle",
-                                           "membrane"),
+                                           "membrane", "friction"),
                          [](const auto& example) { return std::string(example.param); });
 
 }  // namespace

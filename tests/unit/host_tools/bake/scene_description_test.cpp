@@ -172,8 +172,8 @@ TEST(SceneDescription, RefusesValuesOfTheWrongKind) {
 
 TEST(SceneDescription, RefusesUnknownChoices) {
   EXPECT_TRUE(testing::contains(object_error("sides = \"both\""), "write \"one\" or \"two\""));
-  EXPECT_TRUE(testing::contains(object_error("friction = { model = \"lugre\", static = 1 }"),
-                                "no friction model \"lugre\""));
+  EXPECT_TRUE(testing::contains(object_error("friction = { model = \"ice\", static = 1 }"),
+                                "no friction model 'ice'"));
 }
 
 TEST(SceneDescription, RefusesBothSizes) {

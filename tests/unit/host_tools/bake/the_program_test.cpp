@@ -71,8 +71,26 @@ TEST_F(TheProgram, PrintsOneJsonObjectALine) {
   EXPECT_EQ(std::ranges::count(bake.output, '\n'), 1);
   EXPECT_TRUE(contains(bake.output, "\"triangles\":12,\"vertices\":8,\"dropped_triangles\":0"));
   const Outcome inspect = run("inspect other.tactus --json");
-  EXPECT_TRUE(contains(inspect.output, "\"version\":3"));
+  EXPECT_TRUE(contains(inspect.output, "\"version\":4"));
   EXPECT_EQ(std::ranges::count(inspect.output, '\n'), 1);
+}
+
+TEST_F(TheProgram, ShowsFrictionAndGrain) {
+  (void)folder.write("box.off", testing::box_files().front().content);
+  (void)folder.write("scene.toml",
+                     "[[object]]\nmesh = \"box.off\"\nscale = 0.01\n"
+                     "friction = { model = \"dahl\", dynamic = 0.5, stiffness_N_per_m = 300 }\n"
+                     "grain = { direction = [0, 0, 1], across = 0.4 }\n");
+  ASSERT_EQ(run("bake scene.toml").exit_code, 0);
+  const Outcome text = run("inspect scene.tactus");
+  EXPECT_TRUE(contains(text.output,
+                       "  friction   dahl, dynamic 0.5, viscous_s_per_m 0, stiffness_N_per_m 300\n"
+                       "  grain      direction (0, 0, 1), along 1, across 0.4\n"));
+  const Outcome json = run("inspect scene.tactus --json");
+  EXPECT_TRUE(contains(json.output,
+                       R"("friction":{"model":"dahl","dynamic":0.5,"viscous_s_per_m":0.0,)"
+                       R"("stiffness_N_per_m":300.0},)"
+                       R"("grain":{"direction":[0.0,0.0,1.0],"along":1.0,"across":0.4})"));
 }
 
 TEST_F(TheProgram, IsQuietWhenAsked) {
