@@ -1,11 +1,9 @@
 // Shading and bumps shift the proxy's goal; that the proxy crosses nothing must not depend on it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <random>
 
 #include "tests/support/brute_force.h"
-#include "tests/support/share.h"
 #include "tests/unit/rendering/detail/shaded_solid.h"
 
 namespace tactus::testing {
@@ -82,7 +80,7 @@ TEST(DetailSafety, NoShadedOrBumpySurfaceIsEverCrossed) {
       for (const bool friction : {false, true}) {
         SCOPED_TRACE(::testing::Message() << shape.name << ", radius " << radius_m << ", friction "
                                           << friction << ", seed " << seed);
-        wander(shape, radius_m, friction, seed++, std::max(750, share_of(1500)));
+        wander(shape, radius_m, friction, seed++, 1500);
         if (::testing::Test::HasFatalFailure()) {
           return;
         }
