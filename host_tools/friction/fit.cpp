@@ -24,6 +24,10 @@ constexpr std::array kFittedKinds{FrictionKind::coulomb_viscous, FrictionKind::s
 constexpr double kUnknownFrom = 0.5;
 constexpr double kTwoSided95 = 1.96;
 
+// Rows a reversal on which the force is on its way. With fewer the turn itself, which happens
+// between two rows, decides what the model does in them.
+constexpr std::size_t kPreslidingRows = 2;
+
 constexpr SearchLimits kShortSearch{.most_evaluations = 15, .tolerance = 1e-4};
 constexpr SearchLimits kWholeSearch{.most_evaluations = 80, .tolerance = 1e-9};
 
@@ -200,6 +204,10 @@ std::optional<Quantity> least_known(const Solution& solution) {
   return worst;
 }
 
+bool shows_presliding(const RecordTraits& traits) {
+  return traits.presliding_rows >= kPreslidingRows * (traits.reversals + 1);
+}
+
 // A stiffness that the data do not tell still has a least value: where the sum of squares has
 // risen by what chance raises it in one of twenty cases. 0 if there is none.
 double least_stiffness(const Solution& solution, const FrictionRecord& record) {
@@ -229,14 +237,13 @@ double least_stiffness(const Solution& solution, const FrictionRecord& record) {
 
 std::string why_no_stiffness(const Solution& solution, const FrictionRecord& record,
                              const RecordTraits& traits) {
-  constexpr std::size_t kFew = 3;  // rows a reversal
   const double least = least_stiffness(solution, record);
   const std::string bound =
       least > 0.0 ? fmt::format("; it is at least {:.2g} N/m", least) : std::string{};
-  if (traits.reversals == 0 && traits.presliding_rows < kFew) {
+  if (traits.reversals == 0 && !shows_presliding(traits)) {
     return "no presliding in the data: the motion neither starts at rest nor turns back" + bound;
   }
-  if (traits.presliding_rows < kFew * (traits.reversals + 1)) {
+  if (!shows_presliding(traits)) {
     return "no presliding in the data: at a reversal the force is on the other side within a row "
            "or "
            "two; sample faster, or reverse more slowly" +
@@ -347,6 +354,11 @@ FrictionFit fit_friction(const FrictionRecord& record, FrictionKind kind,
   const RecordTraits traits = traits_of(record);
   const FitPoint start = start_of(record, traits, kind, options);
   Solution solution = best_solution(start, record);
+  if (start.is_free(Quantity::stiffness) && !shows_presliding(traits)) {
+    FitPoint without = solution.point;
+    take_out(without, Quantity::stiffness);
+    solution = solve(without, record, kWholeSearch);
+  }
   while (const std::optional<Quantity> unknown = least_known(solution)) {
     FitPoint without = solution.point;
     take_out(without, *unknown);

@@ -133,6 +133,13 @@ double FrictionRecord::speed_m_per_s(std::size_t row) const {
   return std::fabs(displacement_m[row]) / step_s[row];
 }
 
+bool FrictionRecord::is_at_reversal(std::size_t row) const {
+  const auto turns = [this](std::size_t k) {
+    return k >= 1 && k < rows() && displacement_m[k - 1] * displacement_m[k] < 0.0;
+  };
+  return turns(row) || turns(row + 1);
+}
+
 double FrictionRecord::level(std::size_t row) const {
   if (!(normal_force_N[row] > 0.0)) {
     return 0.0;

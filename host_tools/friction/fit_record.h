@@ -22,6 +22,8 @@ struct FrictionRecord {
 
   [[nodiscard]] std::size_t rows() const { return t_s.size(); }
   [[nodiscard]] double speed_m_per_s(std::size_t row) const;
+  // The motion turns back in the tick before the row, or in the one behind it.
+  [[nodiscard]] bool is_at_reversal(std::size_t row) const;
   // The force over the normal force, positive where it opposes the motion; 0 without contact.
   [[nodiscard]] double level(std::size_t row) const;
 };

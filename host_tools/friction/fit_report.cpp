@@ -120,7 +120,7 @@ void draw_fit(const std::string& name, const FrictionFit& fit, const FrictionRec
   const auto panel = [&](std::string label, const std::vector<double>& x, CurveStyle style) {
     return Panel{.x_label = std::move(label),
                  .y_label = "friction force (N)",
-                 .curves = {points("measured", x, record.force_N, CurveStyle::points),
+                 .curves = {points("measured", x, record.force_N, CurveStyle::faint_points),
                             points("fitted", x, fit.force_N, style)}};
   };
   const std::array panels{

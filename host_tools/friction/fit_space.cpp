@@ -51,11 +51,17 @@ void model_forces(const FitPoint& point, const FrictionRecord& record, Eigen::Ve
   const FrictionParameters friction = point.friction();
   rendering::FrictionMemory<double> memory{.elastic_force_N = point[Quantity::start_force]};
   out.resize(static_cast<Eigen::Index>(record.rows()) - 1);
+  const bool is_rigid = !(friction.stiffness_N_per_m > 0.0);
+  const double hold = rendering::steady_level(friction, 0.0);
   for (std::size_t k = 1; k < record.rows(); ++k) {
-    out(static_cast<Eigen::Index>(k) - 1) =
-        rendering::update_friction(friction, memory, record.displacement_m[k],
-                                   record.normal_force_N[k], record.step_s[k])
-            .force_N;
+    const double normal_N = record.normal_force_N[k];
+    const double force_N = rendering::update_friction(friction, memory, record.displacement_m[k],
+                                                      normal_N, record.step_s[k])
+                               .force_N;
+    const double most_N = hold * std::max(normal_N, 0.0);
+    out(static_cast<Eigen::Index>(k) - 1) = is_rigid && record.is_at_reversal(k)
+                                                ? std::clamp(record.force_N[k], -most_N, most_N)
+                                                : force_N;
   }
 }
 

@@ -48,7 +48,8 @@ struct FitPoint {
   static std::size_t index(Quantity q) { return static_cast<std::size_t>(q); }
 };
 
-// The model's forces over the record, into all rows but the first.
+// The model's forces over the record, into all rows but the first. Without bristles a model has no
+// value at rest, only a bound: where the motion turns back it is the measured force within that.
 void model_forces(const FitPoint& point, const FrictionRecord& record, Eigen::VectorXd& out);
 
 // Model less measurement.
