@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -142,6 +143,9 @@ void run_fit(const Options& options) {
   const FrictionRecord record = read_friction_record(options.record, options.normal_force_N);
   if (options.joint && record.has_normal_force) {
     throw InputError("--joint: a joint has no normal force, but one is given");
+  }
+  if (const std::string warning = record_warning(record); !warning.empty()) {
+    fmt::print(stderr, "tactus fit: warning: {}: {}\n", options.record, warning);
   }
   std::vector<FrictionFit> fits;
   {

@@ -53,18 +53,19 @@ ForceScale scale_of(const FrictionRecord& record) {
 
 std::string record_text(const std::string& name, const FrictionRecord& record) {
   const RecordTraits traits = traits_of(record);
-  std::string text = fmt::format(
+  return fmt::format(
       "{}: {} rows, {:.4g} s, {} reversals, speeds from {:.2g} to {:.2g} m/s, {} rows in "
       "presliding; displacements from {}\n",
       name, record.rows(), record.t_s.back() - record.t_s.front(), traits.reversals,
       traits.slowest_m_per_s, traits.fastest_m_per_s, traits.presliding_rows,
       record.uses_velocity ? "v_m_per_s, which is smoother than x_m" : "x_m");
-  if (traits.is_rough) {
-    text +=
-        "warning: the velocity jumps from row to row by half of its size; smooth x_m, record it "
-        "more slowly, or give a filtered v_m_per_s\n";
-  }
-  return text;
+}
+
+std::string record_warning(const FrictionRecord& record) {
+  return traits_of(record).is_rough
+             ? "the velocity jumps from row to row by half of its size; smooth x_m, record it more "
+               "slowly, or give a filtered v_m_per_s"
+             : "";
 }
 
 std::string fit_text(const FrictionFit& fit, ForceScale scale, bool is_preferred) {

@@ -12,8 +12,11 @@ namespace tactus::host {
 
 ForceScale scale_of(const FrictionRecord& record);
 
-// A line on the record, and a warning where it is too rough to be differentiated.
+// A line on the record.
 std::string record_text(const std::string& name, const FrictionRecord& record);
+
+// Where it is too rough for a velocity; else empty.
+std::string record_warning(const FrictionRecord& record);
 
 // The model, its residual and AIC, and a line a parameter: value, interval and unit, or why the
 // data cannot tell.

@@ -81,6 +81,17 @@ TEST_F(FrictionProgram, FitsTheExampleAndWritesItsToml) {
   EXPECT_TRUE(contains(file("joint.toml"), "[joint.friction]\nmodel = \"dahl\"\ncoulomb_N = "));
 }
 
+TEST_F(FrictionProgram, WhatItFitsBakes) {
+  const std::string record = " '" TACTUS_EXAMPLES "/friction/record.csv' ";
+  for (const char* model : {"coulomb", "stribeck"}) {
+    ASSERT_EQ(run("fit" + record + "--model " + model + " -o friction.toml").exit_code, 0);
+    (void)folder.write("scene.toml", "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.05\n" +
+                                         file("friction.toml"));
+    const Outcome bake = run("bake scene.toml");
+    EXPECT_EQ(bake.exit_code, 0) << bake.output;
+  }
+}
+
 TEST_F(FrictionProgram, HelpEndsWithExamplesAndNamesUnits) {
   const Outcome friction = run("friction --help");
   EXPECT_TRUE(contains(friction.output, "Examples:\n  tactus friction --model lugre"));
