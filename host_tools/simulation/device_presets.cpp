@@ -13,12 +13,12 @@ DevicePreset cartesian_preset() {
   // A back-drive friction between those of the PHANToM Premium (0.04 N) and Desktop (0.06 N). The
   // bristles stand for the transmission's give; their damping stays below what the viscous damping
   // keeps passive.
-  plant.joint_friction = {.coulomb = 0.04,
-                          .break_away = 0.05,
-                          .stribeck_velocity = 0.005,
-                          .bristle_stiffness = 2000.0,
-                          .bristle_damping = 1.5,
-                          .viscous = 0.0};
+  plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
+                          .coulomb = 0.04,
+                          .static_level = 0.05,
+                          .stribeck_velocity_m_per_s = 0.005,
+                          .stiffness_N_per_m = 2000.0,
+                          .damping_s_per_m = 1.5};
   plant.stop_lower_B = Vec3::Constant(-0.12);
   plant.stop_upper_B = Vec3::Constant(0.12);
   preset.device.encoder_resolution = 5e-6;
@@ -37,12 +37,12 @@ DevicePreset falcon_preset() {
   plant.moving_mass_kg = 0.25;
   plant.viscous_Ns_per_m = 0.5;
   // 0.006 N m on a 60 mm arm is 0.1 N at the knee.
-  plant.joint_friction = {.coulomb = 0.006,
-                          .break_away = 0.0075,
-                          .stribeck_velocity = 0.1,
-                          .bristle_stiffness = 5.0,
-                          .bristle_damping = 0.005,
-                          .viscous = 0.0};
+  plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
+                          .coulomb = 0.006,
+                          .static_level = 0.0075,
+                          .stribeck_velocity_m_per_s = 0.1,
+                          .stiffness_N_per_m = 5.0,
+                          .damping_s_per_m = 0.005};
   plant.stop_lower_B = preset.centre_B - Vec3(0.05, 0.05, 0.045);
   plant.stop_upper_B = preset.centre_B + Vec3(0.05, 0.05, 0.045);
   preset.device.encoder_resolution =

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "host_tools/simulation/portable_math.h"
+#include "rendering/geometry/portable_math.h"
 
 namespace tactus::host {
 namespace {
 
 // Share of the way to a held target that a first-order system covers in dt.
 double share_covered(double dt_s, double time_constant_s) {
-  return time_constant_s > 0.0 ? 1.0 - exp_nonpositive(-dt_s / time_constant_s) : 1.0;
+  return time_constant_s > 0.0 ? 1.0 - rendering::exponential(-dt_s / time_constant_s) : 1.0;
 }
 
 // One step of a first-order system. It arrives once the rest is far below anything that matters:

@@ -14,15 +14,15 @@ Vec3 beyond(const Vec3& p_B, const Vec3& lower_B, const Vec3& upper_B) {
 
 Plant::Plant(const PlantParameters& parameters)
     : parameters_(parameters),
-      joints_{LuGreJoint(parameters.joint_friction), LuGreJoint(parameters.joint_friction),
-              LuGreJoint(parameters.joint_friction)} {
+      joints_{JointFriction(parameters.joint_friction), JointFriction(parameters.joint_friction),
+              JointFriction(parameters.joint_friction)} {
   place(Vec3::Zero());
 }
 
 void Plant::place(const Vec3& p_B) {
   p_B_ = p_B;
   v_B_.setZero();
-  for (LuGreJoint& joint : joints_) {
+  for (JointFriction& joint : joints_) {
     joint.release();
   }
   solve_mechanism(parameters_.mechanism, p_B_, pose_);
@@ -76,7 +76,7 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
 double Plant::stored_energy_J() const {
   const Vec3 depth_B = beyond(p_B_, parameters_.stop_lower_B, parameters_.stop_upper_B);
   double energy_J = 0.5 * parameters_.stop_stiffness_N_per_m * depth_B.squaredNorm();
-  for (const LuGreJoint& joint : joints_) {
+  for (const JointFriction& joint : joints_) {
     energy_J += joint.stored_energy_J();
   }
   return energy_J;

@@ -4,7 +4,7 @@
 // The handle is a point mass, device and hand together, in the device's base frame B (x right, y
 // up, z toward the user):
 //   m dv/dt = sum_i row_i (effort_i - friction_i) - b v + k (w - p) + c (dw/dt - v) + stops
-// with the mechanism's rows, LuGre friction in every joint, the device's viscous damping b and the
+// with the mechanism's rows, friction in every joint, the device's viscous damping b and the
 // hand's spring k and damper c to the wish w. Gravity is left out, as if balanced. The linear part
 // is integrated with the implicit midpoint rule, which neither makes nor loses energy in the
 // spring; joint friction and stops are taken at the step's start.
@@ -13,7 +13,7 @@
 #include <array>
 #include <cstddef>
 
-#include "host_tools/simulation/lugre_joint.h"
+#include "host_tools/simulation/joint_friction.h"
 #include "host_tools/simulation/mechanism.h"
 #include "rendering/geometry/vector.h"
 
@@ -25,7 +25,7 @@ struct PlantParameters {
   MechanismKind mechanism = MechanismKind::cartesian;
   double moving_mass_kg = 0.1;
   double viscous_Ns_per_m = 0.5;
-  LuGreParameters joint_friction;
+  rendering::FrictionParameters joint_friction;
   // Mechanical end stops: a box in B with springy, damped walls.
   Vec3 stop_lower_B = Vec3::Constant(-0.1);  // m
   Vec3 stop_upper_B = Vec3::Constant(0.1);   // m
@@ -69,7 +69,7 @@ class Plant {
   [[nodiscard]] Vec3 stop_force() const;
 
   PlantParameters parameters_;
-  std::array<LuGreJoint, kPlantJoints> joints_;
+  std::array<JointFriction, kPlantJoints> joints_;
   Vec3 p_B_ = Vec3::Zero();
   Vec3 v_B_ = Vec3::Zero();
   MechanismPose pose_;

@@ -22,6 +22,9 @@ const DeviceParameters& checked(const DeviceParameters& parameters, double tick_
       !(parameters.motor_time_constant_s >= 0.0)) {
     throw InputError("the device's mass, encoder and motor parameters must be positive");
   }
+  if (!rendering::valid(parameters.plant.joint_friction)) {
+    throw InputError("the friction of the device's joints must be finite and within its ranges");
+  }
   return parameters;  // NOLINT(bugprone-return-const-ref-from-parameter): the caller stores a copy
 }
 

@@ -85,11 +85,15 @@ double exponential(double x) {
   }
   const int exponent = static_cast<int>(x * kLog2OfE + (x < 0.0 ? -0.5 : 0.5));
   const double r = (x - exponent * kLn2High) - exponent * kLn2Low;
-  double sum = 0.0;
-  for (std::size_t n = kExponentialTerms; n-- > 0;) {
-    sum = kReciprocalFactorial[n] + r * sum;
+  // Even and odd powers are two chains that do not wait for each other.
+  const double r_squared = r * r;
+  double even = 0.0;
+  double odd = 0.0;
+  for (std::size_t n = kExponentialTerms; n > 0; n -= 2) {
+    even = kReciprocalFactorial[n - 2] + r_squared * even;
+    odd = kReciprocalFactorial[n - 1] + r_squared * odd;
   }
-  return sum * power_of_two(exponent);
+  return (even + r * odd) * power_of_two(exponent);
 }
 
 double logarithm(double x) {

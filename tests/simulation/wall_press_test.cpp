@@ -109,8 +109,9 @@ TEST(WallPress, FreeSpaceHasNoForce) {
     simulation.tick();
     ASSERT_EQ(simulation.record().force_commanded_W, firmware::Triple{});
   }
-  const host::LuGreParameters friction = host::cartesian_preset().device.plant.joint_friction;
-  const double stiction_m = friction.break_away / host::kPenHand.stiffness_N_per_m;
+  const rendering::FrictionParameters friction =
+      host::cartesian_preset().device.plant.joint_friction;
+  const double stiction_m = friction.static_level / host::kPenHand.stiffness_N_per_m;
   EXPECT_LT((simulation.handle_W() - simulation.wish_W()).cwiseAbs().maxCoeff(),
             stiction_m + 2.0 * host::kPenHand.tremor_m);
 }

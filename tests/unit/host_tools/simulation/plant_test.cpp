@@ -85,8 +85,8 @@ TEST(Plant, RestsWhereTheHandsSpringBalancesTheMotor) {
 
 TEST(Plant, FrictionHoldsBelowBreakAwayAndYieldsAbove) {
   PlantParameters parameters = cartesian_preset().device.plant;
-  const double break_away = parameters.joint_friction.break_away;
-  const double give_m = break_away / parameters.joint_friction.bristle_stiffness;
+  const double break_away = parameters.joint_friction.static_level;
+  const double give_m = break_away / parameters.joint_friction.stiffness_N_per_m;
   Plant held(parameters);
   Plant moved(parameters);
   for (int k = 0; k < 20000; ++k) {
