@@ -6,7 +6,6 @@
 namespace tactus::host {
 namespace {
 
-using rendering::Primitive;
 using rendering::PrimitiveKind;
 
 constexpr std::uint32_t kSides = 48;
@@ -82,7 +81,7 @@ void add_arc(Profile& profile, const ProfilePoint& middle, double radius_m, doub
   }
 }
 
-TriangleMesh round_mesh(const Primitive& primitive) {
+TriangleMesh round_mesh(const rendering::Primitive& primitive) {
   constexpr double kQuarter = 0.5 * std::numbers::pi;
   const auto& [a, b, c] = primitive.dimensions_m;
   Profile profile;
@@ -129,7 +128,7 @@ TriangleMesh plane_mesh() {
 
 }  // namespace
 
-TriangleMesh primitive_mesh(const Primitive& primitive) {
+TriangleMesh primitive_mesh(const rendering::Primitive& primitive) {
   const auto& [a, b, c] = primitive.dimensions_m;
   TriangleMesh mesh = primitive.kind == PrimitiveKind::plane ? plane_mesh()
                       : primitive.kind == PrimitiveKind::box ? box_mesh({a, b, c})
