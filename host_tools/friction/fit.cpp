@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "host_tools/friction/fit_space.h"
+#include "host_tools/friction/fit_search.h"
 #include "host_tools/friction/fit_start.h"
-#include "host_tools/friction/least_squares.h"
 #include "host_tools/friction/parameter_names.h"
 
 namespace tactus::host {
@@ -27,129 +27,6 @@ constexpr double kTwoSided95 = 1.96;
 // Rows a reversal on which the force is on its way. With fewer the turn itself, which happens
 // between two rows, decides what the model does in them.
 constexpr std::size_t kPreslidingRows = 2;
-
-constexpr SearchLimits kShortSearch{.most_evaluations = 15, .tolerance = 1e-4};
-constexpr SearchLimits kWholeSearch{.most_evaluations = 80, .tolerance = 1e-9};
-
-struct Solution {
-  FitPoint point;
-  LeastSquares squares;
-};
-
-Solution solve(const FitPoint& start, const FrictionRecord& record, const SearchLimits& limits) {
-  const auto rows = static_cast<Eigen::Index>(record.rows()) - 1;
-  const Eigen::Map<const Eigen::VectorXd> measured(record.force_N.data() + 1, rows);
-  const auto free = static_cast<Eigen::Index>(start.free_quantities().size());
-  Solution solution{.point = start, .squares = {}};
-  solution.squares = least_squares(
-      [&](const Eigen::VectorXd& by, Eigen::VectorXd& out) {
-        model_forces(start.moved(by), record, out);
-        out -= measured;
-      },
-      rows, Eigen::VectorXd::Zero(free), limits);
-  solution.point = start.moved(solution.squares.parameters);
-  return solution;
-}
-
-// The stiffness, of many, whose presliding fits best.
-void find_stiffness(FitPoint& point, const FrictionRecord& record, const RecordTraits& traits) {
-  constexpr int kStiffnesses = 50;
-  constexpr std::array kLevels{1.0, 1.6};  // times Fc: the record may never have got there
-  constexpr double kBelowAStep = 0.1;
-  const double longest_m = traits.travel_m / static_cast<double>(traits.reversals + 1);
-  const double shortest_m = std::min(kBelowAStep * traits.small_step_m, 1e-3 * longest_m);
-  FitPoint best = point;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double level : kLevels) {
-    FitPoint now = point;
-    now.set(Quantity::coulomb, level * point[Quantity::coulomb]);
-    for (int i = 0; i <= kStiffnesses; ++i) {
-      const double share = static_cast<double>(i) / kStiffnesses;
-      const double length_m = std::exp(std::lerp(std::log(shortest_m), std::log(longest_m), share));
-      now.set(Quantity::stiffness, point.force_scale_N / length_m);
-      const double sum = sum_of_squares(now, record);
-      if (sum < least) {
-        least = sum;
-        best = now;
-      }
-    }
-  }
-  point = best;
-}
-
-double mean_contact_force(const FrictionRecord& record) {
-  double sum = 0.0;
-  double rows = 0.0;
-  for (const double force_N : record.normal_force_N) {
-    sum += std::max(force_N, 0.0);
-    rows += force_N > 0.0 ? 1.0 : 0.0;
-  }
-  return rows > 0.0 ? sum / rows : 1.0;
-}
-
-void find_damping(FitPoint& point, const FrictionRecord& record) {
-  constexpr std::array kTimes_s{1e-4, 1e-3, 1e-2, 1e-1};  // sigma1 N / sigma0
-  const double per_second = point[Quantity::stiffness] / mean_contact_force(record);
-  FitPoint best = point;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double time_s : kTimes_s) {
-    FitPoint now = point;
-    now.set(Quantity::damping, time_s * per_second);
-    const double sum = sum_of_squares(now, record);
-    if (sum < least) {
-      least = sum;
-      best = now;
-    }
-  }
-  point = best;
-}
-
-FitPoint start_of(const FrictionRecord& record, const RecordTraits& traits, FrictionKind kind,
-                  const FitOptions& options) {
-  const bool falls = kind == FrictionKind::stribeck || kind == FrictionKind::lugre;
-  const bool has_bristles = kind == FrictionKind::dahl || kind == FrictionKind::lugre;
-  const SteadyCurve curve = steady_curve(record, traits, falls);
-  FitPoint point{.kind = kind, .force_scale_N = curve.coulomb * mean_contact_force(record)};
-  point.set(Quantity::coulomb, curve.coulomb);
-  point.set(Quantity::excess, curve.excess);
-  point.set(Quantity::viscous, curve.viscous_s_per_m);
-  point.set(Quantity::stribeck_velocity, curve.stribeck_velocity_m_per_s);
-  point.set(Quantity::exponent, options.exponent);
-  point.set_free(Quantity::coulomb, true);
-  point.set_free(Quantity::viscous, true);
-  point.set_free(Quantity::excess, falls);
-  point.set_free(Quantity::stribeck_velocity, falls);
-  point.set_free(Quantity::exponent, falls && options.fits_exponent);
-  if (has_bristles) {
-    point.set_free(Quantity::stiffness, true);
-    point.set_free(Quantity::start_force, true);
-    const double strongest_N = curve.coulomb * record.normal_force_N[0];
-    point.set(Quantity::start_force, std::clamp(record.force_N[0], -strongest_N, strongest_N));
-    find_stiffness(point, record, traits);
-  }
-  if (kind == FrictionKind::lugre) {
-    point.set_free(Quantity::damping, true);
-    find_damping(point, record);
-  }
-  return point;
-}
-
-// From the start, and from others that know the fall with speed less well: each a short way, the
-// best to the end.
-Solution best_solution(const FitPoint& start, const FrictionRecord& record) {
-  Solution best = solve(start, record, kShortSearch);
-  if (start.is_free(Quantity::stribeck_velocity)) {
-    for (const double factor : {0.2, 5.0}) {
-      FitPoint other = start;
-      other.set(Quantity::stribeck_velocity, factor * start[Quantity::stribeck_velocity]);
-      Solution now = solve(other, record, kShortSearch);
-      if (now.squares.sum_of_squares < best.squares.sum_of_squares) {
-        best = std::move(now);
-      }
-    }
-  }
-  return solve(best.point, record, kWholeSearch);
-}
 
 double error_of(const Solution& solution, Quantity quantity) {
   const std::vector<Quantity> free = solution.point.free_quantities();
@@ -204,8 +81,36 @@ std::optional<Quantity> least_known(const Solution& solution) {
   return worst;
 }
 
+// A curve that falls finds something to follow in any noise, and its standard errors do not tell
+// it: they are those of that place. So the fit without the fall must be clearly worse.
+Solution with_a_fall_that_is_there(Solution solution, const FrictionRecord& record,
+                                   const RecordTraits& traits) {
+  constexpr double kClearly = 12.0;  // of twice the logarithm of the likelihood
+  if (!solution.point.is_free(Quantity::excess)) {
+    return solution;
+  }
+  FitPoint without = solution.point;
+  take_out(without, Quantity::excess);
+  const SteadyCurve curve = steady_curve(record, traits, false);
+  without.set(Quantity::coulomb, curve.coulomb);
+  without.set(Quantity::viscous, curve.viscous_s_per_m);
+  Solution other = solve(without, record);
+  const double gain = static_cast<double>(record.rows()) *
+                      std::log(other.squares.sum_of_squares / solution.squares.sum_of_squares);
+  return gain < kClearly ? other : solution;
+}
+
 bool shows_presliding(const RecordTraits& traits) {
   return traits.presliding_rows >= kPreslidingRows * (traits.reversals + 1);
+}
+
+// A soft bristle could take the shape of anything in a record that does not show presliding: one
+// is held that is too stiff to be seen.
+FitPoint without_presliding(const FitPoint& start, const RecordTraits& traits) {
+  FitPoint point = start;
+  take_out(point, Quantity::stiffness);
+  point.set(Quantity::stiffness, stiffest(start, traits));
+  return point;
 }
 
 // A stiffness that the data do not tell still has a least value: where the sum of squares has
@@ -330,16 +235,16 @@ FrictionFit report_of(const Solution& solution, const FitPoint& start, const Fri
       fit.parameters.push_back(described(q, solution, start.is_free(q), record, traits));
     }
   }
-  const auto rows = static_cast<double>(record.rows() - 1);
-  const auto count = static_cast<double>(solution.point.free_quantities().size());
-  const double mean_square =
-      std::max(solution.squares.sum_of_squares / rows, std::numeric_limits<double>::min());
-  fit.residual_N = std::sqrt(mean_square);
-  fit.aic = rows * std::log(mean_square) + 2.0 * (count + 1.0);
   Eigen::VectorXd forces;
   model_forces(solution.point, record, forces);
-  fit.force_N.push_back(record.force_N.front());
-  fit.force_N.insert(fit.force_N.end(), forces.begin(), forces.end());
+  fit.force_N.assign(forces.begin(), forces.end());
+  const auto rows = static_cast<double>(record.rows() - 1);
+  const auto count = static_cast<double>(solution.point.free_quantities().size());
+  const double sum = sum_of_squares(solution.point, record) -
+                     std::pow(fit.force_N.front() - record.force_N.front(), 2);
+  const double mean_square = std::max(sum / rows, std::numeric_limits<double>::min());
+  fit.residual_N = std::sqrt(mean_square);
+  fit.aic = rows * std::log(mean_square) + 2.0 * (count + 1.0);
   return fit;
 }
 
@@ -352,17 +257,16 @@ const FittedParameter& FrictionFit::parameter(std::string_view symbol) const {
 FrictionFit fit_friction(const FrictionRecord& record, FrictionKind kind,
                          const FitOptions& options) {
   const RecordTraits traits = traits_of(record);
-  const FitPoint start = start_of(record, traits, kind, options);
-  Solution solution = best_solution(start, record);
-  if (start.is_free(Quantity::stiffness) && !shows_presliding(traits)) {
-    FitPoint without = solution.point;
-    take_out(without, Quantity::stiffness);
-    solution = solve(without, record, kWholeSearch);
-  }
+  const std::vector<FitPoint> starts = starts_of(record, traits, kind, options);
+  const FitPoint& start = starts.front();
+  const bool knows_bristles = !start.is_free(Quantity::stiffness) || shows_presliding(traits);
+  Solution solution = knows_bristles ? best_solution(starts, record)
+                                     : best_solution({{without_presliding(start, traits)}}, record);
+  solution = with_a_fall_that_is_there(std::move(solution), record, traits);
   while (const std::optional<Quantity> unknown = least_known(solution)) {
     FitPoint without = solution.point;
     take_out(without, *unknown);
-    solution = solve(without, record, kWholeSearch);
+    solution = solve(without, record);
   }
   return report_of(solution, start, record, traits);
 }

@@ -9,7 +9,8 @@
 // An interval of 95 % is plus and minus 1.96 standard errors of the logarithm, from the Jacobian
 // and the residual, widened where neighbouring residuals are alike. A parameter whose standard
 // error is half of itself or more is one that the data cannot tell: it is taken out, at 0 where
-// that is possible, and the rest is fitted anew without it.
+// that is possible, and the rest is fitted anew without it. So is a fall of the friction with speed
+// without which the fit is not clearly worse.
 #pragma once
 
 #include <optional>

@@ -7,6 +7,28 @@ namespace tactus::host {
 
 using rendering::FrictionParameters;
 
+namespace {
+
+// Of the first row, before which there is no tick: the bristle and the viscous part.
+double start_force_N(const FitPoint& point, const FrictionParameters& friction,
+                     const FrictionRecord& record) {
+  const double v = record.displacement_m[1] / record.step_s[1];
+  return point[Quantity::start_force] + friction.viscous_s_per_m * record.normal_force_N[0] * v;
+}
+
+void bound_at_reversals(const FrictionParameters& friction, const FrictionRecord& record,
+                        Eigen::VectorXd& forces) {
+  const double hold = rendering::steady_level(friction, 0.0);
+  for (std::size_t k = 1; k < record.rows(); ++k) {
+    if (record.is_at_reversal(k)) {
+      const double most_N = hold * std::max(record.normal_force_N[k], 0.0);
+      forces(static_cast<Eigen::Index>(k)) = std::clamp(record.force_N[k], -most_N, most_N);
+    }
+  }
+}
+
+}  // namespace
+
 std::string_view symbol_of(Quantity quantity) {
   constexpr std::array<std::string_view, kQuantities> kSymbols{"Fc",    "Fs",     "sigma2", "vs",
                                                                "alpha", "sigma0", "sigma1", ""};
@@ -49,31 +71,35 @@ FrictionParameters FitPoint::friction() const {
 
 void model_forces(const FitPoint& point, const FrictionRecord& record, Eigen::VectorXd& out) {
   const FrictionParameters friction = point.friction();
-  rendering::FrictionMemory<double> memory{.elastic_force_N = point[Quantity::start_force]};
-  out.resize(static_cast<Eigen::Index>(record.rows()) - 1);
   const bool is_rigid = !(friction.stiffness_N_per_m > 0.0);
-  const double hold = rendering::steady_level(friction, 0.0);
-  for (std::size_t k = 1; k < record.rows(); ++k) {
-    const double normal_N = record.normal_force_N[k];
+  const auto rows = static_cast<Eigen::Index>(record.rows());
+  rendering::FrictionMemory<double> memory{.elastic_force_N = point[Quantity::start_force]};
+  out.resize(rows);
+  out(0) = point.is_free(Quantity::start_force) ? start_force_N(point, friction, record)
+                                                : record.force_N[0];
+  for (Eigen::Index i = 1; i < rows; ++i) {
+    const auto k = static_cast<std::size_t>(i);
     const double force_N = rendering::update_friction(friction, memory, record.displacement_m[k],
-                                                      normal_N, record.step_s[k])
+                                                      record.normal_force_N[k], record.step_s[k])
                                .force_N;
-    const double most_N = hold * std::max(normal_N, 0.0);
-    out(static_cast<Eigen::Index>(k) - 1) = is_rigid && record.is_at_reversal(k)
-                                                ? std::clamp(record.force_N[k], -most_N, most_N)
-                                                : force_N;
+    // Half of what depends on the velocity belongs to the row before.
+    const double of_place_N = is_rigid ? 0.0 : memory.elastic_force_N;
+    const double half_N = point.row_time == RowTime::instant ? 0.5 * (force_N - of_place_N) : 0.0;
+    out(i) = i + 1 < rows ? force_N - half_N : force_N;
+    if (i > 1) {
+      out(i - 1) += half_N;
+    }
+  }
+  if (is_rigid) {
+    bound_at_reversals(friction, record, out);
   }
 }
 
 double sum_of_squares(const FitPoint& point, const FrictionRecord& record) {
   Eigen::VectorXd forces;
   model_forces(point, record, forces);
-  double sum = 0.0;
-  for (std::size_t k = 1; k < record.rows(); ++k) {
-    const double difference = forces(static_cast<Eigen::Index>(k) - 1) - record.force_N[k];
-    sum += difference * difference;
-  }
-  return sum;
+  const Eigen::Map<const Eigen::VectorXd> measured(record.force_N.data(), forces.size());
+  return (forces - measured).squaredNorm();
 }
 
 }  // namespace tactus::host
