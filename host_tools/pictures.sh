@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of rendering/README.md anew. Needs a built `tactus`: host_tools/demo.sh builds one.
+# Makes the pictures of rendering/README.md and rendering/friction/README.md anew. Needs a built `tactus`: host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -36,3 +36,18 @@ touch_scene heart/scene.toml heart/gyroid.csv gyroid
 draw gyroid path
 touch_scene grating/scene.toml grating/stroke.csv grating
 draw grating force
+
+# Friction: every figure with its command, which the README repeats.
+pictures=rendering/friction/pictures
+mkdir -p "$pictures"
+friction() {  # NAME ARGUMENT...
+  "$tactus" "${@:2}" --figure "$pictures/$1.png" >"$work/log"
+  echo "$pictures/$1.png"
+}
+for experiment in presliding lag break-away stick-slip hunting hysteresis; do
+  friction "$experiment" friction --model lugre --experiment "$experiment"
+done
+friction karnopp_stick-slip friction --model karnopp --experiment stick-slip
+friction motion friction --model lugre --motion "$examples/friction/record.csv"
+friction push friction --model lugre --push "$examples/friction/push.csv" --mass-kg 1
+friction fit fit "$examples/friction/record.csv"

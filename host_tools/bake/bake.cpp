@@ -150,17 +150,18 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
   return baked;
 }
 
+rendering::Object counted(rendering::ContactMethod method, const MotionDescription& motion,
+                          const rendering::MeshView& mesh) {
+  rendering::Object object;
+  object.method = method;
+  object.mesh = mesh;
+  object.moves = motion.moves;
+  object.deforms = motion.deforms;
+  return object;
+}
+
 // Of the controller's fixed memory.
-void require_room(const BakedScene& scene, const std::string& file) {
-  rendering::SceneryNeeds needs;
-  for (const BakedObject& object : scene.objects) {
-    rendering::Object counted;
-    counted.method = object.contact;
-    counted.mesh = object.mesh.view();
-    counted.moves = object.motion.moves;
-    counted.deforms = object.motion.deforms;
-    needs.add(counted);
-  }
+void require_room(const rendering::SceneryNeeds& needs, const std::string& file) {
   if (!needs.fit()) {
     throw InputError(fmt::format(
         "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy "
@@ -189,12 +190,15 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                    .tool_count = description.tool_count,
                    .objects = {},
                    .effects = description.effects};
+  rendering::SceneryNeeds needs;  // at first without the sizes of meshes
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);
     }
     require_stable_friction(object, description);
+    needs.add(counted(object.contact, object.motion, {}));
   }
+  require_room(needs, description.file);
   for (const ObjectDescription& object : description.objects) {
     ObjectReport& own = report.objects.emplace_back();
     baked.objects.push_back(object.mesh.empty()
@@ -202,7 +206,11 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                                 : bake_object(object, description.file, own, progress));
     std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
   }
-  require_room(baked, description.file);
+  needs = {};
+  for (const BakedObject& object : baked.objects) {
+    needs.add(counted(object.contact, object.motion, object.mesh.view()));
+  }
+  require_room(needs, description.file);
   tell(progress, fmt::format("writing {}", image.string()));
   const std::vector<std::byte> bytes = write_image(baked);
   write_file_atomically(image, bytes);

@@ -6,6 +6,7 @@
 
 #include "host_tools/input_error.h"
 #include "host_tools/mesh/level_set.h"
+#include "host_tools/mesh/primitive_mesh.h"
 
 namespace tactus::host {
 namespace {
@@ -161,16 +162,8 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
 
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {
   constexpr int kCells = 40;
-  constexpr double kPlaneShown_m = 0.1;
   if (const auto* primitive = std::get_if<Primitive>(&shape)) {
-    rendering::Bounds box = bounds(*primitive);
-    if (primitive->kind == PrimitiveKind::plane) {
-      box = {.lower_W = placement.position_m - Vec3::Constant(kPlaneShown_m),
-             .upper_W = placement.position_m + Vec3::Constant(kPlaneShown_m)};
-    }
-    const Vec3 rim = 0.02 * (box.upper_W - box.lower_W) + Vec3::Constant(1e-6);
-    return mesh_level_set([&](const Vec3& p) { return sample(*primitive, p).distance_m; },
-                          box.lower_W - rim, box.upper_W + rim, kCells);
+    return primitive_mesh(*primitive);
   }
   const auto& implicit = std::get<ImplicitDescription>(shape);
   const rendering::FormulaView formula = implicit.formula.view();

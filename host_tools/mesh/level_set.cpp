@@ -20,7 +20,7 @@ constexpr std::array<Tetrahedron, 6> kTetrahedra{
 class Mesher {
  public:
   Mesher(const LevelFunction& function, const Vec3& lower, const Vec3& upper, int cells)
-      : lower_(lower), step_((upper - lower) / cells) {
+      : function_(function), lower_(lower), step_((upper - lower) / cells) {
     points_.fill(static_cast<std::size_t>(cells) + 1);
     values_.reserve(points_[0] * points_[1] * points_[2]);
     for (std::size_t z = 0; z < points_[2]; ++z) {
@@ -102,19 +102,27 @@ class Mesher {
     mesh_.triangles.push_back({a, b, c});
   }
 
+  // By halving: a formula of high degree is far from straight within a part.
+  [[nodiscard]] Vec3 zero_between(Vec3 in, Vec3 out) const {
+    constexpr int kHalvings = 12;
+    for (int i = 0; i < kHalvings; ++i) {
+      const Vec3 middle = 0.5 * (in + out);
+      (function_(middle) < 0.0 ? in : out) = middle;
+    }
+    return 0.5 * (in + out);
+  }
+
   std::uint32_t crossing(std::size_t in, std::size_t out) {
     const std::size_t key = std::min(in, out) * values_.size() + std::max(in, out);
     const auto [found, is_new] =
         crossings_.try_emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
-      const double part = values_[in] / (values_[in] - values_[out]);
-      const Vec3 p = place(in) + part * (place(out) - place(in));
-      mesh_.vertices.push_back(
-          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+      mesh_.vertices.push_back(rendering::to_float3(zero_between(place(in), place(out))));
     }
     return found->second;
   }
 
+  const LevelFunction& function_;
   Vec3 lower_;
   Vec3 step_;
   std::array<std::size_t, 3> points_{};

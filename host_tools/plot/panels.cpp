@@ -62,6 +62,8 @@ std::string style_of(const Curve& curve, std::string_view colour) {
       return fmt::format("with lines dashtype 2 linewidth 1.5 linecolor \"{}\"", colour);
     case CurveStyle::points:
       return fmt::format("with points pointtype 7 pointsize 0.4 linecolor \"{}\"", colour);
+    case CurveStyle::faint_points:
+      return "with points pointtype 7 pointsize 0.5 linecolor \"#9fb7d1\"";
     case CurveStyle::line_with_points:
       return fmt::format(
           "with linespoints pointtype 7 pointsize 1.3 linewidth 1.7 linecolor \"{}\"", colour);

@@ -8,7 +8,7 @@
 
 namespace tactus::host {
 
-enum class CurveStyle { line, dashes, points, line_with_points };
+enum class CurveStyle { line, dashes, points, faint_points, line_with_points };
 
 struct Curve {
   std::string name;  // in the key; empty: not there

@@ -76,19 +76,39 @@ void fill(Canvas& canvas, const ScreenVertex& a, const ScreenVertex& b, const Sc
   }
 }
 
-// Area-weighted vertex normals, so that the shading shows the surface and not its triangles.
+// Twice the area, along the normal.
+Vec3 area_normal(const rendering::MeshView& mesh, const rendering::TriangleIndices& triangle) {
+  const Vec3 a = rendering::to_vec3(mesh.vertices[triangle[0]]);
+  const Vec3 b = rendering::to_vec3(mesh.vertices[triangle[1]]);
+  const Vec3 c = rendering::to_vec3(mesh.vertices[triangle[2]]);
+  return (b - a).cross(c - a);
+}
+
 std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {
-    const Vec3 a = rendering::to_vec3(mesh.vertices[triangle[0]]);
-    const Vec3 b = rendering::to_vec3(mesh.vertices[triangle[1]]);
-    const Vec3 c = rendering::to_vec3(mesh.vertices[triangle[2]]);
-    const Vec3 area = (b - a).cross(c - a);
+    const Vec3 area = area_normal(mesh, triangle);
     for (const std::uint32_t vertex : triangle) {
       normals[vertex] += area;
     }
   }
+  for (Vec3& normal : normals) {
+    normal.normalize();
+  }
   return normals;
+}
+
+// That of the vertices, so that the shading shows the surface and not its triangles; at a vertex of
+// a sharp edge its own.
+Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of_vertices,
+                    const rendering::TriangleIndices& triangle) {
+  constexpr double kSharp = 0.6;  // cosine of the angle between the two
+  const Vec3 own = area_normal(mesh, triangle).normalized();
+  Vec3 sum = Vec3::Zero();
+  for (const std::uint32_t vertex : triangle) {
+    sum += of_vertices[vertex].dot(own) < kSharp ? own : of_vertices[vertex];
+  }
+  return sum;
 }
 
 Vec3 toward_light(View view) {
@@ -124,7 +144,7 @@ void draw_mesh(Canvas& canvas, View view, const Window& window, const rendering:
                       .depth = nearness(view, p_W)});
   }
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {
-    const Vec3 normal = normals[triangle[0]] + normals[triangle[1]] + normals[triangle[2]];
+    const Vec3 normal = shading_normal(mesh, normals, triangle);
     fill(canvas, screen[triangle[0]], screen[triangle[1]], screen[triangle[2]], lit(normal, view));
   }
 }

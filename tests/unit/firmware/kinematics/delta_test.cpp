@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <random>
 
+#include "tests/support/share.h"
 #include "tests/unit/firmware/kinematics/delta_chain.h"
 
 namespace tactus::firmware {
@@ -147,7 +148,7 @@ TEST_F(FalconDelta, PowerAtTheJointsIsThePowerAtTheTool) {
 
 TEST_F(FalconDelta, TheAnswerDoesNotDependOnTheSeed) {
   start(20261125);
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < testing::share_of(20'000); ++i) {
     const Vec3 tool = random_tool(0.05);
     const Vec3 joints = *delta_.inverse(tool);
     const Vec3 seed(0.1 * random_unit(), 0.1 * random_unit(), 0.2 * random_unit());
@@ -195,7 +196,7 @@ TEST_F(FalconDelta, JointsThatNoToolFitsAreFlaggedAndKeepTheSeed) {
 
 TEST_F(FalconDelta, AnyJointsGiveAFinitePoseAndBoundedTorques) {
   start(20261126);
-  for (int i = 0; i < 50'000; ++i) {
+  for (int i = 0; i < testing::share_of(50'000); ++i) {
     const Vec3 joints = std::numbers::pi * Vec3(random_unit(), random_unit(), random_unit());
     const Pose pose = delta_.forward(joints, random_tool(0.05));
     EXPECT_TRUE(pose.p_D.allFinite());

@@ -14,12 +14,12 @@ namespace {
 using testing::contains;
 using testing::input_error;
 
-const std::string kPlate = "[[object]]\nprimitive = \"box\"\nsize_m = [0.1, 0.02, 0.1]\n";
+const std::string kHeldPlate = "[[object]]\nprimitive = \"box\"\nsize_m = [0.1, 0.02, 0.1]\n";
 const std::string kBareDevice =
     "[device]\nmass_kg = 0.1\ndamping_Ns_per_m = 1.0\nrate_hz = 1000\ndelay_ticks = 0\n";
 
 SceneDescription scene_of(const std::string& device, const std::string& object) {
-  return parse_scene_description(device + kPlate + object + "\n", "folder/scene.toml");
+  return parse_scene_description(device + kHeldPlate + object + "\n", "folder/scene.toml");
 }
 
 void require_stable(const SceneDescription& scene) {
@@ -220,13 +220,14 @@ TEST(FrictionCheck, WarnsNoLongerWhenItsAdviceIsTaken) {
 TEST(FrictionCheck, ReachesTheReportOfTheBaking) {
   const testing::TemporaryFolder folder;
   const std::filesystem::path image = folder.path() / "scene.tactus";
-  const std::filesystem::path scene = folder.write("scene.toml", kPlate + lugre(500.0, 1.0) + "\n");
+  const std::filesystem::path scene =
+      folder.write("scene.toml", kHeldPlate + lugre(500.0, 1.0) + "\n");
   const BakeReport report = bake_file(scene, image);
   ASSERT_EQ(report.objects[0].warnings.size(), 1U);
   EXPECT_TRUE(contains(report.objects[0].warnings[0], "can give out energy"));
   std::filesystem::remove(image);
   const std::filesystem::path stiff =
-      folder.write("stiff.toml", kPlate + lugre(50000.0, 1.0) + "\n");
+      folder.write("stiff.toml", kHeldPlate + lugre(50000.0, 1.0) + "\n");
   EXPECT_TRUE(
       contains(input_error([&] { bake_file(stiff, image); }), "stiff.toml:4: box friction"));
   EXPECT_FALSE(std::filesystem::exists(image));

@@ -1,12 +1,10 @@
 // Runs the tactus program as a user does.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "host_tools/bake/atomic_file.h"
+#include "tests/support/run_program.h"
 #include "tests/unit/host_tools/bake/box_files.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -14,28 +12,13 @@ namespace tactus::host {
 namespace {
 
 using testing::contains;
+using testing::Outcome;
 using testing::TemporaryFolder;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string output;  // of stdout and stderr, together
-};
 
 class TheProgram : public ::testing::Test {
  protected:
   Outcome run(const std::string& arguments) {
-    const std::string command =
-        "cd '" + folder.path().string() + "' && '" TACTUS_PROGRAM "' " + arguments + " 2>&1";
-    Outcome result;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    for (std::size_t n = 1; n != 0;) {
-      n = std::fread(buffer.data(), 1, buffer.size(), pipe);
-      result.output.append(buffer.data(), n);
-    }
-    const int status = ::pclose(pipe);
-    result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return result;
+    return testing::run_program(folder.path(), arguments);
   }
 
   void expect_bad_input(const std::string& arguments, std::string_view message) {

@@ -3,19 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "host_tools/input_error.h"
+#include "tests/support/png_size.h"
 #include "tests/support/solid.h"
 
 namespace tactus::host {
 namespace {
 
 using rendering::FrictionState;
+using testing::png_size;
 using testing::Solid;
 
 RunData stroke(std::size_t rows) {
@@ -33,29 +33,6 @@ RunData stroke(std::size_t rows) {
     run.rows.push_back(row);
   }
   return run;
-}
-
-struct Size {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-};
-
-// From the header that every PNG file begins with; zero for anything else.
-Size png_size(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(24, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head.substr(1, 3) != "PNG") {
-    return {};
-  }
-  const auto word = [&head](std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      value = value << 8U | static_cast<std::uint8_t>(head[at + i]);
-    }
-    return value;
-  };
-  return {.width = word(16), .height = word(20)};
 }
 
 std::filesystem::path fresh(const std::string& name) {

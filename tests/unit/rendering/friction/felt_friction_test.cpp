@@ -80,6 +80,14 @@ class FeltFriction : public ::testing::TestWithParam<NamedFriction> {
   std::unique_ptr<World> world_ = std::make_unique<World>();
 };
 
+// The cone has its own rule: cone_test.cpp.
+std::vector<NamedFriction> all_but_the_cone() {
+  std::vector<NamedFriction> kinds = every_kind(kFeltBristle_N_per_m);
+  std::erase_if(
+      kinds, [](const NamedFriction& kind) { return kind.parameters.kind == FrictionKind::cone; });
+  return kinds;
+}
+
 // Strokes that start, stop, turn and press more and less.
 class Stroke {
  public:
@@ -102,12 +110,11 @@ class Stroke {
   int tick_ = 0;
 };
 
-TEST_P(FeltFriction, TheProxyLagsByTheModelsForceOverTheStiffness) {
+class FeltModel : public FeltFriction {};
+
+TEST_P(FeltModel, TheProxyLagsByTheModelsForceOverTheStiffness) {
   constexpr std::uint64_t kStrokeSeed = 401;
-  FrictionParameters friction = GetParam().parameters;
-  if (friction.kind == FrictionKind::cone) {
-    GTEST_SKIP() << "the cone has its own rule: cone_test.cpp";
-  }
+  const FrictionParameters friction = GetParam().parameters;
   for (const Plate& plate : plates(friction)) {
     SCOPED_TRACE(plate.name + ", seed 401");
     take(plate);
@@ -154,6 +161,9 @@ TEST_P(FeltFriction, ContactMadeAndBrokenDoesNotKick) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FeltModel, ::testing::ValuesIn(all_but_the_cone()),
+                         [](const auto& kind) { return kind.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FeltFriction, ::testing::ValuesIn(every_kind(kFeltBristle_N_per_m)),
                          [](const auto& kind) { return kind.param.name; });
@@ -210,10 +220,7 @@ TEST_F(FeltFrictionLimits, AGrainTurnsTheForceAcross) {
 // Round and round a cylinder, its faces and its edges: what friction took is never given back.
 TEST_F(FeltFrictionLimits, RoundCornersNoModelGivesEnergyOrJumps) {
   const Solid cylinder(testing::prism(24, 0.02, 0.04), Sides::one, {});
-  for (const NamedFriction& kind : every_kind(kFeltBristle_N_per_m)) {
-    if (kind.parameters.kind == FrictionKind::cone) {
-      continue;
-    }
+  for (const NamedFriction& kind : all_but_the_cone()) {
     SCOPED_TRACE(kind.name);
     FrictionParameters friction = kind.parameters;
     // Jumps that no corner makes: where slip begins, these end, or fall to the other.

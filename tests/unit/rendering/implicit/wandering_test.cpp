@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "rendering/contact/first_crossing.h"
+#include "tests/support/share.h"
 #include "tests/unit/rendering/implicit/implicit_scene.h"
 
 namespace tactus::rendering {
@@ -17,7 +17,7 @@ constexpr std::uint64_t kWanderingSeed = 20260321;
 constexpr double kWanderingScale_m = 0.03;
 
 int ticks() {
-  return std::getenv("TACTUS_SOAK") != nullptr ? 400'000 : 20'000;  // NOLINT(concurrency-mt-unsafe)
+  return std::max(4'000, testing::share_of(20'000));
 }
 
 // Goes to random places about the shape at random speeds, trembling; jumps now and then.

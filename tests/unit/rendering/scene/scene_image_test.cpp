@@ -43,10 +43,8 @@ TEST(SceneImage, GivesBackWhatWasBaked) {
     EXPECT_EQ(object.sides, baked.sides);
     EXPECT_EQ(object.material.stiffness_N_per_m, baked.material.stiffness_N_per_m);
     EXPECT_EQ(object.material.damping_Ns_per_m, baked.material.damping_Ns_per_m);
-    EXPECT_EQ(object.material.friction.static_coefficient,
-              baked.material.friction.static_coefficient);
-    EXPECT_EQ(object.material.friction.dynamic_coefficient,
-              baked.material.friction.dynamic_coefficient);
+    EXPECT_EQ(object.material.friction.static_level, baked.material.friction.static_level);
+    EXPECT_EQ(object.material.friction.coulomb, baked.material.friction.coulomb);
     EXPECT_TRUE(std::ranges::equal(object.mesh.vertices, baked.mesh.vertices));
     EXPECT_TRUE(std::ranges::equal(object.mesh.triangles, baked.mesh.triangles));
     EXPECT_TRUE(std::ranges::equal(object.mesh.nodes, baked.mesh.nodes,

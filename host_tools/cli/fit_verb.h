@@ -1,0 +1,10 @@
+// `tactus fit`: the parameters of friction models from a measured record.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_fit_verb(CLI::App& app);
+
+}  // namespace tactus::host

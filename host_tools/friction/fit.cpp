@@ -1,0 +1,286 @@
+#include "host_tools/friction/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "host_tools/friction/fit_search.h"
+#include "host_tools/friction/fit_start.h"
+#include "host_tools/friction/parameter_names.h"
+
+namespace tactus::host {
+namespace {
+
+using rendering::FrictionKind;
+
+constexpr std::array kFittedKinds{FrictionKind::coulomb_viscous, FrictionKind::stribeck,
+                                  FrictionKind::dahl, FrictionKind::lugre};
+
+// From that standard error of a logarithm on, plus and minus two of it reach 0.
+constexpr double kUnknownFrom = 0.5;
+constexpr double kTwoSided95 = 1.96;
+
+// Rows a reversal on which the force is on its way. With fewer the turn itself, which happens
+// between two rows, decides what the model does in them.
+constexpr std::size_t kPreslidingRows = 2;
+
+double error_of(const Solution& solution, Quantity quantity) {
+  const std::vector<Quantity> free = solution.point.free_quantities();
+  const auto found = std::ranges::find(free, quantity);
+  return found == free.end() ? 0.0 : solution.squares.standard_errors(found - free.begin());
+}
+
+// Out of the search: at 0 where the model goes without it, else where it is.
+void take_out(FitPoint& point, Quantity quantity) {
+  const auto hold = [&point](Quantity q) { point.set_free(q, false); };
+  const auto drop = [&](Quantity q) {
+    hold(q);
+    point.set(q, 0.0);
+  };
+  switch (quantity) {
+    case Quantity::excess:
+      drop(Quantity::excess);
+      hold(Quantity::stribeck_velocity);
+      hold(Quantity::exponent);
+      break;
+    case Quantity::stiffness:
+      hold(Quantity::stiffness);
+      hold(Quantity::start_force);
+      if (point.is_free(Quantity::damping)) {
+        drop(Quantity::damping);
+      }
+      break;
+    case Quantity::viscous:
+    case Quantity::damping:
+      drop(quantity);
+      break;
+    default:
+      hold(quantity);
+  }
+}
+
+// The quantity that the data tell least about, if they do not tell enough: the fall with speed as a
+// whole before its parts.
+std::optional<Quantity> least_known(const Solution& solution) {
+  if (!(error_of(solution, Quantity::excess) < kUnknownFrom)) {
+    return Quantity::excess;
+  }
+  std::optional<Quantity> worst;
+  double most = kUnknownFrom;
+  for (const Quantity q : solution.point.free_quantities()) {
+    const double error = error_of(solution, q);
+    if (q != Quantity::coulomb && q != Quantity::start_force && !(error < most)) {
+      worst = q;
+      most = error;
+    }
+  }
+  return worst;
+}
+
+// A curve that falls finds something to follow in any noise, and its standard errors do not tell
+// it: they are those of that place. So the fit without the fall must be clearly worse.
+Solution with_a_fall_that_is_there(Solution solution, const FrictionRecord& record,
+                                   const RecordTraits& traits) {
+  constexpr double kClearly = 12.0;  // of twice the logarithm of the likelihood
+  if (!solution.point.is_free(Quantity::excess)) {
+    return solution;
+  }
+  FitPoint without = solution.point;
+  take_out(without, Quantity::excess);
+  const SteadyCurve curve = steady_curve(record, traits, false);
+  without.set(Quantity::coulomb, curve.coulomb);
+  without.set(Quantity::viscous, curve.viscous_s_per_m);
+  Solution other = solve(without, record);
+  const double gain = static_cast<double>(record.rows()) *
+                      std::log(other.squares.sum_of_squares / solution.squares.sum_of_squares);
+  return gain < kClearly ? other : solution;
+}
+
+bool shows_presliding(const RecordTraits& traits) {
+  return traits.presliding_rows >= kPreslidingRows * (traits.reversals + 1);
+}
+
+// A soft bristle could take the shape of anything in a record that does not show presliding: one
+// is held that is too stiff to be seen.
+FitPoint without_presliding(const FitPoint& start, const RecordTraits& traits) {
+  FitPoint point = start;
+  take_out(point, Quantity::stiffness);
+  point.set(Quantity::stiffness, stiffest(start, traits));
+  return point;
+}
+
+// A stiffness that the data do not tell still has a least value: where the sum of squares has
+// risen by what chance raises it in one of twenty cases. 0 if there is none.
+double least_stiffness(const Solution& solution, const FrictionRecord& record) {
+  constexpr double kByChance = 3.84;
+  constexpr int kHalvings = 60;
+  constexpr int kBisections = 6;
+  const double limit =
+      solution.squares.sum_of_squares * (1.0 + kByChance / static_cast<double>(record.rows()));
+  FitPoint point = solution.point;
+  const auto is_enough = [&](double stiffness) {
+    point.set(Quantity::stiffness, stiffness);
+    return sum_of_squares(point, record) <= limit;
+  };
+  double enough = solution.point[Quantity::stiffness];
+  int halvings = 0;
+  while (halvings < kHalvings && is_enough(0.5 * enough)) {
+    enough *= 0.5;
+    ++halvings;
+  }
+  double too_little = 0.5 * enough;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = std::sqrt(enough * too_little);
+    (is_enough(middle) ? enough : too_little) = middle;
+  }
+  return halvings < kHalvings ? enough : 0.0;
+}
+
+std::string why_no_stiffness(const Solution& solution, const FrictionRecord& record,
+                             const RecordTraits& traits) {
+  const double least = least_stiffness(solution, record);
+  const std::string bound =
+      least > 0.0 ? fmt::format("; it is at least {:.2g} N/m", least) : std::string{};
+  if (traits.reversals == 0 && !shows_presliding(traits)) {
+    return "no presliding in the data: the motion neither starts at rest nor turns back" + bound;
+  }
+  if (!shows_presliding(traits)) {
+    return "no presliding in the data: at a reversal the force is on the other side within a row "
+           "or "
+           "two; sample faster, or reverse more slowly" +
+           bound;
+  }
+  return "the noise hides presliding" + bound;
+}
+
+std::string why_unknown(Quantity quantity, const Solution& solution, const FrictionRecord& record,
+                        const RecordTraits& traits) {
+  switch (quantity) {
+    case Quantity::excess:
+      return fmt::format(
+          "no fall of the friction with speed in the data: no velocities near vs among those from "
+          "{:.2g} to {:.2g} m/s, or the noise hides it",
+          traits.slowest_m_per_s, traits.fastest_m_per_s);
+    case Quantity::stribeck_velocity:
+    case Quantity::exponent:
+      return solution.point[Quantity::excess] > 0.0 ? "too few velocities near vs in the data"
+                                                    : "it has no effect while Fs is Fc";
+    case Quantity::viscous:
+      return fmt::format("not to be told from 0 at speeds up to {:.2g} m/s",
+                         traits.fastest_m_per_s);
+    case Quantity::stiffness:
+      return why_no_stiffness(solution, record, traits);
+    case Quantity::damping:
+      return !solution.point.is_free(Quantity::stiffness)
+                 ? "it shows only in presliding, of which the data tell nothing"
+                 : "not to be told from 0: it shows only where the motion is fast in presliding";
+    default:
+      return "the model does not fit these data";
+  }
+}
+
+// Static friction is the sum of two quantities; the errors of logarithms are relative ones.
+double static_error(const Solution& solution) {
+  const std::vector<Quantity> free = solution.point.free_quantities();
+  const double level = solution.point[Quantity::coulomb] + solution.point[Quantity::excess];
+  const auto share = [&](Eigen::Index i) {
+    const Quantity q = free[static_cast<std::size_t>(i)];
+    const bool is_part = q == Quantity::coulomb || q == Quantity::excess;
+    return is_part ? solution.point[q] / level : 0.0;
+  };
+  const Eigen::MatrixXd& covariance = solution.squares.covariance;
+  double variance = 0.0;
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    for (Eigen::Index j = 0; j < covariance.cols(); ++j) {
+      variance += share(i) * covariance(i, j) * share(j);
+    }
+  }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+FittedParameter described(Quantity quantity, const Solution& solution, bool was_searched,
+                          const FrictionRecord& record, const RecordTraits& traits) {
+  const bool is_static = quantity == Quantity::excess;
+  FittedParameter result{.symbol = symbol_of(quantity), .value = solution.point[quantity]};
+  if (is_static) {
+    result.value += solution.point[Quantity::coulomb];
+  }
+  const double error = is_static ? static_error(solution) : error_of(solution, quantity);
+  if (!was_searched) {
+    result.knowledge = Knowledge::held;
+  } else if (!solution.point.is_free(quantity) || !(error < kUnknownFrom)) {
+    result.knowledge = Knowledge::unknown;
+    result.why_unknown = why_unknown(quantity, solution, record, traits);
+  } else {
+    result.low = result.value * std::exp(-kTwoSided95 * error);
+    result.high = result.value * std::exp(kTwoSided95 * error);
+  }
+  return result;
+}
+
+FrictionFit report_of(const Solution& solution, const FitPoint& start, const FrictionRecord& record,
+                      const RecordTraits& traits) {
+  FrictionFit fit{.friction = solution.point.friction(),
+                  .has_converged = solution.squares.has_converged};
+  constexpr std::array kInOrder{
+      Quantity::coulomb,  Quantity::excess,    Quantity::viscous, Quantity::stribeck_velocity,
+      Quantity::exponent, Quantity::stiffness, Quantity::damping};
+  const bool falls = start.is_free(Quantity::excess);
+  for (const Quantity q : kInOrder) {
+    if (start.is_free(q) || (q == Quantity::exponent && falls)) {
+      fit.parameters.push_back(described(q, solution, start.is_free(q), record, traits));
+    }
+  }
+  Eigen::VectorXd forces;
+  model_forces(solution.point, record, forces);
+  fit.force_N.assign(forces.begin(), forces.end());
+  const auto rows = static_cast<double>(record.rows() - 1);
+  const auto count = static_cast<double>(solution.point.free_quantities().size());
+  const double sum = sum_of_squares(solution.point, record) -
+                     std::pow(fit.force_N.front() - record.force_N.front(), 2);
+  const double mean_square = std::max(sum / rows, std::numeric_limits<double>::min());
+  fit.residual_N = std::sqrt(mean_square);
+  fit.aic = rows * std::log(mean_square) + 2.0 * (count + 1.0);
+  return fit;
+}
+
+}  // namespace
+
+const FittedParameter& FrictionFit::parameter(std::string_view symbol) const {
+  return *std::ranges::find(parameters, symbol, &FittedParameter::symbol);
+}
+
+FrictionFit fit_friction(const FrictionRecord& record, FrictionKind kind,
+                         const FitOptions& options) {
+  const RecordTraits traits = traits_of(record);
+  const std::vector<FitPoint> starts = starts_of(record, traits, kind, options);
+  const FitPoint& start = starts.front();
+  const bool knows_bristles = !start.is_free(Quantity::stiffness) || shows_presliding(traits);
+  Solution solution = knows_bristles ? best_solution(starts, record)
+                                     : best_solution({{without_presliding(start, traits)}}, record);
+  solution = with_a_fall_that_is_there(std::move(solution), record, traits);
+  while (const std::optional<Quantity> unknown = least_known(solution)) {
+    FitPoint without = solution.point;
+    take_out(without, *unknown);
+    solution = solve(without, record);
+  }
+  return report_of(solution, start, record, traits);
+}
+
+std::span<const FrictionKind> fitted_kinds() {
+  return kFittedKinds;
+}
+
+std::size_t preferred(std::span<const FrictionFit> fits) {
+  constexpr double kSaysNothing = 2.0;
+  const double least = std::ranges::min_element(fits, {}, &FrictionFit::aic)->aic;
+  const auto first = std::ranges::find_if(
+      fits, [=](const FrictionFit& fit) { return fit.aic <= least + kSaysNothing; });
+  return static_cast<std::size_t>(first - fits.begin());
+}
+
+}  // namespace tactus::host

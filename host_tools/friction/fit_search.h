@@ -1,0 +1,33 @@
+// The search for the point that fits a record best: where it starts and how it goes on.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host_tools/friction/fit.h"
+#include "host_tools/friction/fit_space.h"
+#include "host_tools/friction/least_squares.h"
+
+namespace tactus::host {
+
+struct Solution {
+  FitPoint point;
+  LeastSquares squares;  // of the steps from where the search began, in the order of the free
+};
+
+// From `start` to the least sum of squares near it.
+Solution solve(const FitPoint& start, const FrictionRecord& record);
+
+// Points from which a search should find the least of all, one at least. All quantities of the
+// kind are free in them.
+std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits& traits,
+                                rendering::FrictionKind kind, const FitOptions& options);
+
+// A bristle with which presliding is over within a tenth of the shortest steps of the record.
+double stiffest(const FitPoint& point, const RecordTraits& traits);
+
+// Goes a short way from each start, and from others that know the fall with speed less well; from
+// the best to the end, under both meanings of a row.
+Solution best_solution(std::span<const FitPoint> starts, const FrictionRecord& record);
+
+}  // namespace tactus::host

@@ -1,0 +1,142 @@
+#include "host_tools/mesh/primitive_mesh.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tactus::host {
+namespace {
+
+using rendering::PrimitiveKind;
+
+constexpr std::uint32_t kSides = 48;
+constexpr double kShownOfAPlane_m = 0.1;
+
+// Half of a section through the axis: distance from it, and y.
+struct ProfilePoint {
+  double radius_m = 0.0;
+  double y_m = 0.0;
+};
+using Profile = std::vector<ProfilePoint>;
+
+// In the primitive's own frame.
+class Lathe {
+ public:
+  // The profile goes down along the outside; a point on the axis becomes one vertex.
+  TriangleMesh turn(const Profile& profile, bool closed) {
+    std::vector<std::uint32_t> rings;
+    for (const ProfilePoint& point : profile) {
+      rings.push_back(add_ring(point));
+    }
+    for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+      join(profile[i], rings[i], profile[i + 1], rings[i + 1]);
+    }
+    if (closed) {
+      join(profile.back(), rings.back(), profile.front(), rings.front());
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  static bool on_axis(const ProfilePoint& point) { return point.radius_m == 0.0; }
+
+  std::uint32_t add_ring(const ProfilePoint& point) {
+    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const std::uint32_t count = on_axis(point) ? 1 : kSides;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kSides;
+      mesh_.vertices.push_back(rendering::to_float3(
+          {point.radius_m * std::cos(angle), point.y_m, point.radius_m * std::sin(angle)}));
+    }
+    return first;
+  }
+
+  void join(const ProfilePoint& upper, std::uint32_t above, const ProfilePoint& lower,
+            std::uint32_t below) {
+    for (std::uint32_t k = 0; k < kSides; ++k) {
+      const std::uint32_t next = (k + 1) % kSides;
+      if (!on_axis(upper)) {
+        const std::uint32_t foot = on_axis(lower) ? below : below + k;
+        mesh_.triangles.push_back({above + k, above + next, foot});
+      }
+      if (!on_axis(lower)) {
+        const std::uint32_t head = on_axis(upper) ? above : above + next;
+        mesh_.triangles.push_back({head, below + next, below + k});
+      }
+    }
+  }
+
+  TriangleMesh mesh_;
+};
+
+// A quarter or more of a circle in the section, from one angle to the other; angles from the
+// outside up.
+void add_arc(Profile& profile, const ProfilePoint& middle, double radius_m, double from,
+             double to) {
+  const auto steps =
+      static_cast<int>(std::lround(std::abs(to - from) * kSides / (2.0 * std::numbers::pi)));
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = from + (to - from) * i / steps;
+    profile.push_back(
+        {middle.radius_m + radius_m * std::cos(angle), middle.y_m + radius_m * std::sin(angle)});
+  }
+}
+
+TriangleMesh round_mesh(const rendering::Primitive& primitive) {
+  constexpr double kQuarter = 0.5 * std::numbers::pi;
+  const auto& [a, b, c] = primitive.dimensions_m;
+  Profile profile;
+  switch (primitive.kind) {
+    case PrimitiveKind::cylinder:
+      return Lathe().turn({{0.0, b}, {a, b}, {a, -b}, {0.0, -b}}, false);
+    case PrimitiveKind::cone:
+      return Lathe().turn({{0.0, b}, {a, 0.0}, {0.0, 0.0}}, false);
+    case PrimitiveKind::torus:
+      add_arc(profile, {a, 0.0}, b, kQuarter, -3.0 * kQuarter);
+      profile.pop_back();  // it is the first again
+      return Lathe().turn(profile, true);
+    case PrimitiveKind::capsule:
+      add_arc(profile, {0.0, b}, a, kQuarter, 0.0);
+      add_arc(profile, {0.0, -b}, a, 0.0, -kQuarter);
+      break;
+    default:
+      add_arc(profile, {}, a, kQuarter, -kQuarter);
+      break;
+  }
+  profile.front().radius_m = profile.back().radius_m = 0.0;
+  return Lathe().turn(profile, false);
+}
+
+TriangleMesh box_mesh(const Vec3& half_m) {
+  TriangleMesh mesh;
+  for (int corner = 0; corner < 8; ++corner) {
+    mesh.vertices.push_back(rendering::to_float3({(corner & 1) != 0 ? half_m.x() : -half_m.x(),
+                                                  (corner & 2) != 0 ? half_m.y() : -half_m.y(),
+                                                  (corner & 4) != 0 ? half_m.z() : -half_m.z()}));
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+TriangleMesh plane_mesh() {
+  constexpr auto kHalf = static_cast<float>(kShownOfAPlane_m);
+  return {
+      .vertices = {{-kHalf, 0, -kHalf}, {-kHalf, 0, kHalf}, {kHalf, 0, kHalf}, {kHalf, 0, -kHalf}},
+      .triangles = {{0, 1, 2}, {0, 2, 3}},
+      .corner_places = {}};
+}
+
+}  // namespace
+
+TriangleMesh primitive_mesh(const rendering::Primitive& primitive) {
+  const auto& [a, b, c] = primitive.dimensions_m;
+  TriangleMesh mesh = primitive.kind == PrimitiveKind::plane ? plane_mesh()
+                      : primitive.kind == PrimitiveKind::box ? box_mesh({a, b, c})
+                                                             : round_mesh(primitive);
+  for (rendering::Float3& vertex : mesh.vertices) {
+    vertex = rendering::to_float3(primitive.X_WO.point(rendering::to_vec3(vertex)));
+  }
+  return mesh;
+}
+
+}  // namespace tactus::host
