@@ -88,6 +88,7 @@ std::vector<FitPoint> damped_starts(const FitPoint& point, const FrictionRecord&
   constexpr std::array kTimes_s{1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};  // sigma1 N / sigma0
   constexpr double kMuchWorse = 2.0;
   std::vector<Candidate> candidates;
+  candidates.reserve(kTimes_s.size());
   for (const double time_s : kTimes_s) {
     candidates.push_back(best_bristle(point, record, traits, time_s));
   }
