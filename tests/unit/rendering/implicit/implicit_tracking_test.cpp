@@ -205,6 +205,32 @@ TEST(ImplicitTracking, SticksWithinTheCircleOfStaticFriction) {
   EXPECT_NEAR(rest.proxy_W.x(), 0.0041 - 0.5 * 0.005, 1e-6);
 }
 
+// The oracle is the model, driven by hand; friction/felt_friction_test.cpp has the other surfaces.
+TEST(ImplicitTracking, LagsByAModelsForceOverTheStiffness) {
+  const FormulaSurface ground("y", 0.1);
+  constexpr Material kBristles{
+      .stiffness_N_per_m = 1000.0,
+      .friction = {.kind = FrictionKind::dahl, .coulomb = 0.5, .stiffness_N_per_m = 400.0}};
+  constexpr double kStep_m = 5e-5;
+  ImplicitTracker tracker;
+  FrictionMemory<Vec3> memory;
+  Vec3 tool(0.0, 0.01, 0.0);
+  tracker.place(tool);
+  for (int tick = 0; tick < 400; ++tick) {
+    const Vec3 step = tick == 0 ? Vec3(0.0, -0.012, 0.0)
+                                : Vec3(tick < 200 ? kStep_m : 0.0, 0.0, tick < 200 ? 0.0 : kStep_m);
+    tool += step;
+    tracker.begin_friction(step, 1e-3);
+    const ImplicitRest rest = tracker.advance(ground.surface, kBristles, tool);
+    const Vec3 slid = tick == 0 ? Vec3(Vec3::Zero()) : step;
+    const auto expected =
+        update_friction(kBristles.friction, memory, slid, 1000.0 * rest.depth_m, 1e-3);
+    const Vec3 lag = tool - rest.proxy_W;
+    ASSERT_NEAR(lag.x(), expected.force_N.x() / 1000.0, 1e-8) << "tick " << tick;
+    ASSERT_NEAR(lag.z(), expected.force_N.z() / 1000.0, 1e-8) << "tick " << tick;
+  }
+}
+
 TEST(ImplicitTracking, FollowsItsSurfaceWhenThatMovesAndTurns) {
   FormulaSurface box("box(1, 0.01, 1)", 0.1);
   ImplicitTracker tracker;
