@@ -30,9 +30,10 @@ inline void turn(FrictionMemory<Vec3>& memory, const Vec3& from, const Vec3& to)
 // energy, and is lowered to the energy that there is where it would.
 template <typename Vector>
 void change_stiffness(FrictionMemory<Vector>& memory, double old_N_per_m, double new_N_per_m) {
-  const bool is_softer = new_N_per_m > 0.0 && !(old_N_per_m > 0.0 && old_N_per_m <= new_N_per_m);
+  const bool was_rigid = old_N_per_m <= 0.0;
+  const bool is_softer = new_N_per_m > 0.0 && (was_rigid || new_N_per_m < old_N_per_m);
   if (is_softer) {
-    const double share = old_N_per_m > 0.0 ? std::sqrt(new_N_per_m / old_N_per_m) : 0.0;
+    const double share = was_rigid ? 0.0 : std::sqrt(new_N_per_m / old_N_per_m);
     memory.elastic_force_N *= share;
   }
 }

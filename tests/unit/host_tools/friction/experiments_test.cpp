@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/support/csv.h"
@@ -76,7 +77,7 @@ TEST_P(Published, FrictionalLag) {
 
 TEST_P(Published, BreakAway) {
   const Csv csv("lugre_breakaway_fig4.csv");
-  const char* setup[] = {"rates_N_per_s=1,5,20,50"};
+  const std::array setup{"rates_N_per_s=1,5,20,50"};
   const ExperimentResult result = run("break-away", FrictionKind::lugre, GetParam(), setup);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     EXPECT_EQ(found(result, row, "rate_N_per_s"), csv.number(row, "force_rate_N_s"));
@@ -115,7 +116,7 @@ TEST_P(Published, KarnoppsStickSlipIsTheClosedForm) {
 
 TEST_P(Published, HysteresisIsDahlsClosedForm) {
   const Csv csv("dahl_loop_analytic.csv");
-  const char* setup[] = {"amplitudes_m=1e-5,2e-5,1e-3"};
+  const std::array setup{"amplitudes_m=1e-5,2e-5,1e-3"};
   const ExperimentResult result = run("hysteresis", FrictionKind::dahl, GetParam(), setup);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     for (std::size_t i = 0; i < 3; ++i) {

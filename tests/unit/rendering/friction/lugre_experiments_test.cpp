@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -97,9 +98,9 @@ TEST_P(LugreExperiments, FrictionLagsBehindTheVelocity) {
     }
     return std::nan("");
   };
-  const double levels[] = {0.001, 0.0015, 0.002};
-  const char* names[] = {"0.001", "0.0015", "0.002"};
-  for (int i = 0; i < 3; ++i) {
+  const std::array levels{0.001, 0.0015, 0.002};
+  const std::array names{"0.001", "0.0015", "0.002"};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
     const double falling = csv.number(0, std::string("dec_") + names[i]);
     const double rising = csv.number(0, std::string("inc_") + names[i]);
     expect_within(at(levels[i], false), falling, 2e-4, names[i]);

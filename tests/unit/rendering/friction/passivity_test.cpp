@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -63,16 +64,16 @@ TEST(LugrePassivity, TheDemonstrationGivesOutTheEnergyThatTheReferenceSays) {
   const FrictionParameters constant = published(FrictionKind::lugre);
   FrictionParameters fading = constant;
   fading.damping_fade_m_per_s = constant.stribeck_velocity_m_per_s;
-  FrictionMemory<double> memory[2];
-  double absorbed_J[2] = {};
+  std::array<FrictionMemory<double>, 2> memory;
+  std::array<double, 2> absorbed_J{};
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const double v = csv.number(row, "v_m_s");
     const double duration = csv.number(row, "duration_s");
     const int ticks = row % 2 == 0 ? 600 : 1;
     const double displacement = v * duration / ticks;
     for (int k = 0; k < ticks; ++k) {
-      const FrictionParameters* parameters[2] = {&constant, &fading};
-      for (int i = 0; i < 2; ++i) {
+      const std::array<const FrictionParameters*, 2> parameters{&constant, &fading};
+      for (std::size_t i = 0; i < 2; ++i) {
         absorbed_J[i] += displacement * update_friction(*parameters[i], memory[i], displacement,
                                                         1.0, duration / ticks)
                                             .mean_force_N;

@@ -1,6 +1,7 @@
 // Two tangential dimensions: paths with closed forms, and that no direction is better than another.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <random>
@@ -32,7 +33,7 @@ Vec3 tractrix(double phase) {
 }
 
 using Path = Vec3 (*)(double);
-constexpr Path kPaths[] = {circle, figure_eight, tractrix};
+constexpr std::array<Path, 3> kPaths{circle, figure_eight, tractrix};
 
 class EveryKindInThePlane : public ::testing::TestWithParam<NamedFriction> {};
 
