@@ -99,6 +99,10 @@ class SphereProxy {
   [[nodiscard]] std::size_t peak_candidates() const { return neighbourhood_.peak(); }
 
  private:
+  // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the
+  // inside) is pushed out no faster than this a tick; within the shell it is put right at once.
+  static constexpr double kMostPushOut_m = 20e-6;
+
   struct Goal {
     Vec3 point = Vec3::Zero();
     bool settled = false;

@@ -1,0 +1,184 @@
+// Where the proxy goes next: the nearest point that its planes allow, as far as friction lets it.
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/contact/sphere_proxy.h"
+#include "rendering/friction/cone.h"
+
+namespace tactus::rendering {
+namespace {
+
+// Moves shorter than this are none: a micronewton at 1000 N/m.
+constexpr double kSettled_m = 1e-9;
+// What a proxy that sticks may be below its rest: it then clears the seams that it slides over
+// next.
+constexpr double kUnevenRest_m = 50e-9;
+
+}  // namespace
+
+PlaneProjection SphereProxy::project(const Vec3& h) const {
+  constexpr double kSlack_m = 1e-12;  // keeps the proxy within its own planes in spite of rounding
+  std::array<Plane, kMaxContactPlanes> planes;
+  for (std::size_t i = 0; i < contact_count_; ++i) {
+    planes[i] = contacts_[i].plane;
+  }
+  const std::span<Plane> used{planes.data(), contact_count_};
+  const double now = (p_ - h).norm();
+  PlaneProjection projection = project_on_planes(h, used);
+  if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
+    return projection;
+  }
+  // Surfaces that push against each other leave no room: the proxy may slide between them, but is
+  // not pushed.
+  for (Plane& plane : used) {
+    plane.offset = std::min(plane.offset, plane.normal.dot(p_)) - kSlack_m;
+  }
+  projection = project_on_planes(h, used);
+  projection.feasible = projection.feasible && (projection.point - h).norm() <= now;
+  return projection;
+}
+
+// Straight up to where the planes want it: a sweep ends a little below, where the next seam would
+// stop it, and friction alone would leave it there.
+Vec3 SphereProxy::risen_to_rest() const {
+  std::array<Plane, kMaxContactPlanes> planes;
+  bool low = false;
+  for (std::size_t i = 0; i < contact_count_; ++i) {
+    planes[i] = contacts_[i].plane;
+    low = low || planes[i].normal.dot(p_) < planes[i].offset - kSettled_m;
+  }
+  if (!low) {
+    return p_;
+  }
+  const PlaneProjection up = project_on_planes(p_, std::span(planes).first(contact_count_));
+  return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
+}
+
+SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
+  const PlaneProjection projection = project(h);
+  rest.plane_count = projection.active_count;
+  rest.normal_W = Vec3::Zero();
+  if (projection.active_count == 0) {
+    const bool arrived = (h - p_).squaredNorm() <= 0.0;
+    if (arrived) {
+      friction_ = FrictionState::free;
+    }
+    return {.point = h, .settled = arrived};
+  }
+  FrictionCircle circle;
+  double total = 0.0;
+  bool in_cone = true;
+  for (std::size_t i = 0; i < projection.active_count; ++i) {
+    const ContactPlane& contact = contacts_[projection.active[i]];
+    const Material& material = scenery[contact.object].material;
+    const double pressure = projection.pressure_m[i];
+    rest.planes[i] = contact;
+    rest.pressure_m[i] = pressure;
+    rest.normal_W += pressure * contact.plane.normal;
+    const double push = factors_.of(contact.object) * pressure;
+    total += pressure;
+    circle.static_radius_m += material.friction.static_level * push;
+    circle.dynamic_radius_m += material.friction.coulomb * push;
+    in_cone = in_cone && is_plain_cone(material);
+  }
+  rest.normal_W.normalize();
+  if (!in_cone) {
+    return lag_behind(scenery, projection, h, rest);
+  }
+  if (factors_.depth_m > 0.0) {
+    const double deeper = factors_.depth_m / total;
+    circle.static_radius_m *= deeper;
+    circle.dynamic_radius_m *= deeper;
+  }
+  return stay_in_cone(projection, circle, h, rest);
+}
+
+SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,
+                                            const FrictionCircle& circle, const Vec3& h,
+                                            const ProxyRest& rest) {
+  const Vec3 risen = projection.feasible ? risen_to_rest() : p_;
+  const FrictionStep step = apply_cone(risen, projection.point, circle, friction_);
+  slipped_ = slipped_ || step.state == FrictionState::slip;
+  friction_ = slipped_ ? FrictionState::slip : step.state;
+  if (step.state == FrictionState::stick || !projection.feasible) {
+    const double away = (step.goal - p_).norm();
+    return {.point = step.goal, .settled = away <= kUnevenRest_m || !projection.feasible};
+  }
+  return go_toward(step.goal, h, rest);
+}
+
+// The surface that pushes hardest has its way, under the push of all.
+SphereProxy::Goal SphereProxy::lag_behind(const Scenery& scenery, const PlaneProjection& projection,
+                                          const Vec3& h, const ProxyRest& rest) {
+  std::size_t hardest = 0;
+  double push = 0.0;
+  double stiffness = 0.0;
+  double total = 0.0;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    hardest = rest.pressure_m[i] > rest.pressure_m[hardest] ? i : hardest;
+    push += factors_.of(rest.planes[i].object) * rest.pressure_m[i];
+    stiffness += rest.pressure_m[i] * scenery[rest.planes[i].object].material.stiffness_N_per_m;
+    total += rest.pressure_m[i];
+  }
+  push *= factors_.depth_m > 0.0 ? factors_.depth_m / total : 1.0;
+  stiffness /= total;
+  const std::uint32_t object = rest.planes[hardest].object;
+  const Material& material = scenery[object].material;
+  const FrictionLag lag =
+      model_.lag({.friction = material.friction,
+                  .stiffness_N_per_m = stiffness,
+                  .grain = {.direction = direction_from(scenery.mover_of(object),
+                                                        to_vec3(material.grain.direction_O)),
+                            .along = material.grain.along,
+                            .across = material.grain.across}},
+                 rest.normal_W, stiffness * push);
+  friction_ = lag.state;
+  if (!projection.feasible) {
+    return {.point = p_, .settled = true};
+  }
+  return go_toward(projection.point - lag.lag_m, h - lag.lag_m, rest);
+}
+
+SphereProxy::Goal SphereProxy::go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest) {
+  const Vec3 move = goal - p_;
+  if (move.norm() <= kSettled_m) {
+    return {.point = p_, .settled = true};
+  }
+  const Vec3 way = follow_curvature(move, h, rest);
+  return {.point = p_ + way, .stretched = way != move};
+}
+
+// On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and
+// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by R /
+// |R - depth| a move ends on the ray from the feature through the goal, from where the next
+// sub-goal drops straight onto it (or, where the tool lies beyond the feature and the sphere rolls
+// off, each move doubles the last). On the way there the distance to the tool may grow; if it is
+// not made good when the sphere touches again, the rest of the tick does without.
+Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
+  constexpr double kMostOfRadius = 0.25;
+  const Nearest& nearest = rest.planes[0].nearest;
+  const double to_tool = (p_ - h).norm();
+  stretching_ = stretching_ && to_tool < last_to_tool_m_;
+  last_to_tool_m_ = to_tool;
+  const double radius = nearest.distance;
+  const double length = move.norm();
+  if (!stretching_ || rest.plane_count != 1 || nearest.feature == Feature::face ||
+      length >= kMostOfRadius * radius) {
+    return move;
+  }
+  const double most = kMostOfRadius * radius / length;
+  const double stretch = std::min(most, radius / std::abs(radius - rest.pressure_m[0]));
+  Vec3 along = Vec3::Zero();
+  if (nearest.feature == Feature::edge) {
+    const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
+    const Vec3 edge = triangle.edge(nearest.edge).normalized();
+    along = move.dot(edge) * edge;
+  }
+  const Vec3 stretched = along + stretch * (move - along);
+  const bool allowed = std::all_of(
+      contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
+      [&](const ContactPlane& c) { return c.plane.normal.dot(p_ + stretched) >= c.plane.offset; });
+  return allowed ? stretched : move;
+}
+
+}  // namespace tactus::rendering
