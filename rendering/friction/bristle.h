@@ -48,16 +48,20 @@ struct Decay {
 inline Decay decay(double a) {
   constexpr double kSeriesEnds = 0.125;  // the first term left out is below 2e-16 there
   constexpr double kAllGone = 40.0;      // exp(-40) is below a double's rounding of 1
-  // sum over k of (-a)^k / (k + 2)!, by Horner's rule: each factor is 1 / (k + 2).
-  constexpr std::array kFactors{1.0 / 3, 1.0 / 4, 1.0 / 5,  1.0 / 6,  1.0 / 7,
-                                1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12};
+  // 2 / (k + 2)!: `rest` is half the sum over k of these times (-a)^k.
+  constexpr std::array kTerms{1.0,           1.0 / 3,        1.0 / 12,        1.0 / 60,
+                              1.0 / 360,     1.0 / 2520,     1.0 / 20160,     1.0 / 181440,
+                              1.0 / 1814400, 1.0 / 19958400, 1.0 / 239500800, 1.0 / 3113510400};
   Decay result;
   if (a < kSeriesEnds) {
-    double sum = 1.0;
-    for (std::size_t k = kFactors.size(); k-- > 0;) {
-      sum = 1.0 - a * kFactors[k] * sum;
+    // Even and odd powers are two chains that do not wait for each other.
+    double even = 0.0;
+    double odd = 0.0;
+    for (std::size_t k = kTerms.size(); k > 0; k -= 2) {
+      even = kTerms[k - 2] + a * a * even;
+      odd = kTerms[k - 1] + a * a * odd;
     }
-    result.rest = 0.5 * sum;
+    result.rest = 0.5 * (even - a * odd);
     result.mean = 1.0 - a * result.rest;
     result.left = 1.0 - a * result.mean;
     return result;
