@@ -50,10 +50,6 @@ void check_geometry(RangeCheck& check, const DeltaGeometry& g) {
   check.in("mechanism.nominal_height_m", g.nominal_height_m, 0.0, 2.0);
 }
 
-bool has_static_level(rendering::FrictionKind kind) {
-  return kind != rendering::FrictionKind::dahl && kind != rendering::FrictionKind::coulomb_viscous;
-}
-
 void check_friction(RangeCheck& check, const JointFriction& joint) {
   check.in("friction.compensated_share", joint.compensated_share, 0.0, kMaxCompensatedShare);
   check.in("friction.turn_length", joint.turn_length, 0.0, 1.0);
@@ -61,7 +57,7 @@ void check_friction(RangeCheck& check, const JointFriction& joint) {
     const rendering::FrictionParameters& model = joint.model;
     check.in("friction.model.coulomb", model.coulomb, 0.0, kStrongest);
     check.in("friction.model.static_level", model.static_level,
-             has_static_level(model.kind) ? model.coulomb : 0.0, kStrongest);
+             rendering::has_static_level(model.kind) ? model.coulomb : 0.0, kStrongest);
     check.in("friction.model.viscous_s_per_m", model.viscous_s_per_m, 0.0, kStrongest);
     check.in("friction.model.stiffness_N_per_m", model.stiffness_N_per_m, 0.0, kStiffest);
     check.in("friction.turn_length", presliding_length(joint), kLeastTurnLength, 1.0);
@@ -72,8 +68,9 @@ void check_friction(RangeCheck& check, const JointFriction& joint) {
 
 double presliding_length(const JointFriction& joint) {
   const rendering::FrictionParameters& model = joint.model;
-  const double level = has_static_level(model.kind) ? model.static_level : model.coulomb;
-  const double own = model.stiffness_N_per_m > 0.0 ? level / model.stiffness_N_per_m : 0.0;
+  const double own = model.stiffness_N_per_m > 0.0
+                         ? rendering::holding_level(model) / model.stiffness_N_per_m
+                         : 0.0;
   return std::max(own, joint.turn_length);
 }
 

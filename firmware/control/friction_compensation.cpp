@@ -38,16 +38,15 @@ void FrictionCompensation::rest() {
 
 FrictionPush FrictionCompensation::push(const Vec3& position, const Vec3& velocity,
                                         const PushRoom& room) {
-  constexpr double kNoNormalForce = 1.0;
   const Vec3 speed = velocity_filter_.filter(velocity);
   FrictionPush push;
   for (std::size_t i = 0; i < kJointCount; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     Joint& joint = joints_[i];
     const double moved = is_placed_ ? position[axis] - last_position_[axis] : 0.0;
-    const double bristle =
-        rendering::update_friction(joint.bristle, joint.memory, moved, kNoNormalForce, step_s_)
-            .force_N;
+    const double bristle = rendering::update_friction(joint.bristle, joint.memory, moved,
+                                                      rendering::kNoNormalForce_N, step_s_)
+                               .force_N;
     push.effort[axis] = gain_ * (bristle + joint.viscous * speed[axis]);
   }
   last_position_ = position;

@@ -89,8 +89,7 @@ const std::vector<double>& Setup::list(std::string_view name) const {
 }
 
 double ExperimentRun::holding_force_N() const {
-  const bool has_static = parameter_name("Fs").belongs_to(friction.kind);
-  return (has_static ? friction.static_level : friction.coulomb) * normal_force_N;
+  return rendering::holding_level(friction) * normal_force_N;
 }
 
 std::span<const Experiment> experiments() {

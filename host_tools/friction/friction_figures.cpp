@@ -139,7 +139,7 @@ std::vector<Panel> break_away_panels(const ExperimentRun& run, const FrictionTra
     panel.curves.push_back(
         {.name = name, .x = {least, most}, .y = {force_N, force_N}, .style = CurveStyle::dashes});
   };
-  if (parameter_name("Fs").belongs_to(run.friction.kind)) {
+  if (rendering::has_static_level(run.friction.kind)) {
     level("Fs", run.friction.static_level * run.normal_force_N);
   }
   level("Fc", run.friction.coulomb * run.normal_force_N);

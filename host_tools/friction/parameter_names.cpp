@@ -209,7 +209,7 @@ void set_parameter(FrictionParameters& parameters, std::string_view assignment, 
 
 void check_parameters(const FrictionParameters& parameters, ForceScale scale) {
   const std::string_view unit = parameter_name("Fs").unit_of(scale);
-  if (parameter_name("Fs").belongs_to(parameters.kind) &&
+  if (rendering::has_static_level(parameters.kind) &&
       parameters.static_level < parameters.coulomb) {
     throw InputError(
         fmt::format("--param: Fs is {} {} and Fc is {} {}, but Fs must not be below Fc; give both",

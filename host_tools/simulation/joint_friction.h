@@ -14,8 +14,8 @@ class JointFriction {
   // Moves by velocity dt_s; returns the friction force that opposes the motion (same sign as the
   // velocity when sliding).
   double advance(double velocity, double dt_s) {
-    constexpr double kNoNormalForce = 1.0;
-    return rendering::update_friction(parameters_, memory_, velocity * dt_s, kNoNormalForce, dt_s)
+    return rendering::update_friction(parameters_, memory_, velocity * dt_s,
+                                      rendering::kNoNormalForce_N, dt_s)
         .force_N;
   }
 

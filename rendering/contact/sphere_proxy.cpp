@@ -87,12 +87,9 @@ ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, Pr
 ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   const ProxyRest rest = seek(scenery, h_W, path);
   touched_ = {};
-  double hardest = 0.0;
-  for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    if (rest.pressure_m[i] > hardest) {
-      hardest = rest.pressure_m[i];
-      touched_ = {.object = rest.planes[i].object, .triangle = rest.planes[i].triangle};
-    }
+  if (rest.plane_count > 0 && rest.pressure_m[rest.hardest()] > 0.0) {
+    const ContactPlane& plane = rest.planes[rest.hardest()];
+    touched_ = {.object = plane.object, .triangle = plane.triangle};
   }
   return rest;
 }

@@ -3,6 +3,7 @@
 // 1997). Radius 0 is the god-object point.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -42,6 +43,12 @@ struct ProxyRest {
   std::uint8_t plane_count = 0;
   std::uint16_t sub_goals = 0;
   std::uint32_t flags = kTouchClean;
+
+  // The plane that pushes hardest, of plane_count > 0.
+  [[nodiscard]] std::size_t hardest() const {
+    const auto end = pressure_m.begin() + plane_count;
+    return static_cast<std::size_t>(std::max_element(pressure_m.begin(), end) - pressure_m.begin());
+  }
 };
 
 // What friction is told beside the materials: factors of the coefficients of some objects, and, if
@@ -139,7 +146,7 @@ class SphereProxy {
   Goal stay_in_cone(const PlaneProjection& projection, const FrictionCircle& circle, const Vec3& h,
                     const ProxyRest& rest);
   Goal lag_behind(const Scenery& scenery, const PlaneProjection& projection, const Vec3& h,
-                  const ProxyRest& rest);
+                  const ProxyRest& rest, double push_m);
   Goal go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
   Advance travel_toward(const Scenery& scenery, const Vec3& goal);

@@ -67,6 +67,7 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
   }
   FrictionCircle circle;
   double total = 0.0;
+  double pushed = 0.0;
   bool in_cone = true;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
@@ -77,19 +78,18 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
     rest.normal_W += pressure * contact.plane.normal;
     const double push = factors_.of(contact.object) * pressure;
     total += pressure;
+    pushed += push;
     circle.static_radius_m += material.friction.static_level * push;
     circle.dynamic_radius_m += material.friction.coulomb * push;
     in_cone = in_cone && is_plain_cone(material);
   }
   rest.normal_W.normalize();
+  const double deeper = factors_.depth_m > 0.0 ? factors_.depth_m / total : 1.0;
   if (!in_cone) {
-    return lag_behind(scenery, projection, h, rest);
+    return lag_behind(scenery, projection, h, rest, deeper * pushed);
   }
-  if (factors_.depth_m > 0.0) {
-    const double deeper = factors_.depth_m / total;
-    circle.static_radius_m *= deeper;
-    circle.dynamic_radius_m *= deeper;
-  }
+  circle.static_radius_m *= deeper;
+  circle.dynamic_radius_m *= deeper;
   return stay_in_cone(projection, circle, h, rest);
 }
 
@@ -109,29 +109,18 @@ SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,
 
 // The surface that pushes hardest has its way, under the push of all.
 SphereProxy::Goal SphereProxy::lag_behind(const Scenery& scenery, const PlaneProjection& projection,
-                                          const Vec3& h, const ProxyRest& rest) {
-  std::size_t hardest = 0;
-  double push = 0.0;
+                                          const Vec3& h, const ProxyRest& rest, double push_m) {
   double stiffness = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    hardest = rest.pressure_m[i] > rest.pressure_m[hardest] ? i : hardest;
-    push += factors_.of(rest.planes[i].object) * rest.pressure_m[i];
     stiffness += rest.pressure_m[i] * scenery[rest.planes[i].object].material.stiffness_N_per_m;
     total += rest.pressure_m[i];
   }
-  push *= factors_.depth_m > 0.0 ? factors_.depth_m / total : 1.0;
-  stiffness /= total;
-  const std::uint32_t object = rest.planes[hardest].object;
-  const Material& material = scenery[object].material;
-  const FrictionLag lag =
-      model_.lag({.friction = material.friction,
-                  .stiffness_N_per_m = stiffness,
-                  .grain = {.direction = direction_from(scenery.mover_of(object),
-                                                        to_vec3(material.grain.direction_O)),
-                            .along = material.grain.along,
-                            .across = material.grain.across}},
-                 rest.normal_W, stiffness * push);
+  const std::uint32_t object = rest.planes[rest.hardest()].object;
+  SlidingSurface surface = sliding_surface(scenery[object].material);
+  surface.stiffness_N_per_m = stiffness / total;
+  surface.grain.direction = direction_from(scenery.mover_of(object), surface.grain.direction);
+  const FrictionLag lag = model_.lag(surface, rest.normal_W, surface.stiffness_N_per_m * push_m);
   friction_ = lag.state;
   if (!projection.feasible) {
     return {.point = p_, .settled = true};

@@ -26,10 +26,6 @@ bool is_damped(FrictionKind kind) {
   return kind != FrictionKind::cone && kind != FrictionKind::dahl;
 }
 
-bool needs_static_level(FrictionKind kind) {
-  return kind != FrictionKind::dahl && kind != FrictionKind::coulomb_viscous;
-}
-
 double bell(double exponent) {
   return exponent < kBellIsOver ? exponential(-exponent) : 0.0;
 }
@@ -67,14 +63,14 @@ bool valid(const FrictionParameters& p) {
   return std::ranges::all_of(numbers, is_finite) &&
          std::ranges::all_of(numbers, [](double value) { return value >= 0.0; }) &&
          static_cast<std::size_t>(p.kind) < kFrictionKinds &&
-         (!needs_static_level(p.kind) || p.static_level >= p.coulomb) &&
+         (!has_static_level(p.kind) || p.static_level >= p.coulomb) &&
          p.stribeck_velocity_m_per_s > 0.0 && p.stribeck_exponent > 0.0 &&
          p.stick_velocity_m_per_s > 0.0 && p.elastic_fraction > 0.0 && p.elastic_fraction < 1.0 &&
          (!is_bristle(p.kind) || p.stiffness_N_per_m > 0.0);
 }
 
 double steady_level(const FrictionParameters& p, double speed_m_per_s) {
-  if (!needs_static_level(p.kind)) {
+  if (!has_static_level(p.kind)) {
     return p.coulomb;
   }
   if (p.kind == FrictionKind::cone || p.kind == FrictionKind::karnopp) {

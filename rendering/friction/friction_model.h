@@ -38,6 +38,14 @@ enum class FrictionKind : std::uint8_t {
   elasto_plastic = 6,   // LuGre whose bristle does not yield up to a fraction of Fc: no drift
 };
 
+// Whether the model has a level Fs of its own; the others hold up to Fc.
+constexpr bool has_static_level(FrictionKind kind) {
+  return kind != FrictionKind::dahl && kind != FrictionKind::coulomb_viscous;
+}
+
+// Where no normal force is given, as in a joint.
+inline constexpr double kNoNormalForce_N = 1.0;
+
 struct FrictionParameters {
   FrictionKind kind = FrictionKind::cone;
   double coulomb = 0.0;          // Fc, N per N of normal force
@@ -117,6 +125,11 @@ extern template FrictionForce<double> update_friction(const FrictionParameters&,
 extern template FrictionForce<Vec3> update_friction(const FrictionParameters&,
                                                     FrictionMemory<Vec3>&, const Vec3&, double,
                                                     double);
+
+// The largest force at rest, N per N.
+constexpr double holding_level(const FrictionParameters& parameters) {
+  return has_static_level(parameters.kind) ? parameters.static_level : parameters.coulomb;
+}
 
 // g(v): what a steady slip at `speed_m_per_s` (>= 0) takes, N per N, without the viscous term.
 double steady_level(const FrictionParameters& parameters, double speed_m_per_s);

@@ -16,10 +16,6 @@ Grain in_plane(const Grain& grain, const Vec3& normal) {
   return {.direction = flat / length, .along = grain.along, .across = grain.across};
 }
 
-bool sticks_by_a_spring(FrictionKind kind) {
-  return kind <= FrictionKind::karnopp;
-}
-
 }  // namespace
 
 void SurfaceFriction::begin_tick(const Vec3& tool_step, double tick_s) {
@@ -42,7 +38,7 @@ FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& norm
 void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
                           double normal_force_N) {
   FrictionParameters friction = surface.friction;
-  if (sticks_by_a_spring(friction.kind) && friction.stiffness_N_per_m <= 0.0) {
+  if (friction.stiffness_N_per_m <= 0.0) {
     friction.stiffness_N_per_m = surface.stiffness_N_per_m;
   }
   Vec3 step = tool_step_ - tool_step_.dot(normal) * normal;

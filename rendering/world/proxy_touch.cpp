@@ -183,9 +183,7 @@ double ProxyTouch::travel_to(const ContactPoint& here) const {
 
 void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
                            Touch& touch) const {
-  const auto hardest = static_cast<std::size_t>(
-      std::max_element(rest.pressure_m.begin(), rest.pressure_m.begin() + rest.plane_count) -
-      rest.pressure_m.begin());
+  const ContactPlane& hardest = rest.planes[rest.hardest()];
   const Vec3 stretch = touch.proxy_W - tool.p_W;
   touch.normal_W = rest.normal_W;
   touch.depth_m = felt.depth_m;
@@ -195,9 +193,9 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest, const F
                       : stretch;
     touch.force_W = (felt.stiffness * felt_stretch - felt.damping_W) / felt.pressure_m;
   }
-  touch.contact = kind_of(rest.planes[hardest].nearest.feature);
+  touch.contact = kind_of(hardest.nearest.feature);
   touch.friction = proxy_.friction();
-  touch.object = rest.planes[hardest].object;
+  touch.object = hardest.object;
 }
 
 }  // namespace tactus::rendering
