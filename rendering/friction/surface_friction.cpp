@@ -27,6 +27,10 @@ void SurfaceFriction::begin_tick(const Vec3& tool_step, double tick_s) {
 
 FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& normal,
                                  double normal_force_N) {
+  const bool is_pressed = normal_force_N > 0.0 && surface.stiffness_N_per_m > 0.0;
+  if (!is_pressed) {
+    return {};
+  }
   if (!ran_) {
     run(surface, normal, normal_force_N);
     ran_ = true;

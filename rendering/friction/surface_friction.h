@@ -31,7 +31,7 @@ namespace tactus::rendering {
 // What holds the proxy, in the frame of the contact.
 struct SlidingSurface {
   const FrictionParameters& friction;
-  double stiffness_N_per_m = 0.0;  // K > 0
+  double stiffness_N_per_m = 0.0;  // K >= 0
   Grain grain;                     // its direction need not lie in the contact plane
 };
 
@@ -60,8 +60,8 @@ class SurfaceFriction {
   // it took. A contact that `lag` was not asked about in the last tick is over.
   void begin_tick(const Vec3& tool_step, double tick_s);
 
-  // For a contact with the unit `normal`, pressed with normal_force_N > 0. The first call in a
-  // tick runs the model, the others turn its force to their plane.
+  // For a contact with the unit `normal`. The first call in a tick runs the model, the others turn
+  // its force to their plane. Without a normal force, or without K, there is no lag.
   FrictionLag lag(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
 
  private:

@@ -199,6 +199,22 @@ TEST_F(FeltFrictionLimits, CoulombFrictionIsTheConeOfEqualCoefficients) {
   }
 }
 
+// A surface that does not push cannot rub either.
+TEST_F(FeltFrictionLimits, WithoutStiffnessThereIsNoFriction) {
+  for (const NamedFriction& kind : every_kind(kFeltBristle_N_per_m)) {
+    for (Plate& plate : plates(kind.parameters)) {
+      SCOPED_TRACE(kind.name + ", " + plate.name);
+      plate.object.material.stiffness_N_per_m = 0.0;
+      take(plate);
+      for (int tick = 0; tick < 20; ++tick) {
+        const Touch touch = world_->touch({.p_W = {1e-4 * tick, plate.radius_m - 0.001, 0.0}});
+        ASSERT_EQ(touch.force_W, Vec3::Zero()) << "tick " << tick;
+        ASSERT_TRUE(touch.proxy_W.allFinite()) << "tick " << tick;
+      }
+    }
+  }
+}
+
 // Along the grain nothing, across it all: the force is across whatever way the tool goes.
 TEST_F(FeltFrictionLimits, AGrainTurnsTheForceAcross) {
   for (Plate& plate :
