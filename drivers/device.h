@@ -35,6 +35,7 @@ struct JointSample {
 struct JointCommand {
   std::array<double, kMaxJoints> effort{};  // N m or N
   bool enable = false;  // motor power; false makes every effort zero at the device
+  bool home = false;    // find the reference: the device may move by itself, gently
 };
 
 // `read` fills the newest sample within the device's own deadline; `write` sends a command. Neither

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of one or more groups of toolchains/packages.txt.
 #   toolchains/install-packages.sh demo tests
-# Does nothing where all are there; else needs root or sudo.
+# Does nothing where all are there; else needs root or sudo. A package marked /backports comes from bookworm-backports, which
+# is asked for this installation only where the machine does not list it.
 set -euo pipefail
 
 list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
@@ -19,7 +20,11 @@ packages_of() {
     done
 }
 
-is_installed() { [[ "$(dpkg-query -W -f='${db:Status-Abbrev}' "$1" 2>/dev/null)" == ii* ]]; }
+is_installed() {
+  local state
+  state="$(dpkg-query -W -f='${db:Status-Abbrev} ${Version}' "${1%/backports}" 2>/dev/null)" || return 1
+  [[ "$state" == ii* && ("$1" != */backports || "$state" == *bpo12*) ]]
+}
 
 as_root() {
   if [[ $EUID -eq 0 ]]; then
@@ -33,11 +38,23 @@ as_root() {
 
 # Documentation folders hold the demo's mesh; slim images leave them out unless told otherwise.
 apt_get() {
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq \
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dir::Etc::SourceParts="$sources" \
     -o Dpkg::Use-Pty=0 -o Dpkg::Options::="--path-include=/usr/share/doc/libcgal-*/*" "$@" </dev/null
 }
 
-install_packages() { apt_get update && apt_get install --yes --no-install-recommends "$@"; }
+# Prints a folder of apt sources: this machine's, and bookworm-backports from the same place if it is not among them.
+sources_with_backports() {
+  local folder uri key
+  folder="$(mktemp -d)"
+  chmod 755 "$folder"
+  cp /etc/apt/sources.list.d/* "$folder" 2>/dev/null || true
+  uri="$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)"
+  key=/usr/share/keyrings/debian-archive-keyring.gpg
+  echo "deb [signed-by=$key] $uri bookworm-backports main" >"$folder/tactus-backports.list"
+  echo "$folder"
+}
+
+install_packages() { apt_get update && apt_get install --yes --no-install-recommends "${@/%\/backports/\/bookworm-backports}"; }
 
 if [[ $# -eq 0 || "$1" == "--help" ]]; then
   echo "usage: ${BASH_SOURCE[0]} GROUP..."
@@ -65,6 +82,11 @@ if [[ $EUID -ne 0 ]] && ! command -v sudo >/dev/null; then
   exit 1
 fi
 
+sources=/etc/apt/sources.list.d
+if [[ " ${missing[*]}" == */backports* ]]; then
+  sources="$(sources_with_backports)"
+  trap 'rm -r "$sources"' EXIT
+fi
 echo "packages for $*: installing ${missing[*]}"
 if ! install_packages "${missing[@]}"; then
   echo "install-packages: apt-get failed; once more" >&2

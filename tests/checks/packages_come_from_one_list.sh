@@ -5,7 +5,7 @@ source tests/checks/tracked_files.sh
 list=toolchains/packages.txt
 status=0
 
-unexplained="$(grep -vE '^(#|\[|$)' "$list" | grep -vE '^[a-z0-9.+-]+ +# .+' || true)"
+unexplained="$(grep -vE '^(#|\[|$)' "$list" | grep -vE '^[a-z0-9.+-]+(/backports)? +# .+' || true)"
 if [[ -n "$unexplained" ]]; then
   echo "$list: no reason given: $unexplained"
   status=1

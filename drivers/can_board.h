@@ -1,0 +1,183 @@
+// Motor drives on one CAN bus, as one board.
+//
+// A tick is two exchanges: `read` sends what the drives want sent before a sample and waits until
+// every healthy drive has given a fresh one or the deadline has passed; `write` sends the commands.
+// What the bus itself reports counts for every axis: a link that is down, an interface that is
+// gone, a controller off the bus, or a send queue that stays full latch kDeviceLost.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "drivers/axis.h"
+#include "drivers/can_bus_watch.h"
+#include "drivers/can_drive.h"
+#include "hal/can_bus.h"
+#include "hal/clock.h"
+
+namespace tactus::drivers {
+
+// Kinds are the drives that this board may carry, in any mix.
+template <CanDrive... Kinds>
+class CanBoard {
+ public:
+  // Both must outlive the board.
+  CanBoard(hal::CanBus& bus, const hal::Clock& clock) : bus_(&bus), clock_(&clock) {}
+
+  // Before `start`. False when there are kMaxJoints already.
+  template <class Kind>
+  bool add(const Kind& drive) {
+    if (count_ == drives_.size()) {
+      return false;
+    }
+    drives_[count_].template emplace<Kind>(drive);
+    ++count_;
+    return true;
+  }
+
+  [[nodiscard]] std::size_t axis_count() const { return count_; }
+
+  void start() {
+    listen();
+    const hal::TimeNs now_ns = clock_->now_ns();
+    watch_ = {};
+    for_each([now_ns](auto& drive, std::size_t) { drive.start(now_ns); });
+  }
+
+  // `samples` has room for axis_count().
+  void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
+    outbox_.clear();
+    const hal::TimeNs now_ns = clock_->now_ns();
+    for_each([&](auto& drive, std::size_t) { drive.request(now_ns, outbox_); });
+    send();
+    receive(hal::kNoWait);
+    while (waits_for_a_sample() && receive(deadline_ns)) {
+    }
+    for_each([&](auto& drive, std::size_t i) {
+      samples[i] = drive.sample();
+      samples[i].status |= watch_.status();
+      seen_ns_[i] = drive.sample().time_ns;
+    });
+  }
+
+  void write(std::span<const AxisCommand> commands) {
+    outbox_.clear();
+    const hal::TimeNs now_ns = clock_->now_ns();
+    for_each([&](auto& drive, std::size_t i) {
+      drive.command(now_ns, watch_.trouble() ? AxisCommand{} : commands[i], outbox_);
+    });
+    send();
+  }
+
+  // Tries to get back on the bus if that is what was wrong.
+  void clear_faults() {
+    if (watch_.is_off_the_bus()) {
+      (void)bus_->restart();
+    }
+    watch_ = {};
+    const hal::TimeNs now_ns = clock_->now_ns();
+    for_each([now_ns](auto& drive, std::size_t) { drive.clear_faults(now_ns); });
+  }
+
+  void stop() {
+    outbox_.clear();
+    for_each([this](auto& drive, std::size_t) { drive.shutdown(outbox_); });
+    send();
+  }
+
+  [[nodiscard]] Trouble trouble(std::size_t axis) const {
+    if (watch_.trouble()) {
+      return watch_.trouble();
+    }
+    Trouble trouble;
+    for_each([&](const auto& drive, std::size_t i) {
+      if (i == axis) {
+        trouble = drive.trouble();
+      }
+    });
+    return trouble;
+  }
+
+  // The i-th drive as it was added; null if it is of another kind.
+  template <class Kind>
+  [[nodiscard]] const Kind* drive(std::size_t i) const {
+    return i < count_ ? std::get_if<Kind>(&drives_[i]) : nullptr;
+  }
+
+ private:
+  using AnyDrive = std::variant<std::monostate, Kinds...>;
+
+  template <class Self, class Action>
+  static void visit_each(Self& self, Action&& action) {
+    for (std::size_t i = 0; i < self.count_; ++i) {
+      const auto visit_one = [&](auto* drive) {
+        if (drive != nullptr) {
+          action(*drive, i);
+        }
+      };
+      (visit_one(std::get_if<Kinds>(&self.drives_[i])), ...);
+    }
+  }
+  template <class Action>
+  void for_each(Action&& action) {
+    visit_each(*this, std::forward<Action>(action));
+  }
+  template <class Action>
+  void for_each(Action&& action) const {
+    visit_each(*this, std::forward<Action>(action));
+  }
+
+  void listen() {
+    std::array<hal::CanFilter, kMaxJoints * kMaxFiltersPerDrive> filters;
+    std::size_t count = 0;
+    for_each([&](const auto& drive, std::size_t) {
+      count += drive.filters(std::span(filters).subspan(count, kMaxFiltersPerDrive));
+    });
+    watch_.note(bus_->set_filters(std::span(filters).first(count)));
+    watch_.note(bus_->set_error_classes(hal::kCanBusOff | hal::kCanRestarted));
+  }
+
+  void send() {
+    if (!outbox_.frames().empty()) {
+      watch_.note_sent(bus_->send(outbox_.frames()), outbox_.frames().size());
+    }
+  }
+
+  // Hands out what arrives by the deadline; false if nothing did.
+  bool receive(hal::TimeNs deadline_ns) {
+    const auto received = bus_->receive(received_, deadline_ns);
+    if (!received) {
+      watch_.note_received(received.error());
+      return false;
+    }
+    for (const hal::CanReceived& item : std::span(received_).first(*received)) {
+      watch_.take(item);
+      for_each([&](auto& drive, std::size_t) { drive.take(item); });
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool waits_for_a_sample() const {
+    bool waits = false;
+    for_each([&](const auto& drive, std::size_t i) {
+      waits =
+          waits || (drive.sample().status == kDeviceOk && drive.sample().time_ns == seen_ns_[i]);
+    });
+    return waits && !watch_.trouble();
+  }
+
+  hal::CanBus* bus_;
+  const hal::Clock* clock_;
+  std::array<AnyDrive, kMaxJoints> drives_{};
+  std::array<hal::TimeNs, kMaxJoints> seen_ns_{};
+  std::size_t count_ = 0;
+  CanBusWatch watch_;
+  CanOutbox outbox_;
+  std::array<hal::CanReceived, 64> received_{};
+};
+
+}  // namespace tactus::drivers

@@ -1,0 +1,82 @@
+#include "host_tools/emulators/can_emulator.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, EmulatorFault>, 6> kFaultNames = {{
+    {"none", EmulatorFault::none},
+    {"silent", EmulatorFault::silent},
+    {"delayed", EmulatorFault::delayed},
+    {"corrupted", EmulatorFault::corrupted},
+    {"erroring", EmulatorFault::erroring},
+    {"unplugged", EmulatorFault::unplugged},
+}};
+
+void flip_a_bit(hal::CanFrame& frame, std::mt19937& random) {
+  if (frame.remote || frame.length == 0) {
+    return;
+  }
+  std::uniform_int_distribution<unsigned> bit(0U, frame.length * 8U - 1U);
+  const unsigned at = bit(random);
+  frame.data[at / 8U] ^= static_cast<std::byte>(1U << (at % 8U));
+}
+
+}  // namespace
+
+EmulatorFault emulator_fault(std::string_view name) {
+  for (const auto& [known, fault] : kFaultNames) {
+    if (known == name) {
+      return fault;
+    }
+  }
+  throw InputError("no fault '" + std::string(name) +
+                   "'; there are: none, silent, delayed, corrupted, erroring, unplugged");
+}
+
+void CanEmulator::run(hal::TimeNs now_ns) {
+  std::array<hal::CanReceived, 64> received;
+  const bool hears = fault_ != EmulatorFault::unplugged;
+  while (const auto count = bus_.receive(received, hal::kNoWait)) {
+    for (std::size_t i = 0; hears && i < *count; ++i) {
+      if (received[i].kind == hal::CanReceived::Kind::frame) {
+        take(now_ns, received[i].frame);
+      }
+    }
+  }
+  if (!hears) {
+    waiting_.clear();
+    shaft_.torque_Nm = 0.0;
+    return;
+  }
+  advance(now_ns, fault_ == EmulatorFault::erroring);
+  send_what_is_due(now_ns);
+}
+
+void CanEmulator::send(hal::TimeNs now_ns, const hal::CanFrame& frame) {
+  if (fault_ == EmulatorFault::silent) {
+    return;
+  }
+  Waiting& late = waiting_.emplace_back(
+      Waiting{now_ns + (fault_ == EmulatorFault::delayed ? kFaultDelay_ns : 0), frame});
+  if (fault_ == EmulatorFault::corrupted) {
+    flip_a_bit(late.frame, random_);
+  }
+}
+
+void CanEmulator::send_what_is_due(hal::TimeNs now_ns) {
+  while (!waiting_.empty() && waiting_.front().due_ns <= now_ns) {
+    if (!bus_.send(waiting_.front().frame)) {
+      return;
+    }
+    waiting_.pop_front();
+  }
+}
+
+}  // namespace tactus::host
