@@ -200,6 +200,7 @@ Result<std::size_t> LinuxCanBus::DoSend(std::span<const CanFrame> frames) {
     return failure(ErrorCode::bus_off);
   }
   std::size_t sent = 0;
+  int tries = 0;
   while (sent < frames.size()) {
     Batch<kBatch> batch;
     const std::size_t count = std::min(kBatch, frames.size() - sent);
@@ -216,26 +217,34 @@ Result<std::size_t> LinuxCanBus::DoSend(std::span<const CanFrame> frames) {
     if (sent > 0) {
       return sent;
     }
-    switch (errno) {
-      case ENOBUFS:
-      case EAGAIN:
-        return failure(ErrorCode::queue_full, errno);
-      case ENETDOWN:
-      case ENXIO:
-      case ENODEV: {
-        link_down_ = true;
-        const auto lost = link_lost();
-        return std::unexpected(lost ? Error{ErrorCode::link_down, ENETDOWN} : lost.error());
-      }
-      case EBADF:
-        return failure(ErrorCode::disconnected, errno);
-      case EINTR:
-        continue;
-      default:
-        return failure(ErrorCode::io, errno);
+    if (const auto again = may_send_again(errno, tries); !again) {
+      return std::unexpected(again.error());
     }
+    ++tries;
   }
   return sent;
+}
+
+// After a send that failed: nothing if it is worth another, else why not.
+Result<void> LinuxCanBus::may_send_again(int error, int tries) {
+  switch (error) {
+    case ENOBUFS:
+    case EAGAIN:
+      return failure(ErrorCode::queue_full, error);
+    case ENETDOWN:
+    case ENXIO:
+    case ENODEV: {
+      // The socket reports once that the link was down, also when it is up again.
+      const auto link = check_link();
+      return link && tries > 0 ? failure(ErrorCode::disconnected, error) : link;
+    }
+    case EBADF:
+      return failure(ErrorCode::disconnected, error);
+    case EINTR:
+      return {};
+    default:
+      return failure(ErrorCode::io, error);
+  }
 }
 
 Result<std::size_t> LinuxCanBus::DoReceive(std::span<CanReceived> received, TimeNs deadline_ns) {
@@ -248,7 +257,7 @@ Result<std::size_t> LinuxCanBus::DoReceive(std::span<CanReceived> received, Time
       return count;
     }
     if (link_down_) {
-      if (const auto up = link_lost(); !up) {
+      if (const auto up = check_link(); !up) {
         return std::unexpected(up.error());
       }
     }
@@ -293,7 +302,9 @@ Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
         note_drops(ancillary.drops);
       }
       CanReceived& item = received[count];
-      item.time_ns = ancillary.realtime_ns - offset_ns;
+      // The kernel begins to stamp a little after the first socket asked for it.
+      item.time_ns =
+          ancillary.realtime_ns > 0 ? ancillary.realtime_ns - offset_ns : monotonic_now_ns();
       const canfd_frame& wire = batch.wire[i].frame;
       if ((wire.can_id & CAN_ERR_FLAG) != 0) {
         item.kind = CanReceived::Kind::error;
@@ -311,8 +322,8 @@ Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
   return count;
 }
 
-// Whether the link is back; else why it is not.
-Result<void> LinuxCanBus::link_lost() {
+// Nothing if the link is up; else why it is not.
+Result<void> LinuxCanBus::check_link() {
   const auto up = interface_.is_up(socket_.get());
   if (!up) {
     return std::unexpected(up.error());

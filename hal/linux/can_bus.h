@@ -45,7 +45,8 @@ class LinuxCanBus final : public CanBus {
 
   Result<void> configure_socket();
   Result<std::size_t> take_waiting(std::span<CanReceived> received);
-  Result<void> link_lost();
+  Result<void> may_send_again(int error, int tries);
+  Result<void> check_link();
   bool hand_out(CanReceived& item);
   void note_drops(std::uint32_t total);
   void note(const CanErrorReport& report);
