@@ -8,11 +8,11 @@ namespace {
 
 struct GpioAxisRule {
   bool holds;
-  GpioAxisConfigError otherwise;
+  FieldError otherwise;
 };
 
 template <std::size_t kCount>
-std::expected<void, GpioAxisConfigError> first_broken_rule(const std::array<GpioAxisRule, kCount>& rules) {
+Checked first_broken_rule(const std::array<GpioAxisRule, kCount>& rules) {
   for (const GpioAxisRule& rule : rules) {
     if (!rule.holds) {
       return std::unexpected(rule.otherwise);
@@ -26,8 +26,7 @@ bool is_above_zero_up_to(double value, double most) {
   return value > 0.0 && value <= most;
 }
 
-std::expected<void, GpioAxisConfigError> check_gpio_encoder(const EncoderConfig& encoder,
-                                                       const AxisPins& pins, bool over_counter) {
+Checked check_gpio_encoder(const EncoderConfig& encoder, const AxisPins& pins, bool over_counter) {
   const bool has_channels = pins.encoder_a.has_value() && pins.encoder_b.has_value();
   const bool has_any =
       pins.encoder_a.has_value() || pins.encoder_b.has_value() || pins.encoder_index.has_value();
@@ -51,8 +50,7 @@ std::expected<void, GpioAxisConfigError> check_gpio_encoder(const EncoderConfig&
   }});
 }
 
-std::expected<void, GpioAxisConfigError> check_gpio_bridge(const BridgeConfig& bridge,
-                                                      const AxisPins& pins) {
+Checked check_gpio_bridge(const BridgeConfig& bridge, const AxisPins& pins) {
   const bool signed_by_line = bridge.mode == BridgeMode::sign_magnitude;
   return first_broken_rule(std::array<GpioAxisRule, 7>{{
       {is_above_zero_up_to(bridge.full_duty_torque_Nm, 1000.0),
@@ -73,8 +71,9 @@ std::expected<void, GpioAxisConfigError> check_gpio_bridge(const BridgeConfig& b
 
 }  // namespace
 
-std::expected<void, GpioAxisConfigError> check(const GpioAxisConfig& config, bool over_counter) {
-  if (const auto checked = check_gpio_encoder(config.encoder, config.pins, over_counter); !checked) {
+Checked check(const GpioAxisConfig& config, bool over_counter) {
+  if (const auto checked = check_gpio_encoder(config.encoder, config.pins, over_counter);
+      !checked) {
     return checked;
   }
   if (const auto checked = check_gpio_bridge(config.bridge, config.pins); !checked) {

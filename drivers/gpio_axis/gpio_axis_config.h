@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <expected>
 #include <optional>
-#include <string_view>
 
+#include "drivers/field_error.h"
 #include "hal/clock.h"
 #include "hal/gpio_lines.h"
 
@@ -88,13 +87,9 @@ struct GpioAxisConfig {
   std::size_t edge_buffer = 1024;                // events that the kernel keeps; 16 to 1024
 };
 
-struct GpioAxisConfigError {
-  std::string_view field;  // "bridge.max_torque_Nm"
-  std::string_view what;   // "must be above 0 and not above full_duty_torque_Nm"
-};
-
-// Whether all is in range and fits together. `over_counter`: the position comes from a hal::Counter
+// Whether all is in range and fits together; an error names the field from here:
+// "bridge.max_torque_Nm". `over_counter`: the position comes from a hal::Counter
 // instead of GPIO edges.
-std::expected<void, GpioAxisConfigError> check(const GpioAxisConfig& config, bool over_counter);
+Checked check(const GpioAxisConfig& config, bool over_counter);
 
 }  // namespace tactus::drivers

@@ -1,19 +1,12 @@
 #include "hal/linux/counter.h"
 
-#include <time.h>
-#include <unistd.h>
+#include <utility>
 
 #include "hal/linux/counter_events.h"
 
 namespace tactus::hal {
 
 namespace {
-
-TimeNs count_time_ns() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return TimeNs{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 // An attribute that not every driver has.
 Result<void> open_if_there(SysfsFile& file, const std::string& path) {
@@ -45,7 +38,7 @@ Result<bool> is_noisy(const SysfsFile& file) {
 }  // namespace
 
 LinuxCounter::~LinuxCounter() {
-  stop_events();
+  events_.reset();
 }
 
 Result<void> LinuxCounter::open(const CounterPlace& place) {
@@ -118,7 +111,7 @@ Result<std::uint64_t> LinuxCounter::DoStart(const CounterConfig& config) {
   if (!count_.is_open()) {
     return failure(ErrorCode::not_found);
   }
-  stop_events();
+  events_.reset();
   if (config.ceiling != 0) {
     if (const auto set = choose("count_mode", "modulo-n"); !set) {
       return std::unexpected(set.error());
@@ -132,19 +125,19 @@ Result<std::uint64_t> LinuxCounter::DoStart(const CounterConfig& config) {
     return std::unexpected(configured.error());
   }
   if (config.watch_index) {
-    const auto events = watch_counter_index(device_, number_);
+    auto events = watch_counter_index(device_, number_);
     if (!events) {
       return failure(events.error().code == ErrorCode::not_found ? ErrorCode::not_supported
                                                                  : events.error().code,
                      events.error().errno_value);
     }
-    events_ = *events;
+    events_ = std::move(*events);
   }
   return ceiling;
 }
 
 Result<CounterReading> LinuxCounter::DoRead() {
-  CounterReading reading{.time_ns = count_time_ns()};
+  CounterReading reading{.time_ns = monotonic_now_ns()};
   const auto count = count_.read_number();
   if (!count) {
     return std::unexpected(count.error());
@@ -169,14 +162,7 @@ Result<CounterReading> LinuxCounter::DoRead() {
 
 Result<std::size_t> LinuxCounter::DoReadIndex(std::span<CounterIndexEvent> events,
                                               TimeNs deadline_ns) {
-  return read_counter_index(events_, events, deadline_ns);
-}
-
-void LinuxCounter::stop_events() {
-  if (events_ >= 0) {
-    ::close(events_);
-    events_ = -1;
-  }
+  return read_counter_index(events_.get(), events, deadline_ns);
 }
 
 }  // namespace tactus::hal

@@ -8,6 +8,7 @@
 
 #include "hal/counter.h"
 #include "hal/linux/sysfs_file.h"
+#include "hal/linux/system.h"
 
 namespace tactus::hal {
 
@@ -25,9 +26,6 @@ struct CounterPlace {
 // Thread: as Counter.
 class LinuxCounter final : public Counter {
  public:
-  LinuxCounter() = default;
-  ~LinuxCounter();
-
   // Once for each object; not real time.
   //   not_found      no such counter or count
   //   not_permitted  no right: a udev rule gives it
@@ -43,7 +41,6 @@ class LinuxCounter final : public Counter {
   [[nodiscard]] Result<void> choose(const char* attribute, std::string_view value) const;
   [[nodiscard]] Result<std::uint64_t> set_ceiling(std::uint64_t wanted) const;
   [[nodiscard]] Result<void> configure() const;
-  void stop_events();
 
   std::string folder_;
   std::string device_;
@@ -51,7 +48,7 @@ class LinuxCounter final : public Counter {
   SysfsFile count_;
   SysfsFile direction_;    // closed where the driver has none
   SysfsFile error_noise_;  // the same
-  int events_ = -1;
+  FileDescriptor events_;
 };
 
 }  // namespace tactus::hal

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hal/counter.h"
+#include "hal/linux/system.h"
 
 namespace tactus::hal {
 
@@ -15,7 +16,7 @@ namespace tactus::hal {
 //   not_supported  the counter has no such event, or the kernel no such device
 //   busy           another program watches events
 //   not_found, not_permitted, disconnected, io
-Result<int> watch_counter_index(const std::string& device, std::uint8_t count);
+Result<FileDescriptor> watch_counter_index(const std::string& device, std::uint8_t count);
 
 // As Counter::read_index. `descriptor` yields `struct counter_event`. An event whose count the
 // kernel could not read is left out.

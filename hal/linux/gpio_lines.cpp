@@ -1,7 +1,6 @@
 #include "hal/linux/gpio_lines.h"
 
 #include <gpiod.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <memory>
 
 #include "hal/linux/linux_gpio_chip.h"
+#include "hal/linux/system.h"
 
 namespace tactus::hal {
 
@@ -131,27 +131,6 @@ Result<RequestConfig> to_gpiod(const GpioRequest& request) {
   return config;
 }
 
-TimeNs gpio_time_ns() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return TimeNs{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
-
-// 1: an edge is there; 0: the deadline passed; -1: an error.
-int wait_for_edge(gpiod_line_request* request, TimeNs deadline_ns) {
-  constexpr std::int64_t kNoEnd = -1;
-  while (true) {
-    const std::int64_t left_ns = deadline_ns == kForever  ? kNoEnd
-                                 : deadline_ns == kNoWait ? 0
-                                                          : deadline_ns - gpio_time_ns();
-    const int ready = gpiod_line_request_wait_edge_events(
-        request, deadline_ns == kForever ? kNoEnd : std::max<std::int64_t>(left_ns, 0));
-    if (ready >= 0 || errno != EINTR) {
-      return ready;
-    }
-  }
-}
-
 }  // namespace
 
 LinuxGpioLines::~LinuxGpioLines() {
@@ -252,11 +231,7 @@ Result<void> LinuxGpioLines::DoSet(std::uint64_t mask, std::uint64_t values) {
 
 Result<std::size_t> LinuxGpioLines::DoReadEdges(std::span<GpioEdgeEvent> events,
                                                 TimeNs deadline_ns) {
-  const int ready = wait_for_edge(request_, deadline_ns);
-  if (ready < 0) {
-    return gpio_failure(errno);
-  }
-  if (ready == 0) {
+  if (!wait_readable(gpiod_line_request_get_fd(request_), deadline_ns)) {
     return failure(ErrorCode::timeout);
   }
   const int count = gpiod_line_request_read_edge_events(request_, buffer_,

@@ -36,25 +36,17 @@ std::unexpected<Error> sysfs_failure(int errno_value) {
 }
 
 Result<void> SysfsFile::open(const std::string& path, Use use) {
-  close();
   const int access = use == Use::read ? O_RDONLY : use == Use::write ? O_WRONLY : O_RDWR;
-  descriptor_ = ::open(path.c_str(), access | O_CLOEXEC);
-  if (descriptor_ < 0) {
+  descriptor_ = FileDescriptor(::open(path.c_str(), access | O_CLOEXEC));
+  if (!descriptor_.is_open()) {
     return sysfs_failure(errno);
   }
   return {};
 }
 
-void SysfsFile::close() {
-  if (descriptor_ >= 0) {
-    ::close(descriptor_);
-    descriptor_ = -1;
-  }
-}
-
 // The kernel composes an attribute anew whenever it is read from its start.
 Result<std::string_view> SysfsFile::read_line(std::span<char> room) const {
-  const ssize_t length = ::pread(descriptor_, room.data(), room.size(), 0);
+  const ssize_t length = ::pread(descriptor_.get(), room.data(), room.size(), 0);
   if (length < 0) {
     return sysfs_failure(errno);
   }
@@ -83,7 +75,7 @@ Result<void> SysfsFile::write(std::string_view line) const {
     return failure(ErrorCode::invalid_argument);
   }
   *std::ranges::copy(line, text.begin()).out = '\n';
-  if (::pwrite(descriptor_, text.data(), line.size() + 1, 0) < 0) {
+  if (::pwrite(descriptor_.get(), text.data(), line.size() + 1, 0) < 0) {
     return sysfs_failure(errno);
   }
   return {};

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "hal/error.h"
+#include "hal/linux/system.h"
 
 namespace tactus::hal {
 
@@ -28,15 +29,10 @@ class SysfsFile {
  public:
   enum class Use : std::uint8_t { read, read_and_write, write };
 
-  SysfsFile() = default;
-  SysfsFile(const SysfsFile&) = delete;
-  SysfsFile& operator=(const SysfsFile&) = delete;
-  ~SysfsFile() { close(); }
-
   // Closes what was open.
   Result<void> open(const std::string& path, Use use);
-  void close();
-  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  void close() { descriptor_.reset(); }
+  [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
 
   // The first line, in `room`, which must hold all of it.
   Result<std::string_view> read_line(std::span<char> room) const;
@@ -47,7 +43,7 @@ class SysfsFile {
   Result<void> write_number(std::uint64_t number) const;
 
  private:
-  int descriptor_ = -1;
+  FileDescriptor descriptor_;
 };
 
 }  // namespace tactus::hal

@@ -1,25 +1,15 @@
 #include "hal/linux/counter.h"
 
 #include <linux/counter.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "hal/linux/clock.h"
 #include "hal/linux/counter_events.h"
 #include "tests/unit/hal/counter_contract.h"
 #include "tests/unit/hal/sysfs_folder.h"
 
 namespace tactus::hal {
 namespace {
-
-// The system's monotonic clock, as far as the contract wants one.
-class MonotonicClock final : public Clock {
-  TimeNs DoNowNs() const override {
-    timespec now{};
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-    return TimeNs{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-  }
-  void DoSleepUntil(TimeNs) override {}
-};
 
 struct FolderCounterRig {
   FolderCounterRig() {
@@ -40,7 +30,7 @@ struct FolderCounterRig {
 
   SysfsFolder folder;
   std::string root = folder.root();
-  MonotonicClock time;
+  LinuxClock time;
   LinuxCounter device;
   std::int64_t at = 0;
 };
