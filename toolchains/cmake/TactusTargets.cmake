@@ -16,7 +16,7 @@ set(TACTUS_WARNINGS
     # GCC 12 sees an overlap inside std::string that is not there (GCC bug 105651).
     -Wno-restrict)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  list(REMOVE_ITEM TACTUS_WARNINGS -Wduplicated-cond -Wlogical-op)
+  list(REMOVE_ITEM TACTUS_WARNINGS -Wduplicated-cond -Wlogical-op -Wno-restrict)
 endif()
 set(TACTUS_CONTROLLER_OPTIONS -fno-exceptions -fno-rtti)
 
