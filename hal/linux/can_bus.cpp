@@ -222,6 +222,9 @@ Result<std::size_t> LinuxCanBus::DoSend(std::span<const CanFrame> frames) {
     }
     ++tries;
   }
+  if (link_down_) {
+    (void)check_link();
+  }
   return sent;
 }
 

@@ -1,6 +1,5 @@
 #include "hal/linux/system.h"
 
-#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,20 +40,22 @@ void FileDescriptor::reset() {
   }
 }
 
-bool wait_readable(int descriptor, TimeNs deadline_ns) {
-  pollfd wanted{.fd = descriptor, .events = POLLIN, .revents = 0};
+int wait_for_descriptors(std::span<pollfd> descriptors, TimeNs deadline_ns) {
   while (true) {
     const TimeNs left_ns =
-        deadline_ns == kForever ? kForever : std::max<TimeNs>(0, deadline_ns - monotonic_now_ns());
+        deadline_ns == kNoWait ? 0 : std::max<TimeNs>(0, deadline_ns - monotonic_now_ns());
     const timespec left = to_timespec(left_ns);
-    const int ready = ppoll(&wanted, 1, deadline_ns == kForever ? nullptr : &left, nullptr);
-    if (ready >= 0) {
-      return ready > 0;
-    }
-    if (errno != EINTR) {
-      return true;  // the read that follows reports it
+    const int ready = ppoll(descriptors.data(), descriptors.size(), &left, nullptr);
+    if (ready >= 0 || errno != EINTR) {
+      return ready;
     }
   }
+}
+
+bool wait_readable(int descriptor, TimeNs deadline_ns) {
+  pollfd wanted{.fd = descriptor, .events = POLLIN, .revents = 0};
+  // The read that follows a failed wait reports it.
+  return wait_for_descriptors({&wanted, 1}, deadline_ns) != 0;
 }
 
 }  // namespace tactus::hal

@@ -2,7 +2,10 @@
 // waiting for a descriptor.
 #pragma once
 
+#include <poll.h>
+
 #include <ctime>
+#include <span>
 
 #include "hal/clock.h"
 #include "hal/error.h"
@@ -34,8 +37,12 @@ class FileDescriptor {
   int descriptor_ = -1;
 };
 
+// ppoll to an absolute time, taken up again after a signal. How many are ready, 0 at the deadline,
+// -1 with errno otherwise. Real time.
+int wait_for_descriptors(std::span<pollfd> descriptors, TimeNs deadline_ns);
+
 // Waits until there is something to read, or an error to fetch, or the deadline has passed; says
-// whether there is. Signals do not end the wait. Allocates nothing.
+// whether there is. Real time.
 bool wait_readable(int descriptor, TimeNs deadline_ns);
 
 }  // namespace tactus::hal

@@ -6,7 +6,7 @@
 #include "hal/linux/clock.h"
 #include "hal/linux/counter_events.h"
 #include "tests/unit/hal/counter_contract.h"
-#include "tests/unit/hal/sysfs_folder.h"
+#include "tests/unit/hal/linux/sysfs_folder.h"
 
 namespace tactus::hal {
 namespace {
