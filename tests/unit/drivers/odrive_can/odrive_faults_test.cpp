@@ -176,6 +176,21 @@ TEST(ODriveRefusals, DriveThatIsNotCalibratedSaysSo) {
   }
 }
 
+TEST(ODriveRefusals, ClosedLoopForAMomentIsNotBelieved) {
+  CanRig<ODriveCan, host::ODriveEmulator> rig(
+      {}, std::vector<ODriveConfig>{{}},
+      std::vector<host::ODriveEmulatorConfig>{{.heartbeat_ms = 10}});
+  rig.start();
+  rig.command_all(0.1);
+  ASSERT_GT(rig.run_until(1000 * kMs, [&] { return rig.emulator(0).axis_state() == 8; }), 0);
+  rig.run(100 * kMs);
+  rig.emulator(0).drop_to_idle();
+  rig.run(100 * kMs);
+  EXPECT_EQ(rig.sample(0).status, kDeviceNotReady);
+  EXPECT_EQ(rig.emulator(0).shaft().torque_Nm, 0.0);
+  EXPECT_GT(rig.run_until_well(1000 * kMs), 0) << rig.board().trouble(0).what;
+}
+
 TEST(ODriveRefusals, SilenceFromTheStartIsLostWithWhatToCheck) {
   CanRig<ODriveCan, host::ODriveEmulator> rig({}, std::vector<ODriveConfig>{{.node_id = 4}},
                                               std::vector<host::ODriveEmulatorConfig>{{}});
