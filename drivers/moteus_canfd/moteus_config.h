@@ -24,8 +24,8 @@ struct MoteusConfig {
   MoteusQuery query = MoteusQuery::with_command;
 
   // Deadlines, 0.001 to 10 s, in this order.
-  double reply_stale_s = 0.0025;  // kDeviceStale
-  double reply_lost_s = 0.0045;   // kDeviceLost
+  double reply_stale_s = 0.0022;  // kDeviceStale
+  double reply_lost_s = 0.0034;   // kDeviceLost
   double bring_up_s = 1.0;        // for each step of the bring-up
 };
 

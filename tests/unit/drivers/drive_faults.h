@@ -17,7 +17,8 @@ class DriveFaults : public ::testing::Test {
  protected:
   static constexpr double kTorque_Nm = 0.1;
 
-  // Simulated time from now to what a fault must lead to; -1: never.
+  // Simulated time from now to the motor's last torque, and to the tick that tells of the fault;
+  // -1: not yet.
   struct Reaction {
     hal::TimeNs torque_gone_ns = -1;
     hal::TimeNs latched_ns = -1;
@@ -41,12 +42,12 @@ class DriveFaults : public ::testing::Test {
     while (rig_.clock().now_ns() < begin_ns + at_most_ns) {
       rig_.run(kMs);
       const hal::TimeNs passed_ns = rig_.clock().now_ns() - begin_ns;
-      if (reaction.torque_gone_ns < 0 && torque_Nm() == 0.0) {
-        reaction.torque_gone_ns = passed_ns;
-      }
       if (reaction.latched_ns < 0 && (status() & ~std::uint32_t{kDeviceStale}) != 0) {
         reaction.latched_ns = passed_ns;
       }
+    }
+    if (torque_Nm() == 0.0) {
+      reaction.torque_gone_ns = rig_.last_torque_ns(0) - begin_ns;
     }
     return reaction;
   }
