@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "drivers/axis.h"
-#include "drivers/cia402_can/config.h"
+#include "drivers/cia402_can/cia402_config.h"
 #include "drivers/cia402_can/sdo.h"
 
 namespace tactus::drivers::cia402 {

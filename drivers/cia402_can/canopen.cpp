@@ -1,5 +1,7 @@
 #include "drivers/cia402_can/canopen.h"
 
+#include "drivers/little_endian.h"
+
 namespace tactus::drivers::canopen {
 
 namespace {
@@ -9,24 +11,6 @@ std::uint8_t byte_of(const hal::CanFrame& frame, std::size_t at) {
 }
 
 }  // namespace
-
-std::uint16_t get_u16(const hal::CanFrame& frame, std::size_t at) {
-  return static_cast<std::uint16_t>(byte_of(frame, at) | byte_of(frame, at + 1) << 8U);
-}
-
-std::uint32_t get_u32(const hal::CanFrame& frame, std::size_t at) {
-  return get_u16(frame, at) | static_cast<std::uint32_t>(get_u16(frame, at + 2)) << 16U;
-}
-
-void put_u16(hal::CanFrame& frame, std::size_t at, std::uint16_t value) {
-  frame.data[at] = static_cast<std::byte>(value & 0xFFU);
-  frame.data[at + 1] = static_cast<std::byte>(value >> 8U);
-}
-
-void put_u32(hal::CanFrame& frame, std::size_t at, std::uint32_t value) {
-  put_u16(frame, at, static_cast<std::uint16_t>(value & 0xFFFFU));
-  put_u16(frame, at + 2, static_cast<std::uint16_t>(value >> 16U));
-}
 
 bool is_from(const hal::CanFrame& frame, std::uint32_t service, std::uint8_t node) {
   return frame.id == service + node && !frame.extended && !frame.remote && !frame.fd &&
@@ -61,7 +45,8 @@ std::optional<Emergency> emergency_of(const hal::CanFrame& frame, std::uint8_t n
   if (!is_from(frame, kEmergency, node) || frame.length != 8) {
     return std::nullopt;
   }
-  Emergency emergency{.code = get_u16(frame, 0), .error_register = byte_of(frame, 2)};
+  Emergency emergency{.code = load_little_endian<std::uint16_t>(frame.data, 0),
+                      .error_register = byte_of(frame, 2)};
   for (std::size_t i = 0; i < emergency.vendor.size(); ++i) {
     emergency.vendor[i] = byte_of(frame, 3 + i);
   }

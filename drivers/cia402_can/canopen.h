@@ -46,11 +46,6 @@ struct Emergency {
   std::array<std::uint8_t, 5> vendor{};
 };
 
-std::uint16_t get_u16(const hal::CanFrame& frame, std::size_t at);
-std::uint32_t get_u32(const hal::CanFrame& frame, std::size_t at);
-void put_u16(hal::CanFrame& frame, std::size_t at, std::uint16_t value);
-void put_u32(hal::CanFrame& frame, std::size_t at, std::uint32_t value);
-
 // A classic data frame with an 11-bit identifier; anything else is no CANopen.
 bool is_from(const hal::CanFrame& frame, std::uint32_t service, std::uint8_t node);
 

@@ -1,9 +1,9 @@
-// What a Cia402Drive makes of the frames that it takes, and of those that do not come.
+// What a Cia402Can makes of the frames that it takes, and of those that do not come.
 #include <algorithm>
 
-#include "drivers/cia402_can/cia402_drive.h"
+#include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
-#include "drivers/duration.h"
+#include "drivers/seconds.h"
 
 namespace tactus::drivers {
 
@@ -26,7 +26,7 @@ bool is_fault(PowerState state) {
 
 }  // namespace
 
-void Cia402Drive::take(const hal::CanReceived& received) {
+void Cia402Can::take(const hal::CanReceived& received) {
   if (phase_ == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
     return;
   }
@@ -50,7 +50,7 @@ void Cia402Drive::take(const hal::CanReceived& received) {
 
 // The position was taken at a SYNC: this tick's, or the one before if the frame came too late for
 // it.
-void Cia402Drive::take_state(const cia402::DriveState& state, hal::TimeNs received_ns) {
+void Cia402Can::take_state(const cia402::DriveState& state, hal::TimeNs received_ns) {
   const hal::TimeNs taken_ns =
       std::max(sample_.time_ns, received_ns < sync_ns_ ? last_sync_ns_ : sync_ns_);
   state_ = state;
@@ -74,7 +74,7 @@ void Cia402Drive::take_state(const cia402::DriveState& state, hal::TimeNs receiv
   update_status();
 }
 
-void Cia402Drive::check_power() {
+void Cia402Can::check_power() {
   const PowerState power = cia402::power_state(state_.statusword);
   if (phase_ != Phase::ready || faults_) {
     return;
@@ -89,7 +89,7 @@ void Cia402Drive::check_power() {
   }
 }
 
-void Cia402Drive::latch_drive_fault() {
+void Cia402Can::latch_drive_fault() {
   if (emergency_code_ != 0) {
     latch(kDeviceDriveFault, cia402::error_code_trouble(emergency_code_));
     return;
@@ -98,7 +98,7 @@ void Cia402Drive::latch_drive_fault() {
   reads_error_code_ = true;
 }
 
-void Cia402Drive::take_motion(const cia402::DriveMotion& motion) {
+void Cia402Can::take_motion(const cia402::DriveMotion& motion) {
   in_torque_mode_ = motion.mode == cia402::kCyclicSynchronousTorque;
   if (config_.velocity_unit_rad_per_s > 0.0) {
     sample_.velocity_rad_per_s = config_.velocity_unit_rad_per_s * motion.velocity;
@@ -110,7 +110,7 @@ void Cia402Drive::take_motion(const cia402::DriveMotion& motion) {
   }
 }
 
-void Cia402Drive::take_heartbeat(NmtState state) {
+void Cia402Can::take_heartbeat(NmtState state) {
   heard_heartbeat_ns_ = now_ns_;
   is_operational_ = state == NmtState::operational;
   if (phase_ == Phase::booting || phase_ == Phase::setting_up) {
@@ -131,7 +131,7 @@ void Cia402Drive::take_heartbeat(NmtState state) {
 }
 
 // During the bring-up it is mostly what is to be cleared there.
-void Cia402Drive::take_emergency(const canopen::Emergency& emergency) {
+void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
   emergency_code_ = emergency.code;
   if (emergency.code == 0 || phase_ != Phase::ready) {
     return;
@@ -143,7 +143,7 @@ void Cia402Drive::take_emergency(const canopen::Emergency& emergency) {
   latch(kDeviceDriveFault, cia402::error_code_trouble(emergency.code));
 }
 
-void Cia402Drive::watch() {
+void Cia402Can::watch() {
   if (faults_) {
     return;
   }
@@ -158,7 +158,7 @@ void Cia402Drive::watch() {
 }
 
 // A host that overslept has asked for no sample meanwhile: that is not the drive's fault.
-void Cia402Drive::watch_samples() {
+void Cia402Can::watch_samples() {
   if (unanswered_syncs_ > 0 &&
       has_passed(sample_.time_ns, kStaleAfter_periods * config_.period_s)) {
     is_stale_ = true;
@@ -174,7 +174,7 @@ void Cia402Drive::watch_samples() {
   }
 }
 
-Trouble Cia402Drive::late_bring_up() const {
+Trouble Cia402Can::late_bring_up() const {
   switch (phase_) {
     case Phase::booting:
       return {"drive does not boot up",

@@ -1,10 +1,10 @@
-// What a Cia402Drive sends: SYNC and heartbeat for the bus, the bring-up, the torque.
+// What a Cia402Can sends: SYNC and heartbeat for the bus, the bring-up, the torque.
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/cia402_can/cia402_drive.h"
+#include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
-#include "drivers/duration.h"
+#include "drivers/seconds.h"
 
 namespace tactus::drivers {
 
@@ -26,7 +26,7 @@ constexpr canopen::ObjectAddress kErrorCodeObject{0x603F, 0};
 
 }  // namespace
 
-void Cia402Drive::request(hal::TimeNs now_ns, CanOutbox& outbox) {
+void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   now_ns_ = now_ns;
   if (phase_ == Phase::off) {
     return;
@@ -40,7 +40,7 @@ void Cia402Drive::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   }
 }
 
-void Cia402Drive::lead_bus(CanOutbox& outbox) {
+void Cia402Can::lead_bus(CanOutbox& outbox) {
   outbox.add(canopen::sync_frame());
   if (!has_sent_heartbeat_ ||
       has_passed(sent_heartbeat_ns_, 1e-3 * config_.watchdog_ms / kHeartbeatsPerWatchdog)) {
@@ -50,7 +50,7 @@ void Cia402Drive::lead_bus(CanOutbox& outbox) {
   }
 }
 
-void Cia402Drive::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
+void Cia402Can::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
   now_ns_ = now_ns;
   if (phase_ == Phase::off) {
     return;
@@ -65,7 +65,7 @@ void Cia402Drive::command(hal::TimeNs now_ns, const AxisCommand& command, CanOut
   read_error_code(outbox);
 }
 
-void Cia402Drive::bring_up(CanOutbox& outbox) {
+void Cia402Can::bring_up(CanOutbox& outbox) {
   switch (phase_) {
     case Phase::booting:
       repeat_nmt(NmtCommand::reset_communication, kResetEvery_s, outbox);
@@ -94,14 +94,14 @@ void Cia402Drive::bring_up(CanOutbox& outbox) {
   }
 }
 
-void Cia402Drive::repeat_nmt(NmtCommand command, double every_s, CanOutbox& outbox) {
+void Cia402Can::repeat_nmt(NmtCommand command, double every_s, CanOutbox& outbox) {
   if (!has_sent_nmt_ || has_passed(sent_nmt_ns_, every_s)) {
     has_sent_nmt_ = outbox.add(canopen::nmt_frame(command, config_.node));
     sent_nmt_ns_ = now_ns_;
   }
 }
 
-void Cia402Drive::run_set_up(CanOutbox& outbox) {
+void Cia402Can::run_set_up(CanOutbox& outbox) {
   const auto steps = cia402::set_up_steps();
   while (step_ < steps.size() && run_step(steps[step_], outbox)) {
     ++step_;
@@ -112,7 +112,7 @@ void Cia402Drive::run_set_up(CanOutbox& outbox) {
   }
 }
 
-void Cia402Drive::choose_mode(CanOutbox& outbox) {
+void Cia402Can::choose_mode(CanOutbox& outbox) {
   if (!mode_is_set_) {
     mode_is_set_ = run_step(cia402::torque_mode_step(), outbox);
   } else if (in_torque_mode_) {
@@ -121,7 +121,7 @@ void Cia402Drive::choose_mode(CanOutbox& outbox) {
 }
 
 // True when the step is done. Otherwise it has asked, waits, or has latched why it cannot be done.
-bool Cia402Drive::run_step(const cia402::SdoStep& step, CanOutbox& outbox) {
+bool Cia402Can::run_step(const cia402::SdoStep& step, CanOutbox& outbox) {
   if (sdo_.state() == SdoClient::State::idle) {
     if (step.size == 0) {
       sdo_.read(step.object);
@@ -149,7 +149,7 @@ bool Cia402Drive::run_step(const cia402::SdoStep& step, CanOutbox& outbox) {
   return true;
 }
 
-void Cia402Drive::refuse(const cia402::SdoStep& step) {
+void Cia402Can::refuse(const cia402::SdoStep& step) {
   if (sdo_.state() == SdoClient::State::refused) {
     latch(kDeviceDriveFault, {step.what, canopen::sdo_abort_words(sdo_.value()), sdo_.value()});
   } else if (sdo_.state() == SdoClient::State::too_long) {
@@ -166,7 +166,7 @@ void Cia402Drive::refuse(const cia402::SdoStep& step) {
 }
 
 // After a fault that came without an emergency message.
-void Cia402Drive::read_error_code(CanOutbox& outbox) {
+void Cia402Can::read_error_code(CanOutbox& outbox) {
   if (!reads_error_code_) {
     return;
   }
@@ -185,7 +185,7 @@ void Cia402Drive::read_error_code(CanOutbox& outbox) {
   sdo_.reset();
 }
 
-cia402::TorqueCommand Cia402Drive::next_command(const AxisCommand& command) {
+cia402::TorqueCommand Cia402Can::next_command(const AxisCommand& command) {
   if (faults_) {
     return {};
   }
@@ -199,7 +199,7 @@ cia402::TorqueCommand Cia402Drive::next_command(const AxisCommand& command) {
   }
 }
 
-std::uint16_t Cia402Drive::clearing_controlword() const {
+std::uint16_t Cia402Can::clearing_controlword() const {
   const PowerState power = cia402::power_state(state_.statusword);
   if (power != PowerState::fault) {
     return cia402::controlword_toward(power, false);
@@ -208,7 +208,7 @@ std::uint16_t Cia402Drive::clearing_controlword() const {
   return (now_ns_ - phase_ns_) / edge_ns % 2 == 0 ? cia402::kDisableVoltage : cia402::kFaultReset;
 }
 
-cia402::TorqueCommand Cia402Drive::powered_command(const AxisCommand& command) {
+cia402::TorqueCommand Cia402Can::powered_command(const AxisCommand& command) {
   const PowerState power = cia402::power_state(state_.statusword);
   if (!command.enable) {
     wants_power_ = false;
@@ -234,7 +234,7 @@ cia402::TorqueCommand Cia402Drive::powered_command(const AxisCommand& command) {
 }
 
 // What is no number is no torque.
-std::int16_t Cia402Drive::torque_units(double torque_Nm) const {
+std::int16_t Cia402Can::torque_units(double torque_Nm) const {
   const double units = kUnitsPerTorque * torque_Nm / facts_.rated_torque_Nm;
   if (!std::isfinite(units)) {
     return 0;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/cia402_can/canopen.h"
+#include "drivers/little_endian.h"
 
 namespace tactus::drivers::cia402 {
 
@@ -80,8 +81,8 @@ std::uint16_t controlword_toward(PowerState state, bool power) {
 
 hal::CanFrame command_frame(std::uint8_t node, const TorqueCommand& command) {
   hal::CanFrame frame{.id = canopen::kReceivePdo1 + node, .length = 4};
-  canopen::put_u16(frame, 0, command.controlword);
-  canopen::put_u16(frame, 2, static_cast<std::uint16_t>(command.torque));
+  store_little_endian(command.controlword, frame.data, 0);
+  store_little_endian(command.torque, frame.data, 2);
   return frame;
 }
 
@@ -89,18 +90,17 @@ std::optional<DriveState> drive_state_of(const hal::CanFrame& frame, std::uint8_
   if (!canopen::is_from(frame, canopen::kTransmitPdo1, node) || frame.length != 8) {
     return std::nullopt;
   }
-  return DriveState{.statusword = canopen::get_u16(frame, 0),
-                    .position = static_cast<std::int32_t>(canopen::get_u32(frame, 2)),
-                    .torque = static_cast<std::int16_t>(canopen::get_u16(frame, 6))};
+  return DriveState{.statusword = load_little_endian<std::uint16_t>(frame.data, 0),
+                    .position = load_little_endian<std::int32_t>(frame.data, 2),
+                    .torque = load_little_endian<std::int16_t>(frame.data, 6)};
 }
 
 std::optional<DriveMotion> drive_motion_of(const hal::CanFrame& frame, std::uint8_t node) {
   if (!canopen::is_from(frame, canopen::kTransmitPdo2, node) || frame.length != 5) {
     return std::nullopt;
   }
-  return DriveMotion{
-      .velocity = static_cast<std::int32_t>(canopen::get_u32(frame, 0)),
-      .mode = static_cast<std::int8_t>(std::to_integer<std::uint8_t>(frame.data[4]))};
+  return DriveMotion{.velocity = load_little_endian<std::int32_t>(frame.data, 0),
+                     .mode = load_little_endian<std::int8_t>(frame.data, 4)};
 }
 
 }  // namespace tactus::drivers::cia402

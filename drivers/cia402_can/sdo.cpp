@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drivers/cia402_can/canopen.h"
+#include "drivers/little_endian.h"
 
 namespace tactus::drivers::canopen {
 
@@ -23,9 +24,9 @@ hal::CanFrame sdo_request(std::uint8_t node, std::uint8_t command, ObjectAddress
                           std::uint32_t value) {
   hal::CanFrame frame{.id = kSdoRequest + node, .length = 8};
   frame.data[0] = static_cast<std::byte>(command);
-  put_u16(frame, 1, object.index);
+  store_little_endian(object.index, frame.data, 1);
   frame.data[3] = static_cast<std::byte>(object.sub);
-  put_u32(frame, 4, value);
+  store_little_endian(value, frame.data, 4);
   return frame;
 }
 
@@ -101,8 +102,9 @@ std::optional<SdoAnswer> sdo_answer_of(const hal::CanFrame& frame, std::uint8_t 
   if (frame.length != 8) {
     return SdoAnswer{};
   }
-  SdoAnswer answer{.object = {get_u16(frame, 1), std::to_integer<std::uint8_t>(frame.data[3])},
-                   .value = get_u32(frame, 4)};
+  SdoAnswer answer{.object = {load_little_endian<std::uint16_t>(frame.data, 1),
+                              std::to_integer<std::uint8_t>(frame.data[3])},
+                   .value = load_little_endian<std::uint32_t>(frame.data, 4)};
   const auto command = std::to_integer<std::uint8_t>(frame.data[0]);
   switch (command & kSpecifier) {
     case kReadRequest:

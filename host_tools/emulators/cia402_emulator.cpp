@@ -1,8 +1,7 @@
 #include "host_tools/emulators/cia402_emulator.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
+#include <initializer_list>
 
 namespace tactus::host {
 

@@ -40,7 +40,7 @@ class Cia402Emulator final : public CanEmulator {
   void set_motor_power(bool on) { motor_power_ = on; }
   // Its encoder slips by that much at once.
   void slip(std::int64_t counts) { first_count_ += counts; }
-  // A fault of its own, with the error code of EMCY and 603F. A code of 0 sends no EMCY.
+  // A fault of its own, with its code in 603F and, if it tells, an emergency message.
   void raise_fault(hal::TimeNs now_ns, std::uint16_t code, bool tells = true);
   // For tests: an object as a drive of another make would have it, or none at all.
   void set_object(std::uint16_t index, std::uint8_t sub, std::uint32_t value);

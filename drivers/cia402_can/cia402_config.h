@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <expected>
 #include <span>
 
-#include "drivers/range_error.h"
+#include "drivers/field_error.h"
 
 namespace tactus::drivers {
 
@@ -50,10 +49,10 @@ struct Cia402Config {
   double enable_timeout_s = 1.0;          // from power wanted to power on; 0.01..10
 };
 
-std::expected<void, RangeError> check(const Cia402Config& config);
+Checked check(const Cia402Config& config);
 
 // Drives that share a bus: besides each by itself, that their nodes differ, exactly one leads, and
 // they agree on the host's node and the period.
-std::expected<void, RangeError> check_bus(std::span<const Cia402Config> configs);
+Checked check_bus(std::span<const Cia402Config> configs);
 
 }  // namespace tactus::drivers

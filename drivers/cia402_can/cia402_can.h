@@ -1,6 +1,6 @@
 // A CANopen drive with the CiA 402 profile in cyclic synchronous torque mode.
 //
-// Frames are those of canopen.h, sdo.h and drive_profile.h. Real time but for `create`; one thread.
+// Frames are those of canopen.h, sdo.h and drive_profile.h.
 //
 // Where the SYNC stands in a tick: it opens the request, ahead of everything else. The drives take
 // their position at the SYNC and send it right after, so the sample that the tick computes with is
@@ -26,14 +26,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <expected>
 #include <span>
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
 #include "drivers/cia402_can/bring_up.h"
 #include "drivers/cia402_can/canopen.h"
-#include "drivers/cia402_can/config.h"
+#include "drivers/cia402_can/cia402_config.h"
 #include "drivers/cia402_can/drive_profile.h"
 #include "drivers/cia402_can/sdo_client.h"
 #include "drivers/counted_shaft.h"
@@ -41,9 +40,10 @@
 
 namespace tactus::drivers {
 
-class Cia402Drive {
+class Cia402Can {
  public:
-  static std::expected<Cia402Drive, RangeError> create(const Cia402Config& config);
+  // The configuration has passed `check`.
+  explicit Cia402Can(const Cia402Config& config);
 
   std::size_t filters(std::span<hal::CanFilter> filters) const;
   void start(hal::TimeNs now_ns);
@@ -69,8 +69,6 @@ class Cia402Drive {
     clearing,       // until it is out of fault and ready to switch on
     ready,
   };
-
-  explicit Cia402Drive(const Cia402Config& config);
 
   void begin(hal::TimeNs now_ns);
   void enter(Phase phase);
@@ -138,6 +136,6 @@ class Cia402Drive {
   std::uint16_t emergency_code_ = 0;
 };
 
-static_assert(CanDrive<Cia402Drive>);
+static_assert(CanDrive<Cia402Can>);
 
 }  // namespace tactus::drivers

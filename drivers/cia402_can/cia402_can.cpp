@@ -1,10 +1,10 @@
-#include "drivers/cia402_can/cia402_drive.h"
+#include "drivers/cia402_can/cia402_can.h"
 
 #include <algorithm>
 #include <array>
 #include <numbers>
 
-#include "drivers/duration.h"
+#include "drivers/seconds.h"
 
 namespace tactus::drivers {
 
@@ -21,19 +21,12 @@ CountedShaftConfig cia402_shaft(const Cia402Config& config) {
 
 }  // namespace
 
-std::expected<Cia402Drive, RangeError> Cia402Drive::create(const Cia402Config& config) {
-  if (const auto valid = check(config); !valid) {
-    return std::unexpected(valid.error());
-  }
-  return Cia402Drive(config);
-}
-
-Cia402Drive::Cia402Drive(const Cia402Config& config)
+Cia402Can::Cia402Can(const Cia402Config& config)
     : config_(config),
       sdo_(config.node, ns_of(config.sdo_timeout_s)),
       shaft_(cia402_shaft(config)) {}
 
-std::size_t Cia402Drive::filters(std::span<hal::CanFilter> filters) const {
+std::size_t Cia402Can::filters(std::span<hal::CanFilter> filters) const {
   constexpr std::array kServices = {canopen::kTransmitPdo1, canopen::kTransmitPdo2,
                                     canopen::kEmergency, canopen::kSdoAnswer, canopen::kHeartbeat};
   std::ranges::transform(kServices, filters.begin(), [this](std::uint32_t service) {
@@ -42,20 +35,20 @@ std::size_t Cia402Drive::filters(std::span<hal::CanFilter> filters) const {
   return kServices.size();
 }
 
-void Cia402Drive::start(hal::TimeNs now_ns) {
+void Cia402Can::start(hal::TimeNs now_ns) {
   shaft_.forget();
   sample_ = AxisSample{};
   has_sent_heartbeat_ = false;
   begin(now_ns);
 }
 
-void Cia402Drive::clear_faults(hal::TimeNs now_ns) {
+void Cia402Can::clear_faults(hal::TimeNs now_ns) {
   if (faults_) {
     begin(now_ns);
   }
 }
 
-void Cia402Drive::begin(hal::TimeNs now_ns) {
+void Cia402Can::begin(hal::TimeNs now_ns) {
   now_ns_ = now_ns;
   begun_ns_ = now_ns;
   faults_.clear();
@@ -74,7 +67,7 @@ void Cia402Drive::begin(hal::TimeNs now_ns) {
   enter(Phase::booting);
 }
 
-void Cia402Drive::enter(Phase phase) {
+void Cia402Can::enter(Phase phase) {
   phase_ = phase;
   phase_ns_ = now_ns_;
   has_sent_nmt_ = false;
@@ -82,22 +75,22 @@ void Cia402Drive::enter(Phase phase) {
   update_status();
 }
 
-bool Cia402Drive::has_passed(hal::TimeNs since_ns, double time_s) const {
+bool Cia402Can::has_passed(hal::TimeNs since_ns, double time_s) const {
   return now_ns_ - since_ns >= ns_of(time_s);
 }
 
-void Cia402Drive::latch(DeviceStatus bit, const Trouble& trouble) {
+void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
   faults_.latch(bit, trouble);
   sample_.torque_Nm = 0.0;
   update_status();
 }
 
-void Cia402Drive::update_status() {
+void Cia402Can::update_status() {
   sample_.status = faults_.status() | (is_stale_ ? kDeviceStale : kDeviceOk) |
                    (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
 }
 
-void Cia402Drive::shutdown(CanOutbox& outbox) {
+void Cia402Can::shutdown(CanOutbox& outbox) {
   if (phase_ == Phase::off) {
     return;
   }
