@@ -26,22 +26,23 @@ class CountedShaft {
   void resume() { is_near_ = false; }
 
   // False, and nothing changes, if the shaft cannot have got there since the last count. Times that
-  // go back count as no time at all.
+  // go back count as no time at all, and however many counts come at one time, together they move
+  // the shaft by no more than the margin.
   bool take(std::int32_t count, hal::TimeNs time_ns);
 
   [[nodiscard]] double position_rad() const {
     return static_cast<double>(counts_) * config_.rad_per_count;
   }
-  // From differences of the position, smoothed.
+  // From differences of the position, smoothed; within the greatest speed.
   [[nodiscard]] double velocity_rad_per_s() const { return velocity_rad_per_s_; }
 
  private:
-  [[nodiscard]] bool can_be_true(double step_rad, double passed_s) const;
   void smooth(double step_rad, double passed_s);
 
   CountedShaftConfig config_;
   std::int64_t counts_ = 0;
   std::int32_t last_count_ = 0;
+  std::int32_t anchor_count_ = 0;  // the first at last_ns_
   hal::TimeNs last_ns_ = 0;
   double velocity_rad_per_s_ = 0.0;
   bool is_known_ = false;  // there is a last count

@@ -79,6 +79,7 @@ class Cia402Can {
 
   void take_state(const cia402::DriveState& state, hal::TimeNs received_ns);
   void take_motion(const cia402::DriveMotion& motion);
+  void take_velocity(std::int32_t velocity);
   void take_heartbeat(canopen::NmtState state);
   void take_emergency(const canopen::Emergency& emergency);
   void check_power();

@@ -1,5 +1,6 @@
 // What a Cia402Can makes of the frames that it takes, and of those that do not come.
 #include <algorithm>
+#include <cmath>
 
 #include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
@@ -101,13 +102,25 @@ void Cia402Can::latch_drive_fault() {
 void Cia402Can::take_motion(const cia402::DriveMotion& motion) {
   in_torque_mode_ = motion.mode == cia402::kCyclicSynchronousTorque;
   if (config_.velocity_unit_rad_per_s > 0.0) {
-    sample_.velocity_rad_per_s = config_.velocity_unit_rad_per_s * motion.velocity;
+    take_velocity(motion.velocity);
   }
   if (!in_torque_mode_ && phase_ > Phase::choosing_mode && !faults_) {
     latch(kDeviceDriveFault, {"drive left cyclic synchronous torque mode (6061:00)",
                               "look for a second master on the bus, then reset",
                               static_cast<std::uint32_t>(motion.mode)});
   }
+}
+
+void Cia402Can::take_velocity(std::int32_t velocity) {
+  const double velocity_rad_per_s = config_.velocity_unit_rad_per_s * velocity;
+  if (std::abs(velocity_rad_per_s) <= config_.max_speed_rad_per_s) {
+    sample_.velocity_rad_per_s = velocity_rad_per_s;
+    return;
+  }
+  latch(kDeviceEncoderFault,
+        {"drive reports a speed that its shaft cannot have (606C:00)",
+         "check the encoder's cable, velocity_unit_rad_per_s and max_speed_rad_per_s, then reset",
+         static_cast<std::uint32_t>(velocity)});
 }
 
 void Cia402Can::take_heartbeat(NmtState state) {
