@@ -63,6 +63,8 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   in_torque_mode_ = false;
   wants_power_ = false;
   is_stale_ = false;
+  is_late_ = false;
+  tick_is_over_ = false;
   reads_error_code_ = false;
   enter(Phase::booting);
 }

@@ -77,7 +77,7 @@ class Cia402Can {
   void latch(DeviceStatus bit, const Trouble& trouble);
   void update_status();
 
-  void take_state(const cia402::DriveState& state, hal::TimeNs received_ns);
+  void take_state(const cia402::DriveState& state);
   void take_motion(const cia402::DriveMotion& motion);
   void take_velocity(std::int32_t velocity);
   void take_heartbeat(canopen::NmtState state);
@@ -116,7 +116,6 @@ class Cia402Can {
   hal::TimeNs begun_ns_ = 0;  // the bring-up
   hal::TimeNs phase_ns_ = 0;  // this phase of it
   hal::TimeNs sync_ns_ = 0;
-  hal::TimeNs last_sync_ns_ = 0;
   hal::TimeNs sent_nmt_ns_ = 0;
   hal::TimeNs sent_heartbeat_ns_ = 0;
   hal::TimeNs heard_heartbeat_ns_ = 0;
@@ -132,6 +131,8 @@ class Cia402Can {
   bool wants_power_ = false;
   bool had_power_ = false;  // since it was wanted, long enough to be sure
   bool is_stale_ = false;
+  bool is_late_ = false;       // the last sample
+  bool tick_is_over_ = false;  // its command has been sent, the next SYNC has not
   bool reads_error_code_ = false;
   cia402::DriveState state_;
   std::uint16_t emergency_code_ = 0;

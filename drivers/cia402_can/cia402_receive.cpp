@@ -34,13 +34,14 @@ void Cia402Can::take(const hal::CanReceived& received) {
   const hal::CanFrame& frame = received.frame;
   if (const auto state = cia402::drive_state_of(frame, config_.node)) {
     if (is_live()) {
-      take_state(*state, received.time_ns);
+      take_state(*state);
     }
   } else if (const auto motion = cia402::drive_motion_of(frame, config_.node)) {
     if (is_live()) {
       take_motion(*motion);
     }
   } else if (const auto heartbeat = canopen::heartbeat_of(frame, config_.node)) {
+    heard_heartbeat_ns_ = std::max(now_ns_, received.time_ns);
     take_heartbeat(*heartbeat);
   } else if (const auto emergency = canopen::emergency_of(frame, config_.node)) {
     take_emergency(*emergency);
@@ -49,28 +50,29 @@ void Cia402Can::take(const hal::CanReceived& received) {
   }
 }
 
-// The position was taken at a SYNC: this tick's, or the one before if the frame came too late for
-// it.
-void Cia402Can::take_state(const cia402::DriveState& state, hal::TimeNs received_ns) {
-  const hal::TimeNs taken_ns =
-      std::max(sample_.time_ns, received_ns < sync_ns_ ? last_sync_ns_ : sync_ns_);
+// The position was taken at the last SYNC. A sample that comes after its tick is used, but it is no
+// fresh one: the next tick waits for its own.
+void Cia402Can::take_state(const cia402::DriveState& state) {
   state_ = state;
   has_state_ = true;
-  unanswered_syncs_ = 0;
-  if (!shaft_.take(state.position, taken_ns)) {
+  if (!shaft_.take(state.position, sync_ns_)) {
     latch(kDeviceEncoderFault,
           {"drive reports a position that its shaft cannot have reached (6064:00)",
            "check the encoder's cable and shield, and max_speed_rad_per_s, then reset",
            static_cast<std::uint32_t>(state.position)});
     return;
   }
-  sample_.time_ns = taken_ns;
   sample_.position_rad = shaft_.position_rad();
   if (config_.velocity_unit_rad_per_s == 0.0) {
     sample_.velocity_rad_per_s = shaft_.velocity_rad_per_s();
   }
   sample_.torque_Nm = kTorquePerUnit * facts_.rated_torque_Nm * state.torque;
-  is_stale_ = false;
+  is_late_ = tick_is_over_;
+  if (!is_late_ || phase_ != Phase::ready) {
+    sample_.time_ns = sync_ns_;
+    unanswered_syncs_ = 0;
+    is_stale_ = false;
+  }
   check_power();
   update_status();
 }
@@ -124,7 +126,6 @@ void Cia402Can::take_velocity(std::int32_t velocity) {
 }
 
 void Cia402Can::take_heartbeat(NmtState state) {
-  heard_heartbeat_ns_ = now_ns_;
   is_operational_ = state == NmtState::operational;
   if (phase_ == Phase::booting || phase_ == Phase::setting_up) {
     if (state == NmtState::boot_up && (phase_ == Phase::setting_up || has_sent_nmt_)) {
@@ -165,7 +166,7 @@ void Cia402Can::watch() {
     latch(is_lost ? kDeviceLost : kDeviceDriveFault, late_bring_up());
     reads_error_code_ = phase_ == Phase::clearing && emergency_code_ == 0 &&
                         is_fault(cia402::power_state(state_.statusword));
-  } else if (phase_ > Phase::starting) {
+  } else if (phase_ == Phase::ready) {
     watch_samples();
   }
 }
@@ -179,7 +180,10 @@ void Cia402Can::watch_samples() {
   }
   if (unanswered_syncs_ > 1 && has_passed(sample_.time_ns, config_.lost_after_s)) {
     latch(kDeviceLost,
-          {"drive sends no samples any more", "check its power and the cable, then reset", 0});
+          is_late_ ? Trouble{"drive's samples come later than the tick waits for them",
+                             "lower the load of the bus or let the tick wait longer, then reset", 0}
+                   : Trouble{"drive sends no samples any more",
+                             "check its power and the cable, then reset", 0});
   } else if (has_passed(heard_heartbeat_ns_,
                         kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
     latch(kDeviceLost,

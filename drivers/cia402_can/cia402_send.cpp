@@ -32,7 +32,7 @@ void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
     return;
   }
   watch();
-  last_sync_ns_ = sync_ns_;
+  tick_is_over_ = false;
   sync_ns_ = now_ns;
   ++unanswered_syncs_;
   if (config_.leads_bus) {
@@ -63,6 +63,7 @@ void Cia402Can::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
     outbox.add(cia402::command_frame(config_.node, next_command(command)));
   }
   read_error_code(outbox);
+  tick_is_over_ = true;
 }
 
 void Cia402Can::bring_up(CanOutbox& outbox) {

@@ -90,6 +90,7 @@ void VescCan::take(const hal::CanReceived& received) {
     return;
   }
   if (const auto status = vesc::status_of(received.frame, config_.vesc_id)) {
+    status_ns_ = std::max(now_ns_, received.time_ns);
     take_status(*status);
   } else if (const auto status_5 = vesc::status_5_of(received.frame, config_.vesc_id)) {
     take_position(*status_5, received.time_ns);
@@ -105,7 +106,6 @@ void VescCan::take_status(const vesc::Status& status) {
   const double velocity_rad_per_s =
       2.0 * std::numbers::pi * status.erpm / (kSecondsPerMinute * config_.pole_pairs);
   has_status_ = true;
-  status_ns_ = now_ns_;
   if (std::abs(velocity_rad_per_s) > config_.max_speed_rad_per_s) {
     latch(kDeviceEncoderFault,
           {"VESC reports a speed that its shaft cannot have",
@@ -135,7 +135,7 @@ void VescCan::take_position(const vesc::Status5& status, hal::TimeNs received_ns
     return;
   }
   has_position_ = true;
-  position_ns_ = now_ns_;
+  position_ns_ = std::max(now_ns_, received_ns);
   sample_.position_rad = shaft_.position_rad();
   sample_.time_ns = taken_ns;
 }

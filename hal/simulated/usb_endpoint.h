@@ -56,6 +56,8 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   // They can be read `delay_ns` from now, after what was queued before. False, and nothing queued,
   // if there is no room or no device.
   bool answer(std::span<const std::byte> bytes, TimeNs delay_ns = 0);
+  // Packets that the host has not read yet.
+  std::size_t packets_waiting() const { return packets_.size(); }
 
   // Faults. A stopped device answers nothing and takes nothing: every deadline passes.
   void set_stopped(bool stopped);

@@ -1,0 +1,87 @@
+// The Falcon's packets: 16 printable bytes each way, bytes to numbers and back. No input or output.
+//
+// Host to device:  '<', three motor values, flags, 'A', '>'
+// Device to host:  '<', three encoder counts, flags, unknown, '>'
+// A value is a signed 16-bit number in four letters, lowest nibble first, 'A' for 0 to 'P' for 15.
+// Motors and encoders come in the order top, right, left as the user sees the arms. There is no
+// checksum: a wrong letter shows only where it makes no letter, or no motion, of sense.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <span>
+
+namespace tactus::drivers {
+
+inline constexpr std::size_t kFalconPacketBytes = 16;
+inline constexpr std::size_t kFalconArms = 3;
+// Where Novint's own software saturates.
+inline constexpr std::int16_t kFalconMotorLimit = 4095;
+// 1280 counts a motor turn, a capstan of 14.25 mm on an arm arc of 110 mm; zero counts at 35
+// degrees.
+inline constexpr double kFalconRadPerCount = 2.0 * std::numbers::pi / 1280.0 * (0.01425 / 0.110);
+inline constexpr double kFalconZeroRad = 35.0 * std::numbers::pi / 180.0;
+
+struct FalconLights {
+  bool red = false;
+  bool green = false;
+  bool blue = false;
+};
+
+struct FalconCommand {
+  std::array<std::int16_t, kFalconArms> motor{};  // clamped to kFalconMotorLimit when encoded
+  FalconLights lights;
+  bool homing = true;  // without it the device forgets to look for its reference
+};
+
+// Bits of FalconReply::buttons, of the ball grip.
+enum FalconButton : std::uint8_t {
+  kFalconButtonRight = 1U << 0,   // plus
+  kFalconButtonFront = 1U << 1,   // the middle one at the front
+  kFalconButtonCentre = 1U << 2,  // the logo
+  kFalconButtonLeft = 1U << 3,    // minus
+};
+
+struct FalconReply {
+  std::array<std::int16_t, kFalconArms> counts{};
+  std::uint8_t buttons = 0;
+  std::uint8_t homed = 0;  // bit i: arm i has found its reference
+
+  [[nodiscard]] bool all_homed() const { return homed == 0b111; }
+};
+
+using FalconPacket = std::array<std::byte, kFalconPacketBytes>;
+
+FalconPacket encode(const FalconCommand& command);
+
+// Nothing unless frame and letters are right. A host's packet reads as a reply too, its flags as
+// buttons and homed bits.
+std::optional<FalconReply> decode_falcon_reply(
+    std::span<const std::byte, kFalconPacketBytes> packet);
+
+// Finds the packets in the stream of payload bytes, whatever stands between them. Bounded work for
+// each byte.
+class FalconPacketReader {
+ public:
+  // The packet that this byte ends, if it does.
+  std::optional<FalconReply> take(std::byte byte);
+  void restart() { size_ = 0; }
+
+  // Bytes thrown away since the start because they belong to no packet.
+  [[nodiscard]] std::uint32_t skipped() const { return skipped_; }
+
+ private:
+  void skip_to_next_start();
+
+  FalconPacket held_{};
+  std::size_t size_ = 0;
+  std::uint32_t skipped_ = 0;
+};
+
+// What an FTDI chip's bulk-in packet carries behind its two bytes of modem status.
+std::span<const std::byte> ftdi_payload(std::span<const std::byte> packet);
+
+}  // namespace tactus::drivers

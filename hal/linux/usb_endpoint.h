@@ -1,0 +1,107 @@
+// A USB interface through libusb-1.0.
+#pragma once
+
+#include <poll.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "hal/usb_endpoint.h"
+
+struct libusb_context;
+struct libusb_device;
+struct libusb_device_handle;
+struct libusb_transfer;
+
+namespace tactus::hal {
+
+struct LinuxUsbConfig {
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  std::string_view serial;  // empty: the first found; must outlive the endpoint
+  std::uint8_t interface = 0;
+  std::uint8_t endpoint_out = 0x02;
+  std::uint8_t endpoint_in = 0x81;
+};
+
+// The device is recognised by vendor, product and serial number, so that it may come back at
+// another port. Arrival is only ever told where a udev daemon runs; departure is then told within
+// milliseconds.
+//
+// Transfers are allocated in `open`, and this class allocates nothing afterwards. libusb itself
+// takes one block of 56 bytes for each submission and frees it at its completion. Deadlines are
+// kept by a ppoll of libusb's descriptors: libusb's own waits round to milliseconds.
+class LinuxUsbEndpoint final : public UsbEndpoint {
+ public:
+  LinuxUsbEndpoint() = default;
+  LinuxUsbEndpoint(const LinuxUsbEndpoint&) = delete;
+  LinuxUsbEndpoint& operator=(const LinuxUsbEndpoint&) = delete;
+  ~LinuxUsbEndpoint();
+
+  // Once. Not real time. A kernel driver bound to the interface is detached for the while.
+  //   not_found      no such device; `state` tells when it comes, then `reopen`
+  //   invalid_state  opened already
+  //   busy, not_permitted, no_memory, io   as in reopen
+  Result<void> open(const LinuxUsbConfig& config);
+
+ private:
+  // One libusb transfer and the caller's that it carries; free while that is null.
+  struct Flight {
+    LinuxUsbEndpoint* endpoint = nullptr;
+    libusb_transfer* transfer = nullptr;
+    UsbTransfer* carried = nullptr;
+  };
+  static constexpr std::size_t kMaxPollDescriptors = 16;
+  static constexpr std::size_t kControlSetupBytes = 8;
+
+  Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,
+                                   TimeNs deadline_ns) override;
+  Result<std::size_t> DoControlIn(const UsbSetup& setup, std::span<std::byte> buffer,
+                                  TimeNs deadline_ns) override;
+  Result<void> DoSubmit(UsbTransfer& transfer) override;
+  void DoWait(UsbTransfer& transfer, TimeNs deadline_ns) override;
+  void DoCancel(UsbTransfer& transfer) override;
+  UsbState DoState() override;
+  Result<void> DoReopen() override;
+  std::size_t DoMaxPacketBytes() const override { return max_packet_bytes_; }
+
+  Result<void> start_library();
+  Result<void> open_device();
+  Result<void> claim(libusb_device* device);
+  bool is_ours(libusb_device* device) const;
+  bool has_our_serial(libusb_device* device, libusb_device_handle* handle) const;
+  void close_device();
+
+  Result<void> check_present() const;
+  Result<std::size_t> run_control(const UsbSetup& setup, std::size_t length, TimeNs deadline_ns);
+  Flight* flight_of(const UsbTransfer* transfer);
+  void serve();
+  template <class Done>
+  bool serve_until(TimeNs deadline_ns, Done done);
+  void withdraw(libusb_transfer* transfer, const bool& done);
+
+  // The callbacks of libusb, all called from `serve` or from `open_device`.
+  friend struct LibusbCallbacks;
+  void add_descriptor(int descriptor, short events);
+  void remove_descriptor(int descriptor);
+  void note_plug(libusb_device* device, bool arrived);
+  Result<void> outcome_of(const libusb_transfer& transfer);
+
+  LinuxUsbConfig config_;
+  libusb_context* context_ = nullptr;
+  libusb_device_handle* handle_ = nullptr;
+  std::array<Flight, kMaxUsbTransfersInFlight> flights_{};
+  libusb_transfer* control_ = nullptr;
+  bool control_done_ = true;
+  std::array<std::byte, kControlSetupBytes + kMaxUsbControlBytes> control_buffer_{};
+  std::array<pollfd, kMaxPollDescriptors> descriptors_{};
+  std::size_t descriptor_count_ = 0;
+  std::size_t max_packet_bytes_ = 64;
+  int hotplug_handle_ = 0;
+  UsbState state_ = UsbState::detached;
+};
+
+}  // namespace tactus::hal

@@ -1,0 +1,101 @@
+// The far side of a Haply board's cable: its firmware with motors and encoders, on arms that the
+// caller's plant turns. The port is the device's end of a simulated line, the master side of a
+// pseudo-terminal, or /dev/ttyGS0 of a gadget.
+//
+// Fakes: the byte parser with its habits (a byte that has not arrived reads as 0xFF, a float is
+// waited for), setup and reset, encoder presets, whole counts, the torque clamp, motors that keep
+// their torque. Does not fake: analogue inputs (they read 0), PWM outputs, a float's time-out after
+// one second.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <random>
+#include <vector>
+
+#include "hal/clock.h"
+#include "hal/serial_port.h"
+#include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/shaft.h"
+
+namespace tactus::host {
+
+class HaplyEmulator {
+ public:
+  static constexpr std::size_t kPorts = 4;
+
+  // The port must outlive the emulator.
+  HaplyEmulator(hal::SerialPort& port, std::uint32_t seed) : port_(port), random_(seed) {}
+
+  // Takes what has arrived, does it, sends what is due. Call it at least ten times a millisecond:
+  // the firmware polls every 50 us.
+  void run(hal::TimeNs now_ns);
+
+  // Port i's arm; the plant writes the angle and reads the torque.
+  [[nodiscard]] std::array<EmulatedShaft, kPorts>& shafts() { return shafts_; }
+
+  // Erroring: it restarts by itself, as after a dip of its supply, and knows no setup any more.
+  void set_fault(EmulatorFault fault);
+  [[nodiscard]] EmulatorFault fault() const { return fault_; }
+
+  [[nodiscard]] std::size_t motors() const { return motor_reversed_.size(); }
+  [[nodiscard]] std::uint64_t setups() const { return setups_; }
+  [[nodiscard]] std::uint64_t commands() const { return commands_; }
+  [[nodiscard]] std::uint64_t unknown_commands() const { return unknown_; }
+
+ private:
+  struct EncoderSetup {
+    bool reversed = false;
+    double preset_deg = 0.0;
+    double counts_per_turn = 1.0;
+    double angle_at_setup_rad = 0.0;
+  };
+  struct Setup {
+    std::vector<bool> motor_reversed;
+    std::vector<EncoderSetup> encoders;
+    std::size_t analogue = 0;
+    std::size_t pwm = 0;
+  };
+  enum class Waiting : std::uint8_t { nothing, setup_floats, torques };
+  struct Late {
+    hal::TimeNs due_ns = 0;
+    std::vector<std::byte> bytes;
+  };
+
+  void hear();
+  void start_command();
+  void start_setup();
+  bool finish_command(hal::TimeNs now_ns);
+  void finish_setup();
+  void obey(hal::TimeNs now_ns);
+  void answer(hal::TimeNs now_ns);
+  void restart();
+
+  std::uint8_t byte_if_there();
+  [[nodiscard]] bool floats_are_there(std::size_t count) const {
+    return heard_.size() >= 4 * count;
+  }
+  double next_float();
+
+  hal::SerialPort& port_;
+  std::mt19937 random_;
+  EmulatorFault fault_ = EmulatorFault::none;
+  std::array<EmulatedShaft, kPorts> shafts_{};
+
+  std::deque<std::byte> heard_;
+  std::deque<Late> late_;
+  Waiting waiting_ = Waiting::nothing;
+  std::uint8_t device_id_ = 0;
+  Setup coming_;
+  std::vector<bool> motor_reversed_;
+  std::vector<EncoderSetup> encoders_;
+  std::size_t analogue_ = 0;
+  std::size_t pwm_ = 0;
+  std::uint64_t setups_ = 0;
+  std::uint64_t commands_ = 0;
+  std::uint64_t unknown_ = 0;
+};
+
+}  // namespace tactus::host
