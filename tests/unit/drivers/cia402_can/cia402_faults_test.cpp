@@ -157,12 +157,27 @@ TEST_F(Cia402Faults, DriveThatRestartsIsLatched) {
   expect_recovery();
 }
 
-TEST_F(Cia402Faults, OneLostSampleIsStaleAndNoFault) {
-  rig_.network().lose_next(1);
-  bool was_stale = false;
-  rig_.run(10 * kMs, [&](auto& samples, auto&) { was_stale |= samples[0].status == kDeviceStale; });
-  EXPECT_TRUE(was_stale);
-  EXPECT_EQ(status(), kDeviceOk) << trouble().what;
+// With it the command that is on its way.
+TEST_F(Cia402Faults, OneLostSyncMakesOneOldSampleAndNoFault) {
+  rig_.network().lose_next(2);
+  int old_samples = 0;
+  rig_.run(10 * kMs, [&](auto& samples, auto&) {
+    EXPECT_EQ(samples[0].status, kDeviceOk) << trouble().what;
+    old_samples += rig_.clock().now_ns() - samples[0].time_ns > kMs ? 1 : 0;
+  });
+  EXPECT_EQ(old_samples, 1);
+}
+
+// The tick waits for 100 us, the sample comes after 200.
+TEST(Cia402Late, SamplesThatComeAfterTheirTickAreTold) {
+  CanRig<Cia402Can, host::Cia402Emulator> rig({.patience_ns = 100 * kUs},
+                                              std::vector<Cia402Config>{{.max_torque_Nm = 0.5}},
+                                              std::vector<host::Cia402EmulatorConfig>{{}});
+  rig.start();
+  rig.run(500 * kMs);
+  EXPECT_EQ(rig.sample(0).status & kDeviceLost, kDeviceLost);
+  EXPECT_NE(rig.board().trouble(0).what.find("later than the tick"), std::string_view::npos)
+      << rig.board().trouble(0).what;
 }
 
 TEST_F(Cia402Faults, LinkThatGoesDownIsLostAtOnce) {
