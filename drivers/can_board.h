@@ -50,11 +50,11 @@ class CanBoard {
 
   // `samples` has room for axis_count().
   void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
+    receive(hal::kNoWait);  // first, or a drive would miss in `request` what lies in the queue
     outbox_.clear();
     const hal::TimeNs now_ns = clock_->now_ns();
     for_each([&](auto& drive, std::size_t) { drive.request(now_ns, outbox_); });
     send();
-    receive(hal::kNoWait);
     while (waits_for_a_sample() && receive(deadline_ns)) {
     }
     for_each([&](auto& drive, std::size_t i) {

@@ -9,9 +9,14 @@ namespace tactus::firmware {
 // compiles.
 inline constexpr std::size_t kMaxControllerBytes = std::size_t{4} << 20;
 
-// Joints that the mechanisms of this folder have. A sample's further joints are neither read nor
-// recorded.
+// Joints that the mechanisms of this folder have at most. A sample's joints beyond those of the
+// mechanism are neither read nor recorded, and have no effort.
 inline constexpr std::size_t kJointCount = 3;
+
+// Stops between two links that a configuration may have.
+inline constexpr std::size_t kMaxCoupledLimits = 2;
+
+inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
 
 // Newton steps of the delta's forward kinematics. From the pose of the tick before two or three are
 // enough; from the nominal pose seven reach every pose of the Falcon. Beyond:

@@ -3,31 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/configuration/mechanism_check.h"
+#include "firmware/configuration/range_check.h"
+
 namespace tactus::firmware {
 namespace {
-
-// Remembers the first value that is out of range. NaN is out of every range.
-class RangeCheck {
- public:
-  void in(std::string_view field, double value, double least, double greatest) {
-    const bool inside = value >= least && value <= greatest;
-    if (good_ && !inside) {
-      good_ = false;
-      error_ = {field, value, least, greatest};
-    }
-  }
-
-  [[nodiscard]] std::expected<void, ConfigError> result() const {
-    if (good_) {
-      return {};
-    }
-    return std::unexpected(error_);
-  }
-
- private:
-  bool good_ = true;
-  ConfigError error_;
-};
 
 // A device on a desk, in any unit that a joint has: metres, radians, newtons, newton metres.
 constexpr double kWidest = 10.0;
@@ -35,20 +15,7 @@ constexpr double kStrongest = 1000.0;
 constexpr double kLeastEffort = 1e-6;
 constexpr double kStiffest = 1e12;
 constexpr double kLeastTurnLength = 1e-9;
-
-void check_geometry(RangeCheck& check, const DeltaGeometry& g) {
-  check.in("mechanism.arm_m", g.arm_m, 0.001, 1.0);
-  check.in("mechanism.rod_m", g.rod_m, 0.001, 1.0);
-  check.in("mechanism.hinge_offset_m", g.hinge_offset_m, 0.0, g.rod_m);
-  check.in("mechanism.base_radius_m", g.base_radius_m, 0.0, 1.0);
-  check.in("mechanism.base_tangent_m", g.base_tangent_m, -1.0, 1.0);
-  check.in("mechanism.platform_radius_m", g.platform_radius_m, 0.0, 1.0);
-  check.in("mechanism.platform_tangent_m", g.platform_tangent_m, -1.0, 1.0);
-  for (const double azimuth : g.azimuth_rad) {
-    check.in("mechanism.azimuth_rad", azimuth, -6.3, 6.3);
-  }
-  check.in("mechanism.nominal_height_m", g.nominal_height_m, 0.0, 2.0);
-}
+constexpr double kStrongestGravity = 25.0;  // m/s^2: that of the planets one can stand on
 
 void check_friction(RangeCheck& check, const JointFriction& joint) {
   check.in("friction.compensated_share", joint.compensated_share, 0.0, kMaxCompensatedShare);
@@ -64,6 +31,14 @@ void check_friction(RangeCheck& check, const JointFriction& joint) {
   }
 }
 
+void check_coupled_limit(RangeCheck& check, const CoupledLimit& limit) {
+  constexpr auto kLast = static_cast<double>(kJointCount - 1);
+  check.in("coupled_limits.joint", static_cast<double>(limit.joint), 0.0, kLast);
+  check.in("coupled_limits.minus", static_cast<double>(limit.minus), 0.0, kLast);
+  check.in("coupled_limits.lower", limit.lower, -2.0 * kWidest, 2.0 * kWidest);
+  check.in("coupled_limits.upper", limit.upper, limit.lower, 2.0 * kWidest);
+}
+
 }  // namespace
 
 double presliding_length(const JointFriction& joint) {
@@ -77,17 +52,21 @@ double presliding_length(const JointFriction& joint) {
 std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   RangeCheck check;
   check.in("rate_hz", config.rate_hz, kMinRate_Hz, kMaxRate_Hz);
-  if (const auto* delta = std::get_if<DeltaGeometry>(&config.mechanism)) {
-    check_geometry(check, *delta);
-  }
+  check_mechanism(check, config.mechanism);
   for (const double coordinate : config.workspace_origin_D) {
     check.in("workspace_origin_D", coordinate, -kWidest, kWidest);
+  }
+  for (const double component : config.gravity_D) {
+    check.in("gravity_D", component, -kStrongestGravity, kStrongestGravity);
   }
   check.in("velocity_cutoff_hz", config.velocity_cutoff_hz, 0.0, config.rate_hz);
   for (const JointLimits& joint : config.joints) {
     check.in("joints.lower", joint.lower, -kWidest, kWidest);
     check.in("joints.upper", joint.upper, joint.lower, kWidest);
     check.in("joints.max_effort", joint.max_effort, kLeastEffort, kStrongest);
+  }
+  for (const CoupledLimit& limit : config.coupled_limits) {
+    check_coupled_limit(check, limit);
   }
   for (const JointFriction& joint : config.friction) {
     check_friction(check, joint);
@@ -100,23 +79,6 @@ std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   check.in("safety.max_sample_age_us", safety.max_sample_age_us, 0.0, 1e6);
   check.in("safety.stale_ticks_to_fault", safety.stale_ticks_to_fault, 1.0, 1000.0);
   return check.result();
-}
-
-ControllerConfig cartesian_config() {
-  return {};
-}
-
-ControllerConfig falcon_config() {
-  ControllerConfig config;
-  const DeltaGeometry geometry;
-  config.mechanism = geometry;
-  config.workspace_origin_D = {0.0, 0.0, geometry.nominal_height_m};
-  // Contains every pose within 50 mm of the workspace's middle (-43 to 75 degrees). 0.67 N m is
-  // what 8 N takes at the worst place and direction within 40 mm of it; the Falcon's true limit is
-  // not published.
-  config.joints.fill({.lower = -0.80, .upper = 1.45, .max_effort = 0.7});
-  config.safety.max_force_N = 8.0;
-  return config;
 }
 
 }  // namespace tactus::firmware

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <string_view>
 
 #include "firmware/kinematics/mechanism.h"
@@ -19,6 +21,15 @@ struct JointLimits {
   double lower = -0.25;  // beyond either: kFaultJointLimit
   double upper = 0.25;
   double max_effort = 10.0;  // the whole effort vector is scaled down to keep each joint's within
+};
+
+// A stop between two links that are both driven from the base, as in a parallelogram: beyond it,
+// position of `joint` - position of `minus`, kFaultJointLimit. The default holds nothing back.
+struct CoupledLimit {
+  std::size_t joint = 0;  // 0 is the first
+  std::size_t minus = 0;
+  double lower = 0.0;
+  double upper = 0.0;
 };
 
 // The friction of a joint as it was measured, and how much of it the motor takes over
@@ -51,8 +62,12 @@ struct ControllerConfig {
   MechanismGeometry mechanism = CartesianGeometry{};
   Vec3 workspace_origin_D =
       Vec3::Zero();  // m: the point of the device frame that is the world frame's origin
+  // m/s^2, the way things fall, in the device frame: what the mechanism's weights are held up
+  // against (control/gravity_compensation.h).
+  Vec3 gravity_D = {0.0, -kStandardGravity_m_per_s2, 0.0};
   double velocity_cutoff_hz = 0.0;  // first-order low-pass on the tool's velocity; 0 is none
-  std::array<JointLimits, kJointCount> joints{};
+  std::array<JointLimits, kJointCount> joints{};  // those that the mechanism does not have: unused
+  std::array<CoupledLimit, kMaxCoupledLimits> coupled_limits{};
   std::array<JointFriction, kJointCount> friction{};
   SafetyConfig safety;
 };
@@ -69,10 +84,33 @@ struct ConfigError {
 // The first field that is out of range, or nothing. Not for a tick.
 std::expected<void, ConfigError> validate(const ControllerConfig& config);
 
+// Ready configurations of known mechanisms (configuration/presets.cpp says where the figures come
+// from, and which are assumptions). Weights are zero, so no gravity compensation, where it is not
+// said otherwise.
+
 // Three prismatic axes of +-0.25 m and 10 N.
 ControllerConfig cartesian_config();
 
 // Novint Falcon: its delta, its rated 8 N, the world's origin at the middle of its workspace.
 ControllerConfig falcon_config();
+
+// Hapkit with Stanford's dimensions; the world's origin at the handle straight up.
+ControllerConfig hapkit_config();
+
+// Haply development kit, flat on the desk; the world's origin in the middle of what it reaches.
+ControllerConfig haply_pantograph_config();
+
+// PHANToM Premium 1.5; the world's origin at the tool with the upper arm level and the forearm
+// hanging. Efforts are what its motors bear for good.
+ControllerConfig phantom_premium_config();
+
+// WoodenHaptics of 2015, with its weights; the world's origin where its own software has it.
+ControllerConfig woodenhaptics_config();
+
+inline constexpr std::array<std::string_view, 6> kPresetNames = {
+    "cartesian", "falcon", "hapkit", "haply_pantograph", "phantom_premium", "woodenhaptics"};
+
+// By one of kPresetNames, or nothing.
+std::optional<ControllerConfig> preset_config(std::string_view name);
 
 }  // namespace tactus::firmware

@@ -15,6 +15,14 @@ Vec3 joints_of(const std::array<double, drivers::kMaxJoints>& values) {
   return {values[0], values[1], values[2]};
 }
 
+// A device may report more joints than the mechanism has: nobody looks at those.
+void forget_beyond(std::size_t joint_count, drivers::JointSample& sample) {
+  for (std::size_t joint = joint_count; joint < drivers::kMaxJoints; ++joint) {
+    sample.position[joint] = 0.0;
+    sample.velocity[joint] = 0.0;
+  }
+}
+
 bool all_finite(const Vec3& v) {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
@@ -25,6 +33,7 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
   Stopwatch watch(now_ns_);
   drivers::JointSample sample = fresh;
   sample.status |= write_status_;
+  forget_beyond(joint_count(config_.mechanism), sample);
   open_record(sample, request);
 
   raise(sample_check_.check(sample));
@@ -180,12 +189,14 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   }
   drivers::JointCommand command;
   if (mode_ != Mode::active) {
+    gravity_compensation_.rest();
     friction_compensation_.rest();
     return command;
   }
-  const double scale = effort_scale(effort, config_.joints);
+  const Vec3 held = hold_up(sample);
+  const double scale = effort_scale(effort, config_.joints, held);
   raise(scale < 1.0 ? kLimitEffort : kNoFault);
-  effort *= scale;
+  effort = scale * effort + held;
   force_limiter_.applied(scale * force_W);
   record_.force_commanded_W = to_triple(scale * force_W);
   if (friction_compensation_.is_on()) {
@@ -199,6 +210,20 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   }
   command.enable = true;
   return command;
+}
+
+// The efforts that hold the mechanism's own weights up.
+Vec3 Controller::hold_up(const drivers::JointSample& sample) {
+  if (!gravity_compensation_.is_on()) {
+    return Vec3::Zero();
+  }
+  const GravityHold hold =
+      gravity_compensation_.hold(mechanism_, joints_of(sample.position), pose_);
+  raise(hold.is_held_back ? kLimitGravity : kNoFault);
+  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+    record_.joint_gravity[joint] = hold.effort[static_cast<Eigen::Index>(joint)];
+  }
+  return hold.effort;
 }
 
 // The efforts with the push against the joints' friction, for a rendered force of that size.
@@ -276,6 +301,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   sample_check_.configure(config);
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);
+  gravity_compensation_.configure(config);
   friction_compensation_.configure(config);
   world_.reset();
   world_.set_tick(1.0 / config.rate_hz);

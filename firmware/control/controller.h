@@ -13,6 +13,7 @@
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
 #include "firmware/control/friction_compensation.h"
+#include "firmware/control/gravity_compensation.h"
 #include "firmware/control/mode.h"
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
@@ -61,6 +62,7 @@ class Controller {
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
   Vec3 limit_force(const rendering::Touch& touch);
+  Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
@@ -70,6 +72,7 @@ class Controller {
   SampleCheck sample_check_;
   VelocityFilter velocity_filter_;
   ForceLimiter force_limiter_;
+  GravityCompensation gravity_compensation_;
   FrictionCompensation friction_compensation_;
   rendering::World world_;
 

@@ -12,7 +12,9 @@ void FrictionCompensation::configure(const ControllerConfig& config) {
   gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
   limits_ = config.joints;
   is_on_ = false;
-  for (std::size_t i = 0; i < kJointCount; ++i) {
+  joint_count_ = joint_count(config.mechanism);
+  joints_.fill({});
+  for (std::size_t i = 0; i < joint_count_; ++i) {
     const JointFriction& joint = config.friction[i];
     const double level = joint.compensated_share * joint.model.coulomb;
     joints_[i] = Joint{
@@ -40,7 +42,7 @@ FrictionPush FrictionCompensation::push(const Vec3& position, const Vec3& veloci
                                         const PushRoom& room) {
   const Vec3 speed = velocity_filter_.filter(velocity);
   FrictionPush push;
-  for (std::size_t i = 0; i < kJointCount; ++i) {
+  for (std::size_t i = 0; i < joint_count_; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     Joint& joint = joints_[i];
     const double moved = is_placed_ ? position[axis] - last_position_[axis] : 0.0;
@@ -68,8 +70,7 @@ double FrictionCompensation::share_that_fits(const Vec3& effort, const PushRoom&
       share = left / size;
     }
   }
-  // effort = J^T f.
-  const double force_N = length_of(room.pose.jacobian_D.transpose().inverse() * effort);
+  const double force_N = length_of(tool_force(room.pose, effort, joint_count_));
   const bool fits = share * force_N <= room.force_N;
   if (!fits) {
     share = room.force_N / force_N;

@@ -35,6 +35,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "firmware/configuration/controller_config.h"
 #include "firmware/control/velocity_filter.h"
@@ -47,7 +48,7 @@ namespace tactus::firmware {
 // What the pushes have to fit into.
 struct PushRoom {
   const Pose& pose;
-  Vec3 effort = Vec3::Zero();  // of the rendered force, within the joints' limits
+  Vec3 effort = Vec3::Zero();  // what the joints give already, within their limits
   double force_N = 0.0;        // that max_force_N leaves at the tool
 };
 
@@ -80,6 +81,7 @@ class FrictionCompensation {
   [[nodiscard]] double share_that_fits(const Vec3& effort, const PushRoom& room) const;
 
   bool is_on_ = false;
+  std::size_t joint_count_ = kJointCount;
   double step_s_ = 1e-3;
   double gain_per_tick_ = 1.0;
   double gain_ = 0.0;

@@ -148,4 +148,23 @@ std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {
   return joints;
 }
 
+// Half of the rods moves with the elbow, half with the platform.
+Vec3 Delta::gravity_effort(const Vec3& joints, const Pose& pose, const Vec3& gravity_D) const {
+  const DeltaGeometry& g = geometry_;
+  const double arm_kg_m = g.arm.moment_kg_m() + 0.5 * g.rods_kg * g.arm_m;
+  const double platform_kg = g.platform_kg + 1.5 * g.rods_kg;
+  Vec3 effort = -platform_kg * joint_effort(pose, gravity_D);
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const auto axis = static_cast<Eigen::Index>(leg);
+    const rendering::SineCosine turn = rendering::sine_cosine(joints[axis]);
+    const Vec3 gravity = in_leg_frame(leg, gravity_D);
+    effort[axis] -= arm_kg_m * (turn.cosine * gravity.z() - turn.sine * gravity.x());
+  }
+  return effort;
+}
+
+bool has_weight(const DeltaGeometry& g) {
+  return g.arm.moment_kg_m() != 0.0 || g.rods_kg != 0.0 || g.platform_kg != 0.0;
+}
+
 }  // namespace tactus::firmware

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
 #include "rendering/geometry/portable_math.h"
 
@@ -29,6 +30,9 @@ struct DeltaGeometry {
                                        -15.0 * std::numbers::pi / 180.0,
                                        -135.0 * std::numbers::pi / 180.0};
   double nominal_height_m = 0.12;  // z well inside the workspace: Newton starts there when lost
+  LinkWeight arm;                  // each of the three, from the motor axis toward the elbow
+  double rods_kg = 0.0;            // the pair of rods of one leg
+  double platform_kg = 0.0;        // with the grip
 };
 
 class Delta {
@@ -42,6 +46,11 @@ class Delta {
   // Tool position to joint angles in closed form, for simulators and tests: not part of the tick,
   // and uses the C library's arc functions. Nothing when the tool is out of reach.
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D) const;
+
+  // N m that hold arms, rods and platform up at a good `pose`; gravity in m/s^2. The rods' centre
+  // is taken halfway between elbow and platform hinge.
+  [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
+                                    const Vec3& gravity_D) const;
 
  private:
   struct Rods {
@@ -68,5 +77,7 @@ class Delta {
   std::array<double, 3> azimuth_sine_{};
   std::array<double, 3> azimuth_cosine_{};
 };
+
+bool has_weight(const DeltaGeometry& g);
 
 }  // namespace tactus::firmware

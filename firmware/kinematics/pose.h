@@ -5,6 +5,7 @@
 // N.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "rendering/geometry/vector.h"
@@ -20,8 +21,10 @@ enum PoseStatus : std::uint8_t {
 };
 
 struct Pose {
-  Vec3 p_D = Vec3::Zero();         // tool, m
-  Mat3 jacobian_D = Mat3::Zero();  // d p_D / d joint; zero unless the status is good
+  Vec3 p_D = Vec3::Zero();  // tool, m
+  // d p_D / d joint; zero unless the status is good. The columns of joints that the mechanism does
+  // not have are zero.
+  Mat3 jacobian_D = Mat3::Zero();
   std::uint8_t status = kPoseGood;
 };
 
@@ -30,9 +33,14 @@ inline Vec3 tool_velocity(const Pose& pose, const Vec3& joint_velocity) {
   return pose.jacobian_D * joint_velocity;
 }
 
-// Joint efforts that put the force (N, on the hand) at the tool: J^T f, by virtual work.
+// Joint efforts that put the force (N, on the hand) at the tool: J^T f, by virtual work. With fewer
+// than three joints the tool moves on a plane or an arc; what of the force is across that has none.
 inline Vec3 joint_effort(const Pose& pose, const Vec3& force_D) {
   return pose.jacobian_D.transpose() * force_D;
 }
+
+// The force at the tool (N) that the efforts of a mechanism with that many joints put on the hand,
+// along what the tool can move on. Not finite unless the pose is good.
+Vec3 tool_force(const Pose& pose, const Vec3& effort, std::size_t joint_count);
 
 }  // namespace tactus::firmware

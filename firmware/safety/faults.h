@@ -37,6 +37,7 @@ enum FaultBits : std::uint32_t {
   kLimitStaleSample = 1U << 20,
   kLimitTouch = 1U << 21,
   kLimitCompensation = 1U << 22,
+  kLimitGravity = 1U << 23,
 };
 
 inline constexpr std::uint32_t kFaultMask = 0x0000'FFFFU;
@@ -73,6 +74,7 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kLimitTouch, "limiting_touch", "touch gave up something: see the touch flags"},
     {kLimitCompensation, "limiting_compensation",
      "friction compensation held back by a force or effort limit"},
+    {kLimitGravity, "limiting_gravity", "gravity compensation cut at a joint's largest effort"},
 });
 
 // The stable code of a single bit, 0 to 31.

@@ -69,12 +69,15 @@ LimitedForce ForceLimiter::limit(const Vec3& force_W, bool in_contact) {
   return out;
 }
 
-double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits) {
+double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits,
+                    const Vec3& given) {
   double scale = 1.0;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    const double size = std::abs(effort[static_cast<Eigen::Index>(joint)]);
-    if (size * scale > limits[joint].max_effort) {
-      scale = limits[joint].max_effort / size;
+    const auto axis = static_cast<Eigen::Index>(joint);
+    const double size = std::abs(effort[axis]);
+    const double room = limits[joint].max_effort - std::copysign(1.0, effort[axis]) * given[axis];
+    if (size * scale > room) {
+      scale = room / size;
     }
   }
   return scale;

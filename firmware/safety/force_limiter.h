@@ -55,8 +55,9 @@ double gain_per_tick(double duration_s, double rate_hz);
 // Euclidean length that does not overflow for finite vectors.
 double length_of(const Vec3& v);
 
-// The factor in (0, 1] that brings every joint's effort within its limit and keeps their ratios.
-// Efforts finite.
-double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits);
+// The factor in [0, 1] that brings every joint's effort, on top of the one it already has to give,
+// within its limit and keeps their ratios. Efforts finite, and `given` within the limits.
+double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits,
+                    const Vec3& given = Vec3::Zero());
 
 }  // namespace tactus::firmware

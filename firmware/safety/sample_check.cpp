@@ -21,7 +21,9 @@ std::uint32_t device_faults(std::uint32_t device_status) {
 
 void SampleCheck::configure(const ControllerConfig& config) {
   *this = SampleCheck{};
+  joint_count_ = joint_count(config.mechanism);
   limits_ = config.joints;
+  coupled_limits_ = config.coupled_limits;
   max_age_us_ = config.safety.max_sample_age_us;
   stale_ticks_to_fault_ = config.safety.stale_ticks_to_fault;
 }
@@ -45,11 +47,17 @@ std::uint32_t SampleCheck::check_age(const drivers::JointSample& sample) {
 
 std::uint32_t SampleCheck::check_joints(const drivers::JointSample& sample) const {
   std::uint32_t faults = kNoFault;
-  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+  for (std::size_t joint = 0; joint < joint_count_; ++joint) {
     const double position = sample.position[joint];
     if (!std::isfinite(position) || !std::isfinite(sample.velocity[joint])) {
       faults |= kFaultJointNotFinite;
     } else if (position < limits_[joint].lower || position > limits_[joint].upper) {
+      faults |= kFaultJointLimit;
+    }
+  }
+  for (const CoupledLimit& limit : coupled_limits_) {
+    const double difference = sample.position[limit.joint] - sample.position[limit.minus];
+    if (difference < limit.lower || difference > limit.upper) {
       faults |= kFaultJointLimit;
     }
   }

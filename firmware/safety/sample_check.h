@@ -12,7 +12,8 @@ class SampleCheck {
  public:
   void configure(const ControllerConfig& config);
 
-  // FaultBits of this sample, faults and limits. Positions are held against the joint limits only
+  // FaultBits of this sample, faults and limits. Looks at the joints that the mechanism has.
+  // Positions are held against the joint limits only
   // when the device is referenced: before that they mean nothing.
   std::uint32_t check(const drivers::JointSample& sample);
 
@@ -23,7 +24,9 @@ class SampleCheck {
   std::uint32_t check_age(const drivers::JointSample& sample);
   [[nodiscard]] std::uint32_t check_joints(const drivers::JointSample& sample) const;
 
+  std::size_t joint_count_ = kJointCount;
   std::array<JointLimits, kJointCount> limits_{};
+  std::array<CoupledLimit, kMaxCoupledLimits> coupled_limits_{};
   std::uint32_t max_age_us_ = 0;
   std::uint32_t stale_ticks_to_fault_ = 1;
   std::uint32_t stale_in_a_row_ = 0;

@@ -63,7 +63,7 @@ struct TelemetryRecord {
   Triple normal_W{};
   Triple force_rendered_W{};   // N, as the touch gave it
   Triple force_commanded_W{};  // N, what the commanded efforts put on the hand, without the
-                               // compensation of the joints' friction
+                               // compensation of the joints' friction and of gravity
   double depth_m = 0.0;
 
   TickCounters counters;
@@ -71,6 +71,8 @@ struct TelemetryRecord {
       0;  // of all fields above, in order, and of the hash of the tick before
   // What of joint_effort is friction compensation; not hashed, joint_effort is.
   std::array<double, drivers::kMaxJoints> joint_compensation{};
+  // What of it holds the mechanism's own weights up; not hashed either.
+  std::array<double, drivers::kMaxJoints> joint_gravity{};
   StageTimes stage_ns;  // not hashed
 };
 static_assert(std::is_trivially_copyable_v<TelemetryRecord>);

@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "hal/linux/wait_for_descriptors.h"
+#include "hal/linux/system.h"
 
 namespace tactus::hal {
 

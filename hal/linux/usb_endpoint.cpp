@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "hal/linux/wait_for_descriptors.h"
+#include "hal/linux/system.h"
 
 namespace tactus::hal {
 

@@ -1,6 +1,7 @@
 #include "host_tools/cli/sim_verb.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -18,8 +19,9 @@ namespace {
 
 constexpr const char* kExamples =
     "A wish path is where the hand wants to be, with header t_s,x_m,y_m,z_m; without one the hand\n"
-    "presses and strokes the front of the scene for ten seconds. The device stands so that the\n"
-    "middle of the path is the middle of its workspace. The columns of the output and the "
+    "presses and strokes the front of the scene for ten seconds (a device with one axis presses\n"
+    "on its right side). The device stands so that the middle of the path is the middle of its\n"
+    "workspace. The columns of the output and the "
     "devices,\n"
     "hands and faults are described in host_tools/simulation/README.md.\n"
     "\n"
@@ -112,7 +114,9 @@ void add_sim_verb(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   RunOptions& run = options->run;
   verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
-  verb->add_option("--device", run.device, "cartesian or falcon")->capture_default_str();
+  verb->add_option("--device", run.device,
+                   fmt::format("{}", fmt::join(firmware::kPresetNames, ", ")))
+      ->capture_default_str();
   verb->add_option("--hand", run.hand, "finger, pen or firm")->capture_default_str();
   verb->add_option("--seed", run.seed, "Seed of the hand's tremor")->capture_default_str();
   verb->add_option("--seconds", run.seconds,

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "host_tools/simulation/linkages.h"
+
 namespace tactus::host {
 
 DevicePreset cartesian_preset() {
@@ -52,12 +54,128 @@ DevicePreset falcon_preset() {
   return preset;
 }
 
+DevicePreset hapkit_preset() {
+  constexpr double kPulley_m = 0.004191;
+  constexpr double kSector_m = 0.073152;
+  DevicePreset preset;
+  preset.centre_B = Vec3(0.0, kPaddleRadius_m, 0.0);
+  PlantParameters& plant = preset.device.plant;
+  plant.mechanism = MechanismKind::hapkit;
+  plant.moving_mass_kg = 0.08;
+  plant.viscous_Ns_per_m = 0.3;
+  // 0.1 N at the handle.
+  plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
+                          .coulomb = 0.0065,
+                          .static_level = 0.008,
+                          .stribeck_velocity_m_per_s = 0.1,
+                          .stiffness_N_per_m = 5.0,
+                          .damping_s_per_m = 0.004};
+  // 38 degrees to either side; the arc is 14 mm lower there.
+  plant.stop_lower_B = preset.centre_B - Vec3(0.04, 0.02, 0.0);
+  plant.stop_upper_B = preset.centre_B + Vec3(0.04, 0.0, 0.0);
+  // A step of the magnetic sensor on the motor's shaft.
+  preset.device.encoder_resolution = 0.0107 * std::numbers::pi / 180.0;
+  preset.device.effort_limit = 0.03 * kSector_m / kPulley_m;
+  preset.device.motor_time_constant_s = 0.5e-3;
+  return preset;
+}
+
+DevicePreset haply_pantograph_preset() {
+  constexpr double kCountsPerTurn = 13824.0;
+  DevicePreset preset;
+  preset.centre_B = Vec3(0.01, 0.0, 0.075);
+  PlantParameters& plant = preset.device.plant;
+  plant.mechanism = MechanismKind::haply_pantograph;
+  plant.moving_mass_kg = 0.06;
+  plant.viscous_Ns_per_m = 0.3;
+  // 0.05 N at the handle.
+  plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
+                          .coulomb = 0.002,
+                          .static_level = 0.0025,
+                          .stribeck_velocity_m_per_s = 0.1,
+                          .stiffness_N_per_m = 2.0,
+                          .damping_s_per_m = 0.001};
+  plant.stop_lower_B = preset.centre_B - Vec3(0.03, 0.0, 0.03);
+  plant.stop_upper_B = preset.centre_B + Vec3(0.03, 0.0, 0.03);
+  preset.device.encoder_resolution = 2.0 * std::numbers::pi / kCountsPerTurn;
+  preset.device.effort_limit = 0.123;
+  preset.device.motor_time_constant_s = 0.5e-3;
+  return preset;
+}
+
+DevicePreset phantom_premium_preset() {
+  constexpr double kCountsPerTurn = 4096.0;
+  constexpr double kRatio = 11.2;  // 13.3 at the first joint, which is taken as coarse and as weak
+  constexpr double kStall_Nm = 0.129;
+  DevicePreset preset;
+  preset.centre_B = Vec3(0.0, -0.11, 0.21);
+  PlantParameters& plant = preset.device.plant;
+  plant.mechanism = MechanismKind::phantom_premium;
+  plant.moving_mass_kg = 0.075;
+  plant.viscous_Ns_per_m = 0.5;
+  // The back-drive friction of 0.04 N on a lever of 0.2 m.
+  plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
+                          .coulomb = 0.008,
+                          .static_level = 0.01,
+                          .stribeck_velocity_m_per_s = 0.025,
+                          .stiffness_N_per_m = 80.0,
+                          .damping_s_per_m = 0.02};
+  plant.stop_lower_B = preset.centre_B - Vec3::Constant(0.075);
+  plant.stop_upper_B = preset.centre_B + Vec3::Constant(0.075);
+  preset.device.encoder_resolution = 2.0 * std::numbers::pi / (kCountsPerTurn * kRatio);
+  preset.device.effort_limit = kStall_Nm * kRatio;
+  preset.device.motor_time_constant_s = 0.5e-3;
+  return preset;
+}
+
+DevicePreset woodenhaptics_preset() {
+  constexpr double kCountsPerTurn = 2000.0;
+  constexpr double kRatio = 12.0;  // 16 at the first joint, which is taken as coarse and as weak
+  constexpr double kMotor_Nm = 0.0259 * 6.0;
+  DevicePreset preset;
+  preset.centre_B = Vec3(0.0, 0.08, 0.22);
+  PlantParameters& plant = preset.device.plant;
+  plant.mechanism = MechanismKind::woodenhaptics;
+  plant.moving_mass_kg = 0.25;
+  plant.viscous_Ns_per_m = 0.6;
+  // 0.1 N on a lever of 0.22 m.
+  plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
+                          .coulomb = 0.022,
+                          .static_level = 0.027,
+                          .stribeck_velocity_m_per_s = 0.025,
+                          .stiffness_N_per_m = 150.0,
+                          .damping_s_per_m = 0.04};
+  plant.stop_lower_B = preset.centre_B - Vec3::Constant(0.1);
+  plant.stop_upper_B = preset.centre_B + Vec3::Constant(0.1);
+  // Upper arm: 0.17 kg at 51 of 205 mm; forearm: 0.11 kg at 91 of 245 mm.
+  constexpr double kUpperShare = 0.051 / 0.205;
+  constexpr double kForearmShare = 0.091 / 0.245;
+  plant.elbow_kg = 0.17 * kUpperShare + 0.11 * (1.0 - kForearmShare);
+  plant.handle_kg = 0.11 * kForearmShare;
+  preset.device.encoder_resolution = 2.0 * std::numbers::pi / (kCountsPerTurn * kRatio);
+  preset.device.effort_limit = kMotor_Nm * kRatio;
+  preset.device.motor_time_constant_s = 0.5e-3;
+  return preset;
+}
+
 std::optional<DevicePreset> device_preset(std::string_view name) {
   if (name == "cartesian") {
     return cartesian_preset();
   }
   if (name == "falcon") {
     return falcon_preset();
+  }
+  if (name == "hapkit") {
+    return hapkit_preset();
+  }
+  if (name == "haply_pantograph") {
+    return haply_pantograph_preset();
+  }
+  if (name == "phantom_premium") {
+    return phantom_premium_preset();
+  }
+  if (name == "woodenhaptics") {
+    return woodenhaptics_preset();
   }
   return std::nullopt;
 }

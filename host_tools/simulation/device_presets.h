@@ -16,10 +16,25 @@ struct DevicePreset {
 // "cartesian": a fast desktop device with three orthogonal linear axes, 0.24 m of travel each.
 DevicePreset cartesian_preset();
 
-// "falcon": Novint Falcon. Lengths and encoder after the fact sheet; moving mass, damping and
+// Of the devices below lengths, encoders and motors are published; moving mass, damping and
 // friction are assumptions.
+
+// "falcon": Novint Falcon.
 DevicePreset falcon_preset();
 
+// "hapkit": one paddle, its handle on an arc of 66 mm radius.
+DevicePreset hapkit_preset();
+
+// "haply_pantograph": the Haply development kit, flat on the desk, the handle in the plane y = 0.
+DevicePreset haply_pantograph_preset();
+
+// "phantom_premium": PHANToM Premium 1.5, statically balanced.
+DevicePreset phantom_premium_preset();
+
+// "woodenhaptics": WoodenHaptics of 2015, with the weight of its links.
+DevicePreset woodenhaptics_preset();
+
+// By the names of firmware::kPresetNames.
 std::optional<DevicePreset> device_preset(std::string_view name);
 
 }  // namespace tactus::host

@@ -20,7 +20,7 @@ Plant::Plant(const PlantParameters& parameters)
 }
 
 void Plant::place(const Vec3& p_B) {
-  p_B_ = p_B;
+  p_B_ = on_manifold(parameters_.mechanism, p_B);
   v_B_.setZero();
   for (JointFriction& joint : joints_) {
     joint.release();
@@ -40,9 +40,15 @@ Vec3 Plant::stop_force() const {
   return force_B;
 }
 
+Vec3 Plant::weight_force() const {
+  return parameters_.handle_kg * parameters_.gravity_B +
+         parameters_.elbow_kg * elbow_pull(parameters_.mechanism, pose_, parameters_.gravity_B);
+}
+
 void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
   Vec3 motors_B = Vec3::Zero();
   Vec3 friction_and_stops_B = stop_force();
+  const Vec3 weight_B = weight_force();
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
     const Vec3& row = pose_.rows[i];
     motors_B += effort[i] * row;
@@ -56,10 +62,11 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
   const double viscous = parameters_.viscous_Ns_per_m;
   const double divisor =
       inertia + 0.5 * dt_s * grip.stiffness_N_per_m + grip.damping_Ns_per_m + viscous;
-  const Vec3 mean_v_B =
-      (inertia * v_B_ + motors_B + friction_and_stops_B +
+  const Vec3 mean_v_B = along_manifold(
+      parameters_.mechanism, p_B_,
+      (inertia * v_B_ + motors_B + friction_and_stops_B + weight_B +
        grip.stiffness_N_per_m * (grip.wish_p_B - p_B_) + grip.damping_Ns_per_m * grip.wish_v_B) /
-      divisor;
+          divisor);
   const Vec3 moved_B = dt_s * mean_v_B;
   const Vec3 hand_B = grip.stiffness_N_per_m * (grip.wish_p_B - p_B_ - 0.5 * moved_B) +
                       grip.damping_Ns_per_m * (grip.wish_v_B - mean_v_B);
@@ -67,10 +74,21 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
   ledger_.hand_J += hand_B.dot(moved_B);
   ledger_.viscous_J -= viscous * mean_v_B.dot(moved_B);
   ledger_.friction_and_stops_J += friction_and_stops_B.dot(moved_B);
+  ledger_.weight_J += weight_B.dot(moved_B);
+  move(mean_v_B, dt_s);
+}
 
-  p_B_ += moved_B;
-  v_B_ = 2.0 * mean_v_B - v_B_;
-  solve_mechanism(parameters_.mechanism, p_B_, pose_);
+// On an arc the velocity turns with the arc; its size is what the forces made of it.
+void Plant::move(const Vec3& mean_v_B, double dt_s) {
+  const MechanismKind kind = parameters_.mechanism;
+  const Vec3 ahead_v_B = 2.0 * mean_v_B - v_B_;
+  p_B_ = on_manifold(kind, p_B_ + dt_s * mean_v_B);
+  v_B_ = along_manifold(kind, p_B_, ahead_v_B);
+  const double speed = v_B_.norm();
+  if (kind == MechanismKind::hapkit && speed > 0.0) {
+    v_B_ *= ahead_v_B.norm() / speed;
+  }
+  solve_mechanism(kind, p_B_, pose_);
 }
 
 double Plant::stored_energy_J() const {
@@ -80,6 +98,12 @@ double Plant::stored_energy_J() const {
     energy_J += joint.stored_energy_J();
   }
   return energy_J;
+}
+
+double Plant::potential_J() const {
+  const Vec3 moment_B =
+      parameters_.handle_kg * p_B_ + parameters_.elbow_kg * elbow_sum(parameters_.mechanism, pose_);
+  return -parameters_.gravity_B.dot(moment_B);
 }
 
 }  // namespace tactus::host

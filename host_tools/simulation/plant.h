@@ -5,9 +5,11 @@
 // up, z toward the user):
 //   m dv/dt = sum_i row_i (effort_i - friction_i) - b v + k (w - p) + c (dw/dt - v) + stops
 // with the mechanism's rows, friction in every joint, the device's viscous damping b and the
-// hand's spring k and damper c to the wish w. Gravity is left out, as if balanced. The linear part
-// is integrated with the implicit midpoint rule, which neither makes nor loses energy in the
-// spring; joint friction and stops are taken at the step's start.
+// hand's spring k and damper c to the wish w, and the weight of the mechanism's links, if it has
+// any: their potential is that of masses at the elbows and at the handle. The linear part is
+// integrated with the implicit midpoint rule, which neither makes nor loses energy in the spring;
+// joint friction, stops and weights are taken at the step's start. A mechanism with fewer than
+// three joints holds the handle on its plane or arc, without friction.
 #pragma once
 
 #include <array>
@@ -31,6 +33,11 @@ struct PlantParameters {
   Vec3 stop_upper_B = Vec3::Constant(0.1);   // m
   double stop_stiffness_N_per_m = 20e3;
   double stop_damping_Ns_per_m = 20.0;
+  // What hangs on the mechanism. A link of mass m whose centre lies at the share s of its length
+  // puts m (1 - s) on its inner end and m s on its outer one. All zero: as if balanced.
+  double elbow_kg = 0.0;                  // at each elbow
+  double handle_kg = 0.0;                 // at the handle
+  Vec3 gravity_B = {0.0, -9.80665, 0.0};  // m/s^2
 };
 
 // The hand on the handle during one step; all zero is no hand.
@@ -42,12 +49,13 @@ struct Grip {
   Vec3 wish_v_B = Vec3::Zero();  // m/s
 };
 
-// Work since `place`, J. The handle's kinetic energy changes by exactly the sum of the four.
+// Work since `place`, J. The handle's kinetic energy changes by exactly the sum of the five.
 struct EnergyLedger {
   double motors_J = 0.0;              // on the handle, through the mechanism
   double hand_J = 0.0;                // spring and damper of the hand on the handle
   double viscous_J = 0.0;             // never positive
   double friction_and_stops_J = 0.0;  // joint friction and end stops; stored energy may come back
+  double weight_J = 0.0;
 };
 
 class Plant {
@@ -64,9 +72,13 @@ class Plant {
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
   // Joint friction's bristles and the end stops' springs.
   [[nodiscard]] double stored_energy_J() const;
+  // Of the weights, up to a constant.
+  [[nodiscard]] double potential_J() const;
 
  private:
   [[nodiscard]] Vec3 stop_force() const;
+  [[nodiscard]] Vec3 weight_force() const;
+  void move(const Vec3& mean_v_B, double dt_s);
 
   PlantParameters parameters_;
   std::array<JointFriction, kPlantJoints> joints_;

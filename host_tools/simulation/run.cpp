@@ -1,6 +1,7 @@
 #include "host_tools/simulation/run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <charconv>
@@ -46,6 +47,9 @@ WishPath choose_path(const RunOptions& options, const DevicePreset& device,
     return read_wish_path(options.path);
   }
   constexpr double kPress_m = 0.005;
+  if (joints_of(device.device.plant.mechanism) == 1) {
+    return sideways_wish_path(objects, tool_radius_m, kPress_m);
+  }
   return default_wish_path(objects, tool_radius_m, kPress_m, 0.8 * travel(device).x());
 }
 
@@ -102,25 +106,25 @@ FaultEvent parse_fault(std::string_view text) {
 RunPlan plan_run(const RunOptions& options, std::span<const rendering::Object> objects,
                  double tool_radius_m) {
   const std::optional<DevicePreset> device = device_preset(options.device);
-  if (!device) {
-    throw InputError(fmt::format("--device {}: there are cartesian and falcon", options.device));
+  const std::optional<firmware::ControllerConfig> controller =
+      firmware::preset_config(options.device);
+  if (!device || !controller) {
+    throw InputError(fmt::format("--device {}: there are {}", options.device,
+                                 fmt::join(firmware::kPresetNames, ", ")));
   }
   const std::optional<HandParameters> hand = hand_preset(options.hand);
   if (!hand) {
     throw InputError(fmt::format("--hand {}: there are finger, pen and firm", options.hand));
   }
-  RunPlan plan{
-      .config = {.device = *device,
-                 .controller = device->device.plant.mechanism == MechanismKind::falcon_delta
-                                   ? firmware::falcon_config()
-                                   : firmware::cartesian_config(),
-                 .hand = *hand,
-                 .path = choose_path(options, *device, objects, tool_radius_m),
-                 .seed = options.seed,
-                 .rate_hz = options.rate_hz,
-                 .faults = {},
-                 .requests = {}},
-      .warnings = {}};
+  RunPlan plan{.config = {.device = *device,
+                          .controller = *controller,
+                          .hand = *hand,
+                          .path = choose_path(options, *device, objects, tool_radius_m),
+                          .seed = options.seed,
+                          .rate_hz = options.rate_hz,
+                          .faults = {},
+                          .requests = {}},
+               .warnings = {}};
   compensate_friction(options.compensated_share, plan.config);
   for (const std::string& fault : options.faults) {
     plan.config.faults.push_back(parse_fault(fault));

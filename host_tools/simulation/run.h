@@ -16,7 +16,7 @@ namespace tactus::host {
 
 // In the user's words, with the defaults of `tactus sim`.
 struct RunOptions {
-  std::string device = "cartesian";  // or falcon
+  std::string device = "cartesian";  // of firmware::kPresetNames
   std::string hand = "pen";          // or finger, firm
   std::uint64_t seed = 1;
   double rate_hz = 1000.0;

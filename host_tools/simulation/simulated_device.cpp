@@ -51,7 +51,8 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& parameters, double tick
       homed_tick_(ready_tick_ + ticks_of(parameters.homing_s, tick_s)) {
   plant_.place(p_B);
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
-    encoder_origin_[i] = joint_position(parameters_.plant.mechanism, plant_.pose().coordinate[i]);
+    encoder_origin_[i] =
+        joint_position(parameters_.plant.mechanism, i, plant_.pose().coordinate[i]);
   }
   sample_encoders();
 }
@@ -136,8 +137,9 @@ void SimulatedDevice::sample_encoders() {
   }
   const bool frozen = active(DeviceFault::stale_sample) || active(DeviceFault::lost);
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
-    encoders_[i].sample(joint_position(parameters_.plant.mechanism, plant_.pose().coordinate[i]) -
-                        encoder_origin_[i]);
+    encoders_[i].sample(
+        joint_position(parameters_.plant.mechanism, i, plant_.pose().coordinate[i]) -
+        encoder_origin_[i]);
     if (!frozen) {
       sample_.position[i] = encoders_[i].position();
       sample_.velocity[i] = encoders_[i].velocity();

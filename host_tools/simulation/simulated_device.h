@@ -45,7 +45,7 @@ class SimulatedDevice {
   SimulatedDevice(const DeviceParameters& parameters, double tick_s, const Vec3& p_B);
 
   // drivers::Device
-  [[nodiscard]] static std::size_t joint_count() { return kPlantJoints; }
+  [[nodiscard]] std::size_t joint_count() const { return joints_of(parameters_.plant.mechanism); }
   void read(drivers::JointSample& sample) const;
   std::uint32_t write(const drivers::JointCommand& command);
   void clear_faults() { latched_status_ = drivers::kDeviceOk; }

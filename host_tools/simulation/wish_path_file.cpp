@@ -73,6 +73,25 @@ std::vector<std::optional<double>> front(std::span<const rendering::Object> obje
   return fronts;
 }
 
+// The same, seen from the right: z and x change places, which leaves the heights to be found alike.
+double right_side(std::span<const rendering::Object> objects, const Vec3& middle_W) {
+  std::optional<double> rightmost;
+  for (const rendering::Object& object : objects) {
+    const auto corner = [&](std::uint32_t vertex) {
+      const Vec3 p_W = rendering::to_vec3(object.mesh.vertices[vertex]);
+      return Vec3(p_W.z(), p_W.y(), p_W.x());
+    };
+    for (const rendering::TriangleIndices& triangle : object.mesh.triangles) {
+      const std::optional<double> x = height(corner(triangle[0]), corner(triangle[1]),
+                                             corner(triangle[2]), middle_W.z(), middle_W.y());
+      if (x) {
+        rightmost = std::max(*x, rightmost.value_or(*x));
+      }
+    }
+  }
+  return rightmost.value_or(middle_W.x());
+}
+
 constexpr std::size_t kStations = 17;
 constexpr std::size_t kMiddleStation = kStations / 2;
 using Stations = std::array<Vec3, kStations>;
@@ -104,6 +123,21 @@ Stations find_stations(std::span<const rendering::Object> objects, const Vec3& m
 }
 
 }  // namespace
+
+WishPath sideways_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
+                            double press_m) {
+  constexpr double kClear_m = 0.02;
+  constexpr double kTouching_m = 0.002;  // clear of the side, between two presses
+  const Box box = bounds(objects);
+  const Vec3 middle_W = 0.5 * (box.lower_W + box.upper_W);
+  const double side_m = right_side(objects, middle_W) + tool_radius_m;
+  const auto at = [&](double t_s, double clear_m) {
+    return Waypoint{.t_s = t_s, .p_W = {side_m + clear_m, middle_W.y(), middle_W.z()}};
+  };
+  return WishPath({at(0.0, kClear_m), at(0.8, kClear_m), at(2.0, kTouching_m), at(3.0, -press_m),
+                   at(4.0, -press_m), at(5.0, kTouching_m), at(6.0, -press_m), at(6.5, kTouching_m),
+                   at(7.0, -press_m), at(8.5, -press_m), at(9.2, kClear_m), at(10.0, kClear_m)});
+}
 
 WishPath read_wish_path(const std::filesystem::path& file) {
   const CsvTable table = CsvTable::read(file, kColumns);

@@ -20,4 +20,9 @@ WishPath read_wish_path(const std::filesystem::path& file);
 WishPath default_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
                            double press_m, double reach_m);
 
+// The same for a handle that moves along x alone: it waits on the right of the scene, presses three
+// times on what is rightmost at the middle of the scene's box, leaves and hovers.
+WishPath sideways_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
+                            double press_m);
+
 }  // namespace tactus::host

@@ -33,6 +33,7 @@ TEST(Faults, CodesAreStable) {
   EXPECT_EQ(fault_code(kLimitStaleSample), 20);
   EXPECT_EQ(fault_code(kLimitTouch), 21);
   EXPECT_EQ(fault_code(kLimitCompensation), 22);
+  EXPECT_EQ(fault_code(kLimitGravity), 23);
 }
 
 TEST(Faults, EveryBitHasItsOwnNameAndAMeaning) {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hal/linux/wait_for_descriptors.h"
+#include "hal/linux/system.h"
 #include "tests/unit/hal/serial_port_contract.h"
 
 namespace tactus::hal {

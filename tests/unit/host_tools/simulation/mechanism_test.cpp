@@ -17,7 +17,8 @@ Vec3 angles_deg(const Vec3& p_B) {
   Vec3 degrees;
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
     degrees[static_cast<int>(i)] =
-        joint_position(MechanismKind::falcon_delta, pose.coordinate[i]) * 180.0 / std::numbers::pi;
+        joint_position(MechanismKind::falcon_delta, i, pose.coordinate[i]) * 180.0 /
+        std::numbers::pi;
   }
   return degrees;
 }

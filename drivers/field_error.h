@@ -1,0 +1,23 @@
+// Why a configuration is refused.
+#pragma once
+
+#include <cmath>
+#include <expected>
+#include <string_view>
+
+namespace tactus::drivers {
+
+// The texts live as long as the program.
+struct FieldError {
+  std::string_view field;  // its name in the struct
+  std::string_view rule;   // "must lie between 0.001 and 1"
+};
+
+using Checked = std::expected<void, FieldError>;
+
+// For checks: false for what is not a number.
+inline bool lies_between(double value, double low, double high) {
+  return std::isfinite(value) && value >= low && value <= high;
+}
+
+}  // namespace tactus::drivers

@@ -1,0 +1,112 @@
+// An axis wired to a board: an encoder on GPIO edges or on a hardware counter, a motor on an
+// H-bridge, a brake, and the lines that keep it safe. A Board of one axis.
+//
+// From whatever is wrong to a torque of zero: the next `read` sees it and cuts the power itself, so
+// one tick; without reads, when the heartbeat line has stopped, by the board's own hardware.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "drivers/axis.h"
+#include "drivers/gpio_axis/axis_wiring.h"
+#include "drivers/gpio_axis/counter_encoder.h"
+#include "drivers/gpio_axis/edge_encoder.h"
+#include "drivers/gpio_axis/gpio_axis_config.h"
+#include "drivers/gpio_axis/gpio_axis_trouble.h"
+#include "drivers/gpio_axis/h_bridge.h"
+#include "drivers/gpio_axis/safety_inputs.h"
+#include "hal/clock.h"
+#include "hal/counter.h"
+#include "hal/gpio_lines.h"
+#include "hal/pwm_output.h"
+
+namespace tactus::drivers {
+
+// The position is zero where the encoder stood at `start` or at the clearing of an encoder fault:
+// after either the device must be referenced anew. A configuration that `check` refuses latches
+// kDeviceNotReady at `start`.
+//
+// Real time: read and write. Thread: one.
+class GpioAxis {
+ public:
+  // Everything must outlive the axis. `lines` must not be requested by anybody else; the PWM
+  // channel is open.
+  GpioAxis(const GpioAxisConfig& config, hal::GpioLines& lines, hal::PwmOutput& pwm,
+           const hal::Clock& clock);
+  // The encoder is on a counter, already open, instead of GPIO lines.
+  GpioAxis(const GpioAxisConfig& config, hal::Counter& counter, hal::GpioLines& lines,
+           hal::PwmOutput& pwm, const hal::Clock& clock);
+
+  // As Board has it. `read` waits for nothing: the newest position is always there.
+  [[nodiscard]] std::size_t axis_count() const { return 1; }
+  void start();
+  void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns);
+  void write(std::span<const AxisCommand> commands);
+  void clear_faults();
+  void stop();
+  [[nodiscard]] Trouble trouble(std::size_t axis) const;
+
+  // For the log: what the first trouble's system call said, and what was counted.
+  [[nodiscard]] const hal::Error& error() const { return error_; }
+  [[nodiscard]] std::uint64_t edges_lost() const { return loss_.lost(); }
+  [[nodiscard]] std::uint64_t illegal_transitions() const { return edges_.illegal_transitions(); }
+  [[nodiscard]] std::int64_t index_error() const;
+
+ private:
+  GpioAxis(const GpioAxisConfig& config, hal::Counter* counter, hal::GpioLines& lines,
+           hal::PwmOutput& pwm, const hal::Clock& clock);
+
+  bool start_pwm();
+  bool start_encoder();
+  bool read_edges();
+  void take(const hal::GpioEdgeEvent& event);
+  void read_levels(hal::TimeNs now_ns);
+  void read_counter();
+  void take_sample(const EncoderReading& reading);
+  void watch_silence(const EncoderReading& reading, hal::TimeNs now_ns);
+  void note_safety();
+
+  void power_up(hal::TimeNs now_ns);
+  void cut_power();
+  [[nodiscard]] double allowed_torque(const AxisCommand& command, hal::TimeNs now_ns) const;
+  void apply(const BridgeOutput& output);
+  void beat();
+  bool set(AxisLine line, bool active);
+  bool set_duty(hal::TimeNs duty_ns);
+
+  bool did(const hal::Result<void>& outcome, GpioAxisTrouble gone, GpioAxisTrouble fails);
+  void latch(GpioAxisTrouble trouble);
+
+  GpioAxisConfig config_;
+  hal::Counter* counter_;
+  hal::GpioLines* lines_;
+  hal::PwmOutput* pwm_;
+  const hal::Clock* clock_;
+
+  AxisWiring wiring_;
+  EdgeEncoder edges_;
+  CounterEncoder counts_;
+  HBridge bridge_;
+  SafetyInputs safety_;
+  hal::GpioLossCounter loss_;
+  std::array<hal::GpioEdgeEvent, 64> events_{};
+
+  AxisSample sample_;
+  GpioAxisTrouble trouble_ = GpioAxisTrouble::none;
+  hal::Error error_;
+  bool running_ = false;
+  bool powered_ = false;
+  bool cut_ = false;  // the outputs are known to be off
+  bool reverse_ = false;
+  bool heartbeat_ = false;
+  hal::TimeNs powered_since_ns_ = 0;
+  hal::TimeNs written_ns_ = 0;
+  double torque_Nm_ = 0.0;  // as last driven
+  std::int64_t silent_count_ = 0;
+  hal::TimeNs silent_since_ns_ = 0;
+};
+
+}  // namespace tactus::drivers

@@ -1,0 +1,175 @@
+// The first half of a tick: edges, levels and counts to a sample.
+#include <cmath>
+#include <numbers>
+
+#include "drivers/gpio_axis/gpio_axis.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+// What a tick reads at most: twice what the kernel can keep. More is left to the next one.
+constexpr std::size_t kMaxReadsPerTick = 2 * hal::kMaxGpioEdgeBuffer / 64;
+
+}  // namespace
+
+void GpioAxis::read(std::span<AxisSample> samples, hal::TimeNs /*deadline_ns*/) {
+  if (running_) {
+    const hal::TimeNs now_ns = clock_->now_ns();
+    const bool all = read_edges();
+    if (all) {
+      read_levels(now_ns);
+    }
+    read_counter();
+    const EncoderReading reading = counter_ != nullptr ? counts_.reading() : edges_.reading(now_ns);
+    watch_silence(reading, now_ns);
+    note_safety();
+    sample_.status &= ~std::uint32_t{kDeviceStale};
+    if (all) {
+      take_sample(reading);
+    } else {
+      sample_.status |= kDeviceStale;
+    }
+    const hal::TimeNs patience_ns = hal::TimeNs{config_.command_timeout_ms} * 1'000'000;
+    if (trouble_ != GpioAxisTrouble::none || (powered_ && now_ns - written_ns_ > patience_ns)) {
+      cut_power();
+    }
+  }
+  samples[0] = sample_;
+}
+
+// True when none is left.
+bool GpioAxis::read_edges() {
+  if (!wiring_.watches_edges()) {
+    return true;
+  }
+  for (std::size_t i = 0; i < kMaxReadsPerTick; ++i) {
+    const auto count = lines_->read_edges(events_, hal::kNoWait);
+    if (!count) {
+      if (count.error().code != hal::ErrorCode::timeout) {
+        did(std::unexpected(count.error()), GpioAxisTrouble::lines_gone,
+            GpioAxisTrouble::lines_fail);
+      }
+      return true;
+    }
+    for (const hal::GpioEdgeEvent& event : std::span(events_).first(*count)) {
+      take(event);
+    }
+  }
+  return false;
+}
+
+void GpioAxis::take(const hal::GpioEdgeEvent& event) {
+  if (loss_.saw(event) != 0) {
+    if (counter_ == nullptr) {
+      edges_.fail(EncoderFault::edges_lost);
+    } else {
+      latch(GpioAxisTrouble::safety_edges_lost);
+    }
+  }
+  const auto line = wiring_.line_at(event.offset);
+  if (!line) {
+    return;
+  }
+  if (*line == AxisLine::encoder_a) {
+    edges_.take(EncoderChannel::a, event.rising, event.time_ns);
+  } else if (*line == AxisLine::encoder_b) {
+    edges_.take(EncoderChannel::b, event.rising, event.time_ns);
+  } else if (*line == AxisLine::encoder_index) {
+    edges_.take(EncoderChannel::index, event.rising, event.time_ns);
+  } else if (*line == AxisLine::emergency_stop && event.rising) {
+    safety_.emergency_stop_edge(event.time_ns);
+  } else if (*line == AxisLine::fault && event.rising) {
+    safety_.fault_edge();
+  }
+}
+
+// After the edges, so that levels and edges can be compared: an edge that came in between only
+// starts the time that they may disagree.
+void GpioAxis::read_levels(hal::TimeNs now_ns) {
+  if (wiring_.inputs() == 0) {
+    return;
+  }
+  const auto levels = lines_->get(wiring_.inputs());
+  if (!levels) {
+    did(std::unexpected(levels.error()), GpioAxisTrouble::lines_gone, GpioAxisTrouble::lines_fail);
+    return;
+  }
+  const auto active = [&](AxisLine line) { return (*levels & wiring_.bit(line)) != 0; };
+  if (counter_ == nullptr) {
+    edges_.compare(active(AxisLine::encoder_a), active(AxisLine::encoder_b), now_ns);
+  }
+  safety_.take({.emergency_stop = active(AxisLine::emergency_stop),
+                .fault = active(AxisLine::fault),
+                .limit_low = active(AxisLine::limit_low),
+                .limit_high = active(AxisLine::limit_high)},
+               now_ns);
+}
+
+void GpioAxis::read_counter() {
+  if (counter_ == nullptr) {
+    return;
+  }
+  using enum GpioAxisTrouble;
+  if (config_.encoder.counter_index) {
+    std::array<hal::CounterIndexEvent, 8> pulses;
+    const auto count = counter_->read_index(pulses, hal::kNoWait);
+    if (!count && count.error().code != hal::ErrorCode::timeout) {
+      did(std::unexpected(count.error()), counter_gone, counter_fails);
+      return;
+    }
+    for (const auto& pulse : std::span(pulses).first(count.value_or(0))) {
+      counts_.take_index(pulse);
+    }
+  }
+  const auto reading = counter_->read();
+  if (!reading) {
+    did(std::unexpected(reading.error()), counter_gone, counter_fails);
+    return;
+  }
+  counts_.take(*reading);
+}
+
+void GpioAxis::take_sample(const EncoderReading& reading) {
+  if (reading.fault != EncoderFault::none) {
+    latch(trouble_of(reading.fault));
+    return;
+  }
+  const double sign = config_.encoder.reversed ? -1.0 : 1.0;
+  const double count_rad = sign * 2.0 * std::numbers::pi / config_.encoder.counts_per_rev;
+  sample_.position_rad = count_rad * static_cast<double>(reading.count);
+  sample_.velocity_rad_per_s = count_rad * reading.counts_per_s;
+  sample_.time_ns = reading.time_ns;
+  sample_.index_seen = reading.index_seen;
+  sample_.index_rad = count_rad * static_cast<double>(reading.index_count);
+}
+
+void GpioAxis::watch_silence(const EncoderReading& reading, hal::TimeNs now_ns) {
+  const double least_Nm = config_.encoder.silence_torque * config_.bridge.max_torque_Nm;
+  const bool pushes = powered_ && torque_Nm_ != 0.0 && std::abs(torque_Nm_) >= least_Nm;
+  if (!pushes || reading.count != silent_count_) {
+    silent_count_ = reading.count;
+    silent_since_ns_ = now_ns;
+    return;
+  }
+  const hal::TimeNs patience_ns = hal::TimeNs{config_.encoder.silence_ms} * 1'000'000;
+  if (patience_ns > 0 && now_ns - silent_since_ns_ > patience_ns) {
+    edges_.fail(EncoderFault::silent);
+    counts_.fail(EncoderFault::silent);
+    latch(GpioAxisTrouble::silent);
+  }
+}
+
+void GpioAxis::note_safety() {
+  if (safety_.emergency_stop()) {
+    latch(GpioAxisTrouble::emergency_stop);
+  }
+  if (safety_.fault()) {
+    latch(GpioAxisTrouble::bridge_fault);
+  }
+  if (safety_.limits_contradict()) {
+    latch(GpioAxisTrouble::limits_contradict);
+  }
+}
+
+}  // namespace tactus::drivers

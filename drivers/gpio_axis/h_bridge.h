@@ -1,0 +1,38 @@
+// From a torque to a duty and a direction. Protocol only: no input or output.
+#pragma once
+
+#include "drivers/gpio_axis/gpio_axis_config.h"
+#include "hal/clock.h"
+
+namespace tactus::drivers {
+
+// The part of the period for that part of the full torque, both from 0 to 1.
+double duty_of(TorqueLaw law, double torque_part);
+
+struct BridgeOutput {
+  hal::TimeNs duty_ns = 0;
+  bool reverse = false;  // the direction line; false for locked anti-phase
+};
+
+// Whatever is asked for, the duty never stands for more than max_torque_Nm nor exceeds max_duty. A
+// torque that is not a number is none. Sign-magnitude keeps the direction line still until the
+// duty has been zero for the dead time.
+class HBridge {
+ public:
+  explicit HBridge(const BridgeConfig& config);
+
+  BridgeOutput drive(double torque_Nm, hal::TimeNs now_ns);
+  // Zero torque, at once.
+  BridgeOutput idle(hal::TimeNs now_ns) { return drive(0.0, now_ns); }
+
+ private:
+  BridgeOutput sign_magnitude(double part, bool negative, hal::TimeNs now_ns);
+  [[nodiscard]] BridgeOutput locked_antiphase(double part, bool negative) const;
+
+  BridgeConfig config_;
+  bool reverse_ = false;
+  bool driving_ = false;
+  hal::TimeNs idle_since_ns_ = 0;
+};
+
+}  // namespace tactus::drivers

@@ -1,0 +1,256 @@
+#include "drivers/odrive_can/odrive_can.h"
+
+#include <algorithm>
+#include <array>
+
+#include "drivers/seconds.h"
+#include "drivers/torque_clamp.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+using odrive::AxisState;
+using odrive::Command;
+using odrive::Generation;
+
+// Firmware 0.5 is one that has not told its version in this time.
+constexpr double kProbe_s = 0.1;
+constexpr double kProbeAgain_s = 0.02;
+constexpr double kSettleAgain_s = 0.1;
+constexpr double kArmAgain_s = 0.3;
+constexpr double kStopAgain_s = 0.01;
+constexpr double kExplainAgain_s = 0.02;
+
+// What is asked for in turn; the errors first, which alone matter after a fault.
+constexpr std::array kPolled_0_5 = {Command::get_motor_error, Command::get_encoder_error,
+                                    Command::get_controller_error, Command::get_bus,
+                                    Command::get_iq};
+constexpr std::size_t kErrors_0_5 = 3;
+constexpr std::array kPolled_0_6 = {Command::get_error, Command::get_temperature, Command::get_bus,
+                                    Command::get_iq};
+constexpr std::size_t kErrors_0_6 = 1;
+
+}  // namespace
+
+ODriveCan::ODriveCan(const ODriveConfig& config)
+    : config_(config),
+      encoder_({.max_speed_rad_per_s = config.max_speed_rad_per_s,
+                .margin_rad = config.jump_margin_rad}) {}
+
+std::size_t ODriveCan::filters(std::span<hal::CanFilter> filters) const {
+  constexpr std::uint32_t kAnyCommand = 0x1F;
+  filters[0] = hal::CanFilter::standard(odrive::frame_id(config_.node_id, Command{}));
+  filters[0].mask &= ~kAnyCommand;
+  return 1;
+}
+
+void ODriveCan::start(hal::TimeNs now_ns) {
+  sample_ = {};
+  trouble_ = {};
+  readings_ = {};
+  generation_ = Generation::unknown;
+  last_error_ = 0;
+  wants_explanation_ = false;
+  encoder_.reset();
+  enter(Phase::listening, now_ns);
+}
+
+void ODriveCan::clear_faults(hal::TimeNs now_ns) {
+  if (phase_ == Phase::failed) {
+    start(now_ns);
+  }
+}
+
+void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
+  phase_ = phase;
+  phase_since_ns_ = now_ns;
+  has_sent_ = false;
+  closed_in_a_row_ = 0;
+  refused_in_a_row_ = 0;
+  if (phase == Phase::up) {
+    sample_.status = kDeviceOk;
+    polled_ns_ = now_ns;
+  }
+}
+
+void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
+  if (phase_ == Phase::failed) {
+    return;
+  }
+  phase_ = Phase::failed;
+  has_sent_ = false;
+  next_poll_ = 0;
+  sample_.status = status;
+  trouble_ = trouble;
+}
+
+void ODriveCan::request(hal::TimeNs now_ns, CanOutbox& outbox) {
+  watch_deadlines(now_ns);
+  const bool is_there = phase_ == Phase::settling || phase_ == Phase::arming || phase_ == Phase::up;
+  if (is_there && config_.estimates == ODriveEstimates::requested) {
+    outbox.add(
+        odrive::request(config_.node_id, Command::get_estimates, config_.ask_by_remote_frame));
+  }
+}
+
+void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
+  watch_deadlines(now_ns);
+  if (phase_ == Phase::off) {
+    return;
+  }
+  // Nothing to a drive that has not been heard: what nobody acknowledges would fill the queue.
+  const bool speaks = phase_ != Phase::listening || !has_sent_;
+  if (speaks) {
+    send_torque(phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F,
+                outbox);
+  }
+  switch (phase_) {
+    case Phase::listening:
+      if (is_time_to_send(config_.bring_up_s, now_ns)) {
+        send_state(AxisState::idle, outbox);
+      }
+      break;
+    case Phase::probing:
+      probe(now_ns, outbox);
+      break;
+    case Phase::settling:
+      settle(now_ns, outbox);
+      break;
+    case Phase::arming:
+      if (is_time_to_send(kArmAgain_s, now_ns)) {
+        send_state(AxisState::closed_loop, outbox);
+      }
+      break;
+    case Phase::failed:
+      if (is_time_to_send(kStopAgain_s, now_ns)) {
+        send_state(AxisState::idle, outbox);
+      }
+      break;
+    default:
+      break;
+  }
+  poll(now_ns, outbox);
+}
+
+void ODriveCan::shutdown(CanOutbox& outbox) {
+  send_torque(0.0F, outbox);
+  send_state(AxisState::idle, outbox);
+  phase_ = Phase::off;
+  sample_.status |= kDeviceNotReady;
+}
+
+void ODriveCan::probe(hal::TimeNs now_ns, CanOutbox& outbox) {
+  if (has_passed(kProbe_s, phase_since_ns_, now_ns)) {
+    generation_ = Generation::v0_5;
+    enter(Phase::settling, now_ns);
+    return;
+  }
+  if (is_time_to_send(kProbeAgain_s, now_ns)) {
+    outbox.add(odrive::request(config_.node_id, Command::get_version, config_.ask_by_remote_frame));
+  }
+}
+
+void ODriveCan::settle(hal::TimeNs now_ns, CanOutbox& outbox) {
+  if (!is_time_to_send(kSettleAgain_s, now_ns)) {
+    return;
+  }
+  send_state(AxisState::idle, outbox);
+  outbox.add(odrive::clear_errors(config_.node_id));
+  outbox.add(odrive::set_torque_mode(config_.node_id));
+  if (config_.drive_speed_limit_rad_per_s > 0.0) {
+    outbox.add(odrive::set_limits(config_.node_id, config_.drive_speed_limit_rad_per_s,
+                                  config_.drive_current_limit_A));
+  }
+}
+
+void ODriveCan::poll(hal::TimeNs now_ns, CanOutbox& outbox) {
+  const bool explains = phase_ == Phase::failed && wants_explanation_;
+  const double period_s = explains ? kExplainAgain_s : config_.poll_period_s;
+  if ((phase_ != Phase::up && !explains) || period_s <= 0.0 ||
+      !has_passed(period_s, polled_ns_, now_ns)) {
+    return;
+  }
+  polled_ns_ = now_ns;
+  std::span<const Command> polled = kPolled_0_6;
+  std::size_t errors = kErrors_0_6;
+  if (generation_ == Generation::v0_5) {
+    polled = kPolled_0_5;
+    errors = kErrors_0_5;
+  }
+  next_poll_ %= explains ? errors : polled.size();
+  outbox.add(odrive::request(config_.node_id, polled[next_poll_], config_.ask_by_remote_frame));
+  ++next_poll_;
+}
+
+bool ODriveCan::is_time_to_send(double period_s, hal::TimeNs now_ns) {
+  if (has_sent_ && !has_passed(period_s, last_sent_ns_, now_ns)) {
+    return false;
+  }
+  if (!has_sent_) {
+    first_sent_ns_ = now_ns;
+    has_sent_ = true;
+  }
+  last_sent_ns_ = now_ns;
+  return true;
+}
+
+bool ODriveCan::was_sent_before(hal::TimeNs time_ns) const {
+  return has_sent_ && time_ns > first_sent_ns_;
+}
+
+void ODriveCan::send_torque(float torque_Nm, CanOutbox& outbox) const {
+  outbox.add(odrive::set_input_torque(config_.node_id, torque_Nm));
+}
+
+void ODriveCan::send_state(AxisState state, CanOutbox& outbox) const {
+  outbox.add(odrive::set_axis_state(config_.node_id, state));
+}
+
+void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {
+  if (phase_ == Phase::off || phase_ == Phase::failed) {
+    return;
+  }
+  // No frame was received in the future, whatever its stamp says.
+  phase_since_ns_ = std::min(phase_since_ns_, now_ns);
+  heartbeat_ns_ = std::min(heartbeat_ns_, now_ns);
+  estimate_ns_ = std::min(estimate_ns_, now_ns);
+  if (phase_ != Phase::listening && has_passed(config_.heartbeat_lost_s, heartbeat_ns_, now_ns)) {
+    fail(kDeviceLost,
+         {"the drive's heartbeat stopped", "check its power and the bus's cable, then reset"});
+  } else if (phase_ == Phase::up) {
+    watch_samples(now_ns);
+  } else if (has_passed(config_.bring_up_s, phase_since_ns_, now_ns)) {
+    watch_bring_up(now_ns);
+  }
+}
+
+void ODriveCan::watch_samples(hal::TimeNs now_ns) {
+  if (has_passed(config_.estimate_lost_s, estimate_ns_, now_ns)) {
+    fail(kDeviceLost, {"the drive's position estimates stopped",
+                       "check its power and the bus's cable and load, then reset"});
+  } else if (has_passed(config_.estimate_stale_s, estimate_ns_, now_ns)) {
+    sample_.status |= kDeviceStale;
+  }
+}
+
+// Which step took too long.
+void ODriveCan::watch_bring_up(hal::TimeNs now_ns) {
+  if (phase_ == Phase::listening) {
+    fail(kDeviceLost, {"no heartbeat comes from the drive",
+                       "check its power, the bus's cable, bit rate and node id, then reset"});
+  } else if (last_error_ != 0) {
+    fail_by_error(last_error_);
+  } else if (phase_ == Phase::settling) {
+    fail(kDeviceDriveFault,
+         {"the drive does not go idle", "stop its start-up sequence, then reset"});
+  } else if (!encoder_.is_trusted() || has_passed(config_.estimate_lost_s, estimate_ns_, now_ns)) {
+    fail(kDeviceLost, {"no usable position estimates come from the drive",
+                       "set its encoder message rate to 1 ms, or ask for estimates"});
+  } else {
+    fail(kDeviceDriveFault, {"the drive does not go into closed loop",
+                             "calibrate it with odrivetool, save, then reset"});
+  }
+}
+
+}  // namespace tactus::drivers

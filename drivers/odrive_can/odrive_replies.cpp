@@ -1,0 +1,233 @@
+// What an ODrive sends, as ODriveCan takes it.
+
+#include <cmath>
+
+#include "drivers/odrive_can/odrive_can.h"
+#include "drivers/odrive_can/odrive_errors.h"
+#include "drivers/seconds.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+// The drive may reach closed loop for a moment and drop out of it again.
+constexpr std::uint32_t kClosedHeartbeats = 2;
+constexpr double kClosedHold_s = 0.15;
+// The first heartbeat after asking may still tell of an earlier procedure.
+constexpr std::uint32_t kRefusals = 2;
+
+bool is_state(const odrive::Heartbeat& heartbeat, odrive::AxisState state) {
+  return heartbeat.state == static_cast<std::uint8_t>(state);
+}
+
+}  // namespace
+
+void ODriveCan::take(const hal::CanReceived& received) {
+  const hal::CanFrame& frame = received.frame;
+  if (received.kind != hal::CanReceived::Kind::frame || frame.fd || frame.extended ||
+      frame.remote || odrive::node_of(frame.id) != config_.node_id || phase_ == Phase::off) {
+    return;
+  }
+  if (frame.length != hal::kMaxCanBytes) {
+    ++readings_.malformed;
+    return;
+  }
+  switch (odrive::command_of(frame.id)) {
+    case odrive::Command::heartbeat:
+      if (const auto heartbeat = odrive::read_heartbeat(frame)) {
+        take_heartbeat(*heartbeat, received.time_ns);
+      }
+      return;
+    case odrive::Command::get_estimates:
+      if (const auto estimates = odrive::read_estimates(frame)) {
+        take_estimates(*estimates, received.time_ns);
+      }
+      return;
+    default:
+      take_reply(frame, received.time_ns);
+      return;
+  }
+}
+
+void ODriveCan::take_heartbeat(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
+  heartbeat_ns_ = time_ns;
+  last_error_ = heartbeat.error;
+  switch (phase_) {
+    case Phase::listening:
+      enter(Phase::probing, time_ns);
+      return;
+    case Phase::settling:
+      if (was_sent_before(time_ns) && heartbeat.error == 0 &&
+          is_state(heartbeat, odrive::AxisState::idle)) {
+        enter(Phase::arming, time_ns);
+      }
+      return;
+    case Phase::arming:
+      if (was_sent_before(time_ns)) {
+        take_while_arming(heartbeat, time_ns);
+      }
+      return;
+    case Phase::up:
+      if (heartbeat.error != 0) {
+        fail_by_error(heartbeat.error);
+      } else if (!is_state(heartbeat, odrive::AxisState::closed_loop)) {
+        wants_explanation_ = true;
+        fail(kDeviceDriveFault, {"the drive left closed loop by itself",
+                                 "see dump_errors in odrivetool, then reset", heartbeat.state});
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+void ODriveCan::take_while_arming(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
+  if (heartbeat.error != 0) {
+    fail_by_error(heartbeat.error);
+    return;
+  }
+  if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
+    if (closed_in_a_row_ == 0) {
+      closed_since_ns_ = time_ns;
+    }
+    ++closed_in_a_row_;
+    if (closed_in_a_row_ >= kClosedHeartbeats &&
+        has_passed(kClosedHold_s, closed_since_ns_, time_ns) && encoder_.is_trusted() &&
+        !has_passed(config_.estimate_stale_s, estimate_ns_, time_ns)) {
+      enter(Phase::up, time_ns);
+    }
+    return;
+  }
+  closed_in_a_row_ = 0;
+  const Trouble refusal = generation_ == odrive::Generation::v0_6
+                              ? odrive::procedure_trouble(heartbeat.procedure_result)
+                              : Trouble{};
+  refused_in_a_row_ = refusal ? refused_in_a_row_ + 1 : 0;
+  if (refused_in_a_row_ >= kRefusals) {
+    wants_explanation_ = true;
+    fail(kDeviceDriveFault, refusal);
+  }
+}
+
+void ODriveCan::take_estimates(const odrive::Estimates& estimates, hal::TimeNs time_ns) {
+  if (phase_ == Phase::failed) {
+    return;
+  }
+  const EncoderVerdict verdict =
+      encoder_.check(estimates.position_rad, estimates.velocity_rad_per_s, time_ns);
+  if (verdict != EncoderVerdict::good) {
+    encoder_.reset();
+    if (phase_ == Phase::up) {
+      fail(kDeviceEncoderFault, trouble_of(verdict));
+    }
+    return;
+  }
+  estimate_ns_ = time_ns;
+  sample_.position_rad = estimates.position_rad;
+  sample_.velocity_rad_per_s = estimates.velocity_rad_per_s;
+  sample_.time_ns = time_ns;
+  sample_.status &= ~std::uint32_t{kDeviceStale};
+}
+
+void ODriveCan::take_reply(const hal::CanFrame& frame, hal::TimeNs time_ns) {
+  using odrive::Command;
+  switch (odrive::command_of(frame.id)) {
+    case Command::get_version: {
+      constexpr std::uint8_t kProtocol = 2;
+      const auto version = odrive::read_version(frame);
+      if (phase_ == Phase::probing && version && version->protocol == kProtocol) {
+        generation_ = odrive::Generation::v0_6;
+        enter(Phase::settling, time_ns);
+      }
+      return;
+    }
+    case Command::get_bus:
+      readings_.bus = odrive::read_bus_power(frame).value_or(readings_.bus);
+      return;
+    case Command::get_iq:
+      readings_.current = odrive::read_current(frame).value_or(readings_.current);
+      return;
+    default:
+      break;
+  }
+  // The other commands mean one thing to one generation and another to the next.
+  if (generation_ == odrive::Generation::v0_5) {
+    take_reply_0_5(frame);
+  } else if (generation_ == odrive::Generation::v0_6) {
+    take_reply_0_6(frame);
+  }
+}
+
+void ODriveCan::take_reply_0_5(const hal::CanFrame& frame) {
+  using odrive::Command;
+  switch (odrive::command_of(frame.id)) {
+    case Command::get_motor_error:
+      if (const auto error = odrive::read_motor_error(frame); error && *error != 0) {
+        explain(odrive::motor_trouble(*error), true);
+      }
+      return;
+    case Command::get_encoder_error:
+      if (const auto error = odrive::read_part_error(frame); error && *error != 0) {
+        explain(odrive::encoder_trouble(*error), true);
+      }
+      return;
+    case Command::get_controller_error:
+      if (const auto error = odrive::read_part_error(frame); error && *error != 0) {
+        explain(odrive::controller_trouble(*error), true);
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+void ODriveCan::take_reply_0_6(const hal::CanFrame& frame) {
+  using odrive::Command;
+  switch (odrive::command_of(frame.id)) {
+    case Command::get_error:
+      if (const auto errors = odrive::read_errors(frame)) {
+        const std::uint32_t error = errors->active != 0 ? errors->active : errors->disarm_reason;
+        if (error != 0) {
+          explain(odrive::active_trouble(error), errors->active != 0);
+          if (phase_ == Phase::failed && odrive::is_emergency_stop_0_6(error)) {
+            sample_.status |= kDeviceEmergencyStop;
+          }
+        }
+      }
+      return;
+    case Command::get_temperature:
+      readings_.temperature = odrive::read_temperature(frame).value_or(readings_.temperature);
+      return;
+    case Command::get_torques:
+      if (const auto torques = odrive::read_torques(frame);
+          torques && std::isfinite(torques->estimate_Nm)) {
+        sample_.torque_Nm = torques->estimate_Nm;
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+// A word out of a heartbeat.
+void ODriveCan::fail_by_error(std::uint32_t error) {
+  const bool is_0_6 = generation_ == odrive::Generation::v0_6;
+  const bool is_emergency_stop =
+      is_0_6 ? odrive::is_emergency_stop_0_6(error) : odrive::is_emergency_stop_0_5(error);
+  wants_explanation_ = !is_0_6 && odrive::is_explained_elsewhere(error);
+  fail(kDeviceDriveFault | (is_emergency_stop ? kDeviceEmergencyStop : 0U),
+       is_0_6 ? odrive::active_trouble(error) : odrive::axis_trouble(error));
+}
+
+// What the drive answered about its errors: the cause of a fault that is known already, or, if it
+// is an error of now, a fault.
+void ODriveCan::explain(const Trouble& trouble, bool is_error) {
+  if (phase_ == Phase::failed && wants_explanation_) {
+    trouble_ = trouble;
+    wants_explanation_ = false;
+  } else if (phase_ == Phase::up && is_error) {
+    fail(kDeviceDriveFault, trouble);
+  }
+}
+
+}  // namespace tactus::drivers

@@ -1,0 +1,117 @@
+// Where a figure is an assumption, it says so; the others are published for the device.
+#include <numbers>
+
+#include "firmware/configuration/controller_config.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+ControllerConfig cartesian_config() {
+  return {};
+}
+
+ControllerConfig falcon_config() {
+  ControllerConfig config;
+  const DeltaGeometry geometry;
+  config.mechanism = geometry;
+  config.workspace_origin_D = {0.0, 0.0, geometry.nominal_height_m};
+  // Contains every pose within 50 mm of the workspace's middle (-43 to 75 degrees). 0.67 N m is
+  // what 8 N takes at the worst place and direction within 40 mm of it; the Falcon's true limit is
+  // not published.
+  config.joints.fill({.lower = -0.80, .upper = 1.45, .max_effort = 0.7});
+  config.safety.max_force_N = 8.0;
+  return config;
+}
+
+ControllerConfig hapkit_config() {
+  // 0.03 N m at full duty on a pulley of 4.191 mm, under a sector of 73.152 mm.
+  constexpr double kSectorTorque_Nm = 0.03 * 0.073152 / 0.004191;
+  ControllerConfig config;
+  const PaddleGeometry geometry;
+  config.mechanism = geometry;
+  config.workspace_origin_D = {0.0, geometry.handle_radius_m, 0.0};
+  // The sectors of Hapkits span about 90 degrees.
+  config.joints[0] = {
+      .lower = -45.0 * kDegree, .upper = 45.0 * kDegree, .max_effort = kSectorTorque_Nm};
+  config.safety.max_force_N = 7.9;  // of the 7.98 N that the motor gives
+  return config;
+}
+
+ControllerConfig haply_pantograph_config() {
+  ControllerConfig config;
+  config.mechanism = PantographGeometry{};
+  config.workspace_origin_D = {0.01, 0.0, 0.075};
+  // From home (180 and 0 degrees) inward; assumed, the stops are not published.
+  config.joints[0] = {.lower = 80.0 * kDegree, .upper = 185.0 * kDegree, .max_effort = 0.123};
+  config.joints[1] = {.lower = -5.0 * kDegree, .upper = 100.0 * kDegree, .max_effort = 0.123};
+  config.safety.max_force_N = 2.4;  // what the motors give in the worst direction
+  return config;
+}
+
+ControllerConfig phantom_premium_config() {
+  // Maxon RE 25 118743: 28.6 mN m for good (129 at stall), times the capstans' ratios.
+  constexpr double kNominal_Nm = 0.0286;
+  ControllerConfig config;
+  const SerialArmGeometry geometry;
+  config.mechanism = geometry;
+  config.workspace_origin_D = {0.0, -geometry.forearm_m, geometry.upper_m};
+  config.joints = {
+      {{.lower = -90.0 * kDegree, .upper = 90.0 * kDegree, .max_effort = 13.3 * kNominal_Nm},
+       {.lower = -124.0 * kDegree, .upper = 119.0 * kDegree, .max_effort = 11.2 * kNominal_Nm},
+       {.lower = -29.0 * kDegree, .upper = 214.0 * kDegree, .max_effort = 11.2 * kNominal_Nm}}};
+  config.coupled_limits[0] = {
+      .joint = 1, .minus = 2, .lower = -55.0 * kDegree, .upper = 65.0 * kDegree};
+  config.safety.max_force_N = 8.5;
+  return config;
+}
+
+ControllerConfig woodenhaptics_config() {
+  // Maxon with 0.0259 N m/A on amplifiers of 6 A.
+  constexpr double kMotor_Nm = 0.0259 * 6.0;
+  constexpr double kFirstRatio = 16.0;
+  constexpr double kRatio = 12.0;
+  ControllerConfig config;
+  config.mechanism = SerialArmGeometry{.upper_m = 0.205,
+                                       .forearm_m = 0.245,
+                                       .shoulder_height_m = 0.080,
+                                       .upper = {.mass_kg = 0.17, .centre_m = 0.051},
+                                       .forearm = {.mass_kg = 0.11, .centre_m = 0.091}};
+  config.workspace_origin_D = {0.0, 0.080, 0.220};
+  // The stops are not published: these are assumed.
+  config.joints = {
+      {{.lower = -70.0 * kDegree, .upper = 70.0 * kDegree, .max_effort = kFirstRatio * kMotor_Nm},
+       {.lower = -20.0 * kDegree, .upper = 135.0 * kDegree, .max_effort = kRatio * kMotor_Nm},
+       {.lower = -20.0 * kDegree, .upper = 140.0 * kDegree, .max_effort = kRatio * kMotor_Nm}}};
+  config.coupled_limits[0] = {
+      .joint = 1, .minus = 2, .lower = -70.0 * kDegree, .upper = 70.0 * kDegree};
+  config.safety.max_force_N = 5.0;
+  return config;
+}
+
+std::optional<ControllerConfig> preset_config(std::string_view name) {
+  if (name == "cartesian") {
+    return cartesian_config();
+  }
+  if (name == "falcon") {
+    return falcon_config();
+  }
+  if (name == "hapkit") {
+    return hapkit_config();
+  }
+  if (name == "haply_pantograph") {
+    return haply_pantograph_config();
+  }
+  if (name == "phantom_premium") {
+    return phantom_premium_config();
+  }
+  if (name == "woodenhaptics") {
+    return woodenhaptics_config();
+  }
+  return std::nullopt;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,31 @@
+#include "firmware/control/gravity_compensation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/safety/force_limiter.h"
+
+namespace tactus::firmware {
+
+void GravityCompensation::configure(const ControllerConfig& config) {
+  is_on_ = has_weight(config.mechanism) && config.gravity_D != Vec3::Zero();
+  gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
+  gravity_D_ = config.gravity_D;
+  limits_ = config.joints;
+  rest();
+}
+
+GravityHold GravityCompensation::hold(const Mechanism& mechanism, const Vec3& joints,
+                                      const Pose& pose) {
+  GravityHold hold{.effort = gain_ * mechanism.gravity_effort(joints, pose, gravity_D_)};
+  gain_ = std::min(1.0, gain_ + gain_per_tick_);
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    double& effort = hold.effort[static_cast<Eigen::Index>(i)];
+    const double limit = limits_[i].max_effort;
+    hold.is_held_back = hold.is_held_back || std::abs(effort) > limit;
+    effort = std::clamp(effort, -limit, limit);
+  }
+  return hold;
+}
+
+}  // namespace tactus::firmware

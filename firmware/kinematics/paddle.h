@@ -1,0 +1,49 @@
+// The one-axis paddle of the Hapkit: a handle on an arc.
+//
+// Frame D: origin on the paddle's axis, which is z; the handle is straight up, on +y, at joint 0,
+// and moves to the right, to +x, as the joint grows. The joint is the angle of the paddle (of the
+// sector that the capstan drives), rad. A force across the arc meets the bearing: it has no effort.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "firmware/kinematics/link_weight.h"
+#include "firmware/kinematics/pose.h"
+#include "rendering/geometry/portable_math.h"
+
+namespace tactus::firmware {
+
+struct PaddleGeometry {
+  double handle_radius_m = 0.065659;  // axis to handle: Stanford's Hapkit
+  LinkWeight paddle;                  // with its handle, from the axis toward the handle
+};
+
+inline Pose paddle_forward(const PaddleGeometry& g, double joint) {
+  const rendering::SineCosine turn = rendering::sine_cosine(joint);
+  const double r = g.handle_radius_m;
+  Pose pose{{r * turn.sine, r * turn.cosine, 0.0}, Mat3::Zero(), kPoseGood};
+  pose.jacobian_D.col(0) << r * turn.cosine, -r * turn.sine, 0.0;
+  return pose;
+}
+
+// The angle of the handle that is nearest to p_D, -pi to pi; not part of the tick. Nothing for a
+// point on the axis.
+inline std::optional<double> paddle_inverse(const Vec3& p_D) {
+  if (!(std::hypot(p_D.x(), p_D.y()) > 0.0)) {
+    return std::nullopt;
+  }
+  return std::atan2(p_D.x(), p_D.y());
+}
+
+inline bool has_weight(const PaddleGeometry& g) {
+  return g.paddle.moment_kg_m() != 0.0;
+}
+
+// N m that hold the paddle up at `pose`; gravity in m/s^2.
+inline double paddle_gravity_effort(const PaddleGeometry& g, const Pose& pose,
+                                    const Vec3& gravity_D) {
+  return -g.paddle.moment_kg_m() / g.handle_radius_m * pose.jacobian_D.col(0).dot(gravity_D);
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,51 @@
+// The five-bar pantograph of the Haply: two motors on the base, two links each, joined at the tool.
+//
+// Frame D: origin on the first motor's axis, the second at +x; the linkage lies flat in the plane
+// y = 0, x right, z toward the user. Joint i is the angle (rad) of motor i's proximal link from +x
+// toward +z. A force across the plane meets the bearings: it has no effort.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "firmware/kinematics/link_weight.h"
+#include "firmware/kinematics/pose.h"
+
+namespace tactus::firmware {
+
+// The defaults are the Haply development kit's.
+struct PantographGeometry {
+  double base_m = 0.02;      // from one motor axis to the other
+  double proximal_m = 0.05;  // motor axis to elbow
+  double distal_m = 0.07;    // elbow to tool
+  LinkWeight proximal;       // each of the two, from the motor axis
+  LinkWeight distal;         // each of the two, from the elbow
+  double tool_kg = 0.0;
+};
+
+using PantographJoints = std::array<double, 2>;
+
+class Pantograph {
+ public:
+  explicit Pantograph(const PantographGeometry& geometry) : geometry_(geometry) {}
+
+  // Closed form. The assembly is the one with the tool on the left of the way from the first elbow
+  // to the second (as x runs right and z up): the one farther from the base while the links are not
+  // crossed. Elbows too far apart, or in one place: kPoseNotConverged, and p_D is the seed.
+  [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
+
+  // The joints of the assembly with both elbows outward, for simulators and tests: not part of the
+  // tick. The distance from the plane is left out. Nothing when the tool is out of reach.
+  [[nodiscard]] std::optional<PantographJoints> inverse(const Vec3& p_D) const;
+
+  // N m that hold the links up at a good `pose`; gravity in m/s^2.
+  [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
+                                    const Vec3& gravity_D) const;
+
+ private:
+  PantographGeometry geometry_;
+};
+
+bool has_weight(const PantographGeometry& g);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,54 @@
+// The three-axis arm of the PHANToM Premium and of WoodenHaptics: an upper arm and a forearm in a
+// plane that turns about the vertical. Both are driven from the base, the forearm through a
+// parallelogram, so that its angle does not turn with the upper arm's.
+//
+// Frame D: origin on the vertical axis at the base, x right, y up, z toward the user. Joints, rad:
+//   1  azimuth: the plane from z (the arm reaches toward the user) toward x
+//   2  elevation of the upper arm from the horizontal, growing upward
+//   3  forearm, from hanging straight down, growing outward; absolute, not from the upper arm
+// These are the PHANToM's angles. WoodenHaptics counts its second from the vertical, B = pi/2 - q2:
+// a direction of -1 and an offset of pi/2 in the joint's transmission.
+#pragma once
+
+#include <optional>
+
+#include "firmware/kinematics/link_weight.h"
+#include "firmware/kinematics/pose.h"
+
+namespace tactus::firmware {
+
+// The defaults are the PHANToM Premium's.
+struct SerialArmGeometry {
+  double upper_m = 0.209550;       // shoulder to elbow
+  double forearm_m = 0.169545;     // elbow to tool
+  double shoulder_height_m = 0.0;  // of the second axis above the origin
+  // What turns with the upper arm's direction, from the shoulder, and with the forearm's, from the
+  // elbow. A bar of the parallelogram counts to the link that it stays parallel to.
+  LinkWeight upper;
+  LinkWeight forearm;
+  double tool_kg = 0.0;
+};
+
+class SerialArm {
+ public:
+  explicit SerialArm(const SerialArmGeometry& geometry) : geometry_(geometry) {}
+
+  // Closed form. Singular where the tool is over or under the first axis, and where upper arm and
+  // forearm lie in one line.
+  [[nodiscard]] Pose forward(const Vec3& joints) const;
+
+  // Of up to four solutions (facing or turned away, elbow to either side) the one whose joints are
+  // nearest to `near`, each within half a turn of it. Not part of the tick. Nothing when the tool
+  // is out of reach.
+  [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D, const Vec3& near) const;
+
+  // N m that hold the arm up; gravity in m/s^2.
+  [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Vec3& gravity_D) const;
+
+ private:
+  SerialArmGeometry geometry_;
+};
+
+bool has_weight(const SerialArmGeometry& g);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,412 @@
+#include "hal/linux/can_bus.h"
+
+#include <linux/can.h>
+#include <linux/can/error.h>
+#include <linux/can/raw.h>
+#include <linux/errqueue.h>
+#include <linux/net_tstamp.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace tactus::hal {
+
+namespace {
+
+constexpr int kReceiveBuffer_bytes = 1 << 20;
+// Always asked of the kernel: the state is known from them.
+constexpr std::uint32_t kOwnErrorClasses = kCanBusOff | kCanRestarted | kCanController;
+
+Result<void> open_failure(int error) {
+  switch (error) {
+    case EAFNOSUPPORT:
+    case EPROTONOSUPPORT:
+      return failure(ErrorCode::not_supported, error);
+    case EPERM:
+    case EACCES:
+      return failure(ErrorCode::not_permitted, error);
+    case ENOBUFS:
+    case ENOMEM:
+    case EMFILE:
+    case ENFILE:
+      return failure(ErrorCode::no_memory, error);
+    default:
+      return failure(ErrorCode::io, error);
+  }
+}
+
+Result<void> set_option(int socket, int level, int name, const void* value, std::size_t bytes) {
+  if (setsockopt(socket, level, name, value, static_cast<socklen_t>(bytes)) < 0) {
+    return open_failure(errno);
+  }
+  return {};
+}
+
+Result<void> set_option(int socket, int level, int name, int value) {
+  return set_option(socket, level, name, &value, sizeof(value));
+}
+
+// The same bytes serve both kinds: a classic frame is the beginning of an FD frame.
+struct WireFrame {
+  canfd_frame frame{};
+  std::size_t bytes = 0;
+};
+
+WireFrame to_wire(const CanFrame& frame) {
+  WireFrame wire;
+  wire.frame.can_id =
+      frame.id | (frame.extended ? CAN_EFF_FLAG : 0U) | (frame.remote ? CAN_RTR_FLAG : 0U);
+  wire.frame.len = frame.length;
+  if (frame.fd) {
+    wire.frame.flags = static_cast<std::uint8_t>((frame.bit_rate_switch ? CANFD_BRS : 0U) |
+                                                 (frame.error_state_indicator ? CANFD_ESI : 0U));
+  }
+  std::memcpy(wire.frame.data, frame.data.data(), frame.bytes().size());
+  wire.bytes = frame.fd ? CANFD_MTU : CAN_MTU;
+  return wire;
+}
+
+CanFrame from_wire(const canfd_frame& wire, bool fd) {
+  CanFrame frame;
+  frame.extended = (wire.can_id & CAN_EFF_FLAG) != 0;
+  frame.remote = (wire.can_id & CAN_RTR_FLAG) != 0;
+  frame.id = wire.can_id & (frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
+  frame.fd = fd;
+  frame.bit_rate_switch = fd && (wire.flags & CANFD_BRS) != 0;
+  frame.error_state_indicator = fd && (wire.flags & CANFD_ESI) != 0;
+  frame.length = std::min(wire.len, static_cast<std::uint8_t>(fd ? kMaxCanFdBytes : kMaxCanBytes));
+  std::memcpy(frame.data.data(), wire.data, frame.bytes().size());
+  return frame;
+}
+
+CanErrorReport error_from_wire(const canfd_frame& wire) {
+  return {.classes = wire.can_id & kCanEveryErrorClass,
+          .controller = wire.data[1],
+          .protocol_type = wire.data[2],
+          .protocol_place = wire.data[3],
+          .transceiver = wire.data[4],
+          .transmit_errors = wire.data[6],
+          .receive_errors = wire.data[7]};
+}
+
+// The kernel stamps with CLOCK_REALTIME.
+TimeNs realtime_minus_monotonic_ns() {
+  timespec real{};
+  clock_gettime(CLOCK_REALTIME, &real);
+  return to_ns(real) - monotonic_now_ns();
+}
+
+struct Ancillary {
+  TimeNs realtime_ns = 0;
+  std::uint32_t drops = 0;
+  bool tells_drops = false;
+};
+
+Ancillary read_ancillary(msghdr& message) {
+  Ancillary ancillary;
+  for (cmsghdr* item = CMSG_FIRSTHDR(&message); item != nullptr;
+       item = CMSG_NXTHDR(&message, item)) {
+    if (item->cmsg_level != SOL_SOCKET) {
+      continue;
+    }
+    if (item->cmsg_type == SO_TIMESTAMPING) {
+      scm_timestamping stamps{};
+      std::memcpy(&stamps, CMSG_DATA(item), sizeof(stamps));
+      ancillary.realtime_ns = to_ns(stamps.ts[0]);
+    } else if (item->cmsg_type == SO_RXQ_OVFL) {
+      std::memcpy(&ancillary.drops, CMSG_DATA(item), sizeof(ancillary.drops));
+      ancillary.tells_drops = true;
+    }
+  }
+  return ancillary;
+}
+
+// Room for one batch of either direction, on the stack.
+template <std::size_t kCount>
+struct Batch {
+  std::array<WireFrame, kCount> wire;
+  std::array<iovec, kCount> pieces{};
+  std::array<mmsghdr, kCount> messages{};
+
+  void aim(std::size_t i, std::size_t bytes) {
+    pieces[i] = {.iov_base = &wire[i].frame, .iov_len = bytes};
+    messages[i].msg_hdr.msg_iov = &pieces[i];
+    messages[i].msg_hdr.msg_iovlen = 1;
+  }
+};
+
+}  // namespace
+
+Result<void> LinuxCanBus::open(std::string_view interface) {
+  close();
+  socket_ = FileDescriptor(socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
+  if (!socket_.is_open()) {
+    return open_failure(errno);
+  }
+  auto ready = interface_.find(socket_.get(), interface);
+  if (ready) {
+    ready = configure_socket();
+  }
+  if (!ready) {
+    close();
+    return ready;
+  }
+  status_ = {};
+  drops_seen_ = 0;
+  error_classes_ = 0;
+  link_down_ = false;
+  const auto up = interface_.is_up(socket_.get());
+  if (up && !*up) {
+    link_down_ = true;
+    status_.state = CanState::stopped;
+  }
+  return {};
+}
+
+Result<void> LinuxCanBus::configure_socket() {
+  const int socket = socket_.get();
+  // Without the privilege to exceed it, the system's limit holds.
+  if (!set_option(socket, SOL_SOCKET, SO_RCVBUFFORCE, kReceiveBuffer_bytes)) {
+    (void)set_option(socket, SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes);
+  }
+  const int stamps = SOF_TIMESTAMPING_RX_SOFTWARE | SOF_TIMESTAMPING_SOFTWARE;
+  const can_err_mask_t classes = kOwnErrorClasses;
+  auto outcome = set_option(socket, SOL_SOCKET, SO_RXQ_OVFL, 1);
+  if (outcome) {
+    outcome = set_option(socket, SOL_SOCKET, SO_TIMESTAMPING, stamps);
+  }
+  if (outcome && interface_.fd()) {
+    outcome = set_option(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, 1);
+  }
+  if (outcome) {
+    outcome = set_option(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &classes, sizeof(classes));
+  }
+  if (!outcome) {
+    return outcome;
+  }
+  sockaddr_can address{};
+  address.can_family = AF_CAN;
+  address.can_ifindex = interface_.index();
+  if (bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) < 0) {
+    return open_failure(errno);
+  }
+  return {};
+}
+
+Result<std::size_t> LinuxCanBus::DoSend(std::span<const CanFrame> frames) {
+  if (status_.state == CanState::bus_off) {
+    return failure(ErrorCode::bus_off);
+  }
+  std::size_t sent = 0;
+  int tries = 0;
+  while (sent < frames.size()) {
+    Batch<kBatch> batch;
+    const std::size_t count = std::min(kBatch, frames.size() - sent);
+    for (std::size_t i = 0; i < count; ++i) {
+      batch.wire[i] = to_wire(frames[sent + i]);
+      batch.aim(i, batch.wire[i].bytes);
+    }
+    const int taken =
+        sendmmsg(socket_.get(), batch.messages.data(), static_cast<unsigned>(count), MSG_DONTWAIT);
+    if (taken > 0) {
+      sent += static_cast<std::size_t>(taken);
+      continue;
+    }
+    if (sent > 0) {
+      return sent;
+    }
+    if (const auto again = may_send_again(errno, tries); !again) {
+      return std::unexpected(again.error());
+    }
+    ++tries;
+  }
+  if (link_down_) {
+    (void)check_link();
+  }
+  return sent;
+}
+
+// After a send that failed: nothing if it is worth another, else why not.
+Result<void> LinuxCanBus::may_send_again(int error, int tries) {
+  switch (error) {
+    case ENOBUFS:
+    case EAGAIN:
+      return failure(ErrorCode::queue_full, error);
+    case ENETDOWN:
+    case ENXIO:
+    case ENODEV: {
+      // The socket reports once that the link was down, also when it is up again.
+      const auto link = check_link();
+      return link && tries > 0 ? failure(ErrorCode::disconnected, error) : link;
+    }
+    case EBADF:
+      return failure(ErrorCode::disconnected, error);
+    case EINTR:
+      return {};
+    default:
+      return failure(ErrorCode::io, error);
+  }
+}
+
+Result<std::size_t> LinuxCanBus::DoReceive(std::span<CanReceived> received, TimeNs deadline_ns) {
+  if (!socket_.is_open()) {
+    return failure(ErrorCode::disconnected, EBADF);
+  }
+  while (true) {
+    const auto count = take_waiting(received);
+    if (!count || *count > 0) {
+      return count;
+    }
+    if (link_down_) {
+      if (const auto up = check_link(); !up) {
+        return std::unexpected(up.error());
+      }
+    }
+    if (!wait_readable(socket_.get(), deadline_ns)) {
+      return failure(ErrorCode::timeout);
+    }
+  }
+}
+
+// What is there now; 0 if nothing is.
+Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
+  Batch<kBatch> batch;
+  alignas(cmsghdr) std::array<std::array<std::byte, 128>, kBatch> control;
+  std::size_t count = 0;
+  while (count < received.size()) {
+    const std::size_t room = std::min(kBatch, received.size() - count);
+    for (std::size_t i = 0; i < room; ++i) {
+      batch.aim(i, CANFD_MTU);
+      batch.messages[i].msg_hdr.msg_control = control[i].data();
+      batch.messages[i].msg_hdr.msg_controllen = control[i].size();
+    }
+    const int got = recvmmsg(socket_.get(), batch.messages.data(), static_cast<unsigned>(room),
+                             MSG_DONTWAIT, nullptr);
+    if (got < 0) {
+      // The news of a link that went down comes before the frames that came before it.
+      if (errno == ENETDOWN || errno == ENODEV) {
+        link_down_ = true;
+        continue;
+      }
+      if (errno == EINTR) {
+        continue;
+      }
+      if (errno == EAGAIN || count > 0) {
+        return count;
+      }
+      return failure(ErrorCode::io, errno);
+    }
+    const TimeNs offset_ns = realtime_minus_monotonic_ns();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) {
+      const Ancillary ancillary = read_ancillary(batch.messages[i].msg_hdr);
+      if (ancillary.tells_drops) {
+        note_drops(ancillary.drops);
+      }
+      CanReceived& item = received[count];
+      // The kernel begins to stamp a little after the first socket asked for it.
+      item.time_ns =
+          ancillary.realtime_ns > 0 ? ancillary.realtime_ns - offset_ns : monotonic_now_ns();
+      const canfd_frame& wire = batch.wire[i].frame;
+      if ((wire.can_id & CAN_ERR_FLAG) != 0) {
+        item.kind = CanReceived::Kind::error;
+        item.error = error_from_wire(wire);
+      } else {
+        item.kind = CanReceived::Kind::frame;
+        item.frame = from_wire(wire, batch.messages[i].msg_len == CANFD_MTU);
+      }
+      count += hand_out(item) ? 1U : 0U;
+    }
+    if (static_cast<std::size_t>(got) < room) {
+      return count;
+    }
+  }
+  return count;
+}
+
+// Nothing if the link is up; else why it is not.
+Result<void> LinuxCanBus::check_link() {
+  const auto up = interface_.is_up(socket_.get());
+  if (!up) {
+    return std::unexpected(up.error());
+  }
+  link_down_ = !*up;
+  status_ = {};
+  if (link_down_) {
+    status_.state = CanState::stopped;
+    return failure(ErrorCode::link_down, ENETDOWN);
+  }
+  return {};
+}
+
+// Frames always; reports, if the caller asked for one of their classes.
+bool LinuxCanBus::hand_out(CanReceived& item) {
+  if (item.kind == CanReceived::Kind::frame) {
+    return true;
+  }
+  note(item.error);
+  return (item.error.classes & error_classes_) != 0;
+}
+
+void LinuxCanBus::note_drops(std::uint32_t total) {
+  receive_dropped_ += total - drops_seen_;
+  drops_seen_ = total;
+}
+
+void LinuxCanBus::note(const CanErrorReport& report) {
+  if ((report.classes & kCanBusOff) != 0) {
+    status_.state = CanState::bus_off;
+  } else if ((report.classes & kCanRestarted) != 0) {
+    status_.state = CanState::error_active;
+  } else if ((report.classes & kCanController) != 0) {
+    if ((report.controller & (kCanReceivePassive | kCanTransmitPassive)) != 0) {
+      status_.state = CanState::error_passive;
+    } else if ((report.controller & (kCanReceiveWarning | kCanTransmitWarning)) != 0) {
+      status_.state = CanState::error_warning;
+    } else if ((report.controller & kCanBackToActive) != 0) {
+      status_.state = CanState::error_active;
+    }
+  }
+  if ((report.classes & kCanErrorCounters) != 0) {
+    status_.transmit_errors = report.transmit_errors;
+    status_.receive_errors = report.receive_errors;
+  }
+}
+
+Result<void> LinuxCanBus::DoSetFilters(std::span<const CanFilter> filters) {
+  std::array<can_filter, kMaxCanFilters> words{};
+  std::ranges::transform(filters, words.begin(), [](const CanFilter& filter) {
+    return can_filter{.can_id = filter.word | (filter.inverted ? CAN_INV_FILTER : 0U),
+                      .can_mask = filter.mask};
+  });
+  return set_option(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER,
+                    filters.empty() ? nullptr : words.data(), filters.size() * sizeof(can_filter));
+}
+
+Result<void> LinuxCanBus::DoSetErrorClasses(std::uint32_t classes) {
+  const can_err_mask_t mask = (classes & kCanEveryErrorClass) | kOwnErrorClasses;
+  const auto outcome =
+      set_option(socket_.get(), SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &mask, sizeof(mask));
+  if (outcome) {
+    error_classes_ = classes;
+  }
+  return outcome;
+}
+
+Result<void> LinuxCanBus::DoRestart() {
+  const auto up = interface_.is_up(socket_.get());
+  if (!up) {
+    return std::unexpected(up.error());
+  }
+  if (!*up) {
+    return failure(ErrorCode::link_down, ENETDOWN);
+  }
+  const auto outcome = interface_.restart();
+  if (outcome) {
+    status_ = {};
+  }
+  return outcome;
+}
+
+}  // namespace tactus::hal

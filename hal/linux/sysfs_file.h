@@ -1,0 +1,49 @@
+// A file of sysfs that is opened once and then read and written without another path lookup.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "hal/error.h"
+#include "hal/linux/system.h"
+
+namespace tactus::hal {
+
+// What errno means in the calls of sysfs:
+//   disconnected   ENODEV, ENXIO: the device behind the file is gone
+//   not_found      ENOENT
+//   not_permitted  EACCES, EPERM
+//   not_supported  EINVAL, EOPNOTSUPP, ENOSYS, ERANGE: the driver refuses the value
+//   busy           EBUSY
+//   no_memory      ENOMEM
+//   io             the rest
+std::unexpected<Error> sysfs_failure(int errno_value);
+
+// Ordinary files work too: a test or an emulator lays out a folder as the kernel would. What is
+// written begins at the file's start and ends with a line feed; only the first line counts.
+//
+// Real time: read and write. Opening is not.
+class SysfsFile {
+ public:
+  enum class Use : std::uint8_t { read, read_and_write, write };
+
+  // Closes what was open.
+  Result<void> open(const std::string& path, Use use);
+  void close() { descriptor_.reset(); }
+  [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
+
+  // The first line, in `room`, which must hold all of it.
+  Result<std::string_view> read_line(std::span<char> room) const;
+  // The first line as a decimal number that is not negative. `io` if it is none.
+  Result<std::uint64_t> read_number() const;
+
+  Result<void> write(std::string_view line) const;
+  Result<void> write_number(std::uint64_t number) const;
+
+ private:
+  FileDescriptor descriptor_;
+};
+
+}  // namespace tactus::hal

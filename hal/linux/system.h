@@ -1,0 +1,48 @@
+// Small things that every Linux implementation needs: a file descriptor that closes itself, times,
+// waiting for a descriptor.
+#pragma once
+
+#include <poll.h>
+
+#include <ctime>
+#include <span>
+
+#include "hal/clock.h"
+#include "hal/error.h"
+
+namespace tactus::hal {
+
+inline constexpr TimeNs kNsPerSecond = 1'000'000'000;
+
+timespec to_timespec(TimeNs time_ns);
+TimeNs to_ns(const timespec& time);
+TimeNs monotonic_now_ns();
+
+// Owns a descriptor; -1 is none.
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  FileDescriptor(FileDescriptor&& other) noexcept;
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
+  ~FileDescriptor() { reset(); }
+
+  [[nodiscard]] int get() const { return descriptor_; }
+  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  void reset();
+
+ private:
+  int descriptor_ = -1;
+};
+
+// ppoll to an absolute time, taken up again after a signal. How many are ready, 0 at the deadline,
+// -1 with errno otherwise. Real time.
+int wait_for_descriptors(std::span<pollfd> descriptors, TimeNs deadline_ns);
+
+// Waits until there is something to read, or an error to fetch, or the deadline has passed; says
+// whether there is. Real time.
+bool wait_readable(int descriptor, TimeNs deadline_ns);
+
+}  // namespace tactus::hal

@@ -1,0 +1,49 @@
+// A quadrature counter in memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/counter.h"
+#include "hal/simulated/clock.h"
+#include "hal/simulated/fixed_queue.h"
+
+namespace tactus::hal {
+
+// Fakes: a count that wraps, index pulses kept until read (the newest is lost when 64 wait, as in
+// the kernel), noise, removal.
+// Does not fake: the signals, a count that is missed.
+class SimulatedCounter final : public Counter {
+ public:
+  static constexpr std::size_t kIndexEvents = 64;
+
+  // `hardware_ceiling` is what it wraps at unless told otherwise, and the most that it can.
+  explicit SimulatedCounter(SimulatedClock& clock, std::uint64_t hardware_ceiling = 0xFFFF)
+      : clock_(clock), hardware_ceiling_(hardware_ceiling), ceiling_now_(hardware_ceiling) {}
+
+  // The outside world's side: the encoder moves that many steps, at most half the ceiling.
+  void move(std::int64_t steps);
+  void pulse_index();
+  void set_noisy(bool noisy) { noisy_ = noisy; }
+
+  // Every call sees `disconnected` from now on, or again what is there.
+  void remove() { present_ = false; }
+  void plug_in() { present_ = true; }
+
+ private:
+  Result<std::uint64_t> DoStart(const CounterConfig& config) override;
+  Result<CounterReading> DoRead() override;
+  Result<std::size_t> DoReadIndex(std::span<CounterIndexEvent> events, TimeNs deadline_ns) override;
+
+  SimulatedClock& clock_;
+  std::uint64_t hardware_ceiling_;
+  std::uint64_t ceiling_now_;
+  std::uint64_t count_ = 0;
+  CountDirection direction_ = CountDirection::forward;
+  FixedQueue<CounterIndexEvent, kIndexEvents> index_events_;
+  bool watches_index_ = false;
+  bool noisy_ = false;
+  bool present_ = true;
+};
+
+}  // namespace tactus::hal

@@ -1,0 +1,88 @@
+// An ODrive axis on a CAN bus, firmware 0.5.x or 0.6.x, as CANSimple shows it from outside.
+//
+// Fakes: heartbeat and encoder messages by the drive's clock, requests by remote or empty frames,
+// the axis states, torque mode with its speed limit, the watchdog, errors and their clearing.
+// Does not fake: calibration, the other control modes (their torque is zero), SDO, addresses,
+// firmware update, current and temperature (constant).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/can_bus.h"
+#include "hal/clock.h"
+#include "host_tools/emulators/can_emulator.h"
+
+namespace tactus::host {
+
+enum class ODriveFirmware : std::uint8_t { v0_5_2, v0_5_4, v0_5_6, v0_6 };
+
+struct ODriveEmulatorConfig {
+  std::uint8_t node_id = 0;
+  ODriveFirmware firmware = ODriveFirmware::v0_6;
+  // How often it sends, in ms; 0: never.
+  std::uint32_t heartbeat_ms = 100;
+  std::uint32_t encoder_ms = 1;
+  // For how long it obeys a host that has fallen silent; 0: for ever, as drives come.
+  double watchdog_s = 0.02;
+  double max_torque_Nm = 1.0;  // current limit times torque constant
+  bool enable_torque_mode_speed_limit = true;
+  double speed_limit_turn_per_s = 50.0;
+  double speed_gain_Nm_s_per_turn = 1.0 / 6.0;
+  bool enable_overspeed_error = true;
+  bool calibrated = true;
+};
+
+class ODriveEmulator final : public CanEmulator {
+ public:
+  ODriveEmulator(hal::CanBus& bus, std::uint32_t seed, const ODriveEmulatorConfig& config);
+
+  [[nodiscard]] std::uint32_t axis_state() const { return state_; }
+  [[nodiscard]] double speed_limit_turn_per_s() const { return config_.speed_limit_turn_per_s; }
+
+  // What goes wrong inside a drive, beside the fault port.
+  void raise(std::uint32_t axis_error);  // of the firmware's own numbers; disarms
+  // 0.5 only: an error of the motor, told by the axis error too; disarms.
+  void raise_motor_error(std::uint64_t error);
+  void drop_to_idle();
+  void send_wrong_length(hal::TimeNs now_ns);  // of an encoder message
+  void send_not_a_number(hal::TimeNs now_ns);  // as a position
+
+ private:
+  using Payload = std::array<std::uint8_t, 8>;
+
+  void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
+  void advance(hal::TimeNs now_ns, bool erroring) override;
+
+  void answer(hal::TimeNs now_ns, unsigned command);
+  void obey(hal::TimeNs now_ns, unsigned command, const Payload& payload);
+  void request_state(hal::TimeNs now_ns, std::uint32_t state);
+  void clear_errors();
+  void send_heartbeat(hal::TimeNs now_ns);
+  void send_estimates(hal::TimeNs now_ns);
+  void send_payload(hal::TimeNs now_ns, unsigned command, const Payload& payload,
+                    std::uint8_t length = 8);
+  void watch(hal::TimeNs now_ns);
+  void set_torque();
+  [[nodiscard]] bool is_0_6() const { return config_.firmware == ODriveFirmware::v0_6; }
+
+  ODriveEmulatorConfig config_;
+  std::uint32_t state_ = 1;
+  std::uint32_t control_mode_ = 3;
+  std::uint32_t input_mode_ = 1;
+  double input_torque_Nm_ = 0.0;
+  std::uint32_t error_ = 0;
+  std::uint32_t disarm_reason_ = 0;
+  std::uint8_t procedure_result_ = 0;
+  std::uint64_t motor_error_ = 0;
+  std::uint32_t encoder_error_ = 0;
+  std::uint32_t controller_error_ = 0;
+  hal::TimeNs fed_ns_ = 0;
+  hal::TimeNs next_heartbeat_ns_ = 0;
+  hal::TimeNs next_estimates_ns_ = 0;
+  bool running_ = false;
+  bool was_erroring_ = false;
+};
+
+}  // namespace tactus::host

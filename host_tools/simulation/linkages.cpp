@@ -1,0 +1,127 @@
+#include "host_tools/simulation/linkages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::host {
+namespace {
+
+constexpr double kSmallestSquare = 1e-6;
+
+// Haply: motors at x = 0 and x = d, proximal links l, distal links L.
+constexpr double kHaplyD = 0.02;
+constexpr double kHaplyL = 0.05;
+constexpr double kHaplyDistal = 0.07;
+constexpr std::array<double, 2> kHaplyMotor = {0.0, kHaplyD};
+
+// Crank i's elbow, and how it moves with the crank.
+struct CrankPose {
+  Vec3 elbow_B;
+  Vec3 slope_B;
+};
+
+CrankPose haply_crank(std::size_t side, double tan_half) {
+  const Turn from_z = turn_of(tan_half);  // positive toward -x
+  return {Vec3(kHaplyMotor[side] - kHaplyL * from_z.sin, 0.0, kHaplyL * from_z.cos),
+          Vec3(-kHaplyL * from_z.cos, 0.0, -kHaplyL * from_z.sin)};
+}
+
+}  // namespace
+
+double guarded_root(double square, bool& reachable) {
+  reachable = reachable && square >= kSmallestSquare;
+  return std::sqrt(std::max(square, kSmallestSquare));
+}
+
+Turn turn_of(double tan_half) {
+  const double norm = 1.0 + tan_half * tan_half;
+  return {.cos = (1.0 - tan_half * tan_half) / norm, .sin = 2.0 * tan_half / norm};
+}
+
+void solve_paddle(const Vec3& p_B, MechanismPose& pose) {
+  constexpr double kLevel = kPaddleRadius_m * kPaddleRadius_m;
+  const double square =
+      kLevel * std::max((p_B.x() * p_B.x() + p_B.y() * p_B.y()) / kLevel, kSmallestSquare);
+  pose.rows = {Vec3(p_B.y(), -p_B.x(), 0.0) / square, Vec3::Zero(), Vec3::Zero()};
+  pose.coordinate = {p_B.x() / (std::sqrt(square) + p_B.y()), 0.0, 0.0};
+}
+
+// Side i: |p - elbow| = L. With v from the motor to p and a the crank's angle from z toward -x,
+//   v_z cos a - v_x sin a = k,   k = (v^2 + l^2 - L^2) / 2 l,
+// a quadratic in tan(a / 2) whose outward root is taken. The crank turns so that the distal link
+// keeps its length: (p - elbow) . (v - elbow') = 0, and (p - elbow) . elbow' = -+ l root.
+void solve_pantograph(const Vec3& p_B, MechanismPose& pose) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double outward = side == 0 ? 1.0 : -1.0;
+    const double vx = p_B.x() - kHaplyMotor[side];
+    const double vz = p_B.z();
+    const double square = vx * vx + vz * vz;
+    const double k = (square + kHaplyL * kHaplyL - kHaplyDistal * kHaplyDistal) / (2.0 * kHaplyL);
+    const double root =
+        kHaplyL * guarded_root((square - k * k) / (kHaplyL * kHaplyL), pose.reachable);
+    pose.coordinate[side] = (-vx + outward * root) / (k + vz);
+    const CrankPose crank = haply_crank(side, pose.coordinate[side]);
+    pose.rows[side] = Vec3(p_B.x() - crank.elbow_B.x(), 0.0, vz - crank.elbow_B.z()) /
+                      (-outward * kHaplyL * root);
+  }
+  pose.rows[2].setZero();
+  pose.coordinate[2] = 0.0;
+}
+
+Vec3 pantograph_elbow_sum(const MechanismPose& pose) {
+  return haply_crank(0, pose.coordinate[0]).elbow_B + haply_crank(1, pose.coordinate[1]).elbow_B;
+}
+
+Vec3 pantograph_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B) {
+  Vec3 pull_B = Vec3::Zero();
+  for (std::size_t side = 0; side < 2; ++side) {
+    pull_B += haply_crank(side, pose.coordinate[side]).slope_B.dot(gravity_B) * pose.rows[side];
+  }
+  return pull_B;
+}
+
+// In the arm's own plane (r outward, h up) shoulder, elbow and tool are a triangle with the elbow
+// above. A motion along the forearm is made by the upper arm alone, and the other way round.
+void solve_serial_arm(const ArmLengths& lengths, const Vec3& p_B, MechanismPose& pose) {
+  const double upper = lengths.upper_m;
+  const double forearm = lengths.forearm_m;
+  const double whole = upper + forearm;
+  const double r = whole * guarded_root((p_B.x() * p_B.x() + p_B.z() * p_B.z()) / (whole * whole),
+                                        pose.reachable);
+  const double h = p_B.y() - lengths.shoulder_m;
+  const double sin1 = p_B.x() / r;
+  const double cos1 = p_B.z() / r;
+
+  const double reach = std::sqrt(r * r + h * h);
+  const double along = (upper * upper + reach * reach - forearm * forearm) / (2.0 * reach);
+  const double across = upper * guarded_root(1.0 - along * along / (upper * upper), pose.reachable);
+  const double elbow_r = (along * r - across * h) / reach;
+  const double elbow_h = (along * h + across * r) / reach;
+  const Turn u{.cos = elbow_r / upper, .sin = elbow_h / upper};
+  const Turn f{.cos = (r - elbow_r) / forearm, .sin = (h - elbow_h) / forearm};
+  pose.coordinate = {p_B.x() / (r + p_B.z()), u.sin / (1.0 + u.cos), f.sin / (1.0 + f.cos)};
+
+  const double between = u.cos * f.sin - u.sin * f.cos;
+  pose.rows[0] = Vec3(cos1, 0.0, -sin1) / r;
+  pose.rows[1] = Vec3(sin1 * f.cos, f.sin, cos1 * f.cos) / (upper * between);
+  pose.rows[2] = Vec3(sin1 * u.cos, u.sin, cos1 * u.cos) / (-forearm * between);
+}
+
+Vec3 serial_arm_elbow(const ArmLengths& lengths, const MechanismPose& pose) {
+  const Turn azimuth = turn_of(pose.coordinate[0]);
+  const Turn u = turn_of(pose.coordinate[1]);
+  return {lengths.upper_m * u.cos * azimuth.sin, lengths.shoulder_m + lengths.upper_m * u.sin,
+          lengths.upper_m * u.cos * azimuth.cos};
+}
+
+// The weight's moments about the azimuth's and the upper arm's axes.
+Vec3 serial_arm_elbow_pull(const ArmLengths& lengths, const MechanismPose& pose,
+                           const Vec3& gravity_B) {
+  const Turn azimuth = turn_of(pose.coordinate[0]);
+  const Vec3 from_shoulder_B = serial_arm_elbow(lengths, pose) - Vec3(0.0, lengths.shoulder_m, 0.0);
+  const Vec3 moment_B = from_shoulder_B.cross(gravity_B);
+  const Vec3 raising_axis_B(-azimuth.cos, 0.0, azimuth.sin);
+  return moment_B.y() * pose.rows[0] + moment_B.dot(raising_axis_B) * pose.rows[1];
+}
+
+}  // namespace tactus::host

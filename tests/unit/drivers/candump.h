@@ -1,0 +1,33 @@
+// Frames as text, as `candump -L` writes them, and logs of them kept in golden/.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/can_frame.h"
+
+namespace tactus::drivers {
+
+// "(0.012345) can0 02E#0000803E"; the time counts from `start_ns`, in s.
+std::string candump_line(const hal::CanReceived& received, hal::TimeNs start_ns);
+
+// The part behind the interface of such a line: "02E#0000803E", "021#R", "00008001##1..." for
+// CAN FD with its flags (1: bit-rate switch). Spaces are skipped. A mistake fails the test.
+hal::CanFrame frame_of(std::string_view text);
+
+// And the other way.
+std::string text_of(const hal::CanFrame& frame);
+
+std::vector<std::byte> bytes_of(std::string_view hex);
+
+// Whether the lines are those of golden/<name>.log. With
+// TACTUS_RENEW_GOLDEN=1 in the environment the file is written instead; look at what `git diff`
+// says of it.
+testing::AssertionResult is_golden(const std::string& name, std::span<const std::string> lines);
+
+}  // namespace tactus::drivers

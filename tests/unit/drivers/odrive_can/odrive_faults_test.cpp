@@ -1,0 +1,256 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string_view>
+
+#include "drivers/odrive_can/odrive_can.h"
+#include "host_tools/emulators/odrive_emulator.h"
+#include "tests/unit/drivers/can_rig.h"
+
+namespace tactus::drivers {
+namespace {
+
+using host::EmulatorFault;
+
+// A healthy axis that commands 0.1 N m, heartbeats every 10 ms as README.md asks for.
+class ODriveFaults : public ::testing::Test {
+ protected:
+  using Rig = CanRig<ODriveCan, host::ODriveEmulator>;
+
+  // Simulated time from the fault to what a fault must lead to.
+  struct Reaction {
+    hal::TimeNs torque_gone_ns = -1;
+    hal::TimeNs latched_ns = -1;
+  };
+
+  static host::ODriveEmulatorConfig drive(host::ODriveFirmware firmware) {
+    return {.node_id = 1, .firmware = firmware, .heartbeat_ms = 10};
+  }
+
+  explicit ODriveFaults(host::ODriveFirmware firmware = host::ODriveFirmware::v0_6)
+      : rig_({}, std::vector<ODriveConfig>{{.node_id = 1, .heartbeat_lost_s = 0.035}},
+             std::vector{drive(firmware)}) {
+    rig_.rotor(0) = {.inertia_kg_m2 = 0.05, .damping_Nm_s = 0.01};
+    rig_.start();
+    rig_.command_all(0.1);
+    EXPECT_GT(rig_.run_until_well(1000 * kMs), 0) << trouble().what;
+    rig_.run(20 * kMs);
+    EXPECT_NEAR(torque_Nm(), 0.1, 1e-6);
+  }
+
+  Reaction react(hal::TimeNs at_most_ns) {
+    Reaction reaction;
+    const hal::TimeNs begin_ns = rig_.clock().now_ns();
+    while (rig_.clock().now_ns() < begin_ns + at_most_ns) {
+      rig_.run(kMs);
+      const hal::TimeNs passed_ns = rig_.clock().now_ns() - begin_ns;
+      if (reaction.torque_gone_ns < 0 && torque_Nm() == 0.0) {
+        reaction.torque_gone_ns = passed_ns;
+      }
+      if (reaction.latched_ns < 0 && (status() & ~std::uint32_t{kDeviceStale}) != 0) {
+        reaction.latched_ns = passed_ns;
+      }
+    }
+    return reaction;
+  }
+  void expect_latched(std::uint32_t bit) {
+    EXPECT_NE(status() & bit, 0U) << status() << ' ' << trouble().what;
+    EXPECT_EQ(torque_Nm(), 0.0);
+    EXPECT_FALSE(trouble().what.empty());
+    EXPECT_FALSE(trouble().remedy.empty());
+  }
+  void expect_recovery() {
+    rig_.emulator(0).set_fault(EmulatorFault::none);
+    rig_.run(200 * kMs);
+    EXPECT_NE(status(), kDeviceOk) << "not latched";
+    EXPECT_EQ(torque_Nm(), 0.0);
+    rig_.board().clear_faults();
+    EXPECT_GT(rig_.run_until_well(1000 * kMs), 0) << trouble().what;
+    rig_.run(3 * kMs);
+    EXPECT_NEAR(torque_Nm(), 0.1, 1e-6);
+  }
+
+  std::uint32_t status() const { return rig_.sample(0).status; }
+  double torque_Nm() { return rig_.emulator(0).shaft().torque_Nm; }
+  Trouble trouble() { return rig_.board().trouble(0); }
+
+  Rig rig_;
+};
+
+class ODriveFaultsByFirmware : public ODriveFaults,
+                               public ::testing::WithParamInterface<host::ODriveFirmware> {
+ protected:
+  ODriveFaultsByFirmware() : ODriveFaults(GetParam()) {}
+};
+
+INSTANTIATE_TEST_SUITE_P(Firmware, ODriveFaultsByFirmware,
+                         ::testing::Values(host::ODriveFirmware::v0_5_2,
+                                           host::ODriveFirmware::v0_5_4,
+                                           host::ODriveFirmware::v0_5_6,
+                                           host::ODriveFirmware::v0_6));
+
+TEST_P(ODriveFaultsByFirmware, SilentDriveIsStoppedInSevenMilliseconds) {
+  rig_.emulator(0).set_fault(EmulatorFault::silent);
+  const Reaction reaction = react(50 * kMs);
+  EXPECT_GT(reaction.latched_ns, 0);
+  EXPECT_LE(reaction.latched_ns, 7 * kMs);
+  EXPECT_LE(reaction.torque_gone_ns, 7 * kMs);
+  expect_latched(kDeviceLost);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, DelayedDriveIsStoppedInSevenMilliseconds) {
+  rig_.emulator(0).set_fault(EmulatorFault::delayed);
+  const Reaction reaction = react(50 * kMs);
+  EXPECT_GT(reaction.latched_ns, 0);
+  EXPECT_LE(reaction.latched_ns, 7 * kMs);
+  EXPECT_LE(reaction.torque_gone_ns, 7 * kMs);
+  expect_latched(kDeviceLost);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, CorruptedDriveIsStoppedOnceItShows) {
+  rig_.emulator(0).set_fault(EmulatorFault::corrupted);
+  const Reaction reaction = react(100 * kMs);
+  EXPECT_GT(reaction.latched_ns, 0);
+  EXPECT_GT(reaction.torque_gone_ns, 0);
+  EXPECT_LE(reaction.torque_gone_ns, reaction.latched_ns + 2 * kMs);
+  expect_latched(kDeviceEncoderFault | kDeviceDriveFault | kDeviceLost);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, ErringDriveLosesItsTorqueAtOnceAndIsToldByTheNextHeartbeat) {
+  rig_.emulator(0).set_fault(EmulatorFault::erroring);
+  const Reaction reaction = react(100 * kMs);
+  EXPECT_LE(reaction.torque_gone_ns, 2 * kMs);
+  EXPECT_GT(reaction.latched_ns, 0);
+  EXPECT_LE(reaction.latched_ns, 13 * kMs);
+  expect_latched(kDeviceDriveFault);
+  EXPECT_EQ(trouble().what, "the drive's gate driver reports a fault");
+  EXPECT_EQ(trouble().code, GetParam() == host::ODriveFirmware::v0_6 ? 0x20U : 0x8U);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, UnpluggedDriveIsLostInSevenMilliseconds) {
+  rig_.emulator(0).set_fault(EmulatorFault::unplugged);
+  const Reaction reaction = react(50 * kMs);
+  EXPECT_GT(reaction.latched_ns, 0);
+  EXPECT_LE(reaction.latched_ns, 7 * kMs);
+  EXPECT_LE(reaction.torque_gone_ns, 2 * kMs);
+  expect_latched(kDeviceLost);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, HostThatFallsSilentLeavesNoTorque) {
+  rig_.idle(25 * kMs);  // beyond the drive's watchdog of 20 ms
+  EXPECT_EQ(torque_Nm(), 0.0);
+  rig_.run(20 * kMs);
+  expect_latched(kDeviceDriveFault | kDeviceLost);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, DriveThatGoesIdleByItselfIsLatched) {
+  rig_.emulator(0).drop_to_idle();
+  react(20 * kMs);
+  expect_latched(kDeviceDriveFault);
+  EXPECT_EQ(trouble().what, "the drive left closed loop by itself");
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, EmergencyStopIsToldApart) {
+  rig_.emulator(0).raise(GetParam() == host::ODriveFirmware::v0_6 ? 0x0200'0000 : 0x4000);
+  react(20 * kMs);
+  expect_latched(kDeviceEmergencyStop);
+  expect_latched(kDeviceDriveFault);
+  expect_recovery();
+}
+
+TEST_F(ODriveFaults, PositionThatIsNoNumberIsNeverReported) {
+  const double before_rad = rig_.sample(0).position_rad;
+  rig_.emulator(0).send_not_a_number(rig_.clock().now_ns());
+  rig_.run(2 * kMs);
+  expect_latched(kDeviceEncoderFault);
+  EXPECT_NEAR(rig_.sample(0).position_rad, before_rad, 0.01);
+}
+
+TEST_F(ODriveFaults, PositionThatJumpsIsNeverReported) {
+  const double before_rad = rig_.sample(0).position_rad;
+  rig_.emulator(0).shaft().position_rad += 1.0;
+  rig_.run(3 * kMs);
+  expect_latched(kDeviceEncoderFault);
+  EXPECT_NEAR(rig_.sample(0).position_rad, before_rad, 0.05);
+}
+
+TEST_F(ODriveFaults, FrameOfAWrongLengthIsCountedAndDoesNoHarm) {
+  rig_.emulator(0).send_wrong_length(rig_.clock().now_ns());
+  rig_.run(5 * kMs);
+  EXPECT_EQ(status(), kDeviceOk);
+  EXPECT_EQ(rig_.driver(0).readings().malformed, 1U);
+}
+
+TEST_F(ODriveFaults, EstimatesLateByTwoTicksAreStaleAndNoFault) {
+  rig_.network().lose_next(5);
+  bool was_stale = false;
+  rig_.run(10 * kMs, [&](auto& samples, auto&) { was_stale |= samples[0].status == kDeviceStale; });
+  EXPECT_TRUE(was_stale);
+  EXPECT_EQ(status(), kDeviceOk) << trouble().what;
+}
+
+TEST_F(ODriveFaults, LinkThatGoesDownIsLostAtOnce) {
+  rig_.host().set_link_up(false);
+  rig_.run(2 * kMs);
+  EXPECT_NE(status() & kDeviceLost, 0U);
+  EXPECT_NE(trouble().remedy.find("ip link"), std::string_view::npos);
+  rig_.run(30 * kMs);
+  EXPECT_EQ(torque_Nm(), 0.0);  // the drive's watchdog
+  rig_.host().set_link_up(true);
+  rig_.board().clear_faults();
+  EXPECT_GT(rig_.run_until_well(1500 * kMs), 0) << trouble().what;
+}
+
+TEST_F(ODriveFaults, ForeignTrafficAndAFloodedBusDoNoHarm) {
+  hal::SimulatedCanBus stranger(rig_.network());
+  rig_.run(300 * kMs, [&](auto&, auto&) {
+    ASSERT_TRUE(stranger.send({.id = 0x029 + 0x20, .length = 8}));  // another node's estimates
+    ASSERT_TRUE(stranger.send({.id = 0x7F0, .length = 8}));
+  });
+  EXPECT_EQ(status(), kDeviceOk) << trouble().what;
+}
+
+TEST(ODriveRefusals, DriveThatIsNotCalibratedSaysSo) {
+  for (const auto firmware : {host::ODriveFirmware::v0_5_6, host::ODriveFirmware::v0_6}) {
+    CanRig<ODriveCan, host::ODriveEmulator> rig(
+        {}, std::vector<ODriveConfig>{{}},
+        std::vector<host::ODriveEmulatorConfig>{{.firmware = firmware, .calibrated = false}});
+    rig.start();
+    rig.command_all(0.1);
+    rig.run(1500 * kMs);
+    EXPECT_NE(rig.sample(0).status & kDeviceDriveFault, 0U);
+    EXPECT_NE(rig.board().trouble(0).what.find("not calibrated"), std::string_view::npos)
+        << rig.board().trouble(0).what;
+    EXPECT_EQ(rig.emulator(0).shaft().torque_Nm, 0.0);
+  }
+}
+
+TEST(ODriveRefusals, SilenceFromTheStartIsLostWithWhatToCheck) {
+  CanRig<ODriveCan, host::ODriveEmulator> rig({}, std::vector<ODriveConfig>{{.node_id = 4}},
+                                              std::vector<host::ODriveEmulatorConfig>{{}});
+  rig.start();
+  rig.run(2100 * kMs);
+  EXPECT_NE(rig.sample(0).status & kDeviceLost, 0U);
+  EXPECT_NE(rig.board().trouble(0).remedy.find("node id"), std::string_view::npos);
+}
+
+TEST(ODriveRefusals, DriveWithoutEncoderMessagesIsToldHowToSendThem) {
+  CanRig<ODriveCan, host::ODriveEmulator> rig(
+      {}, std::vector<ODriveConfig>{{}},
+      std::vector<host::ODriveEmulatorConfig>{{.encoder_ms = 0}});
+  rig.start();
+  rig.run(3000 * kMs);
+  EXPECT_NE(rig.sample(0).status & kDeviceLost, 0U);
+  EXPECT_NE(rig.board().trouble(0).remedy.find("encoder message rate"), std::string_view::npos)
+      << rig.board().trouble(0).what;
+}
+
+}  // namespace
+}  // namespace tactus::drivers
