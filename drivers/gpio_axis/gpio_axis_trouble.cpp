@@ -16,7 +16,8 @@ struct TroubleText {
 
 constexpr std::array kTroubleTexts{
     TroubleText{
-        edges_lost, kDeviceEncoderFault, "encoder edges were lost: they come too fast",
+        GpioAxisTrouble::edges_lost, kDeviceEncoderFault,
+        "encoder edges were lost: they come too fast",
         "turn slower, raise the interrupts' priority or use a hardware counter, then reset"},
     TroubleText{GpioAxisTrouble::illegal_transition, kDeviceEncoderFault,
                 "the encoder's channels changed in a way that cannot be",

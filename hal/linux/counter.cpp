@@ -37,10 +37,6 @@ Result<bool> is_noisy(const SysfsFile& file) {
 
 }  // namespace
 
-LinuxCounter::~LinuxCounter() {
-  events_.reset();
-}
-
 Result<void> LinuxCounter::open(const CounterPlace& place) {
   if (count_.is_open()) {
     return failure(ErrorCode::invalid_state);
