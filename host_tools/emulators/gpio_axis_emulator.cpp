@@ -30,7 +30,7 @@ GpioAxisEmulator::GpioAxisEmulator(const drivers::GpioAxisConfig& axis, BoardPin
 }
 
 void GpioAxisEmulator::set_fault(EmulatorFault fault) {
-  if (fault_ == EmulatorFault::unplugged) {
+  if (fault == fault_ || fault_ == EmulatorFault::unplugged) {
     return;
   }
   if (fault_ == EmulatorFault::silent) {
