@@ -120,12 +120,12 @@ void emulate_paddle(const PaddleOptions& options) {
   // 80,000 edges a second: the kernel's side is the first to give in.
   constexpr std::uint32_t kStepsPerRun = 8;
   const drivers::GpioAxisConfig config = paddle_config(options);
-  GpioSimPins pins(options.chip, kLines, options.pwm);
+  GpioSimPins pins(options.chip, options.chip, kLines, options.pwm);
   GpioAxisEmulator axis(config, pins, options.machine.seed, kStepsPerRun);
   EmulatedPaddle paddle(axis);
   emulate(options.machine,
           fmt::format("a paddle on the GPIO chip {} and the PWM channel {}/pwmchip0/pwm0",
-                      pins.label(), options.pwm),
+                      options.chip, options.pwm),
           connection_to(paddle));
 }
 
@@ -173,7 +173,7 @@ void add_haply(CLI::App& emulate) {
 void add_paddle(CLI::App& emulate) {
   const auto [verb, options] = add_board<PaddleOptions>(
       emulate, "paddle", "One axis on the kernel's gpio-sim lines", "hapkit", emulate_paddle);
-  verb->add_option("--chip", options->chip, "Makes a GPIO chip labelled CHIP-lines")
+  verb->add_option("--chip", options->chip, "Makes a GPIO chip of this label")
       ->capture_default_str();
   verb->add_option("--pwm", options->pwm, "Folder to lay out as /sys/class/pwm, a tmpfs")
       ->capture_default_str();
