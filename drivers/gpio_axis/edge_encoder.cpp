@@ -68,7 +68,7 @@ void EdgeEncoder::take(EncoderChannel channel, bool rising, hal::TimeNs time_ns)
 
 void EdgeEncoder::take_index(bool rising) {
   index_high_ = rising;
-  latched_ = latched_ && rising;
+  latched_ = latched_ && !rising;  // a new pulse
   latch_if_gated();
 }
 

@@ -191,6 +191,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   if (mode_ != Mode::active) {
     gravity_compensation_.rest();
     friction_compensation_.rest();
+    command.home = mode_ == Mode::homing;
     return command;
   }
   const Vec3 held = hold_up(sample);

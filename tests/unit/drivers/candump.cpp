@@ -105,7 +105,8 @@ testing::AssertionResult is_golden(const std::string& name, std::span<const std:
     ++at;
   }
   if (at != lines.size()) {
-    return testing::AssertionFailure() << path << ": " << lines.size() - at << " lines more than in the file";
+    return testing::AssertionFailure()
+           << path << ": " << lines.size() - at << " lines more than in the file";
   }
   return testing::AssertionSuccess();
 }

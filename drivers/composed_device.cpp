@@ -1,0 +1,171 @@
+#include "drivers/composed_device.h"
+
+#include <algorithm>
+#include <span>
+
+namespace tactus::drivers {
+
+namespace {
+
+constexpr std::uint32_t kLatchedStatus =
+    kDeviceEncoderFault | kDeviceDriveFault | kDeviceEmergencyStop | kDeviceLost;
+// After these an encoder may count from somewhere else.
+constexpr std::uint32_t kLosesReference = kDeviceEncoderFault | kDeviceLost;
+
+std::uint32_t age_us(hal::TimeNs now_ns, hal::TimeNs then_ns) {
+  constexpr hal::TimeNs kMost_us = 0xFFFF'FFFF;
+  return static_cast<std::uint32_t>(
+      std::clamp<hal::TimeNs>((now_ns - then_ns) / 1000, 0, kMost_us));
+}
+
+}  // namespace
+
+bool ComposedDevice::add_board(const BoardRef& board) {
+  if (board_count_ == boards_.size() || !board || board.axis_count() > kMaxJoints) {
+    return false;
+  }
+  boards_[board_count_].ref = board;
+  ++board_count_;
+  return true;
+}
+
+bool ComposedDevice::add_joint(const JointWiring& wiring) {
+  if (joint_count_ == joints_.size() || !exists(wiring.encoder) || !exists(wiring.motor) ||
+      !is_valid(wiring.transmission) || !check(wiring.reference) ||
+      !lies_between(wiring.max_torque_Nm, 0.0, 1e6)) {
+    return false;
+  }
+  joints_[joint_count_] = {wiring, Homing(wiring.reference, wiring.transmission)};
+  ++joint_count_;
+  return true;
+}
+
+bool ComposedDevice::exists(const AxisAddress& address) const {
+  return address.board < board_count_ && address.axis < boards_[address.board].ref.axis_count();
+}
+
+const AxisSample& ComposedDevice::sample_at(const AxisAddress& address) const {
+  return boards_[address.board].samples[address.axis];
+}
+
+const AxisSample& ComposedDevice::encoder_sample(std::size_t joint) const {
+  return sample_at(joints_[joint].wiring.encoder);
+}
+
+double ComposedDevice::commanded_torque_Nm(std::size_t joint) const {
+  const AxisAddress& motor = joints_[joint].wiring.motor;
+  return boards_[motor.board].commands[motor.axis].torque_Nm;
+}
+
+void ComposedDevice::start() {
+  latched_ = kDeviceOk;
+  trouble_ = {};
+  home_ = false;
+  for (BoardState& board : std::span(boards_).first(board_count_)) {
+    board.ref.start();
+  }
+  for (Joint& joint : std::span(joints_).first(joint_count_)) {
+    joint.homing.lose();
+  }
+}
+
+void ComposedDevice::stop() {
+  for (BoardState& board : std::span(boards_).first(board_count_)) {
+    board.ref.stop();
+  }
+}
+
+void ComposedDevice::read(JointSample& sample) {
+  const hal::TimeNs deadline_ns = clock_->now_ns() + read_limit_ns_;
+  for (BoardState& board : std::span(boards_).first(board_count_)) {
+    board.ref.read(std::span(board.samples).first(board.ref.axis_count()), deadline_ns);
+  }
+  const hal::TimeNs now_ns = clock_->now_ns();
+  sample = {};
+  for (std::size_t i = 0; i < joint_count_; ++i) {
+    sample.status |= read_joint(i, now_ns, sample);
+  }
+  latched_ |= sample.status & kLatchedStatus;
+  sample.status |= latched_;
+}
+
+// Fills the joint's numbers; returns its DeviceStatus bits.
+std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, JointSample& sample) {
+  Joint& joint = joints_[i];
+  const AxisSample& encoder = sample_at(joint.wiring.encoder);
+  std::uint32_t status = encoder.status | sample_at(joint.wiring.motor).status;
+  if ((encoder.status & kLosesReference) != 0) {
+    joint.homing.lose();
+  }
+  if ((status & ~static_cast<std::uint32_t>(kDeviceStale)) == kDeviceOk) {
+    joint.homing.advance(encoder, home_, now_ns);
+  }
+  if (joint.homing.trouble()) {
+    status |= kDeviceDriveFault;
+  }
+  if (!joint.homing.is_referenced()) {
+    status |= home_ ? kDeviceHoming : kDeviceNotReady;
+  }
+  if ((status & kLatchedStatus) != 0) {
+    note_trouble(joint);
+  }
+  const Transmission& transmission = joint.homing.transmission();
+  sample.position[i] = joint_position(transmission, encoder.position_rad);
+  sample.velocity[i] = joint_velocity(transmission, encoder.velocity_rad_per_s);
+  sample.age_us = std::max(sample.age_us, age_us(now_ns, encoder.time_ns));
+  return status;
+}
+
+void ComposedDevice::note_trouble(const Joint& joint) {
+  if (trouble_.trouble) {
+    return;
+  }
+  const auto of = [this](const AxisAddress& address) {
+    return boards_[address.board].ref.trouble(address.axis);
+  };
+  Trouble trouble = of(joint.wiring.motor);
+  if (!trouble) {
+    trouble = of(joint.wiring.encoder);
+  }
+  if (!trouble) {
+    trouble = joint.homing.trouble();
+  }
+  if (trouble) {
+    trouble_ = {joint.wiring.name, trouble};
+  }
+}
+
+std::uint32_t ComposedDevice::write(const JointCommand& command) {
+  home_ = command.home;
+  const bool is_well = latched_ == kDeviceOk;
+  for (std::size_t i = 0; i < joint_count_; ++i) {
+    const Joint& joint = joints_[i];
+    const bool searches = command.home && joint.homing.is_searching();
+    const double effort = searches ? joint.homing.effort() : command.effort[i];
+    const double torque_Nm = motor_torque_Nm(joint.homing.transmission(), effort);
+    AxisCommand& axis = boards_[joint.wiring.motor.board].commands[joint.wiring.motor.axis];
+    axis.enable = is_well && (command.enable || (searches && effort != 0.0));
+    axis.torque_Nm =
+        axis.enable ? std::clamp(torque_Nm, -joint.wiring.max_torque_Nm, joint.wiring.max_torque_Nm)
+                    : 0.0;
+  }
+  for (BoardState& board : std::span(boards_).first(board_count_)) {
+    board.ref.write(std::span(board.commands).first(board.ref.axis_count()));
+  }
+  return latched_;
+}
+
+void ComposedDevice::clear_faults() {
+  latched_ = kDeviceOk;
+  trouble_ = {};
+  for (BoardState& board : std::span(boards_).first(board_count_)) {
+    board.ref.clear_faults();
+  }
+  for (Joint& joint : std::span(joints_).first(joint_count_)) {
+    if (joint.homing.trouble()) {
+      joint.homing.lose();
+    }
+  }
+}
+
+}  // namespace tactus::drivers

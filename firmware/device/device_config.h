@@ -1,0 +1,84 @@
+// Everything about one device: what is connected how, which axis moves which joint, the mechanism
+// and the limits. What device.toml says, in the units of the drivers and the controller.
+//
+// The texts are views into the image, which must outlive it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "drivers/device.h"
+#include "drivers/falcon_usb/falcon.h"
+#include "drivers/gpio_axis/gpio_axis_config.h"
+#include "drivers/haply_serial/haply.h"
+#include "drivers/homing.h"
+#include "drivers/odrive_can/odrive_config.h"
+#include "drivers/transmission.h"
+#include "firmware/configuration/controller_config.h"
+
+namespace tactus::firmware {
+
+inline constexpr std::size_t kMaxConnections = 4;
+inline constexpr std::size_t kMaxAxes = drivers::kMaxJoints;
+
+struct CanConnection {
+  std::string_view interface;  // "can0"
+};
+struct FalconConnection {
+  std::string_view firmware_file;  // uploaded when the device has none; empty: none
+  drivers::FalconConfig falcon;
+};
+struct HaplyConnection {
+  std::string_view port;  // "/dev/ttyACM0"
+  drivers::HaplyConfig haply;
+};
+struct GpioConnection {
+  std::string_view chip;        // the GPIO chip's label, or its path
+  std::string_view pwm_folder;  // "/sys/class/pwm/pwmchip0"
+  std::uint32_t pwm_channel = 0;
+};
+
+struct ConnectionConfig {
+  std::string_view name;
+  std::variant<CanConnection, FalconConnection, HaplyConnection, GpioConnection> line;
+};
+
+// An axis that its board has anyway, by its number there.
+struct BoardAxis {
+  std::uint8_t number = 0;
+};
+
+struct AxisConfig {
+  std::string_view name;
+  std::string_view connection_name;
+  std::size_t connection = 0;  // index into DeviceConfig::connections
+  std::variant<BoardAxis, drivers::ODriveConfig, drivers::GpioAxisConfig> drive;
+};
+
+struct JointConfig {
+  std::string_view name;
+  std::string_view motor_name;
+  std::string_view encoder_name;
+  std::size_t motor = 0;  // index into DeviceConfig::axes
+  std::size_t encoder = 0;
+  drivers::Transmission transmission;
+  drivers::Reference reference;
+  JointLimits limits;
+};
+
+struct DeviceConfig {
+  std::string_view name;
+  ControllerConfig controller;   // its joints' limits are those of `joints`
+  double read_limit_s = 0.0005;  // how long a tick waits for fresh samples
+  std::array<ConnectionConfig, kMaxConnections> connections{};
+  std::array<AxisConfig, kMaxAxes> axes{};
+  std::array<JointConfig, kJointCount> joints{};
+  std::size_t connection_count = 0;
+  std::size_t axis_count = 0;
+  std::size_t joint_count = 0;
+};
+
+}  // namespace tactus::firmware

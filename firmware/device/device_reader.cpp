@@ -1,0 +1,418 @@
+// From sections to a configuration: a section's own kind or driver chooses the tables of keys,
+// every setting finds its field, and then the parts check themselves and each other.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "firmware/device/device_image.h"
+#include "firmware/device/device_settings.h"
+
+namespace tactus::firmware {
+
+namespace {
+
+using Outcome = std::expected<void, DeviceError>;
+
+Outcome refuse(std::size_t section, std::string_view key, std::string_view what) {
+  return std::unexpected(DeviceError{what, section, key});
+}
+
+std::string_view text_of(const DeviceSection& section, std::string_view key) {
+  for (const Setting& setting : section.all()) {
+    if (setting.key == key && setting.type == SettingType::text) {
+      return setting.text;
+    }
+  }
+  return {};
+}
+
+// Puts one setting where one of the tables has its key.
+class Assigner {
+ public:
+  explicit Assigner(const Setting& setting) : setting_(setting) {}
+
+  template <class S>
+  void operator()(S& object, std::span<const Binding<S>> table) {
+    for (const Binding<S>& binding : table) {
+      if (binding.key == setting_.key) {
+        found_ = true;
+        wrong_ = binding.assign(object, setting_);
+      }
+    }
+  }
+  [[nodiscard]] std::string_view wrong() const { return found_ ? wrong_ : "unknown key"; }
+
+ private:
+  const Setting& setting_;
+  std::string_view wrong_;
+  bool found_ = false;
+};
+
+class KeyCollector {
+ public:
+  explicit KeyCollector(std::span<KnownKey> keys) : keys_(keys) {}
+
+  void add(std::string_view key, std::string_view unit) {
+    if (count_ < keys_.size()) {
+      keys_[count_] = {key, unit};
+      ++count_;
+    }
+  }
+  template <class S>
+  void operator()(S& /*object*/, std::span<const Binding<S>> table) {
+    for (const Binding<S>& binding : table) {
+      add(binding.key, binding.unit);
+    }
+  }
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  std::span<KnownKey> keys_;
+  std::size_t count_ = 0;
+};
+
+// Which tables a section has, object by object: for assigning and for listing alike.
+template <class Visitor>
+void visit_connection(ConnectionConfig& connection, Visitor&& visit) {
+  visit(connection, connection_keys());
+  if (auto* can = std::get_if<CanConnection>(&connection.line)) {
+    visit(*can, can_keys());
+  } else if (auto* falcon = std::get_if<FalconConnection>(&connection.line)) {
+    visit(*falcon, falcon_keys());
+  } else if (auto* haply = std::get_if<HaplyConnection>(&connection.line)) {
+    visit(*haply, haply_keys());
+  } else if (auto* gpio = std::get_if<GpioConnection>(&connection.line)) {
+    visit(*gpio, gpio_keys());
+  }
+}
+
+template <class Visitor>
+void visit_axis(AxisConfig& axis, Visitor&& visit) {
+  visit(axis, axis_keys());
+  if (auto* board = std::get_if<BoardAxis>(&axis.drive)) {
+    visit(*board, board_axis_keys());
+  } else if (auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
+    visit(*odrive, odrive_keys());
+  } else if (auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
+    visit(*gpio, gpio_axis_keys());
+  }
+}
+
+template <class Visitor>
+void visit_mechanism(MechanismGeometry& mechanism, Visitor&& visit) {
+  if (auto* cartesian = std::get_if<CartesianGeometry>(&mechanism)) {
+    visit(*cartesian, cartesian_keys());
+  } else if (auto* delta = std::get_if<DeltaGeometry>(&mechanism)) {
+    visit(*delta, delta_keys());
+  } else if (auto* paddle = std::get_if<PaddleGeometry>(&mechanism)) {
+    visit(*paddle, paddle_keys());
+  } else if (auto* pantograph = std::get_if<PantographGeometry>(&mechanism)) {
+    visit(*pantograph, pantograph_keys());
+  } else if (auto* arm = std::get_if<SerialArmGeometry>(&mechanism)) {
+    visit(*arm, serial_arm_keys());
+  }
+}
+
+class DeviceReader {
+ public:
+  DeviceReader(const DeviceSections& sections, DeviceConfig& config)
+      : sections_(sections), config_(config) {}
+
+  Outcome read();
+  std::size_t list_keys(std::size_t section, std::span<KnownKey> keys);
+
+ private:
+  using Step = Outcome (DeviceReader::*)(std::size_t);
+
+  Outcome for_each(std::string_view kind, Step step);
+  // Every setting of the section but the choosing one through `visit_tables`.
+  template <class VisitTables>
+  Outcome assign_all(std::size_t section, std::string_view choosing, VisitTables&& visit_tables);
+
+  Outcome read_mechanism(std::size_t i);
+  Outcome read_top(std::size_t i);
+  Outcome read_controller(std::size_t i);
+  Outcome read_connection(std::size_t i);
+  Outcome read_axis(std::size_t i);
+  Outcome read_joint(std::size_t i);
+
+  Outcome choose_connection(std::size_t i, ConnectionConfig& connection);
+  Outcome choose_drive(std::size_t i, AxisConfig& axis);
+  Outcome find_connection(std::size_t i, AxisConfig& axis);
+  Outcome find_axis(std::size_t i, std::string_view key, std::string_view name, std::size_t& found);
+  Outcome check_axis(std::size_t i, const AxisConfig& axis);
+  Outcome finish();
+  [[nodiscard]] std::span<const Binding<JointConfig>> joint_keys() const {
+    return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
+               ? sliding_joint_keys()
+               : turning_joint_keys();
+  }
+
+  const DeviceSections& sections_;
+  DeviceConfig& config_;
+};
+
+template <class VisitTables>
+Outcome DeviceReader::assign_all(std::size_t section, std::string_view choosing,
+                                 VisitTables&& visit_tables) {
+  for (const Setting& setting : sections_.sections[section].all()) {
+    if (setting.key == choosing) {
+      continue;
+    }
+    Assigner assigner(setting);
+    visit_tables(assigner);
+    if (!assigner.wrong().empty()) {
+      return refuse(section, setting.key, assigner.wrong());
+    }
+  }
+  return {};
+}
+
+Outcome DeviceReader::for_each(std::string_view kind, Step step) {
+  for (std::size_t i = 0; i < sections_.count; ++i) {
+    if (sections_.sections[i].kind == kind) {
+      if (const auto outcome = (this->*step)(i); !outcome) {
+        return outcome;
+      }
+    }
+  }
+  return {};
+}
+
+Outcome DeviceReader::read() {
+  config_ = {};
+  constexpr std::array<std::string_view, 6> kKinds = {"mechanism",  "device", "controller",
+                                                      "connection", "axis",   "joint"};
+  for (std::size_t i = 0; i < sections_.count; ++i) {
+    if (std::ranges::find(kKinds, sections_.sections[i].kind) == kKinds.end()) {
+      return refuse(i, {},
+                    "unknown section; there are: [controller], [mechanism], "
+                    "[[connection]], [[axis]] and [[joint]]");
+    }
+  }
+  constexpr std::array<Step, 6> kSteps = {
+      &DeviceReader::read_mechanism,  &DeviceReader::read_top,  &DeviceReader::read_controller,
+      &DeviceReader::read_connection, &DeviceReader::read_axis, &DeviceReader::read_joint};
+  for (std::size_t k = 0; k < kSteps.size(); ++k) {
+    if (const auto outcome = for_each(kKinds[k], kSteps[k]); !outcome) {
+      return outcome;
+    }
+  }
+  return finish();
+}
+
+// First of all: its preset also fills the controller's section.
+Outcome DeviceReader::read_mechanism(std::size_t i) {
+  const auto preset = preset_config(text_of(sections_.sections[i], kKindKey));
+  if (!preset) {
+    return refuse(i, kKindKey,
+                  "must be \"cartesian\", \"falcon\", \"hapkit\", \"haply_pantograph\", "
+                  "\"phantom_premium\" or \"woodenhaptics\"");
+  }
+  config_.controller = *preset;
+  return assign_all(i, kKindKey,
+                    [this](auto& visit) { visit_mechanism(config_.controller.mechanism, visit); });
+}
+
+Outcome DeviceReader::read_top(std::size_t i) {
+  return assign_all(i, {}, [this](auto& visit) { visit(config_, device_keys()); });
+}
+
+Outcome DeviceReader::read_controller(std::size_t i) {
+  return assign_all(i, {}, [this](auto& visit) { visit(config_.controller, controller_keys()); });
+}
+
+Outcome DeviceReader::read_connection(std::size_t i) {
+  if (config_.connection_count == kMaxConnections) {
+    return refuse(i, {}, "too many connections: there is room for 4");
+  }
+  ConnectionConfig& connection = config_.connections[config_.connection_count];
+  ++config_.connection_count;
+  if (const auto chosen = choose_connection(i, connection); !chosen) {
+    return chosen;
+  }
+  return assign_all(i, kKindKey, [&](auto& visit) { visit_connection(connection, visit); });
+}
+
+Outcome DeviceReader::choose_connection(std::size_t i, ConnectionConfig& connection) {
+  const std::string_view kind = text_of(sections_.sections[i], kKindKey);
+  if (kind == "can") {
+    connection.line = CanConnection{};
+  } else if (kind == "falcon_usb") {
+    connection.line = FalconConnection{};
+  } else if (kind == "haply_serial") {
+    connection.line = HaplyConnection{};
+  } else if (kind == "gpio") {
+    connection.line = GpioConnection{};
+  } else {
+    return refuse(i, kKindKey, "must be \"can\", \"falcon_usb\", \"haply_serial\" or \"gpio\"");
+  }
+  return {};
+}
+
+Outcome DeviceReader::read_axis(std::size_t i) {
+  if (config_.axis_count == kMaxAxes) {
+    return refuse(i, {}, "too many axes: there is room for 6");
+  }
+  AxisConfig& axis = config_.axes[config_.axis_count];
+  ++config_.axis_count;
+  if (const auto chosen = choose_drive(i, axis); !chosen) {
+    return chosen;
+  }
+  if (const auto read = assign_all(i, kDriverKey, [&](auto& visit) { visit_axis(axis, visit); });
+      !read) {
+    return read;
+  }
+  if (const auto found = find_connection(i, axis); !found) {
+    return found;
+  }
+  return check_axis(i, axis);
+}
+
+Outcome DeviceReader::choose_drive(std::size_t i, AxisConfig& axis) {
+  const std::string_view driver = text_of(sections_.sections[i], kDriverKey);
+  if (driver == "odrive_can") {
+    axis.drive = drivers::ODriveConfig{};
+  } else if (driver == "gpio_axis") {
+    axis.drive = drivers::GpioAxisConfig{};
+  } else if (driver == "falcon_usb" || driver == "haply_serial") {
+    axis.drive = BoardAxis{};
+  } else {
+    return refuse(i, kDriverKey,
+                  "must be \"odrive_can\", \"gpio_axis\", \"falcon_usb\" or \"haply_serial\"");
+  }
+  return {};
+}
+
+Outcome DeviceReader::find_connection(std::size_t i, AxisConfig& axis) {
+  const auto all = std::span(config_.connections).first(config_.connection_count);
+  const auto found = std::ranges::find(all, axis.connection_name, &ConnectionConfig::name);
+  if (found == all.end() || axis.connection_name.empty()) {
+    return refuse(i, "connection", "must be the name of a [[connection]]");
+  }
+  axis.connection = static_cast<std::size_t>(found - all.begin());
+  const std::string_view driver = text_of(sections_.sections[i], kDriverKey);
+  const bool fits = driver.ends_with("_can") ? std::holds_alternative<CanConnection>(found->line)
+                    : driver == "gpio_axis"  ? std::holds_alternative<GpioConnection>(found->line)
+                    : driver == "falcon_usb" ? std::holds_alternative<FalconConnection>(found->line)
+                                             : std::holds_alternative<HaplyConnection>(found->line);
+  if (!fits) {
+    return refuse(i, "connection", "is of a kind that this driver cannot use");
+  }
+  return {};
+}
+
+Outcome DeviceReader::check_axis(std::size_t i, const AxisConfig& axis) {
+  drivers::Checked checked;
+  if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
+    checked = check(*odrive);
+  } else if (const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
+    checked = check(*gpio, false);
+  }
+  if (!checked) {
+    return refuse(i, checked.error().field, checked.error().rule);
+  }
+  return {};
+}
+
+Outcome DeviceReader::find_axis(std::size_t i, std::string_view key, std::string_view name,
+                                std::size_t& found) {
+  const auto all = std::span(config_.axes).first(config_.axis_count);
+  const auto at = std::ranges::find(all, name, &AxisConfig::name);
+  if (at == all.end() || name.empty()) {
+    return refuse(i, key, "must be the name of an [[axis]]");
+  }
+  found = static_cast<std::size_t>(at - all.begin());
+  return {};
+}
+
+Outcome DeviceReader::read_joint(std::size_t i) {
+  const std::size_t count = joint_count(config_.controller.mechanism);
+  if (config_.joint_count == count) {
+    return refuse(i, {}, "the mechanism has fewer joints than there are [[joint]] tables");
+  }
+  JointConfig& joint = config_.joints[config_.joint_count];
+  joint.limits = config_.controller.joints[config_.joint_count];
+  if (const auto read = assign_all(i, {}, [&](auto& visit) { visit(joint, joint_keys()); });
+      !read) {
+    return read;
+  }
+  if (joint.encoder_name.empty()) {
+    joint.encoder_name = joint.motor_name;
+  }
+  if (const auto found = find_axis(i, "motor", joint.motor_name, joint.motor); !found) {
+    return found;
+  }
+  if (const auto found = find_axis(i, "encoder", joint.encoder_name, joint.encoder); !found) {
+    return found;
+  }
+  if (!is_valid(joint.transmission)) {
+    return refuse(i, "motor_ratio",
+                  "ratios must be above 0 (a turned direction is written as motor_direction = -1), "
+                  "directions 1 or -1");
+  }
+  if (const auto checked = check(joint.reference); !checked) {
+    return refuse(i, checked.error().field, checked.error().rule);
+  }
+  config_.controller.joints[config_.joint_count] = joint.limits;
+  ++config_.joint_count;
+  return {};
+}
+
+Outcome DeviceReader::finish() {
+  if (config_.joint_count != joint_count(config_.controller.mechanism)) {
+    return refuse(0, {}, "the mechanism has more joints than there are [[joint]] tables");
+  }
+  if (!drivers::lies_between(config_.read_limit_s, 0.0, 0.1)) {
+    return refuse(0, "read_limit_s", "must lie between 0 and 0.1");
+  }
+  if (const auto valid = validate(config_.controller); !valid) {
+    return refuse(0, valid.error().field, "is out of the controller's range");
+  }
+  return {};
+}
+
+std::size_t DeviceReader::list_keys(std::size_t section, std::span<KnownKey> keys) {
+  KeyCollector collect(keys);
+  const std::string_view kind = sections_.sections[section].kind;
+  if (kind == "mechanism" || kind == "connection") {
+    collect.add(kKindKey, {});
+  }
+  if (kind == "axis") {
+    collect.add(kDriverKey, {});
+  }
+  if (kind == "device") {
+    collect(config_, device_keys());
+  } else if (kind == "controller") {
+    collect(config_.controller, controller_keys());
+  } else if (kind == "mechanism") {
+    visit_mechanism(config_.controller.mechanism, collect);
+  } else if (kind == "joint") {
+    collect(config_.joints[0], joint_keys());
+  } else if (kind == "connection") {
+    ConnectionConfig connection;
+    (void)choose_connection(section, connection);
+    visit_connection(connection, collect);
+  } else if (kind == "axis") {
+    AxisConfig axis;
+    (void)choose_drive(section, axis);
+    visit_axis(axis, collect);
+  }
+  return collect.count();
+}
+
+}  // namespace
+
+std::expected<void, DeviceError> read_device(const DeviceSections& sections, DeviceConfig& config) {
+  return DeviceReader(sections, config).read();
+}
+
+std::size_t known_keys(const DeviceSections& sections, std::size_t section,
+                       std::span<KnownKey> keys) {
+  DeviceConfig config;
+  DeviceReader reader(sections, config);
+  (void)reader.read();
+  return reader.list_keys(section, keys);
+}
+
+}  // namespace tactus::firmware

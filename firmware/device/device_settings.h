@@ -1,0 +1,39 @@
+// Which keys each section of device.toml may hold, and the fields behind them. A key for a new
+// field is one line in device_settings.cpp.
+#pragma once
+
+#include <span>
+
+#include "firmware/device/device_config.h"
+#include "firmware/device/setting.h"
+
+namespace tactus::firmware {
+
+// The two settings that say what else a section may hold: the kind of a connection or a mechanism,
+// and the driver of an axis.
+inline constexpr std::string_view kKindKey = "kind";
+inline constexpr std::string_view kDriverKey = "driver";
+
+std::span<const Binding<DeviceConfig>> device_keys();
+std::span<const Binding<ControllerConfig>> controller_keys();
+std::span<const Binding<ConnectionConfig>> connection_keys();
+std::span<const Binding<AxisConfig>> axis_keys();
+// Lengths and angles of a joint that turns are in rad and N m, of one that slides in m and N.
+std::span<const Binding<JointConfig>> turning_joint_keys();
+std::span<const Binding<JointConfig>> sliding_joint_keys();
+
+// Of what a section's choice makes it.
+std::span<const Binding<CanConnection>> can_keys();
+std::span<const Binding<FalconConnection>> falcon_keys();
+std::span<const Binding<HaplyConnection>> haply_keys();
+std::span<const Binding<GpioConnection>> gpio_keys();
+std::span<const Binding<BoardAxis>> board_axis_keys();
+std::span<const Binding<drivers::ODriveConfig>> odrive_keys();
+std::span<const Binding<drivers::GpioAxisConfig>> gpio_axis_keys();
+std::span<const Binding<CartesianGeometry>> cartesian_keys();
+std::span<const Binding<DeltaGeometry>> delta_keys();
+std::span<const Binding<PaddleGeometry>> paddle_keys();
+std::span<const Binding<PantographGeometry>> pantograph_keys();
+std::span<const Binding<SerialArmGeometry>> serial_arm_keys();
+
+}  // namespace tactus::firmware

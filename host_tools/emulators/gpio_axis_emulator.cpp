@@ -1,0 +1,153 @@
+#include "host_tools/emulators/gpio_axis_emulator.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace tactus::host {
+
+namespace {
+
+constexpr unsigned kRunsBetweenGlitches = 50;
+
+// A and B in the order of forward counts, A leading.
+constexpr std::array<unsigned, 4> kStates{0b00, 0b10, 0b11, 0b01};
+
+std::int64_t floor_mod(std::int64_t value, std::int64_t by) {
+  return ((value % by) + by) % by;
+}
+
+}  // namespace
+
+GpioAxisEmulator::GpioAxisEmulator(const drivers::GpioAxisConfig& axis, BoardPins& pins,
+                                   std::uint32_t seed, std::uint32_t steps_per_run)
+    : axis_(axis), pins_(pins), random_(seed), steps_per_run_(steps_per_run) {
+  show(count_);
+  drive(axis_.pins.fault, false);
+  open_emergency_stop(false);
+  open_limit_low(false);
+  open_limit_high(false);
+}
+
+void GpioAxisEmulator::set_fault(EmulatorFault fault) {
+  if (fault == fault_ || fault_ == EmulatorFault::unplugged) {
+    return;
+  }
+  if (fault_ == EmulatorFault::silent) {
+    count_ = wanted_count();
+    show(count_);
+  }
+  fault_ = fault;
+  drive(axis_.pins.fault, fault == EmulatorFault::erroring);
+  if (fault == EmulatorFault::unplugged) {
+    pins_.unplug();
+  }
+}
+
+void GpioAxisEmulator::open_emergency_stop(bool open) {
+  chain_open_ = open;
+  drive(axis_.pins.emergency_stop, open);
+}
+
+void GpioAxisEmulator::open_limit_low(bool open) {
+  drive(axis_.pins.limit_low, open);
+}
+
+void GpioAxisEmulator::open_limit_high(bool open) {
+  drive(axis_.pins.limit_high, open);
+}
+
+void GpioAxisEmulator::run(hal::TimeNs now_ns) {
+  past_.push_back({.time_ns = now_ns, .position_rad = shaft_.position_rad});
+  while (past_.size() > 1 && past_[1].time_ns <= now_ns - kFaultDelay_ns) {
+    past_.pop_front();
+  }
+  if (fault_ == EmulatorFault::unplugged) {
+    shaft_.torque_Nm = 0.0;
+    return;
+  }
+  if (fault_ != EmulatorFault::silent) {
+    move_encoder();
+  }
+  watch_heartbeat(now_ns);
+  shaft_.torque_Nm = motor_torque(now_ns);
+}
+
+std::int64_t GpioAxisEmulator::wanted_count() const {
+  const bool late = fault_ == EmulatorFault::delayed && !past_.empty();
+  const double position_rad = late ? past_.front().position_rad : shaft_.position_rad;
+  const double sign = axis_.encoder.reversed ? -1.0 : 1.0;
+  return std::llround(sign * position_rad * axis_.encoder.counts_per_rev /
+                      (2.0 * std::numbers::pi));
+}
+
+void GpioAxisEmulator::move_encoder() {
+  const std::int64_t wanted = wanted_count();
+  for (std::uint32_t i = 0; i < steps_per_run_ && count_ != wanted; ++i) {
+    count_ += wanted > count_ ? 1 : -1;
+    show(count_);
+  }
+  if (fault_ == EmulatorFault::corrupted && random_() % kRunsBetweenGlitches == 0) {
+    count_ += 2;
+    show(count_);
+  }
+}
+
+// The index ends before the channels leave its state and begins after they have entered it.
+void GpioAxisEmulator::show(std::int64_t count) {
+  const unsigned state = kStates[static_cast<std::size_t>(floor_mod(count, 4))];
+  const auto in_turn = floor_mod(count, axis_.encoder.counts_per_rev);
+  const bool index = in_turn < 4 && state == axis_.encoder.index_state;
+  if (!index) {
+    drive(axis_.pins.encoder_index, false);
+  }
+  drive(axis_.pins.encoder_a, (state & 2U) != 0);
+  drive(axis_.pins.encoder_b, (state & 1U) != 0);
+  if (index) {
+    drive(axis_.pins.encoder_index, true);
+  }
+}
+
+void GpioAxisEmulator::watch_heartbeat(hal::TimeNs now_ns) {
+  const bool level = is_active(axis_.pins.heartbeat);
+  if (level != beat_level_) {
+    beat_level_ = level;
+    beat_ns_ = now_ns;
+  }
+}
+
+double GpioAxisEmulator::motor_torque(hal::TimeNs now_ns) {
+  const bool beats = !axis_.pins.heartbeat || (beat_ns_ != 0 && now_ns - beat_ns_ < kHeartbeat_ns);
+  const bool enabled = !axis_.pins.enable || is_active(axis_.pins.enable);
+  if (!beats || !enabled || chain_open_ || fault_ == EmulatorFault::erroring) {
+    return 0.0;
+  }
+  const drivers::BridgeConfig& bridge = axis_.bridge;
+  const double high = pins_.pwm_level();
+  double part = high;
+  if (bridge.mode == drivers::BridgeMode::locked_antiphase) {
+    part = 2.0 * high - 1.0;
+  } else if (is_active(axis_.pins.direction)) {
+    part = -high;
+  }
+  if (bridge.law == drivers::TorqueLaw::square_root) {
+    part *= std::abs(part);
+  }
+  return (bridge.reversed ? -part : part) * bridge.full_duty_torque_Nm;
+}
+
+bool GpioAxisEmulator::brake_is_closed() {
+  return axis_.pins.brake_release.has_value() && !is_active(axis_.pins.brake_release);
+}
+
+void GpioAxisEmulator::drive(const std::optional<drivers::InputPin>& pin, bool active) {
+  if (pin) {
+    pins_.drive(pin->offset, active != pin->active_low);
+  }
+}
+
+bool GpioAxisEmulator::is_active(const std::optional<drivers::OutputPin>& pin) {
+  return pin.has_value() && pins_.level(pin->offset) != pin->active_low;
+}
+
+}  // namespace tactus::host
