@@ -324,7 +324,8 @@ void Falcon::believe(const FalconReply& reply) {
     }
     AxisSample& sample = samples_[arm];
     sample.position_rad = arm_angle_rad(reply.counts[arm]);
-    sample.velocity_rad_per_s = rates_[arm].update(sample.position_rad, answer_ns_);
+    sample.velocity_rad_per_s = std::clamp(rates_[arm].update(sample.position_rad, answer_ns_),
+                                           -config_.fastest_rad_per_s, config_.fastest_rad_per_s);
     sample.time_ns = answer_ns_;
   }
 }

@@ -269,7 +269,9 @@ void Haply::believe(const HaplyAngles& angles) {
   believed_ = {.angles = angles, .time_ns = answer_ns_};
   for (std::size_t i = 0; i < config_.axes; ++i) {
     samples_[i].position_rad = angles[i];
-    samples_[i].velocity_rad_per_s = rates_[i].update(angles[i], answer_ns_);
+    samples_[i].velocity_rad_per_s =
+        std::clamp(rates_[i].update(angles[i], answer_ns_), -config_.fastest_rad_per_s,
+                   config_.fastest_rad_per_s);
     samples_[i].time_ns = answer_ns_;
   }
 }
