@@ -237,7 +237,7 @@ void Falcon::exchange(hal::TimeNs deadline_ns) {
 
 void Falcon::judge() {
   if (fresh_) {
-    bad_score_ -= std::min(bad_score_, 1U);
+    bad_score_ -= bad_score_ > 0 ? 1 : 0;
     return;
   }
   bad_score_ += kFalconBadRead;

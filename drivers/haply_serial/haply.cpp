@@ -278,7 +278,7 @@ void Haply::believe(const HaplyAngles& angles) {
 
 void Haply::judge() {
   if (fresh_) {
-    bad_score_ -= std::min(bad_score_, 1U);
+    bad_score_ -= bad_score_ > 0 ? 1 : 0;
     return;
   }
   bad_score_ += kHaplyBadRead;
