@@ -1,9 +1,10 @@
 // Motor drives on one CAN bus, as one board.
 //
 // A tick is two exchanges: `read` sends what the drives want sent before a sample and waits until
-// every healthy drive has given a fresh one or the deadline has passed; `write` sends the commands.
-// What the bus itself reports counts for every axis: a link that is down, an interface that is
-// gone, a controller off the bus, or a send queue that stays full latch kDeviceLost.
+// every healthy drive that has a position at all has given a fresh one or the deadline has passed;
+// `write` sends the commands. What the bus itself reports counts for every axis: a link that is
+// down, an interface that is gone, a controller off the bus, or a send queue that stays full latch
+// kDeviceLost.
 #pragma once
 
 #include <array>
@@ -170,8 +171,9 @@ class CanBoard {
   [[nodiscard]] bool waits_for_a_sample() const {
     bool waits = false;
     for_each([&](const auto& drive, std::size_t i) {
-      waits =
-          waits || (drive.sample().status == kDeviceOk && drive.sample().time_ns == seen_ns_[i]);
+      const AxisSample& sample = drive.sample();
+      waits = waits || ((sample.status & ~std::uint32_t{kDeviceStale}) == kDeviceOk &&
+                        sample.time_ns != 0 && sample.time_ns == seen_ns_[i]);
     });
     return waits && !watch_.trouble();
   }

@@ -1,0 +1,110 @@
+#include "drivers/cia402_can/cia402_can.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "drivers/seconds.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+constexpr canopen::ObjectAddress kControlwordObject{0x6040, 0};
+
+CountedShaftConfig cia402_shaft(const Cia402Config& config) {
+  return {.rad_per_count = 2.0 * std::numbers::pi / config.counts_per_turn,
+          .max_speed_rad_per_s = config.max_speed_rad_per_s,
+          .jump_margin_rad = config.jump_margin_rad,
+          .velocity_filter_s = config.velocity_filter_s};
+}
+
+}  // namespace
+
+Cia402Can::Cia402Can(const Cia402Config& config)
+    : config_(config),
+      sdo_(config.node, ns_of(config.sdo_timeout_s)),
+      shaft_(cia402_shaft(config)) {}
+
+std::size_t Cia402Can::filters(std::span<hal::CanFilter> filters) const {
+  constexpr std::array kServices = {canopen::kTransmitPdo1, canopen::kTransmitPdo2,
+                                    canopen::kEmergency, canopen::kSdoAnswer, canopen::kHeartbeat};
+  std::ranges::transform(kServices, filters.begin(), [this](std::uint32_t service) {
+    return hal::CanFilter::standard(service + config_.node);
+  });
+  return kServices.size();
+}
+
+void Cia402Can::start(hal::TimeNs now_ns) {
+  shaft_.forget();
+  sample_ = AxisSample{};
+  has_sent_heartbeat_ = false;
+  begin(now_ns);
+}
+
+void Cia402Can::clear_faults(hal::TimeNs now_ns) {
+  if (faults_) {
+    begin(now_ns);
+  }
+}
+
+void Cia402Can::begin(hal::TimeNs now_ns) {
+  now_ns_ = now_ns;
+  begun_ns_ = now_ns;
+  faults_.clear();
+  sdo_.reset();
+  facts_ = {};
+  state_ = {};
+  emergency_code_ = 0;
+  unanswered_syncs_ = 0;
+  is_operational_ = false;
+  has_state_ = false;
+  mode_is_set_ = false;
+  in_torque_mode_ = false;
+  wants_power_ = false;
+  is_stale_ = false;
+  is_late_ = false;
+  tick_is_over_ = false;
+  reads_error_code_ = false;
+  enter(Phase::booting);
+}
+
+void Cia402Can::enter(Phase phase) {
+  phase_ = phase;
+  phase_ns_ = now_ns_;
+  has_sent_nmt_ = false;
+  step_ = 0;
+  update_status();
+}
+
+bool Cia402Can::has_passed(hal::TimeNs since_ns, double time_s) const {
+  return now_ns_ - since_ns >= ns_of(time_s);
+}
+
+void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
+  faults_.latch(bit, trouble);
+  sample_.torque_Nm = 0.0;
+  update_status();
+}
+
+void Cia402Can::update_status() {
+  sample_.status = faults_.status() | (is_stale_ ? kDeviceStale : kDeviceOk) |
+                   (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
+}
+
+void Cia402Can::shutdown(CanOutbox& outbox) {
+  if (phase_ == Phase::off) {
+    return;
+  }
+  // The PDO waits for a SYNC, of which there may be no more; the SDO acts by itself. Out of
+  // operational the drive listens to no torque at all.
+  outbox.add(cia402::command_frame(config_.node, {}));
+  outbox.add(canopen::sdo_write(config_.node, kControlwordObject, cia402::kDisableVoltage, 2));
+  outbox.add(canopen::nmt_frame(canopen::NmtCommand::enter_pre_operational, config_.node));
+  if (config_.leads_bus) {
+    outbox.add(canopen::sync_frame());
+  }
+  enter(Phase::off);
+}
+
+}  // namespace tactus::drivers

@@ -1,0 +1,143 @@
+// A CANopen drive with the CiA 402 profile in cyclic synchronous torque mode.
+//
+// Frames are those of canopen.h, sdo.h and drive_profile.h.
+//
+// Where the SYNC stands in a tick: it opens the request, ahead of everything else. The drives take
+// their position at the SYNC and send it right after, so the sample that the tick computes with is
+// as fresh as the bus allows; and the torques that the last tick computed act at the same instant
+// in every axis, without the jitter of the computation. A SYNC behind the commands would have the
+// torque act sooner by as much as it would make the sample older: the delay around the loop is one
+// period either way. `torque_on_receipt` gets below that, on drives that can.
+//
+// From start to ready: reset of the drive's communication, boot-up, the set-up of bring_up.h, NMT
+// start, torque mode, a fault of the drive reset, 'ready to switch on'. Then sample().status is
+// kDeviceOk, and the power follows the command: up to a second may pass between `enable` and
+// torque.
+//
+// Latched, until clear_faults:
+//   kDeviceDriveFault    the drive reports a fault (EMCY, statusword), leaves torque mode, its
+//                        power or operational by itself, restarts, does not switch its power on, or
+//                        refuses the set-up
+//   kDeviceEncoderFault  a position that the shaft cannot have reached; the last good one stays
+//   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, not up in time
+// From then on each tick sends torque zero and 'disable voltage'. What cannot be seen: samples that
+// are late by the same time from the very start.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "drivers/axis.h"
+#include "drivers/can_drive.h"
+#include "drivers/cia402_can/bring_up.h"
+#include "drivers/cia402_can/canopen.h"
+#include "drivers/cia402_can/cia402_config.h"
+#include "drivers/cia402_can/drive_profile.h"
+#include "drivers/cia402_can/sdo_client.h"
+#include "drivers/counted_shaft.h"
+#include "drivers/fault_latch.h"
+
+namespace tactus::drivers {
+
+class Cia402Can {
+ public:
+  // The configuration has passed `check`.
+  explicit Cia402Can(const Cia402Config& config);
+
+  std::size_t filters(std::span<hal::CanFilter> filters) const;
+  void start(hal::TimeNs now_ns);
+  void take(const hal::CanReceived& received);
+  void request(hal::TimeNs now_ns, CanOutbox& outbox);
+  void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
+  [[nodiscard]] const AxisSample& sample() const { return sample_; }
+  [[nodiscard]] Trouble trouble() const { return faults_.trouble(); }
+  void clear_faults(hal::TimeNs now_ns);
+  void shutdown(CanOutbox& outbox);
+
+  [[nodiscard]] const Cia402Config& config() const { return config_; }
+  // For the log; complete once the drive is ready.
+  [[nodiscard]] const cia402::DriveFacts& facts() const { return facts_; }
+
+ private:
+  enum class Phase : std::uint8_t {
+    off,
+    booting,        // until the drive says that it has booted
+    setting_up,     // bring_up.h
+    starting,       // until it is operational and sends samples
+    choosing_mode,  // until it says that it is in torque mode
+    clearing,       // until it is out of fault and ready to switch on
+    ready,
+  };
+
+  void begin(hal::TimeNs now_ns);
+  void enter(Phase phase);
+  [[nodiscard]] bool is_live() const { return phase_ >= Phase::starting; }
+  [[nodiscard]] bool has_passed(hal::TimeNs since_ns, double time_s) const;
+  void latch(DeviceStatus bit, const Trouble& trouble);
+  void update_status();
+
+  void take_state(const cia402::DriveState& state);
+  void take_motion(const cia402::DriveMotion& motion);
+  void take_velocity(std::int32_t velocity);
+  void take_heartbeat(canopen::NmtState state);
+  void take_emergency(const canopen::Emergency& emergency);
+  void check_power();
+  void latch_drive_fault();
+
+  void watch();
+  void watch_bring_up();
+  void watch_samples();
+  [[nodiscard]] Trouble late_bring_up() const;
+
+  void lead_bus(CanOutbox& outbox);
+  void bring_up(CanOutbox& outbox);
+  void repeat_nmt(canopen::NmtCommand command, double every_s, CanOutbox& outbox);
+  void run_set_up(CanOutbox& outbox);
+  void choose_mode(CanOutbox& outbox);
+  bool run_step(const cia402::SdoStep& step, CanOutbox& outbox);
+  void refuse(const cia402::SdoStep& step);
+  void read_error_code(CanOutbox& outbox);
+
+  [[nodiscard]] cia402::TorqueCommand next_command(const AxisCommand& command);
+  [[nodiscard]] cia402::TorqueCommand powered_command(const AxisCommand& command);
+  [[nodiscard]] std::uint16_t clearing_controlword() const;
+  [[nodiscard]] std::int16_t torque_units(double torque_Nm) const;
+
+  Cia402Config config_;
+  canopen::SdoClient sdo_;
+  CountedShaft shaft_;
+  FaultLatch faults_;
+  AxisSample sample_;
+  cia402::DriveFacts facts_;
+
+  Phase phase_ = Phase::off;
+  hal::TimeNs now_ns_ = 0;
+  hal::TimeNs begun_ns_ = 0;  // the bring-up
+  hal::TimeNs phase_ns_ = 0;  // this phase of it
+  hal::TimeNs sync_ns_ = 0;
+  hal::TimeNs sent_nmt_ns_ = 0;
+  hal::TimeNs sent_heartbeat_ns_ = 0;
+  hal::TimeNs heard_heartbeat_ns_ = 0;
+  hal::TimeNs wants_power_ns_ = 0;  // since when
+  std::size_t step_ = 0;
+  std::uint32_t unanswered_syncs_ = 0;
+  bool has_sent_nmt_ = false;
+  bool has_sent_heartbeat_ = false;
+  bool is_operational_ = false;
+  bool has_state_ = false;  // in this bring-up
+  bool mode_is_set_ = false;
+  bool in_torque_mode_ = false;
+  bool wants_power_ = false;
+  bool had_power_ = false;  // since it was wanted, long enough to be sure
+  bool is_stale_ = false;
+  bool is_late_ = false;       // the last sample
+  bool tick_is_over_ = false;  // its command has been sent, the next SYNC has not
+  bool reads_error_code_ = false;
+  cia402::DriveState state_;
+  std::uint16_t emergency_code_ = 0;
+};
+
+static_assert(CanDrive<Cia402Can>);
+
+}  // namespace tactus::drivers

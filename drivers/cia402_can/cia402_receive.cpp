@@ -1,0 +1,222 @@
+// What a Cia402Can makes of the frames that it takes, and of those that do not come.
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/cia402_can/cia402_can.h"
+#include "drivers/cia402_can/error_codes.h"
+#include "drivers/seconds.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+using canopen::NmtState;
+using cia402::PowerState;
+
+constexpr double kMissedHeartbeats = 3.0;
+constexpr double kStaleAfter_periods = 1.5;
+constexpr double kTorquePerUnit = 1e-3;  // of the rated torque
+constexpr double kSecondsPerMs = 1e-3;
+
+constexpr Trouble kUnnamedFault{"drive is in fault, with a code that it has not told",
+                                "see the drive's own diagnosis, then reset", 0};
+
+bool is_fault(PowerState state) {
+  return state == PowerState::fault || state == PowerState::fault_reaction_active;
+}
+
+}  // namespace
+
+void Cia402Can::take(const hal::CanReceived& received) {
+  if (phase_ == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
+    return;
+  }
+  const hal::CanFrame& frame = received.frame;
+  if (const auto state = cia402::drive_state_of(frame, config_.node)) {
+    if (is_live()) {
+      take_state(*state);
+    }
+  } else if (const auto motion = cia402::drive_motion_of(frame, config_.node)) {
+    if (is_live()) {
+      take_motion(*motion);
+    }
+  } else if (const auto heartbeat = canopen::heartbeat_of(frame, config_.node)) {
+    heard_heartbeat_ns_ = std::max(now_ns_, received.time_ns);
+    take_heartbeat(*heartbeat);
+  } else if (const auto emergency = canopen::emergency_of(frame, config_.node)) {
+    take_emergency(*emergency);
+  } else {
+    sdo_.take(frame);
+  }
+}
+
+// The position was taken at the last SYNC. A sample that comes after its tick is used, but it is no
+// fresh one: the next tick waits for its own.
+void Cia402Can::take_state(const cia402::DriveState& state) {
+  state_ = state;
+  has_state_ = true;
+  if (!shaft_.take(state.position, sync_ns_)) {
+    latch(kDeviceEncoderFault,
+          {"drive reports a position that its shaft cannot have reached (6064:00)",
+           "check the encoder's cable and shield, and max_speed_rad_per_s, then reset",
+           static_cast<std::uint32_t>(state.position)});
+    return;
+  }
+  sample_.position_rad = shaft_.position_rad();
+  if (config_.velocity_unit_rad_per_s == 0.0) {
+    sample_.velocity_rad_per_s = shaft_.velocity_rad_per_s();
+  }
+  sample_.torque_Nm = kTorquePerUnit * facts_.rated_torque_Nm * state.torque;
+  is_late_ = tick_is_over_;
+  if (!is_late_ || phase_ != Phase::ready) {
+    sample_.time_ns = sync_ns_;
+    unanswered_syncs_ = 0;
+    is_stale_ = false;
+  }
+  check_power();
+  update_status();
+}
+
+void Cia402Can::check_power() {
+  const PowerState power = cia402::power_state(state_.statusword);
+  if (phase_ != Phase::ready || faults_) {
+    return;
+  }
+  if (is_fault(power)) {
+    latch_drive_fault();
+  } else if (wants_power_ && had_power_ && power != PowerState::operation_enabled) {
+    latch(kDeviceDriveFault,
+          {cia402::power_state_words(power),
+           "check motor power, safe torque off and the drive's inputs, then reset",
+           state_.statusword});
+  }
+}
+
+void Cia402Can::latch_drive_fault() {
+  if (emergency_code_ != 0) {
+    latch(kDeviceDriveFault, cia402::error_code_trouble(emergency_code_));
+    return;
+  }
+  latch(kDeviceDriveFault, kUnnamedFault);
+  reads_error_code_ = true;
+}
+
+void Cia402Can::take_motion(const cia402::DriveMotion& motion) {
+  in_torque_mode_ = motion.mode == cia402::kCyclicSynchronousTorque;
+  if (config_.velocity_unit_rad_per_s > 0.0) {
+    take_velocity(motion.velocity);
+  }
+  if (!in_torque_mode_ && phase_ > Phase::choosing_mode && !faults_) {
+    latch(kDeviceDriveFault, {"drive left cyclic synchronous torque mode (6061:00)",
+                              "look for a second master on the bus, then reset",
+                              static_cast<std::uint32_t>(motion.mode)});
+  }
+}
+
+void Cia402Can::take_velocity(std::int32_t velocity) {
+  const double velocity_rad_per_s = config_.velocity_unit_rad_per_s * velocity;
+  if (std::abs(velocity_rad_per_s) <= config_.max_speed_rad_per_s) {
+    sample_.velocity_rad_per_s = velocity_rad_per_s;
+    return;
+  }
+  latch(kDeviceEncoderFault,
+        {"drive reports a speed that its shaft cannot have (606C:00)",
+         "check the encoder's cable, velocity_unit_rad_per_s and max_speed_rad_per_s, then reset",
+         static_cast<std::uint32_t>(velocity)});
+}
+
+void Cia402Can::take_heartbeat(NmtState state) {
+  is_operational_ = state == NmtState::operational;
+  if (phase_ == Phase::booting || phase_ == Phase::setting_up) {
+    if (state == NmtState::boot_up && (phase_ == Phase::setting_up || has_sent_nmt_)) {
+      sdo_.reset();
+      enter(Phase::setting_up);
+    }
+    return;
+  }
+  if (state == NmtState::boot_up) {
+    latch(kDeviceDriveFault, {"drive restarted by itself",
+                              "check its supply, then reset; its position may have changed", 0});
+  } else if (!is_operational_ && phase_ > Phase::starting) {
+    latch(kDeviceDriveFault, {"drive left the state 'operational' by itself",
+                              "look for a second master on the bus and for bus errors, then reset",
+                              static_cast<std::uint32_t>(state)});
+  }
+}
+
+// During the bring-up it is mostly what is to be cleared there.
+void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
+  emergency_code_ = emergency.code;
+  if (emergency.code == 0 || phase_ != Phase::ready) {
+    return;
+  }
+  if (reads_error_code_) {
+    reads_error_code_ = false;
+    faults_.explain(cia402::error_code_trouble(emergency.code));
+  }
+  latch(kDeviceDriveFault, cia402::error_code_trouble(emergency.code));
+}
+
+void Cia402Can::watch() {
+  if (faults_) {
+    return;
+  }
+  if (phase_ != Phase::ready && has_passed(begun_ns_, config_.bring_up_timeout_s)) {
+    const bool is_lost = phase_ <= Phase::starting;
+    latch(is_lost ? kDeviceLost : kDeviceDriveFault, late_bring_up());
+    reads_error_code_ = phase_ == Phase::clearing && emergency_code_ == 0 &&
+                        is_fault(cia402::power_state(state_.statusword));
+  } else if (phase_ == Phase::ready) {
+    watch_samples();
+  }
+}
+
+// A host that overslept has asked for no sample meanwhile: that is not the drive's fault.
+void Cia402Can::watch_samples() {
+  if (unanswered_syncs_ > 0 &&
+      has_passed(sample_.time_ns, kStaleAfter_periods * config_.period_s)) {
+    is_stale_ = true;
+    update_status();
+  }
+  if (unanswered_syncs_ > 1 && has_passed(sample_.time_ns, config_.lost_after_s)) {
+    latch(kDeviceLost,
+          is_late_ ? Trouble{"drive's samples come later than the tick waits for them",
+                             "lower the load of the bus or let the tick wait longer, then reset", 0}
+                   : Trouble{"drive sends no samples any more",
+                             "check its power and the cable, then reset", 0});
+  } else if (has_passed(heard_heartbeat_ns_,
+                        kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
+    latch(kDeviceLost,
+          {"drive sends no heartbeat any more", "check its power and the cable, then reset", 0});
+  }
+}
+
+Trouble Cia402Can::late_bring_up() const {
+  switch (phase_) {
+    case Phase::booting:
+      return {"drive does not boot up",
+              "check its power, node number, bit rate and cable, then reset", config_.node};
+    case Phase::setting_up:
+      return {"drive's set-up takes too long", "lower the load of the bus, then reset", 0};
+    case Phase::starting:
+      return is_operational_
+                 ? Trouble{"drive is operational but sends no samples",
+                           "see that one drive of the bus has leads_bus set (SYNC), then reset", 0}
+                 : Trouble{"drive does not become operational",
+                           "see the drive's own diagnosis, then reset", 0};
+    case Phase::choosing_mode:
+      return {"drive does not enter cyclic synchronous torque mode (6061:00)",
+              "see the drive's own diagnosis, then reset", 0};
+    default:
+      break;
+  }
+  const PowerState power = cia402::power_state(state_.statusword);
+  if (is_fault(power) && emergency_code_ != 0) {
+    return cia402::error_code_trouble(emergency_code_);
+  }
+  return {cia402::power_state_words(power),
+          "switch motor power on, close safe torque off, remove the cause, then reset",
+          state_.statusword};
+}
+
+}  // namespace tactus::drivers

@@ -1,0 +1,247 @@
+// What a Cia402Can sends: SYNC and heartbeat for the bus, the bring-up, the torque.
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/cia402_can/cia402_can.h"
+#include "drivers/cia402_can/error_codes.h"
+#include "drivers/seconds.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+using canopen::NmtCommand;
+using canopen::SdoClient;
+using cia402::PowerState;
+
+constexpr double kResetEvery_s = 1.0;  // a drive that is switched on later is found
+constexpr double kStartEvery_s = 0.1;
+constexpr double kHeartbeatsPerWatchdog = 4.0;
+constexpr double kFaultResetEdge_s = 0.02;  // the fault reset bit stays so long, low and high
+// What the drive did before it took the last controlword is not held against it.
+constexpr double kPowerSettles_s = 0.01;
+constexpr double kUnitsPerTorque = 1e3;  // of the rated torque
+
+constexpr canopen::ObjectAddress kErrorCodeObject{0x603F, 0};
+
+}  // namespace
+
+void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
+  now_ns_ = now_ns;
+  if (phase_ == Phase::off) {
+    return;
+  }
+  watch();
+  tick_is_over_ = false;
+  sync_ns_ = now_ns;
+  ++unanswered_syncs_;
+  if (config_.leads_bus) {
+    lead_bus(outbox);
+  }
+}
+
+void Cia402Can::lead_bus(CanOutbox& outbox) {
+  outbox.add(canopen::sync_frame());
+  if (!has_sent_heartbeat_ ||
+      has_passed(sent_heartbeat_ns_, 1e-3 * config_.watchdog_ms / kHeartbeatsPerWatchdog)) {
+    outbox.add(canopen::heartbeat_frame(config_.host_node, canopen::NmtState::operational));
+    has_sent_heartbeat_ = true;
+    sent_heartbeat_ns_ = now_ns_;
+  }
+}
+
+void Cia402Can::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
+  now_ns_ = now_ns;
+  if (phase_ == Phase::off) {
+    return;
+  }
+  watch();
+  if (!faults_) {
+    bring_up(outbox);
+  }
+  if (is_live()) {
+    outbox.add(cia402::command_frame(config_.node, next_command(command)));
+  }
+  read_error_code(outbox);
+  tick_is_over_ = true;
+}
+
+void Cia402Can::bring_up(CanOutbox& outbox) {
+  switch (phase_) {
+    case Phase::booting:
+      repeat_nmt(NmtCommand::reset_communication, kResetEvery_s, outbox);
+      return;
+    case Phase::setting_up:
+      run_set_up(outbox);
+      return;
+    case Phase::starting:
+      repeat_nmt(NmtCommand::start, kStartEvery_s, outbox);
+      if (is_operational_ && has_state_) {
+        enter(Phase::choosing_mode);
+      }
+      return;
+    case Phase::choosing_mode:
+      choose_mode(outbox);
+      return;
+    case Phase::clearing:
+      if (cia402::power_state(state_.statusword) == PowerState::ready_to_switch_on) {
+        emergency_code_ = 0;
+        enter(Phase::ready);
+      }
+      return;
+    case Phase::off:
+    case Phase::ready:
+      return;
+  }
+}
+
+void Cia402Can::repeat_nmt(NmtCommand command, double every_s, CanOutbox& outbox) {
+  if (!has_sent_nmt_ || has_passed(sent_nmt_ns_, every_s)) {
+    has_sent_nmt_ = outbox.add(canopen::nmt_frame(command, config_.node));
+    sent_nmt_ns_ = now_ns_;
+  }
+}
+
+void Cia402Can::run_set_up(CanOutbox& outbox) {
+  const auto steps = cia402::set_up_steps();
+  while (step_ < steps.size() && run_step(steps[step_], outbox)) {
+    ++step_;
+  }
+  if (step_ == steps.size()) {
+    shaft_.resume();
+    enter(Phase::starting);
+  }
+}
+
+void Cia402Can::choose_mode(CanOutbox& outbox) {
+  if (!mode_is_set_) {
+    mode_is_set_ = run_step(cia402::torque_mode_step(), outbox);
+  } else if (in_torque_mode_) {
+    enter(Phase::clearing);
+  }
+}
+
+// True when the step is done. Otherwise it has asked, waits, or has latched why it cannot be done.
+bool Cia402Can::run_step(const cia402::SdoStep& step, CanOutbox& outbox) {
+  if (sdo_.state() == SdoClient::State::idle) {
+    if (step.size == 0) {
+      sdo_.read(step.object);
+    } else {
+      sdo_.write(step.object, cia402::value_to_write(step, config_, facts_), step.size);
+    }
+  }
+  sdo_.run(now_ns_, outbox);
+  const SdoClient::State state = sdo_.state();
+  if (state == SdoClient::State::asking) {
+    return false;
+  }
+  const bool is_done = state == SdoClient::State::done;
+  if (!is_done &&
+      !(state == SdoClient::State::refused && cia402::may_go_on_without(step, sdo_.value()))) {
+    refuse(step);
+    return false;
+  }
+  const Trouble trouble = cia402::judge(step, is_done ? sdo_.value() : 0, config_, facts_);
+  sdo_.reset();
+  if (trouble) {
+    latch(kDeviceDriveFault, trouble);
+    return false;
+  }
+  return true;
+}
+
+void Cia402Can::refuse(const cia402::SdoStep& step) {
+  if (sdo_.state() == SdoClient::State::refused) {
+    latch(kDeviceDriveFault, {step.what, canopen::sdo_abort_words(sdo_.value()), sdo_.value()});
+  } else if (sdo_.state() == SdoClient::State::too_long) {
+    latch(kDeviceDriveFault, {step.what,
+                              "the drive's answer is longer than 4 bytes, which this driver does "
+                              "not read: check the drive's type and firmware",
+                              step.object.index});
+  } else {
+    latch(kDeviceLost,
+          {step.what, "the drive does not answer: check its power and cable, then reset",
+           step.object.index});
+  }
+  sdo_.reset();
+}
+
+// After a fault that came without an emergency message.
+void Cia402Can::read_error_code(CanOutbox& outbox) {
+  if (!reads_error_code_) {
+    return;
+  }
+  if (sdo_.state() == SdoClient::State::idle) {
+    sdo_.read(kErrorCodeObject);
+  }
+  sdo_.run(now_ns_, outbox);
+  if (sdo_.state() == SdoClient::State::asking) {
+    return;
+  }
+  const auto code = static_cast<std::uint16_t>(sdo_.value() & 0xFFFFU);
+  if (sdo_.state() == SdoClient::State::done && code != 0) {
+    faults_.explain(cia402::error_code_trouble(code));
+  }
+  reads_error_code_ = false;
+  sdo_.reset();
+}
+
+cia402::TorqueCommand Cia402Can::next_command(const AxisCommand& command) {
+  if (faults_) {
+    return {};
+  }
+  switch (phase_) {
+    case Phase::clearing:
+      return {clearing_controlword(), 0};
+    case Phase::ready:
+      return powered_command(command);
+    default:
+      return {};
+  }
+}
+
+std::uint16_t Cia402Can::clearing_controlword() const {
+  const PowerState power = cia402::power_state(state_.statusword);
+  if (power != PowerState::fault) {
+    return cia402::controlword_toward(power, false);
+  }
+  const hal::TimeNs edge_ns = ns_of(kFaultResetEdge_s);
+  return (now_ns_ - phase_ns_) / edge_ns % 2 == 0 ? cia402::kDisableVoltage : cia402::kFaultReset;
+}
+
+cia402::TorqueCommand Cia402Can::powered_command(const AxisCommand& command) {
+  const PowerState power = cia402::power_state(state_.statusword);
+  if (!command.enable) {
+    wants_power_ = false;
+    return {cia402::controlword_toward(power, false), 0};
+  }
+  if (!wants_power_) {
+    wants_power_ = true;
+    wants_power_ns_ = now_ns_;
+    had_power_ = false;
+  }
+  if (power == PowerState::operation_enabled) {
+    had_power_ = had_power_ || has_passed(wants_power_ns_, kPowerSettles_s);
+    return {cia402::kEnableOperation, torque_units(command.torque_Nm)};
+  }
+  if (has_passed(wants_power_ns_, config_.enable_timeout_s)) {
+    latch(kDeviceDriveFault,
+          {cia402::power_state_words(power),
+           "switch motor power on, close safe torque off and the enable input, then reset",
+           state_.statusword});
+    return {};
+  }
+  return {cia402::controlword_toward(power, true), 0};
+}
+
+// What is no number is no torque.
+std::int16_t Cia402Can::torque_units(double torque_Nm) const {
+  const double units = kUnitsPerTorque * torque_Nm / facts_.rated_torque_Nm;
+  if (!std::isfinite(units)) {
+    return 0;
+  }
+  const double limit = facts_.torque_limit;
+  return static_cast<std::int16_t>(std::lround(std::clamp(units, -limit, limit)));
+}
+
+}  // namespace tactus::drivers

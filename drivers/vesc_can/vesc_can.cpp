@@ -1,0 +1,280 @@
+#include "drivers/vesc_can/vesc_can.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "drivers/seconds.h"
+#include "drivers/vesc_can/vesc_faults.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+constexpr double kCountsPerElectricalTurn = 6.0;
+constexpr double kSecondsPerMinute = 60.0;
+constexpr double kStaleAfter_statuses = 1.5;
+constexpr std::uint32_t kUnansweredPolls = 5;
+constexpr double kMilli = 1e3;
+constexpr double kLargestCurrent_mA = 1e9;
+
+double rad_per_count(const VescConfig& config) {
+  return 2.0 * std::numbers::pi / (kCountsPerElectricalTurn * config.pole_pairs);
+}
+
+CountedShaftConfig vesc_shaft(const VescConfig& config) {
+  return {.rad_per_count = rad_per_count(config),
+          .max_speed_rad_per_s = config.max_speed_rad_per_s,
+          .jump_margin_rad = config.jump_margin_rad + 2.0 * rad_per_count(config)};
+}
+
+}  // namespace
+
+VescCan::VescCan(const VescConfig& config) : config_(config), shaft_(vesc_shaft(config)) {}
+
+std::size_t VescCan::filters(std::span<hal::CanFilter> filters) const {
+  using enum vesc::Packet;
+  filters[0] = hal::CanFilter::extended(vesc::id_of(status, config_.vesc_id));
+  filters[1] = hal::CanFilter::extended(vesc::id_of(status_4, config_.vesc_id));
+  filters[2] = hal::CanFilter::extended(vesc::id_of(status_5, config_.vesc_id));
+  filters[3] = hal::CanFilter::extended(vesc::id_of(process_short_buffer, config_.host_id));
+  return 4;
+}
+
+void VescCan::start(hal::TimeNs now_ns) {
+  shaft_.forget();
+  sample_ = AxisSample{};
+  readings_ = {};
+  begin(now_ns);
+}
+
+void VescCan::clear_faults(hal::TimeNs now_ns) {
+  if (faults_) {
+    begin(now_ns);
+  }
+}
+
+void VescCan::begin(hal::TimeNs now_ns) {
+  now_ns_ = now_ns;
+  begun_ns_ = now_ns;
+  faults_.clear();
+  shaft_.resume();
+  has_status_ = false;
+  has_position_ = false;
+  has_polled_ = false;
+  unanswered_polls_ = 0;
+  is_stale_ = false;
+  fault_.reset();
+  flags_ = 0;
+  next_query_ = vesc::Query::fault;
+  phase_ = Phase::looking;
+  update_status();
+}
+
+void VescCan::latch(DeviceStatus bit, const Trouble& trouble) {
+  faults_.latch(bit, trouble);
+  update_status();
+}
+
+void VescCan::update_status() {
+  sample_.status = faults_.status() | (is_stale_ ? kDeviceStale : kDeviceOk) |
+                   (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
+}
+
+bool VescCan::has_passed_since(hal::TimeNs since_ns, double time_s) const {
+  return has_passed(time_s, since_ns, now_ns_);
+}
+
+void VescCan::take(const hal::CanReceived& received) {
+  if (phase_ == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
+    return;
+  }
+  if (const auto status = vesc::status_of(received.frame, config_.vesc_id)) {
+    status_ns_ = std::max(now_ns_, received.time_ns);
+    take_status(*status);
+  } else if (const auto status_5 = vesc::status_5_of(received.frame, config_.vesc_id)) {
+    take_position(*status_5, received.time_ns);
+  } else if (const auto status_4 = vesc::status_4_of(received.frame, config_.vesc_id)) {
+    readings_.status_4 = *status_4;
+  } else if (const auto answer =
+                 vesc::answer_of(received.frame, config_.vesc_id, config_.host_id)) {
+    take_answer(*answer);
+  }
+}
+
+void VescCan::take_status(const vesc::Status& status) {
+  const double velocity_rad_per_s =
+      2.0 * std::numbers::pi * status.erpm / (kSecondsPerMinute * config_.pole_pairs);
+  has_status_ = true;
+  if (std::abs(velocity_rad_per_s) > config_.max_speed_rad_per_s) {
+    latch(kDeviceEncoderFault,
+          {"VESC reports a speed that its shaft cannot have",
+           "check the motor's sensor and settings, and max_speed_rad_per_s, then reset",
+           static_cast<std::uint32_t>(status.erpm)});
+    return;
+  }
+  sample_.velocity_rad_per_s = velocity_rad_per_s;
+  sample_.torque_Nm = config_.torque_constant_Nm_per_A * status.current_A;
+  is_stale_ = false;
+  update_status();
+}
+
+// A VESC sends its status at times of its own: the position is as old as its frame.
+void VescCan::take_position(const vesc::Status5& status, hal::TimeNs received_ns) {
+  readings_.input_V = status.input_V;
+  if (!config_.offers_position) {
+    return;
+  }
+  const hal::TimeNs taken_ns = std::clamp(received_ns, std::min(sample_.time_ns, now_ns_),
+                                          now_ns_ + ns_of(config_.status_period_s));
+  if (!shaft_.take(status.tachometer, taken_ns)) {
+    latch(kDeviceEncoderFault,
+          {"VESC reports a position that its shaft cannot have reached",
+           "check the motor's sensor and settings, and max_speed_rad_per_s, then reset",
+           static_cast<std::uint32_t>(status.tachometer)});
+    return;
+  }
+  has_position_ = true;
+  position_ns_ = std::max(now_ns_, received_ns);
+  sample_.position_rad = shaft_.position_rad();
+  sample_.time_ns = taken_ns;
+}
+
+void VescCan::take_answer(const vesc::Answer& answer) {
+  unanswered_polls_ = 0;
+  if (answer.query == vesc::Query::fault) {
+    fault_ = answer.value;
+  } else {
+    flags_ = answer.value;
+  }
+  if (phase_ != Phase::ready) {
+    return;
+  }
+  if (const Trouble trouble = vesc::fault_trouble(fault_.value_or(0))) {
+    latch(kDeviceDriveFault, trouble);
+  } else if ((flags_ & vesc::kKillSwitch) != 0) {
+    latch(kDeviceEmergencyStop,
+          {"VESC's kill switch is open", "make sure that all is well, close it, then reset", 0});
+  } else if ((flags_ & vesc::kTimedOut) != 0) {
+    latch(kDeviceDriveFault, {"VESC stopped the motor because commands came too late",
+                              "check the cable and the host's load, then reset", 0});
+  }
+}
+
+void VescCan::request(hal::TimeNs now_ns, CanOutbox& /*outbox*/) {
+  now_ns_ = now_ns;
+}
+
+void VescCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
+  now_ns_ = now_ns;
+  if (phase_ == Phase::off) {
+    return;
+  }
+  look();
+  watch();
+  const bool has_power = phase_ == Phase::ready && !faults_ && command.enable;
+  outbox.add(has_power ? vesc::held_current_frame(
+                             config_.vesc_id, current_mA(command.torque_Nm),
+                             static_cast<std::int16_t>(std::lround(kMilli * config_.off_delay_s)))
+                       : vesc::release_frame(config_.vesc_id));
+  poll(outbox);
+}
+
+void VescCan::look() {
+  if (phase_ != Phase::looking || faults_) {
+    return;
+  }
+  const bool is_well =
+      fault_ == 0 && flags_ == 0 && has_status_ && (has_position_ || !config_.offers_position);
+  if (is_well) {
+    phase_ = Phase::ready;
+    update_status();
+  } else if (has_passed_since(begun_ns_, config_.bring_up_s)) {
+    const bool is_heard = has_status_ || has_position_ || fault_.has_value();
+    const bool is_killed = (flags_ & vesc::kKillSwitch) != 0;
+    latch(is_killed ? kDeviceEmergencyStop : (is_heard ? kDeviceDriveFault : kDeviceLost),
+          missing());
+  }
+}
+
+Trouble VescCan::missing() const {
+  if (!has_status_ && !fault_.has_value()) {
+    return {"VESC does not answer", "check its power, id, bit rate, CAN mode and cable, then reset",
+            config_.vesc_id};
+  }
+  if (!fault_.has_value()) {
+    return {"VESC does not answer the question for its faults",
+            "check that host_id is no VESC's, and the VESC's firmware", config_.host_id};
+  }
+  if (const Trouble trouble = vesc::fault_trouble(*fault_)) {
+    return trouble;
+  }
+  if (!has_status_) {
+    return {"VESC sends no status message 1", "switch it on in VESC Tool, then reset", 1};
+  }
+  if (config_.offers_position && !has_position_) {
+    return {"VESC sends no status message 5, which has the position",
+            "switch it on in VESC Tool, or offers_position off, then reset", 5};
+  }
+  if ((flags_ & vesc::kKillSwitch) != 0) {
+    return {"VESC's kill switch is open", "make sure that all is well, close it, then reset", 0};
+  }
+  return {"VESC does not take commands: its timeout has expired",
+          "look for another host that commands it, then reset", flags_};
+}
+
+void VescCan::watch() {
+  if (phase_ != Phase::ready || faults_) {
+    return;
+  }
+  const hal::TimeNs heard_ns =
+      config_.offers_position ? std::min(status_ns_, position_ns_) : status_ns_;
+  is_stale_ = has_passed_since(heard_ns, kStaleAfter_statuses * config_.status_period_s);
+  update_status();
+  if (has_passed_since(heard_ns, config_.lost_after_s)) {
+    latch(kDeviceLost, {"VESC sends no status any more",
+                        "check its power, the cable and its status rates, then reset", 0});
+  }
+}
+
+// The two fields in turn; nothing but the fault until that is known.
+void VescCan::poll(CanOutbox& outbox) {
+  if (has_polled_ && !has_passed_since(polled_ns_, config_.poll_period_s)) {
+    return;
+  }
+  if (unanswered_polls_ >= kUnansweredPolls && phase_ == Phase::ready) {
+    latch(kDeviceLost, {"VESC does not answer the question for its faults any more",
+                        "check its power and the cable, then reset", 0});
+  }
+  if (!outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, next_query_))) {
+    return;
+  }
+  has_polled_ = true;
+  ++unanswered_polls_;
+  polled_ns_ = now_ns_;
+  next_query_ = fault_.has_value() && next_query_ == vesc::Query::fault ? vesc::Query::flags
+                                                                        : vesc::Query::fault;
+}
+
+// What is no number is no torque. The limit is rounded down, so that rounding cannot pass it.
+std::int32_t VescCan::current_mA(double torque_Nm) const {
+  const double wanted_mA = kMilli * torque_Nm / config_.torque_constant_Nm_per_A;
+  if (!std::isfinite(wanted_mA)) {
+    return 0;
+  }
+  const double limit_mA =
+      std::min(std::floor(kMilli * config_.max_torque_Nm / config_.torque_constant_Nm_per_A + 1e-6),
+               kLargestCurrent_mA);
+  return static_cast<std::int32_t>(std::lround(std::clamp(wanted_mA, -limit_mA, limit_mA)));
+}
+
+void VescCan::shutdown(CanOutbox& outbox) {
+  if (phase_ == Phase::off) {
+    return;
+  }
+  outbox.add(vesc::release_frame(config_.vesc_id));
+  phase_ = Phase::off;
+  update_status();
+}
+
+}  // namespace tactus::drivers

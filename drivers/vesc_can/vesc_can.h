@@ -1,0 +1,96 @@
+// A VESC as a torque amplifier: a motor current for each tick, torque over torque constant.
+//
+// Bring-up: wait for status 1 (and 5, if it offers a position) and for an answer to the question
+// for faults that says none; zero current all the while, so that the VESC's own timeout runs from
+// the host's commands. From a fault on the motor is let go in each tick, until clear_faults: a VESC
+// forgets its faults after half a second and would obey again.
+//
+// Status bits:
+//   kDeviceNotReady       until the bring-up is done
+//   kDeviceStale          no status in time; not latched
+//   kDeviceLost           no status for lost_after_s, or five questions unanswered
+//   kDeviceDriveFault     a fault code, its timeout expired, or what it should send is switched off
+//   kDeviceEmergencyStop  its kill switch
+//   kDeviceEncoderFault   a speed or a position that the shaft cannot have; not reported
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "drivers/axis.h"
+#include "drivers/can_drive.h"
+#include "drivers/counted_shaft.h"
+#include "drivers/fault_latch.h"
+#include "drivers/vesc_can/vesc_config.h"
+#include "drivers/vesc_can/vesc_protocol.h"
+
+namespace tactus::drivers {
+
+// What a VESC tells besides; zero until it has.
+struct VescReadings {
+  vesc::Status4 status_4;
+  double input_V = 0.0;
+};
+
+class VescCan {
+ public:
+  // The configuration has passed `check`.
+  explicit VescCan(const VescConfig& config);
+
+  std::size_t filters(std::span<hal::CanFilter> filters) const;
+  void start(hal::TimeNs now_ns);
+  void take(const hal::CanReceived& received);
+  void request(hal::TimeNs now_ns, CanOutbox& outbox);
+  void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
+  [[nodiscard]] const AxisSample& sample() const { return sample_; }
+  [[nodiscard]] Trouble trouble() const { return faults_.trouble(); }
+  void clear_faults(hal::TimeNs now_ns);
+  void shutdown(CanOutbox& outbox);
+
+  [[nodiscard]] const VescConfig& config() const { return config_; }
+  [[nodiscard]] const VescReadings& readings() const { return readings_; }
+
+ private:
+  enum class Phase : std::uint8_t { off, looking, ready };
+
+  void begin(hal::TimeNs now_ns);
+  void latch(DeviceStatus bit, const Trouble& trouble);
+  void update_status();
+  [[nodiscard]] bool has_passed_since(hal::TimeNs since_ns, double time_s) const;
+
+  void take_status(const vesc::Status& status);
+  void take_position(const vesc::Status5& status, hal::TimeNs received_ns);
+  void take_answer(const vesc::Answer& answer);
+  void look();
+  [[nodiscard]] Trouble missing() const;
+  void watch();
+  void poll(CanOutbox& outbox);
+  [[nodiscard]] std::int32_t current_mA(double torque_Nm) const;
+
+  VescConfig config_;
+  CountedShaft shaft_;
+  FaultLatch faults_;
+  AxisSample sample_;
+  VescReadings readings_;
+
+  Phase phase_ = Phase::off;
+  hal::TimeNs now_ns_ = 0;
+  hal::TimeNs begun_ns_ = 0;
+  hal::TimeNs status_ns_ = 0;
+  hal::TimeNs position_ns_ = 0;
+  hal::TimeNs polled_ns_ = 0;
+  std::uint32_t unanswered_polls_ = 0;
+  bool has_status_ = false;
+  bool has_position_ = false;
+  bool has_polled_ = false;
+  bool is_stale_ = false;
+  vesc::Query next_query_ = vesc::Query::fault;
+  std::optional<std::uint8_t> fault_;  // the last answer
+  std::uint8_t flags_ = 0;
+};
+
+static_assert(CanDrive<VescCan>);
+
+}  // namespace tactus::drivers

@@ -1,0 +1,13 @@
+// The fault codes of a VESC, in words.
+#pragma once
+
+#include <cstdint>
+
+#include "drivers/axis.h"
+
+namespace tactus::drivers::vesc {
+
+// Nothing for 0.
+Trouble fault_trouble(std::uint8_t code);
+
+}  // namespace tactus::drivers::vesc

@@ -1,0 +1,309 @@
+#include "host_tools/emulators/cia402_emulator.h"
+
+#include <array>
+#include <initializer_list>
+
+namespace tactus::host {
+
+namespace {
+
+constexpr hal::TimeNs kMs = 1'000'000;
+constexpr std::uint16_t kOverCurrent = 0x2310;
+constexpr std::uint16_t kHeartbeatError = 0x8130;
+constexpr std::uint16_t kPdoTooShort = 0x8210;
+constexpr std::uint32_t kPdoOff = 0x8000'0000;
+
+std::uint32_t number_at(const hal::CanFrame& frame, std::size_t at, std::size_t size) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    number |= std::to_integer<std::uint32_t>(frame.data[at + i]) << (8 * i);
+  }
+  return number;
+}
+
+void write_number(hal::CanFrame& frame, std::size_t at, std::size_t size, std::uint32_t number) {
+  for (std::size_t i = 0; i < size; ++i) {
+    frame.data[at + i] = static_cast<std::byte>(number >> (8 * i) & 0xFFU);
+  }
+}
+
+// The object that a mapping entry names, and its bytes.
+struct Mapped {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::size_t bytes = 0;
+};
+
+Mapped mapped(std::uint32_t entry) {
+  return {static_cast<std::uint16_t>(entry >> 16U), static_cast<std::uint8_t>(entry >> 8U & 0xFFU),
+          (entry & 0xFFU) / 8U};
+}
+
+}  // namespace
+
+Cia402Emulator::Cia402Emulator(hal::CanBus& bus, std::uint32_t seed,
+                               const Cia402EmulatorConfig& config)
+    : CanEmulator(bus, seed), config_(config), first_count_(config.first_count) {
+  define_profile();
+  define_communication();
+}
+
+void Cia402Emulator::define_communication() {
+  const std::uint32_t node = config_.node;
+  objects_[{0x1000, 0}] = {0x0002'0192, 4, false};
+  objects_[{0x1001, 0}] = {0, 1, false};
+  objects_[{0x1016, 0}] = {1, 1, false};
+  objects_[{0x1016, 1}] = {0, 4, true};
+  objects_[{0x1017, 0}] = {0, 2, true};
+  objects_[{0x1018, 0}] = {4, 1, false};
+  objects_[{0x1018, 1}] = {0x0000'5441, 4, false};
+  constexpr std::array<std::uint32_t, 4> kReceiveIds = {0x200, 0x300, 0x400, 0x500};
+  constexpr std::array<std::uint32_t, 4> kTransmitIds = {0x180, 0x280, 0x380, 0x480};
+  for (std::uint16_t pdo = 0; pdo < 4; ++pdo) {
+    const auto at = [pdo](std::uint32_t base) { return static_cast<std::uint16_t>(base + pdo); };
+    objects_[{at(0x1400), 1}] = {(pdo == 0 ? 0 : kPdoOff) | (kReceiveIds[pdo] + node), 4, true};
+    objects_[{at(0x1400), 2}] = {255, 1, true};
+    objects_[{at(0x1800), 1}] = {(pdo == 0 ? 0 : kPdoOff) | (kTransmitIds[pdo] + node), 4, true};
+    objects_[{at(0x1800), 2}] = {255, 1, true};
+    for (std::uint8_t sub = 0; sub <= 8; ++sub) {
+      const auto size = static_cast<std::uint8_t>(sub == 0 ? 1 : 4);
+      objects_[{at(0x1600), sub}] = {0, size, true};
+      objects_[{at(0x1A00), sub}] = {0, size, true};
+    }
+  }
+  // As delivered: controlword and statusword alone.
+  objects_[{0x1600, 0}].value = 1;
+  objects_[{0x1600, 1}].value = 0x6040'0010;
+  objects_[{0x1A00, 0}].value = 1;
+  objects_[{0x1A00, 1}].value = 0x6041'0010;
+}
+
+void Cia402Emulator::define_profile() {
+  for (const auto& [index, size] : std::initializer_list<std::pair<std::uint16_t, std::uint8_t>>{
+           {0x603F, 2}, {0x6041, 2}, {0x6061, 1}, {0x6064, 4}, {0x606C, 4}, {0x6077, 2}}) {
+    objects_[{index, 0}] = {0, size, false};
+  }
+  objects_[{0x6502, 0}] = {0x2A5, 4, false};
+  objects_[{0x6076, 0}] = {config_.rated_torque, 4, false};
+  objects_[{0x6040, 0}] = {0, 2, true};
+  objects_[{0x6060, 0}] = {0, 1, true};
+  objects_[{0x6071, 0}] = {0, 2, true};
+  objects_[{0x6072, 0}] = {1000, 2, true};
+  objects_[{0x60E0, 0}] = {1000, 2, true};
+  objects_[{0x60E1, 0}] = {1000, 2, true};
+  objects_[{0x60C2, 0}] = {2, 1, false};
+  objects_[{0x60C2, 1}] = {1, 1, true};
+  objects_[{0x60C2, 2}] = {0xFD, 1, true};
+  objects_[{0x6007, 0}] = {1, 2, true};
+  objects_[{0x605E, 0}] = {2, 2, true};
+}
+
+void Cia402Emulator::set_object(std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
+  objects_[{index, sub}].value = value;
+}
+
+void Cia402Emulator::remove_object(std::uint16_t index, std::uint8_t sub) {
+  objects_.erase({index, sub});
+}
+
+std::uint32_t Cia402Emulator::object(std::uint16_t index, std::uint8_t sub) const {
+  const auto found = objects_.find({index, sub});
+  return found == objects_.end() ? 0 : found->second.value;
+}
+
+void Cia402Emulator::reset(hal::TimeNs now_ns) {
+  leave_operational();
+  define_communication();
+  received_ = {};
+  syncs_ = {};
+  heard_master_ns_.reset();
+  nmt_ = Nmt::booting;
+  boots_ns_ = now_ns + config_.boot_time_ns;
+}
+
+void Cia402Emulator::leave_operational() {
+  nmt_ = Nmt::pre_operational;
+  if (power_ != Power::fault) {
+    power_ = Power::switch_on_disabled;
+  }
+}
+
+void Cia402Emulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
+  if (frame.extended || frame.remote || frame.fd) {
+    return;
+  }
+  if (frame.id == 0x000) {
+    take_nmt(now_ns, frame);
+    return;
+  }
+  if (nmt_ == Nmt::booting) {
+    return;
+  }
+  const std::uint32_t master = object(0x1016, 1) >> 16U & 0x7FU;
+  if (master != 0 && frame.id == 0x700 + master) {
+    heard_master_ns_ = now_ns;
+  } else if (frame.id == 0x600U + config_.node && nmt_ != Nmt::stopped && frame.length == 8) {
+    take_sdo(now_ns, frame);
+  } else if (nmt_ == Nmt::operational) {
+    if (frame.id == 0x080) {
+      take_sync(now_ns);
+    }
+    for (std::uint16_t pdo = 0; pdo < 4; ++pdo) {
+      if (frame.id == object(static_cast<std::uint16_t>(0x1400 + pdo), 1)) {
+        take_pdo(now_ns, pdo, frame);
+      }
+    }
+  }
+}
+
+void Cia402Emulator::take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame) {
+  const std::uint32_t node = number_at(frame, 1, 1);
+  if (frame.length != 2 || (node != 0 && node != config_.node)) {
+    return;
+  }
+  switch (number_at(frame, 0, 1)) {
+    case 0x01:
+      nmt_ = nmt_ == Nmt::booting ? Nmt::booting : Nmt::operational;
+      return;
+    case 0x02:
+      leave_operational();
+      nmt_ = Nmt::stopped;
+      return;
+    case 0x80:
+      leave_operational();
+      return;
+    case 0x81:
+    case 0x82:
+      reset(now_ns);
+      return;
+    default:
+      return;
+  }
+}
+
+// What waited for the SYNC takes effect, then the samples are taken.
+void Cia402Emulator::take_sync(hal::TimeNs now_ns) {
+  for (std::size_t pdo = 0; pdo < received_.size(); ++pdo) {
+    if (received_[pdo].waits) {
+      received_[pdo].waits = false;
+      apply_pdo(now_ns, pdo, received_[pdo].frame);
+    }
+  }
+  refresh_measured();
+  for (std::size_t pdo = 0; pdo < syncs_.size(); ++pdo) {
+    const auto communication = static_cast<std::uint16_t>(0x1800 + pdo);
+    const std::uint32_t every = object(communication, 2);
+    if ((object(communication, 1) & kPdoOff) == 0 && every >= 1 && every <= 240 &&
+        ++syncs_[pdo] >= every) {
+      syncs_[pdo] = 0;
+      send_pdo(now_ns, pdo);
+    }
+  }
+}
+
+void Cia402Emulator::take_pdo(hal::TimeNs now_ns, std::size_t pdo, const hal::CanFrame& frame) {
+  if (object(static_cast<std::uint16_t>(0x1400 + pdo), 2) <= 240) {
+    received_[pdo] = {frame, true};
+  } else {
+    apply_pdo(now_ns, pdo, frame);
+  }
+}
+
+void Cia402Emulator::apply_pdo(hal::TimeNs now_ns, std::size_t pdo, const hal::CanFrame& frame) {
+  const auto mapping = static_cast<std::uint16_t>(0x1600 + pdo);
+  std::size_t at = 0;
+  for (std::uint32_t entry = 1; entry <= object(mapping, 0); ++entry) {
+    const Mapped to = mapped(object(mapping, static_cast<std::uint8_t>(entry)));
+    if (at + to.bytes > frame.length) {
+      send_emergency(now_ns, kPdoTooShort);
+      return;
+    }
+    write_object({to.index, to.sub}, number_at(frame, at, to.bytes),
+                 static_cast<std::uint32_t>(to.bytes));
+    at += to.bytes;
+  }
+}
+
+void Cia402Emulator::send_pdo(hal::TimeNs now_ns, std::size_t pdo) {
+  const auto mapping = static_cast<std::uint16_t>(0x1A00 + pdo);
+  hal::CanFrame frame{.id = object(static_cast<std::uint16_t>(0x1800 + pdo), 1) & 0x7FFU};
+  std::size_t at = 0;
+  for (std::uint32_t entry = 1; entry <= object(mapping, 0); ++entry) {
+    const Mapped from = mapped(object(mapping, static_cast<std::uint8_t>(entry)));
+    if (at + from.bytes > hal::kMaxCanBytes) {
+      break;
+    }
+    write_number(frame, at, from.bytes, object(from.index, from.sub));
+    at += from.bytes;
+  }
+  frame.length = static_cast<std::uint8_t>(at);
+  send(now_ns, frame);
+}
+
+void Cia402Emulator::advance(hal::TimeNs now_ns, bool erroring) {
+  if (!has_run_ || now_ns - ran_ns_ >= kPowerLoss_ns) {
+    has_run_ = true;
+    power_ = Power::switch_on_disabled;
+    reset(now_ns);
+  }
+  ran_ns_ = now_ns;
+  if (nmt_ == Nmt::booting && now_ns >= boots_ns_) {
+    nmt_ = Nmt::pre_operational;
+    beat_ns_ = now_ns;
+    hal::CanFrame boot_up{.id = 0x700U + config_.node, .length = 1};
+    send(now_ns, boot_up);
+  }
+  fault_persists_ = erroring;
+  if (erroring && power_ != Power::fault && nmt_ != Nmt::booting) {
+    raise_fault(now_ns, kOverCurrent);
+  }
+  watch_master(now_ns);
+  beat(now_ns);
+  refresh_measured();
+  shaft().torque_Nm = 1e-3 * torque_units() * config_.rated_torque_Nm;
+}
+
+void Cia402Emulator::watch_master(hal::TimeNs now_ns) {
+  const hal::TimeNs limit_ns = (object(0x1016, 1) & 0xFFFFU) * kMs;
+  if (!heard_master_ns_ || limit_ns == 0 || now_ns - *heard_master_ns_ <= limit_ns) {
+    return;
+  }
+  heard_master_ns_.reset();
+  if (object(0x6007, 0) == 1) {
+    raise_fault(now_ns, kHeartbeatError);
+  } else {
+    send_emergency(now_ns, kHeartbeatError);
+  }
+}
+
+void Cia402Emulator::beat(hal::TimeNs now_ns) {
+  const hal::TimeNs period_ns = object(0x1017, 0) * kMs;
+  if (nmt_ == Nmt::booting || period_ns == 0 || now_ns - beat_ns_ < period_ns) {
+    return;
+  }
+  beat_ns_ = now_ns;
+  hal::CanFrame frame{.id = 0x700U + config_.node, .length = 1};
+  const std::uint32_t state = nmt_ == Nmt::operational ? 0x05U
+                              : nmt_ == Nmt::stopped   ? 0x04U
+                                                       : 0x7FU;
+  write_number(frame, 0, 1, state);
+  send(now_ns, frame);
+}
+
+void Cia402Emulator::send_emergency(hal::TimeNs now_ns, std::uint16_t code) {
+  hal::CanFrame frame{.id = 0x080U + config_.node, .length = 8};
+  write_number(frame, 0, 2, code);
+  write_number(frame, 2, 1, object(0x1001, 0));
+  send(now_ns, frame);
+}
+
+void Cia402Emulator::raise_fault(hal::TimeNs now_ns, std::uint16_t code, bool tells) {
+  power_ = Power::fault;
+  set_object(0x603F, 0, code);
+  set_object(0x1001, 0, 1);
+  if (tells) {
+    send_emergency(now_ns, code);
+  }
+}
+
+}  // namespace tactus::host

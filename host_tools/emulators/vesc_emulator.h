@@ -1,0 +1,72 @@
+// A VESC from the other side of the bus.
+//
+// Fakes: the current command with and without off-delay, the dead zone below the smallest current,
+// the command timeout, the half second after a fault in which nothing is obeyed, status 1, 4 and 5
+// at set rates, PING, and the questions for the fault code and for the flags, each alone. A gap of
+// kPowerLoss_ns between runs counts as a loss of power: the tachometer starts from zero.
+// Does not fake: the other ways to command a motor (they take the torque away), answers of more
+// than one frame, a brake current after the timeout.
+#pragma once
+
+#include <cstdint>
+
+#include "host_tools/emulators/can_emulator.h"
+
+namespace tactus::host {
+
+struct VescEmulatorConfig {
+  std::uint8_t vesc_id = 0;
+  double torque_constant_Nm_per_A = 0.03;
+  std::uint8_t pole_pairs = 7;
+  double max_current_A = 60.0;
+  double min_current_A = 0.05;
+  hal::TimeNs timeout_ns = 1'000'000'000;  // 0: none
+  hal::TimeNs fault_stop_ns = 500'000'000;
+  hal::TimeNs status_period_ns = 5'000'000;      // of 1 and 5; 0: off
+  hal::TimeNs status_4_period_ns = 200'000'000;  // 0: off
+  bool sends_status_5 = true;
+};
+
+class VescEmulator final : public CanEmulator {
+ public:
+  static constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
+
+  VescEmulator(hal::CanBus& bus, std::uint32_t seed, const VescEmulatorConfig& config);
+
+  void set_kill_switch(bool open) { kill_switch_open_ = open; }
+  // The tachometer slips by that much at once.
+  void slip(std::int32_t counts) { offset_counts_ += counts; }
+  void set_temperatures(double fet_C, double motor_C);
+
+ private:
+  void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
+  void advance(hal::TimeNs now_ns, bool erroring) override;
+
+  void take_current(hal::TimeNs now_ns, const hal::CanFrame& frame);
+  void answer(hal::TimeNs now_ns, const hal::CanFrame& frame);
+  void send_due_status(hal::TimeNs now_ns);
+  void send_status(hal::TimeNs now_ns);
+  void send_status_4(hal::TimeNs now_ns);
+  void send_status_5(hal::TimeNs now_ns);
+  [[nodiscard]] std::int32_t shaft_counts() const;
+  [[nodiscard]] bool has_timed_out(hal::TimeNs now_ns) const;
+  [[nodiscard]] double current_A(hal::TimeNs now_ns) const;
+
+  VescEmulatorConfig config_;
+  double wanted_A_ = 0.0;
+  hal::TimeNs holds_until_ns_ = 0;  // against the dead zone
+  hal::TimeNs commanded_ns_ = 0;
+  hal::TimeNs ignores_until_ns_ = 0;
+  hal::TimeNs status_ns_ = 0;
+  hal::TimeNs status_4_ns_ = 0;
+  hal::TimeNs ran_ns_ = 0;
+  std::int32_t offset_counts_ = 0;
+  double fet_C_ = 31.0;
+  double motor_C_ = 28.5;
+  double flowing_A_ = 0.0;
+  std::uint8_t fault_ = 0;
+  bool kill_switch_open_ = false;
+  bool has_run_ = false;
+};
+
+}  // namespace tactus::host
