@@ -54,7 +54,13 @@ class CanBoard {
     receive(hal::kNoWait);  // first, or a drive would miss in `request` what lies in the queue
     outbox_.clear();
     const hal::TimeNs now_ns = clock_->now_ns();
-    for_each([&](auto& drive, std::size_t) { drive.request(now_ns, outbox_); });
+    for_each([&](auto& drive, std::size_t i) {
+      const std::size_t before = outbox_.frames().size();
+      drive.request(now_ns, outbox_);
+      if (outbox_.frames().size() > before) {  // an earlier sample is not the answer
+        seen_ns_[i] = drive.sample().time_ns;
+      }
+    });
     send();
     while (waits_for_a_sample() && receive(deadline_ns)) {
     }

@@ -66,7 +66,7 @@ void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
   phase_ = phase;
   phase_since_ns_ = now_ns;
   has_sent_ = false;
-  closed_in_a_row_ = 0;
+  is_closed_ = false;
   refused_in_a_row_ = 0;
   if (phase == Phase::up) {
     sample_.status = kDeviceOk;

@@ -1,8 +1,8 @@
 // An ODrive axis, firmware 0.5.x or 0.6.x, in torque mode over CANSimple.
 //
 // Bring-up: wait for a heartbeat; ask for the version, which only 0.6 answers; go idle, clear
-// errors, set torque mode and limits; ask for closed loop and believe it after two heartbeats and
-// 150 ms. A torque goes out every tick from then on, zero until the axis is up, and feeds the
+// errors, set torque mode and limits; ask for closed loop and believe it after two heartbeats
+// 150 ms apart. A torque goes out every tick from then on, zero until the axis is up, and feeds the
 // drive's watchdog.
 // From a fault on: torque zero every tick and the idle state asked for again and again, until
 // clear_faults.
@@ -106,10 +106,10 @@ class ODriveCan {
   hal::TimeNs last_sent_ns_ = 0;
   hal::TimeNs polled_ns_ = 0;
   hal::TimeNs closed_since_ns_ = 0;
-  std::uint32_t last_error_ = 0;       // in the newest heartbeat
-  std::uint32_t closed_in_a_row_ = 0;  // heartbeats
-  std::uint32_t refused_in_a_row_ = 0;
+  std::uint32_t last_error_ = 0;        // in the newest heartbeat
+  std::uint32_t refused_in_a_row_ = 0;  // heartbeats
   std::size_t next_poll_ = 0;
+  bool is_closed_ = false;          // while arming, by the newest heartbeat
   bool has_sent_ = false;           // in this phase
   bool wants_explanation_ = false;  // the fault's cause is to be asked for
 };

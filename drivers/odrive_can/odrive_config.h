@@ -29,8 +29,8 @@ struct ODriveConfig {
   bool ask_by_remote_frame = true;
 
   // Deadlines, 0.001 to 10 s, in this order.
-  double estimate_stale_s = 0.0025;  // kDeviceStale
-  double estimate_lost_s = 0.0045;   // kDeviceLost
+  double estimate_stale_s = 0.0022;  // kDeviceStale
+  double estimate_lost_s = 0.0034;   // kDeviceLost
   double heartbeat_lost_s = 0.35;    // kDeviceLost; three of the drive's heartbeat periods
   double bring_up_s = 2.0;           // for each step of the bring-up
   // How often one of errors, temperature and supply is asked for, in turn; 0: never. Up to 10 s.

@@ -10,8 +10,8 @@ namespace tactus::drivers {
 
 namespace {
 
-// The drive may reach closed loop for a moment and drop out of it again.
-constexpr std::uint32_t kClosedHeartbeats = 2;
+// The drive may reach closed loop for a moment and drop out of it again: it takes two heartbeats
+// that far apart, and none between them in another state.
 constexpr double kClosedHold_s = 0.15;
 // The first heartbeat after asking may still tell of an earlier procedure.
 constexpr std::uint32_t kRefusals = 2;
@@ -87,18 +87,17 @@ void ODriveCan::take_while_arming(const odrive::Heartbeat& heartbeat, hal::TimeN
     return;
   }
   if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
-    if (closed_in_a_row_ == 0) {
+    if (!is_closed_) {
+      is_closed_ = true;
       closed_since_ns_ = time_ns;
     }
-    ++closed_in_a_row_;
-    if (closed_in_a_row_ >= kClosedHeartbeats &&
-        has_passed(kClosedHold_s, closed_since_ns_, time_ns) && encoder_.is_trusted() &&
+    if (has_passed(kClosedHold_s, closed_since_ns_, time_ns) && encoder_.is_trusted() &&
         !has_passed(config_.estimate_stale_s, estimate_ns_, time_ns)) {
       enter(Phase::up, time_ns);
     }
     return;
   }
-  closed_in_a_row_ = 0;
+  is_closed_ = false;
   const Trouble refusal = generation_ == odrive::Generation::v0_6
                               ? odrive::procedure_trouble(heartbeat.procedure_result)
                               : Trouble{};

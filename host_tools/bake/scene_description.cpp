@@ -10,6 +10,7 @@
 #include "host_tools/bake/effect_description.h"
 #include "host_tools/bake/friction_description.h"
 #include "host_tools/bake/placement_description.h"
+#include "host_tools/bake/toml_file.h"
 #include "host_tools/bake/toml_section.h"
 #include "host_tools/input_error.h"
 #include "rendering/limits.h"
@@ -84,15 +85,6 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   return object;
 }
 
-toml::table parse(std::string_view text, std::string_view file) {
-  try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid TOML: {}; correct the line", file,
-                                 error.source().begin.line, error.description()));
-  }
-}
-
 // The tables of [[effect]], none if there are none.
 std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlSection& scene,
                                             std::string_view file) {
@@ -143,7 +135,7 @@ void require_distinct_name(std::span<const ObjectDescription> others, const std:
 
 SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path) {
   SceneDescription scene{.file = path.string(), .tool_radius_m = kDefaultToolRadius_m};
-  const toml::table root = parse(text, scene.file);
+  const toml::table root = parse_toml(text, scene.file);
   const TomlSection section(root, scene.file, "scene", kSceneKeys);
   if (const toml::table* tool = section.table("tool")) {
     const TomlSection tool_section(*tool, scene.file, "[tool]", kToolKeys);

@@ -8,18 +8,23 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/bake.h"
+#include "host_tools/bake/device_bake.h"
 #include "host_tools/cli/progress_line.h"
 
 namespace tactus::host {
 namespace {
 
 constexpr const char* kExamples =
-    "The scene file and its keys are described in host_tools/bake/README.md.\n"
+    "The files and their keys are described in host_tools/bake/README.md. A file with a "
+    "[mechanism]\n"
+    "is a device, any other a scene.\n"
     "\n"
     "Examples:\n"
     "  tactus bake scene.toml                     writes scene.tactus beside it\n"
     "  tactus bake scene.toml -o /tmp/s.tactus    writes where you say\n"
+    "  tactus bake device.toml                    writes device.tactus, for tactusd\n"
     "  tactus bake scene.toml --quiet             prints warnings and errors alone\n"
     "  tactus bake scene.toml --json | jq '.objects[].open_edges'";
 
@@ -80,10 +85,32 @@ void print_table(const BakeReport& report) {
              report.tool_radius_m, report.seconds);
 }
 
+void run_device(const Options& options, const std::filesystem::path& output) {
+  const LoadedDevice device = bake_device(options.scene);
+  write_file_atomically(output, device.image());
+  if (options.json) {
+    const firmware::DeviceConfig& config = device.config();
+    const nlohmann::ordered_json json{{"image", output.string()},
+                                      {"bytes", device.image().size()},
+                                      {"joints", config.joint_count},
+                                      {"axes", config.axis_count},
+                                      {"connections", config.connection_count},
+                                      {"rate_hz", config.controller.rate_hz}};
+    fmt::print("{}\n", json.dump());
+  } else if (!options.quiet) {
+    fmt::print("{}: {} bytes, {}\n", output.string(), device.image().size(),
+               in_words(device.config()));
+  }
+}
+
 void run(const Options& options) {
   const std::filesystem::path output =
       options.output.empty() ? std::filesystem::path(options.scene).replace_extension(".tactus")
                              : std::filesystem::path(options.output);
+  if (describes_device(options.scene)) {
+    run_device(options, output);
+    return;
+  }
   const BakeReport report = bake_with_progress(options, output);
   for (const ObjectReport& object : report.objects) {
     for (const std::string& warning : object.warnings) {
@@ -100,12 +127,12 @@ void run(const Options& options) {
 }  // namespace
 
 void add_bake_verb(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("bake", "Turn a scene file and its meshes into a scene image");
+  CLI::App* verb = app.add_subcommand(
+      "bake", "Turn a scene file and its meshes, or a device file, into an image");
   const auto options = std::make_shared<Options>();
-  verb->add_option("scene", options->scene, "Scene file (TOML)")->required();
+  verb->add_option("scene", options->scene, "Scene or device file (TOML)")->required();
   verb->add_option("-o,--output", options->output,
-                   "Scene image to write; default: the scene's name with .tactus");
+                   "Image to write; default: the file's name with .tactus");
   verb->add_flag("--json", options->json, "Print the report as one JSON object");
   verb->add_flag("-q,--quiet", options->quiet, "Print nothing but warnings and errors");
   verb->footer(kExamples);

@@ -58,6 +58,7 @@ class CanRig final : private hal::SimulatedEventSource {
           *nodes_.back(), static_cast<std::uint32_t>(i + 1), emulators[i]));
     }
     rotors_.resize(drivers.size());
+    last_torque_ns_.resize(drivers.size());
     samples_.resize(drivers.size());
     commands_.resize(drivers.size());
     next_step_ns_ = clock_.now_ns();
@@ -124,6 +125,8 @@ class CanRig final : private hal::SimulatedEventSource {
   Emulator& emulator(std::size_t i) { return *emulators_[i]; }
   hal::SimulatedCanBus& node(std::size_t i) { return *nodes_[i]; }
   Rotor& rotor(std::size_t i) { return rotors_[i]; }
+  // When the motor last exerted a torque; 0: never.
+  hal::TimeNs last_torque_ns(std::size_t i) const { return last_torque_ns_[i]; }
   const AxisSample& sample(std::size_t i) const { return samples_[i]; }
   const Driver& driver(std::size_t i) const {
     const Driver* drive = board_.template drive<Driver>(i);
@@ -170,6 +173,9 @@ class CanRig final : private hal::SimulatedEventSource {
     for (std::size_t i = 0; i < emulators_.size(); ++i) {
       rotors_[i].step(emulators_[i]->shaft(), 1e-9 * static_cast<double>(config_.step_ns));
       emulators_[i]->run(next_step_ns_);
+      if (emulators_[i]->shaft().torque_Nm != 0.0) {
+        last_torque_ns_[i] = next_step_ns_;
+      }
     }
     next_step_ns_ += config_.step_ns;
   }
@@ -185,6 +191,7 @@ class CanRig final : private hal::SimulatedEventSource {
   std::vector<Rotor> rotors_;
   std::vector<AxisSample> samples_;
   std::vector<AxisCommand> commands_;
+  std::vector<hal::TimeNs> last_torque_ns_;
   std::vector<std::string> log_;
   hal::TimeNs next_step_ns_ = 0;
   hal::TimeNs next_tick_ns_ = 0;

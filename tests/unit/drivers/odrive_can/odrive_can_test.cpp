@@ -194,7 +194,7 @@ TEST(ODriveCan, AsksForEstimatesWhereTheDriveSendsNone) {
     rig.command_all(0.01);
     EXPECT_GT(rig.run_until_well(1000 * kMs), 0) << rig.board().trouble(0).what;
     rig.run(50 * kMs, [&](auto& samples, auto&) {
-      EXPECT_LT(rig.clock().now_ns() - samples[0].time_ns, kMs);
+      EXPECT_LT(rig.clock().now_ns() - samples[0].time_ns, 300 * kUs);
     });
     EXPECT_TRUE(rig.are_well());
   }

@@ -1,0 +1,249 @@
+#include "drivers/moteus_canfd/moteus_canfd.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/moteus_canfd/moteus_errors.h"
+#include "drivers/seconds.h"
+#include "drivers/torque_clamp.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+// A servo that has not been heard is asked so often: what nobody acknowledges would fill the queue.
+constexpr double kAskAgain_s = 0.02;
+// One that has been heard and is not any more, while it is brought up.
+constexpr double kSilence_s = 0.1;
+
+}  // namespace
+
+MoteusCanFd::MoteusCanFd(const MoteusConfig& config)
+    : config_(config),
+      address_{.servo = config.servo_id,
+               .host = config.host_id,
+               .prefix = config.prefix,
+               .bit_rate_switch = config.bit_rate_switch},
+      encoder_({.max_speed_rad_per_s = config.max_speed_rad_per_s,
+                .margin_rad = config.jump_margin_rad}) {}
+
+// Whether a servo sends a short identifier in a standard or an extended frame is its own choice.
+std::size_t MoteusCanFd::filters(std::span<hal::CanFilter> filters) const {
+  const std::uint32_t id = moteus::reply_id(address_);
+  filters[0] = hal::CanFilter::extended(id);
+  if (id > hal::kMaxStandardId) {
+    return 1;
+  }
+  filters[1] = hal::CanFilter::standard(id);
+  return 2;
+}
+
+void MoteusCanFd::start(hal::TimeNs now_ns) {
+  sample_ = {};
+  trouble_ = {};
+  readings_ = {};
+  last_fault_ = 0;
+  has_asked_ = false;
+  has_replied_ = false;
+  encoder_.reset();
+  enter(Phase::stopping, now_ns);
+}
+
+void MoteusCanFd::clear_faults(hal::TimeNs now_ns) {
+  if (phase_ == Phase::failed) {
+    start(now_ns);
+  }
+}
+
+void MoteusCanFd::enter(Phase phase, hal::TimeNs now_ns) {
+  phase_ = phase;
+  phase_since_ns_ = now_ns;
+  if (phase == Phase::up) {
+    sample_.status = kDeviceOk;
+  }
+}
+
+void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
+  if (phase_ == Phase::failed) {
+    return;
+  }
+  phase_ = Phase::failed;
+  sample_.status = status;
+  trouble_ = trouble;
+}
+
+void MoteusCanFd::request(hal::TimeNs now_ns, CanOutbox& outbox) {
+  watch_deadlines(now_ns);
+  const bool is_under_torque = phase_ == Phase::starting || phase_ == Phase::up;
+  if (is_under_torque && config_.query == MoteusQuery::before_command) {
+    outbox.add(moteus::query(address_));
+  }
+}
+
+void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
+  watch_deadlines(now_ns);
+  const bool asks_here = config_.query == MoteusQuery::with_command;
+  switch (phase_) {
+    case Phase::off:
+      return;
+    case Phase::stopping:
+      if (is_time_to_ask(now_ns)) {
+        outbox.add(moteus::stop(address_, true));
+      }
+      return;
+    case Phase::starting:
+    case Phase::up: {
+      const float torque_Nm =
+          phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F;
+      outbox.add(
+          moteus::torque(address_, torque_Nm, static_cast<float>(config_.watchdog_s), asks_here));
+      return;
+    }
+    case Phase::failed:
+      outbox.add(moteus::stop(address_, false));
+      return;
+  }
+}
+
+void MoteusCanFd::shutdown(CanOutbox& outbox) {
+  outbox.add(moteus::torque(address_, 0.0F, static_cast<float>(config_.watchdog_s), false));
+  outbox.add(moteus::stop(address_, false));
+  phase_ = Phase::off;
+  sample_.status |= kDeviceNotReady;
+}
+
+bool MoteusCanFd::is_time_to_ask(hal::TimeNs now_ns) {
+  if (has_asked_ && !has_replied_ && !has_passed(kAskAgain_s, asked_ns_, now_ns)) {
+    return false;
+  }
+  has_asked_ = true;
+  asked_ns_ = now_ns;
+  return true;
+}
+
+void MoteusCanFd::watch_deadlines(hal::TimeNs now_ns) {
+  if (phase_ == Phase::off || phase_ == Phase::failed) {
+    return;
+  }
+  // No frame was received in the future, whatever its stamp says.
+  phase_since_ns_ = std::min(phase_since_ns_, now_ns);
+  reply_ns_ = std::min(reply_ns_, now_ns);
+  if (phase_ != Phase::up) {
+    watch_bring_up(now_ns);
+  } else if (has_passed(config_.reply_lost_s, reply_ns_, now_ns)) {
+    fail(kDeviceLost,
+         {"the servo's replies stopped", "check its power and the bus's cable, then reset"});
+  } else if (has_passed(config_.reply_stale_s, reply_ns_, now_ns)) {
+    sample_.status |= kDeviceStale;
+  }
+}
+
+// Which step took too long.
+void MoteusCanFd::watch_bring_up(hal::TimeNs now_ns) {
+  if (!has_passed(config_.bring_up_s, phase_since_ns_, now_ns)) {
+    return;
+  }
+  if (!has_replied_ || has_passed(kSilence_s, heard_ns_, now_ns)) {
+    fail(kDeviceLost,
+         {"no reply comes from the servo",
+          "check its power, the bus's cable, both bit rates, servo id and prefix, then reset"});
+  } else if (last_fault_ != 0) {
+    fail(kDeviceDriveFault, moteus::fault_trouble(last_fault_));
+  } else if (phase_ == Phase::stopping) {
+    fail(kDeviceDriveFault, {"the servo does not stop", "power-cycle it, then reset"});
+  } else if (!encoder_.is_trusted()) {
+    fail(kDeviceEncoderFault, {"the servo reports no usable position",
+                               "check its encoder and magnet in tview, then reset"});
+  } else {
+    fail(kDeviceDriveFault,
+         {"the servo does not go into position mode", "run moteus_tool --calibrate, then reset"});
+  }
+}
+
+void MoteusCanFd::take(const hal::CanReceived& received) {
+  const hal::CanFrame& frame = received.frame;
+  if (received.kind == hal::CanReceived::Kind::frame && !frame.remote &&
+      frame.id == moteus::reply_id(address_) && phase_ != Phase::off && phase_ != Phase::failed) {
+    take_reply(moteus::read_reply(frame.bytes()), received.time_ns);
+  }
+}
+
+void MoteusCanFd::take_reply(const moteus::Reply& reply, hal::TimeNs time_ns) {
+  has_replied_ = true;
+  heard_ns_ = time_ns;
+  if (reply.refused_register) {
+    fail(kDeviceDriveFault, {"the servo refuses a register that this driver uses",
+                             "update the servo's firmware, then reset", *reply.refused_register});
+    return;
+  }
+  if (!reply.mode || !reply.position_rad || !reply.velocity_rad_per_s) {
+    ++readings_.malformed;
+    return;
+  }
+  const std::uint8_t told = reply.fault.value_or(0);
+  readings_.limit = moteus::is_limit(told) ? told : std::uint8_t{0};
+  readings_.voltage_V = reply.voltage_V.value_or(readings_.voltage_V);
+  readings_.temperature_C = reply.temperature_C.value_or(readings_.temperature_C);
+  take_mode(*reply.mode, moteus::is_limit(told) ? std::uint8_t{0} : told, time_ns);
+  if (phase_ != Phase::failed) {
+    take_position(reply, time_ns);
+  }
+}
+
+void MoteusCanFd::take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs time_ns) {
+  last_fault_ = fault;
+  const auto told = static_cast<moteus::Mode>(mode);
+  switch (phase_) {
+    case Phase::stopping:
+      if (told == moteus::Mode::stopped && fault == 0) {
+        enter(Phase::starting, time_ns);
+      }
+      return;
+    case Phase::starting:
+    case Phase::up:
+      take_mode_under_torque(told, fault, time_ns);
+      return;
+    default:
+      return;
+  }
+}
+
+void MoteusCanFd::take_mode_under_torque(moteus::Mode mode, std::uint8_t fault,
+                                         hal::TimeNs time_ns) {
+  if (mode == moteus::Mode::fault || fault != 0) {
+    fail(kDeviceDriveFault, moteus::fault_trouble(fault));
+  } else if (mode == moteus::Mode::timeout) {
+    fail(kDeviceDriveFault, {"the servo's watchdog expired: commands came too late",
+                             "check the bus's cable and the host's load, then reset",
+                             static_cast<std::uint32_t>(mode)});
+  } else if (phase_ == Phase::up && mode != moteus::Mode::position) {
+    fail(kDeviceDriveFault,
+         {"the servo left torque control by itself", "find out who else commands it, then reset",
+          static_cast<std::uint32_t>(mode)});
+  } else if (phase_ == Phase::starting && mode == moteus::Mode::position && encoder_.is_trusted() &&
+             !has_passed(config_.reply_stale_s, reply_ns_, time_ns)) {
+    enter(Phase::up, time_ns);
+  }
+}
+
+void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns) {
+  const EncoderVerdict verdict =
+      encoder_.check(*reply.position_rad, *reply.velocity_rad_per_s, time_ns);
+  if (verdict != EncoderVerdict::good) {
+    encoder_.reset();
+    if (phase_ == Phase::up) {
+      fail(kDeviceEncoderFault, trouble_of(verdict));
+    }
+    return;
+  }
+  reply_ns_ = time_ns;
+  sample_.position_rad = *reply.position_rad;
+  sample_.velocity_rad_per_s = *reply.velocity_rad_per_s;
+  if (reply.torque_Nm && std::isfinite(*reply.torque_Nm)) {
+    sample_.torque_Nm = *reply.torque_Nm;
+  }
+  sample_.time_ns = time_ns;
+  sample_.status &= ~std::uint32_t{kDeviceStale};
+}
+
+}  // namespace tactus::drivers

@@ -1,0 +1,175 @@
+#include "firmware/tactusd/linux_boards.h"
+
+namespace tactus::firmware {
+
+namespace {
+
+constexpr std::uint32_t kHaplyBaud = 115'200;  // the board's USB ignores it
+
+std::unexpected<OpenError> cannot(const ConnectionConfig& connection, std::string_view what,
+                                  const hal::Error& error = {hal::ErrorCode::invalid_argument, 0}) {
+  return std::unexpected(OpenError{connection.name, what, error});
+}
+
+std::size_t boards_own_number(const AxisConfig& axis) {
+  const auto* board = std::get_if<BoardAxis>(&axis.drive);
+  return board == nullptr ? 0 : board->number;
+}
+
+}  // namespace
+
+std::expected<void, OpenError> LinuxBoards::open(const DeviceConfig& config,
+                                                 std::span<const std::byte> falcon_firmware,
+                                                 drivers::ComposedDevice& device) {
+  for (std::size_t i = 0; i < config.connection_count; ++i) {
+    const auto& line = config.connections[i].line;
+    Outcome outcome;
+    if (std::holds_alternative<CanConnection>(line)) {
+      outcome = open_can(config, i);
+    } else if (std::holds_alternative<FalconConnection>(line)) {
+      outcome = open_falcon(config, i, falcon_firmware);
+    } else if (std::holds_alternative<HaplyConnection>(line)) {
+      outcome = open_haply(config, i);
+    } else {
+      outcome = open_gpio(config, i);
+    }
+    if (!outcome) {
+      return outcome;
+    }
+    address_axes(config, i);
+  }
+  return wire(config, device);
+}
+
+LinuxBoards::Outcome LinuxBoards::open_can(const DeviceConfig& config, std::size_t connection) {
+  const ConnectionConfig& setup = config.connections[connection];
+  CanLine& line = can_[connection];
+  const auto* can = std::get_if<CanConnection>(&setup.line);
+  if (const auto opened = line.bus.open(can->interface); !opened) {
+    return cannot(setup, "the CAN interface cannot be opened; see ip link show type can",
+                  opened.error());
+  }
+  line.board.emplace(line.bus, clock_);
+  for (const AxisConfig& axis : std::span(config.axes).first(config.axis_count)) {
+    if (axis.connection != connection) {
+      continue;
+    }
+    bool added = false;
+    if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
+      added = line.board->add(drivers::ODriveCan(*odrive));
+    }
+    if (!added) {
+      return cannot(setup, "too many drives on one bus");
+    }
+  }
+  boards_[connection] = drivers::BoardRef(*line.board);
+  return {};
+}
+
+LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::size_t connection,
+                                              std::span<const std::byte> firmware) {
+  const ConnectionConfig& setup = config.connections[connection];
+  if (falcon_) {
+    return cannot(setup, "one Falcon is all that fits");
+  }
+  const auto opened = usb_.open({.vendor = drivers::kFalconVendor,
+                                 .product = drivers::kFalconProduct,
+                                 .serial = {},
+                                 .interface = 0,
+                                 .endpoint_out = drivers::kFalconEndpointOut,
+                                 .endpoint_in = drivers::kFalconEndpointIn});
+  if (!opened) {
+    return cannot(setup, "the Falcon cannot be opened; plug it in, and see lsusb -d 0403:cb48",
+                  opened.error());
+  }
+  drivers::FalconConfig falcon = std::get_if<FalconConnection>(&setup.line)->falcon;
+  falcon.firmware = firmware;
+  falcon_.emplace(usb_, clock_, falcon);
+  boards_[connection] = drivers::BoardRef(*falcon_);
+  return {};
+}
+
+LinuxBoards::Outcome LinuxBoards::open_haply(const DeviceConfig& config, std::size_t connection) {
+  const ConnectionConfig& setup = config.connections[connection];
+  if (haply_) {
+    return cannot(setup, "one Haply board is all that fits");
+  }
+  const auto* haply = std::get_if<HaplyConnection>(&setup.line);
+  if (const auto opened = serial_.open(haply->port, kHaplyBaud); !opened) {
+    return cannot(setup,
+                  "the serial port cannot be opened; plug the board in, and see ls /dev/tty*",
+                  opened.error());
+  }
+  haply_.emplace(serial_, clock_, haply->haply);
+  boards_[connection] = drivers::BoardRef(*haply_);
+  return {};
+}
+
+LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::size_t connection) {
+  const ConnectionConfig& setup = config.connections[connection];
+  const auto* gpio = std::get_if<GpioConnection>(&setup.line);
+  const drivers::GpioAxisConfig* drive = nullptr;
+  for (const AxisConfig& axis : std::span(config.axes).first(config.axis_count)) {
+    if (axis.connection == connection) {
+      if (drive != nullptr) {
+        return cannot(setup, "a gpio connection carries one axis; give each its own");
+      }
+      drive = std::get_if<drivers::GpioAxisConfig>(&axis.drive);
+    }
+  }
+  if (drive == nullptr) {
+    return cannot(setup, "no axis uses this connection");
+  }
+  GpioLine& line = gpio_[connection];
+  const std::size_t slash = gpio->pwm_folder.rfind('/');
+  const std::string_view chip = gpio->pwm_folder.substr(slash + 1);
+  const auto opened =
+      slash == std::string_view::npos
+          ? line.pwm.open(chip, gpio->pwm_channel)
+          : line.pwm.open(chip, gpio->pwm_channel, gpio->pwm_folder.substr(0, slash));
+  if (!opened) {
+    return cannot(setup, "the PWM channel cannot be opened; see ls /sys/class/pwm", opened.error());
+  }
+  line.lines.emplace(gpio->chip);
+  line.axis.emplace(*drive, *line.lines, line.pwm, clock_);
+  boards_[connection] = drivers::BoardRef(*line.axis);
+  return {};
+}
+
+void LinuxBoards::address_axes(const DeviceConfig& config, std::size_t connection) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < config.axis_count; ++i) {
+    const AxisConfig& axis = config.axes[i];
+    if (axis.connection != connection) {
+      continue;
+    }
+    const bool has_own_number = std::holds_alternative<BoardAxis>(axis.drive);
+    addresses_[i] = {connection, has_own_number ? boards_own_number(axis) : next};
+    ++next;
+  }
+}
+
+LinuxBoards::Outcome LinuxBoards::wire(const DeviceConfig& config,
+                                       drivers::ComposedDevice& device) const {
+  for (std::size_t i = 0; i < config.connection_count; ++i) {
+    if (!device.add_board(boards_[i])) {
+      return cannot(config.connections[i], "too many boards");
+    }
+  }
+  for (const JointConfig& joint : std::span(config.joints).first(config.joint_count)) {
+    const bool added = device.add_joint(
+        {.name = joint.name,
+         .encoder = addresses_[joint.encoder],
+         .motor = addresses_[joint.motor],
+         .transmission = joint.transmission,
+         .reference = joint.reference,
+         .max_torque_Nm = joint.limits.max_effort / joint.transmission.motor_ratio});
+    if (!added) {
+      return cannot(config.connections[config.axes[joint.motor].connection],
+                    "the board has no axis of that number");
+    }
+  }
+  return {};
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,86 @@
+// The boards of a device on the interfaces of a Linux board: opens what the configuration names and
+// composes the device of it. The one place that knows the concrete classes of both.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "drivers/can_board.h"
+#include "drivers/composed_device.h"
+#include "drivers/falcon_usb/falcon.h"
+#include "drivers/gpio_axis/gpio_axis.h"
+#include "drivers/haply_serial/haply.h"
+#include "drivers/odrive_can/odrive_can.h"
+#include "firmware/device/device_config.h"
+#include "hal/linux/can_bus.h"
+#include "hal/linux/clock.h"
+#include "hal/linux/gpio_lines.h"
+#include "hal/linux/pwm_output.h"
+#include "hal/linux/serial_port.h"
+#include "hal/linux/usb_endpoint.h"
+
+namespace tactus::firmware {
+
+// What could not be opened, and what to do.
+struct OpenError {
+  std::string_view connection;
+  std::string_view what;
+  hal::Error error;
+};
+
+class LinuxBoards {
+ public:
+  LinuxBoards() = default;
+  LinuxBoards(const LinuxBoards&) = delete;
+  LinuxBoards& operator=(const LinuxBoards&) = delete;
+  ~LinuxBoards() = default;
+
+  // Opens every connection and adds boards and joints to the device, which this must outlive. The
+  // Falcon's firmware, if a file is named, is in `falcon_firmware`. Not real time.
+  std::expected<void, OpenError> open(const DeviceConfig& config,
+                                      std::span<const std::byte> falcon_firmware,
+                                      drivers::ComposedDevice& device);
+
+  [[nodiscard]] const hal::Clock& clock() const { return clock_; }
+
+ private:
+  using Outcome = std::expected<void, OpenError>;
+  using DrivesOnCan = drivers::CanBoard<drivers::ODriveCan>;
+
+  struct CanLine {
+    hal::LinuxCanBus bus;
+    std::optional<DrivesOnCan> board;
+  };
+  struct GpioLine {
+    std::optional<hal::LinuxGpioLines> lines;
+    hal::LinuxPwmOutput pwm;
+    std::optional<drivers::GpioAxis> axis;
+  };
+
+  Outcome open_can(const DeviceConfig& config, std::size_t connection);
+  Outcome open_falcon(const DeviceConfig& config, std::size_t connection,
+                      std::span<const std::byte> firmware);
+  Outcome open_haply(const DeviceConfig& config, std::size_t connection);
+  Outcome open_gpio(const DeviceConfig& config, std::size_t connection);
+  Outcome wire(const DeviceConfig& config, drivers::ComposedDevice& device) const;
+
+  // Numbers the axes of a connection's board in the order in which they were added to it.
+  void address_axes(const DeviceConfig& config, std::size_t connection);
+
+  hal::LinuxClock clock_;
+  std::array<CanLine, kMaxConnections> can_;
+  std::array<GpioLine, kMaxConnections> gpio_;
+  hal::LinuxUsbEndpoint usb_;
+  std::optional<drivers::Falcon> falcon_;
+  hal::LinuxSerialPort serial_;
+  std::optional<drivers::Haply> haply_;
+  std::array<drivers::BoardRef, kMaxConnections> boards_;  // by connection
+  std::array<drivers::AxisAddress, kMaxAxes> addresses_{};
+};
+
+}  // namespace tactus::firmware

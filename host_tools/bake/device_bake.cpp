@@ -1,0 +1,215 @@
+#include "host_tools/bake/device_bake.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <span>
+
+#include "firmware/device/device_generated.h"
+#include "host_tools/bake/atomic_file.h"
+#include "host_tools/bake/key_advice.h"
+#include "host_tools/bake/toml_file.h"
+#include "host_tools/input_error.h"
+#include "rendering/scene/image_format.h"
+
+namespace tactus::host {
+namespace {
+
+namespace image = firmware::image;
+
+struct WrittenSetting {
+  std::string key;
+  image::ValueType type = image::ValueType::number;
+  std::vector<double> numbers;
+  std::string text;
+  std::size_t line = 0;
+};
+
+struct WrittenSection {
+  std::string kind;
+  std::string title;  // "[[joint]] 2"
+  std::size_t line = 0;
+  std::vector<WrittenSetting> settings;
+};
+
+[[noreturn]] void fail_at(std::string_view file, std::size_t line, const std::string& what) {
+  throw InputError(fmt::format("{}:{}: {}", file, line, what));
+}
+
+WrittenSetting read_value(std::string_view file, std::string_view title, const std::string& key,
+                          const toml::node& node) {
+  WrittenSetting setting{.key = key, .line = node.source().begin.line};
+  if (node.is_number()) {
+    setting.numbers = {node.value<double>().value_or(0.0)};
+  } else if (const auto flag = node.value_exact<bool>()) {
+    setting.type = image::ValueType::flag;
+    setting.numbers = {*flag ? 1.0 : 0.0};
+  } else if (const auto text = node.value_exact<std::string>()) {
+    setting.type = image::ValueType::text;
+    setting.text = *text;
+  } else if (const toml::array* array = node.as_array();
+             array != nullptr && std::ranges::all_of(*array, &toml::node::is_number)) {
+    setting.type = image::ValueType::numbers;
+    for (const toml::node& element : *array) {
+      setting.numbers.push_back(element.value<double>().value_or(0.0));
+    }
+  } else {
+    fail_at(file, setting.line,
+            fmt::format("{}: {} must be a number, true or false, a text or a list of numbers",
+                        title, key));
+  }
+  return setting;
+}
+
+WrittenSection read_section(std::string_view file, const std::string& kind,
+                            const std::string& title, const toml::table& table) {
+  WrittenSection section{
+      .kind = kind, .title = title, .line = table.source().begin.line, .settings = {}};
+  for (const auto& [key, node] : table) {
+    section.settings.push_back(read_value(file, title, std::string(key.str()), node));
+  }
+  return section;
+}
+
+std::vector<WrittenSection> read_sections(std::string_view file, const toml::table& root) {
+  std::vector<WrittenSection> sections;
+  WrittenSection top{.kind = "device", .title = "top of the file", .line = 1, .settings = {}};
+  for (const auto& [key, node] : root) {
+    const std::string name(key.str());
+    if (const toml::table* table = node.as_table()) {
+      sections.push_back(read_section(file, name, "[" + name + "]", *table));
+    } else if (const toml::array* array = node.as_array();
+               array != nullptr && !array->empty() &&
+               array->is_homogeneous(toml::node_type::table)) {
+      std::size_t number = 1;
+      for (const toml::node& element : *array) {
+        sections.push_back(
+            read_section(file, name, fmt::format("[[{}]] {}", name, number), *element.as_table()));
+        ++number;
+      }
+    } else {
+      top.settings.push_back(read_value(file, top.title, name, node));
+    }
+  }
+  sections.insert(sections.begin(), std::move(top));
+  return sections;
+}
+
+std::vector<std::byte> write_device(std::span<const WrittenSection> sections) {
+  flatbuffers::FlatBufferBuilder builder;
+  std::vector<flatbuffers::Offset<image::Section>> stored;
+  for (const WrittenSection& section : sections) {
+    std::vector<flatbuffers::Offset<image::Setting>> settings;
+    for (const WrittenSetting& setting : section.settings) {
+      settings.push_back(image::CreateSetting(builder, builder.CreateString(setting.key),
+                                              setting.type, builder.CreateVector(setting.numbers),
+                                              builder.CreateString(setting.text)));
+    }
+    stored.push_back(image::CreateSection(builder, builder.CreateString(section.kind),
+                                          builder.CreateVector(settings)));
+  }
+  image::FinishDeviceBuffer(builder, image::CreateDevice(builder, builder.CreateVector(stored)));
+  const auto payload = std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize()));
+  rendering::ImageHeader header{.magic = firmware::kDeviceMagic,
+                                .version = firmware::kDeviceFormatVersion,
+                                .payload_bytes = payload.size()};
+  header.checksum = rendering::image_checksum(header, payload);
+  std::vector<std::byte> bytes(sizeof(header) + payload.size());
+  std::memcpy(bytes.data(), &header, sizeof(header));
+  std::ranges::copy(payload, bytes.begin() + sizeof(header));
+  return bytes;
+}
+
+// What to do about a key that the section does not have.
+std::string advice_on(const firmware::DeviceSections& sections, std::size_t section,
+                      const WrittenSetting& setting) {
+  std::array<firmware::KnownKey, firmware::kMaxSettings> known{};
+  const std::size_t count = firmware::known_keys(sections, section, known);
+  std::vector<KeySpec> keys;
+  for (const firmware::KnownKey& key : std::span(known).first(count)) {
+    keys.push_back({key.key, key.unit});
+  }
+  return advise(setting.key, keys, setting.numbers, setting.type == image::ValueType::numbers);
+}
+
+[[noreturn]] void explain(std::string_view file, std::span<const WrittenSection> written,
+                          const firmware::DeviceSections& sections,
+                          const firmware::DeviceError& error) {
+  const WrittenSection& section = written[std::min(error.section, written.size() - 1)];
+  const auto setting = std::ranges::find(section.settings, error.key, &WrittenSetting::key);
+  if (setting == section.settings.end()) {
+    fail_at(file, section.line,
+            error.key.empty() ? fmt::format("{}: {}", section.title, error.what)
+                              : fmt::format("{}: {} {}", section.title, error.key, error.what));
+  }
+  if (error.what == "unknown key") {
+    fail_at(file, setting->line,
+            fmt::format("{}: unknown key '{}'; {}", section.title, setting->key,
+                        advice_on(sections, error.section, *setting)));
+  }
+  fail_at(file, setting->line, fmt::format("{}: {} {}", section.title, error.key, error.what));
+}
+
+}  // namespace
+
+LoadedDevice::LoadedDevice(std::vector<std::byte> image, const std::string& name)
+    : image_(std::move(image)), config_(std::make_unique<firmware::DeviceConfig>()) {
+  firmware::DeviceSections sections;
+  auto outcome = firmware::open_device_image(image_, sections);
+  if (outcome) {
+    outcome = firmware::read_device(sections, *config_);
+  }
+  if (!outcome) {
+    const firmware::DeviceError& error = outcome.error();
+    throw InputError(error.key.empty() ? fmt::format("{}: {}", name, error.what)
+                                       : fmt::format("{}: {} {}", name, error.key, error.what));
+  }
+}
+
+bool describes_device(const std::filesystem::path& file) {
+  return parse_toml(read_file(file), file.string()).contains("mechanism");
+}
+
+LoadedDevice bake_device(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const std::vector<WrittenSection> written =
+      read_sections(name, parse_toml(read_file(file), name));
+  std::vector<std::byte> bytes = write_device(written);
+  firmware::DeviceSections sections;
+  firmware::DeviceConfig config;
+  auto outcome = firmware::open_device_image(bytes, sections);
+  if (outcome) {
+    outcome = firmware::read_device(sections, config);
+  }
+  if (!outcome) {
+    explain(name, written, sections, outcome.error());
+  }
+  return {std::move(bytes), name};
+}
+
+LoadedDevice load_device(const std::filesystem::path& file) {
+  if (file.extension() == ".toml") {
+    return bake_device(file);
+  }
+  const std::string text = read_file(file);
+  const auto bytes = std::as_bytes(std::span(text));
+  return {{bytes.begin(), bytes.end()}, file.string()};
+}
+
+std::string in_words(const firmware::DeviceConfig& config) {
+  std::string text =
+      fmt::format("{} joint{} on {} connection{} at {} Hz", config.joint_count,
+                  config.joint_count == 1 ? "" : "s", config.connection_count,
+                  config.connection_count == 1 ? "" : "s", config.controller.rate_hz);
+  for (std::size_t i = 0; i < config.joint_count; ++i) {
+    const firmware::JointConfig& joint = config.joints[i];
+    text += fmt::format("\n  {}: motor {}, encoder {}", joint.name, joint.motor_name,
+                        joint.encoder_name);
+  }
+  return text;
+}
+
+}  // namespace tactus::host

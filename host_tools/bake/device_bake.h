@@ -1,0 +1,42 @@
+// From device.toml to the image that the controller reads at its start: host_tools/bake/README.md
+// has the keys.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/device/device_image.h"
+
+namespace tactus::host {
+
+// An image in memory with what it means; the configuration's texts are views into the image.
+class LoadedDevice {
+ public:
+  // Throws InputError if the controller would refuse the image.
+  LoadedDevice(std::vector<std::byte> image, const std::string& name);
+
+  [[nodiscard]] const firmware::DeviceConfig& config() const { return *config_; }
+  [[nodiscard]] const std::vector<std::byte>& image() const { return image_; }
+
+ private:
+  std::vector<std::byte> image_;
+  std::unique_ptr<firmware::DeviceConfig> config_;
+};
+
+// Whether the file describes a device, not a scene: it has a mechanism. Throws InputError if it
+// cannot be read or is no TOML.
+bool describes_device(const std::filesystem::path& file);
+
+// Checks everything. Throws InputError naming file, line and remedy.
+LoadedDevice bake_device(const std::filesystem::path& file);
+
+// A baked image, or a device.toml that is baked on the way.
+LoadedDevice load_device(const std::filesystem::path& file);
+
+// "3 joints on 1 connection: ...", for the user.
+std::string in_words(const firmware::DeviceConfig& config);
+
+}  // namespace tactus::host

@@ -1,0 +1,9 @@
+// Whatever a moteus, or somebody who speaks in its name, sends and whenever: no position jump is
+// reported as valid, and no torque beyond the limit, or at all without being well, goes out.
+
+#include "tests/fuzz/moteus_canfd_run.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  tactus::fuzz::MoteusLife{}.run({data, size});
+  return 0;
+}
