@@ -1,14 +1,16 @@
 #include "drivers/gpio_axis/edge_encoder.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace tactus::drivers {
 
 namespace {
 
-hal::TimeNs quarter_of_the_shortest_interval(const EncoderConfig& config) {
+hal::TimeNs least_interval(const EncoderConfig& config) {
   const double count_rad = 2.0 * std::numbers::pi / config.counts_per_rev;
-  return static_cast<hal::TimeNs>(0.25e9 * count_rad / config.max_speed_rad_per_s);
+  const auto quarter_ns = static_cast<hal::TimeNs>(0.25e9 * count_rad / config.max_speed_rad_per_s);
+  return std::max(quarter_ns, EdgeEncoder::kInterrupts_ns);
 }
 
 }  // namespace
@@ -16,7 +18,7 @@ hal::TimeNs quarter_of_the_shortest_interval(const EncoderConfig& config) {
 EdgeEncoder::EdgeEncoder(const EncoderConfig& config, bool has_index)
     : has_index_(has_index),
       gate_(config.index_state),
-      least_interval_ns_(quarter_of_the_shortest_interval(config)),
+      least_interval_ns_(least_interval(config)),
       velocity_(hal::TimeNs{config.velocity_window_us} * 1000),
       index_(config.counts_per_rev, config.index_tolerance_counts) {}
 

@@ -14,10 +14,16 @@ enum class EncoderChannel : std::uint8_t { a, b, index };
 
 // A position is worth nothing after the first doubt, until the next restart: a missing sequence
 // number, a level that repeats, edges of both channels closer in time than the fastest shaft makes
-// them (a quarter of the time between edges at that speed: both changed at once, and the order in
-// which they were reported is chance), levels that stay otherwise than the edges left them.
+// them, levels that stay otherwise than the edges left them.
+//
+// Too close is less than a quarter of the time between edges at the fastest speed, and less than
+// kInterrupts_ns: both channels changed at once, or interrupts that waited were served one after
+// the other. Their order is chance then, and so is the direction. Interrupts that ran together
+// leave no gap in the numbers; what they hide shows as one of these or as a repeated level.
 class EdgeEncoder {
  public:
+  // How far apart the kernel's times of interrupts that waited together may be: one thread each.
+  static constexpr hal::TimeNs kInterrupts_ns = 20'000;
   // How long levels may disagree with the edges: an interrupt that is late is no fault.
   static constexpr hal::TimeNs kDisagreement_ns = 5'000'000;
 

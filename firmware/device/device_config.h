@@ -10,13 +10,16 @@
 #include <string_view>
 #include <variant>
 
+#include "drivers/cia402_can/cia402_config.h"
 #include "drivers/device.h"
 #include "drivers/falcon_usb/falcon.h"
 #include "drivers/gpio_axis/gpio_axis_config.h"
 #include "drivers/haply_serial/haply.h"
 #include "drivers/homing.h"
+#include "drivers/moteus_canfd/moteus_config.h"
 #include "drivers/odrive_can/odrive_config.h"
 #include "drivers/transmission.h"
+#include "drivers/vesc_can/vesc_config.h"
 #include "firmware/configuration/controller_config.h"
 
 namespace tactus::firmware {
@@ -55,7 +58,9 @@ struct AxisConfig {
   std::string_view name;
   std::string_view connection_name;
   std::size_t connection = 0;  // index into DeviceConfig::connections
-  std::variant<BoardAxis, drivers::ODriveConfig, drivers::GpioAxisConfig> drive;
+  std::variant<BoardAxis, drivers::ODriveConfig, drivers::MoteusConfig, drivers::Cia402Config,
+               drivers::VescConfig, drivers::GpioAxisConfig>
+      drive;
 };
 
 struct JointConfig {

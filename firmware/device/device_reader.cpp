@@ -93,6 +93,12 @@ void visit_axis(AxisConfig& axis, Visitor&& visit) {
     visit(*board, board_axis_keys());
   } else if (auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
     visit(*odrive, odrive_keys());
+  } else if (auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
+    visit(*moteus, moteus_keys());
+  } else if (auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
+    visit(*cia402, cia402_keys());
+  } else if (auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
+    visit(*vesc, vesc_keys());
   } else if (auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
     visit(*gpio, gpio_axis_keys());
   }
@@ -141,6 +147,7 @@ class DeviceReader {
   Outcome find_connection(std::size_t i, AxisConfig& axis);
   Outcome find_axis(std::size_t i, std::string_view key, std::string_view name, std::size_t& found);
   Outcome check_axis(std::size_t i, const AxisConfig& axis);
+  [[nodiscard]] Outcome check_shared_buses() const;
   Outcome finish();
   [[nodiscard]] std::span<const Binding<JointConfig>> joint_keys() const {
     return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
@@ -273,13 +280,20 @@ Outcome DeviceReader::choose_drive(std::size_t i, AxisConfig& axis) {
   const std::string_view driver = text_of(sections_.sections[i], kDriverKey);
   if (driver == "odrive_can") {
     axis.drive = drivers::ODriveConfig{};
+  } else if (driver == "moteus_canfd") {
+    axis.drive = drivers::MoteusConfig{};
+  } else if (driver == "cia402_can") {
+    axis.drive = drivers::Cia402Config{};
+  } else if (driver == "vesc_can") {
+    axis.drive = drivers::VescConfig{};
   } else if (driver == "gpio_axis") {
     axis.drive = drivers::GpioAxisConfig{};
   } else if (driver == "falcon_usb" || driver == "haply_serial") {
     axis.drive = BoardAxis{};
   } else {
     return refuse(i, kDriverKey,
-                  "must be \"odrive_can\", \"gpio_axis\", \"falcon_usb\" or \"haply_serial\"");
+                  "must be \"odrive_can\", \"moteus_canfd\", \"cia402_can\", \"vesc_can\", "
+                  "\"gpio_axis\", \"falcon_usb\" or \"haply_serial\"");
   }
   return {};
 }
@@ -292,7 +306,7 @@ Outcome DeviceReader::find_connection(std::size_t i, AxisConfig& axis) {
   }
   axis.connection = static_cast<std::size_t>(found - all.begin());
   const std::string_view driver = text_of(sections_.sections[i], kDriverKey);
-  const bool fits = driver.ends_with("_can") ? std::holds_alternative<CanConnection>(found->line)
+  const bool fits = driver.contains("_can")  ? std::holds_alternative<CanConnection>(found->line)
                     : driver == "gpio_axis"  ? std::holds_alternative<GpioConnection>(found->line)
                     : driver == "falcon_usb" ? std::holds_alternative<FalconConnection>(found->line)
                                              : std::holds_alternative<HaplyConnection>(found->line);
@@ -306,6 +320,12 @@ Outcome DeviceReader::check_axis(std::size_t i, const AxisConfig& axis) {
   drivers::Checked checked;
   if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
     checked = check(*odrive);
+  } else if (const auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
+    checked = check(*moteus);
+  } else if (const auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
+    checked = check(*cia402);
+  } else if (const auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
+    checked = check(*vesc);
   } else if (const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
     checked = check(*gpio, false);
   }
@@ -359,12 +379,36 @@ Outcome DeviceReader::read_joint(std::size_t i) {
   return {};
 }
 
+// What CiA 402 drives on one bus have to agree about.
+Outcome DeviceReader::check_shared_buses() const {
+  for (std::size_t connection = 0; connection < config_.connection_count; ++connection) {
+    std::array<drivers::Cia402Config, kMaxAxes> drives{};
+    std::size_t count = 0;
+    for (const AxisConfig& axis : std::span(config_.axes).first(config_.axis_count)) {
+      const auto* drive = std::get_if<drivers::Cia402Config>(&axis.drive);
+      if (drive != nullptr && axis.connection == connection) {
+        drives[count] = *drive;
+        ++count;
+      }
+    }
+    const auto checked =
+        count == 0 ? drivers::Checked{} : check_bus(std::span(drives).first(count));
+    if (!checked) {
+      return refuse(0, checked.error().field, checked.error().rule);
+    }
+  }
+  return {};
+}
+
 Outcome DeviceReader::finish() {
   if (config_.joint_count != joint_count(config_.controller.mechanism)) {
     return refuse(0, {}, "the mechanism has more joints than there are [[joint]] tables");
   }
   if (!drivers::lies_between(config_.read_limit_s, 0.0, 0.1)) {
     return refuse(0, "read_limit_s", "must lie between 0 and 0.1");
+  }
+  if (const auto shared = check_shared_buses(); !shared) {
+    return shared;
   }
   if (const auto valid = validate(config_.controller); !valid) {
     return refuse(0, valid.error().field, "is out of the controller's range");

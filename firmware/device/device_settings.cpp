@@ -41,6 +41,23 @@ template <>
 inline constexpr std::string_view kWordList<drivers::TorqueLaw> =
     "must be \"linear\" or \"square_root\"";
 
+template <>
+inline constexpr auto kWords<drivers::MoteusQuery> = std::to_array<Word<drivers::MoteusQuery>>(
+    {{"with_command", drivers::MoteusQuery::with_command},
+     {"before_command", drivers::MoteusQuery::before_command}});
+template <>
+inline constexpr std::string_view kWordList<drivers::MoteusQuery> =
+    "must be \"with_command\" or \"before_command\"";
+
+template <>
+inline constexpr auto kWords<drivers::RatedTorque> =
+    std::to_array<Word<drivers::RatedTorque>>({{"drive_mNm", drivers::RatedTorque::drive_mNm},
+                                               {"drive_uNm", drivers::RatedTorque::drive_uNm},
+                                               {"configured", drivers::RatedTorque::configured}});
+template <>
+inline constexpr std::string_view kWordList<drivers::RatedTorque> =
+    "must be \"drive_mNm\", \"drive_uNm\" or \"configured\"";
+
 // ---- lines of a GPIO chip: "4", "4 active_low pull_up"
 
 namespace {
@@ -206,6 +223,71 @@ std::span<const Binding<drivers::ODriveConfig>> odrive_keys() {
       bind<&C::heartbeat_lost_s>("heartbeat_lost_s", "s"),
       bind<&C::bring_up_s>("bring_up_s", "s"),
       bind<&C::poll_period_s>("poll_period_s", "s"),
+  };
+  return kKeys;
+}
+
+std::span<const Binding<drivers::MoteusConfig>> moteus_keys() {
+  using C = drivers::MoteusConfig;
+  static constexpr std::array kKeys{
+      bind<&C::servo_id>("servo_id"),
+      bind<&C::host_id>("host_id"),
+      bind<&C::prefix>("prefix"),
+      bind<&C::bit_rate_switch>("bit_rate_switch"),
+      bind<&C::max_torque_Nm>("max_torque_Nm", "Nm"),
+      bind<&C::watchdog_s>("watchdog_s", "s"),
+      bind<&C::max_speed_rad_per_s>("max_speed_rad_per_s", "rad_per_s"),
+      bind<&C::jump_margin_rad>("jump_margin_rad", "rad"),
+      bind<&C::query>("query"),
+      bind<&C::reply_stale_s>("reply_stale_s", "s"),
+      bind<&C::reply_lost_s>("reply_lost_s", "s"),
+      bind<&C::bring_up_s>("bring_up_s", "s"),
+  };
+  return kKeys;
+}
+
+std::span<const Binding<drivers::Cia402Config>> cia402_keys() {
+  using C = drivers::Cia402Config;
+  static constexpr std::array kKeys{
+      bind<&C::node>("node"),
+      bind<&C::host_node>("host_node"),
+      bind<&C::leads_bus>("leads_bus"),
+      bind<&C::period_s>("period_s", "s"),
+      bind<&C::counts_per_turn>("counts_per_turn"),
+      bind<&C::max_torque_Nm>("max_torque_Nm", "Nm"),
+      bind<&C::rated_torque_from>("rated_torque_from"),
+      bind<&C::rated_torque_Nm>("rated_torque_Nm", "Nm"),
+      bind<&C::max_speed_rad_per_s>("max_speed_rad_per_s", "rad_per_s"),
+      bind<&C::jump_margin_rad>("jump_margin_rad", "rad"),
+      bind<&C::velocity_unit_rad_per_s>("velocity_unit_rad_per_s", "rad_per_s"),
+      bind<&C::velocity_filter_s>("velocity_filter_s", "s"),
+      bind<&C::torque_on_receipt>("torque_on_receipt"),
+      bind<&C::watchdog_ms>("watchdog_ms", "ms"),
+      bind<&C::drive_heartbeat_ms>("drive_heartbeat_ms", "ms"),
+      bind<&C::lost_after_s>("lost_after_s", "s"),
+      bind<&C::sdo_timeout_s>("sdo_timeout_s", "s"),
+      bind<&C::bring_up_timeout_s>("bring_up_timeout_s", "s"),
+      bind<&C::enable_timeout_s>("enable_timeout_s", "s"),
+  };
+  return kKeys;
+}
+
+std::span<const Binding<drivers::VescConfig>> vesc_keys() {
+  using C = drivers::VescConfig;
+  static constexpr std::array kKeys{
+      bind<&C::vesc_id>("vesc_id"),
+      bind<&C::host_id>("host_id"),
+      bind<&C::torque_constant_Nm_per_A>("torque_constant_Nm_per_A", "Nm_per_A"),
+      bind<&C::max_torque_Nm>("max_torque_Nm", "Nm"),
+      bind<&C::pole_pairs>("pole_pairs"),
+      bind<&C::off_delay_s>("off_delay_s", "s"),
+      bind<&C::offers_position>("offers_position"),
+      bind<&C::max_speed_rad_per_s>("max_speed_rad_per_s", "rad_per_s"),
+      bind<&C::jump_margin_rad>("jump_margin_rad", "rad"),
+      bind<&C::status_period_s>("status_period_s", "s"),
+      bind<&C::lost_after_s>("lost_after_s", "s"),
+      bind<&C::poll_period_s>("poll_period_s", "s"),
+      bind<&C::bring_up_s>("bring_up_s", "s"),
   };
   return kKeys;
 }

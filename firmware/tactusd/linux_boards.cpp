@@ -24,14 +24,14 @@ std::expected<void, OpenError> LinuxBoards::open(const DeviceConfig& config,
   for (std::size_t i = 0; i < config.connection_count; ++i) {
     const auto& line = config.connections[i].line;
     Outcome outcome;
-    if (std::holds_alternative<CanConnection>(line)) {
-      outcome = open_can(config, i);
-    } else if (std::holds_alternative<FalconConnection>(line)) {
-      outcome = open_falcon(config, i, falcon_firmware);
-    } else if (std::holds_alternative<HaplyConnection>(line)) {
-      outcome = open_haply(config, i);
-    } else {
-      outcome = open_gpio(config, i);
+    if (const auto* can = std::get_if<CanConnection>(&line)) {
+      outcome = open_can(config, i, *can);
+    } else if (const auto* falcon = std::get_if<FalconConnection>(&line)) {
+      outcome = open_falcon(config, i, falcon->falcon, falcon_firmware);
+    } else if (const auto* haply = std::get_if<HaplyConnection>(&line)) {
+      outcome = open_haply(config, i, *haply);
+    } else if (const auto* gpio = std::get_if<GpioConnection>(&line)) {
+      outcome = open_gpio(config, i, *gpio);
     }
     if (!outcome) {
       return outcome;
@@ -41,11 +41,11 @@ std::expected<void, OpenError> LinuxBoards::open(const DeviceConfig& config,
   return wire(config, device);
 }
 
-LinuxBoards::Outcome LinuxBoards::open_can(const DeviceConfig& config, std::size_t connection) {
+LinuxBoards::Outcome LinuxBoards::open_can(const DeviceConfig& config, std::size_t connection,
+                                           const CanConnection& can) {
   const ConnectionConfig& setup = config.connections[connection];
   CanLine& line = can_[connection];
-  const auto* can = std::get_if<CanConnection>(&setup.line);
-  if (const auto opened = line.bus.open(can->interface); !opened) {
+  if (const auto opened = line.bus.open(can.interface); !opened) {
     return cannot(setup, "the CAN interface cannot be opened; see ip link show type can",
                   opened.error());
   }
@@ -57,6 +57,12 @@ LinuxBoards::Outcome LinuxBoards::open_can(const DeviceConfig& config, std::size
     bool added = false;
     if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
       added = line.board->add(drivers::ODriveCan(*odrive));
+    } else if (const auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
+      added = line.board->add(drivers::MoteusCanFd(*moteus));
+    } else if (const auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
+      added = line.board->add(drivers::Cia402Can(*cia402));
+    } else if (const auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
+      added = line.board->add(drivers::VescCan(*vesc));
     }
     if (!added) {
       return cannot(setup, "too many drives on one bus");
@@ -67,6 +73,7 @@ LinuxBoards::Outcome LinuxBoards::open_can(const DeviceConfig& config, std::size
 }
 
 LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::size_t connection,
+                                              drivers::FalconConfig falcon,
                                               std::span<const std::byte> firmware) {
   const ConnectionConfig& setup = config.connections[connection];
   if (falcon_) {
@@ -82,32 +89,31 @@ LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::s
     return cannot(setup, "the Falcon cannot be opened; plug it in, and see lsusb -d 0403:cb48",
                   opened.error());
   }
-  drivers::FalconConfig falcon = std::get_if<FalconConnection>(&setup.line)->falcon;
   falcon.firmware = firmware;
   falcon_.emplace(usb_, clock_, falcon);
   boards_[connection] = drivers::BoardRef(*falcon_);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open_haply(const DeviceConfig& config, std::size_t connection) {
+LinuxBoards::Outcome LinuxBoards::open_haply(const DeviceConfig& config, std::size_t connection,
+                                             const HaplyConnection& haply) {
   const ConnectionConfig& setup = config.connections[connection];
   if (haply_) {
     return cannot(setup, "one Haply board is all that fits");
   }
-  const auto* haply = std::get_if<HaplyConnection>(&setup.line);
-  if (const auto opened = serial_.open(haply->port, kHaplyBaud); !opened) {
+  if (const auto opened = serial_.open(haply.port, kHaplyBaud); !opened) {
     return cannot(setup,
                   "the serial port cannot be opened; plug the board in, and see ls /dev/tty*",
                   opened.error());
   }
-  haply_.emplace(serial_, clock_, haply->haply);
+  haply_.emplace(serial_, clock_, haply.haply);
   boards_[connection] = drivers::BoardRef(*haply_);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::size_t connection) {
+LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::size_t connection,
+                                            const GpioConnection& gpio) {
   const ConnectionConfig& setup = config.connections[connection];
-  const auto* gpio = std::get_if<GpioConnection>(&setup.line);
   const drivers::GpioAxisConfig* drive = nullptr;
   for (const AxisConfig& axis : std::span(config.axes).first(config.axis_count)) {
     if (axis.connection == connection) {
@@ -121,16 +127,15 @@ LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::siz
     return cannot(setup, "no axis uses this connection");
   }
   GpioLine& line = gpio_[connection];
-  const std::size_t slash = gpio->pwm_folder.rfind('/');
-  const std::string_view chip = gpio->pwm_folder.substr(slash + 1);
-  const auto opened =
-      slash == std::string_view::npos
-          ? line.pwm.open(chip, gpio->pwm_channel)
-          : line.pwm.open(chip, gpio->pwm_channel, gpio->pwm_folder.substr(0, slash));
+  const std::size_t slash = gpio.pwm_folder.rfind('/');
+  const std::string_view chip = gpio.pwm_folder.substr(slash + 1);
+  const auto opened = slash == std::string_view::npos
+                          ? line.pwm.open(chip, gpio.pwm_channel)
+                          : line.pwm.open(chip, gpio.pwm_channel, gpio.pwm_folder.substr(0, slash));
   if (!opened) {
     return cannot(setup, "the PWM channel cannot be opened; see ls /sys/class/pwm", opened.error());
   }
-  line.lines.emplace(gpio->chip);
+  line.lines.emplace(gpio.chip);
   line.axis.emplace(*drive, *line.lines, line.pwm, clock_);
   boards_[connection] = drivers::BoardRef(*line.axis);
   return {};

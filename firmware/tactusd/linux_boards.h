@@ -4,18 +4,20 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <expected>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "drivers/can_board.h"
+#include "drivers/cia402_can/cia402_can.h"
 #include "drivers/composed_device.h"
 #include "drivers/falcon_usb/falcon.h"
 #include "drivers/gpio_axis/gpio_axis.h"
 #include "drivers/haply_serial/haply.h"
+#include "drivers/moteus_canfd/moteus_canfd.h"
 #include "drivers/odrive_can/odrive_can.h"
+#include "drivers/vesc_can/vesc_can.h"
 #include "firmware/device/device_config.h"
 #include "hal/linux/can_bus.h"
 #include "hal/linux/clock.h"
@@ -46,11 +48,12 @@ class LinuxBoards {
                                       std::span<const std::byte> falcon_firmware,
                                       drivers::ComposedDevice& device);
 
-  [[nodiscard]] const hal::Clock& clock() const { return clock_; }
+  [[nodiscard]] hal::LinuxClock& clock() { return clock_; }
 
  private:
   using Outcome = std::expected<void, OpenError>;
-  using DrivesOnCan = drivers::CanBoard<drivers::ODriveCan>;
+  using DrivesOnCan = drivers::CanBoard<drivers::ODriveCan, drivers::MoteusCanFd,
+                                        drivers::Cia402Can, drivers::VescCan>;
 
   struct CanLine {
     hal::LinuxCanBus bus;
@@ -62,11 +65,12 @@ class LinuxBoards {
     std::optional<drivers::GpioAxis> axis;
   };
 
-  Outcome open_can(const DeviceConfig& config, std::size_t connection);
+  Outcome open_can(const DeviceConfig& config, std::size_t connection, const CanConnection& can);
   Outcome open_falcon(const DeviceConfig& config, std::size_t connection,
-                      std::span<const std::byte> firmware);
-  Outcome open_haply(const DeviceConfig& config, std::size_t connection);
-  Outcome open_gpio(const DeviceConfig& config, std::size_t connection);
+                      drivers::FalconConfig falcon, std::span<const std::byte> firmware);
+  Outcome open_haply(const DeviceConfig& config, std::size_t connection,
+                     const HaplyConnection& haply);
+  Outcome open_gpio(const DeviceConfig& config, std::size_t connection, const GpioConnection& gpio);
   Outcome wire(const DeviceConfig& config, drivers::ComposedDevice& device) const;
 
   // Numbers the axes of a connection's board in the order in which they were added to it.

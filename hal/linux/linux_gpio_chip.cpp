@@ -20,10 +20,11 @@ struct CloseFolder {
 
 Result<LinuxGpioChip> open_path(const std::string& path) {
   LinuxGpioChip chip(gpiod_chip_open(path.c_str()));
-  if (chip == nullptr) {
-    return gpio_failure(errno);
+  if (chip != nullptr) {
+    return chip;
   }
-  return chip;
+  // ENODEV: there is a device, but it is no GPIO chip.
+  return errno == ENODEV ? failure(ErrorCode::not_found, errno) : gpio_failure(errno);
 }
 
 bool has_label(gpiod_chip& chip, std::string_view label) {

@@ -3,12 +3,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <string_view>
-#include <utility>
 
 #include "host_tools/input_error.h"
 
@@ -52,10 +50,9 @@ std::string read_attribute(const fs::path& path) {
 
 }  // namespace
 
-GpioSimPins::GpioSimPins(std::string name, std::size_t lines, fs::path pwm_root)
-    : name_(std::move(name)),
-      config_(fs::path("/sys/kernel/config/gpio-sim") / name_),
-      pwm_(std::move(pwm_root) / "pwmchip0/pwm0") {
+GpioSimPins::GpioSimPins(const std::string& name, const std::string& label, std::size_t lines,
+                         const fs::path& pwm_root)
+    : config_(fs::path("/sys/kernel/config/gpio-sim") / name), pwm_(pwm_root / "pwmchip0/pwm0") {
   lay_out_pwm();
   std::error_code made;
   fs::create_directories(config_ / "bank0", made);
@@ -64,7 +61,7 @@ GpioSimPins::GpioSimPins(std::string name, std::size_t lines, fs::path pwm_root)
     refuse(config_);
   }
   write_attribute(config_ / "bank0/num_lines", std::to_string(lines));
-  write_attribute(config_ / "bank0/label", label());
+  write_attribute(config_ / "bank0/label", label);
   pulls_.reserve(lines);
   values_.reserve(lines);
   plug_in();
@@ -95,6 +92,10 @@ void GpioSimPins::plug_in() {
 void GpioSimPins::unplug() {
   close_lines();
   write_attribute(config_ / "live", "0");
+}
+
+fs::path GpioSimPins::device() const {
+  return fs::path("/dev") / read_attribute(config_ / "bank0/chip_name");
 }
 
 void GpioSimPins::open_lines() {

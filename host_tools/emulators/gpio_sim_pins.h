@@ -19,17 +19,19 @@ namespace tactus::host {
 // write costs what a file costs.
 class GpioSimPins final : public BoardPins {
  public:
-  // The chip's label will be "`name`-lines". `lines` from 1 to 64.
-  GpioSimPins(std::string name, std::size_t lines, std::filesystem::path pwm_root);
+  // `name` is the folder's in configfs and must be free. `lines` from 1 to 64.
+  GpioSimPins(const std::string& name, const std::string& label, std::size_t lines,
+              const std::filesystem::path& pwm_root);
   ~GpioSimPins() override;
 
-  [[nodiscard]] std::string label() const { return name_ + "-lines"; }
+  // The chip's device: "/dev/gpiochip3". The number changes with every plug_in.
+  [[nodiscard]] std::filesystem::path device() const;
 
   void drive(std::uint32_t offset, bool high) override;
   bool level(std::uint32_t offset) override;
   double pwm_level() override;
   void unplug() override;
-  // After unplug: a chip of the same label, its pins pulled low.
+  // After unplug: the chip is back, its pins pulled low.
   void plug_in();
 
  private:
@@ -37,7 +39,6 @@ class GpioSimPins final : public BoardPins {
   void open_lines();
   void close_lines();
 
-  std::string name_;
   std::filesystem::path config_;  // in configfs
   std::filesystem::path pwm_;     // the channel's folder
   std::vector<int> pulls_;        // descriptors, one for each line

@@ -8,6 +8,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <utility>
+
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 
@@ -68,7 +72,29 @@ std::array<std::uint8_t, 8> odrive_words(std::uint32_t first, std::uint32_t seco
   return bytes;
 }
 
+// What fell due while it was not run, without power for example, is not made up for.
+hal::TimeNs next_due_ns(hal::TimeNs due_ns, std::uint32_t period_ms, hal::TimeNs now_ns) {
+  const hal::TimeNs period_ns = period_ms * kODriveNsPerMs;
+  return due_ns + ((now_ns - due_ns) / period_ns + 1) * period_ns;
+}
+
 }  // namespace
+
+ODriveFirmware odrive_firmware(std::string_view version) {
+  constexpr std::array<std::pair<std::string_view, ODriveFirmware>, 4> kVersions = {{
+      {"0.5.2", ODriveFirmware::v0_5_2},
+      {"0.5.4", ODriveFirmware::v0_5_4},
+      {"0.5.6", ODriveFirmware::v0_5_6},
+      {"0.6", ODriveFirmware::v0_6},
+  }};
+  for (const auto& [name, firmware] : kVersions) {
+    if (name == version) {
+      return firmware;
+    }
+  }
+  throw InputError("no ODrive firmware '" + std::string(version) +
+                   "'; there are: 0.5.2, 0.5.4, 0.5.6, 0.6");
+}
 
 ODriveEmulator::ODriveEmulator(hal::CanBus& bus, std::uint32_t seed,
                                const ODriveEmulatorConfig& config)
@@ -250,11 +276,11 @@ void ODriveEmulator::advance(hal::TimeNs now_ns, bool erroring) {
   watch(now_ns);
   set_torque();
   if (config_.heartbeat_ms > 0 && now_ns >= next_heartbeat_ns_) {
-    next_heartbeat_ns_ += config_.heartbeat_ms * kODriveNsPerMs;
+    next_heartbeat_ns_ = next_due_ns(next_heartbeat_ns_, config_.heartbeat_ms, now_ns);
     send_heartbeat(now_ns);
   }
   if (config_.encoder_ms > 0 && now_ns >= next_estimates_ns_) {
-    next_estimates_ns_ += config_.encoder_ms * kODriveNsPerMs;
+    next_estimates_ns_ = next_due_ns(next_estimates_ns_, config_.encoder_ms, now_ns);
     send_estimates(now_ns);
   }
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "hal/can_bus.h"
 #include "hal/clock.h"
@@ -17,6 +18,10 @@
 namespace tactus::host {
 
 enum class ODriveFirmware : std::uint8_t { v0_5_2, v0_5_4, v0_5_6, v0_6 };
+
+// "0.5.2", "0.5.4", "0.5.6" or "0.6", as the command line takes them. Throws InputError for
+// another.
+ODriveFirmware odrive_firmware(std::string_view version);
 
 struct ODriveEmulatorConfig {
   std::uint8_t node_id = 0;

@@ -41,7 +41,11 @@ Vec3 Plant::stop_force() const {
 }
 
 Vec3 Plant::weight_force() const {
-  return parameters_.handle_kg * parameters_.gravity_B +
+  const Vec3 at_handle_B = parameters_.handle_kg * parameters_.gravity_B;
+  if (parameters_.elbow_kg == 0.0) {
+    return at_handle_B;
+  }
+  return at_handle_B +
          parameters_.elbow_kg * elbow_pull(parameters_.mechanism, pose_, parameters_.gravity_B);
 }
 

@@ -42,6 +42,15 @@ TEST(Determinism, TheSameSeedGivesTheSameHashEveryTick) {
             hashes(host::falcon_preset(), firmware::falcon_config(), 5));
 }
 
+// The paddle is moved from the side by tests of its own.
+TEST(Determinism, EveryMechanismGivesTheSameHashesAgain) {
+  for (const char* name : {"haply_pantograph", "phantom_premium", "woodenhaptics"}) {
+    EXPECT_EQ(hashes(*host::device_preset(name), *firmware::preset_config(name), 5),
+              hashes(*host::device_preset(name), *firmware::preset_config(name), 5))
+        << name;
+  }
+}
+
 TEST(Determinism, AnotherSeedGivesOtherHashes) {
   EXPECT_NE(hashes(host::cartesian_preset(), firmware::cartesian_config(), 5).back(),
             hashes(host::cartesian_preset(), firmware::cartesian_config(), 6).back());

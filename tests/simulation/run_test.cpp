@@ -38,6 +38,26 @@ TEST(Run, TheDefaultPathTouchesStrokesAndLeaves) {
   }
 }
 
+// A pantograph stays on its plane, a paddle presses on the right side and does not stroke.
+TEST(Run, TheDefaultPathSuitsEveryMechanism) {
+  for (const std::string_view device : firmware::kPresetNames) {
+    const Solid ball(icosphere(0.04, 4), rendering::Sides::one,
+                     {.stiffness_N_per_m = 800.0,
+                      .damping_Ns_per_m = 0.5,
+                      .friction = rendering::cone_friction(0.6, 0.4)});
+    const host::RunPlan plan =
+        host::plan_run({.device = std::string(device)}, {&ball.object(), 1}, kToolRadius_m);
+    EXPECT_TRUE(plan.warnings.empty()) << device;
+    host::Simulation simulation(plan.config, {&ball.object(), 1}, kToolRadius_m);
+    const host::RunSummary summary =
+        host::run(simulation, plan.seconds, 1000.0, [](const host::Simulation&) {});
+    EXPECT_EQ(summary.faults, 0U) << device;
+    EXPECT_GT(summary.contact_ticks, 4000U) << device;
+    EXPECT_LT(summary.max_depth_m, 0.005) << device;
+    EXPECT_EQ(simulation.record().contact, rendering::ContactKind::none) << device;
+  }
+}
+
 TEST(Run, TheSummaryNamesFaultsForPeopleAndPrograms) {
   const Solid wall = slab(0.6, 0.4);
   const host::RunPlan plan = host::plan_run({.seconds = 4.0, .faults = {"estop@3.5x10"}},

@@ -102,6 +102,14 @@ TEST_F(EdgeEncoderTest, EdgesAsFastAsTheFastestShaftAreBelieved) {
   EXPECT_EQ(reading().count, 3);
 }
 
+TEST(EdgeEncoderLimit, InterruptsThatWaitedTogetherAreRejectedAtAnySpeed) {
+  EdgeEncoder encoder({.counts_per_rev = 4000, .max_speed_rad_per_s = 1e5}, false);
+  encoder.restart(false, false, false, 1000);
+  encoder.take(EncoderChannel::a, true, 1'000'000);
+  encoder.take(EncoderChannel::b, true, 1'000'000 + EdgeEncoder::kInterrupts_ns - 1);
+  EXPECT_EQ(encoder.reading(2'000'000).fault, EncoderFault::illegal_transition);
+}
+
 TEST_F(EdgeEncoderTest, TremblingOnOneEdgeIsNoMatterOfSpeed) {
   for (int i = 0; i < 10; ++i) {
     edge(EncoderChannel::a, i % 2 == 0, 50);

@@ -54,8 +54,10 @@ TEST(GpioAxis, ReversedEncoderCountsTheOtherWay) {
   GpioAxisConfig config = full_config();
   config.encoder.reversed = true;
   AxisBench bench(config);
-  bench.emulator.shaft().position_rad = 10.0 * kCount_rad;
-  bench.ticks(2, kIdleOn);
+  for (int count = 1; count <= 10; ++count) {
+    bench.emulator.shaft().position_rad = count * kCount_rad;
+    bench.tick(kIdleOn);
+  }
   EXPECT_NEAR(bench.sample.position_rad, 10.0 * kCount_rad, 1e-12);
 }
 

@@ -11,8 +11,16 @@ namespace {
 
 TEST(ControllerConfig, ThePresetsAreValid) {
   EXPECT_TRUE(validate(ControllerConfig{}));
-  EXPECT_TRUE(validate(cartesian_config()));
-  EXPECT_TRUE(validate(falcon_config()));
+  for (const std::string_view name : kPresetNames) {
+    const auto config = preset_config(name);
+    ASSERT_TRUE(config) << name;
+    EXPECT_TRUE(validate(*config)) << name;
+    const Mechanism mechanism{config->mechanism};
+    EXPECT_EQ(joint_count(config->mechanism), name == "hapkit"             ? 1U
+                                              : name == "haply_pantograph" ? 2U
+                                                                           : 3U);
+  }
+  EXPECT_FALSE(preset_config("omega"));
 }
 
 // The model of a joint whose friction is compensated.
@@ -55,7 +63,7 @@ TEST(ControllerConfig, CompensationIsOffAndLeavesRoomAtMost) {
 }
 
 TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
-  const std::array<BadField, 21> fields = {{
+  const auto fields = std::to_array<BadField>({
       {"rate_hz", [](ControllerConfig& c, double v) { c.rate_hz = v; }},
       {"workspace_origin_D", [](ControllerConfig& c, double v) { c.workspace_origin_D.y() = v; }},
       {"velocity_cutoff_hz", [](ControllerConfig& c, double v) { c.velocity_cutoff_hz = v; }},
@@ -89,7 +97,38 @@ TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
        [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.platform_tangent_m = v}; }},
       {"mechanism.nominal_height_m",
        [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.nominal_height_m = v}; }},
-  }};
+      {"mechanism.rods_kg",
+       [](ControllerConfig& c, double v) { c.mechanism = DeltaGeometry{.rods_kg = v}; }},
+      {"mechanism.carried_kg",
+       [](ControllerConfig& c, double v) { c.mechanism = CartesianGeometry{{0.0, v, 0.0}}; }},
+      {"mechanism.handle_radius_m",
+       [](ControllerConfig& c, double v) { c.mechanism = PaddleGeometry{.handle_radius_m = v}; }},
+      {"mechanism.paddle.centre_m",
+       [](ControllerConfig& c,
+          double v) { c.mechanism = PaddleGeometry{.paddle = {.centre_m = v}}; }},
+      {"mechanism.base_m",
+       [](ControllerConfig& c, double v) { c.mechanism = PantographGeometry{.base_m = v}; }},
+      {"mechanism.distal_m",
+       [](ControllerConfig& c, double v) { c.mechanism = PantographGeometry{.distal_m = v}; }},
+      {"mechanism.distal.mass_kg",
+       [](ControllerConfig& c,
+          double v) { c.mechanism = PantographGeometry{.distal = {.mass_kg = v}}; }},
+      {"mechanism.upper_m",
+       [](ControllerConfig& c, double v) { c.mechanism = SerialArmGeometry{.upper_m = v}; }},
+      {"mechanism.shoulder_height_m",
+       [](ControllerConfig& c,
+          double v) { c.mechanism = SerialArmGeometry{.shoulder_height_m = v}; }},
+      {"mechanism.forearm.mass_kg",
+       [](ControllerConfig& c,
+          double v) { c.mechanism = SerialArmGeometry{.forearm = {.mass_kg = v}}; }},
+      {"mechanism.tool_kg",
+       [](ControllerConfig& c, double v) { c.mechanism = SerialArmGeometry{.tool_kg = v}; }},
+      {"gravity_D", [](ControllerConfig& c, double v) { c.gravity_D.z() = v; }},
+      {"coupled_limits.lower",
+       [](ControllerConfig& c, double v) { c.coupled_limits[1].lower = v; }},
+      {"coupled_limits.upper",
+       [](ControllerConfig& c, double v) { c.coupled_limits[0].upper = v; }},
+  });
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const BadField& bad : fields) {
     for (const double value :
@@ -112,6 +151,32 @@ TEST(ControllerConfig, StaleTicksAndSampleAgeHaveARange) {
   config = {};
   config.safety.max_sample_age_us = 1'000'001;
   EXPECT_EQ(validate(config).error().field, "safety.max_sample_age_us");
+}
+
+TEST(ControllerConfig, ACoupledLimitIsBetweenJointsThatThereAre) {
+  ControllerConfig config;
+  config.coupled_limits[0].joint = kJointCount;
+  EXPECT_EQ(validate(config).error().field, "coupled_limits.joint");
+  config.coupled_limits[0] = {.minus = kJointCount};
+  EXPECT_EQ(validate(config).error().field, "coupled_limits.minus");
+}
+
+// Published: 1.8, 1.5 and 1.9 N for good at the PHANToM's zero pose, 4.5 times that at stall.
+TEST(ControllerConfig, ThePhantomsEffortsAreThePublishedForcesAtItsZeroPose) {
+  const ControllerConfig config = phantom_premium_config();
+  const Pose pose = Mechanism{config.mechanism}.forward(Vec3::Zero(), Vec3::Zero());
+  EXPECT_EQ(pose.p_D, config.workspace_origin_D);
+  const Vec3 levers = pose.jacobian_D.colwise().norm();
+  EXPECT_NEAR(config.joints[0].max_effort / levers[0], 1.8, 0.05);
+  EXPECT_NEAR(config.joints[1].max_effort / levers[1], 1.5, 0.05);
+  EXPECT_NEAR(config.joints[2].max_effort / levers[2], 1.9, 0.05);
+}
+
+TEST(ControllerConfig, TheHapkitsMotorReachesTheForceThatItIsAllowed) {
+  const ControllerConfig config = hapkit_config();
+  const double most_N = config.joints[0].max_effort / PaddleGeometry{}.handle_radius_m;
+  EXPECT_NEAR(most_N, 7.975, 5e-4);
+  EXPECT_LE(config.safety.max_force_N, most_N);
 }
 
 TEST(ControllerConfig, TheFalconMayPushItsRatedForceNearItsMiddle) {

@@ -100,8 +100,8 @@ Input replayed(const TelemetryRecord& record) {
   return input;
 }
 
-bool any_non_finite(const drivers::JointSample& sample) {
-  for (std::size_t joint = 0; joint < kJointCount; ++joint) {
+bool any_non_finite(const drivers::JointSample& sample, std::size_t joints) {
+  for (std::size_t joint = 0; joint < joints; ++joint) {
     if (!std::isfinite(sample.position[joint]) || !std::isfinite(sample.velocity[joint])) {
       return true;
     }
@@ -120,7 +120,7 @@ void expect_safe(const ControllerConfig& config, const Input& input,
   EXPECT_EQ(command.enable, record.mode == Mode::active);
   EXPECT_TRUE(record.mode == Mode::active || off);
   EXPECT_EQ(record.faults != 0, record.mode == Mode::fault);
-  if (any_non_finite(input.sample)) {
+  if (any_non_finite(input.sample, joint_count(config.mechanism))) {
     EXPECT_TRUE(off);
     EXPECT_NE(record.faults & kFaultJointNotFinite, 0U);
   }
@@ -187,6 +187,26 @@ TEST(ControllerProperty, RandomTicksOfACartesianDeviceStaySafeAndReplayToTheBit)
 
 TEST(ControllerProperty, RandomTicksOfAFalconStaySafeAndReplayToTheBit) {
   run_random_ticks(falcon_config(), 2000);
+}
+
+// The handle begins 5 mm over the floor, and goes lower on its arc.
+TEST(ControllerProperty, RandomTicksOfAHapkitStaySafeAndReplayToTheBit) {
+  ControllerConfig config = hapkit_config();
+  config.workspace_origin_D.y() -= 0.005;
+  run_random_ticks(config, 4000);
+}
+
+TEST(ControllerProperty, RandomTicksOfAPhantomStaySafeAndReplayToTheBit) {
+  ControllerConfig config = phantom_premium_config();
+  for (JointLimits& joint : config.joints) {  // about the pose with the tool at the floor
+    joint.lower = -1.0;
+    joint.upper = 1.0;
+  }
+  run_random_ticks(config, 5000);
+}
+
+TEST(ControllerProperty, RandomTicksOfAWeightedArmStaySafeAndReplayToTheBit) {
+  run_random_ticks(woodenhaptics_config(), 6000);
 }
 
 TEST(ControllerProperty, RandomTicksWithFrictionCompensationStaySafeAndReplayToTheBit) {

@@ -73,17 +73,17 @@ TEST(SerialArm, ForwardIsTheChainOfTurnedLinks) {
   RandomJoints random(20261203);
   const SerialArmGeometry g{.upper_m = 0.17, .forearm_m = 0.13, .shoulder_height_m = 0.058};
   const SerialArm arm{g};
-  const auto turned = [](double angle, const Vec3& axis) {
+  const auto rotated = [](double angle, const Vec3& axis) {
     return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
   };
   for (int i = 0; i < testing::share_of(20'000); ++i) {
     const Vec3 joints = 3.0 * random.vector();
     const Vec3 hanging = -Vec3::UnitY();
     const Vec3 reach =
-        g.upper_m * (turned(joints.y() + 0.5 * std::numbers::pi, -Vec3::UnitX()) * hanging) +
-        g.forearm_m * (turned(joints.z(), -Vec3::UnitX()) * hanging);
+        g.upper_m * (rotated(joints.y() + 0.5 * std::numbers::pi, -Vec3::UnitX()) * hanging) +
+        g.forearm_m * (rotated(joints.z(), -Vec3::UnitX()) * hanging);
     const Vec3 tool =
-        Vec3(0.0, g.shoulder_height_m, 0.0) + turned(joints.x(), Vec3::UnitY()) * reach;
+        Vec3(0.0, g.shoulder_height_m, 0.0) + rotated(joints.x(), Vec3::UnitY()) * reach;
     ASSERT_LT((arm.forward(joints).p_D - tool).norm(), 1e-15);
   }
 }

@@ -133,6 +133,15 @@ TEST(EffortScale, KeepsTheRatiosAndMeetsTheTightestLimit) {
   EXPECT_DOUBLE_EQ(effort_scale({0.0, 0.0, -300.0}, limits), 0.01);
 }
 
+TEST(EffortScale, LeavesRoomForWhatTheJointsAlreadyGive) {
+  const std::array<JointLimits, kJointCount> limits = {
+      {{.max_effort = 1.0}, {.max_effort = 2.0}, {.max_effort = 3.0}}};
+  EXPECT_DOUBLE_EQ(effort_scale({2.0, 0.0, 0.0}, limits, {0.6, 2.0, -3.0}), 0.2);
+  EXPECT_DOUBLE_EQ(effort_scale({-2.0, 0.0, 0.0}, limits, {0.6, 2.0, -3.0}), 0.8);
+  EXPECT_DOUBLE_EQ(effort_scale({0.0, 0.0, 12.0}, limits, {0.0, 0.0, -3.0}), 0.5);
+  EXPECT_EQ(effort_scale({0.0, 1.0, 0.0}, limits, {0.0, 2.0, 0.0}), 0.0);
+}
+
 TEST(LengthOf, DoesNotOverflow) {
   EXPECT_EQ(length_of(Vec3::Zero()), 0.0);
   EXPECT_DOUBLE_EQ(length_of({3.0, 0.0, 4.0}), 5.0);

@@ -73,6 +73,29 @@ TEST_F(SampleCheckTest, EachDeviceTroubleIsItsOwnFault) {
             kFaultEncoder | kFaultDrive | kFaultEmergencyStop | kFaultDeviceLost);
 }
 
+TEST_F(SampleCheckTest, TheDifferenceOfTwoJointsMayHaveALimit) {
+  ControllerConfig config = cartesian_config();
+  config.coupled_limits[0] = {.joint = 0, .minus = 2, .lower = -0.1, .upper = 0.2};
+  check_.configure(config);
+  const auto faults_at = [&](double first, double third) {
+    sample_.position = {first, 0.24, third};
+    return check_.check(sample_);
+  };
+  EXPECT_EQ(faults_at(0.0, 0.09), kNoFault);
+  EXPECT_EQ(faults_at(0.0, 0.11), kFaultJointLimit);
+  EXPECT_EQ(faults_at(0.09, -0.1), kNoFault);
+  EXPECT_EQ(faults_at(0.11, -0.1), kFaultJointLimit);
+}
+
+TEST_F(SampleCheckTest, LooksAtTheJointsThatTheMechanismHas) {
+  check_.configure(hapkit_config());
+  sample_.position = {0.1, 99.0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(check_.check(sample_), kNoFault);
+  check_.configure(haply_pantograph_config());
+  sample_.position = {2.0, 99.0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(check_.check(sample_), kFaultJointLimit);
+}
+
 TEST_F(SampleCheckTest, TheThirdStaleSampleInARowIsAFault) {
   sample_.status = drivers::kDeviceStale;
   EXPECT_EQ(check_.check(sample_), kLimitStaleSample);

@@ -1,0 +1,102 @@
+#include "firmware/tactusd/options.h"
+
+#include <cstdlib>
+#include <string_view>
+
+namespace tactus::firmware {
+
+namespace {
+
+bool read_number(const char* text, double low, double high, double& number) {
+  char* end = nullptr;
+  number = text == nullptr ? 0.0 : std::strtod(text, &end);
+  return end != nullptr && end != text && *end == '\0' && number >= low && number <= high;
+}
+
+bool complain(std::string_view what, std::string_view argument) {
+  std::fprintf(stderr, "tactusd: %.*s %.*s; see tactusd --help\n", static_cast<int>(what.size()),
+               what.data(), static_cast<int>(argument.size()), argument.data());
+  return false;
+}
+
+// Takes the value behind an option.
+bool read_value(std::string_view option, const char* value, Options& options) {
+  double number = 0.0;
+  if (option == "--record") {
+    options.record = value;
+    return value != nullptr || complain("no file after", option);
+  }
+  if (option == "--seconds") {
+    return read_number(value, 0.0, 1e6, options.seconds) ||
+           complain("give 0 to 1000000 seconds after", option);
+  }
+  if (option == "--priority") {
+    if (!read_number(value, 1.0, 98.0, number)) {
+      return complain("give a priority from 1 to 98 after", option);
+    }
+    options.priority = static_cast<int>(number);
+    return true;
+  }
+  return complain("unknown option", option);
+}
+
+}  // namespace
+
+void print_usage(std::FILE* file) {
+  std::fputs(
+      "usage: tactusd DEVICE.tactus [SCENE.tactus] [option]...\n"
+      "Runs the controller on the device's boards: CAN, USB, serial ports and GPIO of this "
+      "machine.\n"
+      "Both images come from `tactus bake`; without a scene the tool moves in free space.\n"
+      "\n"
+      "  --enable              home and enable as soon as the device is ready\n"
+      "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
+      "  --record FILE         write every tick to a CSV file at the end (needs --seconds)\n"
+      "  --priority P          SCHED_FIFO priority of the loop, 1 to 98; default 80\n"
+      "  --allow-non-realtime  run even where real-time priority is not to be had\n"
+      "  --help\n"
+      "\n"
+      "Exit codes: 0 ended as asked, 1 a fault stopped the motors, 2 could not start.\n"
+      "\n"
+      "Examples:\n"
+      "  tactus bake arm.toml && tactus bake bunny.toml\n"
+      "  tactusd arm.tactus bunny.tactus --enable\n"
+      "  tactusd arm.tactus bunny.tactus --enable --seconds 10 --record run.csv\n",
+      file);
+}
+
+bool parse_options(int argc, const char* const* argv, Options& options) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument == "--help" || argument == "-h") {
+      options.help = true;
+      return true;
+    }
+    if (argument == "--enable") {
+      options.enable = true;
+    } else if (argument == "--allow-non-realtime") {
+      options.allow_non_realtime = true;
+    } else if (argument.starts_with("--")) {
+      const char* value = i + 1 < argc ? argv[i + 1] : nullptr;
+      ++i;
+      if (!read_value(argument, value, options)) {
+        return false;
+      }
+    } else if (options.device == nullptr) {
+      options.device = argv[i];
+    } else if (options.scene == nullptr) {
+      options.scene = argv[i];
+    } else {
+      return complain("one device and one scene are all that fit; too much is", argument);
+    }
+  }
+  if (options.device == nullptr) {
+    return complain("give a device image", "");
+  }
+  if (options.record != nullptr && options.seconds == 0.0) {
+    return complain("--record needs --seconds, which says how much memory to take", "");
+  }
+  return true;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,25 @@
+// The command line of tactusd.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+
+namespace tactus::firmware {
+
+struct Options {
+  const char* device = nullptr;
+  const char* scene = nullptr;   // none: free space
+  const char* record = nullptr;  // CSV, written at the end
+  double seconds = 0.0;          // 0: until told to stop
+  bool enable = false;           // home and enable without being asked
+  bool allow_non_realtime = false;
+  int priority = 80;
+  bool help = false;
+};
+
+void print_usage(std::FILE* file);
+
+// False, after telling the user on stderr, if it cannot be understood.
+bool parse_options(int argc, const char* const* argv, Options& options);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,10 @@
+// `tactus emulate`: plays a whole haptic device from the other side of its bus.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_emulate_verb(CLI::App& app);
+
+}  // namespace tactus::host

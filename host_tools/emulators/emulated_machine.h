@@ -1,0 +1,107 @@
+// A whole haptic device on the far side of its bus: the plant of host_tools/simulation, with a hand
+// on its handle, turned by emulated drives.
+//
+// Fakes: the mechanism with its friction, weight and end stops; gears and capstans between each
+// joint and its drive's shaft; a hand that follows a wish.
+// Does not fake: play and give in the transmission, the drives' rotor inertia (it is in the plant's
+// moving mass).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "drivers/transmission.h"
+#include "hal/clock.h"
+#include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/shaft.h"
+#include "host_tools/simulation/device_presets.h"
+#include "host_tools/simulation/hand.h"
+#include "host_tools/simulation/plant.h"
+#include "host_tools/simulation/wish_path.h"
+
+namespace tactus::host {
+
+// The longest step that joint friction and end stops bear.
+inline constexpr hal::TimeNs kLongestMachineStep_ns = 100'000;
+
+struct EmulatedMachineConfig {
+  DevicePreset device = cartesian_preset();
+  HandParameters hand;                                 // all zero: nobody holds the handle
+  WishPath path{{{.t_s = 0.0, .p_W = Vec3::Zero()}}};  // from the machine's start on
+  Vec3 origin_B = Vec3::Zero();                        // m: the wish path's origin
+  std::uint64_t seed = 1;                              // of the hand's tremor
+  hal::TimeNs step_ns = kLongestMachineStep_ns;
+};
+
+// One joint and what drives it. The shaft must outlive the machine.
+struct EmulatedAxis {
+  EmulatedShaft* shaft = nullptr;
+  drivers::Transmission transmission;
+  std::function<void(EmulatorFault)> set_fault;
+};
+
+// What nobody on the bus can know, at one instant. Joints: rad, or m where they slide.
+struct MachineTruth {
+  hal::TimeNs time_ns = 0;
+  std::array<double, kPlantJoints> joint_position{};
+  std::array<double, kPlantJoints> joint_velocity{};
+  std::array<double, kPlantJoints> shaft_torque_Nm{};
+  std::array<EmulatorFault, kPlantJoints> fault{};
+  Vec3 handle_p_B = Vec3::Zero();     // m
+  Vec3 handle_v_B = Vec3::Zero();     // m/s
+  Vec3 motor_force_B = Vec3::Zero();  // N, of the motors at the handle
+  Vec3 hand_force_B = Vec3::Zero();   // N, of the hand's spring and damper, mean of the last step
+};
+
+class EmulatedMachine {
+ public:
+  // At rest at `start_ns` where the hand wants the handle, or in the middle of the workspace.
+  // Throws InputError on a step that is not positive or too long.
+  EmulatedMachine(const EmulatedMachineConfig& config, hal::TimeNs start_ns);
+
+  // The next joint's axis, from joint 0 on. Throws InputError when all joints have one, and on a
+  // transmission that is not valid.
+  void connect(EmulatedAxis axis);
+  // The device's own program; called with the time of each step, after its shafts have been turned.
+  void add_device(std::function<void(hal::TimeNs)> run) { devices_.push_back(std::move(run)); }
+
+  [[nodiscard]] std::size_t joints() const { return joints_of(plant_parameters_.mechanism); }
+  [[nodiscard]] hal::TimeNs start_ns() const { return start_ns_; }
+
+  // When the next step begins; until then plant and shafts stand.
+  [[nodiscard]] hal::TimeNs next_step_ns() const { return next_step_ns_; }
+  // Shafts to where the joints are, the devices' turn, and the plant one step on.
+  void step();
+  // Every step that begins by `now_ns`.
+  void run(hal::TimeNs now_ns);
+  // Leaves out the steps that begin before `now_ns`: the machine stood still meanwhile.
+  void skip_to(hal::TimeNs now_ns);
+
+  // Of the axis of that joint.
+  void set_fault(std::size_t joint, EmulatorFault fault);
+
+  // As the last step found it.
+  [[nodiscard]] const MachineTruth& truth() const { return truth_; }
+  [[nodiscard]] const Plant& plant() const { return plant_; }
+
+ private:
+  void turn_shafts();
+  JointEfforts take_torques();
+  void move(const JointEfforts& effort);
+
+  PlantParameters plant_parameters_;
+  Vec3 origin_B_;
+  hal::TimeNs step_ns_;
+  hal::TimeNs start_ns_;
+  hal::TimeNs next_step_ns_;
+  Hand hand_;
+  Plant plant_;
+  std::vector<EmulatedAxis> axes_;
+  std::vector<std::function<void(hal::TimeNs)>> devices_;
+  MachineTruth truth_;
+};
+
+}  // namespace tactus::host

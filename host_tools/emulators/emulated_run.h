@@ -1,0 +1,75 @@
+// An emulated machine over time: faults at their times, the true state kept.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "hal/clock.h"
+#include "hal/simulated/clock.h"
+#include "host_tools/emulators/emulated_machine.h"
+#include "host_tools/emulators/fault_plan.h"
+
+namespace tactus::host {
+
+struct EmulatedRunConfig {
+  std::vector<PlannedFault> faults;
+  hal::TimeNs truth_period_ns = 0;  // 0: the truth is not kept
+  double expected_s = 60.0;         // how much of it memory is set aside for
+};
+
+class EmulatedRun {
+ public:
+  // A run that is late by more leaves time out instead of making up for it.
+  static constexpr hal::TimeNs kLongestDelay_ns = 50'000'000;
+
+  // Throws InputError on a fault of a joint that the machine has not. The machine has its axes, and
+  // outlives the run.
+  EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config);
+
+  // Every step that begins by `now_ns`, each after the faults that are due by then.
+  void run(hal::TimeNs now_ns);
+
+  [[nodiscard]] hal::TimeNs next_step_ns() const { return machine_.next_step_ns(); }
+  [[nodiscard]] const EmulatedMachine& machine() const { return machine_; }
+  [[nodiscard]] std::span<const MachineTruth> truth() const { return truth_; }
+
+  // How late a step ever was, and what was left out for being later than kLongestDelay_ns.
+  [[nodiscard]] hal::TimeNs longest_delay_ns() const { return longest_delay_ns_; }
+  [[nodiscard]] hal::TimeNs left_out_ns() const { return left_out_ns_; }
+
+ private:
+  void apply_faults();
+  void keep_truth();
+
+  EmulatedMachine& machine_;
+  EmulatedRunConfig config_;
+  std::size_t next_fault_ = 0;
+  hal::TimeNs next_truth_ns_;
+  std::vector<MachineTruth> truth_;
+  hal::TimeNs longest_delay_ns_ = 0;
+  hal::TimeNs left_out_ns_ = 0;
+};
+
+// Lets a run go on as simulated time passes. Both must outlive it.
+class ClockedRun final : private hal::SimulatedEventSource {
+ public:
+  ClockedRun(EmulatedRun& run, hal::SimulatedClock& clock);
+  ClockedRun(const ClockedRun&) = delete;
+  ClockedRun& operator=(const ClockedRun&) = delete;
+  ~ClockedRun();
+
+ private:
+  hal::TimeNs next_event_ns() const override { return run_.next_step_ns(); }
+  void run_event() override { run_.run(clock_.now_ns()); }
+
+  EmulatedRun& run_;
+  hal::SimulatedClock& clock_;
+};
+
+// One line a sample, columns as in README.md. Throws InputError if the file cannot be written.
+void write_truth(const std::filesystem::path& path, std::span<const MachineTruth> truth,
+                 std::size_t joints);
+
+}  // namespace tactus::host

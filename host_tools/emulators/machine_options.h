@@ -1,0 +1,37 @@
+// What `tactus emulate` is told about the device behind the bus, whatever the bus, in the user's
+// words.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/transmission.h"
+#include "host_tools/emulators/emulated_machine.h"
+#include "host_tools/emulators/emulated_run.h"
+#include "host_tools/emulators/real_time_run.h"
+
+namespace tactus::host {
+
+struct MachineOptions {
+  std::string mechanism;               // of firmware::kPresetNames
+  std::vector<double> ratios = {1.0};  // each list: one for all joints, or one for each
+  std::vector<double> directions = {1.0};
+  std::vector<double> offsets = {0.0};
+  std::string hand = "none";     // finger, pen, firm or none
+  std::string path;              // CSV of the hand's wish; empty: it holds the origin
+  std::vector<double> origin_m;  // of the path, in the mechanism's frame; empty: workspace's middle
+  std::vector<std::string> faults;
+  std::string truth;  // CSV file to write; empty: none
+  std::uint32_t seed = 1;
+  RealTimeOptions run;
+};
+
+// All throw InputError on names, numbers and files that cannot be used.
+EmulatedMachineConfig machine_config(const MachineOptions& options);
+// One for each joint.
+std::vector<drivers::Transmission> transmissions(const MachineOptions& options, std::size_t joints);
+EmulatedRunConfig run_config(const MachineOptions& options);
+
+}  // namespace tactus::host

@@ -1,0 +1,84 @@
+#include "host_tools/emulators/real_time_run.h"
+
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+
+#include "hal/linux/clock.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+// The signals that end a run, held back while it lives, so that nothing interrupts a step.
+class EndSignals {
+ public:
+  EndSignals() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    sigprocmask(SIG_BLOCK, &signals_, &before_);
+  }
+  EndSignals(const EndSignals&) = delete;
+  EndSignals& operator=(const EndSignals&) = delete;
+  ~EndSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+  [[nodiscard]] bool came() const {
+    constexpr timespec kNoTime{};
+    return sigtimedwait(&signals_, nullptr, &kNoTime) > 0;
+  }
+
+ private:
+  sigset_t signals_{};
+  sigset_t before_{};
+};
+
+void take_priority(int priority) {
+  const sched_param parameters{.sched_priority = priority};
+  if (sched_setscheduler(0, SCHED_FIFO, &parameters) != 0) {
+    throw InputError(fmt::format(
+        "--realtime {}: {}; run it as root, or allow it: rtprio in /etc/security/limits.conf",
+        priority, std::strerror(errno)));
+  }
+}
+
+}  // namespace
+
+hal::TimeNs start_of_run_ns(const RealTimeOptions& options) {
+  return hal::next_instant_ns({.period_ns = options.step_ns}, hal::LinuxClock().now_ns());
+}
+
+void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const RunStatusSink& sink) {
+  constexpr hal::TimeNs kSecond_ns = 1'000'000'000;
+  constexpr hal::TimeNs kSignalPeriod_ns = 5'000'000;
+  const EndSignals end_signals;
+  if (options.priority > 0) {
+    take_priority(options.priority);
+  }
+  hal::LinuxClock clock;
+  const hal::TimeNs start_ns = run.next_step_ns();
+  const hal::TimeNs end_ns =
+      options.seconds ? start_ns + static_cast<hal::TimeNs>(*options.seconds * 1e9) : hal::kForever;
+  hal::TimeNs next_status_ns = start_ns + kSecond_ns;
+  hal::TimeNs next_signal_ns = start_ns;
+  for (hal::Wake wake = clock.sleep_until(start_ns); wake.scheduled_ns < end_ns;
+       wake = clock.sleep_to_phase({.period_ns = options.step_ns}, wake)) {
+    run.run(wake.woke_ns);
+    if (wake.woke_ns >= next_status_ns) {
+      sink(run);
+      next_status_ns += kSecond_ns;
+    }
+    if (wake.woke_ns >= next_signal_ns) {
+      if (end_signals.came()) {
+        return;
+      }
+      next_signal_ns = wake.woke_ns + kSignalPeriod_ns;
+    }
+  }
+}
+
+}  // namespace tactus::host

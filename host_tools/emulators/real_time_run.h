@@ -1,0 +1,28 @@
+// Runs an emulated machine against the monotonic clock of this machine.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "hal/clock.h"
+#include "host_tools/emulators/emulated_run.h"
+
+namespace tactus::host {
+
+struct RealTimeOptions {
+  std::optional<double> seconds;  // nothing: until SIGINT or SIGTERM
+  int priority = 0;               // SCHED_FIFO, 1 to 99; 0: as every program
+  hal::TimeNs step_ns = kLongestMachineStep_ns;
+};
+
+// When a machine that is about to be made should start: at an instant of the loop's phase.
+hal::TimeNs start_of_run_ns(const RealTimeOptions& options);
+
+// Called once a second of the run.
+using RunStatusSink = std::function<void(const EmulatedRun&)>;
+
+// Returns when the time is over or the user ends the program. Throws InputError if the priority is
+// refused.
+void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const RunStatusSink& sink);
+
+}  // namespace tactus::host

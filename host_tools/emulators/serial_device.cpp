@@ -1,0 +1,74 @@
+#include "host_tools/emulators/serial_device.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): posix_openpt is not in <cstdlib>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+
+void SerialDevice::open(const std::string& tty) {
+  constexpr unsigned kAnyBaud = 115200;  // a tty without wires ignores it
+  if (const auto opened = port_.open(tty, kAnyBaud); !opened) {
+    throw InputError(fmt::format("{}: {} (errno {}); is the gadget there? see README.md", tty,
+                                 hal::words(opened.error().code), opened.error().errno_value));
+  }
+}
+
+SerialDevice::~SerialDevice() {
+  if (host_end_ >= 0) {
+    ::close(host_end_);
+  }
+}
+
+std::string SerialDevice::open_pseudo_terminal() {
+  const int device_end = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (device_end < 0) {
+    throw InputError(fmt::format("no pseudo-terminal: {}", std::strerror(errno)));
+  }
+  port_.adopt(device_end);
+  const char* const path =
+      ::grantpt(device_end) == 0 && ::unlockpt(device_end) == 0 ? ::ptsname(device_end) : nullptr;
+  host_end_ = path == nullptr ? -1 : ::open(path, O_RDWR | O_NOCTTY | O_CLOEXEC);
+  termios settings{};
+  if (host_end_ < 0 || ::tcgetattr(host_end_, &settings) != 0) {
+    throw InputError(fmt::format("no pseudo-terminal: {}", std::strerror(errno)));
+  }
+  ::cfmakeraw(&settings);
+  ::tcsetattr(host_end_, TCSANOW, &settings);
+  return path;
+}
+
+void SerialDevice::note(const hal::Error& error) {
+  constexpr unsigned kCallsBetween = 1000;  // 0.1 s at the emulator's pace
+  if (error.code != hal::ErrorCode::disconnected) {
+    return;
+  }
+  if (calls_until_reopen_ == 0) {
+    calls_until_reopen_ = kCallsBetween;
+    (void)port_.reopen();
+  }
+  --calls_until_reopen_;
+}
+
+hal::Result<std::size_t> SerialDevice::DoWrite(std::span<const std::byte> bytes,
+                                               hal::TimeNs deadline_ns) {
+  return port_.write(bytes, deadline_ns);
+}
+
+hal::Result<std::size_t> SerialDevice::DoRead(std::span<std::byte> buffer,
+                                              hal::TimeNs deadline_ns) {
+  const auto got = port_.read(buffer, deadline_ns);
+  if (!got) {
+    note(got.error());
+  }
+  return got;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,244 @@
+// A whole WoodenHaptics of three emulated ODrive axes on a simulated bus, driven by the real driver
+// at 1 kHz.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/can_board.h"
+#include "drivers/odrive_can/odrive_can.h"
+#include "hal/simulated/can_bus.h"
+#include "hal/simulated/can_network.h"
+#include "host_tools/emulators/emulated_run.h"
+#include "host_tools/emulators/odrive_emulator.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr hal::TimeNs kTick_ns = 1'000'000;
+constexpr std::array kRatios = {16.0, 12.0, 12.0};
+constexpr std::array kDirections = {1.0, -1.0, 1.0};
+constexpr double kLimit_Nm = 0.15;
+
+struct WoodenHaptics {
+  explicit WoodenHaptics(const std::vector<PlannedFault>& faults = {},
+                         const HandParameters& hand = {}) {
+    EmulatedMachineConfig config;
+    config.device = woodenhaptics_preset();
+    config.hand = hand;
+    config.origin_B = config.device.centre_B;
+    machine.emplace(config, clock.now_ns());
+    for (std::uint8_t i = 0; i < 3; ++i) {
+      transmissions[i] = {.motor_ratio = kRatios[i],
+                          .encoder_ratio = kRatios[i],
+                          .motor_direction = kDirections[i],
+                          .encoder_direction = kDirections[i],
+                          .offset = 0.1 * i};
+      nodes.push_back(std::make_unique<hal::SimulatedCanBus>(network));
+      drives.push_back(std::make_unique<ODriveEmulator>(
+          *nodes.back(), i + 1U, ODriveEmulatorConfig{.node_id = i, .heartbeat_ms = 10}));
+      ODriveEmulator* const drive = drives.back().get();
+      machine->connect({.shaft = &drive->shaft(),
+                        .transmission = transmissions[i],
+                        .set_fault = [drive](EmulatorFault fault) { drive->set_fault(fault); }});
+      machine->add_device([drive](hal::TimeNs now_ns) { drive->run(now_ns); });
+      EXPECT_TRUE(board.add(drivers::ODriveCan({.node_id = i, .max_torque_Nm = kLimit_Nm})));
+    }
+    MechanismPose pose;
+    solve_mechanism(MechanismKind::woodenhaptics, config.device.centre_B, pose);
+    for (std::size_t i = 0; i < 3; ++i) {
+      middle[i] = joint_position(MechanismKind::woodenhaptics, i, pose.coordinate[i]);
+    }
+    run.emplace(*machine, EmulatedRunConfig{.faults = faults, .truth_period_ns = 100'000});
+    clocked.emplace(*run, clock);
+    next_tick_ns = clock.now_ns();
+    board.start();
+  }
+
+  // `act(tick)` sets the commands from the samples.
+  template <class Act>
+  void ticks(int count, Act act) {
+    for (int i = 0; i < count; ++i) {
+      clock.advance_to(next_tick_ns);
+      board.read(samples, clock.now_ns() + 600'000);
+      act(i);
+      board.write(commands);
+      next_tick_ns += kTick_ns;
+    }
+  }
+  void ticks(int count) {
+    ticks(count, [](int) {});
+  }
+
+  [[nodiscard]] double joint(std::size_t i) const {
+    return drivers::joint_position(transmissions[i], samples[i].position_rad);
+  }
+  // A spring and a damper to the middle of the workspace, or beside it.
+  void hold(const std::array<double, 3>& beside = {}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double velocity =
+          drivers::joint_velocity(transmissions[i], samples[i].velocity_rad_per_s);
+      const double effort_Nm = 20.0 * (middle[i] + beside[i] - joint(i)) - 0.3 * velocity;
+      const double torque_Nm =
+          std::clamp(drivers::motor_torque_Nm(transmissions[i], effort_Nm), -kLimit_Nm, kLimit_Nm);
+      commands[i] = {.torque_Nm = torque_Nm, .enable = true};
+    }
+  }
+  [[nodiscard]] bool are_well() const {
+    return std::ranges::all_of(samples, [](const drivers::AxisSample& sample) {
+      return sample.status == drivers::kDeviceOk;
+    });
+  }
+  [[nodiscard]] double seconds() const {
+    return 1e-9 * static_cast<double>(clock.now_ns() - machine->start_ns());
+  }
+  // The newest truth that is not younger.
+  [[nodiscard]] const MachineTruth& truth_at(hal::TimeNs time_ns) const {
+    const auto after = std::ranges::upper_bound(run->truth(), time_ns, {}, &MachineTruth::time_ns);
+    return after == run->truth().begin() ? *after : *std::prev(after);
+  }
+
+  hal::SimulatedClock clock;
+  hal::SimulatedCanNetwork network{clock, {.bit_rate = 1'000'000}};
+  hal::SimulatedCanBus host{network};
+  drivers::CanBoard<drivers::ODriveCan> board{host, clock};
+  std::optional<EmulatedMachine> machine;
+  std::vector<std::unique_ptr<hal::SimulatedCanBus>> nodes;
+  std::vector<std::unique_ptr<ODriveEmulator>> drives;
+  std::array<drivers::Transmission, 3> transmissions{};
+  std::optional<EmulatedRun> run;
+  std::optional<ClockedRun> clocked;
+  std::array<double, 3> middle{};  // of the workspace, in joints
+  std::array<drivers::AxisSample, 3> samples{};
+  std::array<drivers::AxisCommand, 3> commands{};
+  hal::TimeNs next_tick_ns = 0;
+};
+
+TEST(EmulatedODrives, VirtualSpringsHoldTheArmAgainstItsWeight) {
+  WoodenHaptics device;
+  device.ticks(600, [&](int) { device.hold(); });
+  ASSERT_TRUE(device.are_well()) << device.board.trouble(0).what;
+  device.ticks(3000, [&](int) { device.hold(); });
+  ASSERT_TRUE(device.are_well());
+  const MachineTruth& truth = device.machine->truth();
+  EXPECT_LT(truth.handle_v_B.norm(), 1e-3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(truth.joint_position[i], device.middle[i], 0.02) << i;  // 0.4 N m on 20 N m/rad
+  }
+}
+
+TEST(EmulatedODrives, DriverKnowsWhereTheJointsTrulyAreToTheAgeOfItsSamples) {
+  WoodenHaptics device({}, kPenHand);
+  device.ticks(600, [&](int) { device.hold(); });
+  double fastest_rad_per_s = 0.0;
+  device.ticks(2000, [&](int tick) {
+    ASSERT_TRUE(device.are_well());
+    const double swing = 0.15 * std::sin(0.006 * tick);
+    device.hold({swing, -swing, swing});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const hal::TimeNs age_ns = device.clock.now_ns() - device.samples[i].time_ns;
+      EXPECT_LT(age_ns, 1'100'000);
+      // A frame waits for five others at most (estimates, heartbeats), 0.14 ms each.
+      const MachineTruth& truth = device.truth_at(device.samples[i].time_ns);
+      const double speed = std::abs(truth.joint_velocity[i]);
+      fastest_rad_per_s = std::max(fastest_rad_per_s, speed);
+      EXPECT_NEAR(device.joint(i), truth.joint_position[i], 1e-6 + 0.9e-3 * (speed + 0.05))
+          << "joint " << i << " at tick " << tick;
+    }
+  });
+  EXPECT_GT(fastest_rad_per_s, 0.3);
+  const auto still = [&](int) { device.hold(); };
+  device.ticks(3000, still);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(device.joint(i), device.machine->truth().joint_position[i], 2e-5);
+  }
+}
+
+TEST(EmulatedODrives, PlantFeelsTheTorqueThatWasCommanded) {
+  WoodenHaptics device({}, kPenHand);
+  device.ticks(600);
+  std::array<double, 3> commanded_Nm{};
+  device.ticks(1000, [&](int tick) {
+    const MachineTruth& truth = device.machine->truth();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (tick > 0) {
+        EXPECT_NEAR(truth.shaft_torque_Nm[i], commanded_Nm[i], 1e-7) << "tick " << tick;
+      }
+      commanded_Nm[i] = 0.05 * std::sin(0.02 * tick + static_cast<double>(i));
+      device.commands[i] = {.torque_Nm = commanded_Nm[i], .enable = true};
+    }
+  });
+  EXPECT_TRUE(device.are_well());
+}
+
+struct FaultCase {
+  const char* kind;
+  std::uint32_t status;  // one of these bits is to come
+  double within_s;
+};
+
+class EmulatedODriveFault : public ::testing::TestWithParam<FaultCase> {};
+
+// From the fault on, the driver notices in time, nobody else is hurt, the motor's torque ends, and
+// after healing and a reset the axis works again.
+TEST_P(EmulatedODriveFault, IsNoticedAfterItsTimeAndHeals) {
+  const FaultCase& fault = GetParam();
+  constexpr double kAt_s = 0.7;
+  WoodenHaptics device({parse_planned_fault(std::string("1:") + fault.kind + "@0.7"),
+                        parse_planned_fault("1:none@1.5")},
+                       kPenHand);
+  double noticed_s = 0.0;
+  double zero_s = 0.0;
+  device.ticks(1400, [&](int) {
+    device.hold();
+    if (noticed_s == 0.0 && device.seconds() > 0.6 && device.samples[1].status != 0) {
+      noticed_s = device.seconds();
+      EXPECT_NE(device.samples[1].status & fault.status, 0U) << device.samples[1].status;
+    }
+    const bool has_torque = device.machine->truth().shaft_torque_Nm[1] != 0.0;
+    zero_s = has_torque ? 0.0 : zero_s == 0.0 ? device.seconds() : zero_s;
+  });
+  EXPECT_GE(noticed_s, kAt_s);
+  EXPECT_LE(noticed_s, kAt_s + fault.within_s);
+  EXPECT_GE(zero_s, kAt_s);
+  EXPECT_LE(zero_s, noticed_s + 0.005);
+  EXPECT_TRUE(device.board.trouble(1)) << "latched";
+  EXPECT_EQ(device.samples[0].status, drivers::kDeviceOk);
+  EXPECT_EQ(device.samples[2].status, drivers::kDeviceOk);
+
+  device.ticks(200);
+  device.board.clear_faults();
+  device.ticks(700, [&](int) { device.hold(); });
+  EXPECT_TRUE(device.are_well()) << device.board.trouble(1).what;
+  EXPECT_NE(device.machine->truth().shaft_torque_Nm[1], 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryFault, EmulatedODriveFault,
+    ::testing::Values(FaultCase{"silent", drivers::kDeviceStale | drivers::kDeviceLost, 0.006},
+                      FaultCase{"delayed", drivers::kDeviceStale | drivers::kDeviceLost, 0.006},
+                      FaultCase{"corrupted", ~0U, 0.1},
+                      FaultCase{"erroring", drivers::kDeviceDriveFault, 0.02},
+                      FaultCase{"unplugged", drivers::kDeviceStale | drivers::kDeviceLost, 0.006}),
+    [](const auto& one) { return std::string(one.param.kind); });
+
+TEST(EmulatedODrives, SameSeedsGiveTheSameRunToTheBit) {
+  std::array<MachineTruth, 2> ends;
+  for (MachineTruth& end : ends) {
+    WoodenHaptics device({parse_planned_fault("0:corrupted@0.5")}, kFingerHand);
+    device.ticks(1000, [&](int) { device.hold(); });
+    end = device.machine->truth();
+  }
+  EXPECT_EQ(ends[0].joint_position, ends[1].joint_position);
+  EXPECT_EQ(ends[0].handle_v_B, ends[1].handle_v_B);
+  EXPECT_EQ(ends[0].shaft_torque_Nm, ends[1].shaft_torque_Nm);
+}
+
+}  // namespace
+}  // namespace tactus::host
