@@ -95,7 +95,7 @@ class Cia402Life {
       case 4:
       case 5:
       case 6:
-        count_ += bytes.take<std::int8_t>();
+        count_ += static_cast<std::uint32_t>(bytes.take<std::int8_t>());
         controlword_ = bytes.below(64) == 0 ? controlword_ : std::byte{0x0F};
         return state();
       case 7:
@@ -157,7 +157,7 @@ class Cia402Life {
   hal::TimeNs now_ns_ = 1'000'000'000;
   std::byte heartbeat_{0x7F};
   std::byte controlword_{0};
-  std::int32_t count_ = 0x7FFF'FF00;  // close to where it wraps
+  std::uint32_t count_ = 0x7FFF'FF00;  // close to where it wraps
 };
 
 }  // namespace tactus::fuzz
