@@ -7,8 +7,6 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr AxisCommand kPush{.torque_Nm = 0.02, .enable = true};
-
 class GpioAxisFault : public ::testing::Test {
  protected:
   GpioAxisFault() {
