@@ -2,6 +2,8 @@
 // against a device that echoes. tests/rig/scenarios/usb.sh has set the gadget `echo` up.
 #include "hal/linux/usb_endpoint.h"
 
+#include <unistd.h>
+
 #include <deque>
 #include <memory>
 
@@ -111,6 +113,24 @@ TEST(LinuxUsbEndpoint, DeviceClaimedByAnotherIsBusy) {
   GadgetRig rig;
   LinuxUsbEndpoint second;
   EXPECT_EQ(second.open(kEchoConfig).error().code, ErrorCode::busy);
+}
+
+TEST(LinuxUsbEndpoint, DeviceWithoutPermissionIsNotPermitted) {
+  const GadgetRig rig;
+  ASSERT_EQ(seteuid(65534), 0);
+  {
+    LinuxUsbEndpoint second;
+    EXPECT_EQ(second.open(kEchoConfig).error().code, ErrorCode::not_permitted);
+  }
+  ASSERT_EQ(seteuid(0), 0);
+}
+
+TEST(LinuxUsbEndpoint, DeviceIsFoundByItsSerialNumber) {
+  GadgetRig rig;
+  LinuxUsbEndpoint second;
+  LinuxUsbConfig config = kEchoConfig;
+  config.serial = "echo-1";
+  EXPECT_EQ(second.open(config).error().code, ErrorCode::busy);  // found, and claimed by the rig
 }
 
 TEST(LinuxUsbEndpoint, DeviceWithAnotherSerialNumberIsNotOurs) {
