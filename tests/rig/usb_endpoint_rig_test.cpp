@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <deque>
+#include <filesystem>
 #include <memory>
 
 #include "hal/linux/clock.h"
@@ -117,6 +118,11 @@ TEST(LinuxUsbEndpoint, DeviceClaimedByAnotherIsBusy) {
 
 TEST(LinuxUsbEndpoint, DeviceWithoutPermissionIsNotPermitted) {
   const GadgetRig rig;
+  for (const auto& node : std::filesystem::recursive_directory_iterator("/dev/bus/usb")) {
+    if (!node.is_directory()) {
+      std::filesystem::permissions(node, std::filesystem::perms::owner_read);
+    }
+  }
   ASSERT_EQ(seteuid(65534), 0);
   {
     LinuxUsbEndpoint second;
