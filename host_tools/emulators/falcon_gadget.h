@@ -27,6 +27,13 @@ class FalconGadget final : private GadgetDevice {
     return std::forward<Action>(action)(emulator_);
   }
 
+  // The same for the shafts alone, which a plant turns many times between two packets.
+  template <class Action>
+  auto with_shafts(Action&& action) {
+    const std::lock_guard lock(gadget_.mutex());
+    return std::forward<Action>(action)(emulator_.shafts());
+  }
+
  private:
   bool control_out(const hal::UsbSetup& setup) override;
   std::optional<std::vector<std::byte>> control_in(const hal::UsbSetup& setup) override;

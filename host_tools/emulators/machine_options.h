@@ -25,6 +25,7 @@ struct MachineOptions {
   std::vector<std::string> faults;
   std::string truth;  // CSV file to write; empty: none
   std::uint32_t seed = 1;
+  int priority = 0;  // SCHED_FIFO, 1 to 99; 0: as every program
   RealTimeOptions run;
 };
 

@@ -37,7 +37,9 @@ class EndSignals {
   sigset_t before_{};
 };
 
-void take_priority(int priority) {
+}  // namespace
+
+void take_realtime_priority(int priority) {
   const sched_param parameters{.sched_priority = priority};
   if (sched_setscheduler(0, SCHED_FIFO, &parameters) != 0) {
     throw InputError(fmt::format(
@@ -45,8 +47,6 @@ void take_priority(int priority) {
         priority, std::strerror(errno)));
   }
 }
-
-}  // namespace
 
 hal::TimeNs start_of_run_ns(const RealTimeOptions& options) {
   return hal::next_instant_ns({.period_ns = options.step_ns}, hal::LinuxClock().now_ns());
@@ -56,9 +56,6 @@ void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const Ru
   constexpr hal::TimeNs kSecond_ns = 1'000'000'000;
   constexpr hal::TimeNs kSignalPeriod_ns = 5'000'000;
   const EndSignals end_signals;
-  if (options.priority > 0) {
-    take_priority(options.priority);
-  }
   hal::LinuxClock clock;
   const hal::TimeNs start_ns = run.next_step_ns();
   const hal::TimeNs end_ns =

@@ -11,9 +11,12 @@ namespace tactus::host {
 
 struct RealTimeOptions {
   std::optional<double> seconds;  // nothing: until SIGINT or SIGTERM
-  int priority = 0;               // SCHED_FIFO, 1 to 99; 0: as every program
   hal::TimeNs step_ns = kLongestMachineStep_ns;
 };
+
+// Gives this thread, and those that it starts from now on, a SCHED_FIFO priority from 1 to 99.
+// Throws InputError, text for a user, where the system refuses.
+void take_realtime_priority(int priority);
 
 // When a machine that is about to be made should start: at an instant of the loop's phase.
 hal::TimeNs start_of_run_ns(const RealTimeOptions& options);
@@ -21,8 +24,7 @@ hal::TimeNs start_of_run_ns(const RealTimeOptions& options);
 // Called once a second of the run.
 using RunStatusSink = std::function<void(const EmulatedRun&)>;
 
-// Returns when the time is over or the user ends the program. Throws InputError if the priority is
-// refused.
+// Returns when the time is over or the user ends the program.
 void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const RunStatusSink& sink);
 
 }  // namespace tactus::host

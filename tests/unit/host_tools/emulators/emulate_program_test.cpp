@@ -43,6 +43,16 @@ TEST_F(EmulateProgram, SaysWhatIsWrongInOneLine) {
   expect_refused("haply", "say where");
   expect_refused("haply --tty /dev/null --pty", "say where");
   expect_refused("haply --tty /nowhere", "/nowhere: no such device");
+  expect_refused("moteus --can nocan7 --nodes 0", "--nodes: 0 is no address");
+  expect_refused("cia402 --can nocan7 --nodes 128", "--nodes: 128 is no address");
+  expect_refused("vesc --can nocan7 --nodes 255", "--nodes: 255 is no address");
+  expect_refused("vesc --can nocan7 --pole-pairs 0", "--pole-pairs");
+  expect_refused("falcon --function-fs /nowhere", "/nowhere/ep0");
+  expect_refused("paddle --pins encoder_a=0", "an encoder has two lines");
+  expect_refused("paddle --pins encoder_c=0", "there is no 'encoder_c'");
+  expect_refused("paddle --bridge half", "--bridge: there is no 'half'");
+  expect_refused("paddle --torque-law cubic", "--torque-law: there is no 'cubic'");
+  expect_refused("haply --pty --gadget /nowhere", "/nowhere/UDC");
   const std::string haply = "haply --pty --seconds 0.1 ";
   expect_refused(haply + "--mechanism toaster", "--mechanism: there is no 'toaster'");
   expect_refused(haply + "--hand glove", "--hand: there is no 'glove'");
@@ -80,7 +90,8 @@ TEST_F(EmulateProgram, RunsForItsTimeAndLeavesTheTruth) {
 }
 
 TEST_F(EmulateProgram, HelpEndsInExamples) {
-  for (const char* const device : {"", "odrive ", "haply "}) {
+  for (const char* const device :
+       {"", "odrive ", "moteus ", "cia402 ", "vesc ", "falcon ", "haply ", "paddle "}) {
     const Outcome result = run(std::string(device) + "--help");
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_TRUE(contains(result.output, "Examples"));

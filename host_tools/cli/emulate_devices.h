@@ -1,0 +1,13 @@
+// The devices of `tactus emulate`, each a verb of its own below it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+// odrive, moteus, cia402, vesc
+void add_emulated_can_devices(CLI::App& emulate);
+// falcon, haply, paddle
+void add_emulated_boards(CLI::App& emulate);
+
+}  // namespace tactus::host
