@@ -60,6 +60,7 @@ double ComposedDevice::commanded_torque_Nm(std::size_t joint) const {
 void ComposedDevice::start() {
   latched_ = kDeviceOk;
   trouble_ = {};
+  troubled_joint_ = kNoJoint;
   home_ = false;
   for (BoardState& board : std::span(boards_).first(board_count_)) {
     board.ref.start();
@@ -107,7 +108,7 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
     status |= home_ ? kDeviceHoming : kDeviceNotReady;
   }
   if ((status & kLatchedStatus) != 0) {
-    note_trouble(joint);
+    note_trouble(i);
   }
   const Transmission& transmission = joint.homing.transmission();
   sample.position[i] = joint_position(transmission, encoder.position_rad);
@@ -116,10 +117,15 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
   return status;
 }
 
-void ComposedDevice::note_trouble(const Joint& joint) {
-  if (trouble_.trouble) {
+// The first joint's, in its newest words: a link that goes down first shows as silent drives.
+void ComposedDevice::note_trouble(std::size_t i) {
+  if (troubled_joint_ == kNoJoint) {
+    troubled_joint_ = i;
+  }
+  if (troubled_joint_ != i) {
     return;
   }
+  const Joint& joint = joints_[i];
   const auto of = [this](const AxisAddress& address) {
     return boards_[address.board].ref.trouble(address.axis);
   };
@@ -158,6 +164,7 @@ std::uint32_t ComposedDevice::write(const JointCommand& command) {
 void ComposedDevice::clear_faults() {
   latched_ = kDeviceOk;
   trouble_ = {};
+  troubled_joint_ = kNoJoint;
   for (BoardState& board : std::span(boards_).first(board_count_)) {
     board.ref.clear_faults();
   }

@@ -65,13 +65,16 @@ class ComposedDevice {
   std::uint32_t write(const JointCommand& command);
   void clear_faults();
 
-  // The first joint's trouble that is there; empty if all is well. Latched until clear_faults.
+  // Of the joint that was first in trouble, in its board's newest words; empty if all is well.
+  // Latched until clear_faults.
   [[nodiscard]] JointTrouble trouble() const { return trouble_; }
   // The last tick's, for a log: shaft angles, and what was asked of the motors.
   [[nodiscard]] const AxisSample& encoder_sample(std::size_t joint) const;
   [[nodiscard]] double commanded_torque_Nm(std::size_t joint) const;
 
  private:
+  static constexpr std::size_t kNoJoint = kMaxJoints;
+
   struct Joint {
     JointWiring wiring;
     Homing homing;
@@ -85,7 +88,7 @@ class ComposedDevice {
   [[nodiscard]] bool exists(const AxisAddress& address) const;
   [[nodiscard]] const AxisSample& sample_at(const AxisAddress& address) const;
   std::uint32_t read_joint(std::size_t i, hal::TimeNs now_ns, JointSample& sample);
-  void note_trouble(const Joint& joint);
+  void note_trouble(std::size_t i);
 
   const hal::Clock* clock_;
   hal::TimeNs read_limit_ns_;
@@ -96,6 +99,7 @@ class ComposedDevice {
   bool home_ = false;  // the controller wants the reference
   std::uint32_t latched_ = kDeviceOk;
   JointTrouble trouble_;
+  std::size_t troubled_joint_ = kNoJoint;
 };
 
 static_assert(Device<ComposedDevice>);

@@ -6,8 +6,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=build/demo
 tactus=build/release/bin/tactus
-archive=/usr/share/doc/libcgal-dev/data.tar.gz  # of libcgal-demo
-mesh=data/meshes/bunny00.off                    # in that archive: 37,706 vertices, 75,408 triangles
 
 step() { printf '\n==> %s\n' "$*"; }
 fail() { printf 'demo.sh: %s\n' "$*" >&2 && exit 1; }
@@ -28,24 +26,6 @@ configure() {
     { cat "$out/configure.log" >&2 && fail "cmake could not configure build/release"; }
 }
 
-# Slim images leave documentation out when they install a package: the mesh is then taken from the package itself.
-archive_from_package() (
-  folder="$(mktemp -d)"
-  trap 'rm -rf "$folder"' EXIT
-  chmod 755 "$folder"
-  cd "$folder"
-  apt-get download -qq libcgal-demo >&2
-  dpkg-deb --fsys-tarfile libcgal-demo_*.deb | tar --extract --to-stdout ".$archive"
-)
-
-extract_bunny() {
-  if [[ -f "$archive" ]]; then
-    tar --extract --gzip --to-stdout --file "$archive" "$mesh" >"$1"
-  else
-    archive_from_package | tar --extract --gzip --to-stdout "$mesh" >"$1"
-  fi
-}
-
 mkdir -p "$out"
 
 step "1/6 Packages"
@@ -56,9 +36,7 @@ configure
 cmake --build build/release --target tactus --parallel "$(nproc)"
 
 step "3/6 The bunny, from Debian's libcgal-demo"
-extract_bunny "$out/bunny00.off.part" || fail "cannot get $mesh out of libcgal-demo"
-[[ "$(sed -n 2p "$out/bunny00.off.part")" == "37706 75408 0" ]] || fail "$mesh is not the bunny that was expected"
-mv "$out/bunny00.off.part" "$out/bunny00.off"
+host_tools/bunny_mesh.sh "$out/bunny00.off"
 echo "$out/bunny00.off"
 
 step "4/6 Bake it, 15 cm long"

@@ -112,6 +112,7 @@ void Falcon::clear_faults() {
 
 void Falcon::stop() {
   if (state_ == State::running) {
+    check_writes();
     Write& write = writes_[next_write_];
     send({.motor = {}, .lights = {.red = true}});
     (void)endpoint_->wait(write.transfer, clock_->now_ns() + kFalconFarewellPatience_ns);
@@ -126,6 +127,7 @@ void Falcon::withdraw_all() {
   }
   for (Write& write : writes_) {
     endpoint_->cancel(write.transfer);
+    write.on_its_way = false;
   }
 }
 
@@ -235,7 +237,7 @@ void Falcon::exchange(hal::TimeNs deadline_ns) {
 
 void Falcon::judge() {
   if (fresh_) {
-    bad_score_ -= std::min(bad_score_, 1U);
+    bad_score_ -= bad_score_ > 0 ? 1 : 0;
     return;
   }
   bad_score_ += kFalconBadRead;
@@ -322,7 +324,8 @@ void Falcon::believe(const FalconReply& reply) {
     }
     AxisSample& sample = samples_[arm];
     sample.position_rad = arm_angle_rad(reply.counts[arm]);
-    sample.velocity_rad_per_s = rates_[arm].update(sample.position_rad, answer_ns_);
+    sample.velocity_rad_per_s = std::clamp(rates_[arm].update(sample.position_rad, answer_ns_),
+                                           -config_.fastest_rad_per_s, config_.fastest_rad_per_s);
     sample.time_ns = answer_ns_;
   }
 }
@@ -377,11 +380,12 @@ FalconLights Falcon::lights(bool powered) const {
 // Whether the packets before arrived.
 void Falcon::check_writes() {
   for (Write& write : writes_) {
-    if (write.transfer.state() == hal::UsbTransfer::State::idle) {
+    if (!write.on_its_way) {
       continue;
     }
     const auto sent = endpoint_->wait(write.transfer, hal::kNoWait);
-    if (!sent && write.transfer.state() == hal::UsbTransfer::State::done) {
+    write.on_its_way = write.transfer.state() == hal::UsbTransfer::State::in_flight;
+    if (!sent && !write.on_its_way) {
       lose(sent.error());
     }
   }
@@ -389,7 +393,7 @@ void Falcon::check_writes() {
 
 void Falcon::send(const FalconCommand& command) {
   Write& write = writes_[next_write_];
-  if (write.transfer.state() == hal::UsbTransfer::State::in_flight) {
+  if (write.on_its_way) {
     ++blocked_in_a_row_;
     if (blocked_in_a_row_ >= kFalconBlockedToLoss) {
       latch(kDeviceLost, kFalconNotTaking);
@@ -405,6 +409,7 @@ void Falcon::send(const FalconCommand& command) {
   sent_ns_[sent_ % kRemembered] = clock_->now_ns();
   ++sent_;
   next_write_ = (next_write_ + 1) % writes_.size();
+  write.on_its_way = true;
   submit(write.transfer);
 }
 

@@ -91,6 +91,7 @@ class Falcon {
   struct Write {
     FalconPacket packet{};
     hal::UsbTransfer transfer = hal::UsbTransfer::out(packet);
+    bool on_its_way = false;  // submitted, and its outcome not looked at
   };
 
   void come_up(hal::TimeNs deadline_ns);

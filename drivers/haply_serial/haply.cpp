@@ -269,14 +269,16 @@ void Haply::believe(const HaplyAngles& angles) {
   believed_ = {.angles = angles, .time_ns = answer_ns_};
   for (std::size_t i = 0; i < config_.axes; ++i) {
     samples_[i].position_rad = angles[i];
-    samples_[i].velocity_rad_per_s = rates_[i].update(angles[i], answer_ns_);
+    samples_[i].velocity_rad_per_s =
+        std::clamp(rates_[i].update(angles[i], answer_ns_), -config_.fastest_rad_per_s,
+                   config_.fastest_rad_per_s);
     samples_[i].time_ns = answer_ns_;
   }
 }
 
 void Haply::judge() {
   if (fresh_) {
-    bad_score_ -= std::min(bad_score_, 1U);
+    bad_score_ -= bad_score_ > 0 ? 1 : 0;
     return;
   }
   bad_score_ += kHaplyBadRead;

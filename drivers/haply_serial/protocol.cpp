@@ -26,7 +26,9 @@ float limited_torque(double torque_Nm) {
   }
   const auto rounded =
       static_cast<float>(std::clamp(torque_Nm, -kHaplyTorqueLimit_Nm, kHaplyTorqueLimit_Nm));
-  return std::abs(double{rounded}) > kHaplyTorqueLimit_Nm ? std::nextafter(rounded, 0.0F) : rounded;
+  return std::abs(static_cast<double>(rounded)) > kHaplyTorqueLimit_Nm
+             ? std::nextafter(rounded, 0.0F)
+             : rounded;
 }
 
 float float_at(std::span<const std::byte> bytes) {
@@ -100,7 +102,7 @@ std::optional<HaplyAngles> decode_haply_reply(std::span<const std::byte> reply,
   }
   HaplyAngles angles{};
   for (std::size_t axis = 0; axis < axes; ++axis) {
-    const double angle_deg = float_at(reply.subspan(1 + 4 * axis));
+    const auto angle_deg = static_cast<double>(float_at(reply.subspan(1 + 4 * axis)));
     if (!(std::abs(angle_deg) <= kHaplyLargestAngle_deg)) {
       return std::nullopt;
     }

@@ -211,7 +211,7 @@ void FalconEmulator::watch_homing() {
 void FalconEmulator::answer(hal::TimeNs now_ns) {
   std::vector<std::byte> packet = {std::byte{'<'}};
   for (std::size_t arm = 0; arm < kArms; ++arm) {
-    const bool homed = (homed_ >> arm & 1U) != 0;
+    const bool homed = ((unsigned{homed_} >> arm) & 1U) != 0;
     const double counted = homed ? degrees(shafts_[arm].position_rad) - kArmDegreesAtZero
                                  : degrees(shafts_[arm].position_rad - origin_rad_[arm]);
     append_letters(packet, static_cast<int>(std::lround(counted / kArmDegreesPerCount)));

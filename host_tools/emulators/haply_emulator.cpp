@@ -78,7 +78,7 @@ double HaplyEmulator::next_float() {
   std::array<std::byte, 4> bytes;
   std::copy_n(heard_.begin(), 4, bytes.begin());
   heard_.erase(heard_.begin(), heard_.begin() + 4);
-  return double{std::bit_cast<float>(bytes)};
+  return static_cast<double>(std::bit_cast<float>(bytes));
 }
 
 void HaplyEmulator::start_command() {

@@ -28,6 +28,7 @@ constexpr hal::LinuxUsbConfig kFalconUsb{.vendor = kFalconVendor,
 class FalconOnTheBus : public ::testing::Test {
  protected:
   FalconOnTheBus() {
+    clock_.sleep_until(clock_.now_ns() + 200'000'000);  // until the last test's device is forgotten
     gadget_.plug_in();
     open();
     driver_.start();

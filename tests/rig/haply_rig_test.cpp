@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <mutex>
 #include <numbers>
 #include <thread>
@@ -70,6 +71,10 @@ HaplyConfig rig_config() {
 class HaplyOnTheBus : public ::testing::Test {
  protected:
   HaplyOnTheBus() {
+    plug_.unplug();
+    for (int i = 0; std::filesystem::exists("/dev/ttyACM0") && i < 200; ++i) {
+      clock_.sleep_until(clock_.now_ns() + 10'000'000);  // the node of the last time
+    }
     plug_.plug_in();
     auto opened = port_.open("/dev/ttyACM0", 115200);
     for (int i = 0; !opened && i < 200; ++i) {

@@ -7,6 +7,7 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -62,6 +63,7 @@ class Shaft {
             pins.drive(moves_a ? 0 : 1, quarter == 1 || quarter == 2);
             count_.store(i);
           }
+          rate_.store(1e9 * edges / static_cast<double>(clock.now_ns() - start_ns));
           done_.store(true);
         }) {}
   Shaft(const Shaft&) = delete;
@@ -70,10 +72,13 @@ class Shaft {
 
   [[nodiscard]] int count() const { return count_.load(); }
   [[nodiscard]] bool done() const { return done_.load(); }
+  // What it came to, edges a second: from below the interrupts it waits for them.
+  [[nodiscard]] double rate() const { return rate_.load(); }
 
  private:
   std::atomic<int> count_ = 0;
   std::atomic<bool> done_ = false;
+  std::atomic<double> rate_ = 0.0;
   std::thread thread_;
 };
 
@@ -107,6 +112,7 @@ class QuadratureRate : public ::testing::Test {
         expect_position_between(before - late, shaft.count());
       }
     }
+    rate_ = shaft.rate();
     if (sample_.status == kDeviceOk) {
       EXPECT_EQ(std::lround(sample_.position_rad / kCount_rad), edges) << "and said to be well";
       return false;
@@ -128,6 +134,7 @@ class QuadratureRate : public ::testing::Test {
   GpioAxis axis_{rig_config(), lines_, pwm_, clock_};
   AxisSample sample_;
   int phase_ = 0;
+  double rate_ = 0.0;  // of the last turn
 };
 
 TEST_F(QuadratureRate, EveryLossIsAFaultAndNeverAPosition) {
@@ -136,20 +143,20 @@ TEST_F(QuadratureRate, EveryLossIsAFaultAndNeverAPosition) {
   for (const double rate :
        {1e3, 2e3, 5e3, 10e3, 12e3, 14e3, 16e3, 18e3, 20e3, 22e3, 25e3, 30e3, 40e3}) {
     const bool fault = turn(40, rate, static_cast<int>(rate / 4.0));
-    std::printf("measured: %6.0f edges/s from below the interrupts: %s\n", rate,
+    std::printf("measured: %6.0f edges/s from below the interrupts: %s\n", rate_,
                 fault ? axis_.trouble(0).what.data() : "every edge");
     lost = lost || fault;
-    lossless = lost ? lossless : rate;
+    lossless = lost ? lossless : std::max(lossless, rate_);
   }
   std::printf("measured: lossless up to %.0f edges/s\n", lossless);
-  EXPECT_GE(lossless, 6e3);
+  EXPECT_GE(lossless, 9e3);
 }
 
 TEST_F(QuadratureRate, AStarvedInterruptIsAFaultAndNeverAPosition) {
   int faults = 0;
   for (const double rate : {1e3, 4e3, 8e3, 10e3, 12.5e3, 14e3, 20e3, 50e3}) {
     const bool fault = turn(60, rate, static_cast<int>(rate / 4.0));
-    std::printf("measured: %6.0f edges/s from above the interrupts: %s\n", rate,
+    std::printf("measured: %6.0f edges/s from above the interrupts: %s\n", rate_,
                 fault ? axis_.trouble(0).what.data() : "every edge");
     faults += fault ? 1 : 0;
   }

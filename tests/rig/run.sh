@@ -39,13 +39,25 @@ done
 if [[ ${#wanted[@]} -eq 0 ]]; then mapfile -t wanted < <(scenarios); fi
 
 [[ -f "$build/build.ninja" ]] || cmake --preset "$(basename "$build")" >/dev/null
-cmake --build "$build" --target rig_programs tactus
+cmake --build "$build" --target rig_programs tactus tactusd
 host_tools/rig/kernel.sh build/rig/kernel
-programs=("$build"/bin/tactus)
+programs=("$build"/bin/tactus "$build"/bin/tactusd)
 for program in "$build"/rig/*; do
   if [[ -f "$program" && -x "$program" ]]; then programs+=("$program"); fi
 done
-host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[@]}" tests/rig/scenarios:/rig
+# What the scenarios touch, baked here: the bunny's mesh stays out of the machine.
+images=build/rig/images
+mkdir -p "$images"
+host_tools/bunny_mesh.sh "$images/bunny00.off"
+cp host_tools/examples/bunny/scene.toml "$images/bunny.toml"
+"$build/bin/tactus" bake --quiet "$images/bunny.toml"
+for device in host_tools/examples/devices/*.toml; do
+  "$build/bin/tactus" bake --quiet "$device" -o "$images/$(basename "$device" .toml).tactus"
+done
+rm -f "$images/bunny00.off"
+
+host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[@]}" tests/rig/scenarios:/rig \
+  "$images":/images host_tools/examples/bunny/wish.csv:/images/
 
 passed=0 failed=0
 for name in "${wanted[@]}"; do

@@ -47,6 +47,7 @@ class EchoDevice final : public host::GadgetDevice {
 class GadgetRig {
  public:
   GadgetRig() {
+    clock_.sleep_until(clock_.now_ns() + 200'000'000);  // until the last test's device is forgotten
     gadget_.plug_in();
     const TimeNs patience_ns = clock_.now_ns() + 2'000'000'000;
     auto opened = endpoint_->open(kEchoConfig);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "drivers/falcon_usb/falcon.h"
 #include "tests/unit/drivers/falcon_usb/falcon_rig.h"
@@ -125,6 +126,22 @@ TEST(FalconFault, DeviceThatCameBackIsOpenedWhenFaultsAreCleared) {
   ASSERT_TRUE(rig.tick_until(kDeviceDriveFault | kDeviceNotReady, 5000));  // its firmware is gone
   EXPECT_EQ(rig.driver.trouble(0).what, "the Falcon has no firmware");
   EXPECT_NE(rig.driver.trouble(0).remedy.find("firmware file"), std::string_view::npos);
+}
+
+TEST(FalconFault, DeviceThatCameBackIsLoadedAndHomedAnew) {
+  const std::vector<std::byte> image(200, std::byte{7});
+  FalconRig rig({.image_bytes = image.size(), .homed = true}, {.firmware = image});
+  rig.driver.start();
+  ASSERT_TRUE(rig.tick_until(kDeviceOk, 50));
+  rig.command(0.1);
+  rig.ticks(5);
+  rig.peer.unplug();
+  rig.ticks(10);
+  rig.peer.plug_in();
+  rig.driver.clear_faults();
+  EXPECT_TRUE(rig.tick_until(kDeviceHoming, 5000));
+  rig.ticks(100);
+  EXPECT_EQ(rig.samples[0].status, kDeviceHoming);
 }
 
 TEST(FalconFault, StoppedDeviceIsLost) {

@@ -74,7 +74,7 @@ TEST(HaplyRandom, NoBytesMakeAJumpOrTorqueBeyondTheLimit) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
           float torque = 0.0F;
           std::memcpy(&torque, heard.data() + 2 + 4 * axis, sizeof torque);
-          ASSERT_LE(std::abs(double{torque}), kHaplyTorqueLimit_Nm);
+          ASSERT_LE(std::abs(static_cast<double>(torque)), kHaplyTorqueLimit_Nm);
           if (samples[0].status != kDeviceOk && samples[0].status != kDeviceStale) {
             ASSERT_EQ(torque, 0.0F);
           }

@@ -66,7 +66,7 @@ TEST(HaplyProtocol, TorqueNeverExceedsTheBoardsLimitAlsoAsAFloat) {
       ASSERT_EQ(message.size(), 6U);
       const auto sent =
           std::bit_cast<float>(std::array{message[2], message[3], message[4], message[5]});
-      EXPECT_LE(std::abs(double{sent}), kHaplyTorqueLimit_Nm);
+      EXPECT_LE(std::abs(static_cast<double>(sent)), kHaplyTorqueLimit_Nm);
       EXPECT_TRUE(!std::isfinite(torque) ? sent == 0.0F : std::abs(sent) > 0.1229F);
     }
   }
