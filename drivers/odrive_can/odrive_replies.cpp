@@ -214,8 +214,11 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
   const bool is_emergency_stop =
       is_0_6 ? odrive::is_emergency_stop_0_6(error) : odrive::is_emergency_stop_0_5(error);
   wants_explanation_ = !is_0_6 && odrive::is_explained_elsewhere(error);
-  fail(kDeviceDriveFault | (is_emergency_stop ? kDeviceEmergencyStop : 0U),
-       is_0_6 ? odrive::active_trouble(error) : odrive::axis_trouble(error));
+  std::uint32_t status = kDeviceDriveFault;
+  if (is_emergency_stop) {
+    status |= kDeviceEmergencyStop;
+  }
+  fail(status, is_0_6 ? odrive::active_trouble(error) : odrive::axis_trouble(error));
 }
 
 // What the drive answered about its errors: the cause of a fault that is known already, or, if it
