@@ -63,7 +63,6 @@ void emulate_falcon(const FalconOptions& options) {
   EmulatedFalcon falcon(gadget);
   emulate(options.machine, fmt::format("a Novint Falcon as USB gadget {}", options.gadget),
           connection_to(falcon));
-  gadget.unplug();
 }
 
 void emulate_haply(const HaplyOptions& options) {

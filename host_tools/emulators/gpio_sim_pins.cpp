@@ -54,6 +54,7 @@ GpioSimPins::GpioSimPins(const std::string& name, const std::string& label, std:
                          const fs::path& pwm_root)
     : config_(fs::path("/sys/kernel/config/gpio-sim") / name), pwm_(pwm_root / "pwmchip0/pwm0") {
   lay_out_pwm();
+  open_pwm();
   std::error_code made;
   fs::create_directories(config_ / "bank0", made);
   if (made) {
@@ -81,6 +82,22 @@ void GpioSimPins::lay_out_pwm() const {
   std::ofstream(pwm_ / "polarity") << "normal\n";
   for (const char* name : {"period", "duty_cycle", "enable"}) {
     std::ofstream(pwm_ / name) << "0\n";
+  }
+}
+
+// Read many times a millisecond: they stay open.
+void GpioSimPins::open_pwm() {
+  const std::array<std::pair<const char*, hal::SysfsFile*>, 4> files{
+      {{"enable", &pwm_enable_},
+       {"period", &pwm_period_},
+       {"duty_cycle", &pwm_duty_},
+       {"polarity", &pwm_polarity_}}};
+  for (const auto& [name, file] : files) {
+    const fs::path path = pwm_ / name;
+    if (const auto opened = file->open(path.string(), hal::SysfsFile::Use::read); !opened) {
+      errno = opened.error().errno_value;
+      refuse(path);
+    }
   }
 }
 
@@ -137,12 +154,16 @@ bool GpioSimPins::level(std::uint32_t offset) {
 }
 
 double GpioSimPins::pwm_level() {
-  if (read_attribute(pwm_ / "enable") != "1") {
+  const auto number = [](const hal::SysfsFile& file) {
+    return static_cast<double>(file.read_number().value_or(0));
+  };
+  const double period_ns = number(pwm_period_);
+  if (number(pwm_enable_) != 1.0 || !(period_ns > 0.0)) {
     return 0.0;
   }
-  const double period_ns = std::stod(read_attribute(pwm_ / "period"));
-  const double duty = std::stod(read_attribute(pwm_ / "duty_cycle")) / period_ns;
-  return read_attribute(pwm_ / "polarity") == "inversed" ? 1.0 - duty : duty;
+  std::array<char, 16> room{};
+  const double duty = number(pwm_duty_) / period_ns;
+  return pwm_polarity_.read_line(room).value_or("") == "inversed" ? 1.0 - duty : duty;
 }
 
 }  // namespace tactus::host

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/linux/sysfs_file.h"
 #include "host_tools/emulators/board_pins.h"
 
 namespace tactus::host {
@@ -36,12 +37,17 @@ class GpioSimPins final : public BoardPins {
 
  private:
   void lay_out_pwm() const;
+  void open_pwm();
   void open_lines();
   void close_lines();
 
   std::filesystem::path config_;  // in configfs
   std::filesystem::path pwm_;     // the channel's folder
-  std::vector<int> pulls_;        // descriptors, one for each line
+  hal::SysfsFile pwm_enable_;
+  hal::SysfsFile pwm_period_;
+  hal::SysfsFile pwm_duty_;
+  hal::SysfsFile pwm_polarity_;
+  std::vector<int> pulls_;  // descriptors, one for each line
   std::vector<int> values_;
 };
 

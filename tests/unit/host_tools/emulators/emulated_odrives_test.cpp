@@ -1,5 +1,4 @@
-// A whole WoodenHaptics of three emulated ODrive axes on a simulated bus, driven by the real driver
-// at 1 kHz.
+// Three emulated ODrive axes, from springs that hold the arm to every fault of the port.
 
 #include <gtest/gtest.h>
 
@@ -7,121 +6,32 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "drivers/can_board.h"
 #include "drivers/odrive_can/odrive_can.h"
-#include "hal/simulated/can_bus.h"
-#include "hal/simulated/can_network.h"
-#include "host_tools/emulators/emulated_run.h"
 #include "host_tools/emulators/odrive_emulator.h"
+#include "tests/unit/host_tools/emulators/emulated_arm.h"
 
 namespace tactus::host {
 namespace {
 
-constexpr hal::TimeNs kTick_ns = 1'000'000;
-constexpr std::array kRatios = {16.0, 12.0, 12.0};
-constexpr std::array kDirections = {1.0, -1.0, 1.0};
-constexpr double kLimit_Nm = 0.15;
-
-struct WoodenHaptics {
-  explicit WoodenHaptics(const std::vector<PlannedFault>& faults = {},
-                         const HandParameters& hand = {}) {
-    EmulatedMachineConfig config;
-    config.device = woodenhaptics_preset();
-    config.hand = hand;
-    config.origin_B = config.device.centre_B;
-    machine.emplace(config, clock.now_ns());
-    for (std::uint8_t i = 0; i < 3; ++i) {
-      transmissions[i] = {.motor_ratio = kRatios[i],
-                          .encoder_ratio = kRatios[i],
-                          .motor_direction = kDirections[i],
-                          .encoder_direction = kDirections[i],
-                          .offset = 0.1 * i};
-      nodes.push_back(std::make_unique<hal::SimulatedCanBus>(network));
-      drives.push_back(std::make_unique<ODriveEmulator>(
-          *nodes.back(), i + 1U, ODriveEmulatorConfig{.node_id = i, .heartbeat_ms = 10}));
-      ODriveEmulator* const drive = drives.back().get();
-      machine->connect({.shaft = &drive->shaft(),
-                        .transmission = transmissions[i],
-                        .set_fault = [drive](EmulatorFault fault) { drive->set_fault(fault); }});
-      machine->add_device([drive](hal::TimeNs now_ns) { drive->run(now_ns); });
-      EXPECT_TRUE(board.add(drivers::ODriveCan({.node_id = i, .max_torque_Nm = kLimit_Nm})));
-    }
-    MechanismPose pose;
-    solve_mechanism(MechanismKind::woodenhaptics, config.device.centre_B, pose);
-    for (std::size_t i = 0; i < 3; ++i) {
-      middle[i] = joint_position(MechanismKind::woodenhaptics, i, pose.coordinate[i]);
-    }
-    run.emplace(*machine, EmulatedRunConfig{.faults = faults, .truth_period_ns = 100'000});
-    clocked.emplace(*run, clock);
-    next_tick_ns = clock.now_ns();
-    board.start();
-  }
-
-  // `act(tick)` sets the commands from the samples.
-  template <class Act>
-  void ticks(int count, Act act) {
-    for (int i = 0; i < count; ++i) {
-      clock.advance_to(next_tick_ns);
-      board.read(samples, clock.now_ns() + 600'000);
-      act(i);
-      board.write(commands);
-      next_tick_ns += kTick_ns;
-    }
-  }
-  void ticks(int count) {
-    ticks(count, [](int) {});
-  }
-
-  [[nodiscard]] double joint(std::size_t i) const {
-    return drivers::joint_position(transmissions[i], samples[i].position_rad);
-  }
-  // A spring and a damper to the middle of the workspace, or beside it.
-  void hold(const std::array<double, 3>& beside = {}) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double velocity =
-          drivers::joint_velocity(transmissions[i], samples[i].velocity_rad_per_s);
-      const double effort_Nm = 20.0 * (middle[i] + beside[i] - joint(i)) - 0.3 * velocity;
-      const double torque_Nm =
-          std::clamp(drivers::motor_torque_Nm(transmissions[i], effort_Nm), -kLimit_Nm, kLimit_Nm);
-      commands[i] = {.torque_Nm = torque_Nm, .enable = true};
-    }
-  }
-  [[nodiscard]] bool are_well() const {
-    return std::ranges::all_of(samples, [](const drivers::AxisSample& sample) {
-      return sample.status == drivers::kDeviceOk;
-    });
-  }
-  [[nodiscard]] double seconds() const {
-    return 1e-9 * static_cast<double>(clock.now_ns() - machine->start_ns());
-  }
-  // The newest truth that is not younger.
-  [[nodiscard]] const MachineTruth& truth_at(hal::TimeNs time_ns) const {
-    const auto after = std::ranges::upper_bound(run->truth(), time_ns, {}, &MachineTruth::time_ns);
-    return after == run->truth().begin() ? *after : *std::prev(after);
-  }
-
-  hal::SimulatedClock clock;
-  hal::SimulatedCanNetwork network{clock, {.bit_rate = 1'000'000}};
-  hal::SimulatedCanBus host{network};
-  drivers::CanBoard<drivers::ODriveCan> board{host, clock};
-  std::optional<EmulatedMachine> machine;
-  std::vector<std::unique_ptr<hal::SimulatedCanBus>> nodes;
-  std::vector<std::unique_ptr<ODriveEmulator>> drives;
-  std::array<drivers::Transmission, 3> transmissions{};
-  std::optional<EmulatedRun> run;
-  std::optional<ClockedRun> clocked;
-  std::array<double, 3> middle{};  // of the workspace, in joints
-  std::array<drivers::AxisSample, 3> samples{};
-  std::array<drivers::AxisCommand, 3> commands{};
-  hal::TimeNs next_tick_ns = 0;
+struct ODriveArm : EmulatedArm<drivers::ODriveCan> {
+  explicit ODriveArm(const std::vector<PlannedFault>& faults = {}, const HandParameters& hand = {})
+      : EmulatedArm({.driver =
+                         [](std::uint8_t i) {
+                           return drivers::ODriveCan({.node_id = i, .max_torque_Nm = kArmLimit_Nm});
+                         },
+                     .emulator =
+                         [](hal::CanBus& bus, std::uint8_t i) {
+                           return std::make_unique<ODriveEmulator>(
+                               bus, i + 1U, ODriveEmulatorConfig{.node_id = i, .heartbeat_ms = 10});
+                         }},
+                    faults, hand) {}
 };
 
 TEST(EmulatedODrives, VirtualSpringsHoldTheArmAgainstItsWeight) {
-  WoodenHaptics device;
+  ODriveArm device;
   device.ticks(600, [&](int) { device.hold(); });
   ASSERT_TRUE(device.are_well()) << device.board.trouble(0).what;
   device.ticks(3000, [&](int) { device.hold(); });
@@ -134,7 +44,7 @@ TEST(EmulatedODrives, VirtualSpringsHoldTheArmAgainstItsWeight) {
 }
 
 TEST(EmulatedODrives, DriverKnowsWhereTheJointsTrulyAreToTheAgeOfItsSamples) {
-  WoodenHaptics device({}, kPenHand);
+  ODriveArm device({}, kPenHand);
   device.ticks(600, [&](int) { device.hold(); });
   double fastest_rad_per_s = 0.0;
   device.ticks(2000, [&](int tick) {
@@ -161,7 +71,7 @@ TEST(EmulatedODrives, DriverKnowsWhereTheJointsTrulyAreToTheAgeOfItsSamples) {
 }
 
 TEST(EmulatedODrives, PlantFeelsTheTorqueThatWasCommanded) {
-  WoodenHaptics device({}, kPenHand);
+  ODriveArm device({}, kPenHand);
   device.ticks(600);
   std::array<double, 3> commanded_Nm{};
   device.ticks(1000, [&](int tick) {
@@ -190,9 +100,9 @@ class EmulatedODriveFault : public ::testing::TestWithParam<FaultCase> {};
 TEST_P(EmulatedODriveFault, IsNoticedAfterItsTimeAndHeals) {
   const FaultCase& fault = GetParam();
   constexpr double kAt_s = 0.7;
-  WoodenHaptics device({parse_planned_fault(std::string("1:") + fault.kind + "@0.7"),
-                        parse_planned_fault("1:none@1.5")},
-                       kPenHand);
+  ODriveArm device({parse_planned_fault(std::string("1:") + fault.kind + "@0.7"),
+                    parse_planned_fault("1:none@1.5")},
+                   kPenHand);
   double noticed_s = 0.0;
   double zero_s = 0.0;
   device.ticks(1400, [&](int) {
@@ -231,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(EmulatedODrives, SameSeedsGiveTheSameRunToTheBit) {
   std::array<MachineTruth, 2> ends;
   for (MachineTruth& end : ends) {
-    WoodenHaptics device({parse_planned_fault("0:corrupted@0.5")}, kFingerHand);
+    ODriveArm device({parse_planned_fault("0:corrupted@0.5")}, kFingerHand);
     device.ticks(1000, [&](int) { device.hold(); });
     end = device.machine->truth();
   }
