@@ -401,7 +401,8 @@ std::span<const Binding<JointConfig>> sliding_joint_keys() {
 // ---- mechanisms
 
 std::span<const Binding<CartesianGeometry>> cartesian_keys() {
-  return {};
+  static constexpr std::array kKeys{bind<&CartesianGeometry::carried_kg>("carried_kg", "kg")};
+  return kKeys;
 }
 
 std::span<const Binding<DeltaGeometry>> delta_keys() {
@@ -416,6 +417,10 @@ std::span<const Binding<DeltaGeometry>> delta_keys() {
       bind<&G::platform_tangent_m>("platform_tangent_m", "m"),
       bind<&G::azimuth_rad>("azimuth_rad", "rad"),
       bind<&G::nominal_height_m>("nominal_height_m", "m"),
+      bind<&G::arm, &LinkWeight::mass_kg>("arm_kg", "kg"),
+      bind<&G::arm, &LinkWeight::centre_m>("arm_centre_m", "m"),
+      bind<&G::rods_kg>("rods_kg", "kg"),
+      bind<&G::platform_kg>("platform_kg", "kg"),
   };
   return kKeys;
 }

@@ -67,7 +67,7 @@ TEST(Homing, IndexThatTheUserPassesOverIsTheReference) {
   sample.position_rad = 5.0;
   homing.advance(sample, true, kMillisecond_ns);
   ASSERT_TRUE(homing.is_referenced());
-  EXPECT_DOUBLE_EQ(joint_position(homing.transmission(), 5.0), -0.1);
+  EXPECT_NEAR(joint_position(homing.transmission(), 5.0), -0.1, 1e-15);
 }
 
 TEST(Homing, MotorFindsTheHardStopAndNeverPushesHarderThanAllowed) {
