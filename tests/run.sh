@@ -10,6 +10,8 @@ stages=(
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64"
   "cortex-m7         build.sh cortex-m7"
+  "fuzz              fuzz.sh"
+  "rig               rig.sh"
   "same-bits         same_bits.sh"
   "heap-check        heap_check_catches_offences.sh"
   "include-check     include_check_catches_offences.sh"
@@ -83,7 +85,7 @@ run_stage() {
   echo "${summary[-1]}"
 }
 
-toolchains/install-packages.sh demo tests aarch64 cortex-m7
+toolchains/install-packages.sh demo tests rig aarch64 cortex-m7
 for stage in "${stages[@]}"; do
   read -r name script arguments <<<"$stage"
   if is_wanted "$name"; then
