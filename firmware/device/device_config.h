@@ -42,6 +42,10 @@ struct GpioConnection {
   std::string_view chip;        // the GPIO chip's label, or its path
   std::string_view pwm_folder;  // "/sys/class/pwm/pwmchip0"
   std::uint32_t pwm_channel = 0;
+  // A hardware counter in place of encoder edges, by its name in /sys/bus/counter/devices; empty
+  // without one.
+  std::string_view counter;  // "counter0"
+  std::uint32_t counter_channel = 0;
 };
 
 struct ConnectionConfig {

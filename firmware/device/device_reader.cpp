@@ -327,7 +327,8 @@ Outcome DeviceReader::check_axis(std::size_t i, const AxisConfig& axis) {
   } else if (const auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
     checked = check(*vesc);
   } else if (const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
-    checked = check(*gpio, false);
+    const auto* line = std::get_if<GpioConnection>(&config_.connections[axis.connection].line);
+    checked = check(*gpio, line != nullptr && !line->counter.empty());
   }
   if (!checked) {
     return refuse(i, checked.error().field, checked.error().rule);

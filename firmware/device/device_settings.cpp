@@ -188,6 +188,8 @@ std::span<const Binding<GpioConnection>> gpio_keys() {
       bind<&C::chip>("chip"),
       bind<&C::pwm_folder>("pwm_folder"),
       bind<&C::pwm_channel>("pwm_channel"),
+      bind<&C::counter>("counter"),
+      bind<&C::counter_channel>("counter_channel"),
   };
   return kKeys;
 }
@@ -304,6 +306,8 @@ std::span<const Binding<drivers::GpioAxisConfig>> gpio_axis_keys() {
       bind<&C::encoder, &E::index_state>("index_state"),
       bind<&C::encoder, &E::index_tolerance_counts>("index_tolerance_counts"),
       bind<&C::encoder, &E::velocity_window_us>("velocity_window_us", "us"),
+      bind<&C::encoder, &E::counter_ceiling>("counter_ceiling"),
+      bind<&C::encoder, &E::counter_index>("counter_index"),
       bind<&C::encoder, &E::silence_torque>("silence_torque"),
       bind<&C::encoder, &E::silence_ms>("silence_ms", "ms"),
       bind<&C::bridge, &B::mode>("bridge"),

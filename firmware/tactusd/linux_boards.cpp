@@ -136,7 +136,16 @@ LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::siz
     return cannot(setup, "the PWM channel cannot be opened; see ls /sys/class/pwm", opened.error());
   }
   line.lines.emplace(gpio.chip);
-  line.axis.emplace(*drive, *line.lines, line.pwm, clock_);
+  if (gpio.counter.empty()) {
+    line.axis.emplace(*drive, *line.lines, line.pwm, clock_);
+  } else {
+    const auto counts = line.counter.open({.counter = gpio.counter, .count = gpio.counter_channel});
+    if (!counts) {
+      return cannot(setup, "the counter cannot be opened; see ls /sys/bus/counter/devices",
+                    counts.error());
+    }
+    line.axis.emplace(*drive, line.counter, *line.lines, line.pwm, clock_);
+  }
   boards_[connection] = drivers::BoardRef(*line.axis);
   return {};
 }

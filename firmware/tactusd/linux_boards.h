@@ -21,6 +21,7 @@
 #include "firmware/device/device_config.h"
 #include "hal/linux/can_bus.h"
 #include "hal/linux/clock.h"
+#include "hal/linux/counter.h"
 #include "hal/linux/gpio_lines.h"
 #include "hal/linux/pwm_output.h"
 #include "hal/linux/serial_port.h"
@@ -62,6 +63,7 @@ class LinuxBoards {
   struct GpioLine {
     std::optional<hal::LinuxGpioLines> lines;
     hal::LinuxPwmOutput pwm;
+    hal::LinuxCounter counter;
     std::optional<drivers::GpioAxis> axis;
   };
 
