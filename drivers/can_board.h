@@ -172,8 +172,8 @@ class CanBoard {
     bool waits = false;
     for_each([&](const auto& drive, std::size_t i) {
       const AxisSample& sample = drive.sample();
-      waits = waits || ((sample.status & ~std::uint32_t{kDeviceStale}) == kDeviceOk &&
-                        sample.time_ns != 0 && sample.time_ns == seen_ns_[i]);
+      waits = waits ||
+              (sample.status == kDeviceOk && sample.time_ns != 0 && sample.time_ns == seen_ns_[i]);
     });
     return waits && !watch_.trouble();
   }

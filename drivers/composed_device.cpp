@@ -113,7 +113,10 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
   const Transmission& transmission = joint.homing.transmission();
   sample.position[i] = joint_position(transmission, encoder.position_rad);
   sample.velocity[i] = joint_velocity(transmission, encoder.velocity_rad_per_s);
-  sample.age_us = std::max(sample.age_us, age_us(now_ns, encoder.time_ns));
+  // Before it is up and referenced a position is worth nothing, however old.
+  if ((status & (kDeviceNotReady | kDeviceHoming)) == 0) {
+    sample.age_us = std::max(sample.age_us, age_us(now_ns, encoder.time_ns));
+  }
   return status;
 }
 

@@ -57,13 +57,12 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   state_ = {};
   emergency_code_ = 0;
   unanswered_syncs_ = 0;
+  is_late_ = false;
   is_operational_ = false;
   has_state_ = false;
   mode_is_set_ = false;
   in_torque_mode_ = false;
   wants_power_ = false;
-  is_stale_ = false;
-  is_late_ = false;
   tick_is_over_ = false;
   reads_error_code_ = false;
   enter(Phase::booting);
@@ -88,8 +87,8 @@ void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
 }
 
 void Cia402Can::update_status() {
-  sample_.status = faults_.status() | (is_stale_ ? kDeviceStale : kDeviceOk) |
-                   (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
+  sample_.status =
+      faults_.status() | (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
 }
 
 void Cia402Can::shutdown(CanOutbox& outbox) {

@@ -14,6 +14,9 @@
 // kDeviceOk, and the power follows the command: up to a second may pass between `enable` and
 // torque.
 //
+// A sample that did not come in time shows by its time alone, without kDeviceStale: the board does
+// not wait for a stale axis, and the next SYNC is answered again.
+//
 // Latched, until clear_faults:
 //   kDeviceDriveFault    the drive reports a fault (EMCY, statusword), leaves torque mode, its
 //                        power or operational by itself, restarts, does not switch its power on, or
@@ -78,6 +81,7 @@ class Cia402Can {
   void update_status();
 
   void take_state(const cia402::DriveState& state);
+  void take_sample();
   void take_motion(const cia402::DriveMotion& motion);
   void take_velocity(std::int32_t velocity);
   void take_heartbeat(canopen::NmtState state);
@@ -129,8 +133,7 @@ class Cia402Can {
   bool mode_is_set_ = false;
   bool in_torque_mode_ = false;
   bool wants_power_ = false;
-  bool had_power_ = false;  // since it was wanted, long enough to be sure
-  bool is_stale_ = false;
+  bool had_power_ = false;     // since it was wanted, long enough to be sure
   bool is_late_ = false;       // the last sample
   bool tick_is_over_ = false;  // its command has been sent, the next SYNC has not
   bool reads_error_code_ = false;

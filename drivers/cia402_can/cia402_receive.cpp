@@ -14,7 +14,6 @@ using canopen::NmtState;
 using cia402::PowerState;
 
 constexpr double kMissedHeartbeats = 3.0;
-constexpr double kStaleAfter_periods = 1.5;
 constexpr double kTorquePerUnit = 1e-3;  // of the rated torque
 constexpr double kSecondsPerMs = 1e-3;
 
@@ -50,8 +49,7 @@ void Cia402Can::take(const hal::CanReceived& received) {
   }
 }
 
-// The position was taken at the last SYNC. A sample that comes after its tick is used, but it is no
-// fresh one: the next tick waits for its own.
+// The position was taken at the last SYNC.
 void Cia402Can::take_state(const cia402::DriveState& state) {
   state_ = state;
   has_state_ = true;
@@ -62,19 +60,23 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
            static_cast<std::uint32_t>(state.position)});
     return;
   }
+  is_late_ = tick_is_over_;
+  if (!is_late_ || phase_ != Phase::ready) {
+    take_sample();
+  }
+  check_power();
+  update_status();
+}
+
+// Not of a sample that comes after its tick: the next tick waits for its own.
+void Cia402Can::take_sample() {
+  sample_.time_ns = sync_ns_;
   sample_.position_rad = shaft_.position_rad();
   if (config_.velocity_unit_rad_per_s == 0.0) {
     sample_.velocity_rad_per_s = shaft_.velocity_rad_per_s();
   }
-  sample_.torque_Nm = kTorquePerUnit * facts_.rated_torque_Nm * state.torque;
-  is_late_ = tick_is_over_;
-  if (!is_late_ || phase_ != Phase::ready) {
-    sample_.time_ns = sync_ns_;
-    unanswered_syncs_ = 0;
-    is_stale_ = false;
-  }
-  check_power();
-  update_status();
+  sample_.torque_Nm = kTorquePerUnit * facts_.rated_torque_Nm * state_.torque;
+  unanswered_syncs_ = 0;
 }
 
 void Cia402Can::check_power() {
@@ -173,11 +175,6 @@ void Cia402Can::watch() {
 
 // A host that overslept has asked for no sample meanwhile: that is not the drive's fault.
 void Cia402Can::watch_samples() {
-  if (unanswered_syncs_ > 0 &&
-      has_passed(sample_.time_ns, kStaleAfter_periods * config_.period_s)) {
-    is_stale_ = true;
-    update_status();
-  }
   if (unanswered_syncs_ > 1 && has_passed(sample_.time_ns, config_.lost_after_s)) {
     latch(kDeviceLost,
           is_late_ ? Trouble{"drive's samples come later than the tick waits for them",

@@ -53,6 +53,8 @@ void GpioAxis::start() {
     running_ = true;
     sample_.status &= ~std::uint32_t{kDeviceNotReady};
     cut_power();
+    read_levels(clock_->now_ns());
+    note_safety();
   }
 }
 

@@ -24,11 +24,14 @@ void GpioAxis::read(std::span<AxisSample> samples, hal::TimeNs /*deadline_ns*/) 
     const EncoderReading reading = counter_ != nullptr ? counts_.reading() : edges_.reading(now_ns);
     watch_silence(reading, now_ns);
     note_safety();
+    if (reading.fault != EncoderFault::none) {
+      latch(trouble_of(reading.fault));
+    }
     sample_.status &= ~std::uint32_t{kDeviceStale};
-    if (all) {
-      take_sample(reading);
-    } else {
+    if (!all) {
       sample_.status |= kDeviceStale;
+    } else if (reading.fault == EncoderFault::none && (sample_.status & kDeviceLost) == 0) {
+      take_sample(reading);
     }
     const hal::TimeNs patience_ns = hal::TimeNs{config_.command_timeout_ms} * 1'000'000;
     if (trouble_ != GpioAxisTrouble::none || (powered_ && now_ns - written_ns_ > patience_ns)) {
@@ -131,10 +134,6 @@ void GpioAxis::read_counter() {
 }
 
 void GpioAxis::take_sample(const EncoderReading& reading) {
-  if (reading.fault != EncoderFault::none) {
-    latch(trouble_of(reading.fault));
-    return;
-  }
   const double sign = config_.encoder.reversed ? -1.0 : 1.0;
   const double count_rad = sign * 2.0 * std::numbers::pi / config_.encoder.counts_per_rev;
   sample_.position_rad = count_rad * static_cast<double>(reading.count);

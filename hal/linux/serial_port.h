@@ -11,6 +11,8 @@ namespace tactus::hal {
 
 // Raw bytes, eight bits, no parity, no flow control; the tty is held exclusively. The kernel's own
 // buffers are those of the driver (4 kB on the way in), so that `discard_input` is complete.
+// Closing waits until the device has taken what was written, at most 30 s, unless it is gone: the
+// last command before an end gets through.
 class LinuxSerialPort final : public SerialPort {
  public:
   LinuxSerialPort() = default;

@@ -23,6 +23,7 @@ struct Options {
   std::string interface;
   std::vector<unsigned> nodes;
   std::string firmware = "0.6";
+  int timeout_mode = 12;
   double max_torque_Nm = 1.0;
   double counts_per_turn = 4096.0;
   double torque_constant_Nm_per_A = 0.03;
@@ -65,7 +66,9 @@ void emulate_moteus(const Options& options) {
               [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
                 return std::make_unique<MoteusEmulator>(
                     bus, seed,
-                    MoteusEmulatorConfig{.servo_id = node, .max_torque_Nm = options.max_torque_Nm});
+                    MoteusEmulatorConfig{.servo_id = node,
+                                         .timeout_mode = options.timeout_mode,
+                                         .max_torque_Nm = options.max_torque_Nm});
               });
 }
 
@@ -142,6 +145,11 @@ void add_emulated_can_devices(CLI::App& emulate) {
   const Device moteus = add_can_device(emulate, "moteus", "moteus servos (CAN FD, registers)",
                                        {1, 2, 3}, emulate_moteus);
   add_max_torque(moteus, "What the motor can do, N m at its shaft");
+  moteus.verb
+      .add_option("--timeout-mode", moteus.options.timeout_mode,
+                  "servo.timeout_mode: 12, as delivered, brakes; 0 lets go")
+      ->check(CLI::IsMember({0, 12}))
+      ->capture_default_str();
 
   const Device cia402 = add_can_device(emulate, "cia402", "CANopen drives with the CiA 402 profile",
                                        {1, 2, 3}, emulate_cia402);

@@ -22,10 +22,12 @@ namespace tactus::host {
 namespace {
 
 struct Limits {
-  double joint_rad = 2e-4;     // of encoder, transport and the millisecond between two truths
   double torque_share = 0.02;  // ticks whose torque is not what was commanded
   double least_force_N = 1.0;  // or it did not touch
 };
+
+// Of encoder, transport and the millisecond between two truths, rad or m.
+constexpr double kJointLimit = 2e-4;
 
 bool failed = false;
 
@@ -39,10 +41,10 @@ class Comparison {
   Comparison(const std::string& run, const std::string& truth, std::size_t joints)
       : joints_(joints), run_(read(run, run_columns())), truth_(read(truth, truth_columns())) {}
 
-  void check_touch() const {
+  void check_touch(double joint_limit) const {
     const auto faults = run_.column("faults");
     expect(std::ranges::all_of(faults, [](double bits) { return bits == 0.0; }), "no fault");
-    check_joints();
+    check_joints(joint_limit);
     check_torques();
     check_force();
   }
@@ -115,7 +117,7 @@ class Comparison {
     return values[i - 1] + share * (values[i] - values[i - 1]);
   }
 
-  void check_joints() const {
+  void check_joints(double limit) const {
     const auto times = run_.column("sample_ns");
     double worst = 0.0;
     for (std::size_t joint = 0; joint < joints_; ++joint) {
@@ -127,7 +129,7 @@ class Comparison {
         }
       }
     }
-    expect(worst <= kLimits.joint_rad,
+    expect(worst <= limit,
            fmt::format("joints are at most {:.2e} (rad or m) from where they really are", worst));
   }
 
@@ -191,13 +193,13 @@ class Comparison {
 
 int check(std::span<char*> arguments) {
   if (arguments.size() < 5) {
-    fmt::print(stderr, "usage: bus_touch_check touch|fault RUN.csv TRUTH.csv JOINTS [LIMIT_MS]\n");
+    fmt::print(stderr, "usage: bus_touch_check touch|fault RUN.csv TRUTH.csv JOINTS [LIMIT]\n");
     return 2;
   }
   const Comparison comparison(arguments[2], arguments[3],
                               static_cast<std::size_t>(std::atoi(arguments[4])));
   if (std::string_view(arguments[1]) == "touch") {
-    comparison.check_touch();
+    comparison.check_touch(arguments.size() > 5 ? std::atof(arguments[5]) : kJointLimit);
   } else {
     comparison.check_fault(arguments.size() > 5 ? std::atof(arguments[5]) : 5.0);
   }

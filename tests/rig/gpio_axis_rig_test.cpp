@@ -24,10 +24,10 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr const char* kPwmFolder = "/tmp/gpio_axis_rig_pwm";
-constexpr hal::TimeNs kTick_ns = 1'000'000;
+constexpr const char* kPaddlePwmFolder = "/tmp/gpio_axis_rig_pwm";
+constexpr hal::TimeNs kPaddleTick_ns = 1'000'000;
 constexpr hal::TimeNs kPlantStep_ns = 100'000;
-constexpr double kCount_rad = 2.0 * std::numbers::pi / 2000.0;
+constexpr double kPaddleCount_rad = 2.0 * std::numbers::pi / 2000.0;
 
 GpioAxisConfig paddle_config() {
   GpioAxisConfig config;
@@ -99,7 +99,7 @@ class EmulatedRotor {
     shaft.position_rad += step_s * shaft.velocity_rad_per_s;
   }
 
-  host::GpioSimPins pins_{"paddle", "paddle-lines", 12, kPwmFolder};
+  host::GpioSimPins pins_{"paddle", "paddle-lines", 12, kPaddlePwmFolder};
   host::GpioAxisEmulator emulator_;
   std::atomic<double> position_rad_ = 0.0;
   std::atomic<double> torque_Nm_ = 0.0;
@@ -112,9 +112,9 @@ class EmulatedRotor {
 class GpioAxisRig : public ::testing::Test {
  protected:
   GpioAxisRig() {
-    EXPECT_TRUE(pwm_.open("pwmchip0", 0, kPwmFolder));
+    EXPECT_TRUE(pwm_.open("pwmchip0", 0, kPaddlePwmFolder));
     run_with(SCHED_FIFO, 80);
-    clock_.sleep_until(clock_.now_ns() + 20 * kTick_ns);
+    clock_.sleep_until(clock_.now_ns() + 20 * kPaddleTick_ns);
     axis_.start();
     wake_ = clock_.sleep_until(clock_.now_ns());
     for (int i = 0; i < 300; ++i) {
@@ -128,7 +128,7 @@ class GpioAxisRig : public ::testing::Test {
   }
 
   void tick(double torque_Nm) {
-    wake_ = clock_.sleep_to_phase({.period_ns = kTick_ns}, wake_);
+    wake_ = clock_.sleep_to_phase({.period_ns = kPaddleTick_ns}, wake_);
     axis_.read(std::span(&sample_, 1), hal::kNoWait);
     true_rad_ = rotor_.position_rad();
     delivered_Nm_ = rotor_.torque_Nm();
@@ -187,7 +187,8 @@ TEST_F(GpioAxisRig, PositionFollowsTheRotorAndTorqueTheCommand) {
     const double wanted_Nm = swing();
     tick(wanted_Nm);
     ASSERT_EQ(sample_.status, kDeviceOk) << axis_.trouble(0).what;
-    worst_counts = std::max(worst_counts, std::abs(sample_.position_rad - true_rad_) / kCount_rad);
+    worst_counts =
+        std::max(worst_counts, std::abs(sample_.position_rad - true_rad_) / kPaddleCount_rad);
     worst_Nm = std::max(worst_Nm, std::abs(delivered_Nm_ - last_Nm));
   }
   std::printf(
@@ -244,7 +245,7 @@ TEST_F(GpioAxisRig, AHungControllerLosesTheMotorByTheHeartbeat) {
     tick(0.005);
   }
   EXPECT_GT(rotor_.torque_Nm(), 0.0);
-  clock_.sleep_until(clock_.now_ns() + 15 * kTick_ns);
+  clock_.sleep_until(clock_.now_ns() + 15 * kPaddleTick_ns);
   EXPECT_EQ(rotor_.torque_Nm(), 0.0);
 }
 

@@ -12,7 +12,7 @@
 namespace tactus::hal {
 namespace {
 
-constexpr const char* kPwmFolder = "/tmp/gpio_lines_rig_pwm";
+constexpr const char* kLinesPwmFolder = "/tmp/gpio_lines_rig_pwm";
 constexpr TimeNs kServed_ns = 500'000;  // from a level to its interrupt's end, amply
 
 struct GpioSimRig {
@@ -25,7 +25,7 @@ struct GpioSimRig {
   }
   bool level(std::size_t offset) { return pins.level(static_cast<std::uint32_t>(offset)); }
 
-  host::GpioSimPins pins{"contract", "contract-lines", 16, kPwmFolder};
+  host::GpioSimPins pins{"contract", "contract-lines", 16, kLinesPwmFolder};
   LinuxClock time;
   LinuxGpioLines first{"contract-lines"};
   LinuxGpioLines second{"contract-lines"};
@@ -85,7 +85,7 @@ TEST_F(LibgpiodLines, ChipIsFoundByPathToo) {
 }
 
 TEST_F(LibgpiodLines, LabelThatTwoChipsHaveIsRefused) {
-  const host::GpioSimPins twin("twin", "contract-lines", 4, kPwmFolder);
+  const host::GpioSimPins twin("twin", "contract-lines", 4, kLinesPwmFolder);
   EXPECT_EQ(refusal(rig_.first, encoder_), ErrorCode::invalid_argument);
 }
 

@@ -25,13 +25,13 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr const char* kPwmFolder = "/tmp/quadrature_rate_rig_pwm";
+constexpr const char* kRatePwmFolder = "/tmp/quadrature_rate_rig_pwm";
 constexpr std::uint32_t kCountsPerRev = 2000;
 constexpr double kCount_rad = 2.0 * std::numbers::pi / kCountsPerRev;
-constexpr hal::TimeNs kTick_ns = 1'000'000;
+constexpr hal::TimeNs kRateTick_ns = 1'000'000;
 constexpr double kLate_s = 100e-6;
 
-GpioAxisConfig rig_config() {
+GpioAxisConfig rate_config() {
   GpioAxisConfig config;
   config.encoder = {.counts_per_rev = kCountsPerRev, .max_speed_rad_per_s = 20'000.0 * kCount_rad};
   config.bridge = {.full_duty_torque_Nm = 0.05, .max_torque_Nm = 0.05};
@@ -55,7 +55,7 @@ class Shaft {
       : thread_([&pins, phase, priority, edges_per_s, edges, this] {
           run_at_priority(priority);
           hal::LinuxClock clock;
-          const hal::TimeNs start_ns = clock.now_ns() + kTick_ns;
+          const hal::TimeNs start_ns = clock.now_ns() + kRateTick_ns;
           for (int i = 1; i <= edges; ++i) {
             clock.sleep_until(start_ns + static_cast<hal::TimeNs>(1e9 * i / edges_per_s));
             const unsigned quarter = static_cast<unsigned>(phase + i) % 4U;
@@ -85,7 +85,7 @@ class Shaft {
 class QuadratureRate : public ::testing::Test {
  protected:
   QuadratureRate() {
-    EXPECT_TRUE(pwm_.open("pwmchip0", 0, kPwmFolder));
+    EXPECT_TRUE(pwm_.open("pwmchip0", 0, kRatePwmFolder));
     run_at_priority(80);
   }
   ~QuadratureRate() override {
@@ -103,7 +103,7 @@ class QuadratureRate : public ::testing::Test {
     phase_ += edges;
     hal::Wake wake = clock_.sleep_until(clock_.now_ns());
     for (int after = 0; after < 20; after += shaft.done() ? 1 : 0) {
-      wake = clock_.sleep_to_phase({.period_ns = kTick_ns}, wake);
+      wake = clock_.sleep_to_phase({.period_ns = kRateTick_ns}, wake);
       const int before = shaft.count();
       axis_.read(std::span(&sample_, 1), hal::kNoWait);
       if (sample_.status == kDeviceOk) {
@@ -127,11 +127,11 @@ class QuadratureRate : public ::testing::Test {
     EXPECT_LE(count, high + 1.0 + 1e-6);
   }
 
-  host::GpioSimPins pins_{"quadrature", "quadrature-lines", 8, kPwmFolder};
+  host::GpioSimPins pins_{"quadrature", "quadrature-lines", 8, kRatePwmFolder};
   hal::LinuxClock clock_;
   hal::LinuxGpioLines lines_{"quadrature-lines"};
   hal::LinuxPwmOutput pwm_;
-  GpioAxis axis_{rig_config(), lines_, pwm_, clock_};
+  GpioAxis axis_{rate_config(), lines_, pwm_, clock_};
   AxisSample sample_;
   int phase_ = 0;
   double rate_ = 0.0;  // of the last turn

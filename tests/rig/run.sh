@@ -51,28 +51,46 @@ mkdir -p "$images"
 host_tools/bunny_mesh.sh "$images/bunny00.off"
 cp host_tools/examples/bunny/scene.toml "$images/bunny.toml"
 "$build/bin/tactus" bake --quiet "$images/bunny.toml"
+"$build/bin/tactus" bake --quiet host_tools/examples/wall/scene.toml -o "$images/wall.tactus"
+cp host_tools/examples/bunny/wish.csv "$images/wish.csv"
+cp host_tools/examples/wall/wish.csv "$images/wall_wish.csv"
 for device in host_tools/examples/devices/*.toml; do
   "$build/bin/tactus" bake --quiet "$device" -o "$images/$(basename "$device" .toml).tactus"
 done
 rm -f "$images/bunny00.off"
 
-host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[@]}" tests/rig/scenarios:/rig \
-  "$images":/images host_tools/examples/bunny/wish.csv:/images/
+host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[@]}" tests/rig/scenarios:/rig "$images":/images
+
+# One scenario, its verdict in results/NAME.verdict. A machine has one processor: as many run beside each other as this one has.
+run_scenario() {
+  local name="$1" results="build/rig/results/$1" start=$SECONDS options code=0
+  read -r -a options < <(sed -n 's/^# qemu: //p' "tests/rig/scenarios/$name.sh" | paste -sd' ')
+  host_tools/rig/boot.sh build/rig/kernel build/rig/initramfs.gz "$name" "$results" "${options[@]}" || code=$?
+  echo "$code $((SECONDS - start))" >"$results.verdict"
+}
+
+rm -f build/rig/results/*.verdict
+mkdir -p build/rig/results
+echo "rig: running ${wanted[*]}"
+for name in "${wanted[@]}"; do
+  while (($(jobs -rp | wc -l) >= $(nproc))); do wait -n; done
+  run_scenario "$name" &
+done
+wait
 
 passed=0 failed=0
 for name in "${wanted[@]}"; do
+  console="build/rig/results/$name/console.log"
+  read -r code seconds <"build/rig/results/$name.verdict"
   echo "== rig: $name"
-  results="build/rig/results/$name" code=0 start=$SECONDS
-  read -r -a options < <(sed -n 's/^# qemu: //p' "tests/rig/scenarios/$name.sh" | paste -sd' ')
-  host_tools/rig/boot.sh build/rig/kernel build/rig/initramfs.gz "$name" "$results" "${options[@]}" || code=$?
-  grep -E '^(SKIPPED|measured:)' "$results/console.log" || true
+  grep -E '^(SKIPPED|measured:)' "$console" || true
   if [[ $code -eq 0 ]]; then
     passed=$((passed + 1))
-    echo "rig: $name passed in $((SECONDS - start)) s"
+    echo "rig: $name passed in $seconds s"
   else
     failed=$((failed + 1))
-    tail -n 100 "$results/console.log"
-    echo "rig: $name FAILED after $((SECONDS - start)) s; see $results"
+    tail -n 100 "$console"
+    echo "rig: $name FAILED after $seconds s; see build/rig/results/$name"
   fi
 done
 echo "rig: $passed passed, $failed failed"

@@ -2,7 +2,10 @@
 // against a device that echoes. tests/rig/scenarios/usb.sh has set the gadget `echo` up.
 #include "hal/linux/usb_endpoint.h"
 
+#include <unistd.h>
+
 #include <deque>
+#include <filesystem>
 #include <memory>
 
 #include "hal/linux/clock.h"
@@ -111,6 +114,29 @@ TEST(LinuxUsbEndpoint, DeviceClaimedByAnotherIsBusy) {
   GadgetRig rig;
   LinuxUsbEndpoint second;
   EXPECT_EQ(second.open(kEchoConfig).error().code, ErrorCode::busy);
+}
+
+TEST(LinuxUsbEndpoint, DeviceWithoutPermissionIsNotPermitted) {
+  const GadgetRig rig;
+  for (const auto& node : std::filesystem::recursive_directory_iterator("/dev/bus/usb")) {
+    if (!node.is_directory()) {
+      std::filesystem::permissions(node, std::filesystem::perms::owner_read);
+    }
+  }
+  ASSERT_EQ(seteuid(65534), 0);
+  {
+    LinuxUsbEndpoint second;
+    EXPECT_EQ(second.open(kEchoConfig).error().code, ErrorCode::not_permitted);
+  }
+  ASSERT_EQ(seteuid(0), 0);
+}
+
+TEST(LinuxUsbEndpoint, DeviceIsFoundByItsSerialNumber) {
+  GadgetRig rig;
+  LinuxUsbEndpoint second;
+  LinuxUsbConfig config = kEchoConfig;
+  config.serial = "echo-1";
+  EXPECT_EQ(second.open(config).error().code, ErrorCode::busy);  // found, and claimed by the rig
 }
 
 TEST(LinuxUsbEndpoint, DeviceWithAnotherSerialNumberIsNotOurs) {

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "tests/fuzz/cia402_can_run.h"
 #include "tests/fuzz/moteus_canfd_run.h"
 #include "tests/fuzz/odrive_can_run.h"
+#include "tests/fuzz/vesc_can_run.h"
 #include "tests/support/share.h"
 #include "tests/unit/hal/random.h"
 
@@ -31,6 +33,8 @@ TEST(RandomLife, HealthyDriveComesUp) {
   EXPECT_TRUE(ODriveLife{}.comes_up(false));
   EXPECT_TRUE(ODriveLife{}.comes_up(true));
   EXPECT_TRUE(MoteusLife{}.comes_up());
+  EXPECT_TRUE(Cia402Life{}.comes_up());
+  EXPECT_TRUE(VescLife{}.comes_up());
 }
 
 TEST(RandomLife, ODriveNeverReportsAJumpNorCommandsBeyondItsLimit) {
@@ -39,6 +43,14 @@ TEST(RandomLife, ODriveNeverReportsAJumpNorCommandsBeyondItsLimit) {
 
 TEST(RandomLife, MoteusNeverReportsAJumpNorCommandsBeyondItsLimit) {
   live_often<MoteusLife>(6);
+}
+
+TEST(RandomLife, Cia402DriveNeverReportsAJumpNorCommandsBeyondItsLimit) {
+  live_often<Cia402Life>(7);
+}
+
+TEST(RandomLife, VescNeverReportsAJumpNorCommandsBeyondItsLimit) {
+  live_often<VescLife>(8);
 }
 
 }  // namespace

@@ -100,6 +100,30 @@ TEST(Cia402Axes, FaultOfOneLeavesTheOthersWell) {
   EXPECT_TRUE(rig.are_well());
 }
 
+// The tick after a lost SYNC has samples of its own again, in every axis.
+TEST(Cia402Axes, LostSyncCostsOneTickAndLeavesNoneBehind) {
+  std::vector<Cia402Config> drivers;
+  std::vector<host::Cia402EmulatorConfig> drives;
+  for (std::uint8_t i = 0; i < 3; ++i) {
+    const auto node = static_cast<std::uint8_t>(i + 1);
+    drivers.push_back({.node = node, .leads_bus = i == 2, .max_torque_Nm = 0.2});
+    drives.push_back({.node = node});
+  }
+  CanRig<Cia402Can, host::Cia402Emulator> rig({}, drivers, drives);
+  rig.start();
+  ASSERT_GT(rig.run_until_well(1000 * kMs), 0);
+  rig.run(5 * kMs);
+  rig.network().lose_next(4);  // the commands on their way, and the SYNC
+  int old_samples = 0;
+  rig.run(50 * kMs, [&](auto& samples, auto&) {
+    for (const AxisSample& sample : samples) {
+      EXPECT_EQ(sample.status, kDeviceOk);
+      old_samples += rig.clock().now_ns() - sample.time_ns >= kMs ? 1 : 0;
+    }
+  });
+  EXPECT_EQ(old_samples, 3);
+}
+
 // Bring-up, torque, a fault of the drive, recovery and the orderly end, at 100 Hz to keep it short.
 TEST(Cia402Axes, WholeSessionIsTheGoldenLog) {
   CanRig<Cia402Can, host::Cia402Emulator> rig(

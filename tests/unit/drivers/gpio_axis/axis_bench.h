@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <numbers>
 
 #include "drivers/gpio_axis/gpio_axis.h"
 #include "hal/simulated/gpio_lines.h"
@@ -84,6 +85,9 @@ class AxisBench {
   AxisSample sample;
 };
 
+inline constexpr double kCount_rad = 2.0 * std::numbers::pi / 2000.0;  // of full_config
+
+inline constexpr AxisCommand kPush{.torque_Nm = 0.02, .enable = true};
 inline constexpr AxisCommand kIdleOn{.torque_Nm = 0.0, .enable = true};
 
 inline std::uint32_t code_of(GpioAxisTrouble trouble) {

@@ -7,8 +7,6 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr AxisCommand kPush{.torque_Nm = 0.02, .enable = true};
-
 GpioAxisConfig counter_config() {
   GpioAxisConfig config = full_config();
   config.encoder.counter_ceiling = 9999;

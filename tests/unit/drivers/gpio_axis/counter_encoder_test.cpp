@@ -9,11 +9,11 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr std::uint64_t kCeiling = 0xFFFF;
-constexpr hal::TimeNs kTick_ns = 1'000'000;
+constexpr std::uint64_t kCounterCeiling = 0xFFFF;
+constexpr hal::TimeNs kReading_ns = 1'000'000;
 
 // 400 counts a turn at 100 rad/s: 6.4 counts a millisecond.
-constexpr EncoderConfig kEncoder{
+constexpr EncoderConfig kCounterEncoder{
     .counts_per_rev = 400, .max_speed_rad_per_s = 100.0, .counter_index = true};
 
 class CounterEncoderTest : public ::testing::Test {
@@ -21,26 +21,26 @@ class CounterEncoderTest : public ::testing::Test {
   CounterEncoderTest() { restart(0); }
   void restart(std::uint64_t count) {
     raw_ = count;
-    encoder_.restart({.count = raw_, .time_ns = now_ns_}, kCeiling);
+    encoder_.restart({.count = raw_, .time_ns = now_ns_}, kCounterCeiling);
   }
-  void move(std::int64_t steps, hal::TimeNs after_ns = kTick_ns) {
-    raw_ = (raw_ + static_cast<std::uint64_t>(steps)) & kCeiling;
+  void move(std::int64_t steps, hal::TimeNs after_ns = kReading_ns) {
+    raw_ = (raw_ + static_cast<std::uint64_t>(steps)) & kCounterCeiling;
     now_ns_ += after_ns;
     encoder_.take({.count = raw_, .time_ns = now_ns_});
   }
   EncoderFault fault() { return encoder_.reading().fault; }
 
-  CounterEncoder encoder_{kEncoder};
+  CounterEncoder encoder_{kCounterEncoder};
   std::uint64_t raw_ = 0;
   hal::TimeNs now_ns_ = 1'000'000'000;
 };
 
 TEST_F(CounterEncoderTest, FollowsTheCountOverManyWraps) {
   hal::Random random(21);
-  EncoderConfig config = kEncoder;
+  EncoderConfig config = kCounterEncoder;
   config.counter_index = false;
   encoder_ = CounterEncoder(config);
-  restart(kCeiling - 2);
+  restart(kCounterCeiling - 2);
   std::int64_t truth = 0;
   for (int i = 0; i < 200'000; ++i) {
     const auto steps = static_cast<std::int64_t>(random.below(9)) - 3;
@@ -48,7 +48,7 @@ TEST_F(CounterEncoderTest, FollowsTheCountOverManyWraps) {
     move(steps);
     ASSERT_EQ(encoder_.reading().count, truth);
   }
-  EXPECT_GT(truth, static_cast<std::int64_t>(2 * kCeiling));
+  EXPECT_GT(truth, static_cast<std::int64_t>(2 * kCounterCeiling));
   EXPECT_EQ(fault(), EncoderFault::none);
 }
 
@@ -60,7 +60,7 @@ TEST_F(CounterEncoderTest, AWayThatTheShaftCannotMakeEndsThePosition) {
 }
 
 TEST_F(CounterEncoderTest, ATimeLongEnoughForHalfARoundEndsThePosition) {
-  const double half_round_s = 0.5 * static_cast<double>(kCeiling) / (100.0 * 400 / 6.2832);
+  const double half_round_s = 0.5 * static_cast<double>(kCounterCeiling) / (100.0 * 400 / 6.2832);
   move(0, static_cast<hal::TimeNs>(0.99e9 * half_round_s));
   EXPECT_EQ(fault(), EncoderFault::none);
   move(0, static_cast<hal::TimeNs>(1.01e9 * half_round_s));
@@ -68,12 +68,12 @@ TEST_F(CounterEncoderTest, ATimeLongEnoughForHalfARoundEndsThePosition) {
 }
 
 TEST_F(CounterEncoderTest, NoiseEndsThePosition) {
-  encoder_.take({.count = 0, .time_ns = now_ns_ + kTick_ns, .noisy = true});
+  encoder_.take({.count = 0, .time_ns = now_ns_ + kReading_ns, .noisy = true});
   EXPECT_EQ(fault(), EncoderFault::noise);
 }
 
 TEST_F(CounterEncoderTest, IndexIsPlacedInTheUnwrappedCountAndChecked) {
-  restart(kCeiling - 3);
+  restart(kCounterCeiling - 3);
   encoder_.take_index({.count = 1, .time_ns = now_ns_});
   move(6);
   EXPECT_TRUE(encoder_.reading().index_seen);

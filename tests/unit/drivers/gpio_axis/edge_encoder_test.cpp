@@ -9,7 +9,7 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr EncoderConfig kEncoder{.counts_per_rev = 400, .max_speed_rad_per_s = 100.0};
+constexpr EncoderConfig kEdgeEncoder{.counts_per_rev = 400, .max_speed_rad_per_s = 100.0};
 constexpr hal::TimeNs kApart_ns = 1'000'000;
 
 // The Gray code of a position, from its definition: A is high in the second and third quarter of a
@@ -60,14 +60,14 @@ class EdgeEncoderTest : public ::testing::Test {
   }
   EncoderReading reading() { return encoder_.reading(now_ns_); }
 
-  EdgeEncoder encoder_{kEncoder, true};
+  EdgeEncoder encoder_{kEdgeEncoder, true};
   hal::TimeNs now_ns_ = 1'000'000'000;
   std::int64_t position_ = 0;
 };
 
 TEST_F(EdgeEncoderTest, FollowsARandomWalkCountForCount) {
   hal::Random random(5);
-  EdgeEncoder without_index(kEncoder, false);
+  EdgeEncoder without_index(kEdgeEncoder, false);
   encoder_ = without_index;
   encoder_.restart(false, false, false, now_ns_);
   for (int i = 0; i < 100'000; ++i) {

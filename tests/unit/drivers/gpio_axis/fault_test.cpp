@@ -7,8 +7,6 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr AxisCommand kPush{.torque_Nm = 0.02, .enable = true};
-
 class GpioAxisFault : public ::testing::Test {
  protected:
   GpioAxisFault() {
@@ -141,6 +139,14 @@ TEST_F(GpioAxisFault, FailedCutIsTriedAgainUntilItIsDone) {
   EXPECT_EQ(bench_.pwm.settings().duty_ns, 0);
 }
 
+TEST_F(GpioAxisFault, APositionIsNoNewerThanTheLastGoodRead) {
+  bench_.ticks(1, kPush, motion_);
+  const hal::TimeNs last_ns = bench_.sample.time_ns;
+  bench_.emulator.set_fault(host::EmulatorFault::unplugged);
+  bench_.ticks(5, kPush, motion_);
+  EXPECT_EQ(bench_.sample.time_ns, last_ns);
+}
+
 TEST_F(GpioAxisFault, LevelsThatNoEdgeExplainsEndThePosition) {
   bench_.lines.lose_next_edges(1);
   bench_.chip.drive(7, !bench_.chip.level(7));
@@ -173,6 +179,16 @@ TEST(GpioAxisStart, RefusedLinesAreTold) {
   EXPECT_GT(bench.torque(), 0.0);
 }
 
+TEST(GpioAxisStart, AnOpenEmergencyStopGetsNoPowerEvenBeforeTheFirstRead) {
+  AxisBench bench;
+  bench.axis.stop();
+  bench.emulator.open_emergency_stop(true);
+  bench.axis.start();
+  bench.axis.write(std::span(&kPush, 1));
+  EXPECT_FALSE(bench.is_enabled());
+  EXPECT_EQ(bench.code(), code_of(GpioAxisTrouble::emergency_stop));
+}
+
 TEST(GpioAxisStart, ValuesOutOfRangeAreRefused) {
   GpioAxisConfig config = full_config();
   config.bridge.max_torque_Nm = 1.0;
@@ -181,6 +197,38 @@ TEST(GpioAxisStart, ValuesOutOfRangeAreRefused) {
   EXPECT_EQ(bench.sample.status, kDeviceNotReady);
   EXPECT_EQ(bench.code(), code_of(GpioAxisTrouble::not_configured));
   EXPECT_EQ(bench.torque(), 0.0);
+}
+
+// A channel that never comes to rest: edges as fast as they can be read, for ever.
+class FloodedLines final : public hal::GpioLines {
+ private:
+  hal::Result<void> DoRequest(const hal::GpioRequest&) override { return {}; }
+  void DoRelease() override {}
+  hal::Result<std::uint64_t> DoGet(std::uint64_t) override { return 0; }
+  hal::Result<void> DoSet(std::uint64_t, std::uint64_t) override { return {}; }
+  hal::Result<std::size_t> DoReadEdges(std::span<hal::GpioEdgeEvent> events, hal::TimeNs) override {
+    for (hal::GpioEdgeEvent& event : events) {
+      ++sequence_;
+      event = {.time_ns = 2'000'000'000 + hal::TimeNs{sequence_} * 1000,
+               .offset = sequence_ % 2 == 0 ? 7U : 3U,
+               .sequence = sequence_,
+               .rising = sequence_ % 4 < 2};
+    }
+    return events.size();
+  }
+  std::uint32_t sequence_ = 0;
+};
+
+TEST(GpioAxisFlood, EndsEveryReadAndIsAFault) {
+  hal::SimulatedClock clock;
+  hal::SimulatedPwmOutput pwm(clock);
+  FloodedLines lines;
+  GpioAxis axis(full_config(), lines, pwm, clock);
+  axis.start();
+  AxisSample sample;
+  axis.read(std::span(&sample, 1), hal::kNoWait);
+  EXPECT_EQ(sample.status, kDeviceStale | kDeviceEncoderFault);
+  EXPECT_EQ(axis.trouble(0).code, code_of(GpioAxisTrouble::illegal_transition));
 }
 
 TEST(GpioAxisTroubleText, EveryNumberHasAStatusAndSaysWhatToDo) {

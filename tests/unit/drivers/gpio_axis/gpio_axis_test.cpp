@@ -9,7 +9,6 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr double kCount_rad = 2.0 * std::numbers::pi / 2000.0;
 constexpr double kDutyStep_Nm = 0.05 / 40'000.0;
 
 AxisCommand torque(double torque_Nm) {

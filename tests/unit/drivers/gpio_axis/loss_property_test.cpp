@@ -9,8 +9,6 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr double kCount_rad = 2.0 * std::numbers::pi / 2000.0;
-
 GpioAxisConfig bare_config() {
   GpioAxisConfig config = full_config();
   config.pins.encoder_index.reset();

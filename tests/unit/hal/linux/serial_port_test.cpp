@@ -2,6 +2,7 @@
 #include "hal/linux/serial_port.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -89,6 +90,39 @@ TEST(LinuxSerialPort, SaysWhyItCannotBeOpened) {
   EXPECT_EQ(code_of(port.open("", 115200)), ErrorCode::invalid_argument);
   EXPECT_EQ(code_of(port.open(std::string(300, 'x'), 115200)), ErrorCode::invalid_argument);
   EXPECT_EQ(code_of(port.open("/dev/null", 115200)), ErrorCode::not_supported);
+}
+
+// Root may do everything: without its rights for the while.
+class AsNobody {
+ public:
+  AsNobody() : was_root_(geteuid() == 0) { EXPECT_TRUE(!was_root_ || seteuid(kNobody) == 0); }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+  ~AsNobody() { EXPECT_TRUE(!was_root_ || seteuid(0) == 0); }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  bool was_root_;
+};
+
+TEST(LinuxSerialPort, NodeWithoutPermissionIsNotPermitted) {
+  const PseudoTerminalRig rig;
+  const auto node = (rig.folder() / "tty").native();
+  std::filesystem::permissions(rig.folder(), std::filesystem::perms::all);
+  ASSERT_EQ(chmod(node.c_str(), 0), 0);
+  const AsNobody nobody;
+  LinuxSerialPort port;
+  EXPECT_EQ(code_of(port.open(node, 115200)), ErrorCode::not_permitted);
+}
+
+TEST(LinuxSerialPort, TtyThatAnotherHoldsIsBusy) {
+  const PseudoTerminalRig rig;
+  const auto node = (rig.folder() / "tty").native();
+  std::filesystem::permissions(rig.folder(), std::filesystem::perms::all);
+  ASSERT_EQ(chmod(node.c_str(), 0666), 0);
+  const AsNobody nobody;
+  LinuxSerialPort second;
+  EXPECT_EQ(code_of(second.open(node, 115200)), ErrorCode::busy);
 }
 
 TEST(LinuxSerialPort, IsDisconnectedBeforeItIsOpened) {

@@ -1,0 +1,163 @@
+// One random life of a CiA 402 drive.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "drivers/cia402_can/cia402_can.h"
+#include "tests/fuzz/drive_properties.h"
+#include "tests/fuzz/fuzz_input.h"
+
+namespace tactus::fuzz {
+
+class Cia402Life {
+ public:
+  // Ends the program if a property breaks.
+  void run(FuzzInput input) {
+    drive_.start(now_ns_);
+    if ((input.take<std::uint8_t>() & 1U) != 0) {
+      bring_up();
+    }
+    fuzz_drive(drive_, properties_, now_ns_, input, torque_of,
+               [this](FuzzInput& bytes) { return random_frame(bytes); });
+  }
+
+  // Whether the bring-up works: else nothing worth the while is tested.
+  [[nodiscard]] bool comes_up() {
+    drive_.start(now_ns_);
+    bring_up();
+    return drive_.sample().status == drivers::kDeviceOk;
+  }
+
+ private:
+  // The rated torque stands as configured, so that the torque on the wire can be told without the
+  // driver: 0.1 % of 1 N m.
+  static constexpr drivers::Cia402Config kAxis{
+      .node = 1,
+      .max_torque_Nm = 0.1,
+      .rated_torque_from = drivers::RatedTorque::configured,
+      .rated_torque_Nm = 1.0,
+      .max_speed_rad_per_s = 100.0,
+      .jump_margin_rad = 0.05,
+      .sdo_timeout_s = 0.05};
+
+  // Samples of one SYNC may lie a margin apart from the first of them, which one knows only who
+  // sees them all.
+  static constexpr DriveLimits kLimits{.max_torque_Nm = kAxis.max_torque_Nm,
+                                       .max_speed_rad_per_s = kAxis.max_speed_rad_per_s,
+                                       .jump_margin_rad = 2.0 * kAxis.jump_margin_rad};
+
+  // Decoded by hand: the torque of RPDO1.
+  static double torque_of(const hal::CanFrame& frame) {
+    if (frame.id != 0x201) {
+      return 0.0;
+    }
+    std::int16_t units = 0;
+    std::memcpy(&units, &frame.data[2], sizeof units);
+    return 1e-3 * units;
+  }
+
+  static hal::CanFrame heartbeat(std::byte state) {
+    hal::CanFrame frame{.id = 0x701, .length = 1};
+    frame.data[0] = state;
+    return frame;
+  }
+
+  static hal::CanFrame motion() {
+    hal::CanFrame frame{.id = 0x281, .length = 5};
+    frame.data[4] = std::byte{10};
+    return frame;
+  }
+
+  // As the controlword wants it.
+  [[nodiscard]] hal::CanFrame state() const {
+    hal::CanFrame frame{.id = 0x181, .length = 8};
+    frame.data[0] = controlword_ == std::byte{0x0F}   ? std::byte{0x37}
+                    : controlword_ == std::byte{0x07} ? std::byte{0x33}
+                    : controlword_ == std::byte{0x06} ? std::byte{0x31}
+                                                      : std::byte{0x50};
+    frame.data[1] = std::byte{0x02};
+    std::memcpy(&frame.data[2], &count_, sizeof count_);
+    return frame;
+  }
+
+  // Some frames make sense, or the axis would never be well for long.
+  hal::CanFrame random_frame(FuzzInput& bytes) {
+    constexpr std::array<std::uint32_t, 6> kServices = {0x181, 0x281, 0x081, 0x581, 0x701, 0x000};
+    switch (bytes.below(10)) {
+      case 0:
+      case 1:
+        return heartbeat(std::byte{0x05});
+      case 2:
+        return motion();
+      case 3:
+      case 4:
+      case 5:
+      case 6:
+        count_ += static_cast<std::uint32_t>(bytes.take<std::int8_t>());
+        controlword_ = bytes.below(64) == 0 ? controlword_ : std::byte{0x0F};
+        return state();
+      case 7:
+        return bytes.frame(bytes.below(0x800));
+      default:
+        return bytes.frame(kServices[bytes.below(kServices.size())]);
+    }
+  }
+
+  // What a healthy drive says to a frame of the host.
+  void hear(const hal::CanFrame& frame) {
+    if (frame.id == 0x000) {
+      heartbeat_ = frame.data[0] == std::byte{0x01} ? std::byte{0x05} : std::byte{0x00};
+      say(heartbeat(heartbeat_));
+    } else if (frame.id == 0x601) {
+      say(answer_to(frame));
+    } else if (frame.id == 0x201) {
+      controlword_ = frame.data[0];
+    }
+  }
+
+  static hal::CanFrame answer_to(const hal::CanFrame& question) {
+    hal::CanFrame answer = question;
+    answer.id = 0x581;
+    if (question.data[0] != std::byte{0x40}) {
+      answer.data[0] = std::byte{0x60};
+      return answer;
+    }
+    answer.data[0] = std::byte{0x43};
+    const bool is_type = question.data[1] == std::byte{0x00};  // 1000:00, else 6502:00
+    answer.data[4] = is_type ? std::byte{0x92} : std::byte{0x00};
+    answer.data[5] = is_type ? std::byte{0x01} : std::byte{0x02};
+    return answer;
+  }
+
+  void say(const hal::CanFrame& frame) { drive_.take({.time_ns = now_ns_, .frame = frame}); }
+
+  void bring_up() {
+    for (int tick = 0; tick < 100; ++tick) {
+      now_ns_ += 1'000'000;
+      drivers::CanOutbox outbox;
+      drive_.request(now_ns_, outbox);
+      if (heartbeat_ == std::byte{0x05}) {
+        say(state());
+        say(motion());
+        say(heartbeat(heartbeat_));
+      }
+      outbox.clear();
+      drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
+      properties_.check_outbox(drive_.sample(), outbox, torque_of);
+      for (const hal::CanFrame& frame : outbox.frames()) {
+        hear(frame);
+      }
+    }
+  }
+
+  drivers::Cia402Can drive_{kAxis};
+  DriveProperties properties_{kLimits};
+  hal::TimeNs now_ns_ = 1'000'000'000;
+  std::byte heartbeat_{0x7F};
+  std::byte controlword_{0};
+  std::uint32_t count_ = 0x7FFF'FF00;  // close to where it wraps
+};
+
+}  // namespace tactus::fuzz

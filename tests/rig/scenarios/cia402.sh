@@ -1,0 +1,3 @@
+# Three CiA 402 drives on CANopen touch the bunny; then the plug.
+drive='cia402 --nodes 1,2,3 --counts 65536' device=cia402_arm
+. /rig/arm_on_can.inc

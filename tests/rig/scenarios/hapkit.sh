@@ -1,0 +1,15 @@
+# A Hapkit on GPIO lines at 1 kHz pushes against a wall; then its chip is gone.
+modprobe gpio-sim-oot
+mkdir -p /run && mount -t tmpfs run /run
+# Below the interrupts' threads, at 50: a busy program above them would keep them from numbering every edge. One count is
+# 3.6e-4 rad at the joint.
+priority=40 joint_limit_rad=8e-4
+emulated='paddle --hand pen --path /images/wall_wish.csv --ratio 17.4545'
+device=hapkit scene=wall
+. /rig/bus_touch.inc
+
+touch_and_check 1 3
+
+emulate unplugged 3 --fault all:unplugged@2
+control unplugged 2.7
+expect_stop unplugged 'GPIO chip' 1 5
