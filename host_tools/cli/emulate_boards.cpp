@@ -116,8 +116,9 @@ drivers::GpioAxisConfig paddle_config(const PaddleOptions& options) {
 
 void emulate_paddle(const PaddleOptions& options) {
   constexpr std::size_t kLines = 64;
-  // 80,000 edges a second: the kernel's side is the first to give in.
-  constexpr std::uint32_t kStepsPerRun = 8;
+  // 10,000 edges a second, about what gpio-sim passes on without loss; a faster shaft is ahead of
+  // its encoder.
+  constexpr std::uint32_t kStepsPerRun = 1;
   const drivers::GpioAxisConfig config = paddle_config(options);
   GpioSimPins pins(options.chip, options.chip, kLines, options.pwm);
   GpioAxisEmulator axis(config, pins, options.machine.seed, kStepsPerRun);

@@ -6,6 +6,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -64,11 +65,24 @@ hal::Result<std::size_t> SerialDevice::DoWrite(std::span<const std::byte> bytes,
 
 hal::Result<std::size_t> SerialDevice::DoRead(std::span<std::byte> buffer,
                                               hal::TimeNs deadline_ns) {
+  constexpr std::size_t kMostHeld_bytes = 4096;
   const auto got = port_.read(buffer, deadline_ns);
-  if (!got) {
+  if (got) {
+    const auto bytes = buffer.first(*got);
+    arrived_.insert(arrived_.end(), bytes.begin(), bytes.end());
+    if (arrived_.size() < kMostHeld_bytes) {
+      return hal::failure(hal::ErrorCode::timeout);
+    }
+  } else {
     note(got.error());
+    if (arrived_.empty()) {
+      return got;
+    }
   }
-  return got;
+  const std::size_t count = std::min(buffer.size(), arrived_.size());
+  std::copy_n(arrived_.begin(), count, buffer.begin());
+  arrived_.erase(arrived_.begin(), arrived_.begin() + static_cast<std::ptrdiff_t>(count));
+  return count;
 }
 
 }  // namespace tactus::host

@@ -1,13 +1,19 @@
 // The device's end of a serial line of this machine: a pseudo-terminal, or the tty of a USB gadget.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "hal/linux/serial_port.h"
 
 namespace tactus::host {
 
-// Comes back by itself after its tty was hung up, as a gadget's is when its cable is pulled.
+// Polled by one emulator, without waiting. What arrives is handed out one poll later, when no more
+// has come, so that a message that a kernel hands over in two parts is seen whole, as in a device's
+// own buffer. Comes back by itself after its tty was hung up, as a gadget's is when its cable is
+// pulled.
 class SerialDevice final : public hal::SerialPort {
  public:
   SerialDevice() = default;
@@ -29,6 +35,7 @@ class SerialDevice final : public hal::SerialPort {
   void note(const hal::Error& error);
 
   hal::LinuxSerialPort port_;
+  std::vector<std::byte> arrived_;
   int host_end_ = -1;  // held open: a pseudo-terminal is hung up when the last host closes it
   unsigned calls_until_reopen_ = 0;
 };
