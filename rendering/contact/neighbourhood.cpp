@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rendering/contact/free_ball.h"
 #include "rendering/geometry/hierarchy_query.h"
-#include "rendering/geometry/straight_way.h"
+#include "rendering/geometry/near_way.h"
 
 namespace tactus::rendering {
 namespace {
@@ -36,46 +37,25 @@ struct Neighbourhood::GatherTriangles {
   std::uint32_t number;
   const Mover* mover;
   const MeshView& mesh;
-  double slack_m;
-  Vec3 start;
-  StraightWay way;
-  double reach_m;
+  NearWay way;
   std::size_t tested = 0;
   bool complete = true;
 
-  [[nodiscard]] bool skips(const BvhNode& leaf) const {
-    return way.clears(way.gap(to_vec3(leaf.lower) - start, to_vec3(leaf.upper) - start),
-                      reach_m + slack_m);
+  void leaf(const BvhNode& leaf) {
+    tested += leaf.triangle_count;
+    way.find(mesh, leaf.first, leaf.triangle_count,
+             [&](std::uint32_t t, const NearWay::Bound& bound) { take(t, bound); });
   }
 
-  // A triangle's distance from p is at least u . p less the most that u . v is on its corners, for
-  // any unit u; here for the direction from its box to the way, which misses little.
-  void operator()(std::uint32_t t) {
-    ++tested;
-    const TriangleIndices& corners = mesh.triangles[t];
-    const Vec3 a = to_vec3(mesh.vertices[corners[0]]) - start;
-    const Vec3 b = to_vec3(mesh.vertices[corners[1]]) - start;
-    const Vec3 c = to_vec3(mesh.vertices[corners[2]]) - start;
-    const StraightWay::Gap gap = way.gap(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
-    if (way.clears(gap, reach_m)) {
-      return;
-    }
-    Vec3 u = Vec3::Zero();
-    double most = 0.0;
-    if (gap.squared > 0.0) {
-      u = gap.offset * (1.0 / std::sqrt(gap.squared));
-      most = std::max({u.dot(a), u.dot(b), u.dot(c)});
-      if (way.distance_from(u, most) > reach_m) {
-        return;
-      }
-    }
+  void take(std::uint32_t t, const NearWay::Bound& bound) {
     Candidate* const slot = complete ? to.add(object, number) : nullptr;
     if (slot == nullptr) {
       complete = false;
       return;
     }
     slot->index = t;
-    to.set_bound(to.size_ - 1, direction_from(mover, u), -most, to.trust_.start);
+    to.set_bound(to.size_ - 1, direction_from(mover, to_vec3(bound.normal)),
+                 -static_cast<double>(bound.offset), to.trust_.start);
   }
 };
 
@@ -103,16 +83,14 @@ struct Neighbourhood::Gather {
     const Mover* const mover = scenery.mover_of(number);
     const PlacedMesh placed = scenery.mesh_O(number);
     const Vec3 way = direction_in(mover, trust.way);
+    const Vec3 start = point_in(mover, trust.start);
     GatherTriangles visitor{.to = to,
                             .object = object,
                             .number = number,
                             .mover = mover,
                             .mesh = placed.mesh,
-                            .slack_m = placed.slack_m,
-                            .start = point_in(mover, trust.start),
-                            .way = StraightWay(way),
-                            .reach_m = reach};
-    visit_all_near(placed.mesh.nodes, visitor.start + 0.5 * way, 0.5 * way.cwiseAbs(),
+                            .way = NearWay(start, way, reach)};
+    visit_all_near(placed.mesh.nodes, start + 0.5 * way, 0.5 * way.cwiseAbs(),
                    reach + placed.slack_m, visitor);
     tested += visitor.tested;
     complete = complete && visitor.complete;
@@ -159,6 +137,7 @@ bool Neighbourhood::gather(const Scenery& scenery, const Shells& shells, const C
       visitor.take(mover.object);
     }
   }
+  fill_last_four();
   tested_ = visitor.tested;
   work_ += work_to_gather();
   peak_ = std::max(peak_, size_);
@@ -242,6 +221,13 @@ void Neighbourhood::set_no_bound(std::size_t i) {
   height_[i] = -1.0F;
 }
 
+void Neighbourhood::fill_last_four() {
+  for (std::size_t i = size_; i % 4 != 0; ++i) {
+    normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
+    height_[i] = std::numeric_limits<float>::infinity();
+  }
+}
+
 Neighbourhood::Bounded::Bounded(const Neighbourhood& of, const Vec3& p)
     : x(static_cast<float>(p.x() - of.trust_.start.x())),
       y(static_cast<float>(p.y() - of.trust_.start.y())),
@@ -252,24 +238,21 @@ Neighbourhood::Bounded::Bounded(const Neighbourhood& of, const Vec3& p)
 }
 
 void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p) {
-  constexpr std::size_t kBlock = 16;
-  static_assert(kMaxCandidates % kBlock == 0);
+  static_assert(kMaxCandidates % 4 == 0);
   const Bounded at(of, p);
+  const Floats most = all(at.most);
   count = 0;
-  std::array<float, kBlock> bound;
-  for (std::size_t first = 0; first < of.size_; first += kBlock) {
-    int any = 0;
-    for (std::size_t k = 0; k < kBlock; ++k) {
-      bound[k] = at.bound(of, first + k);
-      any |= bound[k] <= at.most ? 1 : 0;
-    }
-    if (any == 0) {
+  for (std::size_t first = 0; first < of.size_; first += 4) {
+    const Floats bound = floats_at(&of.normal_x_[first]) * at.x +
+                         floats_at(&of.normal_y_[first]) * at.y +
+                         floats_at(&of.normal_z_[first]) * at.z + floats_at(&of.height_[first]);
+    const Integers near = bound <= most;
+    if (!any(near)) {
       continue;
     }
-    const std::size_t end = std::min(kBlock, of.size_ - first);
-    for (std::size_t k = 0; k < end; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
       number[count] = static_cast<std::uint16_t>(first + k);
-      count += bound[k] <= at.most ? 1U : 0U;
+      count += near[k] != 0 ? 1U : 0U;
     }
   }
 }

@@ -23,11 +23,9 @@
 
 namespace tactus::rendering {
 
-struct Candidate {
-  Triangle triangle;                     // of a mesh, once it was measured
+// Most are found and never measured: what finding writes comes first, in one cache line.
+struct alignas(64) Candidate {
   const Primitive* primitive = nullptr;  // of an object without a mesh
-  SurfaceSample seen;                    // of the primitive, from the place of `measured_at`
-  Nearest nearest;                       // from there too
   std::uint64_t measured_at = 0;         // Neighbourhood::move_to's count
   std::uint32_t object = 0;
   std::uint32_t index = 0;  // of the triangle in its mesh
@@ -35,6 +33,9 @@ struct Candidate {
   bool one_sided = true;
   bool point_tool = false;  // to this object the tool is its centre
   bool behind = false;      // one-sided, and the place is on its far side
+  Nearest nearest;          // from the place of `measured_at`
+  Triangle triangle;        // of a mesh, once it was measured
+  SurfaceSample seen;       // of the primitive, from the place of `measured_at`
 };
 
 class Neighbourhood {
@@ -124,6 +125,7 @@ class Neighbourhood {
   bool add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
+  void fill_last_four();
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
   Vec3 place_ = Vec3::Zero();
@@ -138,6 +140,7 @@ class Neighbourhood {
   std::size_t gatherings_ = 0;
   std::size_t work_ = 0;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
+  // Those of the last four that are no candidates are out of reach.
   std::array<float, kMaxCandidates> normal_x_{};
   std::array<float, kMaxCandidates> normal_y_{};
   std::array<float, kMaxCandidates> normal_z_{};

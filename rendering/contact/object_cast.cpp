@@ -5,39 +5,56 @@
 
 #include "rendering/contact/primitive_sweep.h"
 #include "rendering/geometry/hierarchy_query.h"
-#include "rendering/geometry/straight_way.h"
+#include "rendering/geometry/near_way.h"
 
 namespace tactus::rendering {
 namespace {
 
 // Shrinks to the first triangle that stops the sphere.
-struct TriangleCast {
-  const MeshView& mesh;
-  bool one_sided;
-  const Sweep& sweep;
-  const Shell& shell;
-  std::size_t& room;
-  ObjectHit hit;
+class TriangleCast {
+ public:
+  TriangleCast(const MeshView& mesh, bool one_sided, const ObjectCast& cast, const Shell& shell,
+               std::size_t& room)
+      : mesh_(mesh),
+        one_sided_(one_sided),
+        sweep_(cast.sweep_O),
+        shell_(shell),
+        room_(room),
+        hit_{.travel_m = cast.limit_m},
+        way_(way()) {}
 
-  [[nodiscard]] double reach() const { return hit.travel_m; }
-  [[nodiscard]] bool exhausted() const { return room == 0; }
-  void operator()(std::uint32_t t) {
-    room -= room > 0 ? 1 : 0;
-    const StraightWay way(hit.travel_m * sweep.direction);
-    const TriangleIndices& corners = mesh.triangles[t];
-    const Vec3 a = to_vec3(mesh.vertices[corners[0]]) - sweep.from;
-    const Vec3 b = to_vec3(mesh.vertices[corners[1]]) - sweep.from;
-    const Vec3 c = to_vec3(mesh.vertices[corners[2]]) - sweep.from;
-    if (way.clears(way.gap(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)), shell.reach_m)) {
-      return;
-    }
-    const Triangle triangle = triangle_of(mesh, t);
-    const double travel = travel_to_contact(triangle, one_sided, sweep, hit.travel_m, shell,
-                                            triangle.nearest(sweep.from));
-    if (travel < hit.travel_m) {
-      hit = {.travel_m = travel, .met = true, .triangle = t};
+  [[nodiscard]] const ObjectHit& hit() const { return hit_; }
+  [[nodiscard]] double reach() const { return hit_.travel_m; }
+  [[nodiscard]] bool exhausted() const { return room_ == 0; }
+
+  void leaf(const BvhNode& leaf) {
+    room_ -= std::min<std::size_t>(room_, leaf.triangle_count);
+    way_.find(mesh_, leaf.first, leaf.triangle_count,
+              [this](std::uint32_t t, const NearWay::Bound&) { meet(t); });
+  }
+
+ private:
+  [[nodiscard]] NearWay way() const {
+    return {sweep_.from, hit_.travel_m * sweep_.direction, shell_.reach_m};
+  }
+
+  void meet(std::uint32_t t) {
+    const Triangle triangle = triangle_of(mesh_, t);
+    const double travel = travel_to_contact(triangle, one_sided_, sweep_, hit_.travel_m, shell_,
+                                            triangle.nearest(sweep_.from));
+    if (travel < hit_.travel_m) {
+      hit_ = {.travel_m = travel, .met = true, .triangle = t};
+      way_ = way();
     }
   }
+
+  const MeshView& mesh_;
+  bool one_sided_;
+  const Sweep& sweep_;
+  const Shell& shell_;
+  std::size_t& room_;
+  ObjectHit hit_;
+  NearWay way_;
 };
 
 // Goes over objects.
@@ -73,18 +90,13 @@ ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast
     return {.travel_m = travel, .met = travel < cast.limit_m};
   }
   const PlacedMesh placed = scenery.mesh_O(number);
-  TriangleCast visitor{.mesh = placed.mesh,
-                       .one_sided = object.sides == Sides::one,
-                       .sweep = cast.sweep_O,
-                       .shell = shell,
-                       .room = room,
-                       .hit = {.travel_m = cast.limit_m}};
+  TriangleCast visitor(placed.mesh, object.sides == Sides::one, cast, shell, room);
   const double visited = visit_along(placed.mesh.nodes, cast.sweep_O.from, cast.sweep_O.direction,
                                      shell.reach_m + placed.slack_m, visitor);
-  if (visited < visitor.hit.travel_m) {
+  if (visited < visitor.hit().travel_m) {
     return {.travel_m = visited};
   }
-  return visitor.hit;
+  return visitor.hit();
 }
 
 HitSurface surface_at(const Scenery& scenery, std::uint32_t number, const ObjectHit& hit,

@@ -140,8 +140,8 @@ class SphereProxy {
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
   [[nodiscard]] bool has_stopped(std::size_t i) const;
   bool add_holding_plane(std::size_t i, double most_push, ProxyRest& rest);
-  PlaneProjection project(const Vec3& h) const;
-  [[nodiscard]] Vec3 risen_to_rest() const;
+  PlaneProjection project(const Vec3& h);
+  [[nodiscard]] Vec3 risen_to_rest();
   Goal choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
   Goal stay_in_cone(const PlaneProjection& projection, const FrictionCircle& circle, const Vec3& h,
                     const ProxyRest& rest);
@@ -171,6 +171,7 @@ class SphereProxy {
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t contact_count_ = 0;
+  std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
   LastHold last_hold_;
   std::array<std::size_t, kMaxContactPlanes>
       stoppers_{};  // candidates that stopped a sweep in this tick

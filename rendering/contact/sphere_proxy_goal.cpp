@@ -16,13 +16,12 @@ constexpr double kUnevenRest_m = 50e-9;
 
 }  // namespace
 
-PlaneProjection SphereProxy::project(const Vec3& h) const {
+PlaneProjection SphereProxy::project(const Vec3& h) {
   constexpr double kSlack_m = 1e-12;  // keeps the proxy within its own planes in spite of rounding
-  std::array<Plane, kMaxContactPlanes> planes;
   for (std::size_t i = 0; i < contact_count_; ++i) {
-    planes[i] = contacts_[i].plane;
+    planes_[i] = contacts_[i].plane;
   }
-  const std::span<Plane> used{planes.data(), contact_count_};
+  const std::span<Plane> used{planes_.data(), contact_count_};
   const double now = (p_ - h).norm();
   PlaneProjection projection = project_on_planes(h, used);
   if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
@@ -40,17 +39,16 @@ PlaneProjection SphereProxy::project(const Vec3& h) const {
 
 // Straight up to where the planes want it: a sweep ends a little below, where the next seam would
 // stop it, and friction alone would leave it there.
-Vec3 SphereProxy::risen_to_rest() const {
-  std::array<Plane, kMaxContactPlanes> planes;
+Vec3 SphereProxy::risen_to_rest() {
   bool low = false;
   for (std::size_t i = 0; i < contact_count_; ++i) {
-    planes[i] = contacts_[i].plane;
-    low = low || planes[i].normal.dot(p_) < planes[i].offset - kSettled_m;
+    planes_[i] = contacts_[i].plane;
+    low = low || planes_[i].normal.dot(p_) < planes_[i].offset - kSettled_m;
   }
   if (!low) {
     return p_;
   }
-  const PlaneProjection up = project_on_planes(p_, std::span(planes).first(contact_count_));
+  const PlaneProjection up = project_on_planes(p_, std::span(planes_).first(contact_count_));
   return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
 }
 

@@ -1,6 +1,6 @@
 // Walks over a bounding-volume hierarchy. Fixed stacks, no recursion; a visitor is called with the
-// index of each triangle in the leaves that the query reaches. (Templates so that the visitor is
-// inlined.)
+// index of each triangle in the leaves that the query reaches, or its leaf() with each such leaf.
+// (Templates so that the visitor is inlined.)
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <limits>
 #include <utility>
 
+#include "rendering/geometry/floats.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
 #include "rendering/surface/mesh.h"
@@ -46,13 +47,16 @@ double entry_travel(const BvhNode& node, const Vec3& from, const Vec3& inverse_d
 
 template <class Visitor>
 void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
-  for (std::uint32_t t = leaf.first; t < leaf.first + leaf.triangle_count; ++t) {
-    visitor(t);
+  if constexpr (requires { visitor.leaf(leaf); }) {
+    visitor.leaf(leaf);
+  } else {
+    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.triangle_count; ++t) {
+      visitor(t);
+    }
   }
 }
 
-// A box about a point, of which the boxes of a hierarchy are asked whether they come near; four
-// floats at a time, which the compiler turns into the vector instructions of the machine.
+// A box about a point, of which the boxes of a hierarchy are asked whether they come near.
 class NearBox {
  public:
   // `half` are the half sides of the box about p.
@@ -69,22 +73,34 @@ class NearBox {
   }
 
   [[nodiscard]] bool near(const BvhNode& node) const {
+    const Floats squared = squared_gaps(node);
+    return squared[0] + squared[2] + squared[1] <= squared_reach_;
+  }
+
+  // The same of two nodes: 1 for one that is near, else 0.
+  struct Pair {
+    std::uint32_t first;
+    std::uint32_t second;
+  };
+  [[nodiscard]] Pair near(const BvhNode& first, const BvhNode& second) const {
+    const Floats a = squared_gaps(first);
+    const Floats b = squared_gaps(second);
+    const Floats sum = __builtin_shufflevector(a, b, 0, 4, 1, 5) +
+                       __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const Floats squared = sum + __builtin_shufflevector(sum, sum, 2, 3, 2, 3);
+    return {squared[0] <= squared_reach_ ? 1U : 0U, squared[1] <= squared_reach_ ? 1U : 0U};
+  }
+
+ private:
+  // Along each axis; the last is 0.
+  [[nodiscard]] Floats squared_gaps(const BvhNode& node) const {
     // Beside the corners stand integers.
     constexpr Integers kThree{-1, -1, -1, 0};
     const auto node_lower = std::bit_cast<Floats>(bits_at(&node.lower) & kThree);
     const auto node_upper = std::bit_cast<Floats>(bits_at(&node.upper) & kThree);
-    const Floats below = node_lower - upper_;
-    const Floats above = lower_ - node_upper;
-    const Floats zero{};
-    Floats gap = below > above ? below : above;
-    gap = gap > zero ? gap : zero;
-    gap *= gap;
-    return gap[0] + gap[1] + gap[2] <= squared_reach_;
+    const Floats gap = most(most(node_lower - upper_, lower_ - node_upper), Floats{});
+    return gap * gap;
   }
-
- private:
-  using Floats [[gnu::vector_size(16)]] = float;
-  using Integers [[gnu::vector_size(16)]] = std::int32_t;
 
   static Integers bits_at(const Float3* corner) {
     Integers bits;
@@ -134,7 +150,7 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
 }
 
 // Every triangle whose leaf box comes within the reach of the box about p with the half sides
-// `half`, in no order, but for the leaves that visitor.skips(leaf). The reach stays as it is.
+// `half`, in no order. The reach stays as it is.
 template <class Visitor>
 void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& half, double reach,
                     Visitor&& visitor) {
@@ -142,25 +158,22 @@ void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& h
   if (nodes.empty() || !box.near(nodes[0])) {
     return;
   }
-  std::array<std::uint32_t, kMaxHierarchyDepth + 1> stack;
+  std::array<std::uint32_t, kMaxHierarchyDepth + 2> stack;
   std::size_t depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
     const BvhNode& node = nodes[stack[--depth]];
     if (node.is_leaf()) {
-      if constexpr (requires { visitor.skips(node); }) {
-        if (visitor.skips(node)) {
-          continue;
-        }
-      }
       visit_leaf(node, visitor);
       continue;
     }
-    for (std::uint32_t child = node.first; child < node.first + 2; ++child) {
-      if (box.near(nodes[child])) {
-        stack[depth++] = child;
-      }
-    }
+    // Which of the two is near nobody can predict: both are written, and those that are not near
+    // written over.
+    const NearBox::Pair near = box.near(nodes[node.first], nodes[node.first + 1]);
+    stack[depth] = node.first;
+    depth += near.first;
+    stack[depth] = node.first + 1;
+    depth += near.second;
   }
 }
 

@@ -1,0 +1,77 @@
+// Four floats at a time, which the compiler turns into the vector instructions of the machine, or
+// into four times one: the bits are the same.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+using Floats [[gnu::vector_size(16)]] = float;
+using Integers [[gnu::vector_size(16)]] = std::int32_t;
+
+inline Floats all(float value) {
+  return Floats{value, value, value, value};
+}
+
+inline Floats floats_at(const float* place) {
+  Floats floats;
+  std::memcpy(&floats, place, sizeof floats);
+  return floats;
+}
+
+// Whether any is not 0.
+inline bool any(Integers answers) {
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(answers);
+  return (halves[0] | halves[1]) != 0;
+}
+
+// Of two that are numbers.
+inline Floats least(Floats a, Floats b) {
+  return a < b ? a : b;
+}
+inline Floats most(Floats a, Floats b) {
+  return a > b ? a : b;
+}
+
+inline Floats root(Floats squared) {
+  return Floats{std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]),
+                std::sqrt(squared[3])};
+}
+
+// Four points or directions.
+struct FourVectors {
+  Floats x;
+  Floats y;
+  Floats z;
+};
+
+inline Floats dot(const FourVectors& a, const FourVectors& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline FourVectors four(const Vec3& v) {
+  return {all(static_cast<float>(v.x())), all(static_cast<float>(v.y())),
+          all(static_cast<float>(v.z()))};
+}
+
+inline FourVectors four(const Float3& a, const Float3& b, const Float3& c, const Float3& d) {
+  const Floats va{a.x, a.y, a.z, 0.0F};
+  const Floats vb{b.x, b.y, b.z, 0.0F};
+  const Floats vc{c.x, c.y, c.z, 0.0F};
+  const Floats vd{d.x, d.y, d.z, 0.0F};
+  const Floats low_ab = __builtin_shufflevector(va, vb, 0, 4, 1, 5);
+  const Floats low_cd = __builtin_shufflevector(vc, vd, 0, 4, 1, 5);
+  const Floats high_ab = __builtin_shufflevector(va, vb, 2, 6, 3, 7);
+  const Floats high_cd = __builtin_shufflevector(vc, vd, 2, 6, 3, 7);
+  return {__builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5),
+          __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7),
+          __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5)};
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,58 @@
+// A straight way of which triangles are asked, four at a time, whether they come near it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rendering/geometry/floats.h"
+#include "rendering/surface/mesh.h"
+
+namespace tactus::rendering {
+
+class NearWay {
+ public:
+  // From `start` to start + way, which may be zero, m.
+  NearWay(const Vec3& start, const Vec3& way, double reach);
+
+  // A plane in front of a triangle: from p it is at least normal . (p - start) - offset away. The
+  // normal is no longer than 1.
+  struct Bound {
+    Float3 normal;
+    float offset = 0.0F;  // m
+  };
+
+  // For every one of `count` triangles from `first` on that may come within the reach of the way
+  // calls found(index, bound). What rounding could hide is found too.
+  template <class Found>
+  void find(const MeshView& mesh, std::uint32_t first, std::uint32_t count, Found&& found) const {
+    const std::uint32_t end = first + count;
+    for (; first < end; first += 4) {
+      const Four four = bounds(mesh, first, end - 1);
+      for (std::uint32_t k = 0; k < 4 && first + k < end; ++k) {
+        if (four.near[k] != 0) {
+          found(first + k, Bound{.normal = {four.normal.x[k], four.normal.y[k], four.normal.z[k]},
+                                 .offset = four.offset[k]});
+        }
+      }
+    }
+  }
+
+ private:
+  struct Four {
+    Integers near;  // 0 for those that are far
+    FourVectors normal;
+    Floats offset;
+  };
+
+  // Of the triangles from `first` on, the last again where there are fewer.
+  [[nodiscard]] Four bounds(const MeshView& mesh, std::uint32_t first, std::uint32_t last) const;
+  [[nodiscard]] FourVectors from_start(const FourVectors& p) const;
+
+  FourVectors start_;       // to the nearest float
+  FourVectors start_rest_;  // what that leaves of it
+  FourVectors way_;
+  FourVectors way_by_squared_;  // over twice its squared length
+  float reach_ = 0.0F;
+};
+
+}  // namespace tactus::rendering
