@@ -85,8 +85,8 @@ class NearBox {
   [[nodiscard]] Pair near(const BvhNode& first, const BvhNode& second) const {
     const Floats a = squared_gaps(first);
     const Floats b = squared_gaps(second);
-    const Floats sum = __builtin_shufflevector(a, b, 0, 4, 1, 5) +
-                       __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const Floats sum =
+        __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
     const Floats squared = sum + __builtin_shufflevector(sum, sum, 2, 3, 2, 3);
     return {squared[0] <= squared_reach_ ? 1U : 0U, squared[1] <= squared_reach_ ? 1U : 0U};
   }
