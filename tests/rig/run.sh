@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-scenarios() { (cd tests/rig/scenarios && ls ./*.sh | sed -e 's#^\./##' -e 's/\.sh$//'); }
+scenarios() { find tests/rig/scenarios -name '*.sh' -printf '%f\n' | sed 's/\.sh$//' | sort; }
 
 usage() {
   cat <<END

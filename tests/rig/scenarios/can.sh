@@ -1,3 +1,4 @@
+#!/bin/sh
 # SocketCAN: the contract and every error of CanBus, on virtual interfaces and on two real controllers joined by a wire.
 # qemu: -object can-bus,id=wire -device kvaser_pci,canbus=wire -device kvaser_pci,canbus=wire
 modprobe -a vcan can-raw kvaser_pci

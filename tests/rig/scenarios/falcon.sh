@@ -1,3 +1,4 @@
+#!/bin/sh
 # The Falcon over USB at 1 kHz touches the bunny; then it is unplugged.
 modprobe dummy_hcd is_high_speed=0
 modprobe -a libcomposite usb_f_fs
@@ -14,6 +15,7 @@ mount -t functionfs falcon /dev/ffs/falcon
 joint_limit_rad=7e-4
 emulated='falcon --homed --hand pen --path /images/wish.csv --origin 0.015,-0.075,0.13'
 device=falcon scene=bunny
+# shellcheck source=tests/rig/scenarios/bus_touch.inc
 . /rig/bus_touch.inc
 # Until the device has been enumerated.
 emulate_slowly() { emulate "$@" && sleep 0.6; }

@@ -1,3 +1,4 @@
+#!/bin/sh
 # A Hapkit on GPIO lines at 1 kHz pushes against a wall; then its chip is gone.
 modprobe gpio-sim-oot
 mkdir -p /run && mount -t tmpfs run /run
@@ -6,6 +7,7 @@ mkdir -p /run && mount -t tmpfs run /run
 priority=40 joint_limit_rad=8e-4
 emulated='paddle --hand pen --path /images/wall_wish.csv --ratio 17.4545'
 device=hapkit scene=wall
+# shellcheck source=tests/rig/scenarios/bus_touch.inc
 . /rig/bus_touch.inc
 
 touch_and_check 1 3

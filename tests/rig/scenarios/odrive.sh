@@ -1,3 +1,5 @@
+#!/bin/sh
 # Three ODrive axes touch the bunny; then the plug.
 drive='odrive --nodes 0,1,2' device=odrive_arm
+# shellcheck source=tests/rig/scenarios/arm_on_can.inc
 . /rig/arm_on_can.inc

@@ -1,3 +1,4 @@
+#!/bin/sh
 # USB: the contract and every error of UsbEndpoint through libusb, the Falcon's and the Haply board's drivers at 1 kHz, all
 # against gadgets behind a dummy host controller at full speed.
 modprobe dummy_hcd is_high_speed=0
