@@ -14,7 +14,7 @@ constexpr hal::TimeNs kHandshakePatience_ns = 50 * kMs;
 constexpr hal::TimeNs kLoaderPatience_ns = 200 * kMs;
 constexpr hal::TimeNs kChunkPatience_ns = 500 * kMs;
 constexpr std::uint32_t kAttempts = 10;
-constexpr std::uint32_t kRefusals = 10;
+constexpr std::uint32_t kSettingsRefusals = 10;
 
 // Requests of the FTDI chip.
 enum FtdiRequest : std::uint8_t {
@@ -195,7 +195,7 @@ void FalconBringUp::refused(hal::TimeNs now_ns) {
   if (phase_ == Phase::normal_mode) {
     ++refusals_;
     step_ = 0;
-    if (refusals_ == kRefusals) {
+    if (refusals_ == kSettingsRefusals) {
       end(Outcome::refuses_settings);
     }
     return;

@@ -186,7 +186,7 @@ void MoteusCanFd::take_reply(const moteus::Reply& reply, hal::TimeNs time_ns) {
   readings_.temperature_C = reply.temperature_C.value_or(readings_.temperature_C);
   take_mode(*reply.mode, moteus::is_limit(told) ? std::uint8_t{0} : told, time_ns);
   if (phase_ != Phase::failed) {
-    take_position(reply, time_ns);
+    take_position(*reply.position_rad, *reply.velocity_rad_per_s, reply.torque_Nm, time_ns);
   }
 }
 
@@ -226,9 +226,9 @@ void MoteusCanFd::take_mode_under_torque(moteus::Mode mode, std::uint8_t fault,
   }
 }
 
-void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns) {
-  const EncoderVerdict verdict =
-      encoder_.check(*reply.position_rad, *reply.velocity_rad_per_s, time_ns);
+void MoteusCanFd::take_position(double position_rad, double velocity_rad_per_s,
+                                std::optional<double> torque_Nm, hal::TimeNs time_ns) {
+  const EncoderVerdict verdict = encoder_.check(position_rad, velocity_rad_per_s, time_ns);
   if (verdict != EncoderVerdict::good) {
     encoder_.reset();
     if (phase_ == Phase::up) {
@@ -237,10 +237,10 @@ void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns)
     return;
   }
   reply_ns_ = time_ns;
-  sample_.position_rad = *reply.position_rad;
-  sample_.velocity_rad_per_s = *reply.velocity_rad_per_s;
-  if (reply.torque_Nm && std::isfinite(*reply.torque_Nm)) {
-    sample_.torque_Nm = *reply.torque_Nm;
+  sample_.position_rad = position_rad;
+  sample_.velocity_rad_per_s = velocity_rad_per_s;
+  if (torque_Nm && std::isfinite(*torque_Nm)) {
+    sample_.torque_Nm = *torque_Nm;
   }
   sample_.time_ns = time_ns;
   sample_.status &= ~std::uint32_t{kDeviceStale};

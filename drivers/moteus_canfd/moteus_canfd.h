@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "drivers/axis.h"
@@ -68,7 +69,8 @@ class MoteusCanFd {
   void watch_deadlines(hal::TimeNs now_ns);
   void watch_bring_up(hal::TimeNs now_ns);
   void take_reply(const moteus::Reply& reply, hal::TimeNs time_ns);
-  void take_position(const moteus::Reply& reply, hal::TimeNs time_ns);
+  void take_position(double position_rad, double velocity_rad_per_s,
+                     std::optional<double> torque_Nm, hal::TimeNs time_ns);
   void take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs time_ns);
   void take_mode_under_torque(moteus::Mode mode, std::uint8_t fault, hal::TimeNs time_ns);
   [[nodiscard]] bool is_time_to_ask(hal::TimeNs now_ns);

@@ -105,6 +105,7 @@ class SubframeReader {
     Value value{.type = type};
     switch (type) {
       case ValueType::int8:
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): a number, not a character
         value.raw = load_little_endian<std::int8_t>(rest_, 0);
         break;
       case ValueType::int16:

@@ -14,7 +14,7 @@ namespace {
 // that far apart, and none between them in another state.
 constexpr double kClosedHold_s = 0.15;
 // The first heartbeat after asking may still tell of an earlier procedure.
-constexpr std::uint32_t kRefusals = 2;
+constexpr std::uint32_t kClosedLoopRefusals = 2;
 
 bool is_state(const odrive::Heartbeat& heartbeat, odrive::AxisState state) {
   return heartbeat.state == static_cast<std::uint8_t>(state);
@@ -102,7 +102,7 @@ void ODriveCan::take_while_arming(const odrive::Heartbeat& heartbeat, hal::TimeN
                               ? odrive::procedure_trouble(heartbeat.procedure_result)
                               : Trouble{};
   refused_in_a_row_ = refusal ? refused_in_a_row_ + 1 : 0;
-  if (refused_in_a_row_ >= kRefusals) {
+  if (refused_in_a_row_ >= kClosedLoopRefusals) {
     wants_explanation_ = true;
     fail(kDeviceDriveFault, refusal);
   }

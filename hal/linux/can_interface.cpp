@@ -36,7 +36,6 @@ class LinkMessage {
     header_.nlmsg_flags = NLM_F_REQUEST | NLM_F_ACK;
     ifinfomsg link{};
     link.ifi_index = interface_index;
-    size_ = NLMSG_HDRLEN;
     append(&link, sizeof(link));
   }
 
@@ -72,7 +71,7 @@ class LinkMessage {
 
   nlmsghdr header_{};
   std::array<std::byte, 128> bytes_{};
-  std::size_t size_ = 0;
+  std::size_t size_ = NLMSG_HDRLEN;
 };
 
 Result<void> restart_failure(int error) {

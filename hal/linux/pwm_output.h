@@ -20,6 +20,8 @@ inline constexpr std::string_view kPwmRoot = "/sys/class/pwm";
 class LinuxPwmOutput final : public PwmOutput {
  public:
   LinuxPwmOutput() = default;
+  LinuxPwmOutput(const LinuxPwmOutput&) = delete;
+  LinuxPwmOutput& operator=(const LinuxPwmOutput&) = delete;
   // Leaves the channel disabled, at duty 0 and exported.
   ~LinuxPwmOutput();
 

@@ -16,6 +16,7 @@ unsigned char* transfer_buffer(const UsbTransfer& transfer) {
   if (transfer.direction() == UsbDirection::in) {
     return reinterpret_cast<unsigned char*>(transfer.in_buffer().data());
   }
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   return reinterpret_cast<unsigned char*>(const_cast<std::byte*>(transfer.out_data().data()));
 }
 

@@ -14,7 +14,7 @@
 struct libusb_context;
 struct libusb_device;
 struct libusb_device_handle;
-struct libusb_transfer;
+struct libusb_transfer;  // NOLINT(readability-identifier-naming): libusb's name
 
 namespace tactus::hal {
 

@@ -195,9 +195,11 @@ void LinuxUsbEndpoint::note_plug(libusb_device* device, bool arrived) {
     if (state_ == UsbState::detached) {
       state_ = UsbState::returned;
     }
-  } else if (handle_ != nullptr && device == libusb_get_device(handle_)) {
-    state_ = UsbState::detached;
-  } else if (handle_ == nullptr && state_ == UsbState::returned) {
+    return;
+  }
+  const bool was_ours = handle_ != nullptr ? device == libusb_get_device(handle_)
+                                           : state_ == UsbState::returned;
+  if (was_ours) {
     state_ = UsbState::detached;
   }
 }

@@ -7,7 +7,7 @@ void SimulatedCounter::move(std::int64_t steps) {
     return;
   }
   direction_ = steps > 0 ? CountDirection::forward : CountDirection::backward;
-  const std::uint64_t way = static_cast<std::uint64_t>(steps > 0 ? steps : -steps);
+  const auto way = static_cast<std::uint64_t>(steps > 0 ? steps : -steps);
   if (steps > 0) {
     const std::uint64_t room = ceiling_now_ - count_;
     count_ = way <= room ? count_ + way : way - room - 1;
