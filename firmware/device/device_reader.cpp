@@ -213,8 +213,8 @@ Outcome DeviceReader::read_mechanism(std::size_t i) {
   const auto preset = preset_config(text_of(sections_.sections[i], kKindKey));
   if (!preset) {
     return refuse(i, kKindKey,
-                  "must be \"cartesian\", \"falcon\", \"hapkit\", \"haply_pantograph\", "
-                  "\"phantom_premium\" or \"woodenhaptics\"");
+                  R"(must be "cartesian", "falcon", "hapkit", "haply_pantograph", )"
+                  R"("phantom_premium" or "woodenhaptics")");
   }
   config_.controller = *preset;
   return assign_all(i, kKindKey,
@@ -252,7 +252,7 @@ Outcome DeviceReader::choose_connection(std::size_t i, ConnectionConfig& connect
   } else if (kind == "gpio") {
     connection.line = GpioConnection{};
   } else {
-    return refuse(i, kKindKey, "must be \"can\", \"falcon_usb\", \"haply_serial\" or \"gpio\"");
+    return refuse(i, kKindKey, R"(must be "can", "falcon_usb", "haply_serial" or "gpio")");
   }
   return {};
 }
@@ -292,8 +292,8 @@ Outcome DeviceReader::choose_drive(std::size_t i, AxisConfig& axis) {
     axis.drive = BoardAxis{};
   } else {
     return refuse(i, kDriverKey,
-                  "must be \"odrive_can\", \"moteus_canfd\", \"cia402_can\", \"vesc_can\", "
-                  "\"gpio_axis\", \"falcon_usb\" or \"haply_serial\"");
+                  R"(must be "odrive_can", "moteus_canfd", "cia402_can", "vesc_can", )"
+                  R"("gpio_axis", "falcon_usb" or "haply_serial")");
   }
   return {};
 }

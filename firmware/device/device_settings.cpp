@@ -15,7 +15,7 @@ inline constexpr auto kWords<drivers::ReferenceKind> =
                                                  {"hard_stop", drivers::ReferenceKind::hard_stop}});
 template <>
 inline constexpr std::string_view kWordList<drivers::ReferenceKind> =
-    "must be \"absolute\", \"board\", \"known_pose\", \"index\" or \"hard_stop\"";
+    R"(must be "absolute", "board", "known_pose", "index" or "hard_stop")";
 
 template <>
 inline constexpr auto kWords<drivers::ODriveEstimates> =
@@ -24,7 +24,7 @@ inline constexpr auto kWords<drivers::ODriveEstimates> =
          {"requested", drivers::ODriveEstimates::requested}});
 template <>
 inline constexpr std::string_view kWordList<drivers::ODriveEstimates> =
-    "must be \"cyclic\" or \"requested\"";
+    R"(must be "cyclic" or "requested")";
 
 template <>
 inline constexpr auto kWords<drivers::BridgeMode> = std::to_array<Word<drivers::BridgeMode>>(
@@ -32,14 +32,14 @@ inline constexpr auto kWords<drivers::BridgeMode> = std::to_array<Word<drivers::
      {"locked_antiphase", drivers::BridgeMode::locked_antiphase}});
 template <>
 inline constexpr std::string_view kWordList<drivers::BridgeMode> =
-    "must be \"sign_magnitude\" or \"locked_antiphase\"";
+    R"(must be "sign_magnitude" or "locked_antiphase")";
 
 template <>
 inline constexpr auto kWords<drivers::TorqueLaw> = std::to_array<Word<drivers::TorqueLaw>>(
     {{"linear", drivers::TorqueLaw::linear}, {"square_root", drivers::TorqueLaw::square_root}});
 template <>
 inline constexpr std::string_view kWordList<drivers::TorqueLaw> =
-    "must be \"linear\" or \"square_root\"";
+    R"(must be "linear" or "square_root")";
 
 template <>
 inline constexpr auto kWords<drivers::MoteusQuery> = std::to_array<Word<drivers::MoteusQuery>>(
@@ -47,7 +47,7 @@ inline constexpr auto kWords<drivers::MoteusQuery> = std::to_array<Word<drivers:
      {"before_command", drivers::MoteusQuery::before_command}});
 template <>
 inline constexpr std::string_view kWordList<drivers::MoteusQuery> =
-    "must be \"with_command\" or \"before_command\"";
+    R"(must be "with_command" or "before_command")";
 
 template <>
 inline constexpr auto kWords<drivers::RatedTorque> =
@@ -56,7 +56,7 @@ inline constexpr auto kWords<drivers::RatedTorque> =
                                                {"configured", drivers::RatedTorque::configured}});
 template <>
 inline constexpr std::string_view kWordList<drivers::RatedTorque> =
-    "must be \"drive_mNm\", \"drive_uNm\" or \"configured\"";
+    R"(must be "drive_mNm", "drive_uNm" or "configured")";
 
 // ---- lines of a GPIO chip: "4", "4 active_low pull_up"
 

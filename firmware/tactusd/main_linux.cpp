@@ -103,9 +103,8 @@ bool load_scene(const Options& options) {
     std::fprintf(stderr, "tactusd: %s: %.*s\n", options.scene, length(what), what.data());
     return false;
   }
-  program.scene = *image;
-  if (!program.controller.load_scene(program.scene->objects(),
-                                     {.tool_radius_m = program.scene->tool_radius_m()})) {
+  const rendering::SceneImage& scene = program.scene.emplace(*image);
+  if (!program.controller.load_scene(scene.objects(), {.tool_radius_m = scene.tool_radius_m()})) {
     std::fprintf(stderr, "tactusd: %s: the controller has no room for this scene\n", options.scene);
     return false;
   }
@@ -127,19 +126,20 @@ bool load_falcon_firmware() {
   return true;
 }
 
-bool open_boards() {
+// Null if a board does not open.
+drivers::ComposedDevice* open_boards() {
   const auto read_limit_ns = static_cast<hal::TimeNs>(program.config.read_limit_s * 1e9);
-  program.device.emplace(program.boards.clock(), read_limit_ns);
-  const auto opened =
-      program.boards.open(program.config, program.falcon_file.bytes(), *program.device);
+  drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
+  const auto opened = program.boards.open(program.config, program.falcon_file.bytes(), device);
   if (!opened) {
     const OpenError& error = opened.error();
     const std::string_view code = hal::words(error.error.code);
     std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
                  length(error.connection), error.connection.data(), length(error.what),
                  error.what.data(), length(code), code.data(), error.error.errno_value);
+    return nullptr;
   }
-  return opened.has_value();
+  return &device;
 }
 
 // What somebody at the controls would ask for now.
@@ -154,15 +154,15 @@ Request wish(const Options& options, bool stopping) {
   return mode == Mode::init ? Request::home : mode == Mode::ready ? Request::enable : Request::none;
 }
 
-void log_tick(const hal::Wake& wake) {
+void log_tick(const drivers::ComposedDevice& device, const hal::Wake& wake) {
   LoggedTick tick{.scheduled_ns = wake.scheduled_ns,
                   .woke_ns = wake.woke_ns,
                   .done_ns = hal::monotonic_now_ns(),
-                  .sample_ns = program.device->encoder_sample(0).time_ns,
+                  .sample_ns = device.encoder_sample(0).time_ns,
                   .record = program.controller.record()};
-  for (std::size_t i = 0; i < program.device->joint_count(); ++i) {
-    tick.shaft_rad[i] = program.device->encoder_sample(i).position_rad;
-    tick.torque_Nm[i] = program.device->commanded_torque_Nm(i);
+  for (std::size_t i = 0; i < device.joint_count(); ++i) {
+    tick.shaft_rad[i] = device.encoder_sample(i).position_rad;
+    tick.torque_Nm[i] = device.commanded_torque_Nm(i);
   }
   program.log.add(tick);
 }
@@ -173,19 +173,19 @@ void tell_mode(Mode mode) {
 }
 
 // The loop. Nothing in it allocates or waits but for the boards' transfers and the phase.
-int run(const Options& options) {
+int run(drivers::ComposedDevice& device, const Options& options) {
   hal::LinuxClock& clock = program.boards.clock();
   const double rate_hz = program.config.controller.rate_hz;
   const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz), .offset_ns = 0};
-  const double limit = options.seconds > 0.0 ? options.seconds * rate_hz : 1e18;
+  const double limit = options.seconds > 0.0 ? std::ceil(options.seconds * rate_hz) : 1e18;
   double ticks_after_fault = 0.0;
   Mode told = program.controller.mode();
   bool stopping = false;
   hal::Wake wake = clock.sleep_until(hal::next_instant_ns(phase, clock.now_ns()));
-  for (double tick = 0.0; tick < limit; tick += 1.0) {
+  for (auto left = static_cast<std::uint64_t>(limit); left > 0; --left) {
     stopping = stopping || told_to_stop.load(std::memory_order_relaxed);
-    run_tick(program.controller, *program.device, wish(options, stopping));
-    log_tick(wake);
+    run_tick(program.controller, device, wish(options, stopping));
+    log_tick(device, wake);
     const Mode mode = program.controller.mode();
     if (mode != told && mode != Mode::active) {
       tell_mode(mode);
@@ -197,18 +197,18 @@ int run(const Options& options) {
     }
     wake = clock.sleep_to_phase(phase, wake);
   }
-  program.device->stop();
+  device.stop();
   return program.controller.mode() == Mode::fault ? kFaulted : kEnded;
 }
 
-void explain_fault() {
+void explain_fault(const drivers::ComposedDevice& device) {
   for (const FaultText& text : kFaultTexts) {
     if ((program.controller.record().faults & text.bit) != 0) {
       std::fprintf(stderr, "tactusd: fault %d %.*s: %.*s\n", fault_code(text.bit),
                    length(text.name), text.name.data(), length(text.meaning), text.meaning.data());
     }
   }
-  const auto [joint, trouble] = program.device->trouble();
+  const auto [joint, trouble] = device.trouble();
   if (trouble) {
     std::fprintf(stderr, "tactusd: joint '%.*s': %.*s (code 0x%x); %.*s\n", length(joint),
                  joint.data(), length(trouble.what), trouble.what.data(), trouble.code,
@@ -217,7 +217,11 @@ void explain_fault() {
 }
 
 int start_and_run(const Options& options) {
-  if (!load_device(options) || !load_scene(options) || !load_falcon_firmware() || !open_boards()) {
+  if (!load_device(options) || !load_scene(options) || !load_falcon_firmware()) {
+    return kCouldNotStart;
+  }
+  drivers::ComposedDevice* const device = open_boards();
+  if (device == nullptr) {
     return kCouldNotStart;
   }
   const double ticks = std::ceil(options.seconds * program.config.controller.rate_hz);
@@ -238,10 +242,10 @@ int start_and_run(const Options& options) {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 
-  program.device->start();
-  const int code = run(options);
+  device->start();
+  const int code = run(*device, options);
   if (code == kFaulted) {
-    explain_fault();
+    explain_fault(*device);
   }
   if (options.record != nullptr) {
     if (const int failed = program.log.write_csv(options.record, program.config.joint_count);

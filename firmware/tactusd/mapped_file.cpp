@@ -13,6 +13,7 @@ namespace tactus::firmware {
 MappedFile::~MappedFile() {
   if (!bytes_.empty()) {
     // The interface of munmap takes what mmap gave, which was never written to.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
     munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
   }
 }

@@ -18,7 +18,13 @@ EmulatedRun::EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config)
                                    *planned.joint, machine_.joints() - 1));
     }
   }
-  std::ranges::stable_sort(config_.faults, {}, &PlannedFault::at_s);
+  // By time; those of one instant stay as they were given.
+  for (auto next = config_.faults.begin(); next != config_.faults.end(); ++next) {
+    const auto place =
+        std::upper_bound(config_.faults.begin(), next, *next,
+                         [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+    std::rotate(place, next, next + 1);
+  }
   if (config_.truth_period_ns > 0) {
     const double samples = 1e9 * config_.expected_s / static_cast<double>(config_.truth_period_ns);
     truth_.reserve(static_cast<std::size_t>(samples) + 1000);

@@ -236,7 +236,7 @@ hal::TimeNs FalconEmulator::next_packet_ns() const {
   if (fault_ == EmulatorFault::unplugged) {
     return hal::kForever;
   }
-  const hal::TimeNs idle_ns = last_packet_ns_ + latency_ms_ * 1'000'000;
+  const hal::TimeNs idle_ns = last_packet_ns_ + hal::TimeNs{latency_ms_} * 1'000'000;
   return output_.empty() ? idle_ns : std::min(output_.front().due_ns, idle_ns);
 }
 

@@ -131,8 +131,8 @@ FunctionFs::~FunctionFs() {
   wake();
   try {
     unplug();  // ends what the threads wait for
+    // NOLINTNEXTLINE(bugprone-empty-catch): it was not plugged in
   } catch (const InputError&) {
-    // It was not plugged in.
   }
   for (std::thread& thread : threads_) {
     thread.join();
@@ -150,7 +150,7 @@ void FunctionFs::unplug() {
   bind("");
 }
 
-void FunctionFs::bind(const std::string& controller) {
+void FunctionFs::bind(const std::string& controller) const {
   const int file = open_file(place_.gadget / "UDC", O_WRONLY);
   const std::string line = controller + "\n";
   const bool done = ::write(file, line.data(), line.size()) == std::ssize(line);
@@ -227,7 +227,7 @@ std::vector<std::byte> FunctionFs::next_packet() {
     if (due_ns <= now_ns) {
       return device_.packet(now_ns);
     }
-    const hal::TimeNs longest_ns = kPollInterval_ms * 1'000'000;
+    const hal::TimeNs longest_ns = hal::TimeNs{kPollInterval_ms} * 1'000'000;
     changed_.wait_for(lock, std::chrono::nanoseconds(std::min(due_ns - now_ns, longest_ns)));
   }
   return {};

@@ -74,7 +74,7 @@ class FunctionFs {
   void wake() { changed_.notify_all(); }
 
  private:
-  void bind(const std::string& controller);
+  void bind(const std::string& controller) const;
   void serve_control();
   void answer(const hal::UsbSetup& setup, std::size_t length);
   void serve_out();

@@ -217,7 +217,7 @@ bool MoteusEmulator::do_read(unsigned type, unsigned count, Bytes& rest) {
 bool MoteusEmulator::write_register(unsigned at, double value) {
   switch (at) {
     case 0x000:
-      if (!(value >= 0.0 && value <= kMoteusLastMode)) {
+      if (const bool exists = value >= 0.0 && value <= kMoteusLastMode; !exists) {
         return false;
       }
       written_ = {};
