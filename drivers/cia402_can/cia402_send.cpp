@@ -136,8 +136,8 @@ bool Cia402Can::run_step(const cia402::SdoStep& step, CanOutbox& outbox) {
     return false;
   }
   const bool is_done = state == SdoClient::State::done;
-  if (!is_done && (state != SdoClient::State::refused ||
-                   !cia402::may_go_on_without(step, sdo_.value()))) {
+  if (!is_done &&
+      (state != SdoClient::State::refused || !cia402::may_go_on_without(step, sdo_.value()))) {
     refuse(step);
     return false;
   }

@@ -197,8 +197,8 @@ void LinuxUsbEndpoint::note_plug(libusb_device* device, bool arrived) {
     }
     return;
   }
-  const bool was_ours = handle_ != nullptr ? device == libusb_get_device(handle_)
-                                           : state_ == UsbState::returned;
+  const bool was_ours =
+      handle_ != nullptr ? device == libusb_get_device(handle_) : state_ == UsbState::returned;
   if (was_ours) {
     state_ = UsbState::detached;
   }

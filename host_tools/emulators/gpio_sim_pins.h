@@ -23,6 +23,8 @@ class GpioSimPins final : public BoardPins {
   // `name` is the folder's in configfs and must be free. `lines` from 1 to 64.
   GpioSimPins(const std::string& name, const std::string& label, std::size_t lines,
               const std::filesystem::path& pwm_root);
+  GpioSimPins(const GpioSimPins&) = delete;
+  GpioSimPins& operator=(const GpioSimPins&) = delete;
   ~GpioSimPins() override;
 
   // The chip's device: "/dev/gpiochip3". The number changes with every plug_in.

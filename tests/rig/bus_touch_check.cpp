@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <span>
 #include <string>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -109,9 +110,9 @@ class Comparison {
     const auto times = truth_.column("t_ns");
     const auto after = std::ranges::lower_bound(times, t_ns);
     if (after == times.begin() || after == times.end()) {
-      return NAN;
+      return std::numeric_limits<double>::quiet_NaN();
     }
-    const std::size_t i = static_cast<std::size_t>(after - times.begin());
+    const auto i = static_cast<std::size_t>(after - times.begin());
     const double share = (t_ns - times[i - 1]) / (times[i] - times[i - 1]);
     const auto values = truth_.column(column);
     return values[i - 1] + share * (values[i] - values[i - 1]);
