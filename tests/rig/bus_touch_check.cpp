@@ -1,18 +1,18 @@
 // Holds what the controller wrote down (tactusd --record) against what the emulated device really
 // did (tactus emulate --truth): both carry CLOCK_MONOTONIC.
-//   bus_touch_check touch RUN.csv TRUTH.csv JOINTS   it touched, knew where it was, pushed as it
-//   said bus_touch_check fault RUN.csv TRUTH.csv JOINTS LIMIT_MS   it was stopped: torque is zero
-//   for good
-//                                                    within LIMIT_MS of the last tick without fault
+//   bus_touch_check touch RUN.csv TRUTH.csv JOINTS [LIMIT]
+// It touched, knew where it was, pushed as it said.
+//   bus_touch_check fault RUN.csv TRUTH.csv JOINTS LIMIT_MS
+// It was stopped: torque is zero for good within LIMIT_MS of the last tick without fault.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <span>
 #include <string>
-#include <limits>
 #include <string_view>
 #include <vector>
 
