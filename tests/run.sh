@@ -10,6 +10,7 @@ stages=(
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64"
   "cortex-m7         build.sh cortex-m7"
+  "fuzz              fuzz.sh"
   "same-bits         same_bits.sh"
   "heap-check        heap_check_catches_offences.sh"
   "include-check     include_check_catches_offences.sh"
