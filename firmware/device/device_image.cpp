@@ -23,6 +23,9 @@ std::string_view view(const flatbuffers::String* text) {
 std::expected<std::span<const std::byte>, DeviceError> payload_of(
     std::span<const std::byte> image) {
   rendering::ImageHeader header;
+  if (reinterpret_cast<std::uintptr_t>(image.data()) % rendering::kImageAlignment != 0) {
+    return refuse("the image must lie at an address that is a multiple of 16");
+  }
   if (image.size() < sizeof(header)) {
     return refuse("the file is too short for a device image; bake it again");
   }
@@ -52,6 +55,10 @@ std::string_view read_setting(const image::Setting& stored, Setting& setting) {
   setting.type = static_cast<SettingType>(stored.type());
   setting.text = view(stored.text());
   if (const auto* numbers = stored.numbers()) {
+    // FlatBuffers' verifier asks for the alignment of a vector's length alone, four bytes.
+    if (reinterpret_cast<std::uintptr_t>(numbers->Data()) % alignof(double) != 0) {
+      return "is stored at an address that no double may have";
+    }
     setting.numbers = {numbers->data(), numbers->size()};
   }
   for (const double number : setting.numbers) {

@@ -45,7 +45,7 @@ struct DeviceError {
 };
 
 // Checks the header, the checksum and the payload, and that its numbers are finite; not real time.
-// The views into `image` live as long as it does.
+// `image` begins at a multiple of rendering::kImageAlignment; the views into it live as long as it.
 std::expected<void, DeviceError> open_device_image(std::span<const std::byte> image,
                                                    DeviceSections& sections);
 

@@ -38,8 +38,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static DeviceSections sections;
   static DeviceConfig config;
   if (open_device_image(image, sections) && read_device(sections, config)) {
-    tactus::fuzz::require(validate(config.controller).has_value());
-    tactus::fuzz::require(config.joint_count == joint_count(config.controller.mechanism));
+    tactus::fuzz::require(validate(config.controller).has_value(),
+                          "the controller takes what a device image says");
+    tactus::fuzz::require(config.joint_count == joint_count(config.controller.mechanism),
+                          "as many joints as the mechanism has");
   }
   return 0;
 }
