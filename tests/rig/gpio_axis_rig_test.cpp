@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "drivers/gpio_axis/gpio_axis.h"
