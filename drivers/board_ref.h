@@ -41,7 +41,8 @@ class BoardRef {
 
   template <class B>
   static constexpr Calls kCalls = {
-      [](const void* board) { return std::size_t{static_cast<const B*>(board)->axis_count()}; },
+      // NOLINTNEXTLINE(readability-static-accessed-through-instance): of one board it is static
+      [](const void* board) -> std::size_t { return static_cast<const B*>(board)->axis_count(); },
       [](void* board) { static_cast<B*>(board)->start(); },
       [](void* board, std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
         static_cast<B*>(board)->read(samples, deadline_ns);

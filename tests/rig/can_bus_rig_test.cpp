@@ -49,8 +49,9 @@ struct VirtualCanRig {
 struct ControllerRig {
   ControllerRig() {
     for (const std::string name : {"can0", "can1"}) {
-      const std::string set = "ip link set " + name;
-      shell(set + " down && " + set + " type can bitrate 1000000 && " + set + " txqueuelen 32 up");
+      shell("ip link set " + name + " down");
+      shell("ip link set " + name + " type can bitrate 1000000");
+      shell("ip link set " + name + " txqueuelen 32 up");
     }
     EXPECT_TRUE(left_node.open("can0"));
     EXPECT_TRUE(right_node.open("can1"));
@@ -126,6 +127,10 @@ TEST_F(VirtualCan, UnreadSocketCountsWhatItLost) {
 // The kernel hands an error frame that one socket writes to a virtual interface to the others, as
 // if its controller had reported it.
 class InjectedReports : public VirtualCan {
+ public:
+  InjectedReports(const InjectedReports&) = delete;
+  InjectedReports& operator=(const InjectedReports&) = delete;
+
  protected:
   InjectedReports() : socket_(socket(PF_CAN, SOCK_RAW, CAN_RAW)) {
     sockaddr_can address{};
@@ -133,22 +138,20 @@ class InjectedReports : public VirtualCan {
     address.can_ifindex = static_cast<int>(if_nametoindex("vcan7"));
     EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
   }
-  InjectedReports(const InjectedReports&) = delete;
-  InjectedReports& operator=(const InjectedReports&) = delete;
   ~InjectedReports() override { close(socket_); }
 
   void inject(std::uint32_t classes, std::uint8_t controller = 0) const {
-    can_frame_t frame{};
+    KernelFrame frame{};
     frame.can_id = CAN_ERR_FLAG | classes;
-    frame.len = CAN_ERR_DLC;
+    frame.len = kErrorFrame_bytes;
     frame.data[1] = controller;
     frame.data[6] = 130;
     ASSERT_EQ(write(socket_, &frame, sizeof(frame)), static_cast<ssize_t>(sizeof(frame)));
   }
 
  private:
-  using can_frame_t = struct ::can_frame;
-  static constexpr std::uint8_t CAN_ERR_DLC = 8;
+  using KernelFrame = struct ::can_frame;
+  static constexpr std::uint8_t kErrorFrame_bytes = 8;
   int socket_;
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 #include "hal/linux/clock.h"
@@ -58,9 +59,9 @@ class FalconOnTheBus : public ::testing::Test {
     wake_ = clock_.sleep_to_phase({.period_ns = kRigTick_ns, .offset_ns = 0}, wake_);
   }
   void command(double torque_Nm) {
-    for (std::size_t arm = 0; arm < commands_.size(); ++arm) {
-      commands_[arm].torque_Nm = torque_Nm;
-      commands_[arm].enable = true;
+    for (AxisCommand& axis : commands_) {
+      axis.torque_Nm = torque_Nm;
+      axis.enable = true;
     }
   }
   bool tick_until(std::uint32_t status, int count) {
@@ -141,9 +142,10 @@ TEST_F(FalconOnTheBus, PulledPlugEndsInZeroTorqueAndALatchedFault) {
   for (int i = 0; i < 50 && (samples_[0].status & kDeviceLost) == 0; ++i) {
     tick();
   }
-  std::printf("measured: Falcon lost %.1f ms after its plug was pulled: %s\n",
+  const std::string_view what = driver_.trouble(0).what;
+  std::printf("measured: Falcon lost %.1f ms after its plug was pulled: %.*s\n",
               static_cast<double>(clock_.now_ns() - pulled_ns) * 1e-6,
-              driver_.trouble(0).what.data());
+              static_cast<int>(what.size()), what.data());
   EXPECT_NE(samples_[0].status & kDeviceLost, 0U);
   EXPECT_EQ(driver_.motors(), (std::array<std::int16_t, 3>{}));
   for (int i = 0; i < 100; ++i) {

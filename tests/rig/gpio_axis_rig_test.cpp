@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "drivers/gpio_axis/gpio_axis.h"
@@ -110,6 +111,10 @@ class EmulatedRotor {
 };
 
 class GpioAxisRig : public ::testing::Test {
+ public:
+  GpioAxisRig(const GpioAxisRig&) = delete;
+  GpioAxisRig& operator=(const GpioAxisRig&) = delete;
+
  protected:
   GpioAxisRig() {
     EXPECT_TRUE(pwm_.open("pwmchip0", 0, kPaddlePwmFolder));
@@ -212,8 +217,9 @@ class GpioAxisRigFaults : public GpioAxisRig, public ::testing::WithParamInterfa
 TEST_P(GpioAxisRigFaults, EndsInZeroTorqueAndSaysWhatToDo) {
   rotor_.set_fault(GetParam().fault);
   const double took_ms = time_to_zero_ms(GetParam().push_Nm);
-  std::printf("measured: paddle on GPIO: %s to zero torque in %.1f ms: %s\n", GetParam().name,
-              took_ms, axis_.trouble(0).what.data());
+  const std::string_view what = axis_.trouble(0).what;
+  std::printf("measured: paddle on GPIO: %s to zero torque in %.1f ms: %.*s\n", GetParam().name,
+              took_ms, static_cast<int>(what.size()), what.data());
   EXPECT_LE(took_ms, GetParam().within_ms);
   expect_zero_torque_for_good(GetParam().status, GetParam().trouble);
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <mutex>
 #include <numbers>
+#include <string_view>
 #include <thread>
 
 #include "hal/linux/clock.h"
@@ -141,9 +142,10 @@ TEST_F(HaplyOnTheBus, PulledPlugIsALatchedFault) {
   for (int i = 0; i < 100 && (samples_[0].status & kDeviceLost) == 0; ++i) {
     tick();
   }
-  std::printf("measured: Haply lost %.1f ms after its plug was pulled: %s\n",
+  const std::string_view what = driver_.trouble(0).what;
+  std::printf("measured: Haply lost %.1f ms after its plug was pulled: %.*s\n",
               static_cast<double>(clock_.now_ns() - pulled_ns) * 1e-6,
-              driver_.trouble(0).what.data());
+              static_cast<int>(what.size()), what.data());
   EXPECT_NE(samples_[0].status & kDeviceLost, 0U);
   EXPECT_FALSE(driver_.trouble(0).remedy.empty());
 }

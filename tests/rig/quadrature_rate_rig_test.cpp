@@ -83,6 +83,10 @@ class Shaft {
 };
 
 class QuadratureRate : public ::testing::Test {
+ public:
+  QuadratureRate(const QuadratureRate&) = delete;
+  QuadratureRate& operator=(const QuadratureRate&) = delete;
+
  protected:
   QuadratureRate() {
     EXPECT_TRUE(pwm_.open("pwmchip0", 0, kRatePwmFolder));
@@ -121,7 +125,7 @@ class QuadratureRate : public ::testing::Test {
     EXPECT_TRUE(axis_.trouble(0));
     return true;
   }
-  void expect_position_between(double low, double high) {
+  void expect_position_between(double low, double high) const {
     const double count = sample_.position_rad / kCount_rad;
     EXPECT_GE(count, low - 1e-6);
     EXPECT_LE(count, high + 1.0 + 1e-6);

@@ -1,6 +1,7 @@
 // Emulated drives that turn rotors on a simulated CAN bus, and the CanBoard that drives them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -129,7 +130,7 @@ class CanRig final : private hal::SimulatedEventSource {
   hal::TimeNs last_torque_ns(std::size_t i) const { return last_torque_ns_[i]; }
   const AxisSample& sample(std::size_t i) const { return samples_[i]; }
   const Driver& driver(std::size_t i) const {
-    const Driver* drive = board_.template drive<Driver>(i);
+    const auto* drive = board_.template drive<Driver>(i);
     if (drive == nullptr) {
       throw std::out_of_range("no such axis");
     }
@@ -138,12 +139,8 @@ class CanRig final : private hal::SimulatedEventSource {
   const std::vector<std::string>& log() const { return log_; }
 
   bool are_well() const {
-    for (const AxisSample& sample : samples_) {
-      if (sample.status != kDeviceOk) {
-        return false;
-      }
-    }
-    return true;
+    return std::ranges::all_of(samples_,
+                               [](const AxisSample& sample) { return sample.status == kDeviceOk; });
   }
 
  private:

@@ -61,7 +61,7 @@ TEST(CountDifference, SumsUpToTheTruePositionOverManyWraps) {
     std::int64_t sum = 0;
     std::uint64_t last = counter.read()->count;
     for (int i = 0; i < 20'000; ++i) {
-      const std::int64_t most = static_cast<std::int64_t>(ceiling / 2);
+      const auto most = static_cast<std::int64_t>(ceiling / 2);
       const std::int64_t step =
           static_cast<std::int64_t>(random.below(static_cast<std::size_t>(2 * most + 1))) - most;
       counter.move(step);

@@ -69,7 +69,7 @@ TEST(HBridge, NeverMoreThanTheMaximumWhateverIsAskedFor) {
       hal::TimeNs now_ns = 1'000'000'000;
       for (int i = 0; i < 20'000; ++i) {
         const std::uint64_t bits = std::uint64_t{random.bits()} << 32U | random.bits();
-        const double wanted_Nm = std::bit_cast<double>(bits);
+        const auto wanted_Nm = std::bit_cast<double>(bits);
         now_ns += 1'000'000;
         const BridgeOutput output = bridge.drive(wanted_Nm, now_ns);
         ASSERT_GE(output.duty_ns, 0);

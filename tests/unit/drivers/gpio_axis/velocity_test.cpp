@@ -47,7 +47,7 @@ TEST(CountVelocity, DecaysAsOneCountOverTheSilenceAndThenStands) {
 
 TEST(CountVelocity, TremblingOnOneEdgeIsNoVelocity) {
   CountVelocity velocity(0);
-  for (int i = 0; i < 20; ++i) {
+  for (hal::TimeNs i = 0; i < 20; ++i) {
     velocity.saw(7, kSecond_ns + i * 10'000);
     EXPECT_EQ(velocity.at(kSecond_ns + i * 10'000), 0.0);
   }

@@ -181,7 +181,7 @@ TEST_P(MoteusBringUp, TakesOverAServoThatIsInFaultOrRuns) {
 }
 
 TEST(MoteusCanFd, SampleBeforeTheCommandIsFresher) {
-  hal::TimeNs ages_ns[2] = {};
+  std::array<hal::TimeNs, 2> ages_ns{};
   for (const bool before : {false, true}) {
     MoteusRig rig(fd_bus(),
                   std::vector<MoteusConfig>{

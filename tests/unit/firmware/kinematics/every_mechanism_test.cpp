@@ -68,7 +68,8 @@ TEST_P(EveryMechanism, ForwardThenInverseThenForwardIsWithinAMillionthOfAMillime
     worst_m = std::max(worst_m, (again.p_D - there.p_D).norm());
     worst_rad = std::max(worst_rad, (*back - joints).norm());
   }
-  std::printf("%s: %.1e m, joints within %.1e\n", GetParam().data(), worst_m, worst_rad);
+  std::printf("%.*s: %.1e m, joints within %.1e\n", static_cast<int>(GetParam().size()),
+              GetParam().data(), worst_m, worst_rad);
   EXPECT_LT(worst_m, 1e-9);
   EXPECT_LT(worst_rad, 1e-9);
 }

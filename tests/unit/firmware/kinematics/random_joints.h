@@ -1,6 +1,7 @@
 // Random joints within a configuration's limits, the coupled ones included.
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 
@@ -9,14 +10,11 @@
 namespace tactus::firmware {
 
 inline bool within_coupled_limits(const ControllerConfig& config, const Vec3& joints) {
-  for (const CoupledLimit& limit : config.coupled_limits) {
+  return std::ranges::all_of(config.coupled_limits, [&](const CoupledLimit& limit) {
     const double difference = joints[static_cast<Eigen::Index>(limit.joint)] -
                               joints[static_cast<Eigen::Index>(limit.minus)];
-    if (difference < limit.lower || difference > limit.upper) {
-      return false;
-    }
-  }
-  return true;
+    return difference >= limit.lower && difference <= limit.upper;
+  });
 }
 
 class RandomJoints {

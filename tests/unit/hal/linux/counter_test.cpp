@@ -131,6 +131,10 @@ TEST_F(LinuxCounterTest, MissingCounterIsNotFound) {
 
 // The device's bytes through a pipe, as the kernel's header lays them out.
 class CounterEvents : public ::testing::Test {
+ public:
+  CounterEvents(const CounterEvents&) = delete;
+  CounterEvents& operator=(const CounterEvents&) = delete;
+
  protected:
   CounterEvents() { EXPECT_EQ(::pipe(ends_.data()), 0); }
   ~CounterEvents() override {
