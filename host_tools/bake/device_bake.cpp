@@ -101,8 +101,10 @@ std::vector<WrittenSection> read_sections(std::string_view file, const toml::tab
 std::vector<std::byte> write_device(std::span<const WrittenSection> sections) {
   flatbuffers::FlatBufferBuilder builder;
   std::vector<flatbuffers::Offset<device_image::Section>> stored;
+  stored.reserve(sections.size());
   for (const WrittenSection& section : sections) {
     std::vector<flatbuffers::Offset<device_image::Setting>> settings;
+    settings.reserve(section.settings.size());
     for (const WrittenSetting& setting : section.settings) {
       settings.push_back(device_image::CreateSetting(
           builder, builder.CreateString(setting.key), setting.type,
