@@ -18,11 +18,11 @@
 namespace tactus::host {
 namespace {
 
-namespace image = firmware::image;
+namespace device_image = firmware::image;
 
 struct WrittenSetting {
   std::string key;
-  image::ValueType type = image::ValueType::number;
+  device_image::ValueType type = device_image::ValueType::number;
   std::vector<double> numbers;
   std::string text;
   std::size_t line = 0;
@@ -45,14 +45,14 @@ WrittenSetting read_value(std::string_view file, std::string_view title, const s
   if (node.is_number()) {
     setting.numbers = {node.value<double>().value_or(0.0)};
   } else if (const auto flag = node.value_exact<bool>()) {
-    setting.type = image::ValueType::flag;
+    setting.type = device_image::ValueType::flag;
     setting.numbers = {*flag ? 1.0 : 0.0};
   } else if (const auto text = node.value_exact<std::string>()) {
-    setting.type = image::ValueType::text;
+    setting.type = device_image::ValueType::text;
     setting.text = *text;
   } else if (const toml::array* array = node.as_array();
              array != nullptr && std::ranges::all_of(*array, &toml::node::is_number)) {
-    setting.type = image::ValueType::numbers;
+    setting.type = device_image::ValueType::numbers;
     for (const toml::node& element : *array) {
       setting.numbers.push_back(element.value<double>().value_or(0.0));
     }
@@ -100,18 +100,21 @@ std::vector<WrittenSection> read_sections(std::string_view file, const toml::tab
 
 std::vector<std::byte> write_device(std::span<const WrittenSection> sections) {
   flatbuffers::FlatBufferBuilder builder;
-  std::vector<flatbuffers::Offset<image::Section>> stored;
+  std::vector<flatbuffers::Offset<device_image::Section>> stored;
+  stored.reserve(sections.size());
   for (const WrittenSection& section : sections) {
-    std::vector<flatbuffers::Offset<image::Setting>> settings;
+    std::vector<flatbuffers::Offset<device_image::Setting>> settings;
+    settings.reserve(section.settings.size());
     for (const WrittenSetting& setting : section.settings) {
-      settings.push_back(image::CreateSetting(builder, builder.CreateString(setting.key),
-                                              setting.type, builder.CreateVector(setting.numbers),
-                                              builder.CreateString(setting.text)));
+      settings.push_back(device_image::CreateSetting(
+          builder, builder.CreateString(setting.key), setting.type,
+          builder.CreateVector(setting.numbers), builder.CreateString(setting.text)));
     }
-    stored.push_back(image::CreateSection(builder, builder.CreateString(section.kind),
-                                          builder.CreateVector(settings)));
+    stored.push_back(device_image::CreateSection(builder, builder.CreateString(section.kind),
+                                                 builder.CreateVector(settings)));
   }
-  image::FinishDeviceBuffer(builder, image::CreateDevice(builder, builder.CreateVector(stored)));
+  device_image::FinishDeviceBuffer(
+      builder, device_image::CreateDevice(builder, builder.CreateVector(stored)));
   const auto payload = std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize()));
   rendering::ImageHeader header{.magic = firmware::kDeviceMagic,
                                 .version = firmware::kDeviceFormatVersion,
@@ -132,7 +135,8 @@ std::string advice_on(const firmware::DeviceSections& sections, std::size_t sect
   for (const firmware::KnownKey& key : std::span(known).first(count)) {
     keys.push_back({key.key, key.unit});
   }
-  return advise(setting.key, keys, setting.numbers, setting.type == image::ValueType::numbers);
+  return advise(setting.key, keys, setting.numbers,
+                setting.type == device_image::ValueType::numbers);
 }
 
 [[noreturn]] void explain(std::string_view file, std::span<const WrittenSection> written,
