@@ -48,6 +48,7 @@ sources_with_backports() {
   folder="$(mktemp -d)"
   chmod 755 "$folder"
   cp /etc/apt/sources.list.d/* "$folder" 2>/dev/null || true
+  # shellcheck disable=SC2016  # apt-get's own variable
   uri="$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)"
   key=/usr/share/keyrings/debian-archive-keyring.gpg
   echo "deb [signed-by=$key] $uri bookworm-backports main" >"$folder/tactus-backports.list"

@@ -67,7 +67,7 @@ unpack_kernel
 unpack_vmlinux
 build_gpio_sim
 /sbin/depmod -b "$work" "$version"
-rm -rf "$folder/lib"
+rm -rf "${folder:?}/lib"
 mv "$work/lib" "$folder/lib"
 mv "$work/vmlinux" "$folder/vmlinux"
 echo "$version" >"$folder/version"

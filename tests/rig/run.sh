@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-scenarios() { (cd tests/rig/scenarios && ls ./*.sh | sed -e 's#^\./##' -e 's/\.sh$//'); }
+scenarios() { (cd tests/rig/scenarios && printf '%s\n' *.sh | sed 's/\.sh$//'); }
 
 usage() {
   cat <<END

@@ -1,7 +1,7 @@
 #include "hal/linux/pwm_output.h"
 
-#include "tests/unit/hal/pwm_output_contract.h"
 #include "tests/unit/hal/linux/sysfs_folder.h"
+#include "tests/unit/hal/pwm_output_contract.h"
 
 namespace tactus::hal {
 namespace {
