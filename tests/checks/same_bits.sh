@@ -8,11 +8,13 @@ trap 'rm -rf "$work"' EXIT
 "$here/build.sh" release tactus
 "$here/build.sh" debug tactus
 
-# run PRESET NAME: both devices on the ramp, which has faces, an edge that is met and a sheet with two sides.
+devices=(cartesian falcon woodenhaptics)
+
+# run PRESET NAME: each device on the ramp, which has faces, an edge that is met and a sheet with two sides.
 run() {
   local device
   "build/$1/bin/tactus" bake host_tools/examples/ramp/scene.toml -o "$work/$2.tactus"
-  for device in cartesian falcon; do
+  for device in "${devices[@]}"; do
     "build/$1/bin/tactus" sim "$work/$2.tactus" --device "$device" --seed 7 --seconds 4 --hashes "$work/$2.$device" \
       >"$work/$2.$device.summary"
   done
@@ -20,9 +22,11 @@ run() {
 
 # Equal images first, so that a difference in the baking does not pass for one in the controller.
 compare() {
+  local device
   cmp "$work/first.tactus" "$work/$1.tactus"
-  cmp "$work/first.cartesian" "$work/$1.cartesian"
-  cmp "$work/first.falcon" "$work/$1.falcon"
+  for device in "${devices[@]}"; do
+    cmp "$work/first.$device" "$work/$1.$device"
+  done
 }
 
 run release first

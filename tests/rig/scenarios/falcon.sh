@@ -22,8 +22,8 @@ emulate_slowly() { emulate "$@" && sleep 0.6; }
 
 emulate_slowly touch 5.2
 control touch 4
-[ $code -eq 0 ] || fail "tactusd ended with $code"
-wait $emulator
+[ "$code" -eq 0 ] || fail "tactusd ended with $code"
+wait "$emulator"
 bus_touch_check touch /results/touch.csv /results/touch.truth.csv 3 $joint_limit_rad || exit 1
 
 emulate_slowly unplugged 4.5 --fault all:unplugged@3
