@@ -55,8 +55,10 @@ std::string_view read_setting(const image::Setting& stored, Setting& setting) {
   setting.type = static_cast<SettingType>(stored.type());
   setting.text = view(stored.text());
   if (const auto* numbers = stored.numbers()) {
-    // FlatBuffers' verifier asks for the alignment of a vector's length alone, four bytes.
-    if (reinterpret_cast<std::uintptr_t>(numbers->Data()) % alignof(double) != 0) {
+    // FlatBuffers' verifier asks for the alignment of a vector's length alone, four bytes; its
+    // builder aligns an empty vector to no more.
+    if (numbers->size() > 0 &&
+        reinterpret_cast<std::uintptr_t>(numbers->Data()) % alignof(double) != 0) {
       return "is stored at an address that no double may have";
     }
     setting.numbers = {numbers->data(), numbers->size()};
