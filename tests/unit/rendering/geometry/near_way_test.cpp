@@ -31,16 +31,18 @@ class NearWayTest : public ::testing::Test {
       for (int corner = 0; corner < 3; ++corner) {
         vertices_.push_back(to_float3(at + size * vector()));
       }
+      const std::uint32_t first = 3 * t;
       if (t % 7 == 3) {
-        vertices_[3 * t + 1] = vertices_[3 * t];  // a line
+        vertices_[first + 1] = vertices_[first];  // a line
       }
-      triangles_.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+      triangles_.push_back({first, first + 1, first + 2});
     }
   }
   [[nodiscard]] MeshView mesh() const { return {.vertices = vertices_, .triangles = triangles_}; }
   [[nodiscard]] Triangle triangle(std::uint32_t t) const {
-    return {to_vec3(vertices_[3 * t]), to_vec3(vertices_[3 * t + 1]),
-            to_vec3(vertices_[3 * t + 2])};
+    const std::uint32_t first = 3 * t;
+    return {to_vec3(vertices_[first]), to_vec3(vertices_[first + 1]),
+            to_vec3(vertices_[first + 2])};
   }
 
   std::mt19937_64 random_{kSeed};
