@@ -33,7 +33,7 @@ class StillFalcon final : public hal::SimulatedUsbPeer {
     if (data.size() == drivers::kFalconPacketBytes) {
       std::array<std::byte, 2 + drivers::kFalconPacketBytes> answer{};
       const drivers::FalconPacket packet = drivers::encode({});
-      std::copy(packet.begin(), packet.end(), answer.begin() + 2);
+      std::ranges::copy(packet, answer.begin() + 2);
       answer[2 + 13] = std::byte{'A' + 0x70};
       endpoint_->answer(answer, 100'000);
     }
