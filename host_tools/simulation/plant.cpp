@@ -41,12 +41,12 @@ Vec3 Plant::stop_force() const {
 }
 
 Vec3 Plant::weight_force() const {
-  const Vec3 at_handle_B = parameters_.handle_kg * parameters_.gravity_B;
-  if (parameters_.elbow_kg == 0.0) {
-    return at_handle_B;
+  Vec3 force_B = parameters_.handle_kg * parameters_.gravity_B;
+  if (parameters_.elbow_kg != 0.0) {
+    force_B +=
+        parameters_.elbow_kg * elbow_pull(parameters_.mechanism, pose_, parameters_.gravity_B);
   }
-  return at_handle_B +
-         parameters_.elbow_kg * elbow_pull(parameters_.mechanism, pose_, parameters_.gravity_B);
+  return force_B;
 }
 
 void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
