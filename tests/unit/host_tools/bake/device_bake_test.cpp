@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host_tools/input_error.h"
+#include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {
 namespace {
@@ -57,11 +58,8 @@ class DeviceBake : public ::testing::Test {
     return "no complaint";
   }
 
-  fs::path file =
-      fs::temp_directory_path() /
-      ("tactus_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
-       ".toml");
-  ~DeviceBake() override { fs::remove(file); }
+  testing::TemporaryFolder folder;
+  fs::path file = folder.path() / "device.toml";
 };
 
 TEST_F(DeviceBake, SaysWhatTheFileSays) {
