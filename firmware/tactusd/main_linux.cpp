@@ -142,7 +142,7 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What somebody at the controls would ask for now.
+// The request of this tick: --enable homes and enables, a signal disables.
 Request wish(const Options& options, bool stopping) {
   const Mode mode = program.controller.mode();
   if (stopping) {

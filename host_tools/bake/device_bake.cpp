@@ -194,15 +194,6 @@ LoadedDevice bake_device(const std::filesystem::path& file) {
   return {std::move(bytes), name};
 }
 
-LoadedDevice load_device(const std::filesystem::path& file) {
-  if (file.extension() == ".toml") {
-    return bake_device(file);
-  }
-  const std::string text = read_file(file);
-  const auto bytes = std::as_bytes(std::span(text));
-  return {{bytes.begin(), bytes.end()}, file.string()};
-}
-
 std::string in_words(const firmware::DeviceConfig& config) {
   std::string text =
       fmt::format("{} joint{} on {} connection{} at {} Hz", config.joint_count,

@@ -33,9 +33,6 @@ bool describes_device(const std::filesystem::path& file);
 // Checks everything. Throws InputError naming file, line and remedy.
 LoadedDevice bake_device(const std::filesystem::path& file);
 
-// A baked image, or a device.toml that is baked on the way.
-LoadedDevice load_device(const std::filesystem::path& file);
-
 // "3 joints on 1 connection: ...", for the user.
 std::string in_words(const firmware::DeviceConfig& config);
 

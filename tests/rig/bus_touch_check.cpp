@@ -40,7 +40,14 @@ void expect(bool holds, const std::string& what) {
 class Comparison {
  public:
   Comparison(const std::string& run, const std::string& truth, std::size_t joints)
-      : joints_(joints), run_(read(run, run_columns())), truth_(read(truth, truth_columns())) {}
+      : joints_(joints), run_(read(run, run_columns())), truth_(read(truth, truth_columns())) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      seen_.push_back(run_.column(fmt::format("joint{}", joint + 1)));
+      commanded_Nm_.push_back(run_.column(fmt::format("torque{}_Nm", joint + 1)));
+      position_.push_back(truth_.column(fmt::format("joint_{}", joint)));
+      torque_Nm_.push_back(truth_.column(fmt::format("shaft_{}_torque_Nm", joint)));
+    }
+  }
 
   void check_touch(double joint_limit) const {
     const auto faults = run_.column("faults");
@@ -99,14 +106,14 @@ class Comparison {
 
   [[nodiscard]] double torque_at(std::size_t row) const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < joints_; ++i) {
-      sum += std::abs(truth_.column(fmt::format("shaft_{}_torque_Nm", i))[row]);
+    for (const std::span<const double> torque_Nm : torque_Nm_) {
+      sum += std::abs(torque_Nm[row]);
     }
     return sum;
   }
 
   // The truth between its two rows about a time, linearly; NaN outside.
-  [[nodiscard]] double truth_between(std::string_view column, double t_ns) const {
+  [[nodiscard]] double truth_between(std::span<const double> values, double t_ns) const {
     const auto times = truth_.column("t_ns");
     const auto after = std::ranges::lower_bound(times, t_ns);
     if (after == times.begin() || after == times.end()) {
@@ -114,7 +121,6 @@ class Comparison {
     }
     const auto i = static_cast<std::size_t>(after - times.begin());
     const double share = (t_ns - times[i - 1]) / (times[i] - times[i - 1]);
-    const auto values = truth_.column(column);
     return values[i - 1] + share * (values[i] - values[i - 1]);
   }
 
@@ -122,11 +128,10 @@ class Comparison {
     const auto times = run_.column("sample_ns");
     double worst = 0.0;
     for (std::size_t joint = 0; joint < joints_; ++joint) {
-      const auto seen = run_.column(fmt::format("joint{}", joint + 1));
       for (std::size_t row = run_.rows() / 10; row < run_.rows(); ++row) {
-        const double truth = truth_between(fmt::format("joint_{}", joint), times[row]);
+        const double truth = truth_between(position_[joint], times[row]);
         if (std::isfinite(truth)) {
-          worst = std::max(worst, std::abs(seen[row] - truth));
+          worst = std::max(worst, std::abs(seen_[joint][row] - truth));
         }
       }
     }
@@ -163,8 +168,8 @@ class Comparison {
 
   [[nodiscard]] bool torques_agree(std::size_t row, std::size_t truth_row) const {
     for (std::size_t joint = 0; joint < joints_; ++joint) {
-      const double commanded = run_.column(fmt::format("torque{}_Nm", joint + 1))[row];
-      const double real = truth_.column(fmt::format("shaft_{}_torque_Nm", joint))[truth_row];
+      const double commanded = commanded_Nm_[joint][row];
+      const double real = torque_Nm_[joint][truth_row];
       if (std::abs(commanded - real) > kTorqueStep_Nm) {
         return false;
       }
@@ -190,6 +195,11 @@ class Comparison {
   std::size_t joints_;
   CsvTable run_;
   CsvTable truth_;
+  // By joint: of the run, then of the truth.
+  std::vector<std::span<const double>> seen_;
+  std::vector<std::span<const double>> commanded_Nm_;
+  std::vector<std::span<const double>> position_;
+  std::vector<std::span<const double>> torque_Nm_;
 };
 
 int check(std::span<char*> arguments) {
