@@ -14,6 +14,10 @@ inline constexpr std::size_t kMaxControllerBytes = std::size_t{4} << 20;
 // saves such a scene. Beyond, with more tools: save() says no.
 inline constexpr std::size_t kMaxCheckpointBytes = std::size_t{512} << 10;
 
+// Ticks that the flight recorder holds (firmware/flight); a power of two. At least five eighths of
+// them can be replayed: 10 s at 1 kHz, 1.3 s at 8 kHz. Beyond: the oldest are gone.
+inline constexpr std::size_t kFlightTicks = 16384;
+
 // Joints that the mechanisms of this folder have at most. A sample's joints beyond those of the
 // mechanism are neither read nor recorded, and have no effort.
 inline constexpr std::size_t kJointCount = 3;
