@@ -7,11 +7,11 @@
 #include <cstring>
 #include <optional>
 
-#include "firmware/control/run_tick.h"
 #include "firmware/device/device_image.h"
 #include "firmware/realtime/real_time.h"
 #include "firmware/safety/faults.h"
 #include "firmware/tactusd/linux_boards.h"
+#include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/mapped_file.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_log.h"
@@ -49,6 +49,7 @@ struct Program {
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
   Controller controller;
+  LoopTiming timing;
   RunLog log;
 };
 
@@ -142,63 +143,65 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// The request of this tick: --enable homes and enables, a signal disables.
-Request wish(const Options& options, bool stopping) {
-  const Mode mode = program.controller.mode();
-  if (stopping) {
-    return mode == Mode::active ? Request::disable : Request::none;
-  }
-  if (!options.enable) {
-    return Request::none;
-  }
-  return mode == Mode::init ? Request::home : mode == Mode::ready ? Request::enable : Request::none;
-}
+// What passes the loop's doors: the command line's wish in, every tick into the log.
+class Doors {
+ public:
+  Doors(const Options& options, const drivers::ComposedDevice& device)
+      : enable_(options.enable), device_(&device) {}
 
-void log_tick(const drivers::ComposedDevice& device, const hal::Wake& wake) {
-  LoggedTick tick{.scheduled_ns = wake.scheduled_ns,
-                  .woke_ns = wake.woke_ns,
-                  .done_ns = hal::monotonic_now_ns(),
-                  .sample_ns = device.encoder_sample(0).time_ns,
-                  .record = program.controller.record()};
-  for (std::size_t i = 0; i < device.joint_count(); ++i) {
-    tick.shaft_rad[i] = device.encoder_sample(i).position_rad;
-    tick.torque_Nm[i] = device.commanded_torque_Nm(i);
+  [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
+
+  [[nodiscard]] Request take_request(const Controller& controller) const {
+    const Mode mode = controller.mode();
+    if (!enable_) {
+      return Request::none;
+    }
+    return mode == Mode::init    ? Request::home
+           : mode == Mode::ready ? Request::enable
+                                 : Request::none;
   }
-  program.log.add(tick);
-}
 
-void tell_mode(Mode mode) {
-  const std::string_view name = mode_name(mode);
-  std::fprintf(stderr, "tactusd: %.*s\n", length(name), name.data());
-}
+  void publish(const Controller& controller, const LoopTick& tick) {
+    LoggedTick logged{.scheduled_ns = tick.scheduled_ns,
+                      .woke_ns = tick.woke_ns,
+                      .done_ns = tick.done_ns,
+                      .sample_ns = device_->encoder_sample(0).time_ns,
+                      .record = controller.record()};
+    for (std::size_t i = 0; i < device_->joint_count(); ++i) {
+      logged.shaft_rad[i] = device_->encoder_sample(i).position_rad;
+      logged.torque_Nm[i] = device_->commanded_torque_Nm(i);
+    }
+    program.log.add(logged);
+    tell_mode(controller.mode());
+  }
 
-// The loop. Nothing in it allocates or waits but for the boards' transfers and the phase.
+ private:
+  void tell_mode(Mode mode) {
+    if (mode != told_ && mode != Mode::active) {
+      const std::string_view name = mode_name(mode);
+      std::fprintf(stderr, "tactusd: %.*s\n", length(name), name.data());
+    }
+    told_ = mode;
+  }
+
+  bool enable_;
+  const drivers::ComposedDevice* device_;
+  Mode told_ = Mode::init;
+};
+
 int run(drivers::ComposedDevice& device, const Options& options) {
-  hal::LinuxClock& clock = program.boards.clock();
   const double rate_hz = program.config.controller.rate_hz;
-  const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz), .offset_ns = 0};
-  const double limit = options.seconds > 0.0 ? std::ceil(options.seconds * rate_hz) : 1e18;
-  double ticks_after_fault = 0.0;
-  Mode told = program.controller.mode();
-  bool stopping = false;
-  hal::Wake wake = clock.sleep_until(hal::next_instant_ns(phase, clock.now_ns()));
-  for (auto left = static_cast<std::uint64_t>(limit); left > 0; --left) {
-    stopping = stopping || told_to_stop.load(std::memory_order_relaxed);
-    run_tick(program.controller, device, wish(options, stopping));
-    log_tick(device, wake);
-    const Mode mode = program.controller.mode();
-    if (mode != told && mode != Mode::active) {
-      tell_mode(mode);
-    }
-    told = mode;
-    ticks_after_fault = mode == Mode::fault ? ticks_after_fault + 1.0 : 0.0;
-    if (ticks_after_fault > kAfterFault_s * rate_hz || (stopping && mode != Mode::active)) {
-      break;
-    }
-    wake = clock.sleep_to_phase(phase, wake);
+  LoopConfig config{.phase = loop_phase(rate_hz),
+                    .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
+  if (options.seconds > 0.0) {
+    config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
+  program.timing = LoopTiming(config.phase.period_ns);
+  Doors doors(options, device);
+  const LoopEnd end =
+      run_loop(config, program.controller, device, program.boards.clock(), program.timing, doors);
   device.stop();
-  return program.controller.mode() == Mode::fault ? kFaulted : kEnded;
+  return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
 void explain_fault(const drivers::ComposedDevice& device) {
