@@ -8,7 +8,6 @@ LoopTick LoopTiming::woke(const hal::Wake& wake) {
   histogram(Timed::wake_up).add(latency_ns);
   missed_ += static_cast<std::uint64_t>(wake.skipped);
   late_ += late ? 1U : 0U;
-  late_in_a_row_ = late ? late_in_a_row_ + 1 : 0;
   return {.scheduled_ns = wake.scheduled_ns,
           .woke_ns = wake.woke_ns,
           .skipped = wake.skipped,

@@ -13,10 +13,6 @@
 
 namespace tactus::firmware {
 
-// That many late ticks in a row are a fault: one may be chance, three are a machine that cannot
-// hold the rate.
-inline constexpr std::uint32_t kLateTicksInARow = 3;
-
 // A tick as the loop saw it from outside; times by CLOCK_MONOTONIC.
 struct LoopTick {
   hal::TimeNs scheduled_ns = 0;
@@ -34,15 +30,13 @@ inline constexpr std::array<std::string_view, 8> kTimedNames = {
 
 class LoopTiming {
  public:
-  explicit LoopTiming(hal::TimeNs period_ns = 1'000'000) : period_ns_(period_ns) {}
+  // Before the first tick.
+  void set_period(hal::TimeNs period_ns) { period_ns_ = period_ns; }
 
-  // Real time, both; in every tick, in this order. A tick is late if an instant was skipped before
-  // it, or if it woke later than half a period after its own.
+  // Real time, both; in every tick, in this order. A tick is late if it woke later than half a
+  // period after its time, or if instants were skipped before it.
   LoopTick woke(const hal::Wake& wake);
   void done(LoopTick& tick, const StageTimes& stages, hal::TimeNs now_ns);
-
-  // As many late ticks as make a fault have come one after the other, the last one among them.
-  [[nodiscard]] bool too_late() const { return late_in_a_row_ >= kLateTicksInARow; }
 
   [[nodiscard]] const TimeHistogram& of(Timed what) const {
     return histograms_[static_cast<std::size_t>(what)];
@@ -53,11 +47,10 @@ class LoopTiming {
  private:
   TimeHistogram& histogram(Timed what) { return histograms_[static_cast<std::size_t>(what)]; }
 
-  hal::TimeNs period_ns_;
+  hal::TimeNs period_ns_ = 1'000'000;
   std::array<TimeHistogram, kTimedNames.size()> histograms_;
   std::uint64_t missed_ = 0;
   std::uint64_t late_ = 0;
-  std::uint32_t late_in_a_row_ = 0;
 };
 
 }  // namespace tactus::firmware

@@ -11,6 +11,7 @@
 #include "drivers/device.h"
 #include "firmware/control/run_tick.h"
 #include "firmware/realtime/loop_timing.h"
+#include "firmware/realtime/watchdog_output.h"
 #include "hal/clock.h"
 
 namespace tactus::firmware {
@@ -52,14 +53,27 @@ class LoopCourse {
   std::uint64_t in_fault_ = 0;
 };
 
+// Whether a tick deserves the watchdog's edge.
+inline bool is_healthy(Mode mode, const LoopTick& tick) {
+  return mode != Mode::fault && !tick.late;
+}
+
 // The phase's period for so many ticks a second.
 hal::Phase loop_phase(double rate_hz);
+
+// What the loop works with beside the device and its doors; all outlive it.
+struct LoopParts {
+  Controller& controller;
+  hal::Clock& clock;
+  LoopTiming& timing;
+  WatchdogOutput& watchdog;
+};
 
 // Ends when the doors or the configuration say so, or after a fault. The motors are the caller's to
 // stop.
 template <drivers::Device D, LoopDoors Doors>
-LoopEnd run_loop(const LoopConfig& config, Controller& controller, D& device, hal::Clock& clock,
-                 LoopTiming& timing, Doors& doors) {
+LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Doors& doors) {
+  auto& [controller, clock, timing, watchdog] = parts;
   LoopCourse course(config);
   bool stopping = false;
   hal::Wake wake = clock.sleep_until(hal::next_instant_ns(config.phase, clock.now_ns()));
@@ -69,6 +83,7 @@ LoopEnd run_loop(const LoopConfig& config, Controller& controller, D& device, ha
     const Request wanted = doors.take_request(controller);
     const bool disable = stopping && controller.mode() == Mode::active;
     run_tick(controller, device, disable ? Request::disable : wanted);
+    watchdog.tick(is_healthy(controller.mode(), tick));
     timing.done(tick, controller.record().stage_ns, clock.now_ns());
     doors.publish(controller, tick);
     if (!course.goes_on(controller.mode(), stopping)) {
