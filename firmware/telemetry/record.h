@@ -8,6 +8,7 @@
 
 #include "drivers/device.h"
 #include "firmware/control/mode.h"
+#include "firmware/control/parameters.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::firmware {
@@ -73,6 +74,8 @@ struct TelemetryRecord {
   std::array<double, drivers::kMaxJoints> joint_compensation{};
   // What of it holds the mechanism's own weights up; not hashed either.
   std::array<double, drivers::kMaxJoints> joint_gravity{};
+  // The parameter that this tick is the first to have changed; not hashed, what it does is.
+  ParameterChange change;
   StageTimes stage_ns;  // not hashed
 };
 static_assert(std::is_trivially_copyable_v<TelemetryRecord>);
