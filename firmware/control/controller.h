@@ -50,6 +50,8 @@ class Controller {
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
+  // What the next tick's record will count itself.
+  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
   // The clock for the record's stage times; null, as at the start, leaves them zero.
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }

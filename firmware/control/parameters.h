@@ -53,7 +53,7 @@ inline constexpr auto kParameterTexts = std::to_array<ParameterText>({
     {Parameter::velocity_cutoff, "velocity_cutoff_hz", "Hz",
      "low-pass on the tool's velocity, 0 for none"},
     {Parameter::stiffness, "stiffness_N_per_m", "N/m", "stiffness of an object"},
-    {Parameter::damping, "damping_Ns_per_m", "N s/m", "damping of an object"},
+    {Parameter::damping, "damping_Ns_per_m", "Ns/m", "damping of an object"},
     {Parameter::static_friction, "static_friction", "1",
      "friction coefficient of an object at rest, not below the dynamic one"},
     {Parameter::dynamic_friction, "dynamic_friction", "1",

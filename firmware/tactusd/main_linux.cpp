@@ -12,7 +12,7 @@
 #include "firmware/realtime/real_time.h"
 #include "firmware/safety/faults.h"
 #include "firmware/tactusd/linux_boards.h"
-#include "firmware/tactusd/mapped_file.h"
+#include "hal/linux/mapped_file.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_log.h"
 #include "hal/linux/system.h"
@@ -40,9 +40,9 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
-  MappedFile device_file;
-  MappedFile scene_file;
-  MappedFile falcon_file;
+  hal::MappedFile device_file;
+  hal::MappedFile scene_file;
+  hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
   std::optional<rendering::SceneImage> scene;
@@ -58,7 +58,7 @@ int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
 
-bool map(MappedFile& file, const char* path) {
+bool map(hal::MappedFile& file, const char* path) {
   const int error = file.open(path);
   if (error != 0) {
     std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
