@@ -260,6 +260,8 @@ void Controller::open_record(const drivers::JointSample& sample, Request request
   record_.state_hash = before.state_hash;
   record_.tick = next_tick_++;
   record_.request = request;
+  record_.change = change_;
+  change_ = ParameterChange{};
   record_.device_status = sample.status;
   record_.sample_age_us = sample.age_us;
   record_.loop_status = loop_report_.status;
@@ -303,6 +305,8 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
     return valid;
   }
   config_ = config;
+  configured_safety_ = config.safety;
+  change_ = ParameterChange{};
   mechanism_ = Mechanism(config.mechanism);
   sample_check_.configure(config);
   loop_check_.configure(config);

@@ -15,6 +15,7 @@
 #include "firmware/control/friction_compensation.h"
 #include "firmware/control/gravity_compensation.h"
 #include "firmware/control/mode.h"
+#include "firmware/control/parameters.h"
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
 #include "firmware/safety/force_limiter.h"
@@ -36,6 +37,12 @@ class Controller {
   // running world is kept), and false when the world refuses it (World::set_scene).
   bool load_scene(std::span<const rendering::Object> objects, const rendering::WorldConfig& config);
 
+  // Between ticks: from the next one on the parameter has that value, and its record says so. At
+  // most one a tick gets into the record. Nothing changed if refused. Bounded, for a tick's edge.
+  std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
+  [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
+      const ParameterPlace& place) const;
+
   // One tick: the same state and inputs give the same command and the same record, to the bit.
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
@@ -44,6 +51,8 @@ class Controller {
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
+  // What the next tick's record will count itself.
+  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
   // The clock for the record's stage times; null, as at the start, leaves them zero.
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
@@ -70,7 +79,11 @@ class Controller {
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
-  ControllerConfig config_;
+  void apply_own(const ParameterChange& change);
+
+  ControllerConfig config_;         // with what set_parameter has changed
+  SafetyConfig configured_safety_;  // as configure() got it: the ends of the parameters' ranges
+  ParameterChange change_;          // for the next tick's record
   bool configured_ = false;
   Mechanism mechanism_;
   SampleCheck sample_check_;

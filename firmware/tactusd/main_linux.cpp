@@ -18,10 +18,10 @@
 #include "firmware/safety/faults.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
-#include "firmware/tactusd/mapped_file.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_log.h"
 #include "firmware/tactusd/supervisor.h"
+#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/scene_image.h"
 
@@ -47,9 +47,9 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
-  MappedFile device_file;
-  MappedFile scene_file;
-  MappedFile falcon_file;
+  hal::MappedFile device_file;
+  hal::MappedFile scene_file;
+  hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
   std::optional<rendering::SceneImage> scene;
@@ -70,7 +70,7 @@ int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
 
-bool map(MappedFile& file, const char* path) {
+bool map(hal::MappedFile& file, const char* path) {
   const int error = file.open(path);
   if (error != 0) {
     std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
