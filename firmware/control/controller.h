@@ -6,6 +6,7 @@
 // toward the user; the device frame D moved to workspace_origin_D.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <span>
@@ -23,6 +24,7 @@
 #include "firmware/safety/sample_check.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/world.h"
 
 namespace tactus::firmware {
@@ -46,6 +48,17 @@ class Controller {
   // One tick: the same state and inputs give the same command and the same record, to the bit.
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
+
+  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on any
+  // processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is too
+  // small, nothing is configured, or a number is not finite, as it can be after a fault. For a
+  // tick's slack: it copies, at the most half a megabyte.
+  std::size_t save(std::span<std::byte> room);
+
+  // Goes on where save() was called: the ticks after it give the same bits. To be called on a
+  // controller of the same configuration and scene, both set before. False if the bytes are not of
+  // such a one: then configure and load the scene again.
+  bool restore(std::span<const std::byte> bytes);
 
   // What the last tick did.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
@@ -77,6 +90,9 @@ class Controller {
   Vec3 limit_force(const rendering::Touch& touch);
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
+  void transfer(rendering::StateArchive& archive);
+  void transfer_pose(rendering::StateArchive& archive);
+  void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
