@@ -13,6 +13,7 @@ struct Options {
   double seconds = 0.0;          // 0: until told to stop
   bool enable = false;           // home and enable without being asked
   bool allow_non_realtime = false;
+  bool allow_uncertified = false;  // a scene stiffer than the device's certificate
   int priority = 80;
   bool help = false;
 };
