@@ -29,15 +29,29 @@
 
 namespace tactus::firmware {
 
+// Why a scene was not loaded.
+enum class SceneFault : std::uint8_t {
+  active,       // not while the motors are on
+  world,        // the world refused it: World::set_scene
+  uncertified,  // a part of it is beyond the configuration's certificate
+};
+struct SceneRefusal {
+  SceneFault fault = SceneFault::active;
+  UncertifiedPart part;  // which, if uncertified
+};
+
 class Controller {
  public:
   // Takes a valid configuration and starts afresh in `init`; keeps the scene. An invalid one
-  // changes nothing.
+  // changes nothing, and neither does one whose certificate the loaded scene is beyond: the field
+  // is then "certificate" and the value a stiffness.
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
-  // Gives the world a scene; the memory behind the objects must outlive it. False while active (the
-  // running world is kept), and false when the world refuses it (World::set_scene).
-  bool load_scene(std::span<const rendering::Object> objects, const rendering::WorldConfig& config);
+  // Gives the world a scene; the memory behind the objects must outlive it. Refused while active
+  // and when a part of it is stiffer than the configuration's certificate allows, unless
+  // `allow_uncertified`: both keep the world as it is. When the world refuses it, it is empty.
+  std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
+                                               const rendering::WorldConfig& config);
 
   // Between ticks: from the next one on the parameter has that value, and its record says so. At
   // most one a tick gets into the record. Nothing changed if refused. Bounded, for a tick's edge.
@@ -109,6 +123,8 @@ class Controller {
   GravityCompensation gravity_compensation_;
   FrictionCompensation friction_compensation_;
   rendering::World world_;
+  std::span<const rendering::Object> objects_;  // of the world's scene
+  std::span<const rendering::Effect> effects_;
 
   Mode mode_ = Mode::init;
   std::uint64_t faults_ = 0;        // latched
