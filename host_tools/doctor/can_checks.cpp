@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host_tools/doctor/checks.h"
+#include "host_tools/install_command.h"
 
 namespace tactus::host {
 
@@ -87,7 +88,7 @@ Finding judge(const CanNeed& need, const CanLink& link, const std::string& mtu) 
   }
   if (!link.told) {
     return {check, FindingState::not_looked, "up; without the program ip its bit rate is not known",
-            "sudo apt install iproute2"};
+            install_command("iproute2")};
   }
   if (link.is_virtual) {
     return well(check, "up, virtual");

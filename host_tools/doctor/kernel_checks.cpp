@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "host_tools/doctor/checks.h"
+#include "host_tools/install_command.h"
 
 namespace tactus::host {
 
@@ -52,10 +53,10 @@ void check_kernel(Machine& machine, Findings& findings) {
     return;
   }
   const std::string architecture = machine.text("/proc/sys/kernel/arch").value_or("");
-  findings.push_back({"kernel", FindingState::mend,
-                      release + " without PREEMPT_RT: a tick may be milliseconds late",
-                      fmt::format("sudo apt install {} && sudo reboot",
-                                  real_time_kernel_for(release, architecture))});
+  findings.push_back(
+      {"kernel", FindingState::mend,
+       release + " without PREEMPT_RT: a tick may be milliseconds late",
+       install_command(real_time_kernel_for(release, architecture)) + " && sudo reboot"});
 }
 
 void check_clock_source(Machine& machine, Findings& findings) {

@@ -69,7 +69,7 @@ TEST(DoctorOfDevices, ABusWithoutIpOrWithStrangeWordsOfItIsNotKnown) {
     board.write(kLink, text);
     const Finding finding = board.finding("CAN can0");
     EXPECT_EQ(finding.state, FindingState::not_looked) << text;
-    EXPECT_EQ(finding.remedy, "sudo apt install iproute2");
+    EXPECT_TRUE(finding.remedy.ends_with("install iproute2")) << finding.remedy;
   }
 }
 
