@@ -59,6 +59,9 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"joint_gravity", "gravity", ""}, record.joint_gravity);
   visit(FieldName{"energy_J", "energy", "J"}, record.energy_J);
   visit(FieldName{"limited_source", "limited_source", ""}, record.limited_source);
+  visit(FieldName{"change.parameter", "changed_parameter", ""}, record.change.place.parameter);
+  visit(FieldName{"change.object", "changed_object", ""}, record.change.place.object);
+  visit(FieldName{"change.value", "changed_value", ""}, record.change.value);
   visit(FieldName{"stage_ns.read", "read", "ns"}, record.stage_ns.read);
   visit(FieldName{"stage_ns.check", "check", "ns"}, record.stage_ns.check);
   visit(FieldName{"stage_ns.kinematics", "kinematics", "ns"}, record.stage_ns.kinematics);

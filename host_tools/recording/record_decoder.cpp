@@ -79,6 +79,10 @@ void read_counts(const telemetry::Record& stored, TelemetryRecord& record) {
   const telemetry::EnergyLedger& energy = *stored.energy_j();
   record.energy_J = {energy.contact(),  energy.friction(), energy.texture(), energy.effect(),
                      energy.coupling(), energy.safety(),   energy.delay()};
+  const telemetry::ParameterChange& change = *stored.change();
+  record.change = {.place = {.parameter = static_cast<firmware::Parameter>(change.parameter()),
+                             .object = change.object()},
+                   .value = change.value()};
   const telemetry::StageTimes& stages = *stored.stage_ns();
   record.stage_ns = {.read = stages.read(),
                      .check = stages.check(),

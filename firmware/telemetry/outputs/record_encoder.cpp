@@ -93,6 +93,9 @@ std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
                                      record.counters.limited_ticks, record.counters.touch_flagged,
                                      record.counters.late_ticks);
   const telemetry::EnergyLedger energy = stored_energy(record.energy_J);
+  const ParameterPlace& place = record.change.place;
+  const telemetry::ParameterChange change(static_cast<std::uint8_t>(place.parameter), place.object,
+                                          record.change.value);
   const StageTimes& stages = record.stage_ns;
   const telemetry::StageTimes stage_ns(stages.read, stages.check, stages.kinematics, stages.touch,
                                        stages.safety, stages.write);
@@ -109,6 +112,7 @@ std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
   table.add_force_commanded_w(&commanded);
   table.add_counters(&counters);
   table.add_energy_j(&energy);
+  table.add_change(&change);
   table.add_stage_ns(&stage_ns);
   table.add_loop(&loop);
   table.add_dropped(tick.dropped);
