@@ -62,6 +62,10 @@ class FrictionCompensation {
  public:
   void configure(const ControllerConfig& config);
 
+  // Takes the soft start and the velocity's cutoff alone: bristles and gain go on from where they
+  // are.
+  void retune(const ControllerConfig& config);
+
   // Whether any joint has a share.
   [[nodiscard]] bool is_on() const { return is_on_; }
 

@@ -28,6 +28,9 @@ class GravityCompensation {
  public:
   void configure(const ControllerConfig& config);
 
+  // Takes the soft start alone: a gain that rises goes on from where it is.
+  void retune(const ControllerConfig& config);
+
   [[nodiscard]] bool is_on() const { return is_on_; }
 
   // In every tick that is not active: the next hold starts from none.

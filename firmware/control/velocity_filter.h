@@ -13,9 +13,14 @@ class VelocityFilter {
  public:
   // A cutoff of 0 passes everything.
   void configure(double cutoff_hz, double rate_hz) {
+    retune(cutoff_hz, rate_hz);
+    state_.setZero();
+  }
+
+  // Goes on from where it is.
+  void retune(double cutoff_hz, double rate_hz) {
     const double w = 2.0 * std::numbers::pi * cutoff_hz / rate_hz;
     share_ = cutoff_hz > 0.0 ? w / (1.0 + w) : 1.0;
-    state_.setZero();
   }
 
   void reset() { state_.setZero(); }

@@ -29,6 +29,9 @@ class ForceLimiter {
  public:
   void configure(const ControllerConfig& config);
 
+  // Takes the limits alone: ramps and slew go on from where they are.
+  void retune(const ControllerConfig& config);
+
   // Activation: both ramps and the slew start again from zero force.
   void restart();
 

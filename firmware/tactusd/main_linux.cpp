@@ -16,12 +16,13 @@
 #include "firmware/realtime/timing_report.h"
 #include "firmware/realtime/watchdog_output.h"
 #include "firmware/safety/faults.h"
+#include "firmware/tactusd/certificate_words.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
-#include "firmware/tactusd/mapped_file.h"
 #include "firmware/tactusd/options.h"
-#include "firmware/tactusd/run_log.h"
+#include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
+#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/scene_image.h"
 
@@ -33,6 +34,7 @@ constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
 constexpr double kAfterFault_s = 0.2;
+constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -47,9 +49,9 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
-  MappedFile device_file;
-  MappedFile scene_file;
-  MappedFile falcon_file;
+  hal::MappedFile device_file;
+  hal::MappedFile scene_file;
+  hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
   std::optional<rendering::SceneImage> scene;
@@ -61,7 +63,7 @@ struct Program {
   CpuLatencyRequest cpu_latency;
   ServiceNotice notice;
   Supervisor supervisor;
-  RunLog log;
+  RunTelemetry telemetry;
 };
 
 Program program;
@@ -70,7 +72,7 @@ int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
 
-bool map(MappedFile& file, const char* path) {
+bool map(hal::MappedFile& file, const char* path) {
   const int error = file.open(path);
   if (error != 0) {
     std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
@@ -96,6 +98,13 @@ bool load_device(const Options& options) {
   if (options.rate_hz > 0.0) {
     program.config.controller.rate_hz = options.rate_hz;
   }
+  std::array<char, kMostWords> words{};
+  if (const auto warning = certificate_warning(program.config.certification, words);
+      !warning.empty()) {
+    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
+                 warning.data());
+  }
+  program.config.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = program.controller.configure(program.config.controller);
   if (!valid) {
     std::fprintf(stderr, "tactusd: %s: %.*s is out of range; bake the device again\n",
@@ -103,6 +112,17 @@ bool load_device(const Options& options) {
   }
   program.controller.set_clock(now_ns);
   return valid.has_value();
+}
+
+void tell_refusal(const char* path, const rendering::SceneImage& scene,
+                  const SceneRefusal& refusal) {
+  const bool is_object = refusal.fault == SceneFault::uncertified &&
+                         refusal.part.kind == UncertifiedPart::Kind::object;
+  const std::string_view name =
+      is_object ? scene.object_name(refusal.part.index) : std::string_view{};
+  std::array<char, kMostWords> room{};
+  const std::string_view words = refusal_words(refusal, name, room);
+  std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
 
 bool load_scene(const Options& options) {
@@ -119,11 +139,12 @@ bool load_scene(const Options& options) {
     return false;
   }
   const rendering::SceneImage& scene = program.scene.emplace(*image);
-  if (!program.controller.load_scene(scene.objects(), {.tool_radius_m = scene.tool_radius_m()})) {
-    std::fprintf(stderr, "tactusd: %s: the controller has no room for this scene\n", options.scene);
-    return false;
+  const auto loaded = program.controller.load_scene(
+      scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
+  if (!loaded) {
+    tell_refusal(options.scene, scene, loaded.error());
   }
-  return true;
+  return loaded.has_value();
 }
 
 // The Falcon's firmware, if one is named.
@@ -160,7 +181,7 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What passes the loop's doors: the command line's wish in, every tick into the log.
+// What passes the loop's doors: the command line's wish in, every tick out.
 class Doors {
  public:
   Doors(const Options& options, const drivers::ComposedDevice& device)
@@ -179,16 +200,7 @@ class Doors {
   }
 
   void publish(const Controller& controller, const LoopTick& tick) {
-    LoggedTick logged{.scheduled_ns = tick.scheduled_ns,
-                      .woke_ns = tick.woke_ns,
-                      .done_ns = tick.done_ns,
-                      .sample_ns = device_->encoder_sample(0).time_ns,
-                      .record = controller.record()};
-    for (std::size_t i = 0; i < device_->joint_count(); ++i) {
-      logged.shaft_rad[i] = device_->encoder_sample(i).position_rad;
-      logged.torque_Nm[i] = device_->commanded_torque_Nm(i);
-    }
-    program.log.add(logged);
+    program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
 
@@ -270,9 +282,6 @@ void write_files(const Options& options) {
       std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
     }
   };
-  if (options.record != nullptr) {
-    complain(options.record, program.log.write_csv(options.record, program.config.joint_count));
-  }
   if (options.histogram != nullptr) {
     complain(options.histogram, write_histogram(options.histogram, program.timing));
   }
@@ -286,9 +295,9 @@ int start_and_run(const Options& options) {
   if (device == nullptr) {
     return kCouldNotStart;
   }
-  const double ticks = std::ceil(options.seconds * program.config.controller.rate_hz);
-  if (options.record != nullptr && !program.log.reserve(static_cast<std::size_t>(ticks))) {
-    std::fputs("tactusd: no memory for that many seconds of --record\n", stderr);
+  if (!program.telemetry.start(
+          options, {.device = program.device_file.bytes(), .scene = program.scene_file.bytes()},
+          program.config.controller.rate_hz, program.config.joint_count)) {
     return kCouldNotStart;
   }
   if (!take_time(options) || !start_telling()) {
@@ -302,6 +311,7 @@ int start_and_run(const Options& options) {
   device->start();
   const int code = run(*device, options);
   program.supervisor.stop();
+  program.telemetry.stop(options);
   if (code == kFaulted) {
     explain_fault(*device);
   }

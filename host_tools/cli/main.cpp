@@ -13,6 +13,7 @@
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
+#include "host_tools/cli/doctor_verb.h"
 #include "host_tools/cli/emulate_verb.h"
 #include "host_tools/cli/faults_verb.h"
 #include "host_tools/cli/fit_verb.h"
@@ -31,13 +32,20 @@ enum ExitCode : int { kOk = 0, kInternalFailure = 1, kBadInput = 2 };
 using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
-constexpr std::array kVerbs{
-    AddVerb{tactus::host::add_bake_verb},     AddVerb{tactus::host::add_inspect_verb},
-    AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
-    AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
-    AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
-    AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_replay_verb},
+constexpr std::array kVerbs = {
+    AddVerb{tactus::host::add_bake_verb},
+    AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_touch_verb},
+    AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},
+    AddVerb{tactus::host::add_bench_verb},
+    AddVerb{tactus::host::add_friction_verb},
+    AddVerb{tactus::host::add_fit_verb},
+    AddVerb{tactus::host::add_emulate_verb},
     AddVerb{tactus::host::add_faults_verb},
+    AddVerb{tactus::host::add_emulate_verb},
+    AddVerb{tactus::host::add_doctor_verb},
+    AddVerb{tactus::host::add_replay_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.

@@ -42,11 +42,18 @@ class LoneTouch {
     double friction_factor = 1.0;
   };
 
+  // One of them, and what it feels like now.
+  struct Lone {
+    std::size_t k;
+    const Object& object;
+    const Material& material;
+  };
+
   // Of one object, everything in its own frame.
-  Touch rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O);
+  Touch rest_in_frame(const Lone& lone, const Vec3& goal_O);
   [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
-  void shade_in_frame(std::size_t k, const Object& object, const ToolState& tool_O, Touch& touch);
-  Touch touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O);
+  void shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch& touch);
+  Touch touch_in_frame(const Lone& lone, const ToolState& tool_O);
   [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
   void wake(std::size_t k, const Mover* mover);
 

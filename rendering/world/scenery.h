@@ -92,6 +92,11 @@ class Scenery {
   // (see DeformableMesh). False, and nothing changed, for anything else.
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
+  // From the next tick on an object feels like that, whatever its scene says. False, and nothing
+  // changed, if there is no such object, the material is not sound(), or kMaxChangedMaterials
+  // others have been changed since set().
+  bool set_material(std::uint32_t number, const Material& material);
+
   // A new tick, `time_s` after the scene was set: objects stand where their own motion has them by
   // now, or where the outside set them since the last tick. It lasts tick_s.
   void begin_tick(double time_s, double tick_s);
@@ -100,6 +105,11 @@ class Scenery {
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
   [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
   [[nodiscard]] std::span<const Object> objects() const { return objects_; }
+  // What object `number` feels like now: the scene's material, or what set_material made of it.
+  [[nodiscard]] const Material& material(std::uint32_t number) const {
+    const std::uint8_t changed = changed_of_[number];
+    return changed == kUnchanged ? objects_[number].material : changed_materials_[changed];
+  }
   // nullptr for an object that stands still.
   [[nodiscard]] const Mover* mover_of(std::uint32_t number) const {
     return mover_of_[number] == kNoMover ? nullptr : &movers_[mover_of_[number]];
@@ -147,6 +157,8 @@ class Scenery {
  private:
   static constexpr std::uint8_t kNoMover = 0xff;
   static_assert(kMaxMovers < kNoMover);
+  static constexpr std::uint8_t kUnchanged = 0xff;
+  static_assert(kMaxChangedMaterials < kUnchanged);
 
   struct Part {
     std::uint32_t node;
@@ -173,6 +185,9 @@ class Scenery {
   };
   std::array<Order, kMaxMovers> orders_{};  // what set_pose left
   std::size_t mover_count_ = 0;
+  std::array<std::uint8_t, kMaxObjects> changed_of_{};
+  std::array<Material, kMaxChangedMaterials> changed_materials_{};
+  std::size_t changed_count_ = 0;
   bool anything_moved_ = false;
   double tick_s_ = 1e-3;
   DeformablePool pool_;
