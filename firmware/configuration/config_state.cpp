@@ -93,12 +93,13 @@ inline void transfer(StateArchive& archive, SafetyConfig& safety) {
 }
 
 inline void transfer(StateArchive& archive, ControllerConfig& config) {
-  auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints,
-         coupled_limits, friction, safety] = config;
+  [[maybe_unused]] auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz,
+                          joints, coupled_limits, friction, safety, certificate,
+                          allow_uncertified] = config;
   archive.same(kConfigVersion);
   transfer(archive, mechanism);
   archive(rate_hz, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints, coupled_limits,
-          friction, safety);
+          friction, safety, allow_uncertified);
 }
 
 std::size_t save_config(const ControllerConfig& config,

@@ -52,21 +52,32 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 }
 
 void Controller::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [config, configured, mechanism, sample_check, loop_check, velocity_filter,
-                          force_limiter, gravity_compensation, friction_compensation, world, mode,
-                          faults, raised, write_status, loop_report, pose, tool, record, next_tick,
-                          now_ns] = *this;
+  [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
+                          loop_check, velocity_filter, force_limiter, gravity_compensation,
+                          friction_compensation, world, objects, effects, mode, faults, raised,
+                          write_status, loop_report, pose, tool, record, next_tick, now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
   archive.require(configured);
   archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
           force_limiter, gravity_compensation, friction_compensation);
+  transfer_parameters(archive);
   archive.choice(mode, Mode::fault);
   archive(faults, write_status, tool, next_tick);
   transfer_pose(archive);
   transfer_record(archive);
   archive(world);
+}
+
+// The controller's own; those of objects are the world's.
+void Controller::transfer_parameters(StateArchive& archive) {
+  SafetyConfig& safety = config_.safety;
+  archive(safety.max_force_N, safety.force_slew_N_per_s, safety.soft_start_s,
+          safety.contact_start_s, config_.velocity_cutoff_hz);
+  if (archive.is_reading() && archive.good()) {
+    retune();
+  }
 }
 
 void Controller::transfer_pose(StateArchive& archive) {
