@@ -55,7 +55,11 @@ bool RunTelemetry::start(const Options& options, const RunImages& images, double
   if (options.record != nullptr && !tell(options.record, writer_.record(options.record))) {
     return false;
   }
-  return tell("no thread for telemetry", writer_.start());
+  return tell("no thread for telemetry", writer_.start()) &&
+         tell("no thread for the flight recorder", flight_.start({.folder = options.flight_dir,
+                                                                  .rate_hz = rate_hz,
+                                                                  .run = description_,
+                                                                  .images = images_}));
 }
 
 template <class Write>
@@ -97,16 +101,19 @@ void RunTelemetry::describe(const Options& options, const RunImages& images, dou
     note("scene.file", options.scene);
     note("scene.checksum", checksum(images.scene));
   }
-  writer_.describe({.info = std::span(info_).first(info_count_),
-                    .joints = joints,
-                    .clock_offset_ns = realtime_offset_ns()});
+  description_ = {.info = std::span(info_).first(info_count_),
+                  .joints = joints,
+                  .clock_offset_ns = realtime_offset_ns()};
+  writer_.describe(description_);
 }
 
 void RunTelemetry::attach(const RunImages& images) {
+  std::size_t count = 0;
   for (const Attachment& image : {Attachment{.name = kDeviceAttachment, .bytes = images.device},
                                   Attachment{.name = kSceneAttachment, .bytes = images.scene}}) {
     if (!image.bytes.empty() && image.bytes.size() <= kLargestAttachment) {
       writer_.attach(image);
+      images_[count++] = image;
     }
   }
 }
@@ -124,7 +131,7 @@ bool RunTelemetry::open_live_socket(const Options& options) {
   return options.run_dir == nullptr;  // without the service's folder it goes on
 }
 
-void RunTelemetry::publish(const Controller& controller, const LoopTick& tick,
+void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
                            const drivers::ComposedDevice& device) {
   RecordedTick recorded{
       .record = controller.record(),
@@ -138,10 +145,12 @@ void RunTelemetry::publish(const Controller& controller, const LoopTick& tick,
     recorded.shaft_rad[i] = device.encoder_sample(i).position_rad;
     recorded.torque_Nm[i] = device.commanded_torque_Nm(i);
   }
+  flight_.add(recorded, controller);
   writer_.publish(recorded);
 }
 
 void RunTelemetry::stop(const Options& options) {
+  flight_.stop();
   const int failed = writer_.stop();
   const char* const record = options.record != nullptr ? options.record : "recording";
   if (failed != 0) {

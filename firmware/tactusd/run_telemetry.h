@@ -1,5 +1,5 @@
-// What tactusd lets others see of its run: the recording, the live socket and PlotJuggler, as the
-// command line asks.
+// What tactusd lets others see of its run: the recording, the flight recorder, the live socket and
+// PlotJuggler, as the command line asks.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "drivers/composed_device.h"
 #include "firmware/control/controller.h"
+#include "firmware/flight/flight_writer.h"
 #include "firmware/realtime/loop_timing.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/telemetry/outputs/telemetry_writer.h"
@@ -33,8 +34,7 @@ class RunTelemetry {
   bool start(const Options& options, const RunImages& images, double rate_hz, std::size_t joints);
 
   // Real time.
-  void publish(const Controller& controller, const LoopTick& tick,
-               const drivers::ComposedDevice& device);
+  void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
   void publish(const TelemetryEvent& event) { writer_.publish(event); }
 
   // After the loop; tells on stderr what is missing from the recording.
@@ -42,6 +42,8 @@ class RunTelemetry {
 
   // For recordings that begin and end while the loop runs.
   TelemetryWriter& writer() { return writer_; }
+  // Writes the last seconds out; from a signal's handler, too.
+  void ask_for_flight() { flight_.ask(); }
 
  private:
   void describe(const Options& options, const RunImages& images, double rate_hz,
@@ -54,6 +56,9 @@ class RunTelemetry {
   bool open_live_socket(const Options& options);
 
   TelemetryWriter writer_;
+  FlightWriter flight_;
+  std::array<Attachment, 2> images_{};
+  RunDescription description_;
   std::array<char, 1024> memory_{};
   TextBuffer texts_{memory_};
   std::array<MetadataEntry, 16> info_{};
