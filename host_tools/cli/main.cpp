@@ -32,17 +32,11 @@ using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
 constexpr std::array kVerbs = {
-    AddVerb{tactus::host::add_bake_verb},
-    AddVerb{tactus::host::add_inspect_verb},
-    AddVerb{tactus::host::add_touch_verb},
-    AddVerb{tactus::host::add_sim_verb},
-    AddVerb{tactus::host::add_plot_verb},
-    AddVerb{tactus::host::add_bench_verb},
-    AddVerb{tactus::host::add_friction_verb},
-    AddVerb{tactus::host::add_fit_verb},
-    AddVerb{tactus::host::add_emulate_verb},
-    AddVerb{tactus::host::add_faults_verb},
-    AddVerb{tactus::host::add_emulate_verb},
+    AddVerb{tactus::host::add_bake_verb},     AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
+    AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
+    AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_faults_verb},
     AddVerb{tactus::host::add_doctor_verb},
 };
 
