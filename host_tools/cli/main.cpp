@@ -20,6 +20,7 @@
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
 #include "host_tools/cli/plot_verb.h"
+#include "host_tools/cli/replay_verb.h"
 #include "host_tools/cli/sim_verb.h"
 #include "host_tools/cli/touch_verb.h"
 #include "host_tools/input_error.h"
@@ -37,7 +38,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
     AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
     AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_faults_verb},
-    AddVerb{tactus::host::add_doctor_verb},
+    AddVerb{tactus::host::add_doctor_verb},   AddVerb{tactus::host::add_replay_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.
