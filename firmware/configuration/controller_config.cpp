@@ -14,6 +14,7 @@ constexpr double kWidest = 10.0;
 constexpr double kStrongest = 1000.0;
 constexpr double kLeastEffort = 1e-6;
 constexpr double kStiffest = 1e12;
+constexpr double kMostMargin = 100.0;
 constexpr double kLeastTurnLength = 1e-9;
 constexpr double kStrongestGravity = 25.0;  // m/s^2: that of the planets one can stand on
 
@@ -72,6 +73,18 @@ void check_safety(RangeCheck& check, const SafetyConfig& safety) {
   check.in("safety.passivity_fault_J", safety.passivity_fault_J, 0.0, kStrongest);
 }
 
+void check_certificate(RangeCheck& check, const StiffnessCertificate& certificate) {
+  check.in("certificate.count", static_cast<double>(certificate.count), 0.0, kMaxCertifiedPoints);
+  check.in("certificate.margin", certificate.margin, 1.0, kMostMargin);
+  const std::size_t count = std::min(certificate.count, kMaxCertifiedPoints);
+  double least_damping = 0.0;
+  for (const CertifiedPoint& point : std::span(certificate.points).first(count)) {
+    check.in("certificate.damping_Ns_per_m", point.damping_Ns_per_m, least_damping, kStiffest);
+    check.in("certificate.stiffness_N_per_m", point.stiffness_N_per_m, 0.0, kStiffest);
+    least_damping = std::nextafter(point.damping_Ns_per_m, kStiffest);
+  }
+}
+
 }  // namespace
 
 double presliding_length(const JointFriction& joint) {
@@ -105,6 +118,7 @@ std::expected<void, ConfigError> validate(const ControllerConfig& config) {
     check_friction(check, joint);
   }
   check_safety(check, config.safety);
+  check_certificate(check, config.certificate);
   return check.result();
 }
 
