@@ -68,9 +68,9 @@ class Controller {
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
 
-  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on any
-  // processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is too
-  // small, nothing is configured, or a number is not finite, as it can be after a fault. For a
+  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on
+  // any processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is
+  // too small, nothing is configured, or a number is not finite, as it can be after a fault. For a
   // tick's slack: it copies, at the most half a megabyte.
   std::size_t save(std::span<std::byte> room);
 
@@ -82,6 +82,8 @@ class Controller {
   // What the last tick did.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   [[nodiscard]] Mode mode() const { return mode_; }
+  // The number that the next tick will have.
+  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   // What the next tick's record will count itself.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }

@@ -15,6 +15,7 @@ inline void repeat_tick(Controller& controller, const TelemetryRecord& recorded)
   sample.velocity = recorded.joint_velocity;
   sample.age_us = recorded.sample_age_us;
   sample.status = recorded.device_status;
+  controller.note_loop({.status = recorded.loop_status, .missed_ticks = recorded.missed_ticks});
   controller.tick(sample, recorded.request);
 }
 

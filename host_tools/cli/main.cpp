@@ -20,6 +20,7 @@
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
 #include "host_tools/cli/plot_verb.h"
+#include "host_tools/cli/replay_verb.h"
 #include "host_tools/cli/sim_verb.h"
 #include "host_tools/cli/touch_verb.h"
 #include "host_tools/input_error.h"
@@ -44,6 +45,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_faults_verb},
     AddVerb{tactus::host::add_emulate_verb},
     AddVerb{tactus::host::add_doctor_verb},
+    AddVerb{tactus::host::add_replay_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.

@@ -25,6 +25,11 @@ firmware::ControllerConfig walking_config() {
   return config;
 }
 
+void give(firmware::Controller& controller, const TickInput& input) {
+  controller.note_loop(input.loop);
+  controller.tick(input.sample, input.request);
+}
+
 TickInput SceneWalk::next(Mode mode) {
   if (ticks_left_-- <= 0) {
     choose_target();
@@ -47,6 +52,10 @@ TickInput SceneWalk::next(Mode mode) {
   }
   if (chance(0.005)) {
     input.sample.age_us = 10'000;
+  }
+  if (chance(0.005)) {
+    input.loop = {.status = firmware::kLoopLate,
+                  .missed_ticks = static_cast<std::uint32_t>(random_() % 2)};
   }
   input.request = wish(mode);
   return input;

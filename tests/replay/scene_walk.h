@@ -15,10 +15,13 @@ namespace tactus::testing {
 struct TickInput {
   drivers::JointSample sample;
   firmware::Request request = firmware::Request::none;
+  firmware::LoopReport loop;
 };
 
 // Three prismatic axes that reach every object.
 firmware::ControllerConfig walking_config();
+
+void give(firmware::Controller& controller, const TickInput& input);
 
 class SceneWalk {
  public:
