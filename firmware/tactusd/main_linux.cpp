@@ -295,9 +295,11 @@ int start_and_run(const Options& options) {
   if (device == nullptr) {
     return kCouldNotStart;
   }
-  if (!program.telemetry.start(
-          options, {.device = program.device_file.bytes(), .scene = program.scene_file.bytes()},
-          program.config.controller.rate_hz, program.config.joint_count)) {
+  if (!program.telemetry.start(options,
+                               {.config = program.controller.config(),
+                                .device = program.device_file.bytes(),
+                                .scene = program.scene_file.bytes()},
+                               program.config.joint_count)) {
     return kCouldNotStart;
   }
   if (!take_time(options) || !start_telling()) {
