@@ -78,6 +78,8 @@ std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   check.in("safety.contact_start_s", safety.contact_start_s, 0.0, 60.0);
   check.in("safety.max_sample_age_us", safety.max_sample_age_us, 0.0, 1e6);
   check.in("safety.stale_ticks_to_fault", safety.stale_ticks_to_fault, 1.0, 1000.0);
+  check.in("safety.late_ticks_to_fault", safety.late_ticks_to_fault, 1.0, 1000.0);
+  check.in("safety.max_tick_gap_s", safety.max_tick_gap_s, 0.0, 1.0);
   return check.result();
 }
 

@@ -55,6 +55,8 @@ struct SafetyConfig {
   double contact_start_s = 0.02;  // and again from the first contact after activation
   std::uint32_t max_sample_age_us = 5000;
   std::uint32_t stale_ticks_to_fault = 3;  // samples in a row that are too old
+  std::uint32_t late_ticks_to_fault = 3;   // ticks in a row that the loop calls late
+  double max_tick_gap_s = 0.005;           // skipped at once, by the loop's count of missed ticks
 };
 
 struct ControllerConfig {

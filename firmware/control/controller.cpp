@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "firmware/limits.h"
 #include "firmware/safety/faults.h"
@@ -36,6 +37,7 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
   forget_beyond(joint_count(config_.mechanism), sample);
   open_record(sample, request);
 
+  raise(loop_check_.check(std::exchange(loop_report_, {})));
   raise(sample_check_.check(sample));
   advance_mode(sample.status, request);
   record_.stage_ns.check = watch.lap_ns();
@@ -57,7 +59,7 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
 
 // A fault stops at once, whatever stage finds it: the stages after it see the mode `fault` and put
 // out zero.
-void Controller::raise(std::uint32_t bits) {
+void Controller::raise(std::uint64_t bits) {
   raised_ |= bits;
   if ((bits & kFaultMask) != 0) {
     faults_ |= bits & kFaultMask;
@@ -260,6 +262,8 @@ void Controller::open_record(const drivers::JointSample& sample, Request request
   record_.request = request;
   record_.device_status = sample.status;
   record_.sample_age_us = sample.age_us;
+  record_.loop_status = loop_report_.status;
+  record_.missed_ticks = loop_report_.missed_ticks;
   record_.time_s = static_cast<double>(record_.tick) / config_.rate_hz;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     record_.joint_position[joint] = sample.position[joint];
@@ -289,6 +293,7 @@ void Controller::close_record(const drivers::JointCommand& command) {
   record_.tool_p_W = to_triple(tool_.p_W);
   record_.tool_v_W = to_triple(tool_.v_W);
   record_.counters.stale_samples = sample_check_.stale_count();
+  record_.counters.late_ticks = loop_check_.late_count();
   record_.counters.limited_ticks += record_.limits != 0 ? 1U : 0U;
   record_.state_hash = state_hash(record_, record_.state_hash);
 }
@@ -300,6 +305,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   config_ = config;
   mechanism_ = Mechanism(config.mechanism);
   sample_check_.configure(config);
+  loop_check_.configure(config);
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);
   gravity_compensation_.configure(config);
@@ -312,6 +318,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   faults_ = kNoFault;
   raised_ = kNoFault;
   write_status_ = drivers::kDeviceOk;
+  loop_report_ = {};
   pose_ = Pose{};
   tool_ = rendering::ToolState{};
   record_ = TelemetryRecord{};

@@ -18,6 +18,7 @@
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
 #include "firmware/safety/force_limiter.h"
+#include "firmware/safety/loop_check.h"
 #include "firmware/safety/sample_check.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
@@ -48,6 +49,9 @@ class Controller {
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
   [[nodiscard]] NowNs clock() const { return now_ns_; }
 
+  // Before a tick, from the loop: how its time went. The next tick takes it, and only that one.
+  void note_loop(const LoopReport& report) { loop_report_ = report; }
+
   // After each tick, from the device loop: what the write reported, which the next tick takes as
   // part of its sample's status, and the transfers' times.
   void note_transfers(std::uint32_t write_status, std::uint32_t read_ns, std::uint32_t write_ns);
@@ -56,7 +60,7 @@ class Controller {
   void open_record(const drivers::JointSample& sample, Request request);
   void record_touch(const rendering::Touch& touch);
   void close_record(const drivers::JointCommand& command);
-  void raise(std::uint32_t bits);
+  void raise(std::uint64_t bits);
   void step_mode(Event event);
   void advance_mode(std::uint32_t status, Request request);
   bool locate(const drivers::JointSample& sample);
@@ -70,6 +74,7 @@ class Controller {
   bool configured_ = false;
   Mechanism mechanism_;
   SampleCheck sample_check_;
+  LoopCheck loop_check_;
   VelocityFilter velocity_filter_;
   ForceLimiter force_limiter_;
   GravityCompensation gravity_compensation_;
@@ -77,9 +82,10 @@ class Controller {
   rendering::World world_;
 
   Mode mode_ = Mode::init;
-  std::uint32_t faults_ = 0;        // latched
-  std::uint32_t raised_ = 0;        // faults and limits of this tick
+  std::uint64_t faults_ = 0;        // latched
+  std::uint64_t raised_ = 0;        // faults and limits of this tick
   std::uint32_t write_status_ = 0;  // of the last write
+  LoopReport loop_report_;          // for the next tick
   Pose pose_;
   rendering::ToolState tool_;
   TelemetryRecord record_;

@@ -139,6 +139,8 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
       bind<&C::safety, &S::contact_start_s>("contact_start_s", "s"),
       bind<&C::safety, &S::max_sample_age_us>("max_sample_age_us", "us"),
       bind<&C::safety, &S::stale_ticks_to_fault>("stale_ticks_to_fault"),
+      bind<&C::safety, &S::late_ticks_to_fault>("late_ticks_to_fault"),
+      bind<&C::safety, &S::max_tick_gap_s>("max_tick_gap_s", "s"),
   };
   return kKeys;
 }

@@ -21,7 +21,7 @@ namespace tactus::firmware {
 
 struct LimitedForce {
   Vec3 force_W = Vec3::Zero();  // N
-  std::uint32_t limits = 0;     // FaultBits: which of the limits held the force back
+  std::uint64_t limits = 0;     // FaultBits: which of the limits held the force back
 };
 
 class ForceLimiter {
