@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -82,6 +83,10 @@ struct DeviceConfig {
   std::string_view name;
   ControllerConfig controller;   // its joints' limits are those of `joints`
   double read_limit_s = 0.0005;  // how long a tick waits for fresh samples
+  // A line that every healthy tick turns over, for a circuit that takes the motors' power away when
+  // it stops: on a GPIO chip, by its label or path.
+  std::string_view watchdog_chip;
+  std::optional<drivers::OutputPin> watchdog_line;
   std::array<ConnectionConfig, kMaxConnections> connections{};
   std::array<AxisConfig, kMaxAxes> axes{};
   std::array<JointConfig, kJointCount> joints{};
