@@ -34,6 +34,9 @@ inline constexpr std::size_t kWaveVertices = 512;
 // farther meanwhile.
 inline constexpr std::size_t kRefitNodes = 1024;
 
+// Objects whose material is changed while the scene runs. Beyond: World::set_material refuses.
+inline constexpr std::size_t kMaxChangedMaterials = 64;
+
 // Effects in a scene. Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxEffects = 16;
 

@@ -11,6 +11,7 @@
 
 #include "firmware/kinematics/mechanism.h"
 #include "firmware/limits.h"
+#include "firmware/safety/certificate.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/vector.h"
 
@@ -72,6 +73,9 @@ struct ControllerConfig {
   std::array<CoupledLimit, kMaxCoupledLimits> coupled_limits{};
   std::array<JointFriction, kJointCount> friction{};
   SafetyConfig safety;
+  // What surfaces may be loaded; without one any.
+  StiffnessCertificate certificate;
+  bool allow_uncertified = false;  // load a scene beyond the certificate all the same
 };
 
 // What is wrong with a configuration: the field as written in this header, its value, and the

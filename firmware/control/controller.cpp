@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "firmware/limits.h"
@@ -26,6 +27,14 @@ void forget_beyond(std::size_t joint_count, drivers::JointSample& sample) {
 
 bool all_finite(const Vec3& v) {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+// What of a scene this configuration does not allow.
+std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
+                                            std::span<const rendering::Object> objects,
+                                            std::span<const rendering::Effect> effects) {
+  return config.allow_uncertified ? std::nullopt
+                                  : first_uncertified(config.certificate, objects, effects);
 }
 
 }  // namespace
@@ -260,6 +269,8 @@ void Controller::open_record(const drivers::JointSample& sample, Request request
   record_.state_hash = before.state_hash;
   record_.tick = next_tick_++;
   record_.request = request;
+  record_.change = change_;
+  change_ = ParameterChange{};
   record_.device_status = sample.status;
   record_.sample_age_us = sample.age_us;
   record_.loop_status = loop_report_.status;
@@ -302,7 +313,13 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   if (const auto valid = validate(config); !valid) {
     return valid;
   }
+  if (const auto part = refused_part(config, objects_, effects_)) {
+    return std::unexpected(
+        ConfigError{"certificate", part->stiffness_N_per_m, 0.0, part->limit_N_per_m});
+  }
   config_ = config;
+  configured_safety_ = config.safety;
+  change_ = ParameterChange{};
   mechanism_ = Mechanism(config.mechanism);
   sample_check_.configure(config);
   loop_check_.configure(config);
@@ -326,9 +343,21 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   return {};
 }
 
-bool Controller::load_scene(std::span<const rendering::Object> objects,
-                            const rendering::WorldConfig& config) {
-  return mode_ != Mode::active && world_.set_scene(objects, config);
+std::expected<void, SceneRefusal> Controller::load_scene(std::span<const rendering::Object> objects,
+                                                         const rendering::WorldConfig& config) {
+  if (mode_ == Mode::active) {
+    return std::unexpected(SceneRefusal{SceneFault::active, {}});
+  }
+  if (const auto part = refused_part(config_, objects, config.effects)) {
+    return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
+  }
+  const bool taken = world_.set_scene(objects, config);
+  objects_ = taken ? objects : std::span<const rendering::Object>{};
+  effects_ = taken ? config.effects : std::span<const rendering::Effect>{};
+  if (!taken) {
+    return std::unexpected(SceneRefusal{SceneFault::world, {}});
+  }
+  return {};
 }
 
 void Controller::note_transfers(std::uint32_t write_status, std::uint32_t read_ns,

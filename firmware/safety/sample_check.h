@@ -5,6 +5,7 @@
 
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -19,6 +20,9 @@ class SampleCheck {
 
   // Samples too old, since configure().
   [[nodiscard]] std::uint32_t stale_count() const { return stale_count_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   std::uint64_t check_age(const drivers::JointSample& sample);

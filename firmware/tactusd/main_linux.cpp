@@ -17,12 +17,13 @@
 #include "firmware/realtime/timing_report.h"
 #include "firmware/realtime/watchdog_output.h"
 #include "firmware/safety/faults.h"
+#include "firmware/tactusd/certificate_words.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
-#include "firmware/tactusd/mapped_file.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_log.h"
 #include "firmware/tactusd/supervisor.h"
+#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/scene_image.h"
 
@@ -34,6 +35,7 @@ constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
 constexpr double kAfterFault_s = 0.2;
+constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -48,9 +50,9 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
-  MappedFile device_file;
-  MappedFile scene_file;
-  MappedFile falcon_file;
+  hal::MappedFile device_file;
+  hal::MappedFile scene_file;
+  hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
   std::optional<rendering::SceneImage> scene;
@@ -71,7 +73,7 @@ int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
 
-bool map(MappedFile& file, const char* path) {
+bool map(hal::MappedFile& file, const char* path) {
   const int error = file.open(path);
   if (error != 0) {
     std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
@@ -97,6 +99,13 @@ bool load_device(const Options& options) {
   if (options.rate_hz > 0.0) {
     program.config.controller.rate_hz = options.rate_hz;
   }
+  std::array<char, kMostWords> words{};
+  if (const auto warning = certificate_warning(program.config.certification, words);
+      !warning.empty()) {
+    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
+                 warning.data());
+  }
+  program.config.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = program.controller.configure(program.config.controller);
   if (!valid) {
     std::fprintf(stderr, "tactusd: %s: %.*s is out of range; bake the device again\n",
@@ -104,6 +113,17 @@ bool load_device(const Options& options) {
   }
   program.controller.set_clock(now_ns);
   return valid.has_value();
+}
+
+void tell_refusal(const char* path, const rendering::SceneImage& scene,
+                  const SceneRefusal& refusal) {
+  const bool is_object = refusal.fault == SceneFault::uncertified &&
+                         refusal.part.kind == UncertifiedPart::Kind::object;
+  const std::string_view name =
+      is_object ? scene.object_name(refusal.part.index) : std::string_view{};
+  std::array<char, kMostWords> room{};
+  const std::string_view words = refusal_words(refusal, name, room);
+  std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
 
 bool load_scene(const Options& options) {
@@ -120,11 +140,12 @@ bool load_scene(const Options& options) {
     return false;
   }
   const rendering::SceneImage& scene = program.scene.emplace(*image);
-  if (!program.controller.load_scene(scene.objects(), {.tool_radius_m = scene.tool_radius_m()})) {
-    std::fprintf(stderr, "tactusd: %s: the controller has no room for this scene\n", options.scene);
-    return false;
+  const auto loaded = program.controller.load_scene(
+      scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
+  if (!loaded) {
+    tell_refusal(options.scene, scene, loaded.error());
   }
-  return true;
+  return loaded.has_value();
 }
 
 // The Falcon's firmware, if one is named.

@@ -75,6 +75,7 @@ void print_usage(std::FILE* file) {
       "  --priority P          SCHED_FIFO priority of the loop, 1 to 98; default 80\n"
       "  --cpu N               run the loop on processor N only\n"
       "  --allow-non-realtime  run even where real-time priority is not to be had\n"
+      "  --allow-uncertified   load a scene that is stiffer than the device's certificate\n"
       "  --help\n"
       "\n"
       "Exit codes: 0 ended as asked, 1 a fault stopped the motors, 2 could not start.\n"
@@ -97,6 +98,8 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
       options.enable = true;
     } else if (argument == "--allow-non-realtime") {
       options.allow_non_realtime = true;
+    } else if (argument == "--allow-uncertified") {
+      options.allow_uncertified = true;
     } else if (argument.starts_with("--")) {
       const char* value = i + 1 < argc ? argv[i + 1] : nullptr;
       ++i;

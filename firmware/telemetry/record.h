@@ -8,6 +8,7 @@
 
 #include "drivers/device.h"
 #include "firmware/control/mode.h"
+#include "firmware/control/parameters.h"
 #include "firmware/safety/energy_ledger.h"
 #include "rendering/world/touch.h"
 
@@ -83,6 +84,8 @@ struct TelemetryRecord {
   // When a limit acts: the source that gives most, of energy for limiting_passivity and of force
   // otherwise. Not hashed.
   EnergySource limited_source = EnergySource::contact;
+  // The parameter that this tick is the first to have changed; not hashed, what it does is.
+  ParameterChange change;
   StageTimes stage_ns;  // not hashed
 };
 static_assert(std::is_trivially_copyable_v<TelemetryRecord>);

@@ -93,8 +93,7 @@ std::expected<Material, SceneError> read_material(const image::Material& stored)
         .along = grain->along(),
         .across = grain->across()};
   }
-  if (!is_coefficient(material.stiffness_N_per_m) || !is_coefficient(material.damping_Ns_per_m) ||
-      !valid(material.friction) || !valid(material.grain)) {
+  if (!sound(material)) {
     return fail(SceneFault::material);
   }
   return material;

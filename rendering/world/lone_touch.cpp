@@ -84,7 +84,8 @@ void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& to
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scenery.tick_s());
     walkers_[k].begin_friction(step_O, scenery.tick_s());
-    Touch own = touch_in_frame(k, object, in_frame(scenery, number, tool));
+    Touch own = touch_in_frame({.k = k, .object = object, .material = scenery.material(number)},
+                               in_frame(scenery, number, tool));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;
@@ -132,8 +133,9 @@ void LoneTouch::wake(std::size_t k, const Mover* mover) {
   awake_[k] = true;
 }
 
-Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O) {
-  Material material = object.material;
+Touch LoneTouch::rest_in_frame(const Lone& lone, const Vec3& goal_O) {
+  const auto& [k, object, own] = lone;
+  Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   const ConnectedMesh mesh{object.mesh, object.neighbours, object.vertex_normals};
   switch (object.method) {
@@ -149,19 +151,20 @@ Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& 
   }
 }
 
-Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O) {
+Touch LoneTouch::touch_in_frame(const Lone& lone, const ToolState& tool_O) {
+  const auto& [k, object, material] = lone;
   const bool detailed = !object.detail.empty();
   ForceShading& shading = details_[k].shading;
   Touch touch;
   if (detailed) {
     shading.begin(last_proxy_O(k, object), tool_O.p_W, ForceShading::Passes::one);
-    touch = rest_in_frame(k, object, tool_O.p_W + shading.offset());
+    touch = rest_in_frame(lone, tool_O.p_W + shading.offset());
     if (touch.contact == ContactKind::none && shading.is_on()) {
       shading.reset();
-      touch = rest_in_frame(k, object, tool_O.p_W);
+      touch = rest_in_frame(lone, tool_O.p_W);
     }
   } else {
-    touch = rest_in_frame(k, object, tool_O.p_W);
+    touch = rest_in_frame(lone, tool_O.p_W);
   }
   if (touch.contact == ContactKind::none) {
     if (detailed) {
@@ -169,17 +172,17 @@ Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolS
     }
     return touch;
   }
-  touch.force_W = object.material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -
-                  object.material.damping_Ns_per_m * tool_O.v_W;
+  touch.force_W = material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -
+                  material.damping_Ns_per_m * tool_O.v_W;
   if (detailed) {
-    shade_in_frame(k, object, tool_O, touch);
+    shade_in_frame(lone, tool_O, touch);
   }
   return touch;
 }
 
 // One pass a tick: what this one finds shifts the goal of the next.
-void LoneTouch::shade_in_frame(std::size_t k, const Object& object, const ToolState& tool_O,
-                               Touch& touch) {
+void LoneTouch::shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch& touch) {
+  const auto& [k, object, material] = lone;
   DetailState& state = details_[k];
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
@@ -201,7 +204,6 @@ void LoneTouch::shade_in_frame(std::size_t k, const Object& object, const ToolSt
   state.friction_factor = share * felt.friction_factor;
   state.point_O = touch.proxy_W;
   state.touched = true;
-  const Material& material = object.material;
   touch.force_W = Vec3::Zero();
   if (felt_depth > 0.0) {
     touch.force_W = felt.stiffness_factor * material.stiffness_N_per_m *

@@ -107,18 +107,19 @@ ProxyTouch::Felt ProxyTouch::feel(const Scenery& scenery, const ToolState& tool,
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const ContactPlane& plane = rest.planes[i];
     const Object& object = scenery[plane.object];
+    const Material& material = scenery.material(plane.object);
     const double push = rest.pressure_m[i];
     felt.pressure_m += push;
-    felt.damping_W += push * object.material.damping_Ns_per_m *
+    felt.damping_W += push * material.damping_Ns_per_m *
                       (tool.v_W - scenery.velocity_W(plane.object, proxy_.position_W()));
     if (object.detail.empty()) {
-      felt.stiffness += push * object.material.stiffness_N_per_m;
+      felt.stiffness += push * material.stiffness_N_per_m;
       continue;
     }
     const Detail detail = detail_of(scenery, plane);
     felt.detailed = true;
     felt.interpolated = felt.interpolated || !object.detail.corner_normals.empty();
-    felt.stiffness += push * detail.stiffness_factor * object.material.stiffness_N_per_m;
+    felt.stiffness += push * detail.stiffness_factor * material.stiffness_N_per_m;
     felt.lean += push * lean_of(detail.normal_O, plane.plane.normal);
     height += push * detail.height_m;
     felt.friction.object[felt.friction.count] = plane.object;

@@ -7,6 +7,7 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/effect_touch.h"
 #include "rendering/world/object.h"
 #include "rendering/world/scenery.h"
@@ -46,6 +47,18 @@ class World {
     return scenery_.set_pose(object, X_WO, twist);
   }
 
+  // From the next tick on an object feels like that, until the next scene. False for whatever
+  // Scenery::set_material refuses.
+  bool set_material(std::uint32_t object, const Material& material) {
+    return scenery_.set_material(object, material);
+  }
+
+  [[nodiscard]] std::size_t object_count() const { return scenery_.size(); }
+  // What an object below object_count() feels like now.
+  [[nodiscard]] const Material& material(std::uint32_t object) const {
+    return scenery_.material(object);
+  }
+
   // From the next tick on a vertex of an object that `deforms` moves there, by at most
   // kMaxVertexStep_m a tick. False for whatever Scenery::move_vertex refuses.
   bool move_vertex(std::uint32_t object, std::uint32_t vertex, const Vec3& p_O) {
@@ -74,6 +87,10 @@ class World {
 
   // Most triangles ever kept near a tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const;
+
+  // What it remembers, to bytes or back: of the same scene and configuration, set before. A world
+  // that could not be read must be given its scene again.
+  void transfer(StateArchive& archive);
 
  private:
   void begin_tick();

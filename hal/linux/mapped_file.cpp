@@ -1,4 +1,4 @@
-#include "firmware/tactusd/mapped_file.h"
+#include "hal/linux/mapped_file.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -8,7 +8,7 @@
 
 #include "hal/linux/system.h"
 
-namespace tactus::firmware {
+namespace tactus::hal {
 
 MappedFile::~MappedFile() {
   if (!bytes_.empty()) {
@@ -19,7 +19,7 @@ MappedFile::~MappedFile() {
 }
 
 int MappedFile::open(const char* path) {
-  const hal::FileDescriptor file(::open(path, O_RDONLY | O_CLOEXEC));
+  const FileDescriptor file(::open(path, O_RDONLY | O_CLOEXEC));
   struct stat status{};
   if (!file.is_open() || fstat(file.get(), &status) != 0) {
     return errno;
@@ -36,4 +36,4 @@ int MappedFile::open(const char* path) {
   return 0;
 }
 
-}  // namespace tactus::firmware
+}  // namespace tactus::hal

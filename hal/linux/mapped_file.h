@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace tactus::firmware {
+namespace tactus::hal {
 
 class MappedFile {
  public:
@@ -21,4 +21,4 @@ class MappedFile {
   std::span<const std::byte> bytes_;
 };
 
-}  // namespace tactus::firmware
+}  // namespace tactus::hal
