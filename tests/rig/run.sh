@@ -59,7 +59,7 @@ for device in host_tools/examples/devices/*.toml; do
   "$build/bin/tactus" bake --quiet "$device" -o "$images/$(basename "$device" .toml).tactus"
 done
 # At 4 kHz the drives' messages come with every fourth tick: the others do not wait for one.
-sed 's/^name = .*/&\nread_limit_s = 0.00005/' host_tools/examples/devices/odrive_arm.toml >"$images/odrive_loop.toml"
+sed '0,/^name = .*/s//&\nread_limit_s = 0.00005/' host_tools/examples/devices/odrive_arm.toml >"$images/odrive_loop.toml"
 "$build/bin/tactus" bake --quiet "$images/odrive_loop.toml" -o "$images/odrive_loop.tactus"
 rm -f "$images/bunny00.off"
 
