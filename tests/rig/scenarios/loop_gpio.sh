@@ -12,6 +12,6 @@ begin
 loop gpio_1kHz wall 1000 1
 loop gpio_2kHz wall 2000 1
 loop gpio_4kHz wall 4000 1
-cyclic gpio 4000 1
+cyclic gpio 4000 2
 compare
 end
