@@ -84,4 +84,7 @@ inline constexpr std::size_t kMaxFormulaWork = 32768;
 // device; kTouchToolInvalid.
 inline constexpr double kWorldBound_m = 100.0;
 
+// The largest sphere that touches, metres. Beyond: the world and the loader refuse the scene.
+inline constexpr double kMaxToolRadius_m = 1.0;
+
 }  // namespace tactus::rendering

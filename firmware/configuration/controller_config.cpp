@@ -14,6 +14,7 @@ constexpr double kWidest = 10.0;
 constexpr double kStrongest = 1000.0;
 constexpr double kLeastEffort = 1e-6;
 constexpr double kStiffest = 1e12;
+constexpr double kMostMargin = 100.0;
 constexpr double kLeastTurnLength = 1e-9;
 constexpr double kStrongestGravity = 25.0;  // m/s^2: that of the planets one can stand on
 
@@ -37,6 +38,18 @@ void check_coupled_limit(RangeCheck& check, const CoupledLimit& limit) {
   check.in("coupled_limits.minus", static_cast<double>(limit.minus), 0.0, kLast);
   check.in("coupled_limits.lower", limit.lower, -2.0 * kWidest, 2.0 * kWidest);
   check.in("coupled_limits.upper", limit.upper, limit.lower, 2.0 * kWidest);
+}
+
+void check_certificate(RangeCheck& check, const StiffnessCertificate& certificate) {
+  check.in("certificate.count", static_cast<double>(certificate.count), 0.0, kMaxCertifiedPoints);
+  check.in("certificate.margin", certificate.margin, 1.0, kMostMargin);
+  const std::size_t count = std::min(certificate.count, kMaxCertifiedPoints);
+  double least_damping = 0.0;
+  for (const CertifiedPoint& point : std::span(certificate.points).first(count)) {
+    check.in("certificate.damping_Ns_per_m", point.damping_Ns_per_m, least_damping, kStiffest);
+    check.in("certificate.stiffness_N_per_m", point.stiffness_N_per_m, 0.0, kStiffest);
+    least_damping = std::nextafter(point.damping_Ns_per_m, kStiffest);
+  }
 }
 
 }  // namespace
@@ -78,6 +91,9 @@ std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   check.in("safety.contact_start_s", safety.contact_start_s, 0.0, 60.0);
   check.in("safety.max_sample_age_us", safety.max_sample_age_us, 0.0, 1e6);
   check.in("safety.stale_ticks_to_fault", safety.stale_ticks_to_fault, 1.0, 1000.0);
+  check.in("safety.late_ticks_to_fault", safety.late_ticks_to_fault, 1.0, 1000.0);
+  check.in("safety.max_tick_gap_s", safety.max_tick_gap_s, 0.0, 1.0);
+  check_certificate(check, config.certificate);
   return check.result();
 }
 

@@ -11,6 +11,7 @@
 
 #include "firmware/kinematics/mechanism.h"
 #include "firmware/limits.h"
+#include "firmware/safety/certificate.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/vector.h"
 
@@ -55,6 +56,8 @@ struct SafetyConfig {
   double contact_start_s = 0.02;  // and again from the first contact after activation
   std::uint32_t max_sample_age_us = 5000;
   std::uint32_t stale_ticks_to_fault = 3;  // samples in a row that are too old
+  std::uint32_t late_ticks_to_fault = 3;   // ticks in a row that the loop calls late
+  double max_tick_gap_s = 0.005;           // skipped at once, by the loop's count of missed ticks
 };
 
 struct ControllerConfig {
@@ -70,6 +73,9 @@ struct ControllerConfig {
   std::array<CoupledLimit, kMaxCoupledLimits> coupled_limits{};
   std::array<JointFriction, kJointCount> friction{};
   SafetyConfig safety;
+  // What surfaces may be loaded; without one any.
+  StiffnessCertificate certificate;
+  bool allow_uncertified = false;  // load a scene beyond the certificate all the same
 };
 
 // What is wrong with a configuration: the field as written in this header, its value, and the

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "firmware/limits.h"
 #include "firmware/safety/faults.h"
@@ -27,6 +29,14 @@ bool all_finite(const Vec3& v) {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
 
+// What of a scene this configuration does not allow.
+std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
+                                            std::span<const rendering::Object> objects,
+                                            std::span<const rendering::Effect> effects) {
+  return config.allow_uncertified ? std::nullopt
+                                  : first_uncertified(config.certificate, objects, effects);
+}
+
 }  // namespace
 
 drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Request request) {
@@ -36,6 +46,7 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
   forget_beyond(joint_count(config_.mechanism), sample);
   open_record(sample, request);
 
+  raise(loop_check_.check(std::exchange(loop_report_, {})));
   raise(sample_check_.check(sample));
   advance_mode(sample.status, request);
   record_.stage_ns.check = watch.lap_ns();
@@ -57,7 +68,7 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
 
 // A fault stops at once, whatever stage finds it: the stages after it see the mode `fault` and put
 // out zero.
-void Controller::raise(std::uint32_t bits) {
+void Controller::raise(std::uint64_t bits) {
   raised_ |= bits;
   if ((bits & kFaultMask) != 0) {
     faults_ |= bits & kFaultMask;
@@ -262,6 +273,8 @@ void Controller::open_record(const drivers::JointSample& sample, Request request
   change_ = ParameterChange{};
   record_.device_status = sample.status;
   record_.sample_age_us = sample.age_us;
+  record_.loop_status = loop_report_.status;
+  record_.missed_ticks = loop_report_.missed_ticks;
   record_.time_s = static_cast<double>(record_.tick) / config_.rate_hz;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     record_.joint_position[joint] = sample.position[joint];
@@ -291,6 +304,7 @@ void Controller::close_record(const drivers::JointCommand& command) {
   record_.tool_p_W = to_triple(tool_.p_W);
   record_.tool_v_W = to_triple(tool_.v_W);
   record_.counters.stale_samples = sample_check_.stale_count();
+  record_.counters.late_ticks = loop_check_.late_count();
   record_.counters.limited_ticks += record_.limits != 0 ? 1U : 0U;
   record_.state_hash = state_hash(record_, record_.state_hash);
 }
@@ -299,11 +313,16 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   if (const auto valid = validate(config); !valid) {
     return valid;
   }
+  if (const auto part = refused_part(config, objects_, effects_)) {
+    return std::unexpected(
+        ConfigError{"certificate", part->stiffness_N_per_m, 0.0, part->limit_N_per_m});
+  }
   config_ = config;
   configured_safety_ = config.safety;
   change_ = ParameterChange{};
   mechanism_ = Mechanism(config.mechanism);
   sample_check_.configure(config);
+  loop_check_.configure(config);
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);
   gravity_compensation_.configure(config);
@@ -316,6 +335,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   faults_ = kNoFault;
   raised_ = kNoFault;
   write_status_ = drivers::kDeviceOk;
+  loop_report_ = {};
   pose_ = Pose{};
   tool_ = rendering::ToolState{};
   record_ = TelemetryRecord{};
@@ -323,9 +343,21 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   return {};
 }
 
-bool Controller::load_scene(std::span<const rendering::Object> objects,
-                            const rendering::WorldConfig& config) {
-  return mode_ != Mode::active && world_.set_scene(objects, config);
+std::expected<void, SceneRefusal> Controller::load_scene(std::span<const rendering::Object> objects,
+                                                         const rendering::WorldConfig& config) {
+  if (mode_ == Mode::active) {
+    return std::unexpected(SceneRefusal{SceneFault::active, {}});
+  }
+  if (const auto part = refused_part(config_, objects, config.effects)) {
+    return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
+  }
+  const bool taken = world_.set_scene(objects, config);
+  objects_ = taken ? objects : std::span<const rendering::Object>{};
+  effects_ = taken ? config.effects : std::span<const rendering::Effect>{};
+  if (!taken) {
+    return std::unexpected(SceneRefusal{SceneFault::world, {}});
+  }
+  return {};
 }
 
 void Controller::note_transfers(std::uint32_t write_status, std::uint32_t read_ns,

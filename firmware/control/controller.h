@@ -6,6 +6,7 @@
 // toward the user; the device frame D moved to workspace_origin_D.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <span>
@@ -19,22 +20,38 @@
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
 #include "firmware/safety/force_limiter.h"
+#include "firmware/safety/loop_check.h"
 #include "firmware/safety/sample_check.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/world.h"
 
 namespace tactus::firmware {
 
+// Why a scene was not loaded.
+enum class SceneFault : std::uint8_t {
+  active,       // not while the motors are on
+  world,        // the world refused it: World::set_scene
+  uncertified,  // a part of it is beyond the configuration's certificate
+};
+struct SceneRefusal {
+  SceneFault fault = SceneFault::active;
+  UncertifiedPart part;  // which, if uncertified
+};
+
 class Controller {
  public:
   // Takes a valid configuration and starts afresh in `init`; keeps the scene. An invalid one
-  // changes nothing.
+  // changes nothing, and neither does one whose certificate the loaded scene is beyond: the field
+  // is then "certificate" and the value a stiffness.
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
-  // Gives the world a scene; the memory behind the objects must outlive it. False while active (the
-  // running world is kept), and false when the world refuses it (World::set_scene).
-  bool load_scene(std::span<const rendering::Object> objects, const rendering::WorldConfig& config);
+  // Gives the world a scene; the memory behind the objects must outlive it. Refused while active
+  // and when a part of it is stiffer than the configuration's certificate allows, unless
+  // `allow_uncertified`: both keep the world as it is. When the world refuses it, it is empty.
+  std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
+                                               const rendering::WorldConfig& config);
 
   // Between ticks: from the next one on the parameter has that value, and its record says so. At
   // most one a tick gets into the record. Nothing changed if refused. Bounded, for a tick's edge.
@@ -45,6 +62,17 @@ class Controller {
   // One tick: the same state and inputs give the same command and the same record, to the bit.
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
+
+  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on any
+  // processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is too
+  // small, nothing is configured, or a number is not finite, as it can be after a fault. For a
+  // tick's slack: it copies, at the most half a megabyte.
+  std::size_t save(std::span<std::byte> room);
+
+  // Goes on where save() was called: the ticks after it give the same bits. To be called on a
+  // controller of the same configuration and scene, both set before. False if the bytes are not of
+  // such a one: then configure and load the scene again.
+  bool restore(std::span<const std::byte> bytes);
 
   // What the last tick did.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
@@ -57,6 +85,9 @@ class Controller {
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
   [[nodiscard]] NowNs clock() const { return now_ns_; }
 
+  // Before a tick, from the loop: how its time went. The next tick takes it, and only that one.
+  void note_loop(const LoopReport& report) { loop_report_ = report; }
+
   // After each tick, from the device loop: what the write reported, which the next tick takes as
   // part of its sample's status, and the transfers' times.
   void note_transfers(std::uint32_t write_status, std::uint32_t read_ns, std::uint32_t write_ns);
@@ -65,7 +96,7 @@ class Controller {
   void open_record(const drivers::JointSample& sample, Request request);
   void record_touch(const rendering::Touch& touch);
   void close_record(const drivers::JointCommand& command);
-  void raise(std::uint32_t bits);
+  void raise(std::uint64_t bits);
   void step_mode(Event event);
   void advance_mode(std::uint32_t status, Request request);
   bool locate(const drivers::JointSample& sample);
@@ -73,6 +104,9 @@ class Controller {
   Vec3 limit_force(const rendering::Touch& touch);
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
+  void transfer(rendering::StateArchive& archive);
+  void transfer_pose(rendering::StateArchive& archive);
+  void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
@@ -83,16 +117,20 @@ class Controller {
   bool configured_ = false;
   Mechanism mechanism_;
   SampleCheck sample_check_;
+  LoopCheck loop_check_;
   VelocityFilter velocity_filter_;
   ForceLimiter force_limiter_;
   GravityCompensation gravity_compensation_;
   FrictionCompensation friction_compensation_;
   rendering::World world_;
+  std::span<const rendering::Object> objects_;  // of the world's scene
+  std::span<const rendering::Effect> effects_;
 
   Mode mode_ = Mode::init;
-  std::uint32_t faults_ = 0;        // latched
-  std::uint32_t raised_ = 0;        // faults and limits of this tick
+  std::uint64_t faults_ = 0;        // latched
+  std::uint64_t raised_ = 0;        // faults and limits of this tick
   std::uint32_t write_status_ = 0;  // of the last write
+  LoopReport loop_report_;          // for the next tick
   Pose pose_;
   rendering::ToolState tool_;
   TelemetryRecord record_;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -28,6 +29,9 @@ class VelocityFilter {
     state_ += share_ * (velocity - state_);
     return state_;
   }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   double share_ = 1.0;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -26,6 +27,7 @@ namespace tactus::firmware {
 
 inline constexpr std::size_t kMaxConnections = 4;
 inline constexpr std::size_t kMaxAxes = drivers::kMaxJoints;
+inline constexpr std::uint32_t kMaxPlantDelay = 8;
 
 struct CanConnection {
   std::string_view interface;  // "can0"
@@ -78,9 +80,33 @@ struct JointConfig {
   JointLimits limits;
 };
 
+// How the device moves by itself, for `tactus certify`; the controller does not look at it. What is
+// not given is the simulated preset's (host_tools/simulation). Friction and encoder are those of a
+// joint: N m and rad where it turns, N and m where it slides.
+struct PlantConfig {
+  std::optional<double> moving_mass_kg;      // what the hand feels of it at the handle
+  std::optional<double> viscous_Ns_per_m;    // likewise
+  std::optional<double> coulomb_friction;    // sliding
+  std::optional<double> breakaway_friction;  // not less
+  std::optional<double> encoder_resolution;  // a count
+  std::optional<double> velocity_cutoff_hz;  // of the velocity that the device reports
+  std::optional<double> motor_time_constant_s;
+  std::optional<std::uint32_t> delay_ticks;  // from a command to the motors, whole ticks
+};
+
+// What the image says about its certificate.
+struct Certification {
+  bool is_there = false;
+  bool is_for_these_settings = false;  // false: something has been changed since
+  StiffnessCertificate limits;         // empty unless it is for these settings
+  std::string_view measured_with;
+};
+
 struct DeviceConfig {
   std::string_view name;
-  ControllerConfig controller;   // its joints' limits are those of `joints`
+  ControllerConfig controller;  // its joints' limits are those of `joints`
+  PlantConfig plant;
+  Certification certification;   // its limits are also the controller's
   double read_limit_s = 0.0005;  // how long a tick waits for fresh samples
   std::array<ConnectionConfig, kMaxConnections> connections{};
   std::array<AxisConfig, kMaxAxes> axes{};

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "firmware/device/device_certificate.h"
 #include "firmware/device/device_image.h"
 #include "firmware/device/device_settings.h"
 
@@ -138,9 +139,11 @@ class DeviceReader {
   Outcome read_mechanism(std::size_t i);
   Outcome read_top(std::size_t i);
   Outcome read_controller(std::size_t i);
+  Outcome read_plant(std::size_t i);
   Outcome read_connection(std::size_t i);
   Outcome read_axis(std::size_t i);
   Outcome read_joint(std::size_t i);
+  Outcome take_certificate(std::size_t i);
 
   Outcome choose_connection(std::size_t i, ConnectionConfig& connection);
   Outcome choose_drive(std::size_t i, AxisConfig& axis);
@@ -153,6 +156,11 @@ class DeviceReader {
     return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
                ? sliding_joint_keys()
                : turning_joint_keys();
+  }
+  [[nodiscard]] std::span<const Binding<PlantConfig>> plant_keys() const {
+    return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
+               ? sliding_plant_keys()
+               : turning_plant_keys();
   }
 
   const DeviceSections& sections_;
@@ -188,18 +196,20 @@ Outcome DeviceReader::for_each(std::string_view kind, Step step) {
 
 Outcome DeviceReader::read() {
   config_ = {};
-  constexpr std::array<std::string_view, 6> kKinds = {"mechanism",  "device", "controller",
-                                                      "connection", "axis",   "joint"};
+  constexpr std::array<std::string_view, 8> kKinds = {"mechanism", "device",        "controller",
+                                                      "plant",     "connection",    "axis",
+                                                      "joint",     kCertificateKind};
   for (std::size_t i = 0; i < sections_.count; ++i) {
     if (std::ranges::find(kKinds, sections_.sections[i].kind) == kKinds.end()) {
       return refuse(i, {},
-                    "unknown section; there are: [controller], [mechanism], "
+                    "unknown section; there are: [controller], [mechanism], [plant], "
                     "[[connection]], [[axis]] and [[joint]]");
     }
   }
-  constexpr std::array<Step, 6> kSteps = {
-      &DeviceReader::read_mechanism,  &DeviceReader::read_top,  &DeviceReader::read_controller,
-      &DeviceReader::read_connection, &DeviceReader::read_axis, &DeviceReader::read_joint};
+  constexpr std::array<Step, kKinds.size()> kSteps = {
+      &DeviceReader::read_mechanism, &DeviceReader::read_top,        &DeviceReader::read_controller,
+      &DeviceReader::read_plant,     &DeviceReader::read_connection, &DeviceReader::read_axis,
+      &DeviceReader::read_joint,     &DeviceReader::take_certificate};
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
     if (const auto outcome = for_each(kKinds[k], kSteps[k]); !outcome) {
       return outcome;
@@ -227,6 +237,31 @@ Outcome DeviceReader::read_top(std::size_t i) {
 
 Outcome DeviceReader::read_controller(std::size_t i) {
   return assign_all(i, {}, [this](auto& visit) { visit(config_.controller, controller_keys()); });
+}
+
+Outcome DeviceReader::read_plant(std::size_t i) {
+  PlantConfig& plant = config_.plant;
+  if (const auto read = assign_all(i, {}, [&](auto& visit) { visit(plant, plant_keys()); });
+      !read) {
+    return read;
+  }
+  const auto negative = [](std::optional<double> value) { return value && *value < 0.0; };
+  const auto not_positive = [](std::optional<double> value) { return value && *value <= 0.0; };
+  if (not_positive(plant.moving_mass_kg) || not_positive(plant.encoder_resolution) ||
+      not_positive(plant.velocity_cutoff_hz)) {
+    return refuse(i, {}, "the mass, the encoder's resolution and the cut-off must be above 0");
+  }
+  if (negative(plant.viscous_Ns_per_m) || negative(plant.coulomb_friction) ||
+      negative(plant.motor_time_constant_s) ||
+      plant.breakaway_friction.value_or(0.0) < plant.coulomb_friction.value_or(0.0)) {
+    return refuse(i, {},
+                  "damping, friction and time constant must not be below 0, and the break-away "
+                  "friction, which belongs to the other, not below the sliding one");
+  }
+  if (plant.delay_ticks.value_or(0) > kMaxPlantDelay) {
+    return refuse(i, "delay_ticks", "must be 0 to 8");
+  }
+  return {};
 }
 
 Outcome DeviceReader::read_connection(std::size_t i) {
@@ -380,6 +415,19 @@ Outcome DeviceReader::read_joint(std::size_t i) {
   return {};
 }
 
+Outcome DeviceReader::take_certificate(std::size_t i) {
+  if (config_.certification.is_there) {
+    return refuse(i, {}, "a device has one certificate");
+  }
+  const auto read = read_certificate(sections_, i);
+  if (!read) {
+    return std::unexpected(read.error());
+  }
+  config_.certification = *read;
+  config_.controller.certificate = read->limits;
+  return {};
+}
+
 // What CiA 402 drives on one bus have to agree about.
 Outcome DeviceReader::check_shared_buses() const {
   for (std::size_t connection = 0; connection < config_.connection_count; ++connection) {
@@ -432,6 +480,8 @@ std::size_t DeviceReader::list_keys(std::size_t section, std::span<KnownKey> key
     collect(config_.controller, controller_keys());
   } else if (kind == "mechanism") {
     visit_mechanism(config_.controller.mechanism, collect);
+  } else if (kind == "plant") {
+    collect(config_.plant, plant_keys());
   } else if (kind == "joint") {
     collect(config_.joints[0], joint_keys());
   } else if (kind == "connection") {

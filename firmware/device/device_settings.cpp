@@ -139,6 +139,8 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
       bind<&C::safety, &S::contact_start_s>("contact_start_s", "s"),
       bind<&C::safety, &S::max_sample_age_us>("max_sample_age_us", "us"),
       bind<&C::safety, &S::stale_ticks_to_fault>("stale_ticks_to_fault"),
+      bind<&C::safety, &S::late_ticks_to_fault>("late_ticks_to_fault"),
+      bind<&C::safety, &S::max_tick_gap_s>("max_tick_gap_s", "s"),
   };
   return kKeys;
 }
@@ -377,10 +379,10 @@ constexpr std::array kSlidingKeys{
     bind<&J::limits, &JointLimits::max_effort>("max_effort_N", "N"),
 };
 
-template <std::size_t A, std::size_t B>
-constexpr std::array<Binding<J>, A + B> joined(const std::array<Binding<J>, A>& a,
-                                               const std::array<Binding<J>, B>& b) {
-  std::array<Binding<J>, A + B> all{};
+template <class S, std::size_t A, std::size_t B>
+constexpr std::array<Binding<S>, A + B> joined(const std::array<Binding<S>, A>& a,
+                                               const std::array<Binding<S>, B>& b) {
+  std::array<Binding<S>, A + B> all{};
   for (std::size_t i = 0; i < A; ++i) {
     all[i] = a[i];
   }
@@ -399,6 +401,41 @@ std::span<const Binding<JointConfig>> turning_joint_keys() {
 
 std::span<const Binding<JointConfig>> sliding_joint_keys() {
   static constexpr auto kKeys = joined(kCommonJointKeys, kSlidingKeys);
+  return kKeys;
+}
+
+// ---- plant
+
+namespace {
+
+using Plant = PlantConfig;
+constexpr std::array kCommonPlantKeys{
+    bind<&Plant::moving_mass_kg>("moving_mass_kg", "kg"),
+    bind<&Plant::viscous_Ns_per_m>("viscous_Ns_per_m", "Ns_per_m"),
+    bind<&Plant::velocity_cutoff_hz>("velocity_cutoff_hz", "hz"),
+    bind<&Plant::motor_time_constant_s>("motor_time_constant_s", "s"),
+    bind<&Plant::delay_ticks>("delay_ticks"),
+};
+constexpr std::array kTurningPlantKeys{
+    bind<&Plant::coulomb_friction>("coulomb_friction_Nm", "Nm"),
+    bind<&Plant::breakaway_friction>("breakaway_friction_Nm", "Nm"),
+    bind<&Plant::encoder_resolution>("encoder_resolution_rad", "rad"),
+};
+constexpr std::array kSlidingPlantKeys{
+    bind<&Plant::coulomb_friction>("coulomb_friction_N", "N"),
+    bind<&Plant::breakaway_friction>("breakaway_friction_N", "N"),
+    bind<&Plant::encoder_resolution>("encoder_resolution_m", "m"),
+};
+
+}  // namespace
+
+std::span<const Binding<PlantConfig>> turning_plant_keys() {
+  static constexpr auto kKeys = joined(kCommonPlantKeys, kTurningPlantKeys);
+  return kKeys;
+}
+
+std::span<const Binding<PlantConfig>> sliding_plant_keys() {
+  static constexpr auto kKeys = joined(kCommonPlantKeys, kSlidingPlantKeys);
   return kKeys;
 }
 

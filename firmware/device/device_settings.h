@@ -16,6 +16,9 @@ inline constexpr std::string_view kDriverKey = "driver";
 
 std::span<const Binding<DeviceConfig>> device_keys();
 std::span<const Binding<ControllerConfig>> controller_keys();
+// With the units of a joint that turns or slides.
+std::span<const Binding<PlantConfig>> turning_plant_keys();
+std::span<const Binding<PlantConfig>> sliding_plant_keys();
 std::span<const Binding<ConnectionConfig>> connection_keys();
 std::span<const Binding<AxisConfig>> axis_keys();
 // Lengths and angles of a joint that turns are in rad and N m, of one that slides in m and N.

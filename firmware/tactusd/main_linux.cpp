@@ -1,5 +1,8 @@
 // tactusd: the controller on a Linux board. Reads the images, opens the boards, then ticks: read ->
 // controller -> write, at the device's rate, until told to stop or a fault has stopped the motors.
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -7,14 +10,19 @@
 #include <cstring>
 #include <optional>
 
-#include "firmware/control/run_tick.h"
 #include "firmware/device/device_image.h"
 #include "firmware/realtime/real_time.h"
+#include "firmware/realtime/service_notice.h"
+#include "firmware/realtime/timing_report.h"
+#include "firmware/realtime/watchdog_output.h"
 #include "firmware/safety/faults.h"
+#include "firmware/tactusd/certificate_words.h"
 #include "firmware/tactusd/linux_boards.h"
-#include "hal/linux/mapped_file.h"
+#include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_log.h"
+#include "firmware/tactusd/supervisor.h"
+#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/scene_image.h"
 
@@ -26,6 +34,7 @@ constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
 constexpr double kAfterFault_s = 0.2;
+constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -49,6 +58,11 @@ struct Program {
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
   Controller controller;
+  LoopTiming timing;
+  WatchdogOutput watchdog;
+  CpuLatencyRequest cpu_latency;
+  ServiceNotice notice;
+  Supervisor supervisor;
   RunLog log;
 };
 
@@ -81,6 +95,16 @@ bool load_device(const Options& options) {
                  error.what.data());
     return false;
   }
+  if (options.rate_hz > 0.0) {
+    program.config.controller.rate_hz = options.rate_hz;
+  }
+  std::array<char, kMostWords> words{};
+  if (const auto warning = certificate_warning(program.config.certification, words);
+      !warning.empty()) {
+    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
+                 warning.data());
+  }
+  program.config.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = program.controller.configure(program.config.controller);
   if (!valid) {
     std::fprintf(stderr, "tactusd: %s: %.*s is out of range; bake the device again\n",
@@ -88,6 +112,17 @@ bool load_device(const Options& options) {
   }
   program.controller.set_clock(now_ns);
   return valid.has_value();
+}
+
+void tell_refusal(const char* path, const rendering::SceneImage& scene,
+                  const SceneRefusal& refusal) {
+  const bool is_object = refusal.fault == SceneFault::uncertified &&
+                         refusal.part.kind == UncertifiedPart::Kind::object;
+  const std::string_view name =
+      is_object ? scene.object_name(refusal.part.index) : std::string_view{};
+  std::array<char, kMostWords> room{};
+  const std::string_view words = refusal_words(refusal, name, room);
+  std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
 
 bool load_scene(const Options& options) {
@@ -104,11 +139,12 @@ bool load_scene(const Options& options) {
     return false;
   }
   const rendering::SceneImage& scene = program.scene.emplace(*image);
-  if (!program.controller.load_scene(scene.objects(), {.tool_radius_m = scene.tool_radius_m()})) {
-    std::fprintf(stderr, "tactusd: %s: the controller has no room for this scene\n", options.scene);
-    return false;
+  const auto loaded = program.controller.load_scene(
+      scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
+  if (!loaded) {
+    tell_refusal(options.scene, scene, loaded.error());
   }
-  return true;
+  return loaded.has_value();
 }
 
 // The Falcon's firmware, if one is named.
@@ -128,7 +164,10 @@ bool load_falcon_firmware() {
 
 // Null if a board does not open.
 drivers::ComposedDevice* open_boards() {
-  const auto read_limit_ns = static_cast<hal::TimeNs>(program.config.read_limit_s * 1e9);
+  // Half of every period stays for the rest of the tick.
+  const double half_period_s = 0.5 / program.config.controller.rate_hz;
+  const double read_limit_s = std::min(program.config.read_limit_s, half_period_s);
+  const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
   drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
   const auto opened = program.boards.open(program.config, program.falcon_file.bytes(), device);
   if (!opened) {
@@ -142,63 +181,60 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// The request of this tick: --enable homes and enables, a signal disables.
-Request wish(const Options& options, bool stopping) {
-  const Mode mode = program.controller.mode();
-  if (stopping) {
-    return mode == Mode::active ? Request::disable : Request::none;
-  }
-  if (!options.enable) {
-    return Request::none;
-  }
-  return mode == Mode::init ? Request::home : mode == Mode::ready ? Request::enable : Request::none;
-}
+// What passes the loop's doors: the command line's wish in, every tick into the log.
+class Doors {
+ public:
+  Doors(const Options& options, const drivers::ComposedDevice& device)
+      : enable_(options.enable), device_(&device) {}
 
-void log_tick(const drivers::ComposedDevice& device, const hal::Wake& wake) {
-  LoggedTick tick{.scheduled_ns = wake.scheduled_ns,
-                  .woke_ns = wake.woke_ns,
-                  .done_ns = hal::monotonic_now_ns(),
-                  .sample_ns = device.encoder_sample(0).time_ns,
-                  .record = program.controller.record()};
-  for (std::size_t i = 0; i < device.joint_count(); ++i) {
-    tick.shaft_rad[i] = device.encoder_sample(i).position_rad;
-    tick.torque_Nm[i] = device.commanded_torque_Nm(i);
+  [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
+
+  [[nodiscard]] Request take_request(const Controller& controller) const {
+    const Mode mode = controller.mode();
+    if (!enable_) {
+      return Request::none;
+    }
+    return mode == Mode::init    ? Request::home
+           : mode == Mode::ready ? Request::enable
+                                 : Request::none;
   }
-  program.log.add(tick);
-}
 
-void tell_mode(Mode mode) {
-  const std::string_view name = mode_name(mode);
-  std::fprintf(stderr, "tactusd: %.*s\n", length(name), name.data());
-}
+  void publish(const Controller& controller, const LoopTick& tick) {
+    LoggedTick logged{.scheduled_ns = tick.scheduled_ns,
+                      .woke_ns = tick.woke_ns,
+                      .done_ns = tick.done_ns,
+                      .sample_ns = device_->encoder_sample(0).time_ns,
+                      .record = controller.record()};
+    for (std::size_t i = 0; i < device_->joint_count(); ++i) {
+      logged.shaft_rad[i] = device_->encoder_sample(i).position_rad;
+      logged.torque_Nm[i] = device_->commanded_torque_Nm(i);
+    }
+    program.log.add(logged);
+    program.supervisor.note(controller.mode());
+  }
 
-// The loop. Nothing in it allocates or waits but for the boards' transfers and the phase.
+ private:
+  bool enable_;
+  const drivers::ComposedDevice* device_;
+};
+
 int run(drivers::ComposedDevice& device, const Options& options) {
-  hal::LinuxClock& clock = program.boards.clock();
   const double rate_hz = program.config.controller.rate_hz;
-  const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz), .offset_ns = 0};
-  const double limit = options.seconds > 0.0 ? std::ceil(options.seconds * rate_hz) : 1e18;
-  double ticks_after_fault = 0.0;
-  Mode told = program.controller.mode();
-  bool stopping = false;
-  hal::Wake wake = clock.sleep_until(hal::next_instant_ns(phase, clock.now_ns()));
-  for (auto left = static_cast<std::uint64_t>(limit); left > 0; --left) {
-    stopping = stopping || told_to_stop.load(std::memory_order_relaxed);
-    run_tick(program.controller, device, wish(options, stopping));
-    log_tick(device, wake);
-    const Mode mode = program.controller.mode();
-    if (mode != told && mode != Mode::active) {
-      tell_mode(mode);
-    }
-    told = mode;
-    ticks_after_fault = mode == Mode::fault ? ticks_after_fault + 1.0 : 0.0;
-    if (ticks_after_fault > kAfterFault_s * rate_hz || (stopping && mode != Mode::active)) {
-      break;
-    }
-    wake = clock.sleep_to_phase(phase, wake);
+  LoopConfig config{.phase = loop_phase(rate_hz),
+                    .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
+  if (options.seconds > 0.0) {
+    config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
+  program.timing.set_period(config.phase.period_ns);
+  Doors doors(options, device);
+  const LoopEnd end = run_loop(config,
+                               {.controller = program.controller,
+                                .clock = program.boards.clock(),
+                                .timing = program.timing,
+                                .watchdog = program.watchdog},
+                               device, doors);
   device.stop();
-  return program.controller.mode() == Mode::fault ? kFaulted : kEnded;
+  return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
 void explain_fault(const drivers::ComposedDevice& device) {
@@ -216,6 +252,53 @@ void explain_fault(const drivers::ComposedDevice& device) {
   }
 }
 
+// False where the loop has no right to its time and must have it.
+bool take_time(const Options& options) {
+  RealTimeError error;
+  if (!become_real_time({.priority = options.priority, .cpu = options.cpu}, error)) {
+    std::fprintf(stderr, "tactusd: %.*s (%s)\n", length(error.what), error.what.data(),
+                 std::strerror(error.errno_value));
+    if (!options.allow_non_realtime) {
+      std::fprintf(stderr,
+                   "Give this shell the right to it with\n"
+                   "  sudo prlimit --pid %d --rtprio=%d --memlock=unlimited\n"
+                   "and start again; --allow-non-realtime goes without, and may miss ticks.\n",
+                   getppid(), options.priority);
+      return false;
+    }
+  }
+  if (const int refused = program.cpu_latency.hold(); refused != 0) {
+    std::fprintf(stderr, "tactusd: /dev/cpu_dma_latency: %s; processors may sleep deeply\n",
+                 std::strerror(refused));
+  }
+  return true;
+}
+
+bool start_telling() {
+  if (const int failed = program.notice.open(); failed != 0) {
+    std::fprintf(stderr, "tactusd: $NOTIFY_SOCKET: %s\n", std::strerror(failed));
+  }
+  const int failed = program.supervisor.start(program.notice);
+  if (failed != 0) {
+    std::fprintf(stderr, "tactusd: no thread: %s\n", std::strerror(failed));
+  }
+  return failed == 0;
+}
+
+void write_files(const Options& options) {
+  const auto complain = [](const char* path, int failed) {
+    if (failed != 0) {
+      std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
+    }
+  };
+  if (options.record != nullptr) {
+    complain(options.record, program.log.write_csv(options.record, program.config.joint_count));
+  }
+  if (options.histogram != nullptr) {
+    complain(options.histogram, write_histogram(options.histogram, program.timing));
+  }
+}
+
 int start_and_run(const Options& options) {
   if (!load_device(options) || !load_scene(options) || !load_falcon_firmware()) {
     return kCouldNotStart;
@@ -229,13 +312,8 @@ int start_and_run(const Options& options) {
     std::fputs("tactusd: no memory for that many seconds of --record\n", stderr);
     return kCouldNotStart;
   }
-  RealTimeError error;
-  if (!become_real_time(options.priority, error)) {
-    std::fprintf(stderr, "tactusd: %.*s (%s); %.*s\n", length(error.what), error.what.data(),
-                 std::strerror(error.errno_value), length(error.remedy), error.remedy.data());
-    if (!options.allow_non_realtime) {
-      return kCouldNotStart;
-    }
+  if (!take_time(options) || !start_telling()) {
+    return kCouldNotStart;
   }
   struct sigaction action{};
   action.sa_handler = on_signal;
@@ -244,16 +322,12 @@ int start_and_run(const Options& options) {
 
   device->start();
   const int code = run(*device, options);
+  program.supervisor.stop();
   if (code == kFaulted) {
     explain_fault(*device);
   }
-  if (options.record != nullptr) {
-    if (const int failed = program.log.write_csv(options.record, program.config.joint_count);
-        failed != 0) {
-      std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", options.record,
-                   std::strerror(failed));
-    }
-  }
+  print_timing(stderr, program.timing);
+  write_files(options);
   return code;
 }
 

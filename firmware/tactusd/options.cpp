@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "firmware/limits.h"
+
 namespace tactus::firmware {
 
 namespace {
@@ -25,6 +27,21 @@ bool read_value(std::string_view option, const char* value, Options& options) {
   if (option == "--record") {
     options.record = value;
     return value != nullptr || complain("no file after", option);
+  }
+  if (option == "--histogram") {
+    options.histogram = value;
+    return value != nullptr || complain("no file after", option);
+  }
+  if (option == "--rate") {
+    return read_number(value, kMinRate_Hz, kMaxRate_Hz, options.rate_hz) ||
+           complain("give 50 to 50000 ticks a second after", option);
+  }
+  if (option == "--cpu") {
+    if (!read_number(value, 0.0, 1023.0, number)) {
+      return complain("give the number of a processor after", option);
+    }
+    options.cpu = static_cast<int>(number);
+    return true;
   }
   if (option == "--seconds") {
     return read_number(value, 0.0, 1e6, options.seconds) ||
@@ -52,8 +69,13 @@ void print_usage(std::FILE* file) {
       "  --enable              home and enable as soon as the device is ready\n"
       "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
       "  --record FILE         write every tick to a CSV file at the end (needs --seconds)\n"
+      "  --rate HZ             ticks a second in place of the device's own\n"
+      "  --histogram FILE      write how long wake-up, tick and stages took to a CSV file at the "
+      "end\n"
       "  --priority P          SCHED_FIFO priority of the loop, 1 to 98; default 80\n"
+      "  --cpu N               run the loop on processor N only\n"
       "  --allow-non-realtime  run even where real-time priority is not to be had\n"
+      "  --allow-uncertified   load a scene that is stiffer than the device's certificate\n"
       "  --help\n"
       "\n"
       "Exit codes: 0 ended as asked, 1 a fault stopped the motors, 2 could not start.\n"
@@ -76,6 +98,8 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
       options.enable = true;
     } else if (argument == "--allow-non-realtime") {
       options.allow_non_realtime = true;
+    } else if (argument == "--allow-uncertified") {
+      options.allow_uncertified = true;
     } else if (argument.starts_with("--")) {
       const char* value = i + 1 < argc ? argv[i + 1] : nullptr;
       ++i;

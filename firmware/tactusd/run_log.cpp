@@ -33,7 +33,7 @@ void write_tick(std::FILE* file, const LoggedTick& tick, std::size_t joints) {
   const std::string_view mode = mode_name(record.mode);
   std::fprintf(file, "%" PRIu64 ",%" PRId64 ",%" PRId64 ",%" PRId64 ",%" PRId64, record.tick,
                tick.scheduled_ns, tick.woke_ns, tick.done_ns, tick.sample_ns);
-  std::fprintf(file, ",%.*s,%" PRIu32 ",%" PRIu32 ",%" PRIu32 ",%" PRIu32 ",%d",
+  std::fprintf(file, ",%.*s,%" PRIu64 ",%" PRIu64 ",%" PRIu32 ",%" PRIu32 ",%d",
                static_cast<int>(mode.size()), mode.data(), record.faults, record.limits,
                record.device_status, record.sample_age_us,
                record.contact == rendering::ContactKind::none ? 0 : 1);

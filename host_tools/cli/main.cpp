@@ -13,7 +13,9 @@
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
+#include "host_tools/cli/doctor_verb.h"
 #include "host_tools/cli/emulate_verb.h"
+#include "host_tools/cli/faults_verb.h"
 #include "host_tools/cli/fit_verb.h"
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
@@ -37,12 +39,19 @@ enum ExitCode : int {
 using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
-constexpr std::array kVerbs{
-    AddVerb{tactus::host::add_bake_verb},     AddVerb{tactus::host::add_inspect_verb},
-    AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
-    AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
-    AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
-    AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_remote_verbs},
+constexpr std::array kVerbs = {
+    AddVerb{tactus::host::add_bake_verb},
+    AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_touch_verb},
+    AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},
+    AddVerb{tactus::host::add_bench_verb},
+    AddVerb{tactus::host::add_friction_verb},
+    AddVerb{tactus::host::add_fit_verb},
+    AddVerb{tactus::host::add_emulate_verb},
+    AddVerb{tactus::host::add_faults_verb},
+    AddVerb{tactus::host::add_doctor_verb},
+    AddVerb{tactus::host::add_remote_verbs},
 };
 
 // "tactus bake", or "tactus" before a verb is known.
@@ -56,9 +65,10 @@ int report(const CLI::App& app, std::string_view message, ExitCode code) {
   return code;
 }
 
-// Help and version are no errors; every other end of parsing is a wrong command line.
+// Help and version are no errors, nor is a verb that ends with an exit code of its own, by
+// CLI::RuntimeError; every other end of parsing is a wrong command line.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) {
+  if (error.get_exit_code() == 0 || error.get_name() == "RuntimeError") {
     return app.exit(error);
   }
   return report(app, fmt::format("{}; see {} --help", error.what(), name_of_run(app)), kBadInput);

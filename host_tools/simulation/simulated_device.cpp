@@ -1,5 +1,7 @@
 #include "host_tools/simulation/simulated_device.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -21,6 +23,9 @@ const DeviceParameters& checked(const DeviceParameters& parameters, double tick_
       !(parameters.velocity_cutoff_Hz > 0.0) || !(parameters.effort_limit >= 0.0) ||
       !(parameters.motor_time_constant_s >= 0.0)) {
     throw InputError("the device's mass, encoder and motor parameters must be positive");
+  }
+  if (parameters.delay_ticks > kMaxCommandDelay) {
+    throw InputError(fmt::format("commands may be delayed by at most {} ticks", kMaxCommandDelay));
   }
   if (!rendering::valid(parameters.plant.joint_friction)) {
     throw InputError("the friction of the device's joints must be finite and within its ranges");
@@ -96,19 +101,21 @@ std::uint32_t SimulatedDevice::write(const drivers::JointCommand& command) {
   return status() & (drivers::kDeviceEmergencyStop | drivers::kDeviceLost);
 }
 
-void SimulatedDevice::command_motors() {
+void SimulatedDevice::command_motors(const drivers::JointCommand& command) {
   constexpr std::uint32_t kPowerOff =
       drivers::kDeviceEmergencyStop | drivers::kDeviceLost | drivers::kDeviceNotReady;
-  const bool powered = in_flight_.enable && (status() & kPowerOff) == 0;
+  const bool powered = command.enable && (status() & kPowerOff) == 0;
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
-    motors_[i].command(powered ? in_flight_.effort[i] : 0.0);
+    motors_[i].command(powered ? command.effort[i] : 0.0);
   }
 }
 
 void SimulatedDevice::advance(const HandParameters& hand, const Vec3& wish_B,
                               const Vec3& next_wish_B) {
-  command_motors();
-  in_flight_ = written_;
+  const std::size_t now = ticks_ % in_flight_.size();
+  in_flight_[now] = written_;
+  command_motors(
+      in_flight_[(now + in_flight_.size() - parameters_.delay_ticks) % in_flight_.size()]);
   const double step_s = tick_s_ / parameters_.substeps;
   const Vec3 wish_step_B = (next_wish_B - wish_B) / parameters_.substeps;
   Grip grip{.mass_kg = hand.mass_kg,

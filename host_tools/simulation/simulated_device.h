@@ -2,8 +2,8 @@
 // (drivers::Device).
 //
 // One tick of lockstep: read, controller, write, advance. A command written at tick k drives the
-// motors from tick k+1 on (one tick of delay), for as long as no other is written. One thread; no
-// heap after construction.
+// motors from tick k + delay_ticks on, for as long as no other is written. One thread; no heap after
+// construction.
 #pragma once
 
 #include <array>
@@ -18,12 +18,15 @@
 
 namespace tactus::host {
 
+inline constexpr std::size_t kMaxCommandDelay = 8;
+
 struct DeviceParameters {
   PlantParameters plant;
   double encoder_resolution = 5e-6;  // rad or m a count
-  double velocity_cutoff_Hz = 100.0;
+  double velocity_cutoff_Hz = 100.0;  // infinite: the bare difference of two samples
   double effort_limit = 12.0;  // N m or N a joint
   double motor_time_constant_s = 0.5e-3;
+  std::size_t delay_ticks = 1;     // from a command to the motors, at most kMaxCommandDelay
   std::uint32_t sample_age_us = 0;  // from the encoder's reading to `read`
   double power_up_s = 0.01;         // not ready: the drives start
   double homing_s = 0.2;  // then homing: until its end encoders count from where they woke up
@@ -71,7 +74,7 @@ class SimulatedDevice {
   [[nodiscard]] bool active(DeviceFault fault) const;
   [[nodiscard]] bool homed() const { return ticks_ >= homed_tick_; }
   [[nodiscard]] std::uint32_t status() const;
-  void command_motors();
+  void command_motors(const drivers::JointCommand& command);
   void sample_encoders();
 
   DeviceParameters parameters_;
@@ -81,7 +84,7 @@ class SimulatedDevice {
   std::array<Motor, kPlantJoints> motors_;
   std::array<double, kPlantJoints> encoder_origin_{};
   drivers::JointCommand written_;
-  drivers::JointCommand in_flight_;
+  std::array<drivers::JointCommand, kMaxCommandDelay + 1> in_flight_{};  // by tick, in a ring
   drivers::JointSample sample_;
   std::array<Period, 4> fault_periods_{};  // by DeviceFault
   std::uint64_t ticks_ = 0;

@@ -9,6 +9,7 @@
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/limits.h"
 #include "rendering/material/force_shading.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -28,6 +29,9 @@ class LoneTouch {
 
   // Instead of add_to in a tick without a valid tool.
   void hold(const Scenery& scenery);
+
+  // What it remembers, to bytes or back; of the same scenery.
+  void transfer(StateArchive& archive, const Scenery& scenery);
 
  private:
   // What shading and textures remember of one object, in its frame.

@@ -8,6 +8,7 @@
 
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/material/force_shading.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -36,6 +37,9 @@ class ProxyTouch {
 
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
+
+  // What it remembers, to bytes or back; of the same scenery.
+  void transfer(StateArchive& archive, const Scenery& scenery);
 
  private:
   // What the surfaces of a rest feel like. The sums are weighted by how far each pushes.

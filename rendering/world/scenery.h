@@ -10,6 +10,7 @@
 #include "rendering/geometry/triangle.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
@@ -150,6 +151,9 @@ class Scenery {
   }
   [[nodiscard]] std::uint32_t still_object(std::uint32_t place) const { return order_[place]; }
 
+  // What it remembers, to bytes or back; of the same objects.
+  void transfer(StateArchive& archive);
+
  private:
   static constexpr std::uint8_t kNoMover = 0xff;
   static_assert(kMaxMovers < kNoMover);
@@ -170,6 +174,7 @@ class Scenery {
   [[nodiscard]] Vec3 centre(std::uint32_t number) const;
   Eigen::Index enclose(const Part& part);
   void halve(const Part& part, Eigen::Index axis);
+  void transfer_mover(StateArchive& archive, std::size_t k);
 
   std::span<const Object> objects_;
   std::array<std::uint8_t, kMaxObjects> mover_of_{};

@@ -7,6 +7,7 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/effect_touch.h"
 #include "rendering/world/object.h"
 #include "rendering/world/scenery.h"
@@ -16,7 +17,7 @@
 namespace tactus::rendering {
 
 struct WorldConfig {
-  double tool_radius_m = 0.0;  // >= 0; 0 is the god-object point
+  double tool_radius_m = 0.0;  // 0 to kMaxToolRadius_m; 0 is the god-object point
   std::size_t tool_count = 1;  // 1 to kMaxTools
   // At most kMaxEffects, each felt by every tool; kept alive and unchanged by the caller.
   std::span<const Effect> effects;
@@ -86,6 +87,10 @@ class World {
 
   // Most triangles ever kept near a tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const;
+
+  // What it remembers, to bytes or back: of the same scene and configuration, set before. A world
+  // that could not be read must be given its scene again.
+  void transfer(StateArchive& archive);
 
  private:
   void begin_tick();

@@ -1,0 +1,90 @@
+// What the controller remembers from tick to tick, to bytes or back; see
+// rendering/state/state_archive.h. What the configuration and the scene say is not part of it.
+#include <bit>
+
+#include "firmware/control/controller.h"
+#include "rendering/state/plain_states.h"
+
+namespace tactus::firmware {
+namespace {
+
+using rendering::StateArchive;
+
+constexpr std::uint64_t kMagic = 0x3130'5355'5443'4154U;  // "TACTUS01", the last the version's
+
+}  // namespace
+
+void VelocityFilter::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [share, state] = *this;
+  archive(state);
+}
+
+void SampleCheck::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [joint_count, limits, coupled_limits, max_age_us, stale_ticks_to_fault,
+                          stale_in_a_row, stale_count] = *this;
+  archive(stale_in_a_row, stale_count);
+}
+
+void ForceLimiter::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [max_force_N, max_step_N, activation_gain_per_tick, contact_gain_per_tick,
+                          activation_gain, contact_gain, touched, last_W] = *this;
+  archive(activation_gain, contact_gain, touched, last_W);
+}
+
+void GravityCompensation::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [is_on, gain_per_tick, gain, gravity_D, limits] = *this;
+  archive(gain);
+}
+
+void FrictionCompensation::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [is_on, joint_count, step_s, gain_per_tick, gain, velocity_filter,
+                          is_placed, last_position, joints, limits] = *this;
+  archive(gain, velocity_filter, is_placed, last_position);
+  for (Joint& joint : joints) {
+    archive(joint.memory);
+  }
+}
+
+void Controller::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [config, configured, mechanism, sample_check, velocity_filter,
+                          force_limiter, gravity_compensation, friction_compensation, world, mode,
+                          faults, raised, write_status, pose, tool, record, next_tick, now_ns] =
+      *this;
+  archive.same(kMagic);
+  archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
+  archive.same(joint_count(config.mechanism));
+  archive.require(configured);
+  archive(sample_check, velocity_filter, force_limiter, gravity_compensation,
+          friction_compensation);
+  archive.choice(mode, Mode::fault);
+  archive(faults, write_status, tool, next_tick);
+  transfer_pose(archive);
+  transfer_record(archive);
+  archive(world);
+}
+
+void Controller::transfer_pose(StateArchive& archive) {
+  auto& [p_D, jacobian_D, status] = pose_;
+  archive(p_D, jacobian_D, status);
+}
+
+// Of the record, what a tick takes from the one before.
+void Controller::transfer_record(StateArchive& archive) {
+  auto& [stale_samples, faults_entered, limited_ticks, touch_flagged] = record_.counters;
+  archive(stale_samples, faults_entered, limited_ticks, touch_flagged, record_.state_hash);
+}
+
+std::size_t Controller::save(std::span<std::byte> room) {
+  StateArchive archive = StateArchive::writer(room);
+  transfer(archive);
+  return archive.good() ? archive.size() : 0;
+}
+
+bool Controller::restore(std::span<const std::byte> bytes) {
+  StateArchive archive = StateArchive::reader(bytes);
+  transfer(archive);
+  configured_ = configured_ && archive.good() && archive.at_end();
+  return configured_;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,21 @@
+// A recorded tick once more.
+#pragma once
+
+#include "drivers/device.h"
+#include "firmware/control/controller.h"
+#include "firmware/telemetry/record.h"
+
+namespace tactus::firmware {
+
+// Gives the controller what the record says came in. In the state in which the recorded tick began
+// it then has the same record, to the bit but for the stage times.
+inline void repeat_tick(Controller& controller, const TelemetryRecord& recorded) {
+  drivers::JointSample sample;
+  sample.position = recorded.joint_position;
+  sample.velocity = recorded.joint_velocity;
+  sample.age_us = recorded.sample_age_us;
+  sample.status = recorded.device_status;
+  controller.tick(sample, recorded.request);
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,206 @@
+#include "host_tools/certify/wall_contact.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "firmware/control/run_tick.h"
+#include "host_tools/input_error.h"
+#include "rendering/geometry/portable_math.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr double kShareOfLiftOff = 0.7;
+constexpr double kDeepest_m = 0.005;
+constexpr int kWindows = 6;
+constexpr double kPeriodsInWindow = 8.0;
+constexpr double kShortestWindow_s = 0.2;
+constexpr double kLeastLoss = 1e-3;
+// A damper without a spring, stiff enough to lead the handle through any wall at its speed.
+constexpr HandParameters kGuide{.damping_Ns_per_m = 2000.0};
+constexpr double kApproach_s = 0.01;
+constexpr int kMostTicksToActive = 20;
+
+// The course of a trial, from the numbers of the ideal contact.
+struct Course {
+  double press_N = 0.0;
+  double depth_m = 0.0;  // where the wall carries the press
+  double speed_m_per_s = 0.0;
+  double period_s = 0.0;
+};
+
+Course plan_course(const WallContact& contact, const WallStiffness& wall) {
+  const double mass = contact.device.plant.moving_mass_kg + contact.hand.mass_kg;
+  const double stiffness = wall.stiffness_N_per_m + contact.hand.stiffness_N_per_m;
+  Course course;
+  course.press_N = std::min(contact.press_N, wall.stiffness_N_per_m * kDeepest_m);
+  course.depth_m = course.press_N / wall.stiffness_N_per_m;
+  course.period_s = 2.0 * std::numbers::pi * std::sqrt(mass / stiffness);
+  course.speed_m_per_s =
+      kShareOfLiftOff * course.depth_m * 2.0 * std::numbers::pi / course.period_s;
+  return course;
+}
+
+// The hand that presses with that force in equilibrium, and where it wants to be.
+struct Press {
+  HandParameters hand;
+  Vec3 wish_B = Vec3::Zero();
+};
+
+Press press_of(const WallContact& contact, const Course& course) {
+  // A hand that is off presses with a spring so soft and long that its force does not change.
+  constexpr double kSoft_N_per_m = 1e-3;
+  Press press{.hand = contact.hand};
+  if (press.hand.stiffness_N_per_m == 0.0) {
+    press.hand.stiffness_N_per_m = kSoft_N_per_m;
+  }
+  const double beyond_m = course.depth_m + course.press_N / press.hand.stiffness_N_per_m;
+  press.wish_B = contact.point_B - beyond_m * contact.normal_B;
+  return press;
+}
+
+rendering::Object wall_object(const WallContact& contact, const WallStiffness& wall) {
+  rendering::Object object;
+  object.surface = rendering::SurfaceKind::primitive;
+  object.primitive.kind = rendering::PrimitiveKind::plane;
+  object.primitive.X_WO.rotation =
+      Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), contact.normal_B).toRotationMatrix();
+  object.material.stiffness_N_per_m = wall.stiffness_N_per_m;
+  object.material.damping_Ns_per_m = wall.damping_Ns_per_m;
+  return object;
+}
+
+DeviceParameters ready_at_once(DeviceParameters device) {
+  device.power_up_s = 0.0;
+  device.homing_s = 0.0;
+  return device;
+}
+
+// As it is, but with its full force at once.
+void configure(firmware::Controller& controller, const WallContact& contact,
+               std::span<const rendering::Object> wall) {
+  firmware::ControllerConfig config = contact.controller;
+  config.workspace_origin_D = contact.point_B;
+  config.safety.soft_start_s = 0.0;
+  config.safety.contact_start_s = 0.0;
+  config.allow_uncertified = true;
+  if (const auto configured = controller.configure(config); !configured) {
+    const firmware::ConfigError& error = configured.error();
+    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}", error.field,
+                                 error.value, error.least, error.greatest));
+  }
+  if (!controller.load_scene(wall, {.tool_radius_m = 0.0})) {
+    throw InputError("the controller refused the wall");
+  }
+}
+
+firmware::Request wish_for_force(firmware::Mode mode) {
+  switch (mode) {
+    case firmware::Mode::init:
+      return firmware::Request::home;
+    case firmware::Mode::ready:
+      return firmware::Request::enable;
+    default:
+      return firmware::Request::none;
+  }
+}
+
+class Contact {
+ public:
+  Contact(firmware::Controller& controller, const WallContact& contact, const Course& course)
+      : controller_(controller),
+        contact_(contact),
+        course_(course),
+        tick_s_(1.0 / contact.controller.rate_hz),
+        guide_B_(contact.point_B + kApproach_s * course.speed_m_per_s * contact.normal_B),
+        device_(ready_at_once(contact.device), tick_s_, guide_B_) {}
+
+  // True when the motors are on and the handle is where the wall carries the press.
+  bool lead_in() {
+    for (int i = 0; i < kMostTicksToActive && controller_.mode() != firmware::Mode::active; ++i) {
+      tick(kGuide, guide_B_, guide_B_);
+    }
+    const Vec3 step_B = -tick_s_ * course_.speed_m_per_s * contact_.normal_B;
+    const auto most_ticks = static_cast<int>(
+        2.0 * (kApproach_s + course_.depth_m / course_.speed_m_per_s) / tick_s_ + 10.0);
+    for (int i = 0; i < most_ticks && depth_m() < course_.depth_m; ++i) {
+      tick(kGuide, guide_B_, guide_B_ + step_B);
+      guide_B_ += step_B;
+    }
+    return active();
+  }
+
+  // One tick of the hand's press; the handle's squared speed after it.
+  double press(const Press& press) {
+    tick(press.hand, press.wish_B, press.wish_B);
+    return device_.plant().v_B().squaredNorm();
+  }
+
+  [[nodiscard]] bool active() const { return controller_.mode() == firmware::Mode::active; }
+  [[nodiscard]] double tick_s() const { return tick_s_; }
+
+ private:
+  void tick(const HandParameters& hand, const Vec3& wish_B, const Vec3& next_wish_B) {
+    firmware::run_tick(controller_, device_, wish_for_force(controller_.mode()));
+    device_.advance(hand, wish_B, next_wish_B);
+  }
+  [[nodiscard]] double depth_m() const {
+    return contact_.normal_B.dot(contact_.point_B - device_.plant().p_B());
+  }
+
+  firmware::Controller& controller_;
+  const WallContact& contact_;
+  const Course& course_;
+  double tick_s_;
+  Vec3 guide_B_;
+  SimulatedDevice device_;
+};
+
+// The mean of the squared speed over so many ticks, weighted with a Hann window.
+double motion_in_window(Contact& contact, const Press& press, int ticks) {
+  const double turn = 2.0 * std::numbers::pi / ticks;
+  double sum = 0.0;
+  for (int i = 0; i < ticks; ++i) {
+    sum += (1.0 - rendering::sine_cosine(turn * (i + 0.5)).cosine) * contact.press(press);
+  }
+  return sum / ticks;
+}
+
+}  // namespace
+
+ContactVerdict ContactTrial::run(const WallContact& contact, const WallStiffness& wall) {
+  const std::array<rendering::Object, 1> objects{wall_object(contact, wall)};
+  configure(*controller_, contact, objects);
+  const Course course = plan_course(contact, wall);
+  const Press press = press_of(contact, course);
+  Contact now(*controller_, contact, course);
+  if (!now.lead_in()) {
+    return ContactVerdict::fault;
+  }
+  const auto ticks_of = [&](double seconds) {
+    return static_cast<int>(std::ceil(seconds / now.tick_s()));
+  };
+  (void)motion_in_window(now, press, ticks_of(course.period_s));
+  const int ticks = ticks_of(std::max(kPeriodsInWindow * course.period_s, kShortestWindow_s));
+  double before = std::numeric_limits<double>::infinity();
+  for (int window = 0; window < kWindows; ++window) {
+    const double motion = motion_in_window(now, press, ticks);
+    if (!now.active()) {
+      return ContactVerdict::fault;
+    }
+    if (motion < kQuietSpeed_m_per_s * kQuietSpeed_m_per_s) {
+      return ContactVerdict::quiet;
+    }
+    if (motion > (1.0 - kLeastLoss) * before) {
+      return ContactVerdict::sustained;
+    }
+    before = motion;
+  }
+  return ContactVerdict::settling;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,86 @@
+// What a world remembers from tick to tick: its objects' places, then what each tool feels.
+#include "rendering/state/plain_states.h"
+#include "rendering/surface/deformable_mesh.h"
+#include "rendering/world/effect_touch.h"
+#include "rendering/world/scenery.h"
+#include "rendering/world/tool_touch.h"
+#include "rendering/world/world.h"
+
+namespace tactus::rendering {
+
+void DeformableMesh::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [before, now, wanted, nodes, triangles, nodes_left, moved_in_pass_m,
+                          moved_in_last_pass_m, step_m, asked] = *this;
+  archive.same(now.size());
+  archive.same(nodes.size());
+  archive.up_to(nodes_left, nodes.size());
+  archive(moved_in_pass_m, moved_in_last_pass_m, step_m, asked);
+  archive.vertices(before);
+  archive.vertices(now);
+  archive.vertices(wanted);
+  for (BvhNode& node : nodes) {
+    archive.vertices({&node.lower, 1});
+    archive.vertices({&node.upper, 1});
+  }
+}
+
+void Scenery::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [objects, mover_of, movers, orders, mover_count, anything_moved, tick_s,
+                          pool, deformables, deformable_count, lone, lone_count, nodes, node_count,
+                          order] = *this;
+  archive.same(objects.size());
+  archive.same(mover_count);
+  archive.same(deformable_count);
+  archive.same(lone_count);
+  archive(anything_moved, tick_s);
+  for (std::size_t k = 0; k < mover_count; ++k) {
+    transfer_mover(archive, k);
+  }
+  for (std::size_t k = 0; k < deformable_count; ++k) {
+    archive(deformables[k]);
+  }
+}
+
+void Scenery::transfer_mover(StateArchive& archive, std::size_t k) {
+  [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
+                          motion, next_vertex, moved] = movers_[k];
+  auto& [ordered_X_WO, ordered_twist] = orders_[k];
+  archive(X_WO_before, X_WO, twist, primitive_W.X_WO, bounds_O, moved, ordered_X_WO, ordered_twist);
+  const std::size_t vertices = objects_[object].mesh.vertices.size();
+  archive.up_to(next_vertex, static_cast<std::uint32_t>(vertices));
+  archive.require(next_vertex == 0 || next_vertex < vertices);
+  bool moves_by_itself = motion != nullptr;
+  archive(moves_by_itself);
+  archive.require(!moves_by_itself || objects_[object].motion != nullptr);
+  if (archive.is_reading()) {
+    motion = moves_by_itself && archive.good() ? objects_[object].motion : nullptr;
+  }
+}
+
+void ToolTouch::transfer(StateArchive& archive, const Scenery& scenery) {
+  [[maybe_unused]] auto& [radius_m, proxy, lone, last_proxy_W, placed] = *this;
+  proxy.transfer(archive, scenery);
+  lone.transfer(archive, scenery);
+  archive(last_proxy_W, placed);
+}
+
+void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
+  auto& [states] = *this;
+  for (std::size_t i = 0; i < effects; ++i) {
+    archive(states[i]);
+  }
+}
+
+void World::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [scenery, tools, effect_touches, effects, tick_s, time_s, tool_count] =
+      *this;
+  archive.same(tool_count);
+  archive.same(effects.size());
+  archive(time_s, scenery);
+  for (std::size_t i = 0; i < tool_count && archive.good(); ++i) {
+    tools[i].transfer(archive, scenery);
+    effect_touches[i].transfer(archive, effects.size());
+  }
+}
+
+}  // namespace tactus::rendering
