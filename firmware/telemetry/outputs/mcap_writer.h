@@ -20,6 +20,9 @@ namespace tactus::firmware {
 inline constexpr std::string_view kTickTopic = "/tactus/tick";
 inline constexpr std::string_view kEventTopic = "/tactus/event";
 inline constexpr std::string_view kMetadataName = "tactus";
+// The images of the run, as attachments.
+inline constexpr std::string_view kDeviceAttachment = "device.tactus";
+inline constexpr std::string_view kSceneAttachment = "scene.tactus";
 
 // A file that goes into the recording whole; `bytes` outlives the call it is given to.
 struct Attachment {
@@ -34,8 +37,11 @@ class McapWriter {
   int open(const char* path, std::int64_t clock_offset_ns, std::span<const MetadataEntry> run_info);
   void attach(const Attachment& attachment);
 
-  void add(const RecordedTick& tick);
-  void add(const TelemetryEvent& event);
+  void add(const RecordedTick& tick) { add(tick, encoder_.encode(tick)); }
+  void add(const TelemetryEvent& event) { add(event, encoder_.encode(event)); }
+  // The same where they have been encoded already.
+  void add(const RecordedTick& tick, std::span<const std::byte> message);
+  void add(const TelemetryEvent& event, std::span<const std::byte> message);
   // Puts what there is into the file, as a chunk.
   void flush();
 
