@@ -13,6 +13,7 @@
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
+#include "host_tools/cli/certify_verb.h"
 #include "host_tools/cli/emulate_verb.h"
 #include "host_tools/cli/fit_verb.h"
 #include "host_tools/cli/friction_verb.h"
@@ -34,7 +35,7 @@ constexpr std::array kVerbs{
     AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
     AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
     AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
-    AddVerb{tactus::host::add_emulate_verb},
+    AddVerb{tactus::host::add_certify_verb},  AddVerb{tactus::host::add_emulate_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.
