@@ -61,8 +61,7 @@ class ColumnValues {
     }
   }
   void operator()(const FieldName& /*name*/, const Triple& field) { put_all(field); }
-  void operator()(const FieldName& /*name*/,
-                  const std::array<double, drivers::kMaxJoints>& field) {
+  void operator()(const FieldName& /*name*/, const std::array<double, drivers::kMaxJoints>& field) {
     put_all(std::span(field).first(joints_));
   }
 
@@ -91,7 +90,8 @@ int CsvWriter::open(const char* path, std::size_t joints) {
   if (const int error = sink_.open(path); error != 0) {
     return error;
   }
-  visit_tick_fields(RecordedTick{}, ColumnNames(text_, joints_));
+  const RecordedTick any;
+  visit_tick_fields(any, ColumnNames(text_, joints_));
   text_.text("\n");
   flush();
   return sink_.error();

@@ -109,12 +109,12 @@ void McapWriter::attach(const Attachment& attachment) {
   sink_.write(Packer(room).u32(crc.value()).packed());
 }
 
-void McapWriter::add(const RecordedTick& tick) {
-  add_message(Channel::tick, tick.loop.scheduled_ns, encoder_.encode(tick));
+void McapWriter::add(const RecordedTick& tick, std::span<const std::byte> message) {
+  add_message(Channel::tick, tick.loop.scheduled_ns, message);
 }
 
-void McapWriter::add(const TelemetryEvent& event) {
-  add_message(Channel::event, event.time_ns, encoder_.encode(event));
+void McapWriter::add(const TelemetryEvent& event, std::span<const std::byte> message) {
+  add_message(Channel::event, event.time_ns, message);
 }
 
 void McapWriter::add_message(Channel channel, std::int64_t time_ns,

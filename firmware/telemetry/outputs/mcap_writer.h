@@ -34,8 +34,11 @@ class McapWriter {
   int open(const char* path, std::int64_t clock_offset_ns, std::span<const MetadataEntry> run_info);
   void attach(const Attachment& attachment);
 
-  void add(const RecordedTick& tick);
-  void add(const TelemetryEvent& event);
+  void add(const RecordedTick& tick) { add(tick, encoder_.encode(tick)); }
+  void add(const TelemetryEvent& event) { add(event, encoder_.encode(event)); }
+  // The same where they have been encoded already.
+  void add(const RecordedTick& tick, std::span<const std::byte> message);
+  void add(const TelemetryEvent& event, std::span<const std::byte> message);
   // Puts what there is into the file, as a chunk.
   void flush();
 
