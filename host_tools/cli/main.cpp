@@ -42,7 +42,6 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_fit_verb},
     AddVerb{tactus::host::add_emulate_verb},
     AddVerb{tactus::host::add_faults_verb},
-    AddVerb{tactus::host::add_emulate_verb},
     AddVerb{tactus::host::add_doctor_verb},
 };
 
