@@ -20,7 +20,7 @@
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/options.h"
-#include "firmware/tactusd/run_log.h"
+#include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
 #include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
@@ -63,7 +63,7 @@ struct Program {
   CpuLatencyRequest cpu_latency;
   ServiceNotice notice;
   Supervisor supervisor;
-  RunLog log;
+  RunTelemetry telemetry;
 };
 
 Program program;
@@ -181,7 +181,7 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What passes the loop's doors: the command line's wish in, every tick into the log.
+// What passes the loop's doors: the command line's wish in, every tick out.
 class Doors {
  public:
   Doors(const Options& options, const drivers::ComposedDevice& device)
@@ -200,16 +200,7 @@ class Doors {
   }
 
   void publish(const Controller& controller, const LoopTick& tick) {
-    LoggedTick logged{.scheduled_ns = tick.scheduled_ns,
-                      .woke_ns = tick.woke_ns,
-                      .done_ns = tick.done_ns,
-                      .sample_ns = device_->encoder_sample(0).time_ns,
-                      .record = controller.record()};
-    for (std::size_t i = 0; i < device_->joint_count(); ++i) {
-      logged.shaft_rad[i] = device_->encoder_sample(i).position_rad;
-      logged.torque_Nm[i] = device_->commanded_torque_Nm(i);
-    }
-    program.log.add(logged);
+    program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
 
@@ -291,9 +282,6 @@ void write_files(const Options& options) {
       std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
     }
   };
-  if (options.record != nullptr) {
-    complain(options.record, program.log.write_csv(options.record, program.config.joint_count));
-  }
   if (options.histogram != nullptr) {
     complain(options.histogram, write_histogram(options.histogram, program.timing));
   }
@@ -307,9 +295,9 @@ int start_and_run(const Options& options) {
   if (device == nullptr) {
     return kCouldNotStart;
   }
-  const double ticks = std::ceil(options.seconds * program.config.controller.rate_hz);
-  if (options.record != nullptr && !program.log.reserve(static_cast<std::size_t>(ticks))) {
-    std::fputs("tactusd: no memory for that many seconds of --record\n", stderr);
+  if (!program.telemetry.start(
+          options, {.device = program.device_file.bytes(), .scene = program.scene_file.bytes()},
+          program.config.controller.rate_hz, program.config.joint_count)) {
     return kCouldNotStart;
   }
   if (!take_time(options) || !start_telling()) {
@@ -323,6 +311,7 @@ int start_and_run(const Options& options) {
   device->start();
   const int code = run(*device, options);
   program.supervisor.stop();
+  program.telemetry.stop(options);
   if (code == kFaulted) {
     explain_fault(*device);
   }

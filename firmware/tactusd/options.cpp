@@ -28,6 +28,17 @@ bool read_value(std::string_view option, const char* value, Options& options) {
     options.record = value;
     return value != nullptr || complain("no file after", option);
   }
+  if (option == "--run-dir") {
+    options.run_dir = value;
+    return value != nullptr || complain("no folder after", option);
+  }
+  if (option == "--udp-json") {
+    if (!read_number(value, 1.0, 65535.0, number)) {
+      return complain("give a UDP port after", option);
+    }
+    options.udp_port = static_cast<std::uint16_t>(number);
+    return true;
+  }
   if (option == "--histogram") {
     options.histogram = value;
     return value != nullptr || complain("no file after", option);
@@ -68,7 +79,11 @@ void print_usage(std::FILE* file) {
       "\n"
       "  --enable              home and enable as soon as the device is ready\n"
       "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
-      "  --record FILE         write every tick to a CSV file at the end (needs --seconds)\n"
+      "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
+      ".csv\n"
+      "  --run-dir DIR         put the sockets there; default /run/tactus\n"
+      "  --udp-json PORT       send ticks as JSON to this UDP port of this machine, 100 a second;\n"
+      "                        PlotJuggler listens at 9870\n"
       "  --rate HZ             ticks a second in place of the device's own\n"
       "  --histogram FILE      write how long wake-up, tick and stages took to a CSV file at the "
       "end\n"
@@ -83,7 +98,7 @@ void print_usage(std::FILE* file) {
       "Examples:\n"
       "  tactus bake arm.toml && tactus bake bunny.toml\n"
       "  tactusd arm.tactus bunny.tactus --enable\n"
-      "  tactusd arm.tactus bunny.tactus --enable --seconds 10 --record run.csv\n",
+      "  tactusd arm.tactus bunny.tactus --enable --record run.mcap\n",
       file);
 }
 
@@ -116,9 +131,6 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
   }
   if (options.device == nullptr) {
     return complain("give a device image", "");
-  }
-  if (options.record != nullptr && options.seconds == 0.0) {
-    return complain("--record needs --seconds, which says how much memory to take", "");
   }
   return true;
 }

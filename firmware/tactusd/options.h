@@ -10,7 +10,9 @@ namespace tactus::firmware {
 struct Options {
   const char* device = nullptr;
   const char* scene = nullptr;      // none: free space
-  const char* record = nullptr;     // CSV, written at the end
+  const char* record = nullptr;     // .mcap or .csv
+  const char* run_dir = nullptr;    // of the sockets; none: /run/tactus
+  std::uint16_t udp_port = 0;       // JSON to this port of this machine; 0: none
   const char* histogram = nullptr;  // CSV, written at the end
   double seconds = 0.0;             // 0: until told to stop
   bool enable = false;              // home and enable without being asked

@@ -12,7 +12,7 @@
 namespace tactus::firmware {
 
 // A column of a CSV file is called column, then what tells the elements of an array apart (1, 2, ..
-// for joints, x, y, z in a triple), then the unit: joint1, tool_x_m.
+// for joints, x, y, z in a triple, a source of energy), then the unit: joint1, tool_x_m.
 struct FieldName {
   std::string_view name;  // as in the struct
   std::string_view column;
@@ -32,6 +32,8 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"limits", "limits", ""}, record.limits);
   visit(FieldName{"device_status", "device_status", ""}, record.device_status);
   visit(FieldName{"sample_age_us", "sample_age", "us"}, record.sample_age_us);
+  visit(FieldName{"loop_status", "loop_status", ""}, record.loop_status);
+  visit(FieldName{"missed_ticks", "missed_ticks", ""}, record.missed_ticks);
   visit(FieldName{"touch_flags", "touch_flags", ""}, record.touch_flags);
   visit(FieldName{"object", "object", ""}, record.object);
   visit(FieldName{"sub_goals", "sub_goals", ""}, record.sub_goals);
@@ -46,13 +48,20 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"force_rendered_W", "rendered", "N"}, record.force_rendered_W);
   visit(FieldName{"force_commanded_W", "force", "N"}, record.force_commanded_W);
   visit(FieldName{"depth_m", "depth", "m"}, record.depth_m);
+  visit(FieldName{"passivity_J", "passivity", "J"}, record.passivity_J);
   visit(FieldName{"counters.stale_samples", "stale_samples", ""}, record.counters.stale_samples);
   visit(FieldName{"counters.faults_entered", "faults_entered", ""}, record.counters.faults_entered);
   visit(FieldName{"counters.limited_ticks", "limited_ticks", ""}, record.counters.limited_ticks);
   visit(FieldName{"counters.touch_flagged", "touch_flagged", ""}, record.counters.touch_flagged);
+  visit(FieldName{"counters.late_ticks", "late_ticks", ""}, record.counters.late_ticks);
   visit(FieldName{"state_hash", "state_hash", ""}, record.state_hash);
   visit(FieldName{"joint_compensation", "compensation", ""}, record.joint_compensation);
   visit(FieldName{"joint_gravity", "gravity", ""}, record.joint_gravity);
+  visit(FieldName{"energy_J", "energy", "J"}, record.energy_J);
+  visit(FieldName{"limited_source", "limited_source", ""}, record.limited_source);
+  visit(FieldName{"change.parameter", "changed_parameter", ""}, record.change.place.parameter);
+  visit(FieldName{"change.object", "changed_object", ""}, record.change.place.object);
+  visit(FieldName{"change.value", "changed_value", ""}, record.change.value);
   visit(FieldName{"stage_ns.read", "read", "ns"}, record.stage_ns.read);
   visit(FieldName{"stage_ns.check", "check", "ns"}, record.stage_ns.check);
   visit(FieldName{"stage_ns.kinematics", "kinematics", "ns"}, record.stage_ns.kinematics);

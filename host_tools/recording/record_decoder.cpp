@@ -48,11 +48,15 @@ void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.limits = stored.limits();
   record.device_status = stored.device_status();
   record.sample_age_us = stored.sample_age_us();
+  record.loop_status = stored.loop_status();
+  record.missed_ticks = stored.missed_ticks();
   record.touch_flags = stored.touch_flags();
   record.object = stored.object();
   record.sub_goals = stored.sub_goals();
   record.planes = stored.planes();
   record.depth_m = stored.depth_m();
+  record.passivity_J = stored.passivity_j();
+  record.limited_source = static_cast<firmware::EnergySource>(stored.limited_source());
   record.state_hash = stored.state_hash();
 }
 
@@ -70,7 +74,15 @@ void read_counts(const telemetry::Record& stored, TelemetryRecord& record) {
   record.counters = {.stale_samples = counters.stale_samples(),
                      .faults_entered = counters.faults_entered(),
                      .limited_ticks = counters.limited_ticks(),
-                     .touch_flagged = counters.touch_flagged()};
+                     .touch_flagged = counters.touch_flagged(),
+                     .late_ticks = counters.late_ticks()};
+  const telemetry::EnergyLedger& energy = *stored.energy_j();
+  record.energy_J = {energy.contact(),  energy.friction(), energy.texture(), energy.effect(),
+                     energy.coupling(), energy.safety(),   energy.delay()};
+  const telemetry::ParameterChange& change = *stored.change();
+  record.change = {.place = {.parameter = static_cast<firmware::Parameter>(change.parameter()),
+                             .object = change.object()},
+                   .value = change.value()};
   const telemetry::StageTimes& stages = *stored.stage_ns();
   record.stage_ns = {.read = stages.read(),
                      .check = stages.check(),

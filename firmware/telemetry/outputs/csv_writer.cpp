@@ -9,10 +9,12 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kAxisNames = {"x", "y", "z"};
 
-void put_column(TextBuffer& text, const FieldName& name, std::string_view element, auto number) {
-  text.text(text.size() == 0 ? "" : ",").text(name.column).text(element);
-  if constexpr (!std::is_null_pointer_v<decltype(number)>) {
-    text.number(number);
+void put_column(TextBuffer& text, const FieldName& name, std::string_view before, auto element) {
+  text.text(text.size() == 0 ? "" : ",").text(name.column).text(before);
+  if constexpr (std::is_integral_v<decltype(element)>) {
+    text.number(element);
+  } else {
+    text.text(element);
   }
   text.text(name.unit.empty() ? "" : "_").text(name.unit);
 }
@@ -23,11 +25,16 @@ class ColumnNames {
   ColumnNames(TextBuffer& text, std::size_t joints) : text_(&text), joints_(joints) {}
 
   void operator()(const FieldName& name, const auto& /*field*/) const {
-    put_column(*text_, name, "", nullptr);
+    put_column(*text_, name, "", std::string_view{});
   }
   void operator()(const FieldName& name, const Triple& /*field*/) const {
     for (const std::string_view axis : kAxisNames) {
-      put_column(*text_, name, axis == "x" ? "_x" : axis == "y" ? "_y" : "_z", nullptr);
+      put_column(*text_, name, "_", axis);
+    }
+  }
+  void operator()(const FieldName& name, const EnergyLedger& /*field*/) const {
+    for (const std::string_view source : kEnergySourceNames) {
+      put_column(*text_, name, "_", source);
     }
   }
   void operator()(const FieldName& name,
@@ -61,6 +68,7 @@ class ColumnValues {
     }
   }
   void operator()(const FieldName& /*name*/, const Triple& field) { put_all(field); }
+  void operator()(const FieldName& /*name*/, const EnergyLedger& field) { put_all(field); }
   void operator()(const FieldName& /*name*/, const std::array<double, drivers::kMaxJoints>& field) {
     put_all(std::span(field).first(joints_));
   }

@@ -30,6 +30,12 @@ telemetry::Joint stored_joint(const RecordedTick& tick, std::size_t i) {
           tick.torque_Nm[i]};
 }
 
+telemetry::EnergyLedger stored_energy(const EnergyLedger& energy_J) {
+  const auto of = [&](EnergySource source) { return energy_J[static_cast<std::size_t>(source)]; };
+  using enum EnergySource;
+  return {of(contact), of(friction), of(texture), of(effect), of(coupling), of(safety), of(delay)};
+}
+
 void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_tick(record.tick);
   table.add_time_s(record.time_s);
@@ -41,11 +47,15 @@ void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_limits(record.limits);
   table.add_device_status(record.device_status);
   table.add_sample_age_us(record.sample_age_us);
+  table.add_loop_status(record.loop_status);
+  table.add_missed_ticks(record.missed_ticks);
   table.add_touch_flags(record.touch_flags);
   table.add_object(record.object);
   table.add_sub_goals(record.sub_goals);
   table.add_planes(record.planes);
   table.add_depth_m(record.depth_m);
+  table.add_passivity_j(record.passivity_J);
+  table.add_limited_source(stored_enum<telemetry::EnergySource>(record.limited_source));
   table.add_state_hash(record.state_hash);
 }
 
@@ -80,7 +90,12 @@ std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
   const telemetry::Vector3 rendered = stored(record.force_rendered_W);
   const telemetry::Vector3 commanded = stored(record.force_commanded_W);
   const telemetry::Counters counters(record.counters.stale_samples, record.counters.faults_entered,
-                                     record.counters.limited_ticks, record.counters.touch_flagged);
+                                     record.counters.limited_ticks, record.counters.touch_flagged,
+                                     record.counters.late_ticks);
+  const telemetry::EnergyLedger energy = stored_energy(record.energy_J);
+  const ParameterPlace& place = record.change.place;
+  const telemetry::ParameterChange change(static_cast<std::uint8_t>(place.parameter), place.object,
+                                          record.change.value);
   const StageTimes& stages = record.stage_ns;
   const telemetry::StageTimes stage_ns(stages.read, stages.check, stages.kinematics, stages.touch,
                                        stages.safety, stages.write);
@@ -96,6 +111,8 @@ std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
   table.add_force_rendered_w(&rendered);
   table.add_force_commanded_w(&commanded);
   table.add_counters(&counters);
+  table.add_energy_j(&energy);
+  table.add_change(&change);
   table.add_stage_ns(&stage_ns);
   table.add_loop(&loop);
   table.add_dropped(tick.dropped);

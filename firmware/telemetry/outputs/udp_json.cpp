@@ -74,6 +74,7 @@ std::span<const char> write_json(const RecordedTick& tick,
   json.triple("force_N", record.force_commanded_W);
   json.triple("force_rendered_N", record.force_rendered_W);
   json.real("depth_m", record.depth_m);
+  json.real("passivity_J", record.passivity_J);
   json.reals("joint_position", std::span(record.joint_position).first(joints));
   json.reals("joint_velocity", std::span(record.joint_velocity).first(joints));
   json.reals("joint_effort", std::span(record.joint_effort).first(joints));

@@ -95,6 +95,10 @@ TEST(RecordMessage, NumbersEnumerationsAsTheControllerDoes) {
   for (std::size_t i = 0; i < kRequestNames.size(); ++i) {
     EXPECT_EQ(telemetry::EnumNameRequest(static_cast<telemetry::Request>(i)), kRequestNames[i]);
   }
+  for (std::size_t i = 0; i < kEnergySourceNames.size(); ++i) {
+    EXPECT_EQ(telemetry::EnumNameEnergySource(static_cast<telemetry::EnergySource>(i)),
+              kEnergySourceNames[i]);
+  }
   for (std::size_t i = 0; i < kEventKindNames.size(); ++i) {
     EXPECT_EQ(telemetry::EnumNameEventKind(static_cast<telemetry::EventKind>(i)),
               kEventKindNames[i]);
