@@ -96,6 +96,8 @@ class Columns {
       return word_of(kFrictions, field);
     } else if constexpr (std::is_same_v<Field, firmware::EnergySource>) {
       return word_of(firmware::kEnergySourceNames, field);
+    } else if constexpr (std::is_enum_v<Field>) {
+      return fmt::format("{}", static_cast<unsigned>(field));
     } else if constexpr (std::is_floating_point_v<Field>) {
       return fmt::format("{:.9g}", field);
     } else if (name.name == "faults" || name.name == "limits") {
