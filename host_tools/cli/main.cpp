@@ -19,6 +19,7 @@
 #include "host_tools/cli/fit_verb.h"
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
+#include "host_tools/cli/monitor_verb.h"
 #include "host_tools/cli/plot_verb.h"
 #include "host_tools/cli/remote_verbs.h"
 #include "host_tools/cli/sim_verb.h"
@@ -51,6 +52,8 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_emulate_verb},
     AddVerb{tactus::host::add_faults_verb},
     AddVerb{tactus::host::add_doctor_verb},
+    AddVerb{tactus::host::add_monitor_verb},
+    AddVerb{tactus::host::add_watch_verb},
     AddVerb{tactus::host::add_remote_verbs},
 };
 
