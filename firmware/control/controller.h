@@ -63,9 +63,9 @@ class Controller {
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
 
-  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on any
-  // processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is too
-  // small, nothing is configured, or a number is not finite, as it can be after a fault. For a
+  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on
+  // any processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is
+  // too small, nothing is configured, or a number is not finite, as it can be after a fault. For a
   // tick's slack: it copies, at the most half a megabyte.
   std::size_t save(std::span<std::byte> room);
 
@@ -105,11 +105,13 @@ class Controller {
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   void transfer(rendering::StateArchive& archive);
+  void transfer_parameters(rendering::StateArchive& archive);
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
+  void retune();
 
   ControllerConfig config_;         // with what set_parameter has changed
   SafetyConfig configured_safety_;  // as configure() got it: the ends of the parameters' ranges

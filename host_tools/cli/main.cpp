@@ -22,6 +22,7 @@
 #include "host_tools/cli/monitor_verb.h"
 #include "host_tools/cli/plot_verb.h"
 #include "host_tools/cli/remote_verbs.h"
+#include "host_tools/cli/replay_verb.h"
 #include "host_tools/cli/sim_verb.h"
 #include "host_tools/cli/touch_verb.h"
 #include "host_tools/input_error.h"
@@ -55,6 +56,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_monitor_verb},
     AddVerb{tactus::host::add_watch_verb},
     AddVerb{tactus::host::add_remote_verbs},
+    AddVerb{tactus::host::add_replay_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.

@@ -123,7 +123,7 @@ constexpr std::array<LatencyBand, 6> kLatencyBands = {{{"   <5", 5},
                                                        {"  <20", 20},
                                                        {"  <50", 50},
                                                        {" <200", 200},
-                                                       {"<1000", firmware::kTimeBins}}};
+                                                       {">=200", firmware::kTimeBins}}};
 
 // A bar by the logarithm of the share: one late tick of a million is to be seen.
 std::size_t bar_length(std::uint64_t count, std::uint64_t all, std::size_t room) {
@@ -152,9 +152,7 @@ void draw_latency(Canvas& canvas, const RunView& view) {
     const bool last = i + 1 == kLatencyBands.size();
     count += last ? histogram.overflow() : 0;
     const std::size_t row = kAxesRow + 1 + i;
-    canvas.put(
-        row, kRightColumn,
-        fmt::format("{} {:>9}", last && histogram.overflow() > 0 ? "more " : band.name, count));
+    canvas.put(row, kRightColumn, fmt::format("{} {:>9}", band.name, count));
     canvas.put(row, kRightColumn + 16,
                std::string(bar_length(count, histogram.count(), kBarRoom), '#'),
                band.end_us > 200 ? Style::bad : Style::bar);

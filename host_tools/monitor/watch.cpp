@@ -22,8 +22,9 @@ namespace {
 using firmware::FieldName;
 using PerJoint = std::array<double, drivers::kMaxJoints>;
 
-constexpr std::array<std::string_view, 8> kUsualFields = {"tick", "mode",  "faults",  "limits",
-                                                          "tool", "proxy", "contact", "force"};
+constexpr std::array<std::string_view, 10> kUsualFields = {
+    "tick",     "mode",     "faults", "limits",  "tool_x_m",
+    "tool_y_m", "tool_z_m", "proxy",  "contact", "force"};
 
 // "tool" and "x" and "m": tool_x_m.
 std::string column(const FieldName& name, std::string_view part) {
