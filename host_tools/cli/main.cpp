@@ -20,6 +20,7 @@
 #include "host_tools/cli/fit_verb.h"
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
+#include "host_tools/cli/monitor_verb.h"
 #include "host_tools/cli/plot_verb.h"
 #include "host_tools/cli/remote_verbs.h"
 #include "host_tools/cli/replay_verb.h"
@@ -49,6 +50,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_faults_verb},
     AddVerb{tactus::host::add_doctor_verb},   AddVerb{tactus::host::add_replay_verb},
     AddVerb{tactus::host::add_remote_verbs},  AddVerb{tactus::host::add_certify_verb},
+    AddVerb{tactus::host::add_monitor_verb},  AddVerb{tactus::host::add_watch_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.
