@@ -41,6 +41,11 @@ inline void transfer(StateArchive& archive, ToolState& tool) {
   archive(p_W, v_W);
 }
 
+inline void transfer(StateArchive& archive, ForceParts& parts) {
+  auto& [friction_W, texture_W, effect_W, driven_power] = parts;
+  archive(friction_W, texture_W, effect_W, driven_power);
+}
+
 inline void transfer(StateArchive& archive, Nearest& nearest) {
   auto& [distance, normal, feature, edge] = nearest;
   archive(distance, normal);
