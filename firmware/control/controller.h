@@ -82,8 +82,6 @@ class Controller {
   // What the last tick did.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   [[nodiscard]] Mode mode() const { return mode_; }
-  // The number that the next tick will have.
-  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   // What the next tick's record will count itself.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
@@ -114,11 +112,14 @@ class Controller {
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   void transfer(rendering::StateArchive& archive);
+  void transfer_guards(rendering::StateArchive& archive);
+  void transfer_parameters(rendering::StateArchive& archive);
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
+  void retune();
 
   ControllerConfig config_;         // with what set_parameter has changed
   SafetyConfig configured_safety_;  // as configure() got it: the ends of the parameters' ranges

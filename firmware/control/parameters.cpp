@@ -146,6 +146,10 @@ void Controller::apply_own(const ParameterChange& change) {
       config_.velocity_cutoff_hz = change.value;
       break;
   }
+  retune();
+}
+
+void Controller::retune() {
   force_limiter_.retune(config_);
   velocity_filter_.retune(config_.velocity_cutoff_hz, config_.rate_hz);
   gravity_compensation_.retune(config_);

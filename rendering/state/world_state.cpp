@@ -1,4 +1,6 @@
 // What a world remembers from tick to tick: its objects' places, then what each tool feels.
+#include <algorithm>
+
 #include "rendering/state/plain_states.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/world/effect_touch.h"
@@ -25,19 +27,39 @@ void DeformableMesh::transfer(StateArchive& archive) {
 }
 
 void Scenery::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [objects, mover_of, movers, orders, mover_count, anything_moved, tick_s,
-                          pool, deformables, deformable_count, lone, lone_count, nodes, node_count,
+  [[maybe_unused]] auto& [objects, mover_of, movers, orders, mover_count, changed_of,
+                          changed_materials, changed_count, anything_moved, tick_s, pool,
+                          deformables, deformable_count, lone, lone_count, nodes, node_count,
                           order] = *this;
   archive.same(objects.size());
   archive.same(mover_count);
   archive.same(deformable_count);
   archive.same(lone_count);
   archive(anything_moved, tick_s);
+  transfer_materials(archive);
   for (std::size_t k = 0; k < mover_count; ++k) {
     transfer_mover(archive, k);
   }
   for (std::size_t k = 0; k < deformable_count; ++k) {
     archive(deformables[k]);
+  }
+}
+
+// Those that are not the scene's.
+void Scenery::transfer_materials(StateArchive& archive) {
+  archive.up_to(changed_count_, kMaxChangedMaterials);
+  if (archive.is_reading()) {
+    changed_of_.fill(kUnchanged);
+  }
+  for (std::size_t k = 0; k < changed_count_ && archive.good(); ++k) {
+    auto number =
+        static_cast<std::uint32_t>(std::ranges::find(changed_of_, k) - changed_of_.begin());
+    archive(number, changed_materials_[k]);
+    archive.require(number < objects_.size() &&
+                    (!archive.is_reading() || changed_of_[number] == kUnchanged));
+    if (archive.good()) {
+      changed_of_[number] = static_cast<std::uint8_t>(k);
+    }
   }
 }
 
