@@ -112,6 +112,7 @@ class Controller {
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   void transfer(rendering::StateArchive& archive);
+  void transfer_guards(rendering::StateArchive& archive);
   void transfer_parameters(rendering::StateArchive& archive);
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);

@@ -14,6 +14,7 @@
 
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -33,6 +34,9 @@ class EncoderGuard {
 
   // Instead of check() for a sample that is not to be looked at: the joints go on meanwhile.
   void pass() { ++passed_ticks_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   struct Joint {

@@ -14,6 +14,7 @@
 
 #include "firmware/safety/energy_ledger.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::firmware {
@@ -41,6 +42,9 @@ class EnergyAccount {
 
   // The source that has given most so far.
   [[nodiscard]] EnergySource most_giving() const;
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   EnergyLedger ledger_J_{};

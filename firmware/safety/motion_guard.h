@@ -13,6 +13,7 @@
 
 #include "firmware/configuration/controller_config.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -33,6 +34,9 @@ class MotionGuard {
 
   // Both finite.
   [[nodiscard]] SlowedForce slow(const Vec3& force_W, const Vec3& v_W) const;
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   double step_s_ = 0.001;

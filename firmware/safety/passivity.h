@@ -21,6 +21,7 @@
 #include "firmware/configuration/controller_config.h"
 #include "firmware/safety/energy_account.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -39,6 +40,9 @@ class PassivityControl {
 
   // E; below 0 it is a debt.
   [[nodiscard]] double credit_J() const { return credit_J_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   double step_s_ = 0.001;
