@@ -63,9 +63,9 @@ class Controller {
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
 
-  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on any
-  // processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is too
-  // small, nothing is configured, or a number is not finite, as it can be after a fault. For a
+  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on
+  // any processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is
+  // too small, nothing is configured, or a number is not finite, as it can be after a fault. For a
   // tick's slack: it copies, at the most half a megabyte.
   std::size_t save(std::span<std::byte> room);
 
@@ -110,6 +110,7 @@ class Controller {
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
+  [[nodiscard]] bool is_certified(std::uint32_t object, const rendering::Material& material) const;
 
   ControllerConfig config_;         // with what set_parameter has changed
   SafetyConfig configured_safety_;  // as configure() got it: the ends of the parameters' ranges
