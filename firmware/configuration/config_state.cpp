@@ -51,7 +51,9 @@ void transfer_if(StateArchive& archive, MechanismGeometry& geometry, std::size_t
   if (archive.is_reading()) {
     geometry.emplace<kKind>();
   }
-  archive(*std::get_if<kKind>(&geometry));
+  if (auto* const form = std::get_if<kKind>(&geometry); form != nullptr) {
+    archive(*form);
+  }
 }
 
 inline void transfer(StateArchive& archive, MechanismGeometry& geometry) {
@@ -85,18 +87,19 @@ inline void transfer(StateArchive& archive, JointFriction& friction) {
 
 inline void transfer(StateArchive& archive, SafetyConfig& safety) {
   auto& [max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
-         stale_ticks_to_fault] = safety;
+         stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s] = safety;
   archive(max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
-          stale_ticks_to_fault);
+          stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s);
 }
 
 inline void transfer(StateArchive& archive, ControllerConfig& config) {
-  auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints,
-         coupled_limits, friction, safety] = config;
+  [[maybe_unused]] auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz,
+                          joints, coupled_limits, friction, safety, certificate,
+                          allow_uncertified] = config;
   archive.same(kConfigVersion);
   transfer(archive, mechanism);
   archive(rate_hz, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints, coupled_limits,
-          friction, safety);
+          friction, safety, allow_uncertified);
 }
 
 std::size_t save_config(const ControllerConfig& config,

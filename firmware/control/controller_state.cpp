@@ -25,6 +25,12 @@ void SampleCheck::transfer(StateArchive& archive) {
   archive(stale_in_a_row, stale_count);
 }
 
+void LoopCheck::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [late_ticks_to_fault, missed_ticks_to_fault, late_in_a_row, late_count] =
+      *this;
+  archive(late_in_a_row, late_count);
+}
+
 void ForceLimiter::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [max_force_N, max_step_N, activation_gain_per_tick, contact_gain_per_tick,
                           activation_gain, contact_gain, touched, last_W] = *this;
@@ -46,21 +52,32 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 }
 
 void Controller::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [config, configured, mechanism, sample_check, velocity_filter,
-                          force_limiter, gravity_compensation, friction_compensation, world, mode,
-                          faults, raised, write_status, pose, tool, record, next_tick, now_ns] =
-      *this;
+  [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
+                          loop_check, velocity_filter, force_limiter, gravity_compensation,
+                          friction_compensation, world, objects, effects, mode, faults, raised,
+                          write_status, loop_report, pose, tool, record, next_tick, now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
   archive.require(configured);
-  archive(sample_check, velocity_filter, force_limiter, gravity_compensation,
-          friction_compensation);
+  archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
+          force_limiter, gravity_compensation, friction_compensation);
+  transfer_parameters(archive);
   archive.choice(mode, Mode::fault);
   archive(faults, write_status, tool, next_tick);
   transfer_pose(archive);
   transfer_record(archive);
   archive(world);
+}
+
+// The controller's own; those of objects are the world's.
+void Controller::transfer_parameters(StateArchive& archive) {
+  SafetyConfig& safety = config_.safety;
+  archive(safety.max_force_N, safety.force_slew_N_per_s, safety.soft_start_s,
+          safety.contact_start_s, config_.velocity_cutoff_hz);
+  if (archive.is_reading() && archive.good()) {
+    retune();
+  }
 }
 
 void Controller::transfer_pose(StateArchive& archive) {
@@ -70,8 +87,10 @@ void Controller::transfer_pose(StateArchive& archive) {
 
 // Of the record, what a tick takes from the one before.
 void Controller::transfer_record(StateArchive& archive) {
-  auto& [stale_samples, faults_entered, limited_ticks, touch_flagged] = record_.counters;
-  archive(stale_samples, faults_entered, limited_ticks, touch_flagged, record_.state_hash);
+  auto& [stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks] =
+      record_.counters;
+  archive(stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks,
+          record_.state_hash);
 }
 
 std::size_t Controller::save(std::span<std::byte> room) {

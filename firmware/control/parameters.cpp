@@ -158,6 +158,11 @@ void Controller::apply_own(const ParameterChange& change) {
       config_.velocity_cutoff_hz = change.value;
       break;
   }
+  retune();
+}
+
+// The parts that use the controller's own parameters take them.
+void Controller::retune() {
   force_limiter_.retune(config_);
   velocity_filter_.retune(config_.velocity_cutoff_hz, config_.rate_hz);
   gravity_compensation_.retune(config_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/configuration/controller_config.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -28,6 +29,9 @@ class LoopCheck {
 
   // Late ticks since configure().
   [[nodiscard]] std::uint32_t late_count() const { return late_count_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   std::uint32_t late_ticks_to_fault_ = 1;

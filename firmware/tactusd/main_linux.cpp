@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cinttypes>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -171,6 +172,13 @@ bool load_falcon_firmware() {
   return true;
 }
 
+void complain(const OpenError& error) {
+  const std::string_view code = hal::words(error.error.code);
+  std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
+               length(error.connection), error.connection.data(), length(error.what),
+               error.what.data(), length(code), code.data(), error.error.errno_value);
+}
+
 // Null if a board does not open.
 drivers::ComposedDevice* open_boards() {
   // Half of every period stays for the rest of the tick.
@@ -180,11 +188,12 @@ drivers::ComposedDevice* open_boards() {
   drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
   const auto opened = program.boards.open(program.config, program.falcon_file.bytes(), device);
   if (!opened) {
-    const OpenError& error = opened.error();
-    const std::string_view code = hal::words(error.error.code);
-    std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
-                 length(error.connection), error.connection.data(), length(error.what),
-                 error.what.data(), length(code), code.data(), error.error.errno_value);
+    complain(opened.error());
+    return nullptr;
+  }
+  if (const auto watchdog = program.boards.open_watchdog(program.config, program.watchdog);
+      !watchdog) {
+    complain(watchdog.error());
     return nullptr;
   }
   return &device;
@@ -245,6 +254,7 @@ int run(drivers::ComposedDevice& device, const Options& options) {
     end = run_loop(config, parts, device, doors);
   }
   device.stop();
+  end_real_time();
   return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
@@ -334,9 +344,11 @@ int start_and_run(const Options& options) {
   if (device == nullptr) {
     return kCouldNotStart;
   }
-  if (!program.telemetry.start(
-          options, {.device = program.device_file.bytes(), .scene = program.scenes.bytes()},
-          program.config.controller.rate_hz, program.config.joint_count)) {
+  if (!program.telemetry.start(options,
+                               {.config = program.controller.config(),
+                                .device = program.device_file.bytes(),
+                                .scene = program.scenes.bytes()},
+                               program.config.joint_count)) {
     return kCouldNotStart;
   }
   if (!start_commands(options) || !take_time(options) || !start_telling()) {
@@ -356,6 +368,8 @@ int start_and_run(const Options& options) {
     explain_fault(*device);
   }
   print_timing(stderr, program.timing);
+  std::fprintf(stderr, "hash of all ticks: %016" PRIx64 "\n",
+               program.controller.record().state_hash);
   write_files(options);
   return code;
 }

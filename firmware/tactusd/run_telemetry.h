@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drivers/composed_device.h"
+#include "firmware/configuration/config_state.h"
 #include "firmware/control/controller.h"
 #include "firmware/realtime/loop_timing.h"
 #include "firmware/tactusd/options.h"
@@ -16,8 +17,9 @@
 
 namespace tactus::firmware {
 
-// What the run is of; the bytes outlive it.
+// What the run is of; all outlives it.
 struct RunImages {
+  const ControllerConfig& config;  // as the controller was configured
   std::span<const std::byte> device;
   std::span<const std::byte> scene;  // empty: free space
 };
@@ -30,7 +32,7 @@ class RunTelemetry {
 
   // Opens what is wanted and starts the thread, before the calling thread becomes a real-time one.
   // False, after telling the user on stderr, if something cannot be had that was asked for.
-  bool start(const Options& options, const RunImages& images, double rate_hz, std::size_t joints);
+  bool start(const Options& options, const RunImages& images, std::size_t joints);
 
   // Real time.
   void publish(const Controller& controller, const LoopTick& tick,
@@ -44,8 +46,7 @@ class RunTelemetry {
   TelemetryWriter& writer() { return writer_; }
 
  private:
-  void describe(const Options& options, const RunImages& images, double rate_hz,
-                std::size_t joints);
+  void describe(const Options& options, const RunImages& images, std::size_t joints);
   void attach(const RunImages& images);
   void note(std::string_view key, std::string_view value);
   // Puts what `write` writes where it stays.
@@ -54,6 +55,7 @@ class RunTelemetry {
   bool open_live_socket(const Options& options);
 
   TelemetryWriter writer_;
+  std::array<std::byte, kMaxConfigBytes> config_{};
   std::array<char, 1024> memory_{};
   TextBuffer texts_{memory_};
   std::array<MetadataEntry, 16> info_{};

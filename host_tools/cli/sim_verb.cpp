@@ -15,6 +15,7 @@
 #include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
 #include "host_tools/simulation/run_log.h"
+#include "host_tools/simulation/run_recording.h"
 
 namespace tactus::host {
 namespace {
@@ -33,6 +34,7 @@ constexpr const char* kExamples =
     "  tactus sim scene.tactus --device falcon --hand firm --seed 7 --path wish.csv\n"
     "  tactus sim scene.tactus --hashes a.txt && tactus sim scene.tactus --hashes b.txt && cmp "
     "a.txt b.txt\n"
+    "  tactus sim scene.tactus --record run.mcap      then: tactus replay run.mcap\n"
     "  tactus sim scene.tactus --fault estop@4 --fault stale@2.5x2\n"
     "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s\n"
     "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
@@ -42,6 +44,7 @@ struct Options {
   std::string scene;
   std::string output;
   std::string hashes;
+  std::string record;
   bool json = false;
   bool serve = false;
   ServeOptions serving{.run_dir = std::string(kDefaultRunDir)};
@@ -51,12 +54,17 @@ struct Options {
 // What happens beside the run, after each tick.
 class Recorder {
  public:
-  Recorder(const Options& options, double seconds) : seconds_(seconds) {
+  Recorder(const Options& options, double seconds, const Simulation& simulation,
+           std::span<const std::byte> scene)
+      : seconds_(seconds) {
     if (!options.output.empty()) {
       csv_.emplace(options.output);
     }
     if (!options.hashes.empty()) {
       hashes_.emplace(options.hashes);
+    }
+    if (!options.record.empty()) {
+      recording_.emplace(options.record, simulation, scene);
     }
     if (::isatty(STDERR_FILENO) == 1) {
       progress_.emplace();
@@ -72,6 +80,9 @@ class Recorder {
     if (hashes_) {
       hashes_->add(record);
     }
+    if (recording_) {
+      recording_->add(simulation);
+    }
     if (progress_ && record.tick % kTicksBetweenSteps == 0) {
       progress_->step(fmt::format("{:.1f} of {:.1f} s simulated, mode {}", record.time_s, seconds_,
                                   firmware::mode_name(record.mode)));
@@ -86,12 +97,16 @@ class Recorder {
     if (hashes_) {
       hashes_->close();
     }
+    if (recording_) {
+      recording_->close();
+    }
   }
 
  private:
   double seconds_;
   std::optional<RunCsv> csv_;
   std::optional<HashLog> hashes_;
+  std::optional<RunRecording> recording_;
   std::optional<ProgressLine> progress_;
 };
 
@@ -109,7 +124,7 @@ void run_sim(const Options& options) {
     fmt::print(stderr, "tactus sim: warning: {}\n", warning);
   }
   Simulation simulation(plan.config, objects, tool_radius_m);
-  Recorder recorder(options, plan.seconds);
+  Recorder recorder(options, plan.seconds, simulation, scene.bytes());
   const RunSummary summary = run(simulation, plan.seconds, options.run.rate_hz,
                                  [&](const Simulation& now) { recorder.add(now); });
   recorder.close();
@@ -139,6 +154,8 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--path", run.path, "Wish path of the hand (CSV)");
   verb->add_option("-o,--output", options->output, "Write one line a tick to this CSV file");
   verb->add_option("--hashes", options->hashes, "Write the state hash of every tick to this file");
+  verb->add_option("--record", options->record,
+                   "Record the run to this MCAP file, for tactus replay");
   verb->add_option("--fault", run.faults,
                    "Let the device fail: stale, nan, estop or lost, like stale@2.5x3");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");

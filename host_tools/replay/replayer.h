@@ -46,6 +46,8 @@ class Replayer {
   // The recorded tick once more; what differs, if its hash does.
   std::optional<Difference> repeat(const firmware::TelemetryRecord& recorded);
 
+  // The number of the tick to come.
+  [[nodiscard]] std::uint64_t next_tick() const { return controller_->next_tick(); }
   // Of the last tick.
   [[nodiscard]] const firmware::TelemetryRecord& record() const { return controller_->record(); }
   [[nodiscard]] firmware::Controller& controller() { return *controller_; }

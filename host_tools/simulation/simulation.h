@@ -78,6 +78,7 @@ class Simulation {
     return device_.plant().p_B() - origin_B_;
   }  // m, true position
 
+  [[nodiscard]] const firmware::ControllerConfig& config() const { return controller_->config(); }
   [[nodiscard]] firmware::Controller& controller() { return *controller_; }
 
  private:

@@ -174,6 +174,7 @@ class Scenery {
   [[nodiscard]] Vec3 centre(std::uint32_t number) const;
   Eigen::Index enclose(const Part& part);
   void halve(const Part& part, Eigen::Index axis);
+  void transfer_materials(StateArchive& archive);
   void transfer_mover(StateArchive& archive, std::size_t k);
 
   std::span<const Object> objects_;

@@ -19,7 +19,7 @@ void lead_astray(Controller& controller, const RestoreScene& scene, std::uint64_
   SceneWalk walk(scene.objects, seed);
   for (int tick = 0; tick < 40; ++tick) {
     const TickInput input = walk.next(controller.mode());
-    controller.tick(input.sample, input.request);
+    give(controller, input);
   }
 }
 
@@ -48,11 +48,11 @@ void expect_restores_go_on_alike(const RestoreScene& scene, std::uint64_t seed, 
       tally.most_bytes = std::max(tally.most_bytes, size);
     }
     const TickInput input = walk.next(first->mode());
-    first->tick(input.sample, input.request);
+    give(*first, input);
     ++tally.ticks;
     tally.contacts += first->record().contact != rendering::ContactKind::none ? 1U : 0U;
     if (second != nullptr) {
-      second->tick(input.sample, input.request);
+      give(*second, input);
       ASSERT_EQ(first->record().state_hash, second->record().state_hash) << "tick " << tick;
     }
   }

@@ -30,7 +30,7 @@ class FlightRecorderTest : public ::testing::Test {
 
   void tick() {
     const testing::TickInput input = walk_.next(controller_->mode());
-    controller_->tick(input.sample, input.request);
+    give(*controller_, input);
     recorder_->add(controller_->record(), *controller_);
   }
 
