@@ -3,6 +3,7 @@
 #include <array>
 
 #include "firmware/control/parameter_name.h"
+#include "firmware/flight/attachments.h"
 
 namespace tactus::firmware {
 
@@ -145,7 +146,7 @@ void CommandDesk::set_scene(const Command& command, Controller& controller, Answ
     answer.scene_refusal = loaded.error();
     return;
   }
-  tell(EventKind::scene, answer.tick, kSceneEvent, 0.0);
+  tell(EventKind::scene, answer.tick, kSceneAttachment, 0.0);
 }
 
 void CommandDesk::tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) {

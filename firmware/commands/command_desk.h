@@ -28,9 +28,6 @@ struct EventSink {
   void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
 };
 
-// The name of the event of another scene: the attachment of the recording that it is in.
-inline constexpr std::string_view kSceneEvent = "scene.tactus";
-
 class CommandDesk {
  public:
   // The command thread's side.

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstring>
 
-#include "firmware/telemetry/outputs/mcap_writer.h"
+#include "firmware/flight/attachments.h"
 
 namespace tactus::firmware {
 namespace {

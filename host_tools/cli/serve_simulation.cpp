@@ -11,12 +11,15 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "firmware/commands/command_desk.h"
 #include "firmware/commands/command_server.h"
 #include "firmware/commands/scene_store.h"
 #include "firmware/commands/telemetry_hooks.h"
+#include "firmware/configuration/config_state.h"
+#include "firmware/flight/attachments.h"
 #include "firmware/telemetry/outputs/telemetry_writer.h"
 #include "hal/linux/clock.h"
 #include "host_tools/input_error.h"
@@ -97,11 +100,17 @@ class ServedSimulation {
     joints_ = firmware::joint_count(simulation_->controller().config().mechanism);
     rate_text_ = fmt::format("{}", rate_hz_);
     joints_text_ = fmt::format("{}", joints_);
-    info_ = {{{"program", "tactus sim"}, {"rate_hz", rate_text_}, {"joints", joints_text_}}};
+    checksum_text_ = fmt::format("{:016x}", scenes_->scene()->checksum());
+    info_ = {{{"program", "tactus sim"},
+              {"rate_hz", rate_text_},
+              {"joints", joints_text_},
+              {firmware::kSceneChecksumKey, checksum_text_}}};
     writer_->describe({.info = info_,
                        .joints = joints_,
                        .clock_offset_ns = hal::to_ns(now) - hal::monotonic_now_ns()});
     writer_->attach({.name = firmware::kSceneAttachment, .bytes = scenes_->bytes()});
+    const std::size_t size = firmware::save_config(simulation_->config(), config_);
+    writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config_).first(size)});
     if (const int error = writer_->start(); error != 0) {
       fail(socket, "no thread", error);
     }
@@ -142,7 +151,9 @@ class ServedSimulation {
   std::size_t joints_ = 0;
   std::string rate_text_;
   std::string joints_text_;
-  std::array<firmware::MetadataEntry, 3> info_;
+  std::string checksum_text_;
+  std::array<firmware::MetadataEntry, 4> info_;
+  std::array<std::byte, firmware::kMaxConfigBytes> config_{};
   // Megabytes each: not for the stack. The server goes before what it serves.
   std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
   std::optional<Simulation> simulation_;
