@@ -69,6 +69,10 @@ struct Program {
 
 Program program;
 
+void on_flight_signal(int /*signal*/) {
+  program.telemetry.ask_for_flight();
+}
+
 int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
@@ -208,7 +212,7 @@ class Doors {
                                  : Request::none;
   }
 
-  void publish(const Controller& controller, const LoopTick& tick) {
+  void publish(Controller& controller, const LoopTick& tick) {
     program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
@@ -319,6 +323,8 @@ int start_and_run(const Options& options) {
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = on_flight_signal;
+  sigaction(SIGUSR1, &action, nullptr);
 
   device->start();
   const int code = run(*device, options);

@@ -28,6 +28,10 @@ bool read_value(std::string_view option, const char* value, Options& options) {
     options.record = value;
     return value != nullptr || complain("no file after", option);
   }
+  if (option == "--flight-dir") {
+    options.flight_dir = value;
+    return value != nullptr || complain("no folder after", option);
+  }
   if (option == "--run-dir") {
     options.run_dir = value;
     return value != nullptr || complain("no folder after", option);
@@ -81,6 +85,9 @@ void print_usage(std::FILE* file) {
       "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
       "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
       ".csv\n"
+      "  --flight-dir DIR      after a fault, and at SIGUSR1, write the last seconds there; "
+      "default:\n"
+      "                        this folder. tactus replay lives them once more\n"
       "  --run-dir DIR         put the sockets there; default /run/tactus\n"
       "  --udp-json PORT       send ticks as JSON to this UDP port of this machine, 100 a second;\n"
       "                        PlotJuggler listens at 9870\n"

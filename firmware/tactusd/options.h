@@ -11,6 +11,7 @@ struct Options {
   const char* device = nullptr;
   const char* scene = nullptr;      // none: free space
   const char* record = nullptr;     // .mcap or .csv
+  const char* flight_dir = ".";     // of what the flight recorder writes
   const char* run_dir = nullptr;    // of the sockets; none: /run/tactus
   std::uint16_t udp_port = 0;       // JSON to this port of this machine; 0: none
   const char* histogram = nullptr;  // CSV, written at the end

@@ -56,7 +56,11 @@ bool RunTelemetry::start(const Options& options, const RunImages& images, std::s
   if (options.record != nullptr && !tell(options.record, writer_.record(options.record))) {
     return false;
   }
-  return tell("no thread for telemetry", writer_.start());
+  return tell("no thread for telemetry", writer_.start()) &&
+         tell("no thread for the flight recorder", flight_.start({.folder = options.flight_dir,
+                                                                  .rate_hz = images.config.rate_hz,
+                                                                  .run = description_,
+                                                                  .images = images_}));
 }
 
 template <class Write>
@@ -97,12 +101,14 @@ void RunTelemetry::describe(const Options& options, const RunImages& images, std
     note("scene.file", options.scene);
     note(kSceneChecksumKey, checksum(images.scene));
   }
-  writer_.describe({.info = std::span(info_).first(info_count_),
-                    .joints = joints,
-                    .clock_offset_ns = realtime_offset_ns()});
+  description_ = {.info = std::span(info_).first(info_count_),
+                  .joints = joints,
+                  .clock_offset_ns = realtime_offset_ns()};
+  writer_.describe(description_);
 }
 
 void RunTelemetry::attach(const RunImages& images) {
+  std::size_t count = 0;
   const std::size_t config_bytes = save_config(images.config, config_);
   for (const Attachment& image :
        {Attachment{.name = kConfigAttachment, .bytes = std::span(config_).first(config_bytes)},
@@ -110,6 +116,7 @@ void RunTelemetry::attach(const RunImages& images) {
         Attachment{.name = kSceneAttachment, .bytes = images.scene}}) {
     if (!image.bytes.empty() && image.bytes.size() <= kLargestAttachment) {
       writer_.attach(image);
+      images_[count++] = image;
     }
   }
 }
@@ -127,7 +134,7 @@ bool RunTelemetry::open_live_socket(const Options& options) {
   return options.run_dir == nullptr;  // without the service's folder it goes on
 }
 
-void RunTelemetry::publish(const Controller& controller, const LoopTick& tick,
+void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
                            const drivers::ComposedDevice& device) {
   RecordedTick recorded{
       .record = controller.record(),
@@ -141,10 +148,12 @@ void RunTelemetry::publish(const Controller& controller, const LoopTick& tick,
     recorded.shaft_rad[i] = device.encoder_sample(i).position_rad;
     recorded.torque_Nm[i] = device.commanded_torque_Nm(i);
   }
+  flight_.add(recorded, controller);
   writer_.publish(recorded);
 }
 
 void RunTelemetry::stop(const Options& options) {
+  flight_.stop();
   const int failed = writer_.stop();
   const char* const record = options.record != nullptr ? options.record : "recording";
   if (failed != 0) {

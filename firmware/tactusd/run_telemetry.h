@@ -1,5 +1,5 @@
-// What tactusd lets others see of its run: the recording, the live socket and PlotJuggler, as the
-// command line asks.
+// What tactusd lets others see of its run: the recording, the flight recorder, the live socket and
+// PlotJuggler, as the command line asks.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include "drivers/composed_device.h"
 #include "firmware/configuration/config_state.h"
 #include "firmware/control/controller.h"
+#include "firmware/flight/flight_writer.h"
 #include "firmware/realtime/loop_timing.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/telemetry/outputs/telemetry_writer.h"
@@ -35,8 +36,7 @@ class RunTelemetry {
   bool start(const Options& options, const RunImages& images, std::size_t joints);
 
   // Real time.
-  void publish(const Controller& controller, const LoopTick& tick,
-               const drivers::ComposedDevice& device);
+  void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
   void publish(const TelemetryEvent& event) { writer_.publish(event); }
 
   // After the loop; tells on stderr what is missing from the recording.
@@ -44,6 +44,8 @@ class RunTelemetry {
 
   // For recordings that begin and end while the loop runs.
   TelemetryWriter& writer() { return writer_; }
+  // Writes the last seconds out; from a signal's handler, too.
+  void ask_for_flight() { flight_.ask(); }
 
  private:
   void describe(const Options& options, const RunImages& images, std::size_t joints);
@@ -55,6 +57,9 @@ class RunTelemetry {
   bool open_live_socket(const Options& options);
 
   TelemetryWriter writer_;
+  FlightWriter flight_;
+  std::array<Attachment, 3> images_{};
+  RunDescription description_;
   std::array<std::byte, kMaxConfigBytes> config_{};
   std::array<char, 1024> memory_{};
   TextBuffer texts_{memory_};
