@@ -112,12 +112,14 @@ class Controller {
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   void transfer(rendering::StateArchive& archive);
+  void transfer_guards(rendering::StateArchive& archive);
   void transfer_parameters(rendering::StateArchive& archive);
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
+  [[nodiscard]] bool is_certified(std::uint32_t object, const rendering::Material& material) const;
   void retune();
 
   ControllerConfig config_;         // with what set_parameter has changed

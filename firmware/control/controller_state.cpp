@@ -35,7 +35,7 @@ void EncoderGuard::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [joints, joint_count, step_s, max_step, frozen_travel,
                           blocked_ticks_to_fault, passed_ticks, is_placed] = *this;
   for (Joint& joint : joints) {
-    auto& [position, travel, effort, blocked_step, blocked_ticks] = joint;
+    [[maybe_unused]] auto& [position, travel, effort, blocked_step, blocked_ticks] = joint;
     archive(position, travel, effort, blocked_ticks);
   }
   archive(passed_ticks, is_placed);
@@ -49,7 +49,9 @@ void MotionGuard::transfer(StateArchive& archive) {
 
 void EnergyAccount::transfer(StateArchive& archive) {
   auto& [ledger_J, parts, rendered_W, held_W, p_W, is_placed] = *this;
-  archive(ledger_J, parts, rendered_W, held_W, p_W, is_placed);
+  auto& [friction_W, texture_W, effect_W, driven_power] = parts;
+  archive(ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, held_W, p_W,
+          is_placed);
 }
 
 void PassivityControl::transfer(StateArchive& archive) {
@@ -89,23 +91,29 @@ void Controller::transfer(StateArchive& archive) {
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
   archive.require(configured);
-  archive(encoder_guard, motion_guard, energy, passivity, held_effort);
   archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
           force_limiter, gravity_compensation, friction_compensation);
-  transfer_parameters(archive);
   archive.choice(mode, Mode::fault);
   archive(faults, write_status, tool, next_tick);
+  transfer_guards(archive);
+  transfer_parameters(archive);
   transfer_pose(archive);
   transfer_record(archive);
   archive(world);
 }
 
-// The controller's own; those of objects are the world's.
+void Controller::transfer_guards(StateArchive& archive) {
+  archive(encoder_guard_, motion_guard_, energy_, passivity_, held_effort_);
+}
+
+// What set_parameter may have changed.
 void Controller::transfer_parameters(StateArchive& archive) {
-  SafetyConfig& safety = config_.safety;
-  archive(safety.max_force_N, safety.force_slew_N_per_s, safety.soft_start_s,
-          safety.contact_start_s, config_.velocity_cutoff_hz);
-  if (archive.is_reading() && archive.good()) {
+  auto& [place, value] = change_;
+  archive.choice(place.parameter, Parameter::viscous_friction);
+  archive(place.object, value, config_.safety.max_force_N, config_.safety.force_slew_N_per_s,
+          config_.safety.soft_start_s, config_.safety.contact_start_s, config_.velocity_cutoff_hz);
+  if (archive.is_reading()) {
+    archive.require(validate(config_).has_value());
     retune();
   }
 }

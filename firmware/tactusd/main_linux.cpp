@@ -9,8 +9,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <optional>
 
+#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_server.h"
+#include "firmware/commands/scene_store.h"
+#include "firmware/commands/telemetry_hooks.h"
 #include "firmware/device/device_image.h"
 #include "firmware/realtime/real_time.h"
 #include "firmware/realtime/service_notice.h"
@@ -34,7 +39,9 @@ constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
+// Where commands are taken it goes on until told to stop: somebody may reset it.
 constexpr double kAfterFault_s = 0.2;
+constexpr const char* kRunFolder = "/run/tactus";
 constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
@@ -51,11 +58,10 @@ std::uint64_t now_ns() {
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
   hal::MappedFile device_file;
-  hal::MappedFile scene_file;
   hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
-  std::optional<rendering::SceneImage> scene;
+  SceneStore scenes;
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
   Controller controller;
@@ -65,6 +71,8 @@ struct Program {
   ServiceNotice notice;
   Supervisor supervisor;
   RunTelemetry telemetry;
+  CommandDesk desk;
+  CommandServer commands{desk, scenes};
 };
 
 Program program;
@@ -134,22 +142,23 @@ bool load_scene(const Options& options) {
   if (options.scene == nullptr) {
     return true;
   }
-  if (!map(program.scene_file, options.scene)) {
+  const auto opened = program.scenes.open_next(options.scene);
+  if (!opened) {
+    const SceneStoreError& error = opened.error();
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", options.scene, length(error.what),
+                 error.what.data(), error.errno_value != 0 ? ": " : "",
+                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
     return false;
   }
-  const auto image = rendering::SceneImage::open(program.scene_file.bytes());
-  if (!image) {
-    const std::string_view what = rendering::describe(image.error().fault);
-    std::fprintf(stderr, "tactusd: %s: %.*s\n", options.scene, length(what), what.data());
-    return false;
-  }
-  const rendering::SceneImage& scene = program.scene.emplace(*image);
+  const rendering::SceneImage& scene = **opened;
   const auto loaded = program.controller.load_scene(
       scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
   if (!loaded) {
     tell_refusal(options.scene, scene, loaded.error());
+    return false;
   }
-  return loaded.has_value();
+  program.scenes.use_next();
+  return true;
 }
 
 // The Falcon's firmware, if one is named.
@@ -194,7 +203,7 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What passes the loop's doors: the command line's wish in, every tick out.
+// What passes the loop's doors: commands and the command line's wish in, every tick out.
 class Doors {
  public:
   Doors(const Options& options, const drivers::ComposedDevice& device)
@@ -202,10 +211,12 @@ class Doors {
 
   [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
 
-  [[nodiscard]] Request take_request(const Controller& controller) const {
+  // --enable acts until an operator does.
+  [[nodiscard]] Request take_request(Controller& controller) const {
+    const Request commanded = program.desk.before_tick(controller);
     const Mode mode = controller.mode();
-    if (!enable_) {
-      return Request::none;
+    if (!enable_ || program.desk.is_operated()) {
+      return commanded;
     }
     return mode == Mode::init    ? Request::home
            : mode == Mode::ready ? Request::enable
@@ -213,6 +224,7 @@ class Doors {
   }
 
   void publish(Controller& controller, const LoopTick& tick) {
+    program.desk.after_tick(controller);
     program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
@@ -226,17 +238,25 @@ int run(drivers::ComposedDevice& device, const Options& options) {
   const double rate_hz = program.config.controller.rate_hz;
   LoopConfig config{.phase = loop_phase(rate_hz),
                     .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
+  if (program.commands.is_running()) {
+    config.ticks_after_fault = std::numeric_limits<std::uint64_t>::max();
+  }
   if (options.seconds > 0.0) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
   Doors doors(options, device);
-  const LoopEnd end = run_loop(config,
-                               {.controller = program.controller,
-                                .clock = program.boards.clock(),
-                                .timing = program.timing,
-                                .watchdog = program.watchdog},
-                               device, doors);
+  const LoopParts parts{.controller = program.controller,
+                        .clock = program.boards.clock(),
+                        .timing = program.timing,
+                        .watchdog = program.watchdog};
+  LoopEnd end = LoopEnd::ended;
+  if (options.allow_inject) {
+    InjectedDevice injected(device, program.desk.injector(), rate_hz, now_ns);
+    end = run_loop(config, parts, injected, doors);
+  } else {
+    end = run_loop(config, parts, device, doors);
+  }
   device.stop();
   end_real_time();
   return end == LoopEnd::faulted ? kFaulted : kEnded;
@@ -290,6 +310,25 @@ bool start_telling() {
   return failed == 0;
 }
 
+// Opens the command socket. Without the service's folder it goes on without commands.
+bool start_commands(const Options& options) {
+  const char* const folder = options.run_dir != nullptr ? options.run_dir : kRunFolder;
+  std::array<char, kMostWords> path{};
+  std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
+  program.desk.set_events(telemetry_events(program.telemetry.writer()));
+  const auto started =
+      program.commands.start({.socket_path = path.data(),
+                              .group = options.group,
+                              .allow_inject = options.allow_inject,
+                              .hooks = telemetry_hooks(program.telemetry.writer())});
+  if (!started) {
+    const ListenError& error = started.error();
+    std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),
+                 error.what.data(), std::strerror(error.errno_value));
+  }
+  return started.has_value() || (options.run_dir == nullptr && options.group == nullptr);
+}
+
 void write_files(const Options& options) {
   const auto complain = [](const char* path, int failed) {
     if (failed != 0) {
@@ -312,11 +351,11 @@ int start_and_run(const Options& options) {
   if (!program.telemetry.start(options,
                                {.config = program.controller.config(),
                                 .device = program.device_file.bytes(),
-                                .scene = program.scene_file.bytes()},
+                                .scene = program.scenes.bytes()},
                                program.config.joint_count)) {
     return kCouldNotStart;
   }
-  if (!take_time(options) || !start_telling()) {
+  if (!start_commands(options) || !take_time(options) || !start_telling()) {
     return kCouldNotStart;
   }
   struct sigaction action{};
@@ -328,6 +367,7 @@ int start_and_run(const Options& options) {
 
   device->start();
   const int code = run(*device, options);
+  program.commands.stop();
   program.supervisor.stop();
   program.telemetry.stop(options);
   if (code == kFaulted) {

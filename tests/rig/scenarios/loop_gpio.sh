@@ -9,9 +9,9 @@ device=hapkit priority=40
 . /rig/loop.inc
 
 begin
-loop gpio_1kHz wall 1000 1
-loop gpio_2kHz wall 2000 1
-loop gpio_4kHz wall 4000 1
+loop gpio_1kHz wall 1000 0.6
+loop gpio_2kHz wall 2000 0.6
+loop gpio_4kHz wall 4000 0.6
 cyclic gpio 4000 2
 compare
 end

@@ -11,7 +11,7 @@ device=falcon priority=70
 
 begin
 sleep 0.6 # until the device has been enumerated
-loop usb_1kHz bunny 1000 2
-cyclic usb 1000 2
+loop usb_1kHz bunny 1000 1.2
+cyclic usb 4000 2
 compare
 end
