@@ -11,7 +11,8 @@ namespace tactus::firmware {
 // Every configuration fits.
 inline constexpr std::size_t kMaxConfigBytes = 4096;
 
-// How many bytes; 0 if a number is not finite.
+// Without the certificate, which a run that was recorded has passed. How many bytes; 0 if a number
+// is not finite.
 std::size_t save_config(const ControllerConfig& config, std::span<std::byte, kMaxConfigBytes> room);
 
 // False, and the defaults, if the bytes are of no configuration of this version. What they say is

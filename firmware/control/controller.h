@@ -119,6 +119,7 @@ class Controller {
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
+  [[nodiscard]] bool is_certified(std::uint32_t object, const rendering::Material& material) const;
   void retune();
 
   ControllerConfig config_;         // with what set_parameter has changed

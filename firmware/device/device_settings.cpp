@@ -121,6 +121,8 @@ std::span<const Binding<DeviceConfig>> device_keys() {
   static constexpr std::array kKeys{
       bind<&DeviceConfig::name>("name"),
       bind<&DeviceConfig::read_limit_s>("read_limit_s", "s"),
+      bind<&DeviceConfig::watchdog_chip>("watchdog_chip"),
+      bind<&DeviceConfig::watchdog_line>("watchdog_line"),
   };
   return kKeys;
 }

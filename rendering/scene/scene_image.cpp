@@ -60,10 +60,6 @@ Result check_detail(const Object& object) {
   }
 }
 
-bool is_coefficient(double value) {
-  return std::isfinite(value) && value >= 0.0;
-}
-
 FrictionParameters friction_of(const image::Friction& stored) {
   return {.kind = static_cast<FrictionKind>(stored.kind()),
           .coulomb = stored.coulomb(),

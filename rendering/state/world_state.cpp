@@ -43,6 +43,32 @@ void Scenery::transfer(StateArchive& archive) {
   for (std::size_t k = 0; k < deformable_count; ++k) {
     archive(deformables[k]);
   }
+  transfer_materials(archive);
+}
+
+// What set_material has changed, on top of what the scene says.
+void Scenery::transfer_materials(StateArchive& archive) {
+  std::size_t count = changed_count_;
+  archive.up_to(count, kMaxChangedMaterials);
+  if (archive.is_reading()) {
+    changed_of_.fill(kUnchanged);
+    changed_count_ = 0;
+  }
+  std::uint32_t number = 0;
+  for (std::size_t k = 0; k < count && archive.good(); ++k, ++number) {
+    while (!archive.is_reading() && changed_of_[number] == kUnchanged) {
+      ++number;
+    }
+    archive(number);
+    archive.require(number < objects_.size());
+    if (!archive.good()) {
+      return;
+    }
+    Material now = material(number);
+    archive(now.stiffness_N_per_m, now.damping_Ns_per_m, now.friction.static_level,
+            now.friction.coulomb, now.friction.viscous_s_per_m);
+    archive.require(!archive.is_reading() || set_material(number, now));
+  }
 }
 
 // Those that are not the scene's.

@@ -26,6 +26,9 @@ firmware::ControllerConfig walking_config() {
 }
 
 void give(firmware::Controller& controller, const TickInput& input) {
+  if (input.change.place.parameter != firmware::Parameter::none) {
+    static_cast<void>(controller.set_parameter(input.change));
+  }
   controller.note_loop(input.loop);
   controller.tick(input.sample, input.request);
 }
@@ -57,6 +60,9 @@ TickInput SceneWalk::next(Mode mode) {
     input.loop = {.status = firmware::kLoopLate,
                   .missed_ticks = static_cast<std::uint32_t>(random_() % 2)};
   }
+  if (chance(0.01)) {
+    input.change = change();
+  }
   input.request = wish(mode);
   return input;
 }
@@ -75,6 +81,16 @@ void SceneWalk::choose_target() {
   }
   speed_ = std::pow(10.0, -4.5 + 1.5 * unit());
   ticks_left_ = 1 + static_cast<int>(60.0 * (1.0 + unit()));
+}
+
+// Of any parameter, mostly within its range.
+firmware::ParameterChange SceneWalk::change() {
+  const auto& text = firmware::kParameterTexts[random_() % firmware::kParameterTexts.size()];
+  const double share = std::abs(unit());
+  const double most = text.unit == "1" ? 1.0 : text.unit == "N/m" ? 2000.0 : 10.0;
+  return {.place = {.parameter = text.parameter,
+                    .object = static_cast<std::uint32_t>(random_() % objects_.size())},
+          .value = most * share};
 }
 
 Request SceneWalk::wish(Mode mode) {

@@ -16,6 +16,7 @@ struct TickInput {
   drivers::JointSample sample;
   firmware::Request request = firmware::Request::none;
   firmware::LoopReport loop;
+  firmware::ParameterChange change;  // may be refused
 };
 
 // Three prismatic axes that reach every object.
@@ -36,6 +37,7 @@ class SceneWalk {
   bool chance(double share) { return std::uniform_real_distribution<double>()(random_) < share; }
   Vec3 noise() { return {unit(), unit(), unit()}; }
   void choose_target();
+  firmware::ParameterChange change();
   firmware::Request wish(firmware::Mode mode);
 
   std::span<const rendering::Object> objects_;
