@@ -6,6 +6,7 @@
 
 #include "firmware/commands/injection.h"
 #include "firmware/commands/request_slot.h"
+#include "firmware/control/controller.h"
 #include "firmware/control/mode.h"
 #include "firmware/control/parameters.h"
 #include "rendering/scene/scene_image.h"
@@ -26,12 +27,11 @@ struct Command {
 
 enum class Outcome : std::uint8_t {
   done,
-  superseded,    // a newer request came before the next tick
-  estop_waits,   // an estop has not been taken yet
-  no_effect,     // of a request: `after` says where the mode is
-  parameter,     // refused, `refusal` says why
-  scene_active,  // no scene while active
-  scene_unfit,   // the world has no room for it
+  superseded,   // a newer request came before the next tick
+  estop_waits,  // an estop has not been taken yet
+  no_effect,    // of a request: `after` says where the mode is
+  parameter,    // refused, `refusal` says why
+  scene,        // refused, `scene_refusal` says why
 };
 
 struct Answer {
@@ -43,8 +43,9 @@ struct Answer {
   Mode after = Mode::init;
   ParameterRefusal refusal = ParameterRefusal::no_such_parameter;
   std::uint64_t tick = 0;  // that was the first to have it
-  std::uint32_t faults = 0;
+  std::uint64_t faults = 0;
   ParameterValue value;  // of `get` and `set`
+  SceneRefusal scene_refusal;
 };
 static_assert(std::is_trivially_copyable_v<Command> && std::is_trivially_copyable_v<Answer>);
 

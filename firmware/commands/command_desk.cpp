@@ -3,6 +3,7 @@
 #include <array>
 
 #include "firmware/control/parameter_name.h"
+#include "firmware/flight/attachments.h"
 
 namespace tactus::firmware {
 
@@ -108,13 +109,7 @@ void CommandDesk::carry_out(const Command& command, Controller& controller) {
       set(command, controller, answer);
       break;
     case CommandKind::scene:
-      if (controller.mode() == Mode::active) {
-        answer.outcome = Outcome::scene_active;
-      } else if (!controller.load_scene(command.scene->objects(),
-                                        {.tool_radius_m = command.scene->tool_radius_m(),
-                                         .effects = command.scene->effects()})) {
-        answer.outcome = Outcome::scene_unfit;
-      }
+      set_scene(command, controller, answer);
       break;
     case CommandKind::inject:
       injector_.start(command.injection);
@@ -142,13 +137,25 @@ void CommandDesk::set(const Command& command, Controller& controller, Answer& an
   }
 }
 
+void CommandDesk::set_scene(const Command& command, Controller& controller, Answer& answer) {
+  const auto loaded = controller.load_scene(
+      command.scene->objects(),
+      {.tool_radius_m = command.scene->tool_radius_m(), .effects = command.scene->effects()});
+  if (!loaded) {
+    answer.outcome = Outcome::scene;
+    answer.scene_refusal = loaded.error();
+    return;
+  }
+  tell(EventKind::scene, answer.tick, kSceneAttachment, 0.0);
+}
+
 void CommandDesk::tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) {
-  if (events_ == nullptr) {
+  if (events_.tell == nullptr) {
     return;
   }
   TelemetryEvent event{.tick = tick, .kind = kind, .value = value};
   set_name(event, name);
-  events_->push(event);
+  events_.tell(events_.to, event);
 }
 
 }  // namespace tactus::firmware

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "firmware/commands/command.h"
 #include "firmware/commands/injection.h"
@@ -20,6 +21,12 @@ namespace tactus::firmware {
 
 // Commands without an answer yet, at most; the one who posts sees to it.
 inline constexpr std::size_t kMaxWaiting = 16;
+
+// Called from the loop: bounded, without locks. Null tells nobody.
+struct EventSink {
+  void* to = nullptr;
+  void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
+};
 
 class CommandDesk {
  public:
@@ -46,12 +53,13 @@ class CommandDesk {
   // Between the device and the controller; does nothing until somebody injects.
   [[nodiscard]] Injector& injector() { return injector_; }
 
-  // Where the loop tells of what took effect; set before the start, null for nowhere.
-  void set_events(EventRing* events) { events_ = events; }
+  // Where the loop tells of what took effect; set before the start.
+  void set_events(const EventSink& events) { events_ = events; }
 
  private:
   void carry_out(const Command& command, Controller& controller);
   void set(const Command& command, Controller& controller, Answer& answer);
+  void set_scene(const Command& command, Controller& controller, Answer& answer);
   void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value);
 
   RequestSlot requests_;
@@ -61,7 +69,7 @@ class CommandDesk {
   Mode before_ = Mode::init;
   bool is_operated_ = false;
   Injector injector_;
-  EventRing* events_ = nullptr;
+  EventSink events_;
 };
 
 // Whether a request has done in its tick what it asks for, or there was nothing to do.

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "firmware/commands/reply.h"
+#include "firmware/tactusd/certificate_words.h"
 
 namespace tactus::firmware {
 namespace {
@@ -354,13 +355,13 @@ void CommandServer::ask_next_of_list(CommandClient& client) {
 }
 
 void CommandServer::switch_recording(CommandClient& client, std::string_view file) {
-  const RecordingSwitch& recording = config_.recording;
-  if (recording.start == nullptr || recording.stop == nullptr) {
+  const RunHooks& hooks = config_.hooks;
+  if (hooks.start_recording == nullptr || hooks.stop_recording == nullptr) {
     refuse(client, "record", "nothing here records");
     return;
   }
   const std::string_view wrong =
-      file.empty() ? recording.stop(recording.recorder) : recording.start(recording.recorder, file);
+      file.empty() ? hooks.stop_recording(hooks.run) : hooks.start_recording(hooks.run, file);
   if (!wrong.empty()) {
     refuse(client, "record", wrong);
     return;
@@ -404,7 +405,27 @@ void CommandServer::take_over_scene(const Answer& answer) {
     return;
   }
   scene_ticket_ = 0;
-  answer.outcome == Outcome::done ? scenes_.use_next() : scenes_.drop_next();
+  if (answer.outcome != Outcome::done) {
+    remember_refused_object(answer.scene_refusal);
+    scenes_.drop_next();
+    return;
+  }
+  if (config_.hooks.scene_changed != nullptr) {
+    config_.hooks.scene_changed(config_.hooks.run, scenes_.next_bytes());
+  }
+  scenes_.use_next();
+}
+
+// Its name, which goes with the image.
+void CommandServer::remember_refused_object(const SceneRefusal& refusal) {
+  refused_object_.fill('\0');
+  const bool is_object = refusal.fault == SceneFault::uncertified &&
+                         refusal.part.kind == UncertifiedPart::Kind::object;
+  if (const rendering::SceneImage* const next = scenes_.next_scene();
+      is_object && next != nullptr) {
+    const std::string_view name = next->object_name(refusal.part.index);
+    std::ranges::copy(name.substr(0, refused_object_.size() - 1), refused_object_.begin());
+  }
 }
 
 void CommandServer::reply(CommandClient& client, const Answer& answer) {
@@ -443,18 +464,16 @@ void CommandServer::reply_scene(CommandClient& client, const Answer& answer) {
     hand_scene_over(client, answer);
     return;
   }
-  if (answer.outcome == Outcome::scene_active) {
-    refuse(client, "scene", "the mode is active; send disable first");
-    return;
-  }
-  if (answer.outcome == Outcome::scene_unfit) {
-    refuse(client, "scene", "the controller refuses it, and the world is empty; send another");
+  if (answer.outcome == Outcome::scene) {
+    std::array<char, kMaxCommandLine> room{};
+    refuse(client, "scene", refusal_words(answer.scene_refusal, refused_object_.data(), room));
     return;
   }
   TextLine& out = client.out();
   out.add("ok scene");
   write_tick(out, answer);
-  out.add(" objects=").add(scenes_.scene()->objects().size());
+  const rendering::SceneImage* const scene = scenes_.scene();
+  out.add(" objects=").add(scene == nullptr ? 0 : scene->objects().size());
   out.add(" file=").add(scenes_.path()).end();
 }
 
@@ -478,8 +497,9 @@ void CommandServer::reply_list(CommandClient& client, const Answer& answer) {
   const ParameterPlace& place = client.waiting.place;
   out.add("parameter");
   write_parameter(out, place, answer.value);
-  if (is_of_object(place.parameter) && scenes_.scene() != nullptr) {
-    out.add(" object=").add(scenes_.scene()->object_name(place.object));
+  if (const rendering::SceneImage* const scene = scenes_.scene();
+      is_of_object(place.parameter) && scene != nullptr) {
+    out.add(" object=").add(scene->object_name(place.object));
   }
   out.end();
 }

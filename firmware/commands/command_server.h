@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <span>
 #include <string_view>
 
 #include "firmware/commands/command_client.h"
@@ -25,19 +26,21 @@ namespace tactus::firmware {
 inline constexpr std::size_t kMaxCommandClients = 8;
 static_assert(kMaxCommandClients < kMaxWaiting);
 
-// Starts and stops the recording, if there is somebody who does; called from the command thread.
-struct RecordingSwitch {
-  void* recorder = nullptr;
+// What else of the run a command reaches, each from the command thread; null: there is none.
+struct RunHooks {
+  void* run = nullptr;
   // Empty if it went well, or what is wrong and what to do.
-  std::string_view (*start)(void* recorder, std::string_view file) = nullptr;
-  std::string_view (*stop)(void* recorder) = nullptr;
+  std::string_view (*start_recording)(void* run, std::string_view file) = nullptr;
+  std::string_view (*stop_recording)(void* run) = nullptr;
+  // The loop has taken another scene; when this returns, nobody may hold the one before.
+  void (*scene_changed)(void* run, std::span<const std::byte> image) = nullptr;
 };
 
 struct CommandServerConfig {
   const char* socket_path = nullptr;
   const char* group = nullptr;  // of the socket's file; null: the program's
   bool allow_inject = false;
-  RecordingSwitch recording;
+  RunHooks hooks;
 };
 
 class CommandServer {
@@ -79,6 +82,7 @@ class CommandServer {
 
   void deliver(const Answer& answer);
   void take_over_scene(const Answer& answer);
+  void remember_refused_object(const SceneRefusal& refusal);
   void reply(CommandClient& client, const Answer& answer);
   void reply_scene(CommandClient& client, const Answer& answer);
   void reply_status(CommandClient& client, const Answer& answer);
@@ -94,6 +98,7 @@ class CommandServer {
   std::array<pollfd, kMaxCommandClients + 1> polled_{};
   hal::TimeNs now_ns_ = 0;
   Ticket last_ticket_ = 0;
+  std::array<char, 64> refused_object_{};
   Ticket scene_ticket_ = 0;  // of the scene that the loop has not answered yet; 0: none
   pthread_t thread_{};
   bool is_running_ = false;

@@ -36,7 +36,7 @@ void write_tick(TextLine& line, const Answer& answer) {
   line.add(" tick=").add(answer.tick).add(" mode=").add(mode_name(answer.after));
 }
 
-void write_faults(TextLine& line, std::uint32_t faults) {
+void write_faults(TextLine& line, std::uint64_t faults) {
   bool first = true;
   for (const FaultText& text : kFaultTexts) {
     if ((faults & kFaultMask & text.bit) != 0) {

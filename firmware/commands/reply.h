@@ -1,6 +1,7 @@
 // What the command socket says to an answer: "ok ...", or "refused ...: why; what to do".
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "firmware/commands/command.h"
@@ -25,6 +26,6 @@ void write_parameter(TextLine& line, const ParameterPlace& place, const Paramete
 void write_tick(TextLine& line, const Answer& answer);
 
 // "joint_limit,drive", or "none".
-void write_faults(TextLine& line, std::uint32_t faults);
+void write_faults(TextLine& line, std::uint64_t faults);
 
 }  // namespace tactus::firmware

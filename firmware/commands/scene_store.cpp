@@ -39,11 +39,6 @@ void SceneStore::drop_next() {
   next().clear();
 }
 
-const rendering::SceneImage* SceneStore::scene() const {
-  const auto& image = places_[used_].image;
-  return image ? &*image : nullptr;
-}
-
 std::string_view SceneStore::path() const {
   return places_[used_].path.data();
 }

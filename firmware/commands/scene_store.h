@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <expected>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "hal/linux/mapped_file.h"
@@ -37,9 +38,17 @@ class SceneStore {
   void drop_next();
 
   // nullptr without a scene.
-  [[nodiscard]] const rendering::SceneImage* scene() const;
+  [[nodiscard]] const rendering::SceneImage* scene() const { return scene_of(places_[used_]); }
   // Empty without one.
   [[nodiscard]] std::string_view path() const;
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_of(places_[used_]); }
+  // Of the one that open_next has opened.
+  [[nodiscard]] const rendering::SceneImage* next_scene() const {
+    return scene_of(places_[1 - used_]);
+  }
+  [[nodiscard]] std::span<const std::byte> next_bytes() const {
+    return bytes_of(places_[1 - used_]);
+  }
 
   // The first object of that name in the scene in use.
   [[nodiscard]] std::optional<std::uint32_t> find_object(std::string_view name) const;
@@ -53,6 +62,12 @@ class SceneStore {
     void clear();
   };
 
+  static const rendering::SceneImage* scene_of(const Place& place) {
+    return place.image ? &*place.image : nullptr;
+  }
+  static std::span<const std::byte> bytes_of(const Place& place) {
+    return place.file ? place.file->bytes() : std::span<const std::byte>{};
+  }
   [[nodiscard]] Place& next() { return places_[1 - used_]; }
 
   std::array<Place, 2> places_;

@@ -9,7 +9,7 @@ namespace tactus::firmware {
 using rendering::FrictionKind;
 using rendering::StateArchive;
 
-inline constexpr std::uint64_t kConfigVersion = 1;
+inline constexpr std::uint64_t kConfigVersion = 2;
 
 inline void transfer(StateArchive& archive, LinkWeight& weight) {
   auto& [mass_kg, centre_m] = weight;
@@ -87,19 +87,37 @@ inline void transfer(StateArchive& archive, JointFriction& friction) {
 
 inline void transfer(StateArchive& archive, SafetyConfig& safety) {
   auto& [max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
-         stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s] = safety;
+         stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s, max_joint_speed, frozen_travel,
+         blocked_effort_share, blocked_s, max_tool_speed_m_per_s, runaway_speed_m_per_s,
+         runaway_travel_m, workspace_lower_W, workspace_upper_W, workspace_stiffness_N_per_m,
+         workspace_damping_Ns_per_m, workspace_overrun_m, device_damping_Ns_per_m,
+         passivity_damping_Ns_per_m, passivity_fault_J, guards_off] = safety;
   archive(max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
-          stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s);
+          stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s, max_joint_speed, frozen_travel,
+          blocked_effort_share, blocked_s, max_tool_speed_m_per_s, runaway_speed_m_per_s,
+          runaway_travel_m, workspace_lower_W, workspace_upper_W, workspace_stiffness_N_per_m,
+          workspace_damping_Ns_per_m, workspace_overrun_m, device_damping_Ns_per_m,
+          passivity_damping_Ns_per_m, passivity_fault_J, guards_off);
+}
+
+inline void transfer(StateArchive& archive, CertifiedPoint& point) {
+  auto& [damping_Ns_per_m, stiffness_N_per_m] = point;
+  archive(damping_Ns_per_m, stiffness_N_per_m);
+}
+
+inline void transfer(StateArchive& archive, StiffnessCertificate& certificate) {
+  auto& [points, count, margin] = certificate;
+  archive.up_to(count, kMaxCertifiedPoints);
+  archive(points, margin);
 }
 
 inline void transfer(StateArchive& archive, ControllerConfig& config) {
-  [[maybe_unused]] auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz,
-                          joints, coupled_limits, friction, safety, certificate,
-                          allow_uncertified] = config;
+  auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints,
+         coupled_limits, friction, safety, certificate, allow_uncertified] = config;
   archive.same(kConfigVersion);
   transfer(archive, mechanism);
   archive(rate_hz, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints, coupled_limits,
-          friction, safety, allow_uncertified);
+          friction, safety, certificate, allow_uncertified);
 }
 
 std::size_t save_config(const ControllerConfig& config,

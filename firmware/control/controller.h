@@ -19,9 +19,14 @@
 #include "firmware/control/parameters.h"
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
+#include "firmware/safety/encoder_guard.h"
+#include "firmware/safety/energy_account.h"
 #include "firmware/safety/force_limiter.h"
 #include "firmware/safety/loop_check.h"
+#include "firmware/safety/motion_guard.h"
+#include "firmware/safety/passivity.h"
 #include "firmware/safety/sample_check.h"
+#include "firmware/safety/workspace_walls.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
 #include "rendering/state/state_archive.h"
@@ -99,18 +104,22 @@ class Controller {
   void raise(std::uint64_t bits);
   void step_mode(Event event);
   void advance_mode(std::uint32_t status, Request request);
+  void check_encoders(const drivers::JointSample& sample);
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
   Vec3 limit_force(const rendering::Touch& touch);
+  Vec3 add_safety(bool pushes);
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
   void transfer(rendering::StateArchive& archive);
+  void transfer_guards(rendering::StateArchive& archive);
   void transfer_parameters(rendering::StateArchive& archive);
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
+  [[nodiscard]] bool is_certified(std::uint32_t object, const rendering::Material& material) const;
   void retune();
 
   ControllerConfig config_;         // with what set_parameter has changed
@@ -120,6 +129,11 @@ class Controller {
   Mechanism mechanism_;
   SampleCheck sample_check_;
   LoopCheck loop_check_;
+  EncoderGuard encoder_guard_;
+  WorkspaceWalls workspace_walls_;
+  MotionGuard motion_guard_;
+  EnergyAccount energy_;
+  PassivityControl passivity_;
   VelocityFilter velocity_filter_;
   ForceLimiter force_limiter_;
   GravityCompensation gravity_compensation_;
@@ -133,6 +147,7 @@ class Controller {
   std::uint64_t raised_ = 0;        // faults and limits of this tick
   std::uint32_t write_status_ = 0;  // of the last write
   LoopReport loop_report_;          // for the next tick
+  JointEfforts held_effort_{};      // commanded by the last tick
   Pose pose_;
   rendering::ToolState tool_;
   TelemetryRecord record_;

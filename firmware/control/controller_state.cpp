@@ -31,6 +31,35 @@ void LoopCheck::transfer(StateArchive& archive) {
   archive(late_in_a_row, late_count);
 }
 
+void EncoderGuard::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [joints, joint_count, step_s, max_step, frozen_travel,
+                          blocked_ticks_to_fault, passed_ticks, is_placed] = *this;
+  for (Joint& joint : joints) {
+    [[maybe_unused]] auto& [position, travel, effort, blocked_step, blocked_ticks] = joint;
+    archive(position, travel, effort, blocked_ticks);
+  }
+  archive(passed_ticks, is_placed);
+}
+
+void MotionGuard::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [step_s, max_speed_m_per_s, runaway_speed_m_per_s, runaway_travel_m,
+                          runaway_m] = *this;
+  archive(runaway_m);
+}
+
+void EnergyAccount::transfer(StateArchive& archive) {
+  auto& [ledger_J, parts, rendered_W, held_W, p_W, is_placed] = *this;
+  auto& [friction_W, texture_W, effect_W, driven_power] = parts;
+  archive(ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, held_W, p_W,
+          is_placed);
+}
+
+void PassivityControl::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J,
+                          credit_J] = *this;
+  archive(credit_J);
+}
+
 void ForceLimiter::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [max_force_N, max_step_N, activation_gain_per_tick, contact_gain_per_tick,
                           activation_gain, contact_gain, touched, last_W] = *this;
@@ -53,29 +82,38 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 
 void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
-                          loop_check, velocity_filter, force_limiter, gravity_compensation,
+                          loop_check, encoder_guard, workspace_walls, motion_guard, energy,
+                          passivity, velocity_filter, force_limiter, gravity_compensation,
                           friction_compensation, world, objects, effects, mode, faults, raised,
-                          write_status, loop_report, pose, tool, record, next_tick, now_ns] = *this;
+                          write_status, loop_report, held_effort, pose, tool, record, next_tick,
+                          now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
   archive.require(configured);
   archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
           force_limiter, gravity_compensation, friction_compensation);
-  transfer_parameters(archive);
   archive.choice(mode, Mode::fault);
   archive(faults, write_status, tool, next_tick);
+  transfer_guards(archive);
+  transfer_parameters(archive);
   transfer_pose(archive);
   transfer_record(archive);
   archive(world);
 }
 
-// The controller's own; those of objects are the world's.
+void Controller::transfer_guards(StateArchive& archive) {
+  archive(encoder_guard_, motion_guard_, energy_, passivity_, held_effort_);
+}
+
+// What set_parameter may have changed.
 void Controller::transfer_parameters(StateArchive& archive) {
-  SafetyConfig& safety = config_.safety;
-  archive(safety.max_force_N, safety.force_slew_N_per_s, safety.soft_start_s,
-          safety.contact_start_s, config_.velocity_cutoff_hz);
-  if (archive.is_reading() && archive.good()) {
+  auto& [place, value] = change_;
+  archive.choice(place.parameter, Parameter::viscous_friction);
+  archive(place.object, value, config_.safety.max_force_N, config_.safety.force_slew_N_per_s,
+          config_.safety.soft_start_s, config_.safety.contact_start_s, config_.velocity_cutoff_hz);
+  if (archive.is_reading()) {
+    archive.require(validate(config_).has_value());
     retune();
   }
 }

@@ -117,6 +117,9 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   if (is_of_object(change.place.parameter)) {
     rendering::Material material = world_.material(change.place.object);
     material_field(change.place.parameter, material) = change.value;
+    if (!is_certified(change.place.object, material)) {
+      return std::unexpected(ParameterRefusal::uncertified);
+    }
     if (!world_.set_material(change.place.object, material)) {
       return std::unexpected(ParameterRefusal::too_many_changed);
     }
@@ -125,6 +128,15 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   }
   change_ = change;
   return ParameterEvent{.tick = next_tick_, .change = change};
+}
+
+bool Controller::is_certified(std::uint32_t object, const rendering::Material& material) const {
+  if (config_.allow_uncertified) {
+    return true;
+  }
+  rendering::Object changed = objects_[object];
+  changed.material = material;
+  return !first_uncertified(config_.certificate, {&changed, 1}, {});
 }
 
 // One of the controller's own, within its range.

@@ -107,6 +107,7 @@ enum class ParameterRefusal : std::uint8_t {
   not_while_active,   // disable first
   too_many_changed,   // kMaxChangedMaterials objects have been changed since the scene was loaded
   not_of_this_model,  // the object's friction model has no such term
+  uncertified,        // stiffer than the device's certificate allows with that damping
 };
 
 // For people, with what to do.
@@ -126,6 +127,9 @@ constexpr std::string_view describe(ParameterRefusal refusal) {
       return "too many objects have been changed; load the scene again";
     case ParameterRefusal::not_of_this_model:
       return "the object's friction model has no such term";
+    case ParameterRefusal::uncertified:
+      return "the device is not certified for so much; certify a stiffer device with tactus "
+             "certify, or start with --allow-uncertified";
   }
   return {};
 }

@@ -2,15 +2,15 @@
 
 namespace tactus::firmware {
 
-void FlightRecorder::add(const TelemetryRecord& record, Controller& controller) {
-  const std::uint64_t tick = record.tick;
-  if (begins_ || tick != end_tick_.load(std::memory_order_relaxed)) {
-    begin(tick);
+void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
+  const std::uint64_t number = tick.record.tick;
+  if (begins_ || number != end_tick_.load(std::memory_order_relaxed)) {
+    begin(number);
   }
-  records_[tick % kFlightTicks] = record;
-  end_tick_.store(tick + 1, std::memory_order_release);
-  if (tick + 1 >= state_due_) {
-    take_state(tick + 1, controller);
+  ticks_[number % kFlightTicks] = tick;
+  end_tick_.store(number + 1, std::memory_order_release);
+  if (number + 1 >= state_due_) {
+    take_state(number + 1, controller);
   }
 }
 
@@ -89,17 +89,17 @@ std::optional<FlightWindow> FlightRecorder::hold() {
                       .state = std::span(state.bytes).first(state.size)};
 }
 
-bool FlightRecorder::read(std::uint64_t tick, TelemetryRecord& to) const {
+bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
   const auto is_there = [&] {
     const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
     // The loop may be writing into the place of the oldest.
-    return tick < end_tick && end_tick - tick < kFlightTicks &&
-           tick >= begin_tick_.load(std::memory_order_acquire);
+    return number < end_tick && end_tick - number < kFlightTicks &&
+           number >= begin_tick_.load(std::memory_order_acquire);
   };
   if (!is_there()) {
     return false;
   }
-  to = records_[tick % kFlightTicks];
+  to = ticks_[number % kFlightTicks];
   // The copy stays before the second look. Not a fence: the thread sanitizer knows none.
   between_looks_.fetch_add(1, std::memory_order_acq_rel);
   return is_there();

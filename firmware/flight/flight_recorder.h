@@ -16,7 +16,7 @@
 
 #include "firmware/control/controller.h"
 #include "firmware/limits.h"
-#include "firmware/telemetry/record.h"
+#include "firmware/telemetry/recorded_tick.h"
 
 namespace tactus::firmware {
 
@@ -27,12 +27,12 @@ struct FlightWindow {
   std::span<const std::byte> state;
 };
 
-// Lives in static storage: kFlightTicks records and four states. No heap, no locks, no waiting.
+// Lives in static storage: kFlightTicks ticks and four states. No heap, no locks, no waiting.
 class FlightRecorder {
  public:
-  // The loop's thread, between ticks: what the last one did. Copies a record, and once in
+  // The loop's thread, between ticks: what the last one did. Copies it, and once in
   // kFlightTicks / 4 ticks the controller's state.
-  void add(const TelemetryRecord& record, Controller& controller);
+  void add(const RecordedTick& tick, Controller& controller);
 
   // The loop's thread: what there is cannot be replayed together with what comes, as after a change
   // of the scene or configure(). The next add() begins anew.
@@ -43,7 +43,7 @@ class FlightRecorder {
   std::optional<FlightWindow> hold();
 
   // A tick of the window. False if it was overwritten by now.
-  bool read(std::uint64_t tick, TelemetryRecord& to) const;
+  bool read(std::uint64_t number, RecordedTick& to) const;
 
   void release();
 
@@ -79,7 +79,7 @@ class FlightRecorder {
   std::size_t held_ = kNoState;
   mutable std::atomic<std::uint32_t> between_looks_{0};
   std::array<State, kStates> states_{};
-  std::array<TelemetryRecord, kFlightTicks> records_{};
+  std::array<RecordedTick, kFlightTicks> ticks_{};
 };
 
 }  // namespace tactus::firmware

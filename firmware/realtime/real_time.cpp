@@ -59,6 +59,11 @@ bool become_real_time(const RealTimeConfig& config, RealTimeError& error) {
   return done;
 }
 
+void end_real_time() {
+  const sched_param ordinary{};
+  (void)sched_setscheduler(0, SCHED_OTHER, &ordinary);
+}
+
 int CpuLatencyRequest::hold() {
   hal::FileDescriptor device(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC));
   constexpr std::int32_t kNone_us = 0;

@@ -24,6 +24,10 @@ struct RealTimeError {
 // something or the machine does not have it; the rest is done all the same.
 bool become_real_time(const RealTimeConfig& config, RealTimeError& error);
 
+// Back to an ordinary thread, for what is done after the loop: it would keep the machine from
+// everything else. Memory stays locked.
+void end_real_time();
+
 // While it lives, no processor goes into a sleep from which it takes time to wake: the request that
 // Linux knows as /dev/cpu_dma_latency, with 0 us. Not real time.
 class CpuLatencyRequest {

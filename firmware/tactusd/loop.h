@@ -58,6 +58,10 @@ inline bool is_healthy(Mode mode, const LoopTick& tick) {
   return mode != Mode::fault && !tick.late;
 }
 
+// What the controller's guards are told of the loop before a tick: of the tick itself, and whether
+// the tick before could drive the watchdog.
+LoopReport loop_report(const LoopTick& tick, bool watchdog_driven);
+
 // The phase's period for so many ticks a second.
 hal::Phase loop_phase(double rate_hz);
 
@@ -76,14 +80,16 @@ LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Do
   auto& [controller, clock, timing, watchdog] = parts;
   LoopCourse course(config);
   bool stopping = false;
+  bool watchdog_driven = true;
   hal::Wake wake = clock.sleep_until(hal::next_instant_ns(config.phase, clock.now_ns()));
   for (;;) {
     LoopTick tick = timing.woke(wake);
     stopping = stopping || doors.stopping();
+    controller.note_loop(loop_report(tick, watchdog_driven));
     const Request wanted = doors.take_request(controller);
     const bool disable = stopping && controller.mode() == Mode::active;
     run_tick(controller, device, disable ? Request::disable : wanted);
-    watchdog.tick(is_healthy(controller.mode(), tick));
+    watchdog_driven = watchdog.tick(is_healthy(controller.mode(), tick));
     timing.done(tick, controller.record().stage_ns, clock.now_ns());
     doors.publish(controller, tick);
     if (!course.goes_on(controller.mode(), stopping)) {

@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cinttypes>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <optional>
 
+#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_server.h"
+#include "firmware/commands/scene_store.h"
+#include "firmware/commands/telemetry_hooks.h"
 #include "firmware/device/device_image.h"
 #include "firmware/realtime/real_time.h"
 #include "firmware/realtime/service_notice.h"
@@ -33,7 +39,9 @@ constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
+// Where commands are taken it goes on until told to stop: somebody may reset it.
 constexpr double kAfterFault_s = 0.2;
+constexpr const char* kRunFolder = "/run/tactus";
 constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
@@ -50,11 +58,10 @@ std::uint64_t now_ns() {
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
   hal::MappedFile device_file;
-  hal::MappedFile scene_file;
   hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
-  std::optional<rendering::SceneImage> scene;
+  SceneStore scenes;
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
   Controller controller;
@@ -64,9 +71,15 @@ struct Program {
   ServiceNotice notice;
   Supervisor supervisor;
   RunTelemetry telemetry;
+  CommandDesk desk;
+  CommandServer commands{desk, scenes};
 };
 
 Program program;
+
+void on_flight_signal(int /*signal*/) {
+  program.telemetry.ask_for_flight();
+}
 
 int length(std::string_view text) {
   return static_cast<int>(text.size());
@@ -129,22 +142,23 @@ bool load_scene(const Options& options) {
   if (options.scene == nullptr) {
     return true;
   }
-  if (!map(program.scene_file, options.scene)) {
+  const auto opened = program.scenes.open_next(options.scene);
+  if (!opened) {
+    const SceneStoreError& error = opened.error();
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", options.scene, length(error.what),
+                 error.what.data(), error.errno_value != 0 ? ": " : "",
+                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
     return false;
   }
-  const auto image = rendering::SceneImage::open(program.scene_file.bytes());
-  if (!image) {
-    const std::string_view what = rendering::describe(image.error().fault);
-    std::fprintf(stderr, "tactusd: %s: %.*s\n", options.scene, length(what), what.data());
-    return false;
-  }
-  const rendering::SceneImage& scene = program.scene.emplace(*image);
+  const rendering::SceneImage& scene = **opened;
   const auto loaded = program.controller.load_scene(
       scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
   if (!loaded) {
     tell_refusal(options.scene, scene, loaded.error());
+    return false;
   }
-  return loaded.has_value();
+  program.scenes.use_next();
+  return true;
 }
 
 // The Falcon's firmware, if one is named.
@@ -162,6 +176,13 @@ bool load_falcon_firmware() {
   return true;
 }
 
+void complain(const OpenError& error) {
+  const std::string_view code = hal::words(error.error.code);
+  std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
+               length(error.connection), error.connection.data(), length(error.what),
+               error.what.data(), length(code), code.data(), error.error.errno_value);
+}
+
 // Null if a board does not open.
 drivers::ComposedDevice* open_boards() {
   // Half of every period stays for the rest of the tick.
@@ -171,17 +192,18 @@ drivers::ComposedDevice* open_boards() {
   drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
   const auto opened = program.boards.open(program.config, program.falcon_file.bytes(), device);
   if (!opened) {
-    const OpenError& error = opened.error();
-    const std::string_view code = hal::words(error.error.code);
-    std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
-                 length(error.connection), error.connection.data(), length(error.what),
-                 error.what.data(), length(code), code.data(), error.error.errno_value);
+    complain(opened.error());
+    return nullptr;
+  }
+  if (const auto watchdog = program.boards.open_watchdog(program.config, program.watchdog);
+      !watchdog) {
+    complain(watchdog.error());
     return nullptr;
   }
   return &device;
 }
 
-// What passes the loop's doors: the command line's wish in, every tick out.
+// What passes the loop's doors: commands and the command line's wish in, every tick out.
 class Doors {
  public:
   Doors(const Options& options, const drivers::ComposedDevice& device)
@@ -189,17 +211,20 @@ class Doors {
 
   [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
 
-  [[nodiscard]] Request take_request(const Controller& controller) const {
+  // --enable acts until an operator does.
+  [[nodiscard]] Request take_request(Controller& controller) const {
+    const Request commanded = program.desk.before_tick(controller);
     const Mode mode = controller.mode();
-    if (!enable_) {
-      return Request::none;
+    if (!enable_ || program.desk.is_operated()) {
+      return commanded;
     }
     return mode == Mode::init    ? Request::home
            : mode == Mode::ready ? Request::enable
                                  : Request::none;
   }
 
-  void publish(const Controller& controller, const LoopTick& tick) {
+  void publish(Controller& controller, const LoopTick& tick) {
+    program.desk.after_tick(controller);
     program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
@@ -213,18 +238,27 @@ int run(drivers::ComposedDevice& device, const Options& options) {
   const double rate_hz = program.config.controller.rate_hz;
   LoopConfig config{.phase = loop_phase(rate_hz),
                     .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
+  if (program.commands.is_running()) {
+    config.ticks_after_fault = std::numeric_limits<std::uint64_t>::max();
+  }
   if (options.seconds > 0.0) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
   Doors doors(options, device);
-  const LoopEnd end = run_loop(config,
-                               {.controller = program.controller,
-                                .clock = program.boards.clock(),
-                                .timing = program.timing,
-                                .watchdog = program.watchdog},
-                               device, doors);
+  const LoopParts parts{.controller = program.controller,
+                        .clock = program.boards.clock(),
+                        .timing = program.timing,
+                        .watchdog = program.watchdog};
+  LoopEnd end = LoopEnd::ended;
+  if (options.allow_inject) {
+    InjectedDevice injected(device, program.desk.injector(), rate_hz, now_ns);
+    end = run_loop(config, parts, injected, doors);
+  } else {
+    end = run_loop(config, parts, device, doors);
+  }
   device.stop();
+  end_real_time();
   return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
@@ -276,6 +310,25 @@ bool start_telling() {
   return failed == 0;
 }
 
+// Opens the command socket. Without the service's folder it goes on without commands.
+bool start_commands(const Options& options) {
+  const char* const folder = options.run_dir != nullptr ? options.run_dir : kRunFolder;
+  std::array<char, kMostWords> path{};
+  std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
+  program.desk.set_events(telemetry_events(program.telemetry.writer()));
+  const auto started =
+      program.commands.start({.socket_path = path.data(),
+                              .group = options.group,
+                              .allow_inject = options.allow_inject,
+                              .hooks = telemetry_hooks(program.telemetry.writer())});
+  if (!started) {
+    const ListenError& error = started.error();
+    std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),
+                 error.what.data(), std::strerror(error.errno_value));
+  }
+  return started.has_value() || (options.run_dir == nullptr && options.group == nullptr);
+}
+
 void write_files(const Options& options) {
   const auto complain = [](const char* path, int failed) {
     if (failed != 0) {
@@ -295,27 +348,34 @@ int start_and_run(const Options& options) {
   if (device == nullptr) {
     return kCouldNotStart;
   }
-  if (!program.telemetry.start(
-          options, {.device = program.device_file.bytes(), .scene = program.scene_file.bytes()},
-          program.config.controller.rate_hz, program.config.joint_count)) {
+  if (!program.telemetry.start(options,
+                               {.config = program.controller.config(),
+                                .device = program.device_file.bytes(),
+                                .scene = program.scenes.bytes()},
+                               program.config.joint_count)) {
     return kCouldNotStart;
   }
-  if (!take_time(options) || !start_telling()) {
+  if (!start_commands(options) || !take_time(options) || !start_telling()) {
     return kCouldNotStart;
   }
   struct sigaction action{};
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = on_flight_signal;
+  sigaction(SIGUSR1, &action, nullptr);
 
   device->start();
   const int code = run(*device, options);
+  program.commands.stop();
   program.supervisor.stop();
   program.telemetry.stop(options);
   if (code == kFaulted) {
     explain_fault(*device);
   }
   print_timing(stderr, program.timing);
+  std::fprintf(stderr, "hash of all ticks: %016" PRIx64 "\n",
+               program.controller.record().state_hash);
   write_files(options);
   return code;
 }

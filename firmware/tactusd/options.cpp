@@ -28,9 +28,17 @@ bool read_value(std::string_view option, const char* value, Options& options) {
     options.record = value;
     return value != nullptr || complain("no file after", option);
   }
+  if (option == "--flight-dir") {
+    options.flight_dir = value;
+    return value != nullptr || complain("no folder after", option);
+  }
   if (option == "--run-dir") {
     options.run_dir = value;
     return value != nullptr || complain("no folder after", option);
+  }
+  if (option == "--group") {
+    options.group = value;
+    return value != nullptr || complain("no group after", option);
   }
   if (option == "--udp-json") {
     if (!read_number(value, 1.0, 65535.0, number)) {
@@ -81,7 +89,11 @@ void print_usage(std::FILE* file) {
       "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
       "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
       ".csv\n"
+      "  --flight-dir DIR      after a fault, and at SIGUSR1, write the last seconds there; "
+      "default:\n"
+      "                        this folder. tactus replay lives them once more\n"
       "  --run-dir DIR         put the sockets there; default /run/tactus\n"
+      "  --group GROUP         the group that may command; default the program's own\n"
       "  --udp-json PORT       send ticks as JSON to this UDP port of this machine, 100 a second;\n"
       "                        PlotJuggler listens at 9870\n"
       "  --rate HZ             ticks a second in place of the device's own\n"
@@ -90,6 +102,7 @@ void print_usage(std::FILE* file) {
       "  --priority P          SCHED_FIFO priority of the loop, 1 to 98; default 80\n"
       "  --cpu N               run the loop on processor N only\n"
       "  --allow-non-realtime  run even where real-time priority is not to be had\n"
+      "  --allow-inject        let `tactus inject` raise faults, for tests and drills\n"
       "  --allow-uncertified   load a scene that is stiffer than the device's certificate\n"
       "  --help\n"
       "\n"
@@ -113,6 +126,8 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
       options.enable = true;
     } else if (argument == "--allow-non-realtime") {
       options.allow_non_realtime = true;
+    } else if (argument == "--allow-inject") {
+      options.allow_inject = true;
     } else if (argument == "--allow-uncertified") {
       options.allow_uncertified = true;
     } else if (argument.starts_with("--")) {

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <ctime>
 
+#include "firmware/configuration/config_state.h"
+#include "firmware/flight/attachments.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/image_format.h"
 
@@ -39,15 +41,14 @@ bool tell(const char* what, int failed) {
 
 }  // namespace
 
-bool RunTelemetry::start(const Options& options, const RunImages& images, double rate_hz,
-                         std::size_t joints) {
-  describe(options, images, rate_hz, joints);
+bool RunTelemetry::start(const Options& options, const RunImages& images, std::size_t joints) {
+  describe(options, images, joints);
   attach(images);
   if (!open_live_socket(options)) {
     return false;
   }
   if (options.udp_port != 0) {
-    const auto every = static_cast<std::uint32_t>(rate_hz / kUdpRate_Hz);
+    const auto every = static_cast<std::uint32_t>(images.config.rate_hz / kUdpRate_Hz);
     if (!tell("--udp-json", writer_.open_udp(options.udp_port, every))) {
       return false;
     }
@@ -55,7 +56,11 @@ bool RunTelemetry::start(const Options& options, const RunImages& images, double
   if (options.record != nullptr && !tell(options.record, writer_.record(options.record))) {
     return false;
   }
-  return tell("no thread for telemetry", writer_.start());
+  return tell("no thread for telemetry", writer_.start()) &&
+         tell("no thread for the flight recorder", flight_.start({.folder = options.flight_dir,
+                                                                  .rate_hz = images.config.rate_hz,
+                                                                  .run = description_,
+                                                                  .images = images_}));
 }
 
 template <class Write>
@@ -73,14 +78,13 @@ void RunTelemetry::note(std::string_view key, std::string_view value) {
   }
 }
 
-void RunTelemetry::describe(const Options& options, const RunImages& images, double rate_hz,
-                            std::size_t joints) {
+void RunTelemetry::describe(const Options& options, const RunImages& images, std::size_t joints) {
   const auto checksum = [&](std::span<const std::byte> image) {
     return keep([&](TextBuffer& text) { text.hex(checksum_of(image)); });
   };
   note("program", "tactusd");
   note("version", TACTUS_VERSION);
-  note("rate_hz", keep([&](TextBuffer& text) { text.number(rate_hz); }));
+  note("rate_hz", keep([&](TextBuffer& text) { text.number(images.config.rate_hz); }));
   note("joints", keep([&](TextBuffer& text) { text.number(joints); }));
   note("started", keep([](TextBuffer& text) {
          const std::time_t now = std::time(nullptr);
@@ -92,21 +96,27 @@ void RunTelemetry::describe(const Options& options, const RunImages& images, dou
          text.text({written.data(), size});
        }));
   note("device.file", options.device);
-  note("device.checksum", checksum(images.device));
+  note(kDeviceChecksumKey, checksum(images.device));
   if (!images.scene.empty()) {
     note("scene.file", options.scene);
-    note("scene.checksum", checksum(images.scene));
+    note(kSceneChecksumKey, checksum(images.scene));
   }
-  writer_.describe({.info = std::span(info_).first(info_count_),
-                    .joints = joints,
-                    .clock_offset_ns = realtime_offset_ns()});
+  description_ = {.info = std::span(info_).first(info_count_),
+                  .joints = joints,
+                  .clock_offset_ns = realtime_offset_ns()};
+  writer_.describe(description_);
 }
 
 void RunTelemetry::attach(const RunImages& images) {
-  for (const Attachment& image : {Attachment{.name = kDeviceAttachment, .bytes = images.device},
-                                  Attachment{.name = kSceneAttachment, .bytes = images.scene}}) {
+  std::size_t count = 0;
+  const std::size_t config_bytes = save_config(images.config, config_);
+  for (const Attachment& image :
+       {Attachment{.name = kConfigAttachment, .bytes = std::span(config_).first(config_bytes)},
+        Attachment{.name = kDeviceAttachment, .bytes = images.device},
+        Attachment{.name = kSceneAttachment, .bytes = images.scene}}) {
     if (!image.bytes.empty() && image.bytes.size() <= kLargestAttachment) {
       writer_.attach(image);
+      images_[count++] = image;
     }
   }
 }
@@ -124,7 +134,7 @@ bool RunTelemetry::open_live_socket(const Options& options) {
   return options.run_dir == nullptr;  // without the service's folder it goes on
 }
 
-void RunTelemetry::publish(const Controller& controller, const LoopTick& tick,
+void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
                            const drivers::ComposedDevice& device) {
   RecordedTick recorded{
       .record = controller.record(),
@@ -138,10 +148,12 @@ void RunTelemetry::publish(const Controller& controller, const LoopTick& tick,
     recorded.shaft_rad[i] = device.encoder_sample(i).position_rad;
     recorded.torque_Nm[i] = device.commanded_torque_Nm(i);
   }
+  flight_.add(recorded, controller);
   writer_.publish(recorded);
 }
 
 void RunTelemetry::stop(const Options& options) {
+  flight_.stop();
   const int failed = writer_.stop();
   const char* const record = options.record != nullptr ? options.record : "recording";
   if (failed != 0) {

@@ -1,5 +1,5 @@
-// What tactusd lets others see of its run: the recording, the live socket and PlotJuggler, as the
-// command line asks.
+// What tactusd lets others see of its run: the recording, the flight recorder, the live socket and
+// PlotJuggler, as the command line asks.
 #pragma once
 
 #include <array>
@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "drivers/composed_device.h"
+#include "firmware/configuration/config_state.h"
 #include "firmware/control/controller.h"
+#include "firmware/flight/flight_writer.h"
 #include "firmware/realtime/loop_timing.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/telemetry/outputs/telemetry_writer.h"
@@ -16,8 +18,9 @@
 
 namespace tactus::firmware {
 
-// What the run is of; the bytes outlive it.
+// What the run is of; all outlives it.
 struct RunImages {
+  const ControllerConfig& config;  // as the controller was configured
   std::span<const std::byte> device;
   std::span<const std::byte> scene;  // empty: free space
 };
@@ -30,11 +33,10 @@ class RunTelemetry {
 
   // Opens what is wanted and starts the thread, before the calling thread becomes a real-time one.
   // False, after telling the user on stderr, if something cannot be had that was asked for.
-  bool start(const Options& options, const RunImages& images, double rate_hz, std::size_t joints);
+  bool start(const Options& options, const RunImages& images, std::size_t joints);
 
   // Real time.
-  void publish(const Controller& controller, const LoopTick& tick,
-               const drivers::ComposedDevice& device);
+  void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
   void publish(const TelemetryEvent& event) { writer_.publish(event); }
 
   // After the loop; tells on stderr what is missing from the recording.
@@ -42,10 +44,11 @@ class RunTelemetry {
 
   // For recordings that begin and end while the loop runs.
   TelemetryWriter& writer() { return writer_; }
+  // Writes the last seconds out; from a signal's handler, too.
+  void ask_for_flight() { flight_.ask(); }
 
  private:
-  void describe(const Options& options, const RunImages& images, double rate_hz,
-                std::size_t joints);
+  void describe(const Options& options, const RunImages& images, std::size_t joints);
   void attach(const RunImages& images);
   void note(std::string_view key, std::string_view value);
   // Puts what `write` writes where it stays.
@@ -54,6 +57,10 @@ class RunTelemetry {
   bool open_live_socket(const Options& options);
 
   TelemetryWriter writer_;
+  FlightWriter flight_;
+  std::array<Attachment, 3> images_{};
+  RunDescription description_;
+  std::array<std::byte, kMaxConfigBytes> config_{};
   std::array<char, 1024> memory_{};
   TextBuffer texts_{memory_};
   std::array<MetadataEntry, 16> info_{};

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 #include <span>
 
+#include "firmware/device/device_certificate.h"
 #include "firmware/device/device_generated.h"
 #include "host_tools/bake/atomic_file.h"
+#include "host_tools/bake/certificate_file.h"
 #include "host_tools/bake/key_advice.h"
 #include "host_tools/bake/toml_file.h"
 #include "host_tools/input_error.h"
@@ -31,6 +34,7 @@ struct WrittenSetting {
 struct WrittenSection {
   std::string kind;
   std::string title;  // "[[joint]] 2"
+  std::string file;
   std::size_t line = 0;
   std::vector<WrittenSetting> settings;
 };
@@ -66,8 +70,11 @@ WrittenSetting read_value(std::string_view file, std::string_view title, const s
 
 WrittenSection read_section(std::string_view file, const std::string& kind,
                             const std::string& title, const toml::table& table) {
-  WrittenSection section{
-      .kind = kind, .title = title, .line = table.source().begin.line, .settings = {}};
+  WrittenSection section{.kind = kind,
+                         .title = title,
+                         .file = std::string(file),
+                         .line = table.source().begin.line,
+                         .settings = {}};
   for (const auto& [key, node] : table) {
     section.settings.push_back(read_value(file, title, std::string(key.str()), node));
   }
@@ -76,7 +83,11 @@ WrittenSection read_section(std::string_view file, const std::string& kind,
 
 std::vector<WrittenSection> read_sections(std::string_view file, const toml::table& root) {
   std::vector<WrittenSection> sections;
-  WrittenSection top{.kind = "device", .title = "top of the file", .line = 1, .settings = {}};
+  WrittenSection top{.kind = "device",
+                     .title = "top of the file",
+                     .file = std::string(file),
+                     .line = 1,
+                     .settings = {}};
   for (const auto& [key, node] : root) {
     const std::string name(key.str());
     if (const toml::table* table = node.as_table()) {
@@ -139,22 +150,65 @@ std::string advice_on(const firmware::DeviceSections& sections, std::size_t sect
                 setting.type == device_image::ValueType::numbers);
 }
 
-[[noreturn]] void explain(std::string_view file, std::span<const WrittenSection> written,
+[[noreturn]] void explain(std::span<const WrittenSection> written,
                           const firmware::DeviceSections& sections,
                           const firmware::DeviceError& error) {
   const WrittenSection& section = written[std::min(error.section, written.size() - 1)];
   const auto setting = std::ranges::find(section.settings, error.key, &WrittenSetting::key);
   if (setting == section.settings.end()) {
-    fail_at(file, section.line,
+    fail_at(section.file, section.line,
             error.key.empty() ? fmt::format("{}: {}", section.title, error.what)
                               : fmt::format("{}: {} {}", section.title, error.key, error.what));
   }
   if (error.what == "unknown key") {
-    fail_at(file, setting->line,
+    fail_at(section.file, setting->line,
             fmt::format("{}: unknown key '{}'; {}", section.title, setting->key,
                         advice_on(sections, error.section, *setting)));
   }
-  fail_at(file, setting->line, fmt::format("{}: {} {}", section.title, error.key, error.what));
+  fail_at(section.file, setting->line,
+          fmt::format("{}: {} {}", section.title, error.key, error.what));
+}
+
+// Bytes that the controller would take.
+std::vector<std::byte> write_checked(std::span<const WrittenSection> written) {
+  std::vector<std::byte> bytes = write_device(written);
+  firmware::DeviceSections sections;
+  firmware::DeviceConfig config;
+  auto outcome = firmware::open_device_image(bytes, sections);
+  if (outcome) {
+    outcome = firmware::read_device(sections, config);
+  }
+  if (!outcome) {
+    explain(written, sections, outcome.error());
+  }
+  return bytes;
+}
+
+std::vector<WrittenSection> read_device_file(const std::string& name) {
+  std::vector<WrittenSection> written = read_sections(name, parse_toml(read_file(name), name));
+  const auto certificate =
+      std::ranges::find(written, firmware::kCertificateKind, &WrittenSection::kind);
+  if (certificate != written.end()) {
+    fail_at(
+        name, certificate->line,
+        "[certificate]: a certificate stands in a file of its own, which tactus certify writes; "
+        "remove this table");
+  }
+  return written;
+}
+
+// Nothing if there is no such file.
+std::optional<WrittenSection> read_certificate_file(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    return std::nullopt;
+  }
+  const std::string name = file.string();
+  std::vector<WrittenSection> written = read_sections(name, parse_toml(read_file(file), name));
+  if (written.size() != 2 || written[1].kind != firmware::kCertificateKind ||
+      !written[0].settings.empty()) {
+    fail_at(name, 1, "must hold one table, [certificate], as tactus certify writes it");
+  }
+  return std::move(written[1]);
 }
 
 }  // namespace
@@ -171,6 +225,7 @@ LoadedDevice::LoadedDevice(std::vector<std::byte> image, const std::string& name
     throw InputError(error.key.empty() ? fmt::format("{}: {}", name, error.what)
                                        : fmt::format("{}: {} {}", name, error.key, error.what));
   }
+  settings_checksum_ = firmware::settings_checksum(sections);
 }
 
 bool describes_device(const std::filesystem::path& file) {
@@ -179,19 +234,29 @@ bool describes_device(const std::filesystem::path& file) {
 
 LoadedDevice bake_device(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const std::vector<WrittenSection> written =
-      read_sections(name, parse_toml(read_file(file), name));
-  std::vector<std::byte> bytes = write_device(written);
-  firmware::DeviceSections sections;
-  firmware::DeviceConfig config;
-  auto outcome = firmware::open_device_image(bytes, sections);
-  if (outcome) {
-    outcome = firmware::read_device(sections, config);
+  const std::filesystem::path certificate_file = certificate_path(file);
+  std::vector<WrittenSection> written = read_device_file(name);
+  (void)write_checked(written);  // an error of the device's own comes first
+  std::optional<WrittenSection> certificate = read_certificate_file(certificate_file);
+  if (!certificate) {
+    LoadedDevice device(write_checked(written), name);
+    device.warn(fmt::format(
+        "{}: without a certificate, so tactusd will not refuse surfaces that are too stiff; make "
+        "one with: tactus certify {}",
+        name, name));
+    return device;
   }
-  if (!outcome) {
-    explain(name, written, sections, outcome.error());
+  written.push_back(std::move(*certificate));
+  LoadedDevice device(write_checked(written), name);
+  if (!device.config().certification.is_for_these_settings) {
+    written.pop_back();
+    device = LoadedDevice(write_checked(written), name);
+    device.warn(fmt::format(
+        "{}: not taken in, because the settings of {} have been changed since it was measured; "
+        "make a new one with: tactus certify {}",
+        certificate_file.string(), name, name));
   }
-  return {std::move(bytes), name};
+  return device;
 }
 
 std::string in_words(const firmware::DeviceConfig& config) {
@@ -203,6 +268,11 @@ std::string in_words(const firmware::DeviceConfig& config) {
     const firmware::JointConfig& joint = config.joints[i];
     text += fmt::format("\n  {}: motor {}, encoder {}", joint.name, joint.motor_name,
                         joint.encoder_name);
+  }
+  const firmware::StiffnessCertificate& limits = config.certification.limits;
+  if (limits.exists()) {
+    text += fmt::format("\n  certified for surfaces of up to {:.0f} N/m without damping",
+                        firmware::certified_stiffness(limits, 0.0));
   }
   return text;
 }

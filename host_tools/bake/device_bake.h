@@ -20,17 +20,26 @@ class LoadedDevice {
 
   [[nodiscard]] const firmware::DeviceConfig& config() const { return *config_; }
   [[nodiscard]] const std::vector<std::byte>& image() const { return image_; }
+  // Over the settings, for the certificate.
+  [[nodiscard]] std::uint64_t settings_checksum() const { return settings_checksum_; }
+  // For the user, from baking: one line each.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  void warn(std::string warning) { warnings_.push_back(std::move(warning)); }
 
  private:
   std::vector<std::byte> image_;
   std::unique_ptr<firmware::DeviceConfig> config_;
+  std::uint64_t settings_checksum_ = 0;
+  std::vector<std::string> warnings_;
 };
 
 // Whether the file describes a device, not a scene: it has a mechanism. Throws InputError if it
 // cannot be read or is no TOML.
 bool describes_device(const std::filesystem::path& file);
 
-// Checks everything. Throws InputError naming file, line and remedy.
+// Checks everything. Takes in the certificate beside the file (certificate_file.h), if there is one
+// and the settings are still those it was made for; a warning if not. Throws InputError naming
+// file, line and remedy.
 LoadedDevice bake_device(const std::filesystem::path& file);
 
 // "3 joints on 1 connection: ...", for the user.

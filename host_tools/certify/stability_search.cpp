@@ -16,19 +16,24 @@ double end_of(double good, double bad, double precision, const Predicate& holds)
   return good;
 }
 
-// Steps of two from `first`: the end of the first stretch that holds, or 0. `last` is the most that
-// is looked at, and `is_known_bad` says that it does not hold.
+// The stretch of values to look at, in steps of a factor.
+struct Range {
+  double first = 0.0;
+  double last = 0.0;
+  double step = 2.0;
+  bool last_is_bad = false;  // known not to hold
+};
+
+// The end of the first stretch that holds, or 0.
 template <class Predicate>
-double end_of_first_stretch(double first, double last, bool is_known_bad, double precision,
-                            const Predicate& holds) {
-  constexpr double kStep = 2.0;
-  if (!holds(first)) {
+double end_of_first_stretch(const Range& range, double precision, const Predicate& holds) {
+  if (!holds(range.first)) {
     return 0.0;
   }
-  double good = first;
-  while (good < last) {
-    const double next = std::min(kStep * good, last);
-    if ((next == last && is_known_bad) || !holds(next)) {
+  double good = range.first;
+  while (good < range.last) {
+    const double next = std::min(range.step * good, range.last);
+    if ((next == range.last && range.last_is_bad) || !holds(next)) {
       return end_of(good, next, precision, holds);
     }
     good = next;
@@ -49,9 +54,8 @@ StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact
     if (i > 0 && holds(most)) {
       continue;
     }
-    found = {.stiffness_N_per_m =
-                 end_of_first_stretch(kSoftestWall_N_per_m, most, i > 0, precision, holds),
-             .worst = i};
+    const Range range{.first = kSoftestWall_N_per_m, .last = most, .last_is_bad = i > 0};
+    found = {.stiffness_N_per_m = end_of_first_stretch(range, precision, holds), .worst = i};
     if (found.stiffness_N_per_m == 0.0) {
       break;
     }
@@ -60,23 +64,22 @@ StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact
 }
 
 double largest_stable_damping(ContactTrial& trial, std::span<const WallContact> contacts) {
-  constexpr double kLeast_Ns_per_m = 0.01;
-  constexpr double kMost_Ns_per_m = 1000.0;
   constexpr double kPrecision = 0.05;
-  double most = kMost_Ns_per_m;
+  Range range{.first = 0.1, .last = 1000.0, .step = 1.3};
   for (const WallContact& contact : contacts) {
     const auto holds = [&](double damping) {
       return is_stable(trial.run(contact, {kSoftestWall_N_per_m, damping}));
     };
-    if (most < kMost_Ns_per_m && holds(most)) {
+    if (range.last_is_bad && holds(range.last)) {
       continue;
     }
-    most = end_of_first_stretch(kLeast_Ns_per_m, most, most < kMost_Ns_per_m, kPrecision, holds);
-    if (most == 0.0) {
+    range.last = end_of_first_stretch(range, kPrecision, holds);
+    range.last_is_bad = true;
+    if (range.last == 0.0) {
       break;
     }
   }
-  return most;
+  return range.last;
 }
 
 }  // namespace tactus::host

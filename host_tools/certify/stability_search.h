@@ -8,7 +8,7 @@
 namespace tactus::host {
 
 // The stiffnesses that are looked at, N/m.
-inline constexpr double kSoftestWall_N_per_m = 25.0;
+inline constexpr double kSoftestWall_N_per_m = 100.0;
 inline constexpr double kStiffestWall_N_per_m = 51'200.0;
 
 struct StableStiffness {

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kShareOfLiftOff = 0.7;
 constexpr double kDeepest_m = 0.005;
-constexpr int kWindows = 6;
-constexpr double kPeriodsInWindow = 8.0;
-constexpr double kShortestWindow_s = 0.2;
+constexpr int kWindows = 5;
+constexpr double kPeriodsInWindow = 4.0;
+constexpr double kShortestWindow_s = 0.15;
 constexpr double kLeastLoss = 1e-3;
 // A damper without a spring, stiff enough to lead the handle through any wall at its speed.
 constexpr HandParameters kGuide{.damping_Ns_per_m = 2000.0};

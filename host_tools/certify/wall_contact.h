@@ -7,11 +7,11 @@
 // v0 is 0.7 of what would carry the handle back out of the wall if nothing took energy away, so a
 // stable contact stays a contact, and an unstable one starts near its largest.
 //
-// The verdict. After one period of the handle on the ideal wall, 2 pi sqrt(M / (K + k_hand)), six
-// windows follow, each of eight periods but at least 0.2 s. The motion of a window is its mean
+// The verdict. After one period of the handle on the ideal wall, 2 pi sqrt(M / (K + k_hand)), five
+// windows follow, each of four periods but at least 0.15 s. The motion of a window is its mean
 // kinetic energy, weighted with a Hann window, so that it does not matter at which phase of the
 // oscillation a window begins. The contact is stable if the motion gets less from window to window
-// until the last, or until its speed is below 0.5 mm/s rms, which is quiet. It is unstable as soon
+// until the last, or until its speed is below 1 mm/s rms, which is quiet. It is unstable as soon
 // as a window has as much motion as the one before, less 0.1 percent: growth, a limit cycle, or
 // chatter that the hand feels. A fault of the controller is unstable too.
 //
@@ -29,7 +29,7 @@
 
 namespace tactus::host {
 
-inline constexpr double kQuietSpeed_m_per_s = 0.5e-3;
+inline constexpr double kQuietSpeed_m_per_s = 1e-3;
 
 // Where and by whom the wall is touched.
 struct WallContact {

@@ -88,6 +88,9 @@ void print_table(const BakeReport& report) {
 void run_device(const Options& options, const std::filesystem::path& output) {
   const LoadedDevice device = bake_device(options.scene);
   write_file_atomically(output, device.image());
+  for (const std::string& warning : device.warnings()) {
+    fmt::print(stderr, "tactus bake: warning: {}\n", warning);
+  }
   if (options.json) {
     const firmware::DeviceConfig& config = device.config();
     const nlohmann::ordered_json json{{"image", output.string()},
@@ -95,7 +98,8 @@ void run_device(const Options& options, const std::filesystem::path& output) {
                                       {"joints", config.joint_count},
                                       {"axes", config.axis_count},
                                       {"connections", config.connection_count},
-                                      {"rate_hz", config.controller.rate_hz}};
+                                      {"rate_hz", config.controller.rate_hz},
+                                      {"certified", config.certification.limits.exists()}};
     fmt::print("{}\n", json.dump());
   } else if (!options.quiet) {
     fmt::print("{}: {} bytes, {}\n", output.string(), device.image().size(),

@@ -26,6 +26,7 @@ void add_monitor_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("monitor", "Watch and operate a running controller");
   const auto run_dir = std::make_shared<std::string>(kDefaultRunDir);
   verb->add_option("--run-dir", *run_dir, "Folder of the controller's sockets")
+      ->envname("TACTUS_RUN_DIR")
       ->capture_default_str();
   verb->footer(kExamples);
   verb->callback([run_dir] { run_monitor(*run_dir); });

@@ -43,6 +43,7 @@ std::pair<CLI::App*, Shared> add_verb(CLI::App& app, const VerbText& text) {
   auto options = std::make_shared<Options>();
   verb->add_option("--run-dir", options->run_dir,
                    "Folder of the controller's sockets, as tactusd was given it")
+      ->envname("TACTUS_RUN_DIR")
       ->capture_default_str();
   verb->footer(fmt::format("{}\n{}", text.examples, kExitCodes));
   return {verb, options};

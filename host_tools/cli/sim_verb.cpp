@@ -11,6 +11,8 @@
 
 #include "host_tools/bake/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
+#include "host_tools/cli/serve_simulation.h"
+#include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
 #include "host_tools/simulation/run_log.h"
 #include "host_tools/simulation/run_recording.h"
@@ -34,7 +36,9 @@ constexpr const char* kExamples =
     "a.txt b.txt\n"
     "  tactus sim scene.tactus --record run.mcap      then: tactus replay run.mcap\n"
     "  tactus sim scene.tactus --fault estop@4 --fault stale@2.5x2\n"
-    "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s";
+    "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s\n"
+    "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
+    "    then, elsewhere: export TACTUS_RUN_DIR=/tmp/tactus; tactus home --wait; tactus enable";
 
 struct Options {
   std::string scene;
@@ -42,6 +46,8 @@ struct Options {
   std::string hashes;
   std::string record;
   bool json = false;
+  bool serve = false;
+  ServeOptions serving{.run_dir = std::string(kDefaultRunDir)};
   RunOptions run;
 };
 
@@ -105,6 +111,10 @@ class Recorder {
 };
 
 void run_sim(const Options& options) {
+  if (options.serve) {
+    serve_simulation(options.scene, options.run, options.serving);
+    return;
+  }
   const MappedScene scene(options.scene);
   const auto objects = scene.image().objects();
   const double tool_radius_m = scene.image().tool_radius_m();
@@ -149,6 +159,18 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--fault", run.faults,
                    "Let the device fail: stale, nan, estop or lost, like stale@2.5x3");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");
+  CLI::Option* const serve = verb->add_flag("--serve", options->serve,
+                                            "Run in wall-clock time behind the sockets of tactusd, "
+                                            "until Ctrl-C: try monitor, enable, set");
+  verb->add_option("--run-dir", options->serving.run_dir, "Folder of the sockets of --serve")
+      ->envname("TACTUS_RUN_DIR")
+      ->capture_default_str();
+  verb->add_flag("--allow-inject", options->serving.allow_inject,
+                 "Let tactus inject raise faults in --serve")
+      ->needs(serve);
+  for (const char* const other : {"--output", "--hashes", "--fault", "--json"}) {
+    serve->excludes(verb->get_option(other));
+  }
   verb->footer(kExamples);
   verb->callback([options] { run_sim(*options); });
 }

@@ -107,6 +107,7 @@ void add_watch_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("watch", "Print a running controller's ticks as lines");
   const auto options = std::make_shared<WatchOptions>();
   verb->add_option("--run-dir", options->run_dir, "Folder of the controller's sockets")
+      ->envname("TACTUS_RUN_DIR")
       ->capture_default_str();
   verb->add_option("--fields", options->fields, "Fields, apart by commas")->delimiter(',');
   verb->add_option("--every", options->every, "Every so many ticks")

@@ -1,6 +1,7 @@
 #include "host_tools/replay/recorded_run.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -8,6 +9,7 @@
 #include "firmware/configuration/config_state.h"
 #include "firmware/device/device_image.h"
 #include "firmware/flight/attachments.h"
+#include "firmware/telemetry/outputs/mcap_writer.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -93,6 +95,10 @@ void RecordedRun::take_device(const std::string& file) {
                      std::string(outcome.error().what));
   }
   setup_.config = device->controller;
+  const std::string rate(recording_.info("rate_hz"));
+  if (!rate.empty()) {
+    setup_.config.rate_hz = std::strtod(rate.c_str(), nullptr);  // tactusd --rate
+  }
 }
 
 void RecordedRun::take_scene(const std::string& file) {

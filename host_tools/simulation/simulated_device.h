@@ -2,8 +2,8 @@
 // (drivers::Device).
 //
 // One tick of lockstep: read, controller, write, advance. A command written at tick k drives the
-// motors from tick k + delay_ticks on, for as long as no other is written. One thread; no heap after
-// construction.
+// motors from tick k + delay_ticks on, for as long as no other is written. One thread; no heap
+// after construction.
 #pragma once
 
 #include <array>
@@ -22,11 +22,11 @@ inline constexpr std::size_t kMaxCommandDelay = 8;
 
 struct DeviceParameters {
   PlantParameters plant;
-  double encoder_resolution = 5e-6;  // rad or m a count
+  double encoder_resolution = 5e-6;   // rad or m a count
   double velocity_cutoff_Hz = 100.0;  // infinite: the bare difference of two samples
-  double effort_limit = 12.0;  // N m or N a joint
+  double effort_limit = 12.0;         // N m or N a joint
   double motor_time_constant_s = 0.5e-3;
-  std::size_t delay_ticks = 1;     // from a command to the motors, at most kMaxCommandDelay
+  std::size_t delay_ticks = 1;      // from a command to the motors, at most kMaxCommandDelay
   std::uint32_t sample_age_us = 0;  // from the encoder's reading to `read`
   double power_up_s = 0.01;         // not ready: the drives start
   double homing_s = 0.2;  // then homing: until its end encoders count from where they woke up

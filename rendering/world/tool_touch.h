@@ -29,6 +29,7 @@ class ToolTouch {
 
  private:
   void place(const Scenery& scenery, const Vec3& p_W);
+  void add_driven_power(Touch& touch, double tick_s) const;
 
   double radius_m_ = 0.0;
   ProxyTouch proxy_;

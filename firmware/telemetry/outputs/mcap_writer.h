@@ -20,9 +20,6 @@ namespace tactus::firmware {
 inline constexpr std::string_view kTickTopic = "/tactus/tick";
 inline constexpr std::string_view kEventTopic = "/tactus/event";
 inline constexpr std::string_view kMetadataName = "tactus";
-// The images of the run, as attachments.
-inline constexpr std::string_view kDeviceAttachment = "device.tactus";
-inline constexpr std::string_view kSceneAttachment = "scene.tactus";
 
 // A file that goes into the recording whole; `bytes` outlives the call it is given to.
 struct Attachment {

@@ -140,7 +140,9 @@ TEST_F(CommandDeskTest, AnInjectionIsForTheDevice) {
 
 TEST_F(CommandDeskTest, WhatTookEffectIsToldAsAnEvent) {
   EventRing events;
-  desk_.set_events(&events);
+  desk_.set_events({.to = &events, .tell = [](void* to, const TelemetryEvent& event) {
+                      static_cast<EventRing*>(to)->push(event);
+                    }});
   const ParameterPlace damping{.parameter = Parameter::damping, .object = 0};
   desk_.post({.kind = CommandKind::set, .ticket = 1, .change = {.place = damping, .value = 2.0}});
   answer_to(Request::home);

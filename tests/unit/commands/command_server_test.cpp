@@ -290,13 +290,14 @@ struct FakeRecorder {
 
 TEST_F(CommandServerTest, RecordingIsSwitchedByWhoeverRecords) {
   FakeRecorder recorder;
-  serve({.recording = {.recorder = &recorder,
-                       .start =
-                           [](void* to, std::string_view file) {
-                             static_cast<FakeRecorder*>(to)->file = file;
-                             return std::string_view{};
-                           },
-                       .stop = [](void*) { return std::string_view("nothing is recorded"); }}});
+  serve(
+      {.hooks = {.run = &recorder,
+                 .start_recording =
+                     [](void* run, std::string_view file) {
+                       static_cast<FakeRecorder*>(run)->file = file;
+                       return std::string_view{};
+                     },
+                 .stop_recording = [](void*) { return std::string_view("nothing is recorded"); }}});
   start_loop();
   EXPECT_TRUE(begins(say("record on press.mcap"), "ok record tick="));
   EXPECT_EQ(recorder.file, "press.mcap");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/safety/faults.h"
 #include "hal/simulated/gpio_chip.h"
 #include "hal/simulated/gpio_lines.h"
 #include "tests/unit/realtime/scripted_loop.h"
@@ -110,6 +111,32 @@ TEST_F(RunLoop, GivesTheWatchdogAnEdgeForEachHealthyTickAndNoneInFault) {
   for (std::size_t i = 1; i < levels.size(); ++i) {
     EXPECT_EQ(levels[i] != levels[i - 1], i <= 20) << i;
   }
+}
+
+TEST_F(RunLoop, TellsTheControllerOfThreeLateTicksInARowWhichIsAFault) {
+  for (const std::size_t late : {2U, 3U}) {
+    ASSERT_TRUE(controller_.configure(cartesian_config()));
+    // Each takes longer than the period, so the one after it is late.
+    testing::EnablingDoors open([&](std::size_t tick) {
+      device_.read_ns = tick >= 20 && tick < 20 + late ? 1'100'000 : 100'000;
+    });
+    const LoopEnd end = run({.phase = loop_phase(1000.0), .ticks = 60}, open);
+    EXPECT_EQ(end, late < 3 ? LoopEnd::ended : LoopEnd::faulted) << late;
+    EXPECT_EQ(open.seen[23].mode, late < 3 ? Mode::active : Mode::fault) << late;
+    EXPECT_EQ((controller_.record().faults & kFaultLateTicks) != 0, late >= 3) << late;
+  }
+}
+
+TEST_F(RunLoop, TellsTheControllerThatTheWatchdogCannotBeDriven) {
+  testing::EnablingDoors open([this](std::size_t tick) {
+    if (tick == 20) {
+      chip_.remove();
+    }
+  });
+  EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks_after_fault = 5}, open), LoopEnd::faulted);
+  EXPECT_EQ(open.seen[20].mode, Mode::active);
+  EXPECT_EQ(open.seen[21].mode, Mode::fault);
+  EXPECT_NE(controller_.record().faults & kFaultWatchdog, 0U);
 }
 
 TEST_F(RunLoop, GivesTheWatchdogNoEdgeForALateTick) {

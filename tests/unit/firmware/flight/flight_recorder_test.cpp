@@ -31,7 +31,7 @@ class FlightRecorderTest : public ::testing::Test {
   void tick() {
     const testing::TickInput input = walk_.next(controller_->mode());
     give(*controller_, input);
-    recorder_->add(controller_->record(), *controller_);
+    recorder_->add({.record = controller_->record()}, *controller_);
   }
 
   void run(std::size_t ticks) {
@@ -45,11 +45,11 @@ class FlightRecorderTest : public ::testing::Test {
     const auto again = std::make_unique<Controller>();
     take_scene(*again);
     EXPECT_TRUE(again->restore(window.state));
-    TelemetryRecord recorded;
+    RecordedTick recorded;
     std::uint64_t tick = window.first_tick;
     for (; tick < window.end_tick && recorder_->read(tick, recorded); ++tick) {
-      repeat_tick(*again, recorded);
-      if (again->record().state_hash != recorded.state_hash) {
+      repeat_tick(*again, recorded.record);
+      if (again->record().state_hash != recorded.record.state_hash) {
         break;
       }
     }
@@ -97,11 +97,11 @@ TEST_F(FlightRecorderTest, KeepsAStateThatIsHeldAndSaysWhichTicksAreGone) {
   const std::vector<std::byte> state(window->state.begin(), window->state.end());
   run(2 * kFlightTicks);
   EXPECT_TRUE(std::ranges::equal(state, window->state));
-  TelemetryRecord record;
+  RecordedTick record;
   EXPECT_FALSE(recorder_->read(window->first_tick, record));
   EXPECT_FALSE(recorder_->read(3 * kFlightTicks, record)) << "a tick that was not yet";
   ASSERT_TRUE(recorder_->read(3 * kFlightTicks - 1, record));
-  EXPECT_EQ(record.tick, 3 * kFlightTicks - 1);
+  EXPECT_EQ(record.record.tick, 3 * kFlightTicks - 1);
   const auto next = recorder_->hold();
   ASSERT_TRUE(next);
   EXPECT_EQ(equal_ticks(*next), next->end_tick - next->first_tick);
@@ -121,7 +121,7 @@ TEST_F(FlightRecorderTest, BeginsAnewWhereTheRunDoes) {
   const auto later = recorder_->hold();
   ASSERT_TRUE(later);
   EXPECT_EQ(equal_ticks(*later), 49U);
-  TelemetryRecord record;
+  RecordedTick record;
   EXPECT_FALSE(recorder_->read(later->first_tick - 2, record));
 }
 
@@ -137,15 +137,15 @@ TEST_F(FlightRecorderTest, IsCopiedOutWhileTheLoopGoesOn) {
     const auto window = recorder_->hold();
     ASSERT_TRUE(window);
     // The loop runs at full speed here, and may overtake; what can be read is right.
-    TelemetryRecord recorded;
+    RecordedTick recorded;
     const auto again = std::make_unique<Controller>();
     take_scene(*again);
     ASSERT_TRUE(again->restore(window->state));
     std::uint64_t tick = window->first_tick;
     while (tick < window->end_tick && recorder_->read(tick, recorded)) {
-      ASSERT_EQ(recorded.tick, tick);
-      repeat_tick(*again, recorded);
-      ASSERT_EQ(again->record().state_hash, recorded.state_hash);
+      ASSERT_EQ(recorded.record.tick, tick);
+      repeat_tick(*again, recorded.record);
+      ASSERT_EQ(again->record().state_hash, recorded.record.state_hash);
       ++tick;
     }
     recorder_->release();

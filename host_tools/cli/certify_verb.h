@@ -1,0 +1,10 @@
+// `tactus certify`: how stiff a surface a device can render and stay stable.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_certify_verb(CLI::App& app);
+
+}  // namespace tactus::host
