@@ -156,7 +156,7 @@ void Controller::advance_mode(std::uint32_t status, Request request) {
 
 // Until the device has its reference, positions mean nothing, and homing gives them another zero.
 void Controller::check_encoders(const drivers::JointSample& sample) {
-  const bool referenced = is_referenced(sample.status) &&
+  const bool referenced = configured_ && is_referenced(sample.status) &&
                           (mode_ == Mode::ready || mode_ == Mode::active || mode_ == Mode::fault);
   if (!referenced) {
     encoder_guard_.rest();

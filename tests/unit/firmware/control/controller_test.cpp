@@ -318,6 +318,7 @@ TEST_F(ControllerTest, AFalconPoseNearASingularityStops) {
     joint.lower = -3.2;
     joint.upper = 3.2;
   }
+  config.safety.max_joint_speed = 1e6;
   ASSERT_TRUE(controller_.configure(config));
   const drivers::JointSample good = at(0.4, 0.4, 0.4);
   controller_.tick(good, Request::home);
