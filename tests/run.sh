@@ -28,7 +28,7 @@ usage() {
   cat <<END
 usage: tests/run.sh [--only STAGE]... [--soak] [--help]
   --only STAGE   run this stage only; may be repeated
-  --soak         random tests a hundred times as long
+  --soak         random tests a hundred times as long, the loop a minute for each rate and device
 stages: $(printf '%s\n' "${stages[@]}" | awk '{print $1}' | paste -sd' ')
 Each stage's whole output is kept in build/test-logs/STAGE.log.
 END

@@ -1,11 +1,14 @@
-// What a recording holds beside its ticks and the images, so that it can be replayed anywhere: the
-// names of its attachments, and the keys of what it notes of the run.
+// What a recording holds beside its ticks, so that it can be replayed anywhere: the names of its
+// attachments, and the keys of what it notes of the run.
 #pragma once
 
 #include <string_view>
 
 namespace tactus::firmware {
 
+// Images as they were given to the program.
+inline constexpr std::string_view kDeviceAttachment = "device.tactus";
+inline constexpr std::string_view kSceneAttachment = "scene.tactus";
 // ControllerConfig, by save_config(): of a run without a device image.
 inline constexpr std::string_view kConfigAttachment = "controller.config";
 // Controller::save() before the first tick, of a recording that does not begin with tick 0.

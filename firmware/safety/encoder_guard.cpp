@@ -6,6 +6,12 @@
 #include "firmware/safety/faults.h"
 
 namespace tactus::firmware {
+namespace {
+
+// A joint that takes longer than this for frozen_travel stands still: its velocity is noise.
+constexpr double kStandstill_s = 1.0;
+
+}  // namespace
 
 void EncoderGuard::configure(const ControllerConfig& config) {
   const SafetyConfig& safety = config.safety;
@@ -51,7 +57,8 @@ std::uint64_t EncoderGuard::check_joint(Joint& joint, double position, double ve
     joint.blocked_ticks = 0;
     return step > max_step_ * elapsed_ticks ? kFaultEncoderJump : kNoFault;
   }
-  joint.travel += std::abs(velocity) * step_s_;
+  const double speed = std::abs(velocity);
+  joint.travel = speed * kStandstill_s > frozen_travel_ ? joint.travel + speed * step_s_ : 0.0;
   const bool is_blocked = std::abs(effort - joint.effort) > joint.blocked_step;
   joint.blocked_ticks = is_blocked ? std::min(joint.blocked_ticks + 1, blocked_ticks_to_fault_) : 0;
   return (joint.travel > frozen_travel_ ? kFaultEncoderFrozen : kNoFault) |

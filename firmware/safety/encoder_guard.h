@@ -2,7 +2,8 @@
 //
 //  jump     |q - last| > max_joint_speed T (ticks since the last fresh sample)
 //  frozen   q is the same to the bit while the integral of |q'| since it last changed, which is how
-//           far the joint says it went, passes frozen_travel
+//           far the joint says it went, passes frozen_travel; slower than frozen_travel a second
+//           it stands still
 //  torque without motion
 //           q is the same to the bit since the joint's effort was tau0, and |tau - tau0| has been
 //           above blocked_effort_share of its largest effort for blocked_s. A hand that resists

@@ -13,7 +13,7 @@ double& entry(EnergyLedger& ledger, EnergySource source) {
 // c, by least squares, in [0, 1].
 double share_of(const Vec3& held, const Vec3& rendered) {
   const double size = rendered.squaredNorm();
-  return size > 0.0 ? std::clamp(held.dot(rendered) / size, 0.0, 1.0) : 0.0;
+  return size > 0.0 ? std::clamp(held.dot(rendered) / size, 0.0, 1.0) : 1.0;
 }
 
 EnergySource source_at(const double* entry, const double* first) {
@@ -28,7 +28,7 @@ void EnergyAccount::restart() {
 
 TickEnergy EnergyAccount::settle(const Vec3& p_W, const rendering::Touch& touch, double step_s) {
   TickEnergy tick;
-  if (is_placed_ && held_W_ != Vec3::Zero()) {
+  if (is_placed_ && (held_W_ != Vec3::Zero() || touch.force_W != Vec3::Zero())) {
     const Vec3 way = p_W - p_W_;
     const double share = share_of(held_W_, rendered_W_);
     const Vec3 half_way = 0.5 * share * way;

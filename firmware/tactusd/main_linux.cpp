@@ -330,13 +330,13 @@ bool start_commands(const Options& options) {
 }
 
 void write_files(const Options& options) {
-  const auto complain = [](const char* path, int failed) {
+  const auto tell_failure = [](const char* path, int failed) {
     if (failed != 0) {
       std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
     }
   };
   if (options.histogram != nullptr) {
-    complain(options.histogram, write_histogram(options.histogram, program.timing));
+    tell_failure(options.histogram, write_histogram(options.histogram, program.timing));
   }
 }
 

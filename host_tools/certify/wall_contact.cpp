@@ -19,6 +19,7 @@ constexpr double kDeepest_m = 0.005;
 constexpr int kWindows = 5;
 constexpr double kPeriodsInWindow = 4.0;
 constexpr double kShortestWindow_s = 0.15;
+constexpr double kShortestQuiet_s = 0.1;
 constexpr double kLeastLoss = 1e-3;
 // A damper without a spring, stiff enough to lead the handle through any wall at its speed.
 constexpr HandParameters kGuide{.damping_Ns_per_m = 2000.0};
@@ -160,14 +161,29 @@ class Contact {
   SimulatedDevice device_;
 };
 
-// The mean of the squared speed over so many ticks, weighted with a Hann window.
-double motion_in_window(Contact& contact, const Press& press, int ticks) {
-  const double turn = 2.0 * std::numbers::pi / ticks;
-  double sum = 0.0;
-  for (int i = 0; i < ticks; ++i) {
-    sum += (1.0 - rendering::sine_cosine(turn * (i + 0.5)).cosine) * contact.press(press);
+struct WindowTicks {
+  int all = 0;
+  int for_quiet = 0;  // of one period: a slow oscillation has no speed where it turns
+};
+
+// The mean of the squared speed in the window, weighted with a Hann window; 0 if it became quiet.
+double motion_in_window(Contact& contact, const Press& press, const WindowTicks& ticks) {
+  constexpr double kQuiet = kQuietSpeed_m_per_s * kQuietSpeed_m_per_s;
+  const double turn = 2.0 * std::numbers::pi / ticks.all;
+  double weighted = 0.0;
+  double since = 0.0;
+  for (int i = 0; i < ticks.all; ++i) {
+    const double squared_speed = contact.press(press);
+    weighted += (1.0 - rendering::sine_cosine(turn * (i + 0.5)).cosine) * squared_speed;
+    since += squared_speed;
+    if ((i + 1) % ticks.for_quiet == 0) {
+      if (since < kQuiet * ticks.for_quiet && contact.active()) {
+        return 0.0;
+      }
+      since = 0.0;
+    }
   }
-  return sum / ticks;
+  return weighted / ticks.all;
 }
 
 }  // namespace
@@ -184,15 +200,17 @@ ContactVerdict ContactTrial::run(const WallContact& contact, const WallStiffness
   const auto ticks_of = [&](double seconds) {
     return static_cast<int>(std::ceil(seconds / now.tick_s()));
   };
-  (void)motion_in_window(now, press, ticks_of(course.period_s));
-  const int ticks = ticks_of(std::max(kPeriodsInWindow * course.period_s, kShortestWindow_s));
+  const WindowTicks ticks{
+      .all = ticks_of(std::max(kPeriodsInWindow * course.period_s, kShortestWindow_s)),
+      .for_quiet = ticks_of(std::max(course.period_s, kShortestQuiet_s))};
+  (void)motion_in_window(now, press, {ticks_of(course.period_s), ticks.for_quiet});
   double before = std::numeric_limits<double>::infinity();
   for (int window = 0; window < kWindows; ++window) {
     const double motion = motion_in_window(now, press, ticks);
     if (!now.active()) {
       return ContactVerdict::fault;
     }
-    if (motion < kQuietSpeed_m_per_s * kQuietSpeed_m_per_s) {
+    if (motion == 0.0) {
       return ContactVerdict::quiet;
     }
     if (motion > (1.0 - kLeastLoss) * before) {

@@ -11,9 +11,10 @@
 // windows follow, each of four periods but at least 0.15 s. The motion of a window is its mean
 // kinetic energy, weighted with a Hann window, so that it does not matter at which phase of the
 // oscillation a window begins. The contact is stable if the motion gets less from window to window
-// until the last, or until its speed is below 1 mm/s rms, which is quiet. It is unstable as soon
-// as a window has as much motion as the one before, less 0.1 percent: growth, a limit cycle, or
-// chatter that the hand feels. A fault of the controller is unstable too.
+// until the last, or until the speed of one period, but at least 0.1 s, is below 1 mm/s rms, which
+// is quiet. It is unstable as soon as a window has as much motion as the one before, less 0.1
+// percent: growth, a limit cycle, or chatter that the hand feels. A fault of the controller is
+// unstable too.
 //
 // Why the speed: the skin's thresholds for vibration, some 10 um at 40 Hz, 1 um at 100 Hz and 0.2
 // um at 250 Hz, all are a few tenths of a millimetre a second to a few.

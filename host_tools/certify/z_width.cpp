@@ -62,6 +62,15 @@ void smooth_down(std::span<firmware::CertifiedPoint> points) {
   }
 }
 
+// To two digits.
+double rounded_down(double value) {
+  if (!(value > 0.0)) {
+    return 0.0;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit) * unit;
+}
+
 class Sweep {
  public:
   Sweep(const CertifiedDevice& device, const ZWidthOptions& options,
@@ -109,9 +118,9 @@ class Sweep {
                });
     const double largest = *std::ranges::min_element(most);
     const std::size_t count = largest > 0.0 ? options_.dampings : 1;
+    const double step = rounded_down(largest / static_cast<double>(options_.dampings - 1));
     for (std::size_t i = 0; i < count; ++i) {
-      result_.dampings_Ns_per_m.push_back(
-          count == 1 ? 0.0 : largest * static_cast<double>(i) / static_cast<double>(count - 1));
+      result_.dampings_Ns_per_m.push_back(step * static_cast<double>(i));
     }
   }
 

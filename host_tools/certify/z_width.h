@@ -30,7 +30,7 @@ std::vector<NamedHand> certifying_hands();
 struct ZWidthOptions {
   std::vector<NamedHand> hands = certifying_hands();
   std::size_t dampings = 9;  // 2 to kMaxCertifiedPoints
-  double precision = 0.01;   // of a stiffness, relative
+  double precision = 0.02;   // of a stiffness, relative
   double margin = 1.25;
   unsigned threads = 0;  // 0: one a processor
 };

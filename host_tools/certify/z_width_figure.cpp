@@ -24,7 +24,7 @@ set tics nomirror out textcolor "#333333"
 set grid linecolor "#e3e3e3" linewidth 0.7 linetype 1
 set lmargin at screen 0.095
 set rmargin at screen 0.97
-set tmargin at screen 0.845
+set tmargin at screen 0.815
 set bmargin at screen 0.105
 set xrange [0:{right:.6g}]
 set yrange [0:{top:.6g}]
@@ -35,7 +35,7 @@ set label 1 {title} at screen 0.095,0.962 left font ",19" textcolor "#111111" no
 set label 2 {first_line} at screen 0.095,0.925 left font ",11" textcolor "#666666" noenhanced
 set label 3 {second_line} at screen 0.095,0.900 left font ",11" textcolor "#666666" noenhanced
 set label 4 {peak} at {peak_x:.6g},{peak_y:.6g} center offset 0,-1.2 font ",13" textcolor "#2c6e49" front noenhanced
-set key at screen 0.97,0.855 right bottom horizontal textcolor "#333333" samplen 2.2 width 1 noenhanced
+set key at screen 0.97,0.825 right bottom horizontal maxrows 1 textcolor "#333333" samplen 2.2 width 1 noenhanced
 plot $certified using 1:2 with filledcurves y1=0 linecolor "#d9ecdf" title "certified", \
      $certified using 1:2 with lines linewidth 2.2 linecolor "#2c6e49" notitle)gnuplot";
 

@@ -50,18 +50,13 @@ struct Options {
   std::string picture;
 };
 
-std::optional<ProgressLine> progress_line() {
+// Whether every tick is equal.
+bool compare(RecordedRun& run, const std::string& name) {
+  const double rate_hz = run.setup().config.rate_hz;
   std::optional<ProgressLine> progress;
   if (::isatty(STDERR_FILENO) == 1) {
     progress.emplace();
   }
-  return progress;
-}
-
-// Whether every tick is equal.
-bool compare(RecordedRun& run, const std::string& name) {
-  const double rate_hz = run.setup().config.rate_hz;
-  auto progress = progress_line();
   const ReplayResult result = replay(run, [&](const firmware::RecordedTick& tick) {
     constexpr std::uint64_t kTicksBetweenSteps = 4096;
     if (progress && tick.record.tick % kTicksBetweenSteps == 0) {

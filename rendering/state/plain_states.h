@@ -36,24 +36,6 @@ inline void transfer(StateArchive& archive, Capsule& capsule) {
   archive(start, way, radius);
 }
 
-inline void transfer(StateArchive& archive, FrictionParameters& friction) {
-  auto& [kind, coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
-         stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
-         elastic_fraction] = friction;
-  archive.choice(kind, FrictionKind::elasto_plastic);
-  archive(coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
-          stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
-          elastic_fraction);
-}
-
-inline void transfer(StateArchive& archive, Material& material) {
-  auto& [stiffness_N_per_m, damping_Ns_per_m, friction, grain] = material;
-  auto& [direction_O, along, across] = grain;
-  archive(stiffness_N_per_m, damping_Ns_per_m, friction, along, across);
-  archive.vertices({&direction_O, 1});
-  archive.require(sound(material));
-}
-
 inline void transfer(StateArchive& archive, ToolState& tool) {
   auto& [p_W, v_W] = tool;
   archive(p_W, v_W);

@@ -1,6 +1,4 @@
 // What a world remembers from tick to tick: its objects' places, then what each tool feels.
-#include <algorithm>
-
 #include "rendering/state/plain_states.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/world/effect_touch.h"
@@ -36,7 +34,6 @@ void Scenery::transfer(StateArchive& archive) {
   archive.same(deformable_count);
   archive.same(lone_count);
   archive(anything_moved, tick_s);
-  transfer_materials(archive);
   for (std::size_t k = 0; k < mover_count; ++k) {
     transfer_mover(archive, k);
   }
@@ -68,24 +65,6 @@ void Scenery::transfer_materials(StateArchive& archive) {
     archive(now.stiffness_N_per_m, now.damping_Ns_per_m, now.friction.static_level,
             now.friction.coulomb, now.friction.viscous_s_per_m);
     archive.require(!archive.is_reading() || set_material(number, now));
-  }
-}
-
-// Those that are not the scene's.
-void Scenery::transfer_materials(StateArchive& archive) {
-  archive.up_to(changed_count_, kMaxChangedMaterials);
-  if (archive.is_reading()) {
-    changed_of_.fill(kUnchanged);
-  }
-  for (std::size_t k = 0; k < changed_count_ && archive.good(); ++k) {
-    auto number =
-        static_cast<std::uint32_t>(std::ranges::find(changed_of_, k) - changed_of_.begin());
-    archive(number, changed_materials_[k]);
-    archive.require(number < objects_.size() &&
-                    (!archive.is_reading() || changed_of_[number] == kUnchanged));
-    if (archive.good()) {
-      changed_of_[number] = static_cast<std::uint8_t>(k);
-    }
   }
 }
 

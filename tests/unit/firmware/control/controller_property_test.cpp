@@ -17,6 +17,11 @@ namespace {
 constexpr int kRuns = 40;
 constexpr int kTicks = 5000;
 
+// These hands do what no hand does, and force is to be seen all the same.
+constexpr std::uint64_t kWildMotion = kFaultEncoderJump | kFaultEncoderFrozen | kFaultOverspeed |
+                                      kFaultMotionWithoutTorque | kFaultTorqueWithoutMotion |
+                                      kFaultNotPassive;
+
 struct Input {
   drivers::JointSample sample;
   Request request = Request::none;
@@ -150,6 +155,7 @@ void run_random_ticks(const ControllerConfig& base, std::uint64_t first_seed) {
     config.safety.max_force_N *= unit(generator);
     config.safety.force_slew_N_per_s = std::pow(10.0, 1.0 + 4.0 * unit(generator));
     config.safety.soft_start_s = 0.05 * unit(generator);
+    config.safety.guards_off = run % 4 == 0 ? kNoFault : kWildMotion;
     config.velocity_cutoff_hz = run % 2 == 0 ? 0.0 : 50.0;
     config.joints[1].max_effort *= unit(generator);
     const Floor floor(

@@ -37,11 +37,18 @@ std::uint64_t ticking_clock() {
   return g_ticks_of_clock += 10;
 }
 
+// The samples of these tests are where they are needed, without a way between them.
+ControllerConfig teleporting_config() {
+  ControllerConfig config = cartesian_config();
+  config.safety.max_joint_speed = 1e6;
+  return config;
+}
+
 // A Cartesian device over the floor at y = 0.
 class ControllerTest : public ::testing::Test {
  protected:
   ControllerTest() {
-    EXPECT_TRUE(controller_.configure(cartesian_config()));
+    EXPECT_TRUE(controller_.configure(teleporting_config()));
     EXPECT_TRUE(controller_.load_scene(floor_.objects(), {.tool_radius_m = 0.0}));
   }
 
@@ -246,6 +253,7 @@ TEST_F(ControllerTest, ANonFiniteJointStopsAndTheToolStaysWhereItWas) {
 TEST_F(ControllerTest, AVelocityThatOverflowsInTheFilterStops) {
   ControllerConfig config = cartesian_config();
   config.velocity_cutoff_hz = 1000.0;
+  config.safety.guards_off = kFaultOverspeed | kFaultMotionWithoutTorque | kFaultEncoderFrozen;
   ASSERT_TRUE(controller_.configure(config));
   activate();
   drivers::JointSample sample = kAbove;
@@ -259,6 +267,9 @@ TEST_F(ControllerTest, AVelocityThatOverflowsInTheFilterStops) {
 }
 
 TEST_F(ControllerTest, AForceThatOverflowsStops) {
+  ControllerConfig config = cartesian_config();
+  config.safety.guards_off = kFaultOverspeed;
+  ASSERT_TRUE(controller_.configure(config));
   Floor hard({.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 1e308, .friction = {}});
   ASSERT_TRUE(controller_.load_scene(hard.objects(), {.tool_radius_m = 0.0}));
   activate();
@@ -276,6 +287,7 @@ TEST_F(ControllerTest, AJumpOfTheToolGivesNoMoreThanTheClamp) {
     joint.upper = 10.0;
   }
   config.safety.force_slew_N_per_s = 1e6;
+  config.safety.max_joint_speed = 1e6;
   ASSERT_TRUE(controller_.configure(config));
   activate();
   for (int tick = 0; tick < 1000; ++tick) {
@@ -289,6 +301,7 @@ TEST_F(ControllerTest, AJumpOfTheToolGivesNoMoreThanTheClamp) {
 TEST_F(ControllerTest, TheEffortLimitScalesTheWholeForce) {
   ControllerConfig config = cartesian_config();
   config.joints[1].max_effort = 0.5;
+  config.safety.blocked_s = 60.0;
   ASSERT_TRUE(controller_.configure(config));
   activate();
   for (int tick = 0; tick < 1000; ++tick) {

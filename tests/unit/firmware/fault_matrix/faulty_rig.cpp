@@ -89,7 +89,12 @@ bool FaultyRig::enter(Mode mode, std::uint64_t guards_off) {
       device.sample.position[1] = kPressed_m + (i % 2 == 0 ? 1e-5 : 0.0);
       tick();
     }
-    tick(mode == Mode::fault ? Request::estop : Request::none);
+    if (mode == Mode::fault) {  // by whichever way in is not switched off
+      device.sample.status = drivers::kDeviceEncoderFault;
+      tick(Request::estop);
+      heal();
+    }
+    tick();
   }
   return controller_.mode() == mode && has_torque() == (mode == Mode::active);
 }

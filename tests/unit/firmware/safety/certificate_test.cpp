@@ -1,0 +1,95 @@
+#include "firmware/safety/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "firmware/control/controller.h"
+#include "tests/unit/firmware/test_scene.h"
+
+namespace tactus::firmware {
+namespace {
+
+StiffnessCertificate two_points() {
+  StiffnessCertificate certificate;
+  certificate.count = 2;
+  certificate.points[0] = {.damping_Ns_per_m = 0.0, .stiffness_N_per_m = 1000.0};
+  certificate.points[1] = {.damping_Ns_per_m = 4.0, .stiffness_N_per_m = 2000.0};
+  return certificate;
+}
+
+ControllerConfig certified_config() {
+  ControllerConfig config = cartesian_config();
+  config.certificate = two_points();
+  return config;
+}
+
+TEST(Certificate, LiesOnStraightLinesBetweenItsPoints) {
+  const StiffnessCertificate certificate = two_points();
+  EXPECT_EQ(certified_stiffness(certificate, 0.0), 1000.0);
+  EXPECT_EQ(certified_stiffness(certificate, 1.0), 1250.0);
+  EXPECT_EQ(certified_stiffness(certificate, 4.0), 2000.0);
+  EXPECT_EQ(certified_stiffness(certificate, 4.1), 0.0);
+}
+
+TEST(Certificate, NamesTheFirstObjectThatIsTooStiff) {
+  std::array<rendering::Object, 2> objects;
+  objects[0].material.stiffness_N_per_m = 1000.0;
+  objects[1].material = {.stiffness_N_per_m = 1600.0, .damping_Ns_per_m = 2.0};
+  const auto part = first_uncertified(two_points(), objects, {});
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->index, 1U);
+  EXPECT_EQ(part->stiffness_N_per_m, 1600.0);
+  EXPECT_EQ(part->limit_N_per_m, 1500.0);
+}
+
+TEST(Certificate, CountsATextureThatStiffens) {
+  const std::array<rendering::TextureLayer, 1> layers{
+      rendering::TextureLayer{.use = rendering::TextureUse::stiffness, .low = 0.5, .high = 3.0}};
+  std::array<rendering::Object, 1> objects;
+  objects[0].material.stiffness_N_per_m = 500.0;
+  EXPECT_FALSE(first_uncertified(two_points(), objects, {}));
+  objects[0].detail.layers = layers;
+  EXPECT_TRUE(first_uncertified(two_points(), objects, {}));
+}
+
+TEST(Certificate, CountsTheSpringsOfEffects) {
+  const std::array<rendering::Effect, 2> effects{
+      rendering::Effect{.law = rendering::ConstantField{}, .max_force_N = 1.0},
+      rendering::Effect{.law = rendering::Spring{.stiffness_N_per_m = 1001.0}, .max_force_N = 1.0}};
+  const auto part = first_uncertified(two_points(), {}, effects);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->kind, UncertifiedPart::Kind::effect);
+  EXPECT_EQ(part->index, 1U);
+}
+
+TEST(Certificate, KeepsAStifferSceneOutOfTheControllerUnlessTold) {
+  const auto controller = std::make_unique<Controller>();
+  ASSERT_TRUE(controller->configure(certified_config()));
+  const Floor soft({.stiffness_N_per_m = 1000.0});
+  const Floor stiff({.stiffness_N_per_m = 1001.0});
+  const Floor damped({.stiffness_N_per_m = 10.0, .damping_Ns_per_m = 5.0});
+  EXPECT_TRUE(controller->load_scene(soft.objects(), {.tool_radius_m = 0.0}).has_value());
+  for (const Floor* floor : {&stiff, &damped}) {
+    const auto loaded = controller->load_scene(floor->objects(), {.tool_radius_m = 0.0});
+    ASSERT_FALSE(loaded.has_value());
+    EXPECT_EQ(loaded.error().fault, SceneFault::uncertified);
+  }
+  ControllerConfig told = certified_config();
+  told.allow_uncertified = true;
+  ASSERT_TRUE(controller->configure(told));
+  EXPECT_TRUE(controller->load_scene(stiff.objects(), {.tool_radius_m = 0.0}).has_value());
+}
+
+TEST(Certificate, DoesNotComeOverALoadedSceneThatIsStiffer) {
+  const auto controller = std::make_unique<Controller>();
+  ASSERT_TRUE(controller->configure(cartesian_config()));
+  const Floor stiff({.stiffness_N_per_m = 1500.0});
+  ASSERT_TRUE(controller->load_scene(stiff.objects(), {.tool_radius_m = 0.0}).has_value());
+  const auto configured = controller->configure(certified_config());
+  ASSERT_FALSE(configured);
+  EXPECT_EQ(configured.error().field, "certificate");
+}
+
+}  // namespace
+}  // namespace tactus::firmware
