@@ -6,7 +6,7 @@ set -euo pipefail
 
 source tests/checks/tracked_files.sh
 
-"$(dirname "${BASH_SOURCE[0]}")/build.sh" tidy tactus_scene_header tactus_device_header
+"$(dirname "${BASH_SOURCE[0]}")/build.sh" tidy tactus_scene_header tactus_device_header tactus_telemetry_headers
 tracked_files '*/.clang-tidy' | while read -r settings; do
   cp "$settings" "build/tidy/$settings"
 done

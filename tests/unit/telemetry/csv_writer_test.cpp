@@ -48,9 +48,9 @@ TEST_F(CsvWriterTest, NamesAColumnForEveryNumber) {
   ASSERT_EQ(rows.size(), 1U);
   const std::vector<std::string>& names = rows[0];
   for (const char* name :
-       {"tick", "time_s", "mode", "sample_age_us", "tool_x_m", "force_z_N", "tool_v_y_m_per_s", "energy_contact_J", "energy_delay_J",
-        "joint1", "joint2", "shaft2_rad", "torque1_Nm", "scheduled_ns", "woke_ns", "done_ns",
-        "sample_ns", "state_hash", "dropped"}) {
+       {"tick", "time_s", "mode", "sample_age_us", "tool_x_m", "force_z_N", "tool_v_y_m_per_s",
+        "energy_contact_J", "energy_delay_J", "joint1", "joint2", "shaft2_rad", "torque1_Nm",
+        "scheduled_ns", "woke_ns", "done_ns", "sample_ns", "state_hash", "dropped"}) {
     EXPECT_EQ(std::ranges::count(names, name), 1) << name;
   }
   EXPECT_EQ(std::ranges::count(names, "joint3"), 0);
