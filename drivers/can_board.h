@@ -44,6 +44,7 @@ class CanBoard {
 
   void start() {
     listen();
+    forget_what_waits();
     const hal::TimeNs now_ns = clock_->now_ns();
     watch_ = {};
     for_each([now_ns](auto& drive, std::size_t) { drive.start(now_ns); });
@@ -166,6 +167,12 @@ class CanBoard {
       for_each([&](auto& drive, std::size_t) { drive.take(item); });
     }
     return true;
+  }
+
+  // What came since the bus was opened is old, and can be more than a tick has time for.
+  void forget_what_waits() {
+    while (bus_->receive(received_, hal::kNoWait)) {
+    }
   }
 
   [[nodiscard]] bool waits_for_a_sample() const {

@@ -22,6 +22,7 @@ enum DeviceStatus : std::uint32_t {
   kDeviceEmergencyStop = 1U << 4,
   kDeviceLost = 1U << 5,    // unplugged, bus off: no way to reach the motors
   kDeviceHoming = 1U << 6,  // moving or being moved to its reference
+  kDeviceTooHot = 1U << 7,  // a drive or a motor reports over-temperature
 };
 
 // A revolute joint is in rad, rad/s, N m; a prismatic one in m, m/s, N.

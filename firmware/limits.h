@@ -9,6 +9,15 @@ namespace tactus::firmware {
 // compiles.
 inline constexpr std::size_t kMaxControllerBytes = std::size_t{4} << 20;
 
+// What Controller::save writes at the most for one tool: of 64 objects that move, the vertices and
+// nodes of those that deform, 512 triangles near the tool and 64 proxies of single objects. A test
+// saves such a scene. Beyond, with more tools: save() says no.
+inline constexpr std::size_t kMaxCheckpointBytes = std::size_t{512} << 10;
+
+// Ticks that the flight recorder holds (firmware/flight); a power of two. At least five eighths of
+// them can be replayed: 10 s at 1 kHz, 1.3 s at 8 kHz. Beyond: the oldest are gone.
+inline constexpr std::size_t kFlightTicks = 16384;
+
 // Joints that the mechanisms of this folder have at most. A sample's joints beyond those of the
 // mechanism are neither read nor recorded, and have no effort.
 inline constexpr std::size_t kJointCount = 3;

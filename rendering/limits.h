@@ -34,6 +34,9 @@ inline constexpr std::size_t kWaveVertices = 512;
 // farther meanwhile.
 inline constexpr std::size_t kRefitNodes = 1024;
 
+// Objects whose material is changed while the scene runs. Beyond: World::set_material refuses.
+inline constexpr std::size_t kMaxChangedMaterials = 64;
+
 // Effects in a scene. Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxEffects = 16;
 
@@ -80,5 +83,8 @@ inline constexpr std::size_t kMaxFormulaWork = 32768;
 // The world lies within this distance of its origin, metres. A tool beyond it is an error of the
 // device; kTouchToolInvalid.
 inline constexpr double kWorldBound_m = 100.0;
+
+// The largest sphere that touches, metres. Beyond: the world and the loader refuse the scene.
+inline constexpr double kMaxToolRadius_m = 1.0;
 
 }  // namespace tactus::rendering

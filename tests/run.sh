@@ -13,6 +13,7 @@ stages=(
   "fuzz              fuzz.sh"
   "rig               rig.sh"
   "same-bits         same_bits.sh"
+  "replay-on-arm     replay_on_arm.sh"
   "heap-check        heap_check_catches_offences.sh"
   "include-check     include_check_catches_offences.sh"
   "install           install_package.sh"

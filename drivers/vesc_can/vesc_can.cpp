@@ -234,19 +234,20 @@ void VescCan::watch() {
   if (has_passed_since(heard_ns, config_.lost_after_s)) {
     latch(kDeviceLost, {"VESC sends no status any more",
                         "check its power, the cable and its status rates, then reset", 0});
+  } else if (unanswered_polls_ >= kUnansweredPolls && is_poll_due()) {
+    latch(kDeviceLost, {"VESC does not answer the question for its faults any more",
+                        "check its power and the cable, then reset", 0});
   }
+}
+
+bool VescCan::is_poll_due() const {
+  return !has_polled_ || has_passed_since(polled_ns_, config_.poll_period_s);
 }
 
 // The two fields in turn; nothing but the fault until that is known.
 void VescCan::poll(CanOutbox& outbox) {
-  if (has_polled_ && !has_passed_since(polled_ns_, config_.poll_period_s)) {
-    return;
-  }
-  if (unanswered_polls_ >= kUnansweredPolls && phase_ == Phase::ready) {
-    latch(kDeviceLost, {"VESC does not answer the question for its faults any more",
-                        "check its power and the cable, then reset", 0});
-  }
-  if (!outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, next_query_))) {
+  if (!is_poll_due() ||
+      !outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, next_query_))) {
     return;
   }
   has_polled_ = true;

@@ -59,6 +59,7 @@ class VescCan {
   void latch(DeviceStatus bit, const Trouble& trouble);
   void update_status();
   [[nodiscard]] bool has_passed_since(hal::TimeNs since_ns, double time_s) const;
+  [[nodiscard]] bool is_poll_due() const;
 
   void take_status(const vesc::Status& status);
   void take_position(const vesc::Status5& status, hal::TimeNs received_ns);

@@ -40,6 +40,39 @@ void check_coupled_limit(RangeCheck& check, const CoupledLimit& limit) {
   check.in("coupled_limits.upper", limit.upper, limit.lower, 2.0 * kWidest);
 }
 
+void check_walls(RangeCheck& check, const SafetyConfig& safety) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double lower = safety.workspace_lower_W[axis];
+    check.in("safety.workspace_lower_W", lower, -kWidest, kWidest);
+    check.in("safety.workspace_upper_W", safety.workspace_upper_W[axis], lower, kWidest);
+  }
+  check.in("safety.workspace_stiffness_N_per_m", safety.workspace_stiffness_N_per_m, 0.0, 1e5);
+  check.in("safety.workspace_damping_Ns_per_m", safety.workspace_damping_Ns_per_m, 0.0, kStrongest);
+  check.in("safety.workspace_overrun_m", safety.workspace_overrun_m, 0.0, kWidest);
+}
+
+void check_safety(RangeCheck& check, const SafetyConfig& safety) {
+  check.in("safety.max_force_N", safety.max_force_N, 0.0, kMaxForce_N);
+  check.in("safety.force_slew_N_per_s", safety.force_slew_N_per_s, 1.0, 1e6);
+  check.in("safety.soft_start_s", safety.soft_start_s, 0.0, 60.0);
+  check.in("safety.contact_start_s", safety.contact_start_s, 0.0, 60.0);
+  check.in("safety.max_sample_age_us", safety.max_sample_age_us, 0.0, 1e6);
+  check.in("safety.stale_ticks_to_fault", safety.stale_ticks_to_fault, 1.0, 1000.0);
+  check.in("safety.late_ticks_to_fault", safety.late_ticks_to_fault, 1.0, 1000.0);
+  check.in("safety.max_tick_gap_s", safety.max_tick_gap_s, 0.0, 1.0);
+  check.in("safety.max_joint_speed", safety.max_joint_speed, 0.0, 1e6);
+  check.in("safety.frozen_travel", safety.frozen_travel, 0.0, kWidest);
+  check.in("safety.blocked_effort_share", safety.blocked_effort_share, 0.0, 2.0);
+  check.in("safety.blocked_s", safety.blocked_s, 0.0, 60.0);
+  check.in("safety.max_tool_speed_m_per_s", safety.max_tool_speed_m_per_s, 0.01, 1000.0);
+  check.in("safety.runaway_speed_m_per_s", safety.runaway_speed_m_per_s, 0.01, 1000.0);
+  check.in("safety.runaway_travel_m", safety.runaway_travel_m, 0.0, kWidest);
+  check_walls(check, safety);
+  check.in("safety.device_damping_Ns_per_m", safety.device_damping_Ns_per_m, 0.0, kStrongest);
+  check.in("safety.passivity_damping_Ns_per_m", safety.passivity_damping_Ns_per_m, 0.0, kStrongest);
+  check.in("safety.passivity_fault_J", safety.passivity_fault_J, 0.0, kStrongest);
+}
+
 void check_certificate(RangeCheck& check, const StiffnessCertificate& certificate) {
   check.in("certificate.count", static_cast<double>(certificate.count), 0.0, kMaxCertifiedPoints);
   check.in("certificate.margin", certificate.margin, 1.0, kMostMargin);
@@ -84,13 +117,7 @@ std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   for (const JointFriction& joint : config.friction) {
     check_friction(check, joint);
   }
-  const SafetyConfig& safety = config.safety;
-  check.in("safety.max_force_N", safety.max_force_N, 0.0, kMaxForce_N);
-  check.in("safety.force_slew_N_per_s", safety.force_slew_N_per_s, 1.0, 1e6);
-  check.in("safety.soft_start_s", safety.soft_start_s, 0.0, 60.0);
-  check.in("safety.contact_start_s", safety.contact_start_s, 0.0, 60.0);
-  check.in("safety.max_sample_age_us", safety.max_sample_age_us, 0.0, 1e6);
-  check.in("safety.stale_ticks_to_fault", safety.stale_ticks_to_fault, 1.0, 1000.0);
+  check_safety(check, config.safety);
   check_certificate(check, config.certificate);
   return check.result();
 }

@@ -56,6 +56,35 @@ struct SafetyConfig {
   double contact_start_s = 0.02;  // and again from the first contact after activation
   std::uint32_t max_sample_age_us = 5000;
   std::uint32_t stale_ticks_to_fault = 3;  // samples in a row that are too old
+  std::uint32_t late_ticks_to_fault = 3;   // ticks in a row that the loop calls late
+  double max_tick_gap_s = 0.005;           // skipped at once, by the loop's count of missed ticks
+
+  // safety/encoder_guard.h; rad and rad/s of a revolute joint, m and m/s of a prismatic one.
+  double max_joint_speed = 100.0;     // from sample to sample
+  double frozen_travel = 0.05;        // that its velocity claims while its position stands still
+  double blocked_effort_share = 0.5;  // of its largest: so much a change of effort has to move it
+  double blocked_s = 0.5;             // within this time
+
+  // safety/motion_guard.h
+  double max_tool_speed_m_per_s = 5.0;
+  double runaway_speed_m_per_s = 2.5;
+  double runaway_travel_m = 0.25;
+
+  // safety/workspace_walls.h: by default no walls
+  Vec3 workspace_lower_W = Vec3::Constant(-10.0);
+  Vec3 workspace_upper_W = Vec3::Constant(10.0);
+  double workspace_stiffness_N_per_m = 500.0;
+  double workspace_damping_Ns_per_m = 1.0;
+  double workspace_overrun_m = 0.02;  // deeper in a wall than this is a fault
+
+  // safety/passivity.h
+  double device_damping_Ns_per_m = 1.0;     // what device and hand have of their own, at least
+  double passivity_damping_Ns_per_m = 5.0;  // the most that the controller adds; 0: none
+  double passivity_fault_J = 1.0;
+
+  // A seam for tests: faults that are not raised. No key of a device's file reaches it, and every
+  // tick says so with guards_off.
+  std::uint64_t guards_off = 0;
 };
 
 struct ControllerConfig {

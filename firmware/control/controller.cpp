@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "firmware/limits.h"
 #include "firmware/safety/faults.h"
@@ -28,6 +29,18 @@ bool all_finite(const Vec3& v) {
   return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
 
+bool all_finite(const rendering::Touch& touch) {
+  const rendering::ForceParts& parts = touch.parts;
+  return all_finite(touch.force_W) && all_finite(touch.proxy_W) && all_finite(touch.normal_W) &&
+         std::isfinite(touch.depth_m) && all_finite(parts.friction_W) &&
+         all_finite(parts.texture_W) && all_finite(parts.effect_W) &&
+         std::isfinite(parts.driven_power);
+}
+
+// The limits that hold a force back, and so have a source.
+constexpr std::uint64_t kForceLimits =
+    kLimitForce | kLimitSlew | kLimitEffort | kLimitWorkspace | kLimitSpeed | kLimitPassivity;
+
 // What of a scene this configuration does not allow.
 std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
                                             std::span<const rendering::Object> objects,
@@ -45,7 +58,9 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
   forget_beyond(joint_count(config_.mechanism), sample);
   open_record(sample, request);
 
+  raise(loop_check_.check(std::exchange(loop_report_, {})));
   raise(sample_check_.check(sample));
+  check_encoders(sample);
   advance_mode(sample.status, request);
   record_.stage_ns.check = watch.lap_ns();
 
@@ -66,7 +81,8 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
 
 // A fault stops at once, whatever stage finds it: the stages after it see the mode `fault` and put
 // out zero.
-void Controller::raise(std::uint32_t bits) {
+void Controller::raise(std::uint64_t bits) {
+  bits &= ~config_.safety.guards_off;
   raised_ |= bits;
   if ((bits & kFaultMask) != 0) {
     faults_ |= bits & kFaultMask;
@@ -95,6 +111,8 @@ void Controller::step_mode(Event event) {
       break;
     case Mode::active:
       force_limiter_.restart();
+      energy_.restart();
+      passivity_.restart();
       break;
     case Mode::fault:
       ++record_.counters.faults_entered;
@@ -136,6 +154,20 @@ void Controller::advance_mode(std::uint32_t status, Request request) {
   }
 }
 
+// Until the device has its reference, positions mean nothing, and homing gives them another zero.
+void Controller::check_encoders(const drivers::JointSample& sample) {
+  const bool referenced = is_referenced(sample.status) &&
+                          (mode_ == Mode::ready || mode_ == Mode::active || mode_ == Mode::fault);
+  if (!referenced) {
+    encoder_guard_.rest();
+    motion_guard_.rest();
+  } else if ((raised_ & (kLimitStaleSample | kFaultJointNotFinite)) != 0) {
+    encoder_guard_.pass();
+  } else {
+    raise(encoder_guard_.check(sample, held_effort_, record_.missed_ticks));
+  }
+}
+
 // Finds the tool. False when the joints mean nothing yet or the tool cannot be found: it then stays
 // where it was, at rest.
 bool Controller::locate(const drivers::JointSample& sample) {
@@ -158,6 +190,7 @@ bool Controller::locate(const drivers::JointSample& sample) {
   }
   tool_.p_W = pose_.p_D - config_.workspace_origin_D;
   tool_.v_W = velocity;
+  raise(workspace_walls_.check(tool_.p_W) | motion_guard_.check(velocity, energy_.held_W()));
   return pose_.status == kPoseGood;
 }
 
@@ -170,8 +203,7 @@ rendering::Touch Controller::touch(bool located) {
     return touch;
   }
   touch = world_.touch(tool_);
-  if (!all_finite(touch.force_W) || !all_finite(touch.proxy_W) || !all_finite(touch.normal_W) ||
-      !std::isfinite(touch.depth_m)) {
+  if (!all_finite(touch)) {
     raise(kFaultForceNotFinite);
     touch = rendering::Touch{};
     touch.proxy_W = tool_.p_W;
@@ -184,10 +216,32 @@ Vec3 Controller::limit_force(const rendering::Touch& touch) {
   if (mode_ != Mode::active) {
     return Vec3::Zero();
   }
-  const LimitedForce limited =
-      force_limiter_.limit(touch.force_W, touch.contact != rendering::ContactKind::none);
-  raise(limited.limits);
+  const bool pushes =
+      touch.contact != rendering::ContactKind::none || (raised_ & kLimitWorkspace) != 0;
+  const double step_s = (1.0 + record_.missed_ticks) / config_.rate_hz;
+  raise(passivity_.observe(energy_.settle(tool_.p_W, touch, step_s), pushes));
+  if (mode_ != Mode::active) {
+    return Vec3::Zero();
+  }
+  const Vec3 added_W = add_safety(pushes);
+  const SlowedForce slowed = motion_guard_.slow(touch.force_W + added_W, tool_.v_W);
+  const LimitedForce limited = force_limiter_.limit(slowed.force_W, pushes);
+  raise(slowed.limits | limited.limits);
+  if ((raised_ & kForceLimits) != 0) {
+    record_.limited_source =
+        (raised_ & kLimitPassivity) != 0 ? energy_.most_giving() : strongest_part(touch, added_W);
+  }
   return limited.force_W;
+}
+
+// What the workspace's walls and the passivity controller push, if anything.
+Vec3 Controller::add_safety(bool pushes) {
+  Vec3 added_W = passivity_.damp_W(tool_.v_W, pushes);
+  raise(added_W != Vec3::Zero() ? kLimitPassivity : kNoFault);
+  if ((raised_ & kLimitWorkspace) != 0) {
+    added_W += workspace_walls_.push_W(tool_);
+  }
+  return added_W;
 }
 
 drivers::JointCommand Controller::command_joints(const drivers::JointSample& sample,
@@ -200,6 +254,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   if (mode_ != Mode::active) {
     gravity_compensation_.rest();
     friction_compensation_.rest();
+    energy_.hold(Vec3::Zero());
     command.home = mode_ == Mode::homing;
     return command;
   }
@@ -208,6 +263,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   raise(scale < 1.0 ? kLimitEffort : kNoFault);
   effort = scale * effort + held;
   force_limiter_.applied(scale * force_W);
+  energy_.hold(scale * force_W);
   record_.force_commanded_W = to_triple(scale * force_W);
   if (friction_compensation_.is_on()) {
     effort = compensated(sample, effort, length_of(scale * force_W));
@@ -260,15 +316,19 @@ Vec3 Controller::compensated(const drivers::JointSample& sample, const Vec3& eff
 }
 
 void Controller::open_record(const drivers::JointSample& sample, Request request) {
-  raised_ = kNoFault;
+  raised_ = config_.safety.guards_off != kNoFault ? kLimitGuardsOff : kNoFault;
   const TelemetryRecord before = record_;
   record_ = TelemetryRecord{};
   record_.counters = before.counters;
   record_.state_hash = before.state_hash;
   record_.tick = next_tick_++;
   record_.request = request;
+  record_.change = change_;
+  change_ = ParameterChange{};
   record_.device_status = sample.status;
   record_.sample_age_us = sample.age_us;
+  record_.loop_status = loop_report_.status;
+  record_.missed_ticks = loop_report_.missed_ticks;
   record_.time_s = static_cast<double>(record_.tick) / config_.rate_hz;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     record_.joint_position[joint] = sample.position[joint];
@@ -294,10 +354,14 @@ void Controller::close_record(const drivers::JointCommand& command) {
   record_.mode = mode_;
   record_.faults = faults_;
   record_.limits = raised_ & kLimitMask;
+  record_.energy_J = energy_.ledger_J();
+  record_.passivity_J = passivity_.credit_J();
+  held_effort_ = command.effort;
   record_.joint_effort = command.effort;
   record_.tool_p_W = to_triple(tool_.p_W);
   record_.tool_v_W = to_triple(tool_.v_W);
   record_.counters.stale_samples = sample_check_.stale_count();
+  record_.counters.late_ticks = loop_check_.late_count();
   record_.counters.limited_ticks += record_.limits != 0 ? 1U : 0U;
   record_.state_hash = state_hash(record_, record_.state_hash);
 }
@@ -311,8 +375,16 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
         ConfigError{"certificate", part->stiffness_N_per_m, 0.0, part->limit_N_per_m});
   }
   config_ = config;
+  configured_safety_ = config.safety;
+  change_ = ParameterChange{};
   mechanism_ = Mechanism(config.mechanism);
   sample_check_.configure(config);
+  loop_check_.configure(config);
+  encoder_guard_.configure(config);
+  workspace_walls_.configure(config);
+  motion_guard_.configure(config);
+  energy_.restart();
+  passivity_.configure(config);
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);
   gravity_compensation_.configure(config);
@@ -325,6 +397,8 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   faults_ = kNoFault;
   raised_ = kNoFault;
   write_status_ = drivers::kDeviceOk;
+  loop_report_ = {};
+  held_effort_ = {};
   pose_ = Pose{};
   tool_ = rendering::ToolState{};
   record_ = TelemetryRecord{};

@@ -6,6 +6,7 @@
 // toward the user; the device frame D moved to workspace_origin_D.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <span>
@@ -15,12 +16,20 @@
 #include "firmware/control/friction_compensation.h"
 #include "firmware/control/gravity_compensation.h"
 #include "firmware/control/mode.h"
+#include "firmware/control/parameters.h"
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
+#include "firmware/safety/encoder_guard.h"
+#include "firmware/safety/energy_account.h"
 #include "firmware/safety/force_limiter.h"
+#include "firmware/safety/loop_check.h"
+#include "firmware/safety/motion_guard.h"
+#include "firmware/safety/passivity.h"
 #include "firmware/safety/sample_check.h"
+#include "firmware/safety/workspace_walls.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/world.h"
 
 namespace tactus::firmware {
@@ -49,18 +58,40 @@ class Controller {
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);
 
+  // Between ticks: from the next one on the parameter has that value, and its record says so. At
+  // most one a tick gets into the record. Nothing changed if refused. Bounded, for a tick's edge.
+  std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
+  [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
+      const ParameterPlace& place) const;
+
   // One tick: the same state and inputs give the same command and the same record, to the bit.
   // Whatever comes in, the command is finite and within its limits.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
+
+  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on
+  // any processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is
+  // too small, nothing is configured, or a number is not finite, as it can be after a fault. For a
+  // tick's slack: it copies, at the most half a megabyte.
+  std::size_t save(std::span<std::byte> room);
+
+  // Goes on where save() was called: the ticks after it give the same bits. To be called on a
+  // controller of the same configuration and scene, both set before. False if the bytes are not of
+  // such a one: then configure and load the scene again.
+  bool restore(std::span<const std::byte> bytes);
 
   // What the last tick did.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
+  // What the next tick's record will count itself.
+  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
   // The clock for the record's stage times; null, as at the start, leaves them zero.
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
   [[nodiscard]] NowNs clock() const { return now_ns_; }
+
+  // Before a tick, from the loop: how its time went. The next tick takes it, and only that one.
+  void note_loop(const LoopReport& report) { loop_report_ = report; }
 
   // After each tick, from the device loop: what the write reported, which the next tick takes as
   // part of its sample's status, and the transfers' times.
@@ -70,20 +101,39 @@ class Controller {
   void open_record(const drivers::JointSample& sample, Request request);
   void record_touch(const rendering::Touch& touch);
   void close_record(const drivers::JointCommand& command);
-  void raise(std::uint32_t bits);
+  void raise(std::uint64_t bits);
   void step_mode(Event event);
   void advance_mode(std::uint32_t status, Request request);
+  void check_encoders(const drivers::JointSample& sample);
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
   Vec3 limit_force(const rendering::Touch& touch);
+  Vec3 add_safety(bool pushes);
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
+  void transfer(rendering::StateArchive& archive);
+  void transfer_guards(rendering::StateArchive& archive);
+  void transfer_parameters(rendering::StateArchive& archive);
+  void transfer_pose(rendering::StateArchive& archive);
+  void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
-  ControllerConfig config_;
+  void apply_own(const ParameterChange& change);
+  [[nodiscard]] bool is_certified(std::uint32_t object, const rendering::Material& material) const;
+  void retune();
+
+  ControllerConfig config_;         // with what set_parameter has changed
+  SafetyConfig configured_safety_;  // as configure() got it: the ends of the parameters' ranges
+  ParameterChange change_;          // for the next tick's record
   bool configured_ = false;
   Mechanism mechanism_;
   SampleCheck sample_check_;
+  LoopCheck loop_check_;
+  EncoderGuard encoder_guard_;
+  WorkspaceWalls workspace_walls_;
+  MotionGuard motion_guard_;
+  EnergyAccount energy_;
+  PassivityControl passivity_;
   VelocityFilter velocity_filter_;
   ForceLimiter force_limiter_;
   GravityCompensation gravity_compensation_;
@@ -93,9 +143,11 @@ class Controller {
   std::span<const rendering::Effect> effects_;
 
   Mode mode_ = Mode::init;
-  std::uint32_t faults_ = 0;        // latched
-  std::uint32_t raised_ = 0;        // faults and limits of this tick
+  std::uint64_t faults_ = 0;        // latched
+  std::uint64_t raised_ = 0;        // faults and limits of this tick
   std::uint32_t write_status_ = 0;  // of the last write
+  LoopReport loop_report_;          // for the next tick
+  JointEfforts held_effort_{};      // commanded by the last tick
   Pose pose_;
   rendering::ToolState tool_;
   TelemetryRecord record_;

@@ -9,7 +9,6 @@ namespace tactus::firmware {
 
 void FrictionCompensation::configure(const ControllerConfig& config) {
   step_s_ = 1.0 / config.rate_hz;
-  gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
   limits_ = config.joints;
   is_on_ = false;
   joint_count_ = joint_count(config.mechanism);
@@ -25,8 +24,13 @@ void FrictionCompensation::configure(const ControllerConfig& config) {
         .viscous = joint.compensated_share * joint.model.viscous_s_per_m};
     is_on_ = is_on_ || joint.compensated_share > 0.0;
   }
-  velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
+  retune(config);
   rest();
+}
+
+void FrictionCompensation::retune(const ControllerConfig& config) {
+  gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
+  velocity_filter_.retune(config.velocity_cutoff_hz, config.rate_hz);
 }
 
 void FrictionCompensation::rest() {

@@ -42,6 +42,7 @@
 #include "firmware/kinematics/pose.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -61,6 +62,10 @@ class FrictionCompensation {
  public:
   void configure(const ControllerConfig& config);
 
+  // Takes the soft start and the velocity's cutoff alone: bristles and gain go on from where they
+  // are.
+  void retune(const ControllerConfig& config);
+
   // Whether any joint has a share.
   [[nodiscard]] bool is_on() const { return is_on_; }
 
@@ -70,6 +75,9 @@ class FrictionCompensation {
   // Once in every active tick, with the joints' positions and velocities. The result may be not
   // finite if the velocity is too large.
   FrictionPush push(const Vec3& position, const Vec3& velocity, const PushRoom& room);
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   struct Joint {

@@ -9,10 +9,14 @@ namespace tactus::firmware {
 
 void GravityCompensation::configure(const ControllerConfig& config) {
   is_on_ = has_weight(config.mechanism) && config.gravity_D != Vec3::Zero();
-  gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
+  retune(config);
   gravity_D_ = config.gravity_D;
   limits_ = config.joints;
   rest();
+}
+
+void GravityCompensation::retune(const ControllerConfig& config) {
+  gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
 }
 
 GravityHold GravityCompensation::hold(const Mechanism& mechanism, const Vec3& joints,

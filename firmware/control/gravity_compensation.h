@@ -15,6 +15,7 @@
 #include "firmware/configuration/controller_config.h"
 #include "firmware/kinematics/mechanism.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -27,6 +28,9 @@ class GravityCompensation {
  public:
   void configure(const ControllerConfig& config);
 
+  // Takes the soft start alone: a gain that rises goes on from where it is.
+  void retune(const ControllerConfig& config);
+
   [[nodiscard]] bool is_on() const { return is_on_; }
 
   // In every tick that is not active: the next hold starts from none.
@@ -34,6 +38,9 @@ class GravityCompensation {
 
   // Once in every active tick, at a good pose of these joints.
   GravityHold hold(const Mechanism& mechanism, const Vec3& joints, const Pose& pose);
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   bool is_on_ = false;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -12,9 +13,14 @@ class VelocityFilter {
  public:
   // A cutoff of 0 passes everything.
   void configure(double cutoff_hz, double rate_hz) {
+    retune(cutoff_hz, rate_hz);
+    state_.setZero();
+  }
+
+  // Goes on from where it is.
+  void retune(double cutoff_hz, double rate_hz) {
     const double w = 2.0 * std::numbers::pi * cutoff_hz / rate_hz;
     share_ = cutoff_hz > 0.0 ? w / (1.0 + w) : 1.0;
-    state_.setZero();
   }
 
   void reset() { state_.setZero(); }
@@ -23,6 +29,9 @@ class VelocityFilter {
     state_ += share_ * (velocity - state_);
     return state_;
   }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   double share_ = 1.0;

@@ -108,6 +108,10 @@ struct DeviceConfig {
   PlantConfig plant;
   Certification certification;   // its limits are also the controller's
   double read_limit_s = 0.0005;  // how long a tick waits for fresh samples
+  // A line that every healthy tick turns over, for a circuit that takes the motors' power away when
+  // it stops: on a GPIO chip, by its label or path.
+  std::string_view watchdog_chip;
+  std::optional<drivers::OutputPin> watchdog_line;
   std::array<ConnectionConfig, kMaxConnections> connections{};
   std::array<AxisConfig, kMaxAxes> axes{};
   std::array<JointConfig, kJointCount> joints{};

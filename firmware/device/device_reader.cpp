@@ -456,6 +456,9 @@ Outcome DeviceReader::finish() {
   if (!drivers::lies_between(config_.read_limit_s, 0.0, 0.1)) {
     return refuse(0, "read_limit_s", "must lie between 0 and 0.1");
   }
+  if (config_.watchdog_line.has_value() == config_.watchdog_chip.empty()) {
+    return refuse(0, "watchdog_line", "needs its watchdog_chip, and the chip its watchdog_line");
+  }
   if (const auto shared = check_shared_buses(); !shared) {
     return shared;
   }

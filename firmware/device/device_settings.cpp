@@ -121,6 +121,8 @@ std::span<const Binding<DeviceConfig>> device_keys() {
   static constexpr std::array kKeys{
       bind<&DeviceConfig::name>("name"),
       bind<&DeviceConfig::read_limit_s>("read_limit_s", "s"),
+      bind<&DeviceConfig::watchdog_chip>("watchdog_chip"),
+      bind<&DeviceConfig::watchdog_line>("watchdog_line"),
   };
   return kKeys;
 }
@@ -139,6 +141,23 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
       bind<&C::safety, &S::contact_start_s>("contact_start_s", "s"),
       bind<&C::safety, &S::max_sample_age_us>("max_sample_age_us", "us"),
       bind<&C::safety, &S::stale_ticks_to_fault>("stale_ticks_to_fault"),
+      bind<&C::safety, &S::late_ticks_to_fault>("late_ticks_to_fault"),
+      bind<&C::safety, &S::max_tick_gap_s>("max_tick_gap_s", "s"),
+      bind<&C::safety, &S::max_joint_speed>("max_joint_speed"),
+      bind<&C::safety, &S::frozen_travel>("frozen_travel"),
+      bind<&C::safety, &S::blocked_effort_share>("blocked_effort_share"),
+      bind<&C::safety, &S::blocked_s>("blocked_s", "s"),
+      bind<&C::safety, &S::max_tool_speed_m_per_s>("max_tool_speed_m_per_s", "m_per_s"),
+      bind<&C::safety, &S::runaway_speed_m_per_s>("runaway_speed_m_per_s", "m_per_s"),
+      bind<&C::safety, &S::runaway_travel_m>("runaway_travel_m", "m"),
+      bind<&C::safety, &S::workspace_lower_W>("workspace_lower_m", "m"),
+      bind<&C::safety, &S::workspace_upper_W>("workspace_upper_m", "m"),
+      bind<&C::safety, &S::workspace_stiffness_N_per_m>("workspace_stiffness_N_per_m", "N_per_m"),
+      bind<&C::safety, &S::workspace_damping_Ns_per_m>("workspace_damping_Ns_per_m", "Ns_per_m"),
+      bind<&C::safety, &S::workspace_overrun_m>("workspace_overrun_m", "m"),
+      bind<&C::safety, &S::device_damping_Ns_per_m>("device_damping_Ns_per_m", "Ns_per_m"),
+      bind<&C::safety, &S::passivity_damping_Ns_per_m>("passivity_damping_Ns_per_m", "Ns_per_m"),
+      bind<&C::safety, &S::passivity_fault_J>("passivity_fault_J", "J"),
   };
   return kKeys;
 }

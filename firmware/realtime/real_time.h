@@ -1,18 +1,42 @@
-// Making the calling thread a real-time one.
+// Making the calling thread a real-time one, and keeping the processor awake for it.
 #pragma once
 
+#include <optional>
 #include <string_view>
+
+#include "hal/linux/system.h"
 
 namespace tactus::firmware {
 
+struct RealTimeConfig {
+  int priority = 80;       // SCHED_FIFO, 1 to 99; kernels' interrupt threads are at 50
+  std::optional<int> cpu;  // the thread runs on this processor only
+};
+
 struct RealTimeError {
   std::string_view what;
-  std::string_view remedy;
   int errno_value = 0;
 };
 
-// SCHED_FIFO at that priority, and every page of the process, present and future, locked in memory.
-// Not real time itself. False, with the reason, where the process has no right to.
-bool become_real_time(int priority, RealTimeError& error);
+// In this order: pins the thread; locks every page of the process, present and future, in memory
+// and has it there; does the same for as much of the thread's stack as a tick can ever use;
+// SCHED_FIFO. Not real time itself. False, with the first reason, where the process has no right to
+// something or the machine does not have it; the rest is done all the same.
+bool become_real_time(const RealTimeConfig& config, RealTimeError& error);
+
+// Back to an ordinary thread, for what is done after the loop: it would keep the machine from
+// everything else. Memory stays locked.
+void end_real_time();
+
+// While it lives, no processor goes into a sleep from which it takes time to wake: the request that
+// Linux knows as /dev/cpu_dma_latency, with 0 us. Not real time.
+class CpuLatencyRequest {
+ public:
+  // 0, or errno: EACCES where the device is root's.
+  int hold();
+
+ private:
+  hal::FileDescriptor device_;
+};
 
 }  // namespace tactus::firmware

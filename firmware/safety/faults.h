@@ -1,8 +1,10 @@
-// What can go wrong in a tick, numbered for good: a code is never given a new meaning.
+// What can go wrong in a tick, numbered for good: a code is never given a new meaning. This is the
+// one table of trigger, reaction and recovery; `tactus faults --markdown` writes the README's from
+// it.
 //
-// Faults (codes 0 to 15) stop: zero effort and motor power off in the same tick, latched until a
-// reset with healthy inputs. Limits (codes 16 to 31) do not stop: they say that this tick's output
-// was held back.
+// Faults (codes 0 to 15 and 32 to 47) stop: zero effort and motor power off in the same tick,
+// latched until a reset with healthy inputs. Limits (codes 16 to 31 and 48 to 63) do not stop: they
+// say that this tick's output was held back.
 #pragma once
 
 #include <array>
@@ -12,74 +14,147 @@
 
 namespace tactus::firmware {
 
-enum FaultBits : std::uint32_t {
+enum FaultBits : std::uint64_t {
   kNoFault = 0,
-  kFaultNotConfigured = 1U << 0,
-  kFaultJointNotFinite = 1U << 1,
-  kFaultJointLimit = 1U << 2,
-  kFaultStaleSamples = 1U << 3,
-  kFaultReferenceLost = 1U << 4,
-  kFaultEncoder = 1U << 5,
-  kFaultDrive = 1U << 6,
-  kFaultDeviceLost = 1U << 7,
-  kFaultEmergencyStop = 1U << 8,
-  kFaultOperatorStop = 1U << 9,
-  kFaultKinematicsNotConverged = 1U << 10,
-  kFaultKinematicsSingular = 1U << 11,
-  kFaultToolNotFinite = 1U << 12,
-  kFaultForceNotFinite = 1U << 13,
-  kFaultCommandNotFinite = 1U << 14,
+  kFaultNotConfigured = 1ULL << 0,
+  kFaultJointNotFinite = 1ULL << 1,
+  kFaultJointLimit = 1ULL << 2,
+  kFaultStaleSamples = 1ULL << 3,
+  kFaultReferenceLost = 1ULL << 4,
+  kFaultEncoder = 1ULL << 5,
+  kFaultDrive = 1ULL << 6,
+  kFaultDeviceLost = 1ULL << 7,
+  kFaultEmergencyStop = 1ULL << 8,
+  kFaultOperatorStop = 1ULL << 9,
+  kFaultKinematicsNotConverged = 1ULL << 10,
+  kFaultKinematicsSingular = 1ULL << 11,
+  kFaultToolNotFinite = 1ULL << 12,
+  kFaultForceNotFinite = 1ULL << 13,
+  kFaultCommandNotFinite = 1ULL << 14,
+  kFaultLateTicks = 1ULL << 15,
 
-  kLimitSoftStart = 1U << 16,
-  kLimitForce = 1U << 17,
-  kLimitSlew = 1U << 18,
-  kLimitEffort = 1U << 19,
-  kLimitStaleSample = 1U << 20,
-  kLimitTouch = 1U << 21,
-  kLimitCompensation = 1U << 22,
-  kLimitGravity = 1U << 23,
+  kLimitSoftStart = 1ULL << 16,
+  kLimitForce = 1ULL << 17,
+  kLimitSlew = 1ULL << 18,
+  kLimitEffort = 1ULL << 19,
+  kLimitStaleSample = 1ULL << 20,
+  kLimitTouch = 1ULL << 21,
+  kLimitCompensation = 1ULL << 22,
+  kLimitGravity = 1ULL << 23,
+
+  kFaultTickOverrun = 1ULL << 32,
+  kFaultWatchdog = 1ULL << 33,
+  kFaultWorkspace = 1ULL << 34,
+  kFaultOverspeed = 1ULL << 35,
+  kFaultEncoderFrozen = 1ULL << 36,
+  kFaultEncoderJump = 1ULL << 37,
+  kFaultTorqueWithoutMotion = 1ULL << 38,
+  kFaultMotionWithoutTorque = 1ULL << 39,
+  kFaultOverTemperature = 1ULL << 40,
+  kFaultNotPassive = 1ULL << 41,
+
+  kLimitLateTick = 1ULL << 48,
+  kLimitWorkspace = 1ULL << 49,
+  kLimitSpeed = 1ULL << 50,
+  kLimitPassivity = 1ULL << 51,
+  kLimitGuardsOff = 1ULL << 52,
 };
 
-inline constexpr std::uint32_t kFaultMask = 0x0000'FFFFU;
-inline constexpr std::uint32_t kLimitMask = 0xFFFF'0000U;
+inline constexpr std::uint64_t kFaultMask = 0x0000'FFFF'0000'FFFFULL;
+inline constexpr std::uint64_t kLimitMask = ~kFaultMask;
 
 struct FaultText {
   FaultBits bit;
-  std::string_view name;     // for programs
-  std::string_view meaning;  // for people
+  std::string_view name;      // for programs
+  std::string_view meaning;   // the trigger, for people
+  std::string_view reaction;  // beyond the zero effort of every fault
+  std::string_view recovery;  // "reset": remove the cause, then reset, home, enable
 };
 
 // In order of code.
 inline constexpr auto kFaultTexts = std::to_array<FaultText>({
-    {kFaultNotConfigured, "not_configured", "tick before a successful configure"},
-    {kFaultJointNotFinite, "joint_not_finite", "joint position or velocity NaN or infinite"},
-    {kFaultJointLimit, "joint_limit", "joint position outside its configured range"},
-    {kFaultStaleSamples, "stale_samples", "too many samples in a row too old"},
-    {kFaultReferenceLost, "reference_lost", "device not ready or homing while active"},
-    {kFaultEncoder, "encoder", "device reports an encoder fault"},
-    {kFaultDrive, "drive", "device reports a motor drive fault"},
-    {kFaultDeviceLost, "device_lost", "no way to reach the motors"},
-    {kFaultEmergencyStop, "emergency_stop", "emergency stop line is open"},
-    {kFaultOperatorStop, "operator_stop", "stop requested by the operator or a program"},
-    {kFaultKinematicsNotConverged, "kinematics_not_converged", "no tool position fits the joints"},
-    {kFaultKinematicsSingular, "kinematics_singular", "pose too near a singularity"},
-    {kFaultToolNotFinite, "tool_not_finite", "tool position or velocity NaN or infinite"},
-    {kFaultForceNotFinite, "force_not_finite", "touch gave a NaN or infinite result"},
-    {kFaultCommandNotFinite, "command_not_finite", "joint effort NaN or infinite"},
-    {kLimitSoftStart, "soft_start", "force still rising after activation or first contact"},
-    {kLimitForce, "limiting_force", "force held at its largest magnitude"},
-    {kLimitSlew, "limiting_slew", "change of force held at its largest rate"},
-    {kLimitEffort, "limiting_effort", "force scaled down to a joint's largest effort"},
-    {kLimitStaleSample, "stale_sample", "sample too old, used once more"},
-    {kLimitTouch, "limiting_touch", "touch gave up something: see the touch flags"},
+    {kFaultNotConfigured, "not_configured", "tick before a successful configure", "stop",
+     "call `configure`"},
+    {kFaultJointNotFinite, "joint_not_finite", "joint position or velocity NaN or infinite",
+     "stop; tool held where it was", "reset"},
+    {kFaultJointLimit, "joint_limit", "joint position outside its configured range", "stop",
+     "move back inside by hand, reset"},
+    {kFaultStaleSamples, "stale_samples", "too many samples in a row too old", "stop", "reset"},
+    {kFaultReferenceLost, "reference_lost", "device not ready or homing while active", "stop",
+     "reset"},
+    {kFaultEncoder, "encoder", "device reports an encoder fault", "stop", "reset"},
+    {kFaultDrive, "drive", "device reports a motor drive fault", "stop", "reset"},
+    {kFaultDeviceLost, "device_lost", "no way to reach the motors",
+     "stop; the device must stop by itself", "reset"},
+    {kFaultEmergencyStop, "emergency_stop", "emergency stop line is open", "stop",
+     "close the line, reset"},
+    {kFaultOperatorStop, "operator_stop", "stop requested by the operator or a program", "stop",
+     "reset"},
+    {kFaultKinematicsNotConverged, "kinematics_not_converged", "no tool position fits the joints",
+     "stop", "reset; check geometry and homing"},
+    {kFaultKinematicsSingular, "kinematics_singular", "pose too near a singularity", "stop",
+     "move toward the middle, reset"},
+    {kFaultToolNotFinite, "tool_not_finite", "tool position or velocity NaN or infinite",
+     "stop; tool held where it was", "reset"},
+    {kFaultForceNotFinite, "force_not_finite", "touch gave a NaN or infinite result",
+     "stop; touch forgotten", "reset; check the scene's material"},
+    {kFaultCommandNotFinite, "command_not_finite", "joint effort NaN or infinite", "stop", "reset"},
+    {kFaultLateTicks, "late_ticks", "too many ticks in a row began too late", "stop",
+     "reset; `tactus doctor` says what holds the loop up"},
+    {kLimitSoftStart, "soft_start", "force still rising after activation or first contact",
+     "force scaled down", "by itself"},
+    {kLimitForce, "limiting_force", "force held at its largest magnitude",
+     "force shortened, direction kept", "by itself"},
+    {kLimitSlew, "limiting_slew", "change of force held at its largest rate", "force follows late",
+     "by itself"},
+    {kLimitEffort, "limiting_effort", "force scaled down to a joint's largest effort",
+     "all efforts scaled alike", "by itself"},
+    {kLimitStaleSample, "stale_sample", "sample too old, used once more",
+     "tick computed from the repeated sample", "by the next fresh sample"},
+    {kLimitTouch, "limiting_touch", "touch gave up something: see the touch flags",
+     "bounded force, see `TouchFlags`", "by itself"},
     {kLimitCompensation, "limiting_compensation",
-     "friction compensation held back by a force or effort limit"},
-    {kLimitGravity, "limiting_gravity", "gravity compensation cut at a joint's largest effort"},
+     "friction compensation held back by a force or effort limit", "less friction is taken over",
+     "by itself"},
+    {kLimitGravity, "limiting_gravity", "gravity compensation cut at a joint's largest effort",
+     "the mechanism sags there; no room is left for the rendered force",
+     "by itself; check the weights"},
+    {kFaultTickOverrun, "tick_overrun", "loop skipped too many ticks at once", "stop",
+     "reset; `tactus doctor` says what holds the loop up"},
+    {kFaultWatchdog, "watchdog", "watchdog output could not be driven", "stop",
+     "reset; check its line"},
+    {kFaultWorkspace, "workspace", "tool went through a wall of the workspace", "stop",
+     "move back inside by hand, reset"},
+    {kFaultOverspeed, "overspeed", "tool faster than a hand moves it", "stop", "reset"},
+    {kFaultEncoderFrozen, "encoder_frozen", "joint has a velocity and its position stands still",
+     "stop", "reset; check the encoder"},
+    {kFaultEncoderJump, "encoder_jump", "joint moved further in a tick than it can", "stop",
+     "reset; check the encoder"},
+    {kFaultTorqueWithoutMotion, "torque_without_motion",
+     "effort of a joint changed by much and the joint never moved", "stop",
+     "reset; check encoder, motor and what blocks the joint"},
+    {kFaultMotionWithoutTorque, "motion_without_torque",
+     "tool runs away and the commanded force does not push it", "stop",
+     "reset; check the encoder's direction and the drive"},
+    {kFaultOverTemperature, "over_temperature", "drive or motor reports that it is too hot", "stop",
+     "let it cool, reset"},
+    {kFaultNotPassive, "not_passive",
+     "surfaces gave the hand energy that damping could not take back", "stop",
+     "reset; less stiffness, or more damping in the device"},
+    {kLimitLateTick, "late_tick", "tick began too late", "none but the count", "by itself"},
+    {kLimitWorkspace, "workspace_wall", "tool is in a wall of the workspace", "wall pushes back",
+     "by itself"},
+    {kLimitSpeed, "limiting_speed", "tool nearly too fast", "force along the motion taken away",
+     "by itself"},
+    {kLimitPassivity, "limiting_passivity", "surfaces gave the hand energy",
+     "damping takes it back; see the ledger", "by itself"},
+    {kLimitGuardsOff, "guards_off", "a test has switched guards off", "those guards are silent",
+     "configure without"},
 });
 
-// The stable code of a single bit, 0 to 31.
+// The stable code of a single bit, 0 to 63.
 constexpr int fault_code(FaultBits bit) {
-  return std::countr_zero(static_cast<std::uint32_t>(bit));
+  return std::countr_zero(static_cast<std::uint64_t>(bit));
 }
 
 // The name of a single bit; "unknown" for a bit without a meaning.

@@ -27,11 +27,15 @@ double length_of(const Vec3& v) {
 }
 
 void ForceLimiter::configure(const ControllerConfig& config) {
+  retune(config);
+  restart();
+}
+
+void ForceLimiter::retune(const ControllerConfig& config) {
   max_force_N_ = config.safety.max_force_N;
   max_step_N_ = config.safety.force_slew_N_per_s / config.rate_hz;
   activation_gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
   contact_gain_per_tick_ = gain_per_tick(config.safety.contact_start_s, config.rate_hz);
-  restart();
 }
 
 void ForceLimiter::restart() {

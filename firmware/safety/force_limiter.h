@@ -16,17 +16,21 @@
 
 #include "firmware/configuration/controller_config.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
 struct LimitedForce {
   Vec3 force_W = Vec3::Zero();  // N
-  std::uint32_t limits = 0;     // FaultBits: which of the limits held the force back
+  std::uint64_t limits = 0;     // FaultBits: which of the limits held the force back
 };
 
 class ForceLimiter {
  public:
   void configure(const ControllerConfig& config);
+
+  // Takes the limits alone: ramps and slew go on from where they are.
+  void retune(const ControllerConfig& config);
 
   // Activation: both ramps and the slew start again from zero force.
   void restart();
@@ -37,6 +41,9 @@ class ForceLimiter {
   // The force that in the end went out (the effort limit may have scaled it): the next slew starts
   // from it.
   void applied(const Vec3& force_W) { last_W_ = force_W; }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
 
  private:
   double max_force_N_ = 0.0;

@@ -10,12 +10,13 @@ bool is_referenced(std::uint32_t device_status) {
   return (device_status & (drivers::kDeviceNotReady | drivers::kDeviceHoming)) == 0;
 }
 
-std::uint32_t device_faults(std::uint32_t device_status) {
-  std::uint32_t faults = kNoFault;
+std::uint64_t device_faults(std::uint32_t device_status) {
+  std::uint64_t faults = kNoFault;
   faults |= (device_status & drivers::kDeviceEncoderFault) != 0 ? kFaultEncoder : kNoFault;
   faults |= (device_status & drivers::kDeviceDriveFault) != 0 ? kFaultDrive : kNoFault;
   faults |= (device_status & drivers::kDeviceEmergencyStop) != 0 ? kFaultEmergencyStop : kNoFault;
   faults |= (device_status & drivers::kDeviceLost) != 0 ? kFaultDeviceLost : kNoFault;
+  faults |= (device_status & drivers::kDeviceTooHot) != 0 ? kFaultOverTemperature : kNoFault;
   return faults;
 }
 
@@ -28,11 +29,11 @@ void SampleCheck::configure(const ControllerConfig& config) {
   stale_ticks_to_fault_ = config.safety.stale_ticks_to_fault;
 }
 
-std::uint32_t SampleCheck::check(const drivers::JointSample& sample) {
+std::uint64_t SampleCheck::check(const drivers::JointSample& sample) {
   return device_faults(sample.status) | check_age(sample) | check_joints(sample);
 }
 
-std::uint32_t SampleCheck::check_age(const drivers::JointSample& sample) {
+std::uint64_t SampleCheck::check_age(const drivers::JointSample& sample) {
   if ((sample.status & drivers::kDeviceStale) == 0 && sample.age_us <= max_age_us_) {
     stale_in_a_row_ = 0;
     return kNoFault;
@@ -45,8 +46,8 @@ std::uint32_t SampleCheck::check_age(const drivers::JointSample& sample) {
          (stale_in_a_row_ >= stale_ticks_to_fault_ ? kFaultStaleSamples : kNoFault);
 }
 
-std::uint32_t SampleCheck::check_joints(const drivers::JointSample& sample) const {
-  std::uint32_t faults = kNoFault;
+std::uint64_t SampleCheck::check_joints(const drivers::JointSample& sample) const {
+  std::uint64_t faults = kNoFault;
   for (std::size_t joint = 0; joint < joint_count_; ++joint) {
     const double position = sample.position[joint];
     if (!std::isfinite(position) || !std::isfinite(sample.velocity[joint])) {

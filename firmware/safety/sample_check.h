@@ -5,6 +5,7 @@
 
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::firmware {
 
@@ -15,14 +16,17 @@ class SampleCheck {
   // FaultBits of this sample, faults and limits. Looks at the joints that the mechanism has.
   // Positions are held against the joint limits only
   // when the device is referenced: before that they mean nothing.
-  std::uint32_t check(const drivers::JointSample& sample);
+  std::uint64_t check(const drivers::JointSample& sample);
 
   // Samples too old, since configure().
   [[nodiscard]] std::uint32_t stale_count() const { return stale_count_; }
 
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
+
  private:
-  std::uint32_t check_age(const drivers::JointSample& sample);
-  [[nodiscard]] std::uint32_t check_joints(const drivers::JointSample& sample) const;
+  std::uint64_t check_age(const drivers::JointSample& sample);
+  [[nodiscard]] std::uint64_t check_joints(const drivers::JointSample& sample) const;
 
   std::size_t joint_count_ = kJointCount;
   std::array<JointLimits, kJointCount> limits_{};
@@ -37,6 +41,6 @@ class SampleCheck {
 bool is_referenced(std::uint32_t device_status);
 
 // The fault of each device trouble that stops.
-std::uint32_t device_faults(std::uint32_t device_status);
+std::uint64_t device_faults(std::uint32_t device_status);
 
 }  // namespace tactus::firmware

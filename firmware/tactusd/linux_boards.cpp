@@ -150,6 +150,24 @@ LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::siz
   return {};
 }
 
+std::expected<void, OpenError> LinuxBoards::open_watchdog(const DeviceConfig& config,
+                                                          WatchdogOutput& watchdog) {
+  if (!config.watchdog_line) {
+    return {};
+  }
+  const drivers::OutputPin& pin = *config.watchdog_line;
+  watchdog_lines_.emplace(config.watchdog_chip);
+  const auto held = watchdog.open(*watchdog_lines_, {.offset = pin.offset,
+                                                     .direction = hal::GpioDirection::output,
+                                                     .active_low = pin.active_low,
+                                                     .drive = pin.drive});
+  if (!held) {
+    return std::unexpected(OpenError{
+        "watchdog", "its GPIO line cannot be had; see gpiodetect and gpioinfo", held.error()});
+  }
+  return {};
+}
+
 void LinuxBoards::address_axes(const DeviceConfig& config, std::size_t connection) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < config.axis_count; ++i) {

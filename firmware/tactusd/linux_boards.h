@@ -19,6 +19,7 @@
 #include "drivers/odrive_can/odrive_can.h"
 #include "drivers/vesc_can/vesc_can.h"
 #include "firmware/device/device_config.h"
+#include "firmware/realtime/watchdog_output.h"
 #include "hal/linux/can_bus.h"
 #include "hal/linux/clock.h"
 #include "hal/linux/counter.h"
@@ -48,6 +49,10 @@ class LinuxBoards {
   std::expected<void, OpenError> open(const DeviceConfig& config,
                                       std::span<const std::byte> falcon_firmware,
                                       drivers::ComposedDevice& device);
+
+  // The watchdog's line, if the device has one.
+  std::expected<void, OpenError> open_watchdog(const DeviceConfig& config,
+                                               WatchdogOutput& watchdog);
 
   [[nodiscard]] hal::LinuxClock& clock() { return clock_; }
 
@@ -81,6 +86,7 @@ class LinuxBoards {
   hal::LinuxClock clock_;
   std::array<CanLine, kMaxConnections> can_;
   std::array<GpioLine, kMaxConnections> gpio_;
+  std::optional<hal::LinuxGpioLines> watchdog_lines_;
   hal::LinuxUsbEndpoint usb_;
   std::optional<drivers::Falcon> falcon_;
   hal::LinuxSerialPort serial_;

@@ -1,21 +1,34 @@
 // tactusd: the controller on a Linux board. Reads the images, opens the boards, then ticks: read ->
 // controller -> write, at the device's rate, until told to stop or a fault has stopped the motors.
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
+#include <cinttypes>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <optional>
 
-#include "firmware/control/run_tick.h"
+#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_server.h"
+#include "firmware/commands/scene_store.h"
+#include "firmware/commands/telemetry_hooks.h"
 #include "firmware/device/device_image.h"
 #include "firmware/realtime/real_time.h"
+#include "firmware/realtime/service_notice.h"
+#include "firmware/realtime/timing_report.h"
+#include "firmware/realtime/watchdog_output.h"
 #include "firmware/safety/faults.h"
 #include "firmware/tactusd/certificate_words.h"
 #include "firmware/tactusd/linux_boards.h"
-#include "firmware/tactusd/mapped_file.h"
+#include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/options.h"
-#include "firmware/tactusd/run_log.h"
+#include "firmware/tactusd/run_telemetry.h"
+#include "firmware/tactusd/supervisor.h"
+#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/scene_image.h"
 
@@ -26,7 +39,9 @@ constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
+// Where commands are taken it goes on until told to stop: somebody may reset it.
 constexpr double kAfterFault_s = 0.2;
+constexpr const char* kRunFolder = "/run/tactus";
 constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
@@ -42,25 +57,35 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
-  MappedFile device_file;
-  MappedFile scene_file;
-  MappedFile falcon_file;
+  hal::MappedFile device_file;
+  hal::MappedFile falcon_file;
   DeviceSections sections;
   DeviceConfig config;
-  std::optional<rendering::SceneImage> scene;
+  SceneStore scenes;
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
   Controller controller;
-  RunLog log;
+  LoopTiming timing;
+  WatchdogOutput watchdog;
+  CpuLatencyRequest cpu_latency;
+  ServiceNotice notice;
+  Supervisor supervisor;
+  RunTelemetry telemetry;
+  CommandDesk desk;
+  CommandServer commands{desk, scenes};
 };
 
 Program program;
+
+void on_flight_signal(int /*signal*/) {
+  program.telemetry.ask_for_flight();
+}
 
 int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
 
-bool map(MappedFile& file, const char* path) {
+bool map(hal::MappedFile& file, const char* path) {
   const int error = file.open(path);
   if (error != 0) {
     std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
@@ -82,6 +107,9 @@ bool load_device(const Options& options) {
                  error.key.data(), error.key.empty() ? "" : " ", length(error.what),
                  error.what.data());
     return false;
+  }
+  if (options.rate_hz > 0.0) {
+    program.config.controller.rate_hz = options.rate_hz;
   }
   std::array<char, kMostWords> words{};
   if (const auto warning = certificate_warning(program.config.certification, words);
@@ -114,22 +142,23 @@ bool load_scene(const Options& options) {
   if (options.scene == nullptr) {
     return true;
   }
-  if (!map(program.scene_file, options.scene)) {
+  const auto opened = program.scenes.open_next(options.scene);
+  if (!opened) {
+    const SceneStoreError& error = opened.error();
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", options.scene, length(error.what),
+                 error.what.data(), error.errno_value != 0 ? ": " : "",
+                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
     return false;
   }
-  const auto image = rendering::SceneImage::open(program.scene_file.bytes());
-  if (!image) {
-    const std::string_view what = rendering::describe(image.error().fault);
-    std::fprintf(stderr, "tactusd: %s: %.*s\n", options.scene, length(what), what.data());
-    return false;
-  }
-  const rendering::SceneImage& scene = program.scene.emplace(*image);
+  const rendering::SceneImage& scene = **opened;
   const auto loaded = program.controller.load_scene(
       scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
   if (!loaded) {
     tell_refusal(options.scene, scene, loaded.error());
+    return false;
   }
-  return loaded.has_value();
+  program.scenes.use_next();
+  return true;
 }
 
 // The Falcon's firmware, if one is named.
@@ -147,79 +176,90 @@ bool load_falcon_firmware() {
   return true;
 }
 
+void complain(const OpenError& error) {
+  const std::string_view code = hal::words(error.error.code);
+  std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
+               length(error.connection), error.connection.data(), length(error.what),
+               error.what.data(), length(code), code.data(), error.error.errno_value);
+}
+
 // Null if a board does not open.
 drivers::ComposedDevice* open_boards() {
-  const auto read_limit_ns = static_cast<hal::TimeNs>(program.config.read_limit_s * 1e9);
+  // Half of every period stays for the rest of the tick.
+  const double half_period_s = 0.5 / program.config.controller.rate_hz;
+  const double read_limit_s = std::min(program.config.read_limit_s, half_period_s);
+  const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
   drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
   const auto opened = program.boards.open(program.config, program.falcon_file.bytes(), device);
   if (!opened) {
-    const OpenError& error = opened.error();
-    const std::string_view code = hal::words(error.error.code);
-    std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
-                 length(error.connection), error.connection.data(), length(error.what),
-                 error.what.data(), length(code), code.data(), error.error.errno_value);
+    complain(opened.error());
+    return nullptr;
+  }
+  if (const auto watchdog = program.boards.open_watchdog(program.config, program.watchdog);
+      !watchdog) {
+    complain(watchdog.error());
     return nullptr;
   }
   return &device;
 }
 
-// The request of this tick: --enable homes and enables, a signal disables.
-Request wish(const Options& options, bool stopping) {
-  const Mode mode = program.controller.mode();
-  if (stopping) {
-    return mode == Mode::active ? Request::disable : Request::none;
-  }
-  if (!options.enable) {
-    return Request::none;
-  }
-  return mode == Mode::init ? Request::home : mode == Mode::ready ? Request::enable : Request::none;
-}
+// What passes the loop's doors: commands and the command line's wish in, every tick out.
+class Doors {
+ public:
+  Doors(const Options& options, const drivers::ComposedDevice& device)
+      : enable_(options.enable), device_(&device) {}
 
-void log_tick(const drivers::ComposedDevice& device, const hal::Wake& wake) {
-  LoggedTick tick{.scheduled_ns = wake.scheduled_ns,
-                  .woke_ns = wake.woke_ns,
-                  .done_ns = hal::monotonic_now_ns(),
-                  .sample_ns = device.encoder_sample(0).time_ns,
-                  .record = program.controller.record()};
-  for (std::size_t i = 0; i < device.joint_count(); ++i) {
-    tick.shaft_rad[i] = device.encoder_sample(i).position_rad;
-    tick.torque_Nm[i] = device.commanded_torque_Nm(i);
+  [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
+
+  // --enable acts until an operator does.
+  [[nodiscard]] Request take_request(Controller& controller) const {
+    const Request commanded = program.desk.before_tick(controller);
+    const Mode mode = controller.mode();
+    if (!enable_ || program.desk.is_operated()) {
+      return commanded;
+    }
+    return mode == Mode::init    ? Request::home
+           : mode == Mode::ready ? Request::enable
+                                 : Request::none;
   }
-  program.log.add(tick);
-}
 
-void tell_mode(Mode mode) {
-  const std::string_view name = mode_name(mode);
-  std::fprintf(stderr, "tactusd: %.*s\n", length(name), name.data());
-}
+  void publish(Controller& controller, const LoopTick& tick) {
+    program.desk.after_tick(controller);
+    program.telemetry.publish(controller, tick, *device_);
+    program.supervisor.note(controller.mode());
+  }
 
-// The loop. Nothing in it allocates or waits but for the boards' transfers and the phase.
+ private:
+  bool enable_;
+  const drivers::ComposedDevice* device_;
+};
+
 int run(drivers::ComposedDevice& device, const Options& options) {
-  hal::LinuxClock& clock = program.boards.clock();
   const double rate_hz = program.config.controller.rate_hz;
-  const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz), .offset_ns = 0};
-  const double limit = options.seconds > 0.0 ? std::ceil(options.seconds * rate_hz) : 1e18;
-  double ticks_after_fault = 0.0;
-  Mode told = program.controller.mode();
-  bool stopping = false;
-  hal::Wake wake = clock.sleep_until(hal::next_instant_ns(phase, clock.now_ns()));
-  for (auto left = static_cast<std::uint64_t>(limit); left > 0; --left) {
-    stopping = stopping || told_to_stop.load(std::memory_order_relaxed);
-    run_tick(program.controller, device, wish(options, stopping));
-    log_tick(device, wake);
-    const Mode mode = program.controller.mode();
-    if (mode != told && mode != Mode::active) {
-      tell_mode(mode);
-    }
-    told = mode;
-    ticks_after_fault = mode == Mode::fault ? ticks_after_fault + 1.0 : 0.0;
-    if (ticks_after_fault > kAfterFault_s * rate_hz || (stopping && mode != Mode::active)) {
-      break;
-    }
-    wake = clock.sleep_to_phase(phase, wake);
+  LoopConfig config{.phase = loop_phase(rate_hz),
+                    .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
+  if (program.commands.is_running()) {
+    config.ticks_after_fault = std::numeric_limits<std::uint64_t>::max();
+  }
+  if (options.seconds > 0.0) {
+    config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
+  }
+  program.timing.set_period(config.phase.period_ns);
+  Doors doors(options, device);
+  const LoopParts parts{.controller = program.controller,
+                        .clock = program.boards.clock(),
+                        .timing = program.timing,
+                        .watchdog = program.watchdog};
+  LoopEnd end = LoopEnd::ended;
+  if (options.allow_inject) {
+    InjectedDevice injected(device, program.desk.injector(), rate_hz, now_ns);
+    end = run_loop(config, parts, injected, doors);
+  } else {
+    end = run_loop(config, parts, device, doors);
   }
   device.stop();
-  return program.controller.mode() == Mode::fault ? kFaulted : kEnded;
+  end_real_time();
+  return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
 void explain_fault(const drivers::ComposedDevice& device) {
@@ -237,6 +277,69 @@ void explain_fault(const drivers::ComposedDevice& device) {
   }
 }
 
+// False where the loop has no right to its time and must have it.
+bool take_time(const Options& options) {
+  RealTimeError error;
+  if (!become_real_time({.priority = options.priority, .cpu = options.cpu}, error)) {
+    std::fprintf(stderr, "tactusd: %.*s (%s)\n", length(error.what), error.what.data(),
+                 std::strerror(error.errno_value));
+    if (!options.allow_non_realtime) {
+      std::fprintf(stderr,
+                   "Give this shell the right to it with\n"
+                   "  sudo prlimit --pid %d --rtprio=%d --memlock=unlimited\n"
+                   "and start again; --allow-non-realtime goes without, and may miss ticks.\n",
+                   getppid(), options.priority);
+      return false;
+    }
+  }
+  if (const int refused = program.cpu_latency.hold(); refused != 0) {
+    std::fprintf(stderr, "tactusd: /dev/cpu_dma_latency: %s; processors may sleep deeply\n",
+                 std::strerror(refused));
+  }
+  return true;
+}
+
+bool start_telling() {
+  if (const int failed = program.notice.open(); failed != 0) {
+    std::fprintf(stderr, "tactusd: $NOTIFY_SOCKET: %s\n", std::strerror(failed));
+  }
+  const int failed = program.supervisor.start(program.notice);
+  if (failed != 0) {
+    std::fprintf(stderr, "tactusd: no thread: %s\n", std::strerror(failed));
+  }
+  return failed == 0;
+}
+
+// Opens the command socket. Without the service's folder it goes on without commands.
+bool start_commands(const Options& options) {
+  const char* const folder = options.run_dir != nullptr ? options.run_dir : kRunFolder;
+  std::array<char, kMostWords> path{};
+  std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
+  program.desk.set_events(telemetry_events(program.telemetry.writer()));
+  const auto started =
+      program.commands.start({.socket_path = path.data(),
+                              .group = options.group,
+                              .allow_inject = options.allow_inject,
+                              .hooks = telemetry_hooks(program.telemetry.writer())});
+  if (!started) {
+    const ListenError& error = started.error();
+    std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),
+                 error.what.data(), std::strerror(error.errno_value));
+  }
+  return started.has_value() || (options.run_dir == nullptr && options.group == nullptr);
+}
+
+void write_files(const Options& options) {
+  const auto complain = [](const char* path, int failed) {
+    if (failed != 0) {
+      std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
+    }
+  };
+  if (options.histogram != nullptr) {
+    complain(options.histogram, write_histogram(options.histogram, program.timing));
+  }
+}
+
 int start_and_run(const Options& options) {
   if (!load_device(options) || !load_scene(options) || !load_falcon_firmware()) {
     return kCouldNotStart;
@@ -245,36 +348,35 @@ int start_and_run(const Options& options) {
   if (device == nullptr) {
     return kCouldNotStart;
   }
-  const double ticks = std::ceil(options.seconds * program.config.controller.rate_hz);
-  if (options.record != nullptr && !program.log.reserve(static_cast<std::size_t>(ticks))) {
-    std::fputs("tactusd: no memory for that many seconds of --record\n", stderr);
+  if (!program.telemetry.start(options,
+                               {.config = program.controller.config(),
+                                .device = program.device_file.bytes(),
+                                .scene = program.scenes.bytes()},
+                               program.config.joint_count)) {
     return kCouldNotStart;
   }
-  RealTimeError error;
-  if (!become_real_time(options.priority, error)) {
-    std::fprintf(stderr, "tactusd: %.*s (%s); %.*s\n", length(error.what), error.what.data(),
-                 std::strerror(error.errno_value), length(error.remedy), error.remedy.data());
-    if (!options.allow_non_realtime) {
-      return kCouldNotStart;
-    }
+  if (!start_commands(options) || !take_time(options) || !start_telling()) {
+    return kCouldNotStart;
   }
   struct sigaction action{};
   action.sa_handler = on_signal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = on_flight_signal;
+  sigaction(SIGUSR1, &action, nullptr);
 
   device->start();
   const int code = run(*device, options);
+  program.commands.stop();
+  program.supervisor.stop();
+  program.telemetry.stop(options);
   if (code == kFaulted) {
     explain_fault(*device);
   }
-  if (options.record != nullptr) {
-    if (const int failed = program.log.write_csv(options.record, program.config.joint_count);
-        failed != 0) {
-      std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", options.record,
-                   std::strerror(failed));
-    }
-  }
+  print_timing(stderr, program.timing);
+  std::fprintf(stderr, "hash of all ticks: %016" PRIx64 "\n",
+               program.controller.record().state_hash);
+  write_files(options);
   return code;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "firmware/limits.h"
+
 namespace tactus::firmware {
 
 namespace {
@@ -25,6 +27,40 @@ bool read_value(std::string_view option, const char* value, Options& options) {
   if (option == "--record") {
     options.record = value;
     return value != nullptr || complain("no file after", option);
+  }
+  if (option == "--flight-dir") {
+    options.flight_dir = value;
+    return value != nullptr || complain("no folder after", option);
+  }
+  if (option == "--run-dir") {
+    options.run_dir = value;
+    return value != nullptr || complain("no folder after", option);
+  }
+  if (option == "--group") {
+    options.group = value;
+    return value != nullptr || complain("no group after", option);
+  }
+  if (option == "--udp-json") {
+    if (!read_number(value, 1.0, 65535.0, number)) {
+      return complain("give a UDP port after", option);
+    }
+    options.udp_port = static_cast<std::uint16_t>(number);
+    return true;
+  }
+  if (option == "--histogram") {
+    options.histogram = value;
+    return value != nullptr || complain("no file after", option);
+  }
+  if (option == "--rate") {
+    return read_number(value, kMinRate_Hz, kMaxRate_Hz, options.rate_hz) ||
+           complain("give 50 to 50000 ticks a second after", option);
+  }
+  if (option == "--cpu") {
+    if (!read_number(value, 0.0, 1023.0, number)) {
+      return complain("give the number of a processor after", option);
+    }
+    options.cpu = static_cast<int>(number);
+    return true;
   }
   if (option == "--seconds") {
     return read_number(value, 0.0, 1e6, options.seconds) ||
@@ -51,9 +87,22 @@ void print_usage(std::FILE* file) {
       "\n"
       "  --enable              home and enable as soon as the device is ready\n"
       "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
-      "  --record FILE         write every tick to a CSV file at the end (needs --seconds)\n"
+      "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
+      ".csv\n"
+      "  --flight-dir DIR      after a fault, and at SIGUSR1, write the last seconds there; "
+      "default:\n"
+      "                        this folder. tactus replay lives them once more\n"
+      "  --run-dir DIR         put the sockets there; default /run/tactus\n"
+      "  --group GROUP         the group that may command; default the program's own\n"
+      "  --udp-json PORT       send ticks as JSON to this UDP port of this machine, 100 a second;\n"
+      "                        PlotJuggler listens at 9870\n"
+      "  --rate HZ             ticks a second in place of the device's own\n"
+      "  --histogram FILE      write how long wake-up, tick and stages took to a CSV file at the "
+      "end\n"
       "  --priority P          SCHED_FIFO priority of the loop, 1 to 98; default 80\n"
+      "  --cpu N               run the loop on processor N only\n"
       "  --allow-non-realtime  run even where real-time priority is not to be had\n"
+      "  --allow-inject        let `tactus inject` raise faults, for tests and drills\n"
       "  --allow-uncertified   load a scene that is stiffer than the device's certificate\n"
       "  --help\n"
       "\n"
@@ -62,7 +111,7 @@ void print_usage(std::FILE* file) {
       "Examples:\n"
       "  tactus bake arm.toml && tactus bake bunny.toml\n"
       "  tactusd arm.tactus bunny.tactus --enable\n"
-      "  tactusd arm.tactus bunny.tactus --enable --seconds 10 --record run.csv\n",
+      "  tactusd arm.tactus bunny.tactus --enable --record run.mcap\n",
       file);
 }
 
@@ -77,6 +126,8 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
       options.enable = true;
     } else if (argument == "--allow-non-realtime") {
       options.allow_non_realtime = true;
+    } else if (argument == "--allow-inject") {
+      options.allow_inject = true;
     } else if (argument == "--allow-uncertified") {
       options.allow_uncertified = true;
     } else if (argument.starts_with("--")) {
@@ -95,9 +146,6 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
   }
   if (options.device == nullptr) {
     return complain("give a device image", "");
-  }
-  if (options.record != nullptr && options.seconds == 0.0) {
-    return complain("--record needs --seconds, which says how much memory to take", "");
   }
   return true;
 }

@@ -46,6 +46,8 @@ std::uint64_t state_hash(const TelemetryRecord& record, std::uint64_t previous) 
   hash.add(record.limits);
   hash.add(record.device_status);
   hash.add(record.sample_age_us);
+  hash.add(record.loop_status);
+  hash.add(record.missed_ticks);
   hash.add(record.touch_flags);
   hash.add(record.object);
   hash.add(record.sub_goals);
@@ -60,10 +62,12 @@ std::uint64_t state_hash(const TelemetryRecord& record, std::uint64_t previous) 
   hash.add_reals(record.force_rendered_W);
   hash.add_reals(record.force_commanded_W);
   hash.add_real(record.depth_m);
+  hash.add_real(record.passivity_J);
   hash.add(record.counters.stale_samples);
   hash.add(record.counters.faults_entered);
   hash.add(record.counters.limited_ticks);
   hash.add(record.counters.touch_flagged);
+  hash.add(record.counters.late_ticks);
   return hash.value();
 }
 

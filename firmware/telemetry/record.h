@@ -8,6 +8,8 @@
 
 #include "drivers/device.h"
 #include "firmware/control/mode.h"
+#include "firmware/control/parameters.h"
+#include "firmware/safety/energy_ledger.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::firmware {
@@ -24,6 +26,7 @@ struct TickCounters {
   std::uint32_t faults_entered = 0;  // times that the mode became fault
   std::uint32_t limited_ticks = 0;   // ticks with any limit
   std::uint32_t touch_flagged = 0;   // ticks with any touch flag
+  std::uint32_t late_ticks = 0;      // as the loop reported them
 };
 
 // ns, by the clock given to the controller; all zero without one. `read` and `write` are the
@@ -45,12 +48,14 @@ struct TelemetryRecord {
   Request request = Request::none;
   rendering::ContactKind contact = rendering::ContactKind::none;
   rendering::FrictionState friction = rendering::FrictionState::free;
-  std::uint32_t faults = 0;         // FaultBits latched
-  std::uint32_t limits = 0;         // FaultBits of limits, this tick's
+  std::uint64_t faults = 0;         // FaultBits latched
+  std::uint64_t limits = 0;         // FaultBits of limits, this tick's
   std::uint32_t device_status = 0;  // DeviceStatus of the sample and of the last write
   std::uint32_t sample_age_us = 0;
-  std::uint32_t touch_flags = 0;  // TouchFlags
-  std::uint32_t object = 0;       // touched object, meaningful in contact
+  std::uint32_t loop_status = 0;   // LoopStatus
+  std::uint32_t missed_ticks = 0;  // skipped by the loop before this one
+  std::uint32_t touch_flags = 0;   // TouchFlags
+  std::uint32_t object = 0;        // touched object, meaningful in contact
   std::uint16_t sub_goals = 0;
   std::uint16_t planes = 0;
 
@@ -65,6 +70,7 @@ struct TelemetryRecord {
   Triple force_commanded_W{};  // N, what the commanded efforts put on the hand, without the
                                // compensation of the joints' friction and of gravity
   double depth_m = 0.0;
+  double passivity_J = 0.0;  // what the passivity observer has: below 0 the hand was given energy
 
   TickCounters counters;
   std::uint64_t state_hash =
@@ -73,6 +79,13 @@ struct TelemetryRecord {
   std::array<double, drivers::kMaxJoints> joint_compensation{};
   // What of it holds the mechanism's own weights up; not hashed either.
   std::array<double, drivers::kMaxJoints> joint_gravity{};
+  // By source, not hashed: passivity_J is what the next output depends on.
+  EnergyLedger energy_J{};
+  // When a limit acts: the source that gives most, of energy for limiting_passivity and of force
+  // otherwise. Not hashed.
+  EnergySource limited_source = EnergySource::contact;
+  // The parameter that this tick is the first to have changed; not hashed, what it does is.
+  ParameterChange change;
   StageTimes stage_ns;  // not hashed
 };
 static_assert(std::is_trivially_copyable_v<TelemetryRecord>);

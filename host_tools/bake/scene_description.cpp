@@ -141,6 +141,11 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
     const TomlSection tool_section(*tool, scene.file, "[tool]", kToolKeys);
     scene.tool_radius_m =
         tool_section.number("radius_m", kZeroOrMore).value_or(kDefaultToolRadius_m);
+    if (scene.tool_radius_m > rendering::kMaxToolRadius_m) {
+      tool_section.fail(
+          "radius_m", fmt::format("radius_m is {} m, where {} m is the most; is it in millimetres?",
+                                  scene.tool_radius_m, rendering::kMaxToolRadius_m));
+    }
     scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
   }
   scene.device = read_device(section, scene.file);

@@ -17,6 +17,7 @@
 #include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
+#include "host_tools/cli/bench_loop.h"
 #include "host_tools/friction/parameter_names.h"
 #include "host_tools/simulation/run.h"
 
@@ -33,6 +34,8 @@ constexpr const char* kExamples =
     "objects: a ball is stroked alone, among 64 and among 1,000.\n"
     "friction: a ball of 20,480 triangles is stroked under every friction model.\n"
     "sim: hand, device and controller in lockstep at 1 kHz.\n"
+    "--loop: how late a loop that sleeps to a fixed phase wakes on this machine, and cyclictest "
+    "after it.\n"
     "\n"
     "Times are of this machine and noisy: compare ratios within one run. Instructions are the same "
     "in every run of\n"
@@ -43,6 +46,7 @@ constexpr const char* kExamples =
     "  tactus bench touch --json > touch.jsonl\n"
     "  tactus bench touch --dragon --instructions\n"
     "  tactus bench touch --csv figures.csv\n"
+    "  tactus bench --loop --rate 2000 --cpu 3 --figure jitter.png\n"
     "  tactus bench touch --mesh statue.ply --longest-side-m 0.2 --radius-m 0.002\n"
     "  tactus bench sim --seconds 30 --json | jq .simulated_s_per_s";
 
@@ -59,6 +63,8 @@ struct Options {
   bool instructions = false;
   std::string csv;
   std::string to_be_counted;
+  bool loop = false;
+  LoopBenchOptions loop_options;
 };
 
 void print_json(const TouchFigures& figures) {
@@ -235,6 +241,13 @@ void for_each_mesh(const Options& options, const std::function<void(const Benchm
 }
 
 void run_bench(const Options& options) {
+  if (options.loop) {
+    LoopBenchOptions loop = options.loop_options;
+    loop.plan.seconds = options.seconds;
+    loop.json = options.json;
+    bench_loop(loop);
+    return;
+  }
   if (!options.to_be_counted.empty()) {
     touch_to_be_counted(options.to_be_counted);
     return;
@@ -263,6 +276,24 @@ void run_bench(const Options& options) {
   });
 }
 
+void add_loop_options(CLI::App& verb, Options& options) {
+  JitterPlan& plan = options.loop_options.plan;
+  auto* loop = verb.add_flag("--loop", options.loop, "Measure how late a loop wakes");
+  verb.add_option("--rate", plan.rate_hz, "For --loop, Hz")
+      ->needs(loop)
+      ->check(CLI::Range(1.0, 20'000.0))
+      ->capture_default_str();
+  verb.add_option("--priority", plan.priority, "For --loop, of SCHED_FIFO")
+      ->needs(loop)
+      ->check(CLI::Range(1, 98))
+      ->capture_default_str();
+  verb.add_option("--cpu", plan.cpu, "For --loop, the processor")
+      ->needs(loop)
+      ->check(CLI::Range(0, 1023));
+  verb.add_option("--figure", options.loop_options.figure, "For --loop, draw the histogram (.png)")
+      ->needs(loop);
+}
+
 }  // namespace
 
 void add_bench_verb(CLI::App& app) {
@@ -286,7 +317,7 @@ void add_bench_verb(CLI::App& app) {
   verb->add_option("--ticks", options->ticks, "Ticks a measurement for touch")
       ->check(CLI::Range(std::size_t{10}, std::size_t{100'000'000}))
       ->capture_default_str();
-  verb->add_option("--seconds", options->seconds, "Simulated seconds for sim")
+  verb->add_option("--seconds", options->seconds, "Simulated seconds for sim, seconds for --loop")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_flag("--frictionless", options->frictionless, "Without friction");
@@ -295,6 +326,7 @@ void add_bench_verb(CLI::App& app) {
   verb->add_option("--csv", options->csv,
                    "For touch, append the figures and the machine's description to this file");
   verb->add_option("--touch-to-be-counted", options->to_be_counted)->group("");
+  add_loop_options(*verb, *options);
   verb->add_flag("--json", options->json, "Print one JSON object a line");
   verb->footer(kExamples);
   verb->callback([options] { run_bench(*options); });

@@ -14,28 +14,43 @@
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
 #include "host_tools/cli/certify_verb.h"
+#include "host_tools/cli/doctor_verb.h"
 #include "host_tools/cli/emulate_verb.h"
+#include "host_tools/cli/faults_verb.h"
 #include "host_tools/cli/fit_verb.h"
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
+#include "host_tools/cli/monitor_verb.h"
 #include "host_tools/cli/plot_verb.h"
+#include "host_tools/cli/remote_verbs.h"
+#include "host_tools/cli/replay_verb.h"
 #include "host_tools/cli/sim_verb.h"
 #include "host_tools/cli/touch_verb.h"
 #include "host_tools/input_error.h"
+#include "host_tools/remote/remote.h"
 
 namespace {
 
-enum ExitCode : int { kOk = 0, kInternalFailure = 1, kBadInput = 2 };
+enum ExitCode : int {
+  kOk = 0,
+  kInternalFailure = 1,
+  kRefused = 1,
+  kBadInput = 2,
+  kUnreachable = 2
+};
 
 using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
-constexpr std::array kVerbs{
+constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_bake_verb},     AddVerb{tactus::host::add_inspect_verb},
     AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
     AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
     AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
-    AddVerb{tactus::host::add_certify_verb},  AddVerb{tactus::host::add_emulate_verb},
+    AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_faults_verb},
+    AddVerb{tactus::host::add_doctor_verb},   AddVerb{tactus::host::add_replay_verb},
+    AddVerb{tactus::host::add_remote_verbs},  AddVerb{tactus::host::add_certify_verb},
+    AddVerb{tactus::host::add_monitor_verb},  AddVerb{tactus::host::add_watch_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.
@@ -49,9 +64,10 @@ int report(const CLI::App& app, std::string_view message, ExitCode code) {
   return code;
 }
 
-// Help and version are no errors; every other end of parsing is a wrong command line.
+// Help and version are no errors, nor is a verb that ends with an exit code of its own, by
+// CLI::RuntimeError; every other end of parsing is a wrong command line.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) {
+  if (error.get_exit_code() == 0 || error.get_name() == "RuntimeError") {
     return app.exit(error);
   }
   return report(app, fmt::format("{}; see {} --help", error.what(), name_of_run(app)), kBadInput);
@@ -79,6 +95,10 @@ int run(CLI::App& app, int argc, char** argv) {
     return report_usage(app, error);
   } catch (const tactus::host::InputError& error) {
     return report(app, error.what(), kBadInput);
+  } catch (const tactus::host::Refused&) {
+    return kRefused;
+  } catch (const tactus::host::UnreachableError& error) {
+    return report(app, error.what(), kUnreachable);
   } catch (const std::exception& error) {
     return report(app, fmt::format("internal failure: {}", error.what()), kInternalFailure);
   }

@@ -11,8 +11,11 @@
 
 #include "host_tools/bake/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
+#include "host_tools/cli/serve_simulation.h"
+#include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
 #include "host_tools/simulation/run_log.h"
+#include "host_tools/simulation/run_recording.h"
 
 namespace tactus::host {
 namespace {
@@ -31,26 +34,37 @@ constexpr const char* kExamples =
     "  tactus sim scene.tactus --device falcon --hand firm --seed 7 --path wish.csv\n"
     "  tactus sim scene.tactus --hashes a.txt && tactus sim scene.tactus --hashes b.txt && cmp "
     "a.txt b.txt\n"
+    "  tactus sim scene.tactus --record run.mcap      then: tactus replay run.mcap\n"
     "  tactus sim scene.tactus --fault estop@4 --fault stale@2.5x2\n"
-    "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s";
+    "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s\n"
+    "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
+    "    then, elsewhere: export TACTUS_RUN_DIR=/tmp/tactus; tactus home --wait; tactus enable";
 
 struct Options {
   std::string scene;
   std::string output;
   std::string hashes;
+  std::string record;
   bool json = false;
+  bool serve = false;
+  ServeOptions serving{.run_dir = std::string(kDefaultRunDir)};
   RunOptions run;
 };
 
 // What happens beside the run, after each tick.
 class Recorder {
  public:
-  Recorder(const Options& options, double seconds) : seconds_(seconds) {
+  Recorder(const Options& options, double seconds, const Simulation& simulation,
+           std::span<const std::byte> scene)
+      : seconds_(seconds) {
     if (!options.output.empty()) {
       csv_.emplace(options.output);
     }
     if (!options.hashes.empty()) {
       hashes_.emplace(options.hashes);
+    }
+    if (!options.record.empty()) {
+      recording_.emplace(options.record, simulation, scene);
     }
     if (::isatty(STDERR_FILENO) == 1) {
       progress_.emplace();
@@ -66,6 +80,9 @@ class Recorder {
     if (hashes_) {
       hashes_->add(record);
     }
+    if (recording_) {
+      recording_->add(simulation);
+    }
     if (progress_ && record.tick % kTicksBetweenSteps == 0) {
       progress_->step(fmt::format("{:.1f} of {:.1f} s simulated, mode {}", record.time_s, seconds_,
                                   firmware::mode_name(record.mode)));
@@ -80,16 +97,24 @@ class Recorder {
     if (hashes_) {
       hashes_->close();
     }
+    if (recording_) {
+      recording_->close();
+    }
   }
 
  private:
   double seconds_;
   std::optional<RunCsv> csv_;
   std::optional<HashLog> hashes_;
+  std::optional<RunRecording> recording_;
   std::optional<ProgressLine> progress_;
 };
 
 void run_sim(const Options& options) {
+  if (options.serve) {
+    serve_simulation(options.scene, options.run, options.serving);
+    return;
+  }
   const MappedScene scene(options.scene);
   const auto objects = scene.image().objects();
   const double tool_radius_m = scene.image().tool_radius_m();
@@ -99,7 +124,7 @@ void run_sim(const Options& options) {
     fmt::print(stderr, "tactus sim: warning: {}\n", warning);
   }
   Simulation simulation(plan.config, objects, tool_radius_m);
-  Recorder recorder(options, plan.seconds);
+  Recorder recorder(options, plan.seconds, simulation, scene.bytes());
   const RunSummary summary = run(simulation, plan.seconds, options.run.rate_hz,
                                  [&](const Simulation& now) { recorder.add(now); });
   recorder.close();
@@ -129,9 +154,23 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--path", run.path, "Wish path of the hand (CSV)");
   verb->add_option("-o,--output", options->output, "Write one line a tick to this CSV file");
   verb->add_option("--hashes", options->hashes, "Write the state hash of every tick to this file");
+  verb->add_option("--record", options->record,
+                   "Record the run to this MCAP file, for tactus replay");
   verb->add_option("--fault", run.faults,
                    "Let the device fail: stale, nan, estop or lost, like stale@2.5x3");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");
+  CLI::Option* const serve = verb->add_flag("--serve", options->serve,
+                                            "Run in wall-clock time behind the sockets of tactusd, "
+                                            "until Ctrl-C: try monitor, enable, set");
+  verb->add_option("--run-dir", options->serving.run_dir, "Folder of the sockets of --serve")
+      ->envname("TACTUS_RUN_DIR")
+      ->capture_default_str();
+  verb->add_flag("--allow-inject", options->serving.allow_inject,
+                 "Let tactus inject raise faults in --serve")
+      ->needs(serve);
+  for (const char* const other : {"--output", "--hashes", "--fault", "--json"}) {
+    serve->excludes(verb->get_option(other));
+  }
   verb->footer(kExamples);
   verb->callback([options] { run_sim(*options); });
 }

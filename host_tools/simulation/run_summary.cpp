@@ -82,7 +82,7 @@ void RunSummary::add(const firmware::TelemetryRecord& record) {
   }
   faults |= record.faults;
   if (record.limits != 0) {
-    for (std::size_t bit = 16; bit < limited_ticks.size(); ++bit) {
+    for (std::size_t bit = 0; bit < limited_ticks.size(); ++bit) {
       limited_ticks[bit] += (record.limits >> bit) & 1U;
     }
   }

@@ -22,9 +22,9 @@ struct RunSummary {
   double max_force_N = 0.0;      // rendered
   double max_commanded_N = 0.0;  // after the safety limits
   double max_depth_m = 0.0;
-  std::uint32_t faults = 0;                                    // every fault bit that was ever set
+  std::uint64_t faults = 0;                                    // every fault bit that was ever set
   double first_fault_s = 0.0;                                  // meaningful if faults is not 0
-  std::array<std::uint64_t, 32> limited_ticks{};               // by limit bit
+  std::array<std::uint64_t, 64> limited_ticks{};               // by limit bit
   std::array<std::uint64_t, kTouchFlagCount> flagged_ticks{};  // by touch flag
   std::uint32_t stale_samples = 0;
   firmware::Mode mode = firmware::Mode::init;  // at the end

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "firmware/control/run_tick.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -63,8 +62,10 @@ void Simulation::tick() {
       device_.inject(event.fault, event.ticks);
     }
   }
-  wish_W_ = hand_.wish_W();
-  firmware::run_tick(*controller_, device_, request_now());
+  tick(request_now(), [](SimulatedDevice& device) -> SimulatedDevice& { return device; });
+}
+
+void Simulation::advance() {
   device_.advance(hand_.parameters(), hand_.wish_W() + origin_B_, hand_.next_wish_W() + origin_B_);
   hand_.advance();
   ++ticks_;

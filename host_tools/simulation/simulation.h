@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "firmware/control/controller.h"
+#include "firmware/control/run_tick.h"
 #include "host_tools/simulation/device_presets.h"
 #include "host_tools/simulation/hand.h"
 #include "host_tools/simulation/simulated_device.h"
@@ -58,6 +59,16 @@ class Simulation {
   // read -> controller -> write, then device and hand until the next tick.
   void tick();
 
+  // The same for whoever operates it: with that request alone, and `between(device)` in the
+  // device's place before the controller. What was planned for the run does not happen.
+  template <class Between>
+  void tick(firmware::Request request, Between&& between) {
+    wish_W_ = hand_.wish_W();
+    auto&& device = between(device_);
+    firmware::run_tick(*controller_, device, request);
+    advance();
+  }
+
   // Of the tick that `tick` has just made.
   [[nodiscard]] const firmware::TelemetryRecord& record() const { return controller_->record(); }
   [[nodiscard]] const Vec3& wish_W() const { return wish_W_; }  // m
@@ -67,10 +78,12 @@ class Simulation {
     return device_.plant().p_B() - origin_B_;
   }  // m, true position
 
+  [[nodiscard]] const firmware::ControllerConfig& config() const { return controller_->config(); }
   [[nodiscard]] firmware::Controller& controller() { return *controller_; }
 
  private:
   [[nodiscard]] firmware::Request request_now() const;
+  void advance();
 
   std::vector<FaultEvent> faults_;
   std::vector<RequestEvent> requests_;

@@ -53,7 +53,18 @@ WishPath::WishPath(std::vector<Waypoint> waypoints) : waypoints_(std::move(waypo
   }
 }
 
-Vec3 WishPath::at(double t_s) {
+WishPath WishPath::there_and_back() const {
+  std::vector<Waypoint> waypoints = waypoints_;
+  for (auto place = waypoints_.rbegin() + 1; place != waypoints_.rend(); ++place) {
+    waypoints.push_back({.t_s = 2.0 * end_s() - place->t_s, .p_W = place->p_W});
+  }
+  WishPath path(std::move(waypoints));
+  path.repeats_ = waypoints_.size() > 1;
+  return path;
+}
+
+Vec3 WishPath::at(double time_s) {
+  const double t_s = repeats_ && time_s > end_s() ? std::fmod(time_s, end_s()) : time_s;
   if (t_s <= waypoints_.front().t_s) {
     return waypoints_.front().p_W;
   }

@@ -17,12 +17,16 @@ struct Waypoint {
 // acceleration at either end. A waypoint where the motion turns or rests has velocity zero there,
 // so between two of them the motion is Flash and Hogan's minimum-jerk reach; a densely sampled path
 // is followed without stopping, and the curve never overshoots a waypoint that is an extreme of its
-// axis. Before the first time and after the last the hand holds still.
+// axis. Before the first time and after the last the hand holds still, unless the path
+// repeats.
 class WishPath {
  public:
   // Throws InputError, text ready for a user, on an empty path, on times that do not
   // rise and on numbers that are not finite.
   explicit WishPath(std::vector<Waypoint> waypoints);
+
+  // The same way and back again, and so on without end.
+  [[nodiscard]] WishPath there_and_back() const;
 
   // Cheap when t_s rises from call to call; correct for any t_s.
   [[nodiscard]] Vec3 at(double t_s);
@@ -40,6 +44,7 @@ class WishPath {
   std::vector<Waypoint> waypoints_;
   std::vector<Vec3> velocities_;
   std::size_t segment_ = 0;
+  bool repeats_ = false;
 };
 
 }  // namespace tactus::host

@@ -14,6 +14,7 @@
 
 #include "rendering/friction/surface_friction.h"
 #include "rendering/material/material.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/surface/connected_mesh.h"
 #include "rendering/world/touch.h"
 
@@ -68,6 +69,9 @@ class FeatureWalker {
   [[nodiscard]] const Vec3& position_W() const { return p_; }
   // Where it is, in contact.
   [[nodiscard]] const MeshFeature& feature() const { return feature_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(StateArchive& archive);
 
  private:
   bool approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h, FeatureRest& rest);

@@ -9,6 +9,7 @@
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/material/material.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/world/touch.h"
 
@@ -53,6 +54,9 @@ class ImplicitTracker {
   ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(StateArchive& archive);
 
  private:
   Vec3 p_W_ = Vec3::Zero();

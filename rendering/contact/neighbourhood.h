@@ -19,6 +19,7 @@
 #include "rendering/geometry/capsule.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/scenery.h"
 
 namespace tactus::rendering {
@@ -95,6 +96,9 @@ class Neighbourhood {
   // What gathering anew will about cost.
   [[nodiscard]] std::size_t work_to_gather() const { return tested_ / kTestsPerWork; }
 
+  // What it remembers, to bytes or back; of the same scenery and shells.
+  void transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells);
+
  private:
   static constexpr std::size_t kTestsPerWork = 2;  // with the boxes on the way to them
 
@@ -126,6 +130,7 @@ class Neighbourhood {
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
   void fill_last_four();
+  void transfer_candidate(StateArchive& archive, const Scenery& scenery, std::size_t i);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
   Vec3 place_ = Vec3::Zero();

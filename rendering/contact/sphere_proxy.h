@@ -14,6 +14,7 @@
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -105,6 +106,9 @@ class SphereProxy {
   [[nodiscard]] FrictionState friction() const { return friction_; }
   [[nodiscard]] std::size_t peak_candidates() const { return neighbourhood_.peak(); }
 
+  // What it remembers, to bytes or back; of the same scenery.
+  void transfer(StateArchive& archive, const Scenery& scenery);
+
  private:
   // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the
   // inside) is pushed out no faster than this a tick; within the shell it is put right at once.
@@ -153,6 +157,7 @@ class SphereProxy {
   double sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
                           std::size_t& stopped_by);
   double cast(const Scenery& scenery, const Sweep& sweep, double length);
+  void transfer_last_hold(StateArchive& archive, const Scenery& scenery);
 
   Shells shells_;
   Vec3 p_ = Vec3::Zero();

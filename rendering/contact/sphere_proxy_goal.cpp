@@ -69,7 +69,7 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
   bool in_cone = true;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
-    const Material& material = scenery[contact.object].material;
+    const Material& material = scenery.material(contact.object);
     const double pressure = projection.pressure_m[i];
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
@@ -111,11 +111,11 @@ SphereProxy::Goal SphereProxy::lag_behind(const Scenery& scenery, const PlanePro
   double stiffness = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    stiffness += rest.pressure_m[i] * scenery[rest.planes[i].object].material.stiffness_N_per_m;
+    stiffness += rest.pressure_m[i] * scenery.material(rest.planes[i].object).stiffness_N_per_m;
     total += rest.pressure_m[i];
   }
   const std::uint32_t object = rest.planes[rest.hardest()].object;
-  SlidingSurface surface = sliding_surface(scenery[object].material);
+  SlidingSurface surface = sliding_surface(scenery.material(object));
   surface.stiffness_N_per_m = stiffness / total;
   surface.grain.direction = direction_from(scenery.mover_of(object), surface.grain.direction);
   const FrictionLag lag = model_.lag(surface, rest.normal_W, surface.stiffness_N_per_m * push_m);

@@ -24,6 +24,7 @@
 #include "rendering/friction/grain.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/material/material.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -63,6 +64,9 @@ class SurfaceFriction {
   // For a contact with the unit `normal`. The first call in a tick runs the model, the others turn
   // its force to their plane. Without a normal force, or without K, there is no lag.
   FrictionLag lag(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
+
+  // What it remembers, to bytes or back.
+  void transfer(StateArchive& archive);
 
  private:
   void run(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);

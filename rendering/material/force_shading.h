@@ -25,6 +25,7 @@
 #pragma once
 
 #include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
 
 namespace tactus::rendering {
 
@@ -62,6 +63,9 @@ class ForceShading {
   [[nodiscard]] bool is_on() const { return offset_ != Vec3::Zero(); }
   // How deep the tool is, where the goal is lifted; else 0.
   [[nodiscard]] double lifted_from_m() const { return lifted_from_m_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(StateArchive& archive);
 
  private:
   void set_offset(double depth_m);

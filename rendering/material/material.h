@@ -31,4 +31,12 @@ struct Material {
   MaterialGrain grain;
 };
 
+// True if a contact can be computed with it: stiffness and damping finite and not negative,
+// friction and grain valid.
+inline bool sound(const Material& material) {
+  const auto is_coefficient = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  return is_coefficient(material.stiffness_N_per_m) && is_coefficient(material.damping_Ns_per_m) &&
+         valid(material.friction) && valid(material.grain);
+}
+
 }  // namespace tactus::rendering

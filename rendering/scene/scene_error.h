@@ -19,7 +19,7 @@ enum class SceneFault : std::uint8_t {
   checksum_mismatch,  // a bit has changed somewhere
   malformed,          // the FlatBuffers verifier refused the payload
   object_count,       // none, or more than kMaxObjects; place: number found
-  tool_radius,        // negative or not finite
+  tool_radius,        // negative, above kMaxToolRadius_m or not a number
   sides,              // neither one nor two; place: value found
   friction_model,     // not one that this controller knows; place: number found
   material,           // a coefficient negative, not finite, or dynamic above static

@@ -60,10 +60,6 @@ Result check_detail(const Object& object) {
   }
 }
 
-bool is_coefficient(double value) {
-  return std::isfinite(value) && value >= 0.0;
-}
-
 FrictionParameters friction_of(const image::Friction& stored) {
   return {.kind = static_cast<FrictionKind>(stored.kind()),
           .coulomb = stored.coulomb(),
@@ -93,8 +89,7 @@ std::expected<Material, SceneError> read_material(const image::Material& stored)
         .along = grain->along(),
         .across = grain->across()};
   }
-  if (!is_coefficient(material.stiffness_N_per_m) || !is_coefficient(material.damping_Ns_per_m) ||
-      !valid(material.friction) || !valid(material.grain)) {
+  if (!sound(material)) {
     return fail(SceneFault::material);
   }
   return material;
@@ -170,7 +165,7 @@ std::expected<SceneImage, SceneError> SceneImage::open(std::span<const std::byte
 Result SceneImage::take(const image::Scene& scene) {
   scene_ = &scene;
   tool_radius_m_ = scene.tool_radius();
-  if (!is_coefficient(tool_radius_m_)) {
+  if (!(tool_radius_m_ >= 0.0 && tool_radius_m_ <= kMaxToolRadius_m)) {
     return fail(SceneFault::tool_radius);
   }
   tool_count_ = scene.tool_count();

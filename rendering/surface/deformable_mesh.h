@@ -8,6 +8,7 @@
 
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
@@ -42,6 +43,9 @@ class DeformableMesh {
   [[nodiscard]] double slack_m() const { return moved_in_last_pass_m_ + moved_in_pass_m_; }
   // How far a vertex moved at most from `before` to `now`, m.
   [[nodiscard]] double step_m() const { return step_m_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(StateArchive& archive);
 
  private:
   double take_step();

@@ -5,8 +5,9 @@ namespace tactus::rendering {
 void EffectTouch::add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool,
                          double tick_s) {
   for (std::size_t i = 0; i < effects.size(); ++i) {
-    touch.force_W += apply(effects[i], states_[i], tool, tick_s);
+    touch.parts.effect_W += apply(effects[i], states_[i], tool, tick_s);
   }
+  touch.force_W += touch.parts.effect_W;
 }
 
 void EffectTouch::hold() {

@@ -6,6 +6,7 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -24,6 +25,9 @@ class EffectTouch {
 
   // What effect `index` has given to the hand since the start, J.
   [[nodiscard]] double delivered_J(std::size_t index) const { return states_[index].delivered_J; }
+
+  // What it remembers of so many effects, to bytes or back.
+  void transfer(StateArchive& archive, std::size_t effects);
 
  private:
   std::array<EffectState, kMaxEffects> states_{};

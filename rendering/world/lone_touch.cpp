@@ -17,6 +17,8 @@ void to_world(const Mover* mover, Touch& touch) {
   touch.proxy_W = point_from(mover, touch.proxy_W);
   touch.normal_W = direction_from(mover, touch.normal_W);
   touch.force_W = direction_from(mover, touch.force_W);
+  touch.parts.friction_W = direction_from(mover, touch.parts.friction_W);
+  touch.parts.texture_W = direction_from(mover, touch.parts.texture_W);
 }
 
 Touch touch_of(const ImplicitRest& rest) {
@@ -53,6 +55,10 @@ Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
           .planes = 1};
 }
 
+Vec3 across(const Vec3& v, const Vec3& normal) {
+  return v - v.dot(normal) * normal;
+}
+
 }  // namespace
 
 void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radius_m) {
@@ -71,6 +77,7 @@ void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radiu
 void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& tool) {
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
   Vec3 force = touch.force_W;
+  ForceParts parts = touch.parts;
   double hardest = force.squaredNorm();
   for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
     const std::uint32_t number = scenery.lone_objects()[k];
@@ -84,11 +91,15 @@ void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& to
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scenery.tick_s());
     walkers_[k].begin_friction(step_O, scenery.tick_s());
-    Touch own = touch_in_frame(k, object, in_frame(scenery, number, tool));
+    Touch own = touch_in_frame({.k = k, .object = object, .material = scenery.material(number)},
+                               in_frame(scenery, number, tool));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;
     force += own.force_W;
+    parts.friction_W += own.parts.friction_W;
+    parts.texture_W += own.parts.texture_W;
+    parts.driven_power += own.force_W.dot(scenery.velocity_W(number, tool.p_W));
     own.flags |= touch.flags;
     const double push = own.force_W.squaredNorm();
     if (own.contact != ContactKind::none &&
@@ -99,6 +110,7 @@ void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& to
     touch.flags = own.flags;
   }
   touch.force_W = force;
+  touch.parts = parts;
   last_tool_W_ = tool.p_W;
 }
 
@@ -132,8 +144,9 @@ void LoneTouch::wake(std::size_t k, const Mover* mover) {
   awake_[k] = true;
 }
 
-Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O) {
-  Material material = object.material;
+Touch LoneTouch::rest_in_frame(const Lone& lone, const Vec3& goal_O) {
+  const auto& [k, object, own] = lone;
+  Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   const ConnectedMesh mesh{object.mesh, object.neighbours, object.vertex_normals};
   switch (object.method) {
@@ -149,19 +162,20 @@ Touch LoneTouch::rest_in_frame(std::size_t k, const Object& object, const Vec3& 
   }
 }
 
-Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O) {
+Touch LoneTouch::touch_in_frame(const Lone& lone, const ToolState& tool_O) {
+  const auto& [k, object, material] = lone;
   const bool detailed = !object.detail.empty();
   ForceShading& shading = details_[k].shading;
   Touch touch;
   if (detailed) {
     shading.begin(last_proxy_O(k, object), tool_O.p_W, ForceShading::Passes::one);
-    touch = rest_in_frame(k, object, tool_O.p_W + shading.offset());
+    touch = rest_in_frame(lone, tool_O.p_W + shading.offset());
     if (touch.contact == ContactKind::none && shading.is_on()) {
       shading.reset();
-      touch = rest_in_frame(k, object, tool_O.p_W);
+      touch = rest_in_frame(lone, tool_O.p_W);
     }
   } else {
-    touch = rest_in_frame(k, object, tool_O.p_W);
+    touch = rest_in_frame(lone, tool_O.p_W);
   }
   if (touch.contact == ContactKind::none) {
     if (detailed) {
@@ -169,17 +183,19 @@ Touch LoneTouch::touch_in_frame(std::size_t k, const Object& object, const ToolS
     }
     return touch;
   }
-  touch.force_W = object.material.stiffness_N_per_m * (touch.proxy_W - tool_O.p_W) -
-                  object.material.damping_Ns_per_m * tool_O.v_W;
+  const Vec3 stretch = touch.proxy_W - tool_O.p_W;
+  const double stiffness = material.stiffness_N_per_m;
+  touch.force_W = stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W;
+  touch.parts.friction_W = stiffness * across(stretch, touch.normal_W);
   if (detailed) {
-    shade_in_frame(k, object, tool_O, touch);
+    shade_in_frame(lone, tool_O, touch);
   }
   return touch;
 }
 
 // One pass a tick: what this one finds shifts the goal of the next.
-void LoneTouch::shade_in_frame(std::size_t k, const Object& object, const ToolState& tool_O,
-                               Touch& touch) {
+void LoneTouch::shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch& touch) {
+  const auto& [k, object, material] = lone;
   DetailState& state = details_[k];
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
@@ -195,18 +211,23 @@ void LoneTouch::shade_in_frame(std::size_t k, const Object& object, const ToolSt
   touch.depth_m = stretch.dot(touch.normal_W);
   const double felt_depth = std::max(touch.depth_m + felt.height_m, 0.0);
   const double share = touch.depth_m > 0.0 ? felt_depth / touch.depth_m : 0.0;
-  state.shading.improve({.normal_W = touch.normal_W,
-                         .lean = share * lean_of(felt.normal_O, touch.normal_W),
-                         .depth_m = touch.depth_m});
+  const Vec3 lean = lean_of(felt.normal_O, touch.normal_W);
+  state.shading.improve(
+      {.normal_W = touch.normal_W, .lean = share * lean, .depth_m = touch.depth_m});
   state.friction_factor = share * felt.friction_factor;
   state.point_O = touch.proxy_W;
   state.touched = true;
-  const Material& material = object.material;
   touch.force_W = Vec3::Zero();
+  touch.parts = {};
   if (felt_depth > 0.0) {
-    touch.force_W = felt.stiffness_factor * material.stiffness_N_per_m *
-                        (stretch - (touch.depth_m - felt_depth) * touch.normal_W) -
+    const double stiffness = felt.stiffness_factor * material.stiffness_N_per_m;
+    const Vec3 along = stiffness * felt_depth * lean;
+    touch.force_W = stiffness * (stretch - (touch.depth_m - felt_depth) * touch.normal_W) -
                     material.damping_Ns_per_m * tool_O.v_W;
+    touch.parts.friction_W = stiffness * across(stretch, touch.normal_W) - along;
+    touch.parts.texture_W =
+        along +
+        (stiffness * felt_depth - material.stiffness_N_per_m * touch.depth_m) * touch.normal_W;
   }
 }
 

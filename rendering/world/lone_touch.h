@@ -9,6 +9,7 @@
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/limits.h"
 #include "rendering/material/force_shading.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -29,6 +30,9 @@ class LoneTouch {
   // Instead of add_to in a tick without a valid tool.
   void hold(const Scenery& scenery);
 
+  // What it remembers, to bytes or back; of the same scenery.
+  void transfer(StateArchive& archive, const Scenery& scenery);
+
  private:
   // What shading and textures remember of one object, in its frame.
   struct DetailState {
@@ -38,11 +42,18 @@ class LoneTouch {
     double friction_factor = 1.0;
   };
 
+  // One of them, and what it feels like now.
+  struct Lone {
+    std::size_t k;
+    const Object& object;
+    const Material& material;
+  };
+
   // Of one object, everything in its own frame.
-  Touch rest_in_frame(std::size_t k, const Object& object, const Vec3& goal_O);
+  Touch rest_in_frame(const Lone& lone, const Vec3& goal_O);
   [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
-  void shade_in_frame(std::size_t k, const Object& object, const ToolState& tool_O, Touch& touch);
-  Touch touch_in_frame(std::size_t k, const Object& object, const ToolState& tool_O);
+  void shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch& touch);
+  Touch touch_in_frame(const Lone& lone, const ToolState& tool_O);
   [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
   void wake(std::size_t k, const Mover* mover);
 

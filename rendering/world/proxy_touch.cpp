@@ -107,18 +107,21 @@ ProxyTouch::Felt ProxyTouch::feel(const Scenery& scenery, const ToolState& tool,
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const ContactPlane& plane = rest.planes[i];
     const Object& object = scenery[plane.object];
+    const Material& material = scenery.material(plane.object);
     const double push = rest.pressure_m[i];
     felt.pressure_m += push;
-    felt.damping_W += push * object.material.damping_Ns_per_m *
-                      (tool.v_W - scenery.velocity_W(plane.object, proxy_.position_W()));
+    const Vec3 surface_v = scenery.velocity_W(plane.object, proxy_.position_W());
+    felt.surface_v_W += push * surface_v;
+    felt.damping_W += push * material.damping_Ns_per_m * (tool.v_W - surface_v);
+    felt.plain_stiffness += push * material.stiffness_N_per_m;
     if (object.detail.empty()) {
-      felt.stiffness += push * object.material.stiffness_N_per_m;
+      felt.stiffness += push * material.stiffness_N_per_m;
       continue;
     }
     const Detail detail = detail_of(scenery, plane);
     felt.detailed = true;
     felt.interpolated = felt.interpolated || !object.detail.corner_normals.empty();
-    felt.stiffness += push * detail.stiffness_factor * object.material.stiffness_N_per_m;
+    felt.stiffness += push * detail.stiffness_factor * material.stiffness_N_per_m;
     felt.lean += push * lean_of(detail.normal_O, plane.plane.normal);
     height += push * detail.height_m;
     felt.friction.object[felt.friction.count] = plane.object;
@@ -192,10 +195,25 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest, const F
         felt.detailed ? Vec3{stretch - (felt.depth_m - felt.felt_depth_m) * rest.normal_W}
                       : stretch;
     touch.force_W = (felt.stiffness * felt_stretch - felt.damping_W) / felt.pressure_m;
+    set_parts(stretch, felt, touch);
   }
   touch.contact = kind_of(hardest.nearest.feature);
   touch.friction = proxy_.friction();
   touch.object = hardest.object;
+}
+
+// Detail makes the normal part that of the felt depth, and leans the stretch by depth * lean.
+void ProxyTouch::set_parts(const Vec3& stretch, const Felt& felt, Touch& touch) {
+  const double stiffness = felt.stiffness / felt.pressure_m;
+  touch.parts.friction_W = stiffness * (stretch - felt.depth_m * touch.normal_W);
+  touch.parts.driven_power = touch.force_W.dot(felt.surface_v_W) / felt.pressure_m;
+  if (felt.detailed) {
+    const Vec3 along = stiffness * felt.depth_m * felt.lean;
+    const double out_N =
+        stiffness * felt.felt_depth_m - felt.plain_stiffness / felt.pressure_m * felt.depth_m;
+    touch.parts.friction_W -= along;
+    touch.parts.texture_W = along + out_N * touch.normal_W;
+  }
 }
 
 }  // namespace tactus::rendering

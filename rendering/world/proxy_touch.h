@@ -8,6 +8,7 @@
 
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/material/force_shading.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
 
@@ -37,17 +38,22 @@ class ProxyTouch {
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
+  // What it remembers, to bytes or back; of the same scenery.
+  void transfer(StateArchive& archive, const Scenery& scenery);
+
  private:
   // What the surfaces of a rest feel like. The sums are weighted by how far each pushes.
   struct Felt {
     bool detailed = false;
     bool interpolated = false;
-    double pressure_m = 0.0;        // the sum of the weights
-    double stiffness = 0.0;         // sum, N
-    Vec3 damping_W = Vec3::Zero();  // sum, N m
-    double depth_m = 0.0;           // of the tool below the planes
-    double felt_depth_m = 0.0;      // below their bumps; >= 0
-    Vec3 lean = Vec3::Zero();       // see ShadedRest
+    double pressure_m = 0.0;          // the sum of the weights
+    double stiffness = 0.0;           // sum, N
+    double plain_stiffness = 0.0;     // sum, N: without the detail
+    Vec3 damping_W = Vec3::Zero();    // sum, N m
+    Vec3 surface_v_W = Vec3::Zero();  // sum, m^2/s
+    double depth_m = 0.0;             // of the tool below the planes
+    double felt_depth_m = 0.0;        // below their bumps; >= 0
+    Vec3 lean = Vec3::Zero();         // see ShadedRest
     FrictionFactors friction;
   };
   struct ContactPoint {
@@ -68,6 +74,7 @@ class ProxyTouch {
   [[nodiscard]] double travel_to(const ContactPoint& here) const;
   void set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
                  Touch& touch) const;
+  static void set_parts(const Vec3& stretch, const Felt& felt, Touch& touch);
 
   SphereProxy proxy_{0.0};
   ForceShading shading_;

@@ -68,6 +68,8 @@ bool Scenery::set(std::span<const Object> objects) {
   bool good = objects.size() <= kMaxObjects && needs.fit() && std::ranges::all_of(objects, usable);
   objects_ = good ? objects : std::span<const Object>{};
   mover_count_ = lone_count_ = deformable_count_ = 0;
+  changed_of_.fill(kUnchanged);
+  changed_count_ = 0;
   pool_.vertices_used = pool_.nodes_used = 0;
   anything_moved_ = false;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
@@ -129,6 +131,20 @@ bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist&
   }
   orders_[mover_of_[number]] = {.X_WO = X_WO, .twist = twist};
   movers_[mover_of_[number]].motion = nullptr;
+  return true;
+}
+
+bool Scenery::set_material(std::uint32_t number, const Material& material) {
+  if (number >= objects_.size() || !sound(material)) {
+    return false;
+  }
+  if (changed_of_[number] == kUnchanged) {
+    if (changed_count_ == kMaxChangedMaterials) {
+      return false;
+    }
+    changed_of_[number] = static_cast<std::uint8_t>(changed_count_++);
+  }
+  changed_materials_[changed_of_[number]] = material;
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include "rendering/geometry/triangle.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
@@ -91,6 +92,11 @@ class Scenery {
   // (see DeformableMesh). False, and nothing changed, for anything else.
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
+  // From the next tick on an object feels like that, whatever its scene says. False, and nothing
+  // changed, if there is no such object, the material is not sound(), or kMaxChangedMaterials
+  // others have been changed since set().
+  bool set_material(std::uint32_t number, const Material& material);
+
   // A new tick, `time_s` after the scene was set: objects stand where their own motion has them by
   // now, or where the outside set them since the last tick. It lasts tick_s.
   void begin_tick(double time_s, double tick_s);
@@ -99,6 +105,11 @@ class Scenery {
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
   [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
   [[nodiscard]] std::span<const Object> objects() const { return objects_; }
+  // What object `number` feels like now: the scene's material, or what set_material made of it.
+  [[nodiscard]] const Material& material(std::uint32_t number) const {
+    const std::uint8_t changed = changed_of_[number];
+    return changed == kUnchanged ? objects_[number].material : changed_materials_[changed];
+  }
   // nullptr for an object that stands still.
   [[nodiscard]] const Mover* mover_of(std::uint32_t number) const {
     return mover_of_[number] == kNoMover ? nullptr : &movers_[mover_of_[number]];
@@ -140,9 +151,14 @@ class Scenery {
   }
   [[nodiscard]] std::uint32_t still_object(std::uint32_t place) const { return order_[place]; }
 
+  // What it remembers, to bytes or back; of the same objects.
+  void transfer(StateArchive& archive);
+
  private:
   static constexpr std::uint8_t kNoMover = 0xff;
   static_assert(kMaxMovers < kNoMover);
+  static constexpr std::uint8_t kUnchanged = 0xff;
+  static_assert(kMaxChangedMaterials < kUnchanged);
 
   struct Part {
     std::uint32_t node;
@@ -158,6 +174,8 @@ class Scenery {
   [[nodiscard]] Vec3 centre(std::uint32_t number) const;
   Eigen::Index enclose(const Part& part);
   void halve(const Part& part, Eigen::Index axis);
+  void transfer_materials(StateArchive& archive);
+  void transfer_mover(StateArchive& archive, std::size_t k);
 
   std::span<const Object> objects_;
   std::array<std::uint8_t, kMaxObjects> mover_of_{};
@@ -168,6 +186,9 @@ class Scenery {
   };
   std::array<Order, kMaxMovers> orders_{};  // what set_pose left
   std::size_t mover_count_ = 0;
+  std::array<std::uint8_t, kMaxObjects> changed_of_{};
+  std::array<Material, kMaxChangedMaterials> changed_materials_{};
+  std::size_t changed_count_ = 0;
   bool anything_moved_ = false;
   double tick_s_ = 1e-3;
   DeformablePool pool_;

@@ -38,11 +38,20 @@ Touch ToolTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath*
   Touch touch{.proxy_W = tool.p_W};
   if (scenery.any_meets_proxy()) {
     touch = proxy_.touch(scenery, tool, path);
+    if (touch.contact != ContactKind::none && scenery[touch.object].deforms) {
+      add_driven_power(touch, scenery.tick_s());
+    }
   }
   touch.flags |= moved;
   lone_.add_to(touch, scenery, tool);
   last_proxy_W_ = touch.proxy_W;
   return touch;
+}
+
+// Of a surface that deforms: the proxy, which slides along it, follows its motion along the normal.
+void ToolTouch::add_driven_power(Touch& touch, double tick_s) const {
+  const double out_m = (touch.proxy_W - last_proxy_W_).dot(touch.normal_W);
+  touch.parts.driven_power += touch.force_W.dot(touch.normal_W) * out_m / tick_s;
 }
 
 }  // namespace tactus::rendering

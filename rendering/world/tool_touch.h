@@ -1,6 +1,7 @@
 // What one tool feels of a scenery, and remembers from tick to tick.
 #pragma once
 
+#include "rendering/state/state_archive.h"
 #include "rendering/world/lone_touch.h"
 #include "rendering/world/proxy_touch.h"
 #include "rendering/world/scenery.h"
@@ -23,8 +24,12 @@ class ToolTouch {
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
+  // What it remembers, to bytes or back; of the same scenery.
+  void transfer(StateArchive& archive, const Scenery& scenery);
+
  private:
   void place(const Scenery& scenery, const Vec3& p_W);
+  void add_driven_power(Touch& touch, double tick_s) const;
 
   double radius_m_ = 0.0;
   ProxyTouch proxy_;

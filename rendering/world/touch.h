@@ -46,6 +46,15 @@ enum TouchFlags : std::uint32_t {
       1U << 4,  // objects that moved left the proxy no room: some of them passed over it
 };
 
+// A touch's force by what makes it, N in the world frame, on the hand. What is left of the force is
+// the surfaces' own: what holds the tool out, along the normal, and their damping.
+struct ForceParts {
+  Vec3 friction_W = Vec3::Zero();  // what holds the tool back along the surface
+  Vec3 texture_W = Vec3::Zero();   // what bumps, stiffness maps and shading change
+  Vec3 effect_W = Vec3::Zero();    // effects, which need no surface
+  double driven_power = 0.0;       // watts to the hand by surfaces that move by themselves
+};
+
 struct Touch {
   Vec3 proxy_W = Vec3::Zero();   // m
   Vec3 normal_W = Vec3::Zero();  // unit, away from the surface; zero without contact
@@ -57,6 +66,7 @@ struct Touch {
   std::uint16_t planes = 0;     // constraints that hold the proxy: 0 to 3
   std::uint32_t object = 0;     // index of the touched object, meaningful in contact
   std::uint32_t flags = kTouchClean;
+  ForceParts parts;
 };
 
 }  // namespace tactus::rendering

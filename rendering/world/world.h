@@ -7,6 +7,7 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
+#include "rendering/state/state_archive.h"
 #include "rendering/world/effect_touch.h"
 #include "rendering/world/object.h"
 #include "rendering/world/scenery.h"
@@ -16,7 +17,7 @@
 namespace tactus::rendering {
 
 struct WorldConfig {
-  double tool_radius_m = 0.0;  // >= 0; 0 is the god-object point
+  double tool_radius_m = 0.0;  // 0 to kMaxToolRadius_m; 0 is the god-object point
   std::size_t tool_count = 1;  // 1 to kMaxTools
   // At most kMaxEffects, each felt by every tool; kept alive and unchanged by the caller.
   std::span<const Effect> effects;
@@ -44,6 +45,18 @@ class World {
   // whatever Scenery::set_pose refuses.
   bool set_pose(std::uint32_t object, const RigidPose& X_WO, const Twist& twist) {
     return scenery_.set_pose(object, X_WO, twist);
+  }
+
+  // From the next tick on an object feels like that, until the next scene. False for whatever
+  // Scenery::set_material refuses.
+  bool set_material(std::uint32_t object, const Material& material) {
+    return scenery_.set_material(object, material);
+  }
+
+  [[nodiscard]] std::size_t object_count() const { return scenery_.size(); }
+  // What an object below object_count() feels like now.
+  [[nodiscard]] const Material& material(std::uint32_t object) const {
+    return scenery_.material(object);
   }
 
   // From the next tick on a vertex of an object that `deforms` moves there, by at most
@@ -74,6 +87,10 @@ class World {
 
   // Most triangles ever kept near a tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const;
+
+  // What it remembers, to bytes or back: of the same scene and configuration, set before. A world
+  // that could not be read must be given its scene again.
+  void transfer(StateArchive& archive);
 
  private:
   void begin_tick();

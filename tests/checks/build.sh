@@ -1,6 +1,11 @@
 #!/usr/bin/env bash
-# build.sh PRESET [TARGET]: configures a preset and builds everything of it, or one target.
+# build.sh PRESET [TARGET...]: configures a preset and builds everything of it, or the targets.
 set -euo pipefail
+preset="$1"
+shift
 
-cmake --preset "$1"
-cmake --build "build/$1" --target "${2:-all}" --parallel "$(nproc)"
+# What one checkout compiled serves another.
+export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=true
+
+cmake --preset "$preset"
+cmake --build "build/$preset" --target "${@:-all}" --parallel "$(nproc)"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the release build to an empty prefix; builds and runs there a project that knows only find_package(tactus).
+# Installs the release build to an empty prefix; builds and runs there a project that knows only find_package(tactus), and
+# reads what a Linux board gets.
 set -euo pipefail
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
@@ -10,3 +11,4 @@ cp -r tests/install "$work/consumer"
 cmake -S "$work/consumer" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix"
 cmake --build "$work/build"
 "$work/build/consumer"
+tests/checks/deploy_files.sh "$work/prefix"

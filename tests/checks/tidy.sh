@@ -11,4 +11,4 @@ tracked_files '*/.clang-tidy' | while read -r settings; do
   cp "$settings" "build/tidy/$settings"
 done
 printf 'InheritParentConfig: true\nChecks: -bugprone-suspicious-include\n' >build/tidy/.clang-tidy
-run-clang-tidy-19 -quiet -p build/tidy -j "$(nproc)" "^$PWD/((rendering|hal|drivers|firmware|host_tools|tests)/|build/tidy/.*/Unity/)"
+run-clang-tidy-19 -clang-tidy-binary "$PWD/tests/checks/tidy_unit.sh" -quiet -p build/tidy -j "$(nproc)" "^$PWD/((rendering|hal|drivers|firmware|host_tools|tests)/|build/tidy/.*/Unity/)"

@@ -1,16 +1,7 @@
 #!/bin/sh
 # The Falcon over USB at 1 kHz touches the bunny; then it is unplugged.
-modprobe dummy_hcd is_high_speed=0
-modprobe -a libcomposite usb_f_fs
-/usr/lib/systemd/systemd-udevd --daemon
-udevadm trigger --action=add
-udevadm settle
-falcon=/sys/kernel/config/usb_gadget/falcon
-mkdir -p $falcon/strings/0x409 $falcon/configs/c.1 $falcon/functions/ffs.falcon /dev/ffs/falcon
-echo 0x0403 >$falcon/idVendor
-echo 0xCB48 >$falcon/idProduct
-ln -s $falcon/functions/ffs.falcon $falcon/configs/c.1
-mount -t functionfs falcon /dev/ffs/falcon
+# shellcheck source=tests/rig/scenarios/falcon_gadget.inc
+. /rig/falcon_gadget.inc
 # One count of its encoders is 6.4e-4 rad.
 joint_limit_rad=7e-4
 emulated='falcon --homed --hand pen --path /images/wish.csv --origin 0.015,-0.075,0.13'

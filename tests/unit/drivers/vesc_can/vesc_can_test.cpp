@@ -274,6 +274,39 @@ TEST_F(VescFaultPort, HostThatFallsSilentLeavesNoTorqueAfterTheVescsTimeout) {
   EXPECT_EQ(torque_Nm(), 0.0);
 }
 
+// The status goes on, the questions are not answered any more.
+TEST(VescCan, NoTorqueGoesOutInTheTickThatGivesTheVescUp) {
+  VescCan drive(
+      {.vesc_id = 1, .host_id = 2, .torque_constant_Nm_per_A = 0.05, .max_torque_Nm = 0.2});
+  hal::TimeNs now_ns = 1'000'000'000;
+  drive.start(now_ns);
+  const auto tick = [&](bool answers) {
+    now_ns += kMs;
+    const hal::CanFrame status{.id = 0x901, .extended = true, .length = 8};
+    drive.take({.time_ns = now_ns, .frame = status});
+    if (answers) {
+      hal::CanFrame answer{.id = 0x802, .extended = true, .length = 8};
+      for (std::size_t i = 0; const unsigned byte : {0x01U, 0x01U, 0x32U, 0x00U, 0x00U, 0x80U}) {
+        answer.data[i++] = static_cast<std::byte>(byte);
+      }
+      drive.take({.time_ns = now_ns, .frame = answer});
+    }
+    CanOutbox outbox;
+    drive.command(now_ns, {.torque_Nm = 0.1, .enable = true}, outbox);
+    const hal::CanFrame& current = outbox.frames()[0];
+    return current.id == 0x101 && (current.data[2] | current.data[3]) != std::byte{0};
+  };
+  for (int i = 0; i < 5; ++i) {
+    tick(true);
+  }
+  ASSERT_EQ(drive.sample().status, kDeviceOk) << drive.trouble().what;
+  for (int i = 0; i < 10'000 && drive.sample().status == kDeviceOk; ++i) {
+    const bool has_torque = tick(false);
+    EXPECT_EQ(has_torque, drive.sample().status == kDeviceOk) << i;
+  }
+  EXPECT_EQ(drive.sample().status, kDeviceLost);
+}
+
 TEST(VescCan, PositionThatJumpsIsNeverReported) {
   VescConfig config = kFastVesc;
   config.offers_position = true;

@@ -61,7 +61,7 @@ class RandomInputs {
       sample.velocity[joint] = bad[generator_() % bad.size()];
     }
     if (chance(0.002)) {
-      sample.status = 1U << (generator_() % 7);
+      sample.status = 1U << (generator_() % 8);
     }
     if (chance(0.02)) {
       sample.age_us = 10'000;

@@ -69,8 +69,9 @@ TEST_F(SampleCheckTest, EachDeviceTroubleIsItsOwnFault) {
   EXPECT_EQ(device_faults(drivers::kDeviceDriveFault), kFaultDrive);
   EXPECT_EQ(device_faults(drivers::kDeviceEmergencyStop), kFaultEmergencyStop);
   EXPECT_EQ(device_faults(drivers::kDeviceLost), kFaultDeviceLost);
-  EXPECT_EQ(device_faults(~0U),
-            kFaultEncoder | kFaultDrive | kFaultEmergencyStop | kFaultDeviceLost);
+  EXPECT_EQ(device_faults(drivers::kDeviceTooHot), kFaultOverTemperature);
+  EXPECT_EQ(device_faults(~0U), kFaultEncoder | kFaultDrive | kFaultEmergencyStop |
+                                    kFaultDeviceLost | kFaultOverTemperature);
 }
 
 TEST_F(SampleCheckTest, TheDifferenceOfTwoJointsMayHaveALimit) {

@@ -10,9 +10,9 @@ namespace tactus::firmware {
 namespace {
 
 TEST(StateHash, FollowsItsDocumentedRecipe) {
-  // 14 leading fields, 18 joint values, 6 vectors, the depth and 4 counters: all zero in an empty
-  // record, so each word only multiplies and folds.
-  constexpr int kWords = 14 + 18 + 18 + 1 + 4;
+  // 16 leading fields, 18 joint values, 6 vectors, depth, passivity and 5 counters: all zero in an
+  // empty record, so each word only multiplies and folds.
+  constexpr int kWords = 16 + 18 + 18 + 2 + 5;
   std::uint64_t expected = 42;
   for (int word = 0; word < kWords; ++word) {
     expected *= 0x9E37'79B9'7F4A'7C15U;
@@ -34,6 +34,8 @@ TEST(StateHash, ChangesWithEveryFieldButTheStageTimes) {
       [](TelemetryRecord& r) { r.limits = 1; },
       [](TelemetryRecord& r) { r.device_status = 1; },
       [](TelemetryRecord& r) { r.sample_age_us = 1; },
+      [](TelemetryRecord& r) { r.loop_status = 1; },
+      [](TelemetryRecord& r) { r.missed_ticks = 1; },
       [](TelemetryRecord& r) { r.touch_flags = 1; },
       [](TelemetryRecord& r) { r.object = 1; },
       [](TelemetryRecord& r) { r.sub_goals = 1; },
@@ -48,10 +50,12 @@ TEST(StateHash, ChangesWithEveryFieldButTheStageTimes) {
       [](TelemetryRecord& r) { r.force_rendered_W[1] = 1e-300; },
       [](TelemetryRecord& r) { r.force_commanded_W[2] = 1e-300; },
       [](TelemetryRecord& r) { r.depth_m = 1e-300; },
+      [](TelemetryRecord& r) { r.passivity_J = 1e-300; },
       [](TelemetryRecord& r) { r.counters.stale_samples = 1; },
       [](TelemetryRecord& r) { r.counters.faults_entered = 1; },
       [](TelemetryRecord& r) { r.counters.limited_ticks = 1; },
       [](TelemetryRecord& r) { r.counters.touch_flagged = 1; },
+      [](TelemetryRecord& r) { r.counters.late_ticks = 1; },
   };
   std::vector<std::uint64_t> seen = {state_hash(TelemetryRecord{}, 0)};
   for (const Change& change : changes) {

@@ -132,6 +132,20 @@ TEST_F(DeviceBake, ValueOutOfItsRangeNamesTheLineAndTheRange) {
   EXPECT_NE(complaint("rate_hz = 2000", "rate_hz = 2").find("rate_hz"), std::string::npos);
 }
 
+TEST_F(DeviceBake, WatchdogIsALineOfAChip) {
+  const std::string top = "name = \"test\"\n";
+  const std::string both = "watchdog_chip = \"header\"\nwatchdog_line = \"17 active_low\"\n";
+  const LoadedDevice device = bake_device(write(with(kPaddle, top, top + both)));
+  EXPECT_EQ(device.config().watchdog_chip, "header");
+  ASSERT_TRUE(device.config().watchdog_line.has_value());
+  EXPECT_EQ(device.config().watchdog_line->offset, 17U);
+  EXPECT_TRUE(device.config().watchdog_line->active_low);
+  EXPECT_NE(complaint(top, top + "watchdog_line = \"17\"\n").find("watchdog_chip"),
+            std::string::npos);
+  EXPECT_NE(complaint(top, top + "watchdog_chip = \"header\"\n").find("watchdog_line"),
+            std::string::npos);
+}
+
 TEST_F(DeviceBake, WrongTypeIsNamed) {
   EXPECT_EQ(complaint("node_id = 5", "node_id = \"5\""),
             ":14: [[axis]] 1: node_id must be a whole number");

@@ -109,6 +109,12 @@ TEST(SceneDescription, ConvertsWrongUnits) {
             "metres; write radius_m = 0.002");
 }
 
+TEST(SceneDescription, WantsAToolThatIsNoLargerThanAMetre) {
+  EXPECT_EQ(scene_error("[tool]\nradius_m = 2\n[[object]]\nmesh = \"a\"\n"),
+            "folder/scene.toml:2: [tool]: radius_m is 2 m, where 1 m is the most; is it in "
+            "millimetres?");
+}
+
 TEST(SceneDescription, SuggestsTheNearestKey) {
   EXPECT_TRUE(object_error("meshes = \"b\"").ends_with("did you mean mesh?"));
   EXPECT_TRUE(object_error("Sides = \"one\"").ends_with("did you mean sides?"));

@@ -121,7 +121,7 @@ TEST(HostileImage, WithABadMaterialIsRefused) {
 }
 
 TEST(HostileImage, WithABadToolRadiusIsRefused) {
-  for (const double bad : {-0.001, std::nan(""), HUGE_VAL}) {
+  for (const double bad : {-0.001, 1.001, 1e165, std::nan(""), HUGE_VAL}) {
     host::BakedScene scene = testing::small_scene();
     scene.tool_radius_m = bad;
     EXPECT_EQ(error_of(scene).fault, SceneFault::tool_radius);

@@ -145,6 +145,7 @@ TEST_F(WorldTest, RefusesASceneBeyondItsLimits) {
   const std::vector<Object> many(kMaxObjects + 1, plate.object());
   EXPECT_FALSE(world_->set_scene(many, {}));
   EXPECT_FALSE(world_->set_scene({&plate.object(), 1}, {.tool_radius_m = -1.0}));
+  EXPECT_FALSE(world_->set_scene({&plate.object(), 1}, {.tool_radius_m = 1.001}));
   EXPECT_TRUE(world_->set_scene({many.data(), kMaxObjects}, {}));
 }
 

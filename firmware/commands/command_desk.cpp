@@ -1,0 +1,161 @@
+#include "firmware/commands/command_desk.h"
+
+#include <array>
+
+#include "firmware/control/parameter_name.h"
+#include "firmware/flight/attachments.h"
+
+namespace tactus::firmware {
+
+bool took_effect(Request request, Mode after) {
+  switch (request) {
+    case Request::none:
+      return true;
+    case Request::home:
+      return after == Mode::homing;
+    case Request::enable:
+      return after == Mode::active;
+    case Request::disable:
+      return after != Mode::active && after != Mode::homing;
+    case Request::reset:
+      return after != Mode::fault;
+    case Request::estop:
+      return after == Mode::fault;
+  }
+  return false;
+}
+
+std::optional<Answer> CommandDesk::post(const Command& command) {
+  Answer answer{.ticket = command.ticket, .kind = command.kind, .request = command.request};
+  if (command.kind != CommandKind::request) {
+    commands_.push(command);
+    return std::nullopt;
+  }
+  const auto [accepted, replaced] =
+      requests_.post({.request = command.request, .ticket = command.ticket});
+  if (!accepted) {
+    answer.outcome = Outcome::estop_waits;
+    return answer;
+  }
+  if (replaced.request == Request::none) {
+    return std::nullopt;
+  }
+  answer.ticket = replaced.ticket;
+  answer.request = replaced.request;
+  answer.outcome = Outcome::superseded;
+  return answer;
+}
+
+std::optional<Answer> CommandDesk::next_answer() {
+  const Answer* const front = answers_.front();
+  if (front == nullptr) {
+    return std::nullopt;
+  }
+  const Answer answer = *front;
+  answers_.pop();
+  return answer;
+}
+
+Request CommandDesk::before_tick(Controller& controller) {
+  before_ = controller.mode();
+  if (const Command* const command = commands_.front(); command != nullptr) {
+    carry_out(*command, controller);
+    commands_.pop();
+  }
+  pending_ = requests_.take();
+  is_operated_ = is_operated_ || pending_.request != Request::none;
+  return pending_.request;
+}
+
+void CommandDesk::after_tick(const Controller& controller) {
+  if (pending_.request == Request::none) {
+    return;
+  }
+  const TelemetryRecord& record = controller.record();
+  tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(pending_.request)],
+       0.0);
+  answers_.push(
+      {.ticket = pending_.ticket,
+       .kind = CommandKind::request,
+       .outcome = took_effect(pending_.request, record.mode) ? Outcome::done : Outcome::no_effect,
+       .request = pending_.request,
+       .before = before_,
+       .after = record.mode,
+       .tick = record.tick,
+       .faults = record.faults});
+  pending_ = {};
+}
+
+void CommandDesk::carry_out(const Command& command, Controller& controller) {
+  Answer answer{.ticket = command.ticket,
+                .kind = command.kind,
+                .before = controller.mode(),
+                .after = controller.mode(),
+                .tick = controller.next_tick(),
+                .faults = controller.record().faults};
+  switch (command.kind) {
+    case CommandKind::request:
+    case CommandKind::look:
+      break;
+    case CommandKind::get:
+      if (const auto value = controller.parameter(command.change.place)) {
+        answer.value = *value;
+      } else {
+        answer.outcome = Outcome::parameter;
+        answer.refusal = value.error();
+      }
+      break;
+    case CommandKind::set:
+      set(command, controller, answer);
+      break;
+    case CommandKind::scene:
+      set_scene(command, controller, answer);
+      break;
+    case CommandKind::inject:
+      injector_.start(command.injection);
+      tell(EventKind::inject, answer.tick,
+           kInjectionTexts[static_cast<std::size_t>(command.injection.injection)].name,
+           command.injection.ticks);
+      break;
+  }
+  answers_.push(answer);
+}
+
+// The value of the answer is the new one, or where the old one is and may go.
+void CommandDesk::set(const Command& command, Controller& controller, Answer& answer) {
+  const auto done = controller.set_parameter(command.change);
+  if (!done) {
+    answer.outcome = Outcome::parameter;
+    answer.refusal = done.error();
+  } else {
+    std::array<char, kMaxParameterName> name{};
+    tell(EventKind::parameter, answer.tick, write_parameter_name(command.change.place, name),
+         command.change.value);
+  }
+  if (const auto value = controller.parameter(command.change.place)) {
+    answer.value = *value;
+  }
+}
+
+void CommandDesk::set_scene(const Command& command, Controller& controller, Answer& answer) {
+  const auto loaded = controller.load_scene(
+      command.scene->objects(),
+      {.tool_radius_m = command.scene->tool_radius_m(), .effects = command.scene->effects()});
+  if (!loaded) {
+    answer.outcome = Outcome::scene;
+    answer.scene_refusal = loaded.error();
+    return;
+  }
+  tell(EventKind::scene, answer.tick, kSceneAttachment, 0.0);
+}
+
+void CommandDesk::tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) {
+  if (events_.tell == nullptr) {
+    return;
+  }
+  TelemetryEvent event{.tick = tick, .kind = kind, .value = value};
+  set_name(event, name);
+  events_.tell(events_.to, event);
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,78 @@
+// Where commands wait for the tick, and answers for the one who asked.
+//
+// One thread posts and takes answers, the loop calls before_tick and after_tick. No locks, no heap,
+// and neither side ever waits for the other. Requests go through a slot where the newest wins and
+// an estop stays; everything else keeps its order, one a tick.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "firmware/commands/command.h"
+#include "firmware/commands/injection.h"
+#include "firmware/commands/request_slot.h"
+#include "firmware/control/controller.h"
+#include "firmware/telemetry/ring.h"
+#include "firmware/telemetry/telemetry_event.h"
+
+namespace tactus::firmware {
+
+// Commands without an answer yet, at most; the one who posts sees to it.
+inline constexpr std::size_t kMaxWaiting = 16;
+
+// Called from the loop: bounded, without locks. Null tells nobody.
+struct EventSink {
+  void* to = nullptr;
+  void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
+};
+
+class CommandDesk {
+ public:
+  // The command thread's side.
+
+  // An answer that is known at once: of a request that the newest has replaced, or that an estop
+  // keeps out.
+  std::optional<Answer> post(const Command& command);
+
+  // The next answer of a tick, if there is one.
+  std::optional<Answer> next_answer();
+
+  // The loop's side.
+
+  // Before a tick: carries out what has to be done at its edge. The request for the tick, or none.
+  Request before_tick(Controller& controller);
+
+  // After it: answers the request.
+  void after_tick(const Controller& controller);
+
+  // True from the first request on: what starts by itself then leaves it to the operator.
+  [[nodiscard]] bool is_operated() const { return is_operated_; }
+
+  // Between the device and the controller; does nothing until somebody injects.
+  [[nodiscard]] Injector& injector() { return injector_; }
+
+  // Where the loop tells of what took effect; set before the start.
+  void set_events(const EventSink& events) { events_ = events; }
+
+ private:
+  void carry_out(const Command& command, Controller& controller);
+  void set(const Command& command, Controller& controller, Answer& answer);
+  void set_scene(const Command& command, Controller& controller, Answer& answer);
+  void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value);
+
+  RequestSlot requests_;
+  Ring<Command, kMaxWaiting> commands_;
+  Ring<Answer, kMaxWaiting> answers_;
+  TicketedRequest pending_;  // the loop's, from before_tick to after_tick
+  Mode before_ = Mode::init;
+  bool is_operated_ = false;
+  Injector injector_;
+  EventSink events_;
+};
+
+// Whether a request has done in its tick what it asks for, or there was nothing to do.
+bool took_effect(Request request, Mode after);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,66 @@
+#include "firmware/commands/telemetry_hooks.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "firmware/flight/attachments.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::size_t kLargestScene_bytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxRecordingName = 128;
+
+TelemetryWriter& writer_of(void* run) {
+  return *static_cast<TelemetryWriter*>(run);
+}
+
+std::string_view start_recording(void* run, std::string_view name) {
+  const bool is_plain = !name.starts_with('.') && name.find('/') == std::string_view::npos;
+  const bool is_known = name.ends_with(".mcap") || name.ends_with(".csv");
+  std::array<char, kMaxRecordingName> path{};
+  if (!is_plain || !is_known || name.size() >= path.size()) {
+    return "give a plain name that ends in .mcap or .csv; it is put into the controller's working "
+           "folder";
+  }
+  std::ranges::copy(name, path.begin());
+  struct stat status{};
+  if (::lstat(path.data(), &status) == 0) {
+    return "there is a file of that name; give another";
+  }
+  const int failed = writer_of(run).record(path.data());
+  return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
+}
+
+std::string_view stop_recording(void* run) {
+  const int failed = writer_of(run).end_recording();
+  return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
+}
+
+void scene_changed(void* run, std::span<const std::byte> image) {
+  const bool fits = image.size() <= kLargestScene_bytes;
+  writer_of(run).attach(
+      {.name = kSceneAttachment, .bytes = fits ? image : std::span<const std::byte>{}});
+}
+
+void tell_event(void* to, const TelemetryEvent& event) {
+  writer_of(to).publish(event);
+}
+
+}  // namespace
+
+RunHooks telemetry_hooks(TelemetryWriter& writer) {
+  return {.run = &writer,
+          .start_recording = start_recording,
+          .stop_recording = stop_recording,
+          .scene_changed = scene_changed};
+}
+
+EventSink telemetry_events(TelemetryWriter& writer) {
+  return {.to = &writer, .tell = tell_event};
+}
+
+}  // namespace tactus::firmware

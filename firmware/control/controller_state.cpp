@@ -1,0 +1,147 @@
+// What the controller remembers from tick to tick, to bytes or back; see
+// rendering/state/state_archive.h. What the configuration and the scene say is not part of it.
+#include <bit>
+
+#include "firmware/control/controller.h"
+#include "rendering/state/plain_states.h"
+
+namespace tactus::firmware {
+namespace {
+
+using rendering::StateArchive;
+
+constexpr std::uint64_t kMagic = 0x3130'5355'5443'4154U;  // "TACTUS01", the last the version's
+
+}  // namespace
+
+void VelocityFilter::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [share, state] = *this;
+  archive(state);
+}
+
+void SampleCheck::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [joint_count, limits, coupled_limits, max_age_us, stale_ticks_to_fault,
+                          stale_in_a_row, stale_count] = *this;
+  archive(stale_in_a_row, stale_count);
+}
+
+void LoopCheck::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [late_ticks_to_fault, missed_ticks_to_fault, late_in_a_row, late_count] =
+      *this;
+  archive(late_in_a_row, late_count);
+}
+
+void EncoderGuard::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [joints, joint_count, step_s, max_step, frozen_travel,
+                          blocked_ticks_to_fault, passed_ticks, is_placed] = *this;
+  for (Joint& joint : joints) {
+    [[maybe_unused]] auto& [position, travel, effort, blocked_step, blocked_ticks] = joint;
+    archive(position, travel, effort, blocked_ticks);
+  }
+  archive(passed_ticks, is_placed);
+}
+
+void MotionGuard::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [step_s, max_speed_m_per_s, runaway_speed_m_per_s, runaway_travel_m,
+                          runaway_m] = *this;
+  archive(runaway_m);
+}
+
+void EnergyAccount::transfer(StateArchive& archive) {
+  auto& [ledger_J, parts, rendered_W, held_W, p_W, is_placed] = *this;
+  auto& [friction_W, texture_W, effect_W, driven_power] = parts;
+  archive(ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, held_W, p_W,
+          is_placed);
+}
+
+void PassivityControl::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J,
+                          credit_J] = *this;
+  archive(credit_J);
+}
+
+void ForceLimiter::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [max_force_N, max_step_N, activation_gain_per_tick, contact_gain_per_tick,
+                          activation_gain, contact_gain, touched, last_W] = *this;
+  archive(activation_gain, contact_gain, touched, last_W);
+}
+
+void GravityCompensation::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [is_on, gain_per_tick, gain, gravity_D, limits] = *this;
+  archive(gain);
+}
+
+void FrictionCompensation::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [is_on, joint_count, step_s, gain_per_tick, gain, velocity_filter,
+                          is_placed, last_position, joints, limits] = *this;
+  archive(gain, velocity_filter, is_placed, last_position);
+  for (Joint& joint : joints) {
+    archive(joint.memory);
+  }
+}
+
+void Controller::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
+                          loop_check, encoder_guard, workspace_walls, motion_guard, energy,
+                          passivity, velocity_filter, force_limiter, gravity_compensation,
+                          friction_compensation, world, objects, effects, mode, faults, raised,
+                          write_status, loop_report, held_effort, pose, tool, record, next_tick,
+                          now_ns] = *this;
+  archive.same(kMagic);
+  archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
+  archive.same(joint_count(config.mechanism));
+  archive.require(configured);
+  archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
+          force_limiter, gravity_compensation, friction_compensation);
+  archive.choice(mode, Mode::fault);
+  archive(faults, write_status, tool, next_tick);
+  transfer_guards(archive);
+  transfer_parameters(archive);
+  transfer_pose(archive);
+  transfer_record(archive);
+  archive(world);
+}
+
+void Controller::transfer_guards(StateArchive& archive) {
+  archive(encoder_guard_, motion_guard_, energy_, passivity_, held_effort_);
+}
+
+// What set_parameter may have changed.
+void Controller::transfer_parameters(StateArchive& archive) {
+  auto& [place, value] = change_;
+  archive.choice(place.parameter, Parameter::viscous_friction);
+  archive(place.object, value, config_.safety.max_force_N, config_.safety.force_slew_N_per_s,
+          config_.safety.soft_start_s, config_.safety.contact_start_s, config_.velocity_cutoff_hz);
+  if (archive.is_reading()) {
+    archive.require(validate(config_).has_value());
+    retune();
+  }
+}
+
+void Controller::transfer_pose(StateArchive& archive) {
+  auto& [p_D, jacobian_D, status] = pose_;
+  archive(p_D, jacobian_D, status);
+}
+
+// Of the record, what a tick takes from the one before.
+void Controller::transfer_record(StateArchive& archive) {
+  auto& [stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks] =
+      record_.counters;
+  archive(stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks,
+          record_.state_hash);
+}
+
+std::size_t Controller::save(std::span<std::byte> room) {
+  StateArchive archive = StateArchive::writer(room);
+  transfer(archive);
+  return archive.good() ? archive.size() : 0;
+}
+
+bool Controller::restore(std::span<const std::byte> bytes) {
+  StateArchive archive = StateArchive::reader(bytes);
+  transfer(archive);
+  configured_ = configured_ && archive.good() && archive.at_end();
+  return configured_;
+}
+
+}  // namespace tactus::firmware

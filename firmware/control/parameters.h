@@ -1,0 +1,137 @@
+// What may be changed while the controller runs: a table of names and units, and the rules that a
+// new value has to pass.
+//
+// A change is applied between two ticks, by Controller::set_parameter, and is part of the record of
+// the tick that first had it: the same inputs with the same changes give the same ticks.
+//
+// The limits of safety can be made gentler than the device's file says, never harder: its values
+// are the end of their range. What a scene says of its objects can be changed either way, up to the
+// stiffness that the device is certified for, if it is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace tactus::firmware {
+
+// Numbered for good: recordings keep the numbers.
+enum class Parameter : std::uint8_t {
+  none = 0,
+  max_force = 1,
+  force_slew = 2,
+  soft_start = 3,
+  contact_start = 4,
+  velocity_cutoff = 5,
+  stiffness = 16,  // from here on of an object
+  damping = 17,
+  static_friction = 18,
+  dynamic_friction = 19,
+  viscous_friction = 20,
+};
+
+constexpr bool is_of_object(Parameter parameter) {
+  return parameter >= Parameter::stiffness;
+}
+
+struct ParameterText {
+  Parameter parameter;
+  std::string_view
+      name;  // for programs, with the unit; an object's is object.<name or number>.<name>
+  std::string_view unit;
+  std::string_view meaning;  // for people
+};
+
+// In order of number.
+inline constexpr auto kParameterTexts = std::to_array<ParameterText>({
+    {Parameter::max_force, "max_force_N", "N", "largest force on the hand"},
+    {Parameter::force_slew, "force_slew_N_per_s", "N/s", "fastest change of the force"},
+    {Parameter::soft_start, "soft_start_s", "s",
+     "rise of the force from activation; not in active"},
+    {Parameter::contact_start, "contact_start_s", "s",
+     "rise of the force from the first contact; not in active"},
+    {Parameter::velocity_cutoff, "velocity_cutoff_hz", "Hz",
+     "low-pass on the tool's velocity, 0 for none"},
+    {Parameter::stiffness, "stiffness_N_per_m", "N/m", "stiffness of an object"},
+    {Parameter::damping, "damping_Ns_per_m", "Ns/m", "damping of an object"},
+    {Parameter::static_friction, "static_friction", "1",
+     "friction coefficient of an object at rest, not below the dynamic one"},
+    {Parameter::dynamic_friction, "dynamic_friction", "1",
+     "friction coefficient of an object in motion"},
+    {Parameter::viscous_friction, "viscous_friction_s_per_m", "s/m",
+     "friction of an object that grows with the speed, per newton of normal force"},
+});
+
+// The row of kParameterTexts; nullptr for `none` and for a number that is not there.
+constexpr const ParameterText* text_of(Parameter parameter) {
+  for (const ParameterText& text : kParameterTexts) {
+    if (text.parameter == parameter) {
+      return &text;
+    }
+  }
+  return nullptr;
+}
+
+// One parameter, of the controller or of one object of the scene.
+struct ParameterPlace {
+  Parameter parameter = Parameter::none;
+  std::uint32_t object = 0;  // counts the scene's objects; not looked at for the controller's own
+
+  bool operator==(const ParameterPlace&) const = default;
+};
+
+// `parameter` is `none` where nothing was changed.
+struct ParameterChange {
+  ParameterPlace place;
+  double value = 0.0;
+};
+
+// A change as it took effect.
+struct ParameterEvent {
+  std::uint64_t tick = 0;  // the first that has it
+  ParameterChange change;
+};
+
+// A value and what it may become, both ends included.
+struct ParameterValue {
+  double value = 0.0;
+  double least = 0.0;
+  double greatest = 0.0;
+};
+
+enum class ParameterRefusal : std::uint8_t {
+  no_such_parameter,
+  no_such_object,
+  not_finite,
+  out_of_range,
+  not_while_active,   // disable first
+  too_many_changed,   // kMaxChangedMaterials objects have been changed since the scene was loaded
+  not_of_this_model,  // the object's friction model has no such term
+  uncertified,        // stiffer than the device's certificate allows with that damping
+};
+
+// For people, with what to do.
+constexpr std::string_view describe(ParameterRefusal refusal) {
+  switch (refusal) {
+    case ParameterRefusal::no_such_parameter:
+      return "there is no such parameter; send list";
+    case ParameterRefusal::no_such_object:
+      return "the scene has no such object; send list";
+    case ParameterRefusal::not_finite:
+      return "the value is not a finite number";
+    case ParameterRefusal::out_of_range:
+      return "the value is out of its range";
+    case ParameterRefusal::not_while_active:
+      return "it cannot change while the mode is active; send disable first";
+    case ParameterRefusal::too_many_changed:
+      return "too many objects have been changed; load the scene again";
+    case ParameterRefusal::not_of_this_model:
+      return "the object's friction model has no such term";
+    case ParameterRefusal::uncertified:
+      return "the device is not certified for so much; certify a stiffer device with tactus "
+             "certify, or start with --allow-uncertified";
+  }
+  return {};
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,26 @@
+// A recorded tick once more.
+#pragma once
+
+#include "drivers/device.h"
+#include "firmware/control/controller.h"
+#include "firmware/telemetry/record.h"
+
+namespace tactus::firmware {
+
+// Gives the controller what the record says came in. In the state in which the recorded tick began
+// it then has the same record, to the bit but for the stage times.
+inline void repeat_tick(Controller& controller, const TelemetryRecord& recorded) {
+  if (recorded.change.place.parameter != Parameter::none) {
+    // It was accepted then, and is now.
+    static_cast<void>(controller.set_parameter(recorded.change));
+  }
+  drivers::JointSample sample;
+  sample.position = recorded.joint_position;
+  sample.velocity = recorded.joint_velocity;
+  sample.age_us = recorded.sample_age_us;
+  sample.status = recorded.device_status;
+  controller.note_loop({.status = recorded.loop_status, .missed_ticks = recorded.missed_ticks});
+  controller.tick(sample, recorded.request);
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,115 @@
+#include "firmware/flight/flight_recorder.h"
+
+namespace tactus::firmware {
+
+void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
+  const std::uint64_t number = tick.record.tick;
+  if (begins_ || number != end_tick_.load(std::memory_order_relaxed)) {
+    begin(number);
+  }
+  ticks_[number % kFlightTicks] = tick;
+  end_tick_.store(number + 1, std::memory_order_release);
+  if (number + 1 >= state_due_) {
+    take_state(number + 1, controller);
+  }
+}
+
+void FlightRecorder::begin(std::uint64_t tick) {
+  begins_ = false;
+  for (State& state : states_) {
+    state.first_tick.store(kNoTick, std::memory_order_relaxed);
+  }
+  begin_tick_.store(tick, std::memory_order_release);
+  state_due_ = tick + 1;
+}
+
+void FlightRecorder::take_state(std::uint64_t next_tick, Controller& controller) {
+  state_due_ = next_tick + kTicksToRetry;
+  State* const state = oldest_free();
+  if (state == nullptr) {
+    return;
+  }
+  state->size = controller.save(state->bytes);
+  const bool taken = state->size > 0;
+  state->first_tick.store(taken ? next_tick : kNoTick, std::memory_order_relaxed);
+  state->use.store(Use::nobody, std::memory_order_release);
+  if (taken) {
+    state_due_ = next_tick + kTicksBetweenStates;
+  }
+}
+
+// The loop's from now on, if the reader does not have all of them. One without a state first.
+FlightRecorder::State* FlightRecorder::oldest_free() {
+  State* best = nullptr;
+  for (State& state : states_) {
+    // kNoTick + 1 is 0.
+    const std::uint64_t age = state.first_tick.load(std::memory_order_relaxed) + 1;
+    const bool older =
+        best == nullptr || age < best->first_tick.load(std::memory_order_relaxed) + 1;
+    Use nobody = Use::nobody;
+    if (older && state.use.compare_exchange_strong(nobody, Use::loop, std::memory_order_acquire)) {
+      if (best != nullptr) {
+        best->use.store(Use::nobody, std::memory_order_release);
+      }
+      best = &state;
+    }
+  }
+  return best;
+}
+
+bool FlightRecorder::can_serve(std::uint64_t first_tick, std::uint64_t end_tick) const {
+  return first_tick <= end_tick && end_tick - first_tick <= kOldest &&
+         first_tick > begin_tick_.load(std::memory_order_acquire);
+}
+
+std::optional<FlightWindow> FlightRecorder::hold() {
+  release();
+  const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
+  for (std::size_t i = 0; i < kStates; ++i) {
+    Use nobody = Use::nobody;
+    if (!states_[i].use.compare_exchange_strong(nobody, Use::reader, std::memory_order_acquire)) {
+      continue;
+    }
+    const std::uint64_t first_tick = states_[i].first_tick.load(std::memory_order_relaxed);
+    const bool better = can_serve(first_tick, end_tick) &&
+                        (held_ == kNoState ||
+                         first_tick < states_[held_].first_tick.load(std::memory_order_relaxed));
+    const std::size_t other = better ? held_ : i;
+    held_ = better ? i : held_;
+    if (other != kNoState) {
+      states_[other].use.store(Use::nobody, std::memory_order_release);
+    }
+  }
+  if (held_ == kNoState) {
+    return std::nullopt;
+  }
+  const State& state = states_[held_];
+  return FlightWindow{.first_tick = state.first_tick.load(std::memory_order_relaxed),
+                      .end_tick = end_tick,
+                      .state = std::span(state.bytes).first(state.size)};
+}
+
+bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
+  const auto is_there = [&] {
+    const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
+    // The loop may be writing into the place of the oldest.
+    return number < end_tick && end_tick - number < kFlightTicks &&
+           number >= begin_tick_.load(std::memory_order_acquire);
+  };
+  if (!is_there()) {
+    return false;
+  }
+  to = ticks_[number % kFlightTicks];
+  // The copy stays before the second look. Not a fence: the thread sanitizer knows none.
+  between_looks_.fetch_add(1, std::memory_order_acq_rel);
+  return is_there();
+}
+
+void FlightRecorder::release() {
+  if (held_ != kNoState) {
+    states_[held_].use.store(Use::nobody, std::memory_order_release);
+    held_ = kNoState;
+  }
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,85 @@
+// The last ticks of a run, always in static memory: every input, what the controller made of it,
+// and states of the controller to begin a replay with.
+//
+// The loop adds each tick. Four states are kept, taken a quarter of the memory apart, so that there
+// is always one with at least five eighths of the memory behind it. One other thread holds a window
+// of it and copies it out while the loop goes on: a held state is not overwritten, and a tick that
+// was overwritten says so.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/control/controller.h"
+#include "firmware/limits.h"
+#include "firmware/telemetry/recorded_tick.h"
+
+namespace tactus::firmware {
+
+// What a replay needs: a state, and the ticks that follow it.
+struct FlightWindow {
+  std::uint64_t first_tick = 0;  // the state is of the moment before it
+  std::uint64_t end_tick = 0;    // one beyond the last that there was
+  std::span<const std::byte> state;
+};
+
+// Lives in static storage: kFlightTicks ticks and four states. No heap, no locks, no waiting.
+class FlightRecorder {
+ public:
+  // The loop's thread, between ticks: what the last one did. Copies it, and once in
+  // kFlightTicks / 4 ticks the controller's state.
+  void add(const RecordedTick& tick, Controller& controller);
+
+  // The loop's thread: what there is cannot be replayed together with what comes, as after a change
+  // of the scene or configure(). The next add() begins anew.
+  void forget() { begins_ = true; }
+
+  // From here on one other thread. The longest window that can be copied in peace; nothing if there
+  // is no state, as before the first tick. At most one at a time, until release().
+  std::optional<FlightWindow> hold();
+
+  // A tick of the window. False if it was overwritten by now.
+  bool read(std::uint64_t number, RecordedTick& to) const;
+
+  void release();
+
+ private:
+  static constexpr std::size_t kStates = 4;
+  static constexpr std::uint64_t kTicksBetweenStates = kFlightTicks / 4;
+  // A state that could not be taken is tried again so much later.
+  static constexpr std::uint64_t kTicksToRetry = 256;
+  // What is older than this is left to the loop, which overwrites it soon.
+  static constexpr std::uint64_t kOldest = kFlightTicks - kFlightTicks / 8;
+  static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
+  static constexpr std::size_t kNoState = kStates;
+
+  enum class Use : std::uint8_t { nobody, loop, reader };
+  struct State {
+    std::atomic<Use> use{Use::nobody};
+    std::atomic<std::uint64_t> first_tick{kNoTick};  // that follows it
+    std::size_t size = 0;
+    std::array<std::byte, kMaxCheckpointBytes> bytes{};
+  };
+  static_assert(std::atomic<Use>::is_always_lock_free &&
+                std::atomic<std::uint64_t>::is_always_lock_free);
+
+  void begin(std::uint64_t tick);
+  void take_state(std::uint64_t next_tick, Controller& controller);
+  State* oldest_free();
+  [[nodiscard]] bool can_serve(std::uint64_t first_tick, std::uint64_t end_tick) const;
+
+  bool begins_ = true;
+  std::uint64_t state_due_ = 0;
+  std::atomic<std::uint64_t> begin_tick_{0};  // nothing before it belongs to what follows
+  std::atomic<std::uint64_t> end_tick_{0};    // one beyond the last
+  std::size_t held_ = kNoState;
+  mutable std::atomic<std::uint32_t> between_looks_{0};
+  std::array<State, kStates> states_{};
+  std::array<RecordedTick, kFlightTicks> ticks_{};
+};
+
+}  // namespace tactus::firmware

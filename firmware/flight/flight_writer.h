@@ -1,0 +1,77 @@
+// Writes the flight recorder out: after each fault, and when asked. The loop adds its ticks; a
+// thread beside it copies them to a file, which `tactus replay` lives once more.
+//
+// Static memory, no exceptions. One of the loop's ticks costs a copy.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "firmware/control/controller.h"
+#include "firmware/flight/flight_recorder.h"
+#include "firmware/realtime/helper_thread.h"
+#include "firmware/telemetry/outputs/mcap_writer.h"
+#include "firmware/telemetry/outputs/run_recorder.h"
+
+namespace tactus::firmware {
+
+// Whatever it points to outlives the writer.
+struct FlightPlan {
+  const char* folder = ".";  // of the files; it is there
+  double rate_hz = 1000.0;
+  RunDescription run;
+  std::span<const Attachment> images;
+};
+
+class FlightWriter {
+ public:
+  FlightWriter() = default;
+  FlightWriter(const FlightWriter&) = delete;
+  FlightWriter& operator=(const FlightWriter&) = delete;
+  ~FlightWriter() { stop(); }
+
+  // Before the loop begins. 0, or errno.
+  int start(const FlightPlan& plan);
+
+  // The loop's thread, after each tick. A fault is written out a little later, so that what follows
+  // it is in the file, too.
+  void add(const RecordedTick& tick, Controller& controller);
+  // The loop's thread: see FlightRecorder::forget.
+  void forget() { recorder_.forget(); }
+
+  // Any thread, or a signal's handler: writes out what there is now.
+  void ask() { wanted_.store(true, std::memory_order_release); }
+
+  // After the loop's last tick: a fault that was not yet written out is.
+  void stop();
+
+  // Files written so far; any thread.
+  [[nodiscard]] std::uint32_t files() const { return files_.load(std::memory_order_acquire); }
+  // The last of them; after stop().
+  [[nodiscard]] const char* path() const { return path_.data(); }
+
+ private:
+  static constexpr double kAfterFault_s = 0.2;
+
+  void run();
+  void write_out();
+  void name_file(std::uint64_t tick);
+  int write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end);
+
+  FlightPlan plan_;
+  FlightRecorder recorder_;
+  McapWriter file_;
+  HelperThread thread_;
+  std::array<char, 512> path_{};
+
+  Mode mode_ = Mode::init;           // the loop's
+  std::uint64_t ticks_to_wait_ = 0;  // the loop's: until a fault is written out
+  std::atomic<bool> waiting_{false};
+  std::atomic<bool> wanted_{false};
+  std::atomic<bool> stopping_{false};
+  std::atomic<std::uint32_t> files_{0};
+};
+
+}  // namespace tactus::firmware

@@ -1,0 +1,56 @@
+// How well the loop keeps its time: wake-up latency, the time of the tick and of each of its
+// stages, ticks missed and ticks late.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/realtime/time_histogram.h"
+#include "firmware/telemetry/record.h"
+#include "hal/clock.h"
+
+namespace tactus::firmware {
+
+// A tick as the loop saw it from outside; times by CLOCK_MONOTONIC.
+struct LoopTick {
+  hal::TimeNs scheduled_ns = 0;
+  hal::TimeNs woke_ns = 0;
+  hal::TimeNs done_ns = 0;   // after the device's write
+  std::int64_t skipped = 0;  // instants that passed without a tick since the one before
+  bool late = false;
+};
+
+// What a histogram is of. `tick` is from the wake-up to the end of the device's write.
+enum class Timed : std::uint8_t { wake_up, tick, read, check, kinematics, touch, safety, write };
+
+inline constexpr std::array<std::string_view, 8> kTimedNames = {
+    "wake_up", "tick", "read", "check", "kinematics", "touch", "safety", "write"};
+
+class LoopTiming {
+ public:
+  // Before the first tick.
+  void set_period(hal::TimeNs period_ns) { period_ns_ = period_ns; }
+
+  // Real time, both; in every tick, in this order. A tick is late if it woke later than half a
+  // period after its time, or if instants were skipped before it.
+  LoopTick woke(const hal::Wake& wake);
+  void done(LoopTick& tick, const StageTimes& stages, hal::TimeNs now_ns);
+
+  [[nodiscard]] const TimeHistogram& of(Timed what) const {
+    return histograms_[static_cast<std::size_t>(what)];
+  }
+  [[nodiscard]] std::uint64_t missed() const { return missed_; }  // instants without a tick
+  [[nodiscard]] std::uint64_t late() const { return late_; }
+
+ private:
+  TimeHistogram& histogram(Timed what) { return histograms_[static_cast<std::size_t>(what)]; }
+
+  hal::TimeNs period_ns_ = 1'000'000;
+  std::array<TimeHistogram, kTimedNames.size()> histograms_;
+  std::uint64_t missed_ = 0;
+  std::uint64_t late_ = 0;
+};
+
+}  // namespace tactus::firmware

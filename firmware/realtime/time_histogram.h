@@ -1,0 +1,42 @@
+// How often something took how long: bins of one microsecond in static memory.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace tactus::firmware {
+
+// A thousand bins: at 1 kHz, and faster, what does not fit has missed a tick anyway.
+inline constexpr std::size_t kTimeBins = 1000;
+
+// Bin i counts times from i up to, but not including, i + 1 us; longer ones share the overflow.
+// Times below zero count as zero. One thread at a time.
+class TimeHistogram {
+ public:
+  // Real time.
+  void add(std::int64_t time_ns);
+
+  [[nodiscard]] const std::array<std::uint64_t, kTimeBins>& bins() const { return bins_; }
+  [[nodiscard]] std::uint64_t overflow() const { return overflow_; }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+  // All zero while empty.
+  [[nodiscard]] std::int64_t min_ns() const { return min_ns_; }
+  [[nodiscard]] std::int64_t max_ns() const { return max_ns_; }
+  [[nodiscard]] double mean_ns() const;
+
+  // The upper edge, in us, of the bin in which the given share (0 to 1) of all times is reached;
+  // the longest time where that is the overflow.
+  [[nodiscard]] double percentile_us(double share) const;
+
+ private:
+  std::array<std::uint64_t, kTimeBins> bins_{};
+  std::uint64_t overflow_ = 0;
+  std::uint64_t count_ = 0;
+  std::int64_t sum_ns_ = 0;
+  std::int64_t min_ns_ = 0;
+  std::int64_t max_ns_ = 0;
+};
+
+}  // namespace tactus::firmware

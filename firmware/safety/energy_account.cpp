@@ -1,0 +1,78 @@
+#include "firmware/safety/energy_account.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tactus::firmware {
+namespace {
+
+double& entry(EnergyLedger& ledger, EnergySource source) {
+  return ledger[static_cast<std::size_t>(source)];
+}
+
+// c, by least squares, in [0, 1].
+double share_of(const Vec3& held, const Vec3& rendered) {
+  const double size = rendered.squaredNorm();
+  return size > 0.0 ? std::clamp(held.dot(rendered) / size, 0.0, 1.0) : 0.0;
+}
+
+EnergySource source_at(const double* entry, const double* first) {
+  return static_cast<EnergySource>(entry - first);
+}
+
+}  // namespace
+
+void EnergyAccount::restart() {
+  *this = EnergyAccount{};
+}
+
+TickEnergy EnergyAccount::settle(const Vec3& p_W, const rendering::Touch& touch, double step_s) {
+  TickEnergy tick;
+  if (is_placed_ && held_W_ != Vec3::Zero()) {
+    const Vec3 way = p_W - p_W_;
+    const double share = share_of(held_W_, rendered_W_);
+    const Vec3 half_way = 0.5 * share * way;
+    const rendering::ForceParts& parts = touch.parts;
+    const double all_J = (rendered_W_ + touch.force_W).dot(half_way);
+    const double friction_J = (parts_.friction_W + parts.friction_W).dot(half_way);
+    const double texture_J = (parts_.texture_W + parts.texture_W).dot(half_way);
+    const double effect_J = (parts_.effect_W + parts.effect_W).dot(half_way);
+    const double coupling_J = 0.5 * share * step_s * (parts_.driven_power + parts.driven_power);
+    const double held_J = share * rendered_W_.dot(way);
+    tick.given_J = held_W_.dot(way);
+    tick.passive_J = tick.given_J - share * parts_.effect_W.dot(way) - coupling_J;
+    tick.way_m2 = way.squaredNorm();
+    using enum EnergySource;
+    entry(ledger_J_, contact) += all_J - friction_J - texture_J - effect_J - coupling_J;
+    entry(ledger_J_, friction) += friction_J;
+    entry(ledger_J_, texture) += texture_J;
+    entry(ledger_J_, effect) += effect_J;
+    entry(ledger_J_, coupling) += coupling_J;
+    entry(ledger_J_, safety) += tick.given_J - held_J;
+    entry(ledger_J_, delay) += held_J - all_J;
+  }
+  parts_ = touch.parts;
+  rendered_W_ = touch.force_W;
+  p_W_ = p_W;
+  is_placed_ = true;
+  return tick;
+}
+
+EnergySource EnergyAccount::most_giving() const {
+  return source_at(std::ranges::max_element(ledger_J_), ledger_J_.data());
+}
+
+EnergySource strongest_part(const rendering::Touch& touch, const Vec3& added_W) {
+  const rendering::ForceParts& parts = touch.parts;
+  const Vec3 contact_W = touch.force_W - parts.friction_W - parts.texture_W - parts.effect_W;
+  // In the order of EnergySource; coupling has no force of its own.
+  const std::array<double, 6> sizes = {contact_W.squaredNorm(),
+                                       parts.friction_W.squaredNorm(),
+                                       parts.texture_W.squaredNorm(),
+                                       parts.effect_W.squaredNorm(),
+                                       0.0,
+                                       added_W.squaredNorm()};
+  return source_at(std::ranges::max_element(sizes), sizes.data());
+}
+
+}  // namespace tactus::firmware

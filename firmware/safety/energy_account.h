@@ -1,0 +1,61 @@
+// Keeps the ledger of what the hand gets from the device.
+//
+// The device holds the force f of one tick until the next, while the tool goes from x to x', so the
+// hand gets f . (x' - x): the force of the past tick pairs with the displacement over that same
+// tick. Of that, with c the share of the rendered force that the limits let through and r = sum r_s
+// its parts by source:
+//
+//  source s   c (r_s + r_s') / 2 . (x' - x), what a force that follows the motion at once would
+//  give coupling   what of that the surfaces give that move by themselves; it is not contact's
+//  safety     (f - c r) . (x' - x)
+//  delay      the rest: c (r - r') / 2 . (x' - x). Of a spring K it is K |x' - x|^2 / 2, the energy
+//             that a sampled wall makes (Colgate and Schenkel 1997)
+#pragma once
+
+#include "firmware/safety/energy_ledger.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::firmware {
+
+// Of one tick, J.
+struct TickEnergy {
+  double given_J = 0.0;    // to the hand, of all sources
+  double passive_J = 0.0;  // of it, what has to be passive: without effects and coupling
+  double way_m2 = 0.0;     // |x' - x|^2
+};
+
+class EnergyAccount {
+ public:
+  // Activation: nothing is held, nothing given.
+  void restart();
+
+  // The tool has come to p_W and the touch is of there, `step_s` after the tick before. Finite.
+  TickEnergy settle(const Vec3& p_W, const rendering::Touch& touch, double step_s);
+
+  // What goes out in this tick, and stays until the next.
+  void hold(const Vec3& force_W) { held_W_ = force_W; }
+  [[nodiscard]] const Vec3& held_W() const { return held_W_; }
+
+  [[nodiscard]] const EnergyLedger& ledger_J() const { return ledger_J_; }
+
+  // The source that has given most so far.
+  [[nodiscard]] EnergySource most_giving() const;
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
+
+ private:
+  EnergyLedger ledger_J_{};
+  rendering::ForceParts parts_;  // of the tick before, as rendered
+  Vec3 rendered_W_ = Vec3::Zero();
+  Vec3 held_W_ = Vec3::Zero();
+  Vec3 p_W_ = Vec3::Zero();
+  bool is_placed_ = false;
+};
+
+// The part of the rendered force that is largest, N, or safety if `added_W` is larger still.
+EnergySource strongest_part(const rendering::Touch& touch, const Vec3& added_W);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,43 @@
+// The guard of the controller's own time: what the loop reports becomes faults.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/configuration/controller_config.h"
+#include "rendering/state/state_archive.h"
+
+namespace tactus::firmware {
+
+// What the loop says of its time, one bit each: an input of the tick, recorded with it.
+enum LoopStatus : std::uint32_t {
+  kLoopOnTime = 0,
+  kLoopLate = 1U << 0,          // this tick began later after its time than the loop allows
+  kLoopWatchdogLost = 1U << 1,  // the watchdog output could not be driven
+};
+
+struct LoopReport {
+  std::uint32_t status = kLoopOnTime;
+  std::uint32_t missed_ticks = 0;  // whole periods skipped just before this tick
+};
+
+class LoopCheck {
+ public:
+  void configure(const ControllerConfig& config);
+
+  // FaultBits of this tick, faults and limits. A tick that follows missed ones is late, too.
+  std::uint64_t check(const LoopReport& report);
+
+  // Late ticks since configure().
+  [[nodiscard]] std::uint32_t late_count() const { return late_count_; }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
+
+ private:
+  std::uint32_t late_ticks_to_fault_ = 1;
+  std::uint32_t missed_ticks_to_fault_ = 1;
+  std::uint32_t late_in_a_row_ = 0;
+  std::uint32_t late_count_ = 0;
+};
+
+}  // namespace tactus::firmware

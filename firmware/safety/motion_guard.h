@@ -1,0 +1,49 @@
+// A tool that is too fast, or runs away.
+//
+//  speed limit  from max_tool_speed / 2 on, force along the motion is taken away, linearly up to
+//               all of it at max_tool_speed: the device does not drive the hand faster
+//  overspeed    |v| > max_tool_speed
+//  motion without torque
+//               the tool went runaway_travel_m faster than runaway_speed while the commanded force
+//               did not push it that way: an encoder whose direction flipped turns every force into
+//               this, and so does a drive that makes torque of its own
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/configuration/controller_config.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
+
+namespace tactus::firmware {
+
+struct SlowedForce {
+  Vec3 force_W = Vec3::Zero();  // N
+  std::uint64_t limits = 0;     // FaultBits
+};
+
+class MotionGuard {
+ public:
+  void configure(const ControllerConfig& config);
+
+  // The tool is not where it was: the way that it ran away starts again.
+  void rest() { runaway_m_ = 0.0; }
+
+  // FaultBits of a finite velocity; `held_W` is the force commanded by the tick before.
+  std::uint64_t check(const Vec3& v_W, const Vec3& held_W);
+
+  // Both finite.
+  [[nodiscard]] SlowedForce slow(const Vec3& force_W, const Vec3& v_W) const;
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
+
+ private:
+  double step_s_ = 0.001;
+  double max_speed_m_per_s_ = 0.0;
+  double runaway_speed_m_per_s_ = 0.0;
+  double runaway_travel_m_ = 0.0;
+  double runaway_m_ = 0.0;
+};
+
+}  // namespace tactus::firmware

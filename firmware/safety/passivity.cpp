@@ -1,0 +1,33 @@
+#include "firmware/safety/passivity.h"
+
+#include <algorithm>
+
+#include "firmware/safety/faults.h"
+
+namespace tactus::firmware {
+
+void PassivityControl::configure(const ControllerConfig& config) {
+  step_s_ = 1.0 / config.rate_hz;
+  device_damping_Ns_per_m_ = config.safety.device_damping_Ns_per_m;
+  max_damping_Ns_per_m_ = config.safety.passivity_damping_Ns_per_m;
+  fault_J_ = config.safety.passivity_fault_J;
+  restart();
+}
+
+std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
+  credit_J_ += device_damping_Ns_per_m_ * energy.way_m2 / step_s_ - energy.passive_J;
+  if (!in_contact) {
+    credit_J_ = std::min(credit_J_, 0.0);
+  }
+  return credit_J_ < -fault_J_ ? kFaultNotPassive : kNoFault;
+}
+
+Vec3 PassivityControl::damp_W(const Vec3& v_W, bool in_contact) const {
+  const double size = step_s_ * v_W.squaredNorm();
+  if (!in_contact || credit_J_ >= 0.0 || !(size > 0.0)) {
+    return Vec3::Zero();
+  }
+  return -std::min(-credit_J_ / size, max_damping_Ns_per_m_) * v_W;
+}
+
+}  // namespace tactus::firmware

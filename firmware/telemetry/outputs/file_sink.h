@@ -1,0 +1,40 @@
+// A file that grows at its end, with its length and the checksum of what was written. Not real
+// time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/telemetry/outputs/crc32.h"
+#include "hal/linux/system.h"
+
+namespace tactus::firmware {
+
+class FileSink {
+ public:
+  // Makes the file, or empties the one that is there. 0, or errno.
+  int open(const char* path);
+
+  // All of it or, where there is no more room, nothing: then `error` is set and everything after is
+  // left out, so that the file ends where it was still whole.
+  void write(std::span<const std::byte> bytes);
+  // 0, or the errno of the first failure.
+  int close();
+
+  // Of what is written from now on.
+  void restart_crc() { crc_ = {}; }
+  [[nodiscard]] std::uint32_t crc() const { return crc_.value(); }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] int descriptor() const { return file_.get(); }
+  [[nodiscard]] bool is_open() const { return file_.is_open(); }
+  [[nodiscard]] int error() const { return error_; }
+
+ private:
+  hal::FileDescriptor file_;
+  Crc32 crc_;
+  std::uint64_t size_ = 0;
+  int error_ = 0;
+};
+
+}  // namespace tactus::firmware

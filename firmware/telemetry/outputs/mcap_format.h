@@ -1,0 +1,127 @@
+// What a writer and a reader of MCAP files share: https://mcap.dev/spec. All numbers are little
+// endian.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+namespace tactus::firmware::mcap {
+
+inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
+
+enum class Opcode : std::uint8_t {
+  header = 0x01,
+  footer = 0x02,
+  schema = 0x03,
+  channel = 0x04,
+  message = 0x05,
+  chunk = 0x06,
+  message_index = 0x07,
+  chunk_index = 0x08,
+  attachment = 0x09,
+  attachment_index = 0x0A,
+  statistics = 0x0B,
+  metadata = 0x0C,
+  metadata_index = 0x0D,
+  summary_offset = 0x0E,
+  data_end = 0x0F
+};
+
+// In front of every record: its opcode and the length of what follows.
+inline constexpr std::size_t kRecordHeaderBytes = 1 + 8;
+// Of an uncompressed chunk, in front of its records.
+inline constexpr std::size_t kChunkHeaderBytes = 8 + 8 + 8 + 4 + 4 + 8;
+inline constexpr std::size_t kMessageHeaderBytes = 2 + 4 + 8 + 8;
+
+// Puts values into bytes one after the other. What finds no room is not put, and `overflowed` says
+// so.
+class Packer {
+ public:
+  explicit Packer(std::span<std::byte> room) : room_(room) {}
+
+  Packer& bytes(std::span<const std::byte> bytes) {
+    if (bytes.size() > room_.size() - size_) {
+      overflowed_ = true;
+    } else if (!bytes.empty()) {
+      std::memcpy(room_.data() + size_, bytes.data(), bytes.size());
+      size_ += bytes.size();
+    }
+    return *this;
+  }
+  template <class Number>
+  Packer& number(Number value) {
+    std::array<std::byte, sizeof(Number)> stored;
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      stored[i] = static_cast<std::byte>(static_cast<std::uint64_t>(value) >> (8 * i));
+    }
+    return bytes(stored);
+  }
+  Packer& u8(std::uint8_t value) { return number(value); }
+  Packer& u16(std::uint16_t value) { return number(value); }
+  Packer& u32(std::uint32_t value) { return number(value); }
+  Packer& u64(std::uint64_t value) { return number(value); }
+  Packer& text(std::string_view text) {
+    return u32(static_cast<std::uint32_t>(text.size())).bytes(std::as_bytes(std::span(text)));
+  }
+  Packer& record(Opcode opcode, std::uint64_t content_bytes) {
+    return u8(static_cast<std::uint8_t>(opcode)).u64(content_bytes);
+  }
+
+  [[nodiscard]] std::span<const std::byte> packed() const { return room_.first(size_); }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool overflowed() const { return overflowed_; }
+
+ private:
+  std::span<std::byte> room_;
+  std::size_t size_ = 0;
+  bool overflowed_ = false;
+};
+
+// Takes values out of bytes one after the other. Behind the end it gives zeros and nothing, and
+// `failed` says so.
+class Unpacker {
+ public:
+  explicit Unpacker(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  std::span<const std::byte> bytes(std::uint64_t count) {
+    if (count > bytes_.size()) {
+      failed_ = true;
+      bytes_ = {};
+      return {};
+    }
+    const auto taken = bytes_.first(static_cast<std::size_t>(count));
+    bytes_ = bytes_.subspan(taken.size());
+    return taken;
+  }
+  template <class Number>
+  Number number() {
+    std::uint64_t value = 0;
+    const auto stored = bytes(sizeof(Number));
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      value |= std::to_integer<std::uint64_t>(stored[i]) << (8 * i);
+    }
+    return static_cast<Number>(value);
+  }
+  std::uint8_t u8() { return number<std::uint8_t>(); }
+  std::uint16_t u16() { return number<std::uint16_t>(); }
+  std::uint32_t u32() { return number<std::uint32_t>(); }
+  std::uint64_t u64() { return number<std::uint64_t>(); }
+  std::string_view text() {
+    const auto stored = bytes(u32());
+    // Bytes as text: char may alias anything.
+    return {reinterpret_cast<const char*>(stored.data()), stored.size()};
+  }
+
+  [[nodiscard]] std::span<const std::byte> rest() const { return bytes_; }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+  bool failed_ = false;
+};
+
+}  // namespace tactus::firmware::mcap

@@ -1,0 +1,71 @@
+#include "firmware/telemetry/outputs/run_recorder.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace tactus::firmware {
+
+bool RunRecorder::attach(const Attachment& attachment) {
+  const auto known = std::span(attachments_).first(attachment_count_);
+  auto place = std::ranges::find(known, attachment.name, &Attachment::name);
+  if (place != known.end()) {
+    *place = attachment;
+  } else if (attachment_count_ < kMaxAttachments) {
+    attachments_[attachment_count_] = attachment;
+    ++attachment_count_;
+  } else {
+    return false;
+  }
+  if (mcap_.is_open()) {
+    mcap_.attach(attachment);
+  }
+  return true;
+}
+
+int RunRecorder::open(const char* path) {
+  close();
+  if (std::string_view(path).ends_with(".csv")) {
+    csv_.open(path, run_.joints);
+  } else if (mcap_.open(path, run_.clock_offset_ns, run_.info) == 0) {
+    for (const Attachment& attachment : std::span(attachments_).first(attachment_count_)) {
+      mcap_.attach(attachment);
+    }
+  }
+  const int failed = csv_.is_open() ? csv_.error() : mcap_.error();
+  if (failed != 0) {
+    close();
+  }
+  return failed;
+}
+
+void RunRecorder::add(const RecordedTick& tick, std::span<const std::byte> message) {
+  if (mcap_.is_open()) {
+    mcap_.add(tick, message);
+  }
+  if (csv_.is_open()) {
+    csv_.add(tick);
+  }
+}
+
+void RunRecorder::add(const TelemetryEvent& event, std::span<const std::byte> message) {
+  if (mcap_.is_open()) {
+    mcap_.add(event, message);
+  }
+}
+
+void RunRecorder::flush() {
+  if (mcap_.is_open()) {
+    mcap_.flush();
+  }
+  if (csv_.is_open()) {
+    csv_.flush();
+  }
+}
+
+int RunRecorder::close() {
+  const int mcap = mcap_.close();
+  const int csv = csv_.close();
+  return mcap != 0 ? mcap : csv;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,65 @@
+// Puts numbers and words into a fixed piece of memory as text. No heap.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+namespace tactus::firmware {
+
+class TextBuffer {
+ public:
+  explicit TextBuffer(std::span<char> room) : room_(room) {}
+
+  // What does not fit whole is left out.
+  TextBuffer& text(std::string_view text) {
+    if (text.size() <= room_.size() - size_) {
+      std::copy(text.begin(), text.end(), room_.begin() + static_cast<std::ptrdiff_t>(size_));
+      size_ += text.size();
+    }
+    return *this;
+  }
+  // The shortest text that reads back as the same number.
+  template <class Number>
+  TextBuffer& number(Number value) {
+    return take(std::to_chars(end(), limit(), value));
+  }
+  // With that many digits at most.
+  TextBuffer& rounded(double value, int digits) {
+    return take(std::to_chars(end(), limit(), value, std::chars_format::general, digits));
+  }
+  // Sixteen digits.
+  TextBuffer& hex(std::uint64_t value) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    for (unsigned shift = 64; shift > 0; shift -= 4) {
+      text(kDigits.substr((value >> (shift - 4)) & 0xFU, 1));
+    }
+    return *this;
+  }
+
+  [[nodiscard]] std::span<const char> written() const { return room_.first(size_); }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t room_left() const { return room_.size() - size_; }
+  void clear() { size_ = 0; }
+
+ private:
+  [[nodiscard]] char* end() { return room_.data() + size_; }
+  [[nodiscard]] char* limit() { return room_.data() + room_.size(); }
+  TextBuffer& take(const std::to_chars_result& result) {
+    if (result.ec == std::errc{}) {
+      size_ = static_cast<std::size_t>(result.ptr - room_.data());
+    }
+    return *this;
+  }
+
+  std::span<char> room_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace tactus::firmware

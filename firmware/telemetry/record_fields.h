@@ -1,0 +1,87 @@
+// Every field of a record under its name: what a CSV file, a comparison or a display goes through.
+//
+// A new field of TelemetryRecord or RecordedTick gets its line here, its place in record.fbs, and
+// its lines in outputs/record_encoder.cpp and host_tools/recording/record_decoder.cpp; tests hold
+// all of them against each other.
+#pragma once
+
+#include <string_view>
+
+#include "firmware/telemetry/recorded_tick.h"
+
+namespace tactus::firmware {
+
+// A column of a CSV file is called column, then what tells the elements of an array apart (1, 2, ..
+// for joints, x, y, z in a triple, a source of energy), then the unit: joint1, tool_x_m.
+struct FieldName {
+  std::string_view name;  // as in the struct
+  std::string_view column;
+  std::string_view unit;
+};
+
+// Calls visit(FieldName, field) for each field in order. Record: TelemetryRecord, const or not.
+template <class Record, class Visit>
+void visit_record_fields(Record& record, Visit&& visit) {
+  visit(FieldName{"tick", "tick", ""}, record.tick);
+  visit(FieldName{"time_s", "time", "s"}, record.time_s);
+  visit(FieldName{"mode", "mode", ""}, record.mode);
+  visit(FieldName{"request", "request", ""}, record.request);
+  visit(FieldName{"contact", "contact", ""}, record.contact);
+  visit(FieldName{"friction", "friction", ""}, record.friction);
+  visit(FieldName{"faults", "faults", ""}, record.faults);
+  visit(FieldName{"limits", "limits", ""}, record.limits);
+  visit(FieldName{"device_status", "device_status", ""}, record.device_status);
+  visit(FieldName{"sample_age_us", "sample_age", "us"}, record.sample_age_us);
+  visit(FieldName{"loop_status", "loop_status", ""}, record.loop_status);
+  visit(FieldName{"missed_ticks", "missed_ticks", ""}, record.missed_ticks);
+  visit(FieldName{"touch_flags", "touch_flags", ""}, record.touch_flags);
+  visit(FieldName{"object", "object", ""}, record.object);
+  visit(FieldName{"sub_goals", "sub_goals", ""}, record.sub_goals);
+  visit(FieldName{"planes", "planes", ""}, record.planes);
+  visit(FieldName{"joint_position", "joint", ""}, record.joint_position);
+  visit(FieldName{"joint_velocity", "velocity", ""}, record.joint_velocity);
+  visit(FieldName{"joint_effort", "effort", ""}, record.joint_effort);
+  visit(FieldName{"tool_p_W", "tool", "m"}, record.tool_p_W);
+  visit(FieldName{"tool_v_W", "tool_v", "m_per_s"}, record.tool_v_W);
+  visit(FieldName{"proxy_W", "proxy", "m"}, record.proxy_W);
+  visit(FieldName{"normal_W", "normal", ""}, record.normal_W);
+  visit(FieldName{"force_rendered_W", "rendered", "N"}, record.force_rendered_W);
+  visit(FieldName{"force_commanded_W", "force", "N"}, record.force_commanded_W);
+  visit(FieldName{"depth_m", "depth", "m"}, record.depth_m);
+  visit(FieldName{"passivity_J", "passivity", "J"}, record.passivity_J);
+  visit(FieldName{"counters.stale_samples", "stale_samples", ""}, record.counters.stale_samples);
+  visit(FieldName{"counters.faults_entered", "faults_entered", ""}, record.counters.faults_entered);
+  visit(FieldName{"counters.limited_ticks", "limited_ticks", ""}, record.counters.limited_ticks);
+  visit(FieldName{"counters.touch_flagged", "touch_flagged", ""}, record.counters.touch_flagged);
+  visit(FieldName{"counters.late_ticks", "late_ticks", ""}, record.counters.late_ticks);
+  visit(FieldName{"state_hash", "state_hash", ""}, record.state_hash);
+  visit(FieldName{"joint_compensation", "compensation", ""}, record.joint_compensation);
+  visit(FieldName{"joint_gravity", "gravity", ""}, record.joint_gravity);
+  visit(FieldName{"energy_J", "energy", "J"}, record.energy_J);
+  visit(FieldName{"limited_source", "limited_source", ""}, record.limited_source);
+  visit(FieldName{"change.parameter", "changed_parameter", ""}, record.change.place.parameter);
+  visit(FieldName{"change.object", "changed_object", ""}, record.change.place.object);
+  visit(FieldName{"change.value", "changed_value", ""}, record.change.value);
+  visit(FieldName{"stage_ns.read", "read", "ns"}, record.stage_ns.read);
+  visit(FieldName{"stage_ns.check", "check", "ns"}, record.stage_ns.check);
+  visit(FieldName{"stage_ns.kinematics", "kinematics", "ns"}, record.stage_ns.kinematics);
+  visit(FieldName{"stage_ns.touch", "touch", "ns"}, record.stage_ns.touch);
+  visit(FieldName{"stage_ns.safety", "safety", "ns"}, record.stage_ns.safety);
+  visit(FieldName{"stage_ns.write", "write", "ns"}, record.stage_ns.write);
+}
+
+// Those of the loop behind those of the record. Tick: RecordedTick, const or not.
+template <class Tick, class Visit>
+void visit_tick_fields(Tick& tick, Visit&& visit) {
+  visit_record_fields(tick.record, visit);
+  visit(FieldName{"loop.scheduled_ns", "scheduled", "ns"}, tick.loop.scheduled_ns);
+  visit(FieldName{"loop.woke_ns", "woke", "ns"}, tick.loop.woke_ns);
+  visit(FieldName{"loop.done_ns", "done", "ns"}, tick.loop.done_ns);
+  visit(FieldName{"loop.sample_ns", "sample", "ns"}, tick.loop.sample_ns);
+  visit(FieldName{"shaft_rad", "shaft", "rad"}, tick.shaft_rad);
+  visit(FieldName{"torque_Nm", "torque", "Nm"}, tick.torque_Nm);
+  visit(FieldName{"joint_count", "joints", ""}, tick.joint_count);
+  visit(FieldName{"dropped", "dropped", ""}, tick.dropped);
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,79 @@
+// Carries fixed-size items from one thread to one other, without locks.
+//
+// The producer is the real-time loop: `push` is wait-free, copies the item and never waits for the
+// consumer; what finds the ring full is dropped and counted. The consumer takes the items in order,
+// in its own time.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "firmware/telemetry/recorded_tick.h"
+#include "firmware/telemetry/telemetry_event.h"
+
+namespace tactus::firmware {
+
+template <class Item, std::size_t kCapacity>
+class Ring {
+  static_assert(std::is_trivially_copyable_v<Item>);
+  static_assert(std::has_single_bit(kCapacity), "a power of two, so that the counts may wrap");
+
+ public:
+  // Producer. False, and one more dropped, when the ring is full.
+  bool push(const Item& item) {
+    const std::size_t end = end_.load(std::memory_order_relaxed);
+    if (end - seen_begin_ == kCapacity) {
+      seen_begin_ = begin_.load(std::memory_order_acquire);
+      if (end - seen_begin_ == kCapacity) {
+        dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+        return false;
+      }
+    }
+    items_[end % kCapacity] = item;
+    end_.store(end + 1, std::memory_order_release);
+    return true;
+  }
+
+  // Consumer. The oldest item, or null when there is none; it stays valid until `pop`.
+  const Item* front() {
+    const std::size_t begin = begin_.load(std::memory_order_relaxed);
+    if (begin == seen_end_) {
+      seen_end_ = end_.load(std::memory_order_acquire);
+      if (begin == seen_end_) {
+        return nullptr;
+      }
+    }
+    return &items_[begin % kCapacity];
+  }
+
+  // Consumer. Gives the place of `front`, which was not null, back to the producer.
+  void pop() {
+    begin_.store(begin_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
+
+  // Any thread. Items that found no room since the start.
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+
+ private:
+  // What the one thread writes stands apart from what the other writes.
+  static constexpr std::size_t kCacheLine = 64;
+
+  alignas(kCacheLine) std::atomic<std::size_t> end_{0};
+  std::size_t seen_begin_ = 0;  // the producer's last look at begin_
+  std::atomic<std::uint64_t> dropped_{0};
+  alignas(kCacheLine) std::atomic<std::size_t> begin_{0};
+  std::size_t seen_end_ = 0;  // the consumer's last look at end_
+  alignas(kCacheLine) std::array<Item, kCapacity> items_{};
+
+  static_assert(std::atomic<std::size_t>::is_always_lock_free);
+};
+
+// 4 s of ticks at 1 kHz, half a second at 8 kHz: longer than a disk stalls.
+using RecordRing = Ring<RecordedTick, 4096>;
+using EventRing = Ring<TelemetryEvent, 256>;
+
+}  // namespace tactus::firmware

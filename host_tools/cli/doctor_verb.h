@@ -1,0 +1,10 @@
+// `tactus doctor`: whether this machine can run the controller on time.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_doctor_verb(CLI::App& app);
+
+}  // namespace tactus::host

@@ -1,0 +1,10 @@
+// `tactus faults`: every fault and limit, its trigger, reaction and recovery.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_faults_verb(CLI::App& app);
+
+}  // namespace tactus::host

@@ -1,0 +1,35 @@
+#include "host_tools/cli/monitor_verb.h"
+
+#include "host_tools/monitor/session.h"
+#include "host_tools/remote/remote.h"
+
+#include <memory>
+#include <string>
+
+namespace tactus::host {
+namespace {
+
+constexpr const char* kExamples =
+    "Shows mode, faults and what to do about them, axes, forces, how the loop keeps its time, and "
+    "where energy goes;\n"
+    "needs 80 columns and 24 rows, and nothing else that ssh does not have.\n"
+    "Keys: h home, e enable, d disable, r reset, SPACE estop, q quit.\n"
+    "\n"
+    "Examples:\n"
+    "  tactus monitor                     the controller of this machine\n"
+    "  ssh -t board tactus monitor        that of another\n"
+    "  tactus monitor --run-dir /tmp/run  one that was started with that --run-dir";
+
+}  // namespace
+
+void add_monitor_verb(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("monitor", "Watch and operate a running controller");
+  const auto run_dir = std::make_shared<std::string>(kDefaultRunDir);
+  verb->add_option("--run-dir", *run_dir, "Folder of the controller's sockets")
+      ->envname("TACTUS_RUN_DIR")
+      ->capture_default_str();
+  verb->footer(kExamples);
+  verb->callback([run_dir] { run_monitor(*run_dir); });
+}
+
+}  // namespace tactus::host

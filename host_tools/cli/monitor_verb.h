@@ -1,0 +1,11 @@
+// `tactus monitor` and `tactus watch`: a running controller on a terminal, and as lines of text.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_monitor_verb(CLI::App& app);
+void add_watch_verb(CLI::App& app);
+
+}  // namespace tactus::host

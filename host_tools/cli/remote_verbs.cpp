@@ -1,0 +1,183 @@
+#include "host_tools/cli/remote_verbs.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "host_tools/remote/remote.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr const char* kExitCodes =
+    "\nExit codes: 0 done, 1 refused (the reply says why and what to do), 2 no controller could be "
+    "reached.\nThe replies are described in firmware/commands/README.md.";
+
+struct Options {
+  std::string run_dir = std::string(kDefaultRunDir);
+  std::string name;
+  std::string value;
+  std::string file;
+  std::uint32_t ticks = 1;
+  bool wait = false;
+};
+using Shared = std::shared_ptr<Options>;
+
+struct VerbText {
+  const char* name;
+  const char* description;
+  const char* examples;
+};
+
+std::pair<CLI::App*, Shared> add_verb(CLI::App& app, const VerbText& text) {
+  CLI::App* const verb = app.add_subcommand(text.name, text.description);
+  auto options = std::make_shared<Options>();
+  verb->add_option("--run-dir", options->run_dir,
+                   "Folder of the controller's sockets, as tactusd was given it")
+      ->envname("TACTUS_RUN_DIR")
+      ->capture_default_str();
+  verb->footer(fmt::format("{}\n{}", text.examples, kExitCodes));
+  return {verb, options};
+}
+
+void tell(const Reply& reply) {
+  for (const std::string& line : reply.lines) {
+    fmt::print("{}\n", line);
+  }
+  fmt::print(reply.is_ok ? stdout : stderr, "{}\n", reply.text);
+  if (!reply.is_ok) {
+    throw Refused{};
+  }
+}
+
+void tell(const Options& options, const std::string& line) {
+  // A list asks the tick for each parameter of each object.
+  constexpr std::chrono::minutes kLongList(1);
+  Remote remote(options.run_dir);
+  tell(remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)
+                                        : std::chrono::milliseconds(5000)));
+}
+
+// Until homing is over, if the user waits for it.
+void home(const Options& options) {
+  Remote remote(options.run_dir);
+  tell(remote.send("home"));
+  while (options.wait) {
+    const Reply status = remote.send("status");
+    const std::string mode = field_of(status.text, "mode").value_or("");
+    if (mode != "homing") {
+      fmt::print(mode == "ready" ? stdout : stderr, "{}\n", status.text);
+      if (mode != "ready") {
+        throw Refused{};
+      }
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+void add_requests(CLI::App& app) {
+  constexpr auto kRequests = std::to_array<VerbText>({
+      {"enable", "Let the running controller put force on the hand",
+       "Works in the mode `ready`; the force rises softly.\n\nExample:\n  tactus home --wait && "
+       "tactus enable"},
+      {"disable", "Take the force away; the mode is then `ready`", "Example:\n  tactus disable"},
+      {"reset", "Leave the mode `fault`, once its cause is gone",
+       "Force comes back only through home and enable.\n\nExample:\n  tactus reset && tactus home "
+       "--wait && tactus enable"},
+      {"estop", "Stop at once: no force, brakes, mode `fault`",
+       "It goes before whatever else waits. Not instead of an emergency stop that cuts the "
+       "power.\n\nExample:\n  tactus estop"},
+      {"status", "Say the mode, the faults and the scene of the running controller",
+       "Example:\n  tactus status"},
+  });
+  for (const VerbText& text : kRequests) {
+    auto [verb, options] = add_verb(app, text);
+    verb->callback([options = options, name = std::string(text.name)] { tell(*options, name); });
+  }
+  auto [verb, options] = add_verb(app, {"home", "Let the device find its reference",
+                                        "Example:\n  tactus home --wait && tactus enable"});
+  verb->add_flag("--wait", options->wait, "Until homing is over");
+  verb->callback([options = options] { home(*options); });
+}
+
+void add_parameters(CLI::App& app) {
+  auto [get, got] =
+      add_verb(app, {"get", "Read a parameter of the running controller, or list them all",
+                     "Examples:\n  tactus get\n  tactus get max_force_N\n  tactus get "
+                     "object.bunny.stiffness_N_per_m"});
+  get->add_option("name", got->name, "As `tactus get` lists it; an object by name or number");
+  get->callback(
+      [options = got] { tell(*options, options->name.empty() ? "list" : "get " + options->name); });
+
+  auto [set, change] =
+      add_verb(app, {"set", "Change a parameter of the running controller",
+                     "Its limits may become gentler than the device's file says, never "
+                     "harder.\n\nExamples:\n  tactus set max_force_N 4\n  tactus set "
+                     "object.bunny.stiffness_N_per_m 600"});
+  set->add_option("name", change->name, "As `tactus get` lists it")->required();
+  set->add_option("value", change->value, "In the unit of its name")->required();
+  set->callback(
+      [options = change] { tell(*options, "set " + options->name + " " + options->value); });
+}
+
+void add_scene(CLI::App& app) {
+  auto [verb, options] =
+      add_verb(app, {"scene", "Let the running controller touch another scene",
+                     "Not while the mode is `active`. The controller reads the file itself: it has "
+                     "to be on its machine.\n\nExample:\n  tactus bake bunny.toml && tactus "
+                     "disable && tactus scene bunny.tactus && tactus enable"});
+  verb->add_option("file", options->file, "Scene image (.tactus)")->required();
+  verb->callback([options = options] {
+    tell(*options, "scene " + std::filesystem::absolute(options->file).string());
+  });
+}
+
+void add_record(CLI::App& app) {
+  auto [verb, options] =
+      add_verb(app, {"record", "Start or stop recording the running controller's ticks",
+                     "The controller writes the file, in its folder of recordings; its reply names "
+                     "it.\n\nExamples:\n  tactus record on press.mcap\n  tactus record off"});
+  verb->add_option("switch", options->value, "on or off")
+      ->required()
+      ->check(CLI::IsMember({"on", "off"}));
+  verb->add_option("file", options->file, "Name of the recording; needed with on");
+  verb->callback([options = options] {
+    tell(*options, options->value == "on" ? "record on " + options->file : "record off");
+  });
+}
+
+void add_inject(CLI::App& app) {
+  auto [verb, options] = add_verb(
+      app,
+      {"inject", "Let the running controller meet a fault, for tests and drills",
+       "Only where the controller was started with --allow-inject. Faults: drop, stuck, jump, nan, "
+       "encoder, drive, estop_line, lost, not_ready, delay.\n\nExamples:\n  tactus inject "
+       "estop_line\n  tactus inject drop 2\n  tactus inject delay 3"});
+  verb->add_option("fault", options->name, "Its name")->required();
+  verb->add_option("ticks", options->ticks, "For so many ticks")->capture_default_str();
+  verb->callback([options = options] {
+    tell(*options, fmt::format("inject {} {}", options->name, options->ticks));
+  });
+}
+
+}  // namespace
+
+void add_remote_verbs(CLI::App& app) {
+  add_requests(app);
+  add_parameters(app);
+  add_scene(app);
+  add_record(app);
+  add_inject(app);
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,199 @@
+#include "host_tools/cli/replay_verb.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_tools/cli/progress_line.h"
+#include "host_tools/input_error.h"
+#include "host_tools/plot/figures.h"
+#include "host_tools/replay/replay.h"
+#include "host_tools/replay/what_if.h"
+#include "host_tools/simulation/run_log.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr int kDiffers = 1;
+
+constexpr const char* kExamples =
+    "Gives the controller the recorded inputs once more and compares the hash of every tick, "
+    "which\n"
+    "is a chain over all that was felt and commanded. Stops at the first that differs and names "
+    "the\n"
+    "field. Configuration and scene come out of the recording; an image that is given instead "
+    "must\n"
+    "be the one that it was made with.\n"
+    "\n"
+    "--set then shows what would have been felt with another parameter: the same motion of the "
+    "hand,\n"
+    "the force that the controller would have given. The names are those of tactus get.\n"
+    "\n"
+    "Ends with 0 if every tick is equal, 1 if one differs, 2 if it could not be replayed.\n"
+    "\n"
+    "Examples:\n"
+    "  tactus sim scene.tactus --record run.mcap && tactus replay run.mcap\n"
+    "  tactus replay flight-20261122T101500Z-81920.mcap     the last seconds before a fault\n"
+    "  tactus replay run.mcap --device falcon.tactus --scene scene.tactus\n"
+    "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
+    "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png";
+
+struct Options {
+  std::string recording;
+  RunImages images;
+  std::vector<std::string> changes;
+  std::string csv;
+  std::string picture;
+};
+
+std::optional<ProgressLine> progress_line() {
+  std::optional<ProgressLine> progress;
+  if (::isatty(STDERR_FILENO) == 1) {
+    progress.emplace();
+  }
+  return progress;
+}
+
+// Whether every tick is equal.
+bool compare(RecordedRun& run, const std::string& name) {
+  const double rate_hz = run.setup().config.rate_hz;
+  auto progress = progress_line();
+  const ReplayResult result = replay(run, [&](const firmware::RecordedTick& tick) {
+    constexpr std::uint64_t kTicksBetweenSteps = 4096;
+    if (progress && tick.record.tick % kTicksBetweenSteps == 0) {
+      progress->step(fmt::format("tick {}, {:.1f} s: equal", tick.record.tick, tick.record.time_s));
+    }
+  });
+  progress.reset();
+  if (result.ticks > 0) {
+    fmt::print("ticks {} to {} ({:.3f} s): every hash equal\n", result.first_tick,
+               result.first_tick + result.ticks - 1, static_cast<double>(result.ticks) / rate_hz);
+  } else if (!result.difference) {
+    throw InputError(name + ": it holds no tick to replay");
+  }
+  if (result.cut) {
+    fmt::print("the recording was cut off: its last ticks are missing\n");
+  }
+  if (const auto& difference = result.difference) {
+    fmt::print("tick {} ({:.3f} s) differs: {} was {} and is now {}\n", difference->tick,
+               static_cast<double>(difference->tick) / rate_hz, difference->field,
+               difference->recorded, difference->replayed);
+  }
+  return !result.difference.has_value();
+}
+
+RunRow row_of(double time_s, const Vec3& force_W) {
+  return {.t_s = time_s, .force_W = force_W, .force_N = force_W.norm()};
+}
+
+RunData thinned(const std::vector<RunRow>& rows) {
+  constexpr std::size_t kMostRows = 8000;
+  RunData data;
+  for (const std::size_t i : thin(rows, kMostRows)) {
+    data.rows.push_back(rows[i]);
+  }
+  return data;
+}
+
+// Both forces, to where the user wants them.
+class ForceTraces {
+ public:
+  explicit ForceTraces(const Options& options) : picture_(options.picture) {
+    if (!options.csv.empty()) {
+      csv_.emplace(options.csv,
+                   "t_s,recorded_x_N,recorded_y_N,recorded_z_N,changed_x_N,changed_y_N,"
+                   "changed_z_N\n");
+    }
+  }
+
+  void add(const WhatIfTick& tick) {
+    if (csv_) {
+      const Vec3& a = tick.recorded_W;
+      const Vec3& b = tick.changed_W;
+      csv_->buffer() += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                                    tick.time_s, a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
+      csv_->flush_if_full();
+    }
+    if (!picture_.empty()) {
+      recorded_.push_back(row_of(tick.time_s, tick.recorded_W));
+      changed_.push_back(row_of(tick.time_s, tick.changed_W));
+    }
+  }
+
+  void close() {
+    if (csv_) {
+      csv_->close();
+    }
+    if (!changed_.empty()) {
+      draw_against_figure({thinned(changed_), "as changed"}, {thinned(recorded_), "as recorded"},
+                          picture_);
+    }
+  }
+
+ private:
+  std::string picture_;
+  std::optional<LogFile> csv_;
+  std::vector<RunRow> recorded_;
+  std::vector<RunRow> changed_;
+};
+
+void show_changed(RecordedRun& run, const Options& options) {
+  std::vector<firmware::ParameterChange> changes;
+  for (const std::string& text : options.changes) {
+    changes.push_back(parse_change(text, run.scene()));
+  }
+  ForceTraces traces(options);
+  const WhatIfSummary summary =
+      what_if(run, changes, [&](const WhatIfTick& tick) { traces.add(tick); });
+  traces.close();
+  fmt::print(
+      "force on the hand, N      as recorded   as changed\n"
+      "largest                  {:12.3f} {:12.3f}\n"
+      "mean while felt          {:12.3f} {:12.3f}\n"
+      "farthest apart: {:.3f} N at {:.3f} s\n",
+      summary.most_recorded_N, summary.most_changed_N, summary.mean_recorded_N,
+      summary.mean_changed_N, summary.most_apart_N, summary.most_apart_s);
+  if (summary.fault_s) {
+    fmt::print("the changed run ends in a fault at {:.3f} s, the recorded one does not\n",
+               *summary.fault_s);
+  }
+}
+
+int run_replay(const Options& options) {
+  if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
+    throw InputError("--csv and --picture show two forces: give --set name=value, too");
+  }
+  RecordedRun run(options.recording, options.images);
+  if (!compare(run, options.recording)) {
+    return kDiffers;
+  }
+  if (!options.changes.empty()) {
+    show_changed(run, options);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_replay_verb(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("replay", "Live a recorded run once more, and compare");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("recording", options->recording, "Recording (.mcap)")->required();
+  verb->add_option("--device", options->images.device, "Device image (.tactus) of the run");
+  verb->add_option("--scene", options->images.scene, "Scene image (.tactus) of the run");
+  verb->add_option("--set", options->changes, "A parameter as it was not, like max_force_N=4");
+  verb->add_option("--csv", options->csv, "With --set: write both forces of every tick there");
+  verb->add_option("--picture", options->picture, "With --set: draw both forces there (PNG)");
+  verb->footer(kExamples);
+  verb->callback([options] {
+    if (const int code = run_replay(*options); code != 0) {
+      throw CLI::RuntimeError(code);
+    }
+  });
+}
+
+}  // namespace tactus::host

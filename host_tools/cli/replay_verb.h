@@ -1,0 +1,10 @@
+// tactus replay: a recording lived once more, tick by tick, to the bit.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_replay_verb(CLI::App& app);
+
+}  // namespace tactus::host

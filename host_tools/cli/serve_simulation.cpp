@@ -1,0 +1,182 @@
+#include "host_tools/cli/serve_simulation.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <ctime>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_server.h"
+#include "firmware/commands/scene_store.h"
+#include "firmware/commands/telemetry_hooks.h"
+#include "firmware/configuration/config_state.h"
+#include "firmware/flight/attachments.h"
+#include "firmware/telemetry/outputs/telemetry_writer.h"
+#include "hal/linux/clock.h"
+#include "host_tools/input_error.h"
+#include "host_tools/remote/remote.h"
+
+namespace tactus::host {
+namespace {
+
+std::atomic<bool> g_is_to_end{false};
+
+void on_end_signal(int /*signal*/) {
+  g_is_to_end.store(true, std::memory_order_relaxed);
+}
+
+std::uint64_t clock_now_ns() {
+  return static_cast<std::uint64_t>(hal::monotonic_now_ns());
+}
+
+// The services of tactusd around a simulated device.
+class ServedSimulation {
+ public:
+  ServedSimulation(const std::filesystem::path& scene, const RunOptions& run,
+                   const ServeOptions& options)
+      : options_(options), rate_hz_(run.rate_hz) {
+    const rendering::SceneImage& image = open(scene);
+    RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
+    plan.config.path = plan.config.path.there_and_back();
+    plan.config.effects = image.effects();
+    for (const std::string& warning : plan.warnings) {
+      fmt::print(stderr, "tactus sim: warning: {}\n", warning);
+    }
+    simulation_.emplace(plan.config, image.objects(), image.tool_radius_m());
+    simulation_->controller().set_clock(clock_now_ns);
+    if (run.seconds) {
+      ticks_ = static_cast<std::uint64_t>(*run.seconds * rate_hz_);
+    }
+    std::filesystem::create_directories(options_.run_dir);
+    start_telemetry();
+    start_commands();
+  }
+
+  void run() {
+    hal::LinuxClock clock;
+    const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz_)};
+    hal::Wake wake = clock.sleep_until(hal::next_instant_ns(phase, clock.now_ns()));
+    for (; ticks_ > 0 && !g_is_to_end.load(std::memory_order_relaxed); --ticks_) {
+      tick(wake);
+      wake = clock.sleep_to_phase(phase, wake);
+    }
+    server_->stop();
+    writer_->stop();
+  }
+
+ private:
+  const rendering::SceneImage& open(const std::filesystem::path& path) {
+    const auto opened = scenes_->open_next(std::filesystem::absolute(path).string());
+    if (!opened) {
+      const int error = opened.error().errno_value;
+      throw InputError(fmt::format("{}: {}{}{}", path.string(), opened.error().what,
+                                   error == 0 ? "" : ": ", error == 0 ? "" : std::strerror(error)));
+    }
+    scenes_->use_next();
+    return **opened;
+  }
+
+  [[noreturn]] void fail(const std::string& path, std::string_view what, int error) const {
+    throw InputError(fmt::format("{}: {} ({}); --run-dir names another folder", path, what,
+                                 std::strerror(error)));
+  }
+
+  void start_telemetry() {
+    const std::string socket = (options_.run_dir / "telemetry.sock").string();
+    if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
+      fail(socket, "cannot be opened", error);
+    }
+    timespec now{};
+    ::clock_gettime(CLOCK_REALTIME, &now);
+    joints_ = firmware::joint_count(simulation_->controller().config().mechanism);
+    rate_text_ = fmt::format("{}", rate_hz_);
+    joints_text_ = fmt::format("{}", joints_);
+    checksum_text_ = fmt::format("{:016x}", scenes_->scene()->checksum());
+    info_ = {{{"program", "tactus sim"},
+              {"rate_hz", rate_text_},
+              {"joints", joints_text_},
+              {firmware::kSceneChecksumKey, checksum_text_}}};
+    writer_->describe({.info = info_,
+                       .joints = joints_,
+                       .clock_offset_ns = hal::to_ns(now) - hal::monotonic_now_ns()});
+    writer_->attach({.name = firmware::kSceneAttachment, .bytes = scenes_->bytes()});
+    const std::size_t size = firmware::save_config(simulation_->config(), config_);
+    writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config_).first(size)});
+    if (const int error = writer_->start(); error != 0) {
+      fail(socket, "no thread", error);
+    }
+  }
+
+  void start_commands() {
+    const std::string socket = (options_.run_dir / kCommandSocket).string();
+    desk_->set_events(firmware::telemetry_events(*writer_));
+    const auto started = server_->start({.socket_path = socket.c_str(),
+                                         .allow_inject = options_.allow_inject,
+                                         .hooks = firmware::telemetry_hooks(*writer_)});
+    if (!started) {
+      fail(socket, started.error().what, started.error().errno_value);
+    }
+  }
+
+  void tick(const hal::Wake& wake) {
+    firmware::Controller& controller = simulation_->controller();
+    const firmware::Request request = desk_->before_tick(controller);
+    simulation_->tick(request, [this](SimulatedDevice& device) {
+      return firmware::InjectedDevice(device, desk_->injector(), rate_hz_, clock_now_ns);
+    });
+    desk_->after_tick(controller);
+    firmware::RecordedTick recorded{.record = controller.record(),
+                                    .loop = {.scheduled_ns = wake.scheduled_ns,
+                                             .woke_ns = wake.woke_ns,
+                                             .done_ns = hal::monotonic_now_ns(),
+                                             .sample_ns = wake.woke_ns},
+                                    .joint_count = static_cast<std::uint32_t>(joints_)};
+    recorded.shaft_rad = recorded.record.joint_position;
+    recorded.torque_Nm = recorded.record.joint_effort;
+    writer_->publish(recorded);
+  }
+
+  ServeOptions options_;
+  double rate_hz_;
+  std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
+  std::size_t joints_ = 0;
+  std::string rate_text_;
+  std::string joints_text_;
+  std::string checksum_text_;
+  std::array<firmware::MetadataEntry, 4> info_;
+  std::array<std::byte, firmware::kMaxConfigBytes> config_{};
+  // Megabytes each: not for the stack. The server goes before what it serves.
+  std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
+  std::optional<Simulation> simulation_;
+  std::unique_ptr<firmware::TelemetryWriter> writer_ =
+      std::make_unique<firmware::TelemetryWriter>();
+  std::unique_ptr<firmware::CommandDesk> desk_ = std::make_unique<firmware::CommandDesk>();
+  std::unique_ptr<firmware::CommandServer> server_ =
+      std::make_unique<firmware::CommandServer>(*desk_, *scenes_);
+};
+
+}  // namespace
+
+void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
+                      const ServeOptions& options) {
+  struct sigaction action{};
+  action.sa_handler = on_end_signal;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  ServedSimulation served(scene, run, options);
+  fmt::print(stderr,
+             "tactus sim: serving in {}; try: tactus home --wait && tactus enable; Ctrl-C ends\n",
+             options.run_dir.string());
+  served.run();
+}
+
+}  // namespace tactus::host

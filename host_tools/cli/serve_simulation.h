@@ -1,0 +1,21 @@
+// `tactus sim --serve`: the simulated device in wall-clock time, behind the same sockets as
+// tactusd.
+#pragma once
+
+#include <filesystem>
+
+#include "host_tools/simulation/run.h"
+
+namespace tactus::host {
+
+struct ServeOptions {
+  std::filesystem::path run_dir;  // made if it is not there
+  bool allow_inject = false;
+};
+
+// Until SIGINT or SIGTERM, or for as long as the run says. The hand goes its way to and fro; the
+// operator homes and enables. Throws InputError, text for a user.
+void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
+                      const ServeOptions& options);
+
+}  // namespace tactus::host

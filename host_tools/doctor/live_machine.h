@@ -1,0 +1,19 @@
+// What this machine says beside its files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tactus::host {
+
+// By access(2), so that groups, capabilities and access lists count.
+std::optional<bool> live_writable(std::string_view path);
+
+// "gpiochip0" -> "pinctrl-bcm2711".
+std::optional<std::string> live_gpio_label(std::string_view chip);
+
+// The output of `ip -details -json link show INTERFACE`.
+std::optional<std::string> live_ip_link(std::string_view interface);
+
+}  // namespace tactus::host

@@ -1,0 +1,170 @@
+#include "host_tools/doctor/machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "host_tools/doctor/live_machine.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+
+namespace {
+
+constexpr const char* kAccessFile = "tactus/access";
+constexpr const char* kGpioFile = "tactus/gpio_chips";
+
+std::string without_end(std::string text) {
+  text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  return text;
+}
+
+std::optional<std::string> read_whole(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return std::nullopt;
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    return std::nullopt;
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return without_end(std::move(text).str());
+}
+
+// In the tree, below its root.
+std::filesystem::path below(const std::filesystem::path& root, std::string_view path) {
+  return root / std::filesystem::path(path).relative_path();
+}
+
+std::string ip_file(std::string_view interface) {
+  return fmt::format("tactus/ip_link_{}.json", interface);
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  if (!(file << text << '\n' << std::flush)) {
+    throw InputError(path.string() + ": cannot be written; check the folder and its permissions");
+  }
+}
+
+}  // namespace
+
+Machine::Machine(std::filesystem::path root) : root_(std::move(root)) {
+  if (!std::filesystem::is_directory(root_ / "proc")) {
+    throw InputError(root_.string() +
+                     ": no recorded machine, which would have a folder proc; make one with "
+                     "tactus doctor --save");
+  }
+}
+
+std::optional<std::string> Machine::text(std::string_view path) {
+  if (!root_.empty()) {
+    return read_whole(below(root_, path));
+  }
+  auto found = read_whole(path);
+  if (found) {
+    files_.insert_or_assign(std::string(path), *found);
+  }
+  return found;
+}
+
+std::vector<std::string> Machine::names(std::string_view folder) {
+  const std::filesystem::path where =
+      root_.empty() ? std::filesystem::path(folder) : below(root_, folder);
+  std::vector<std::string> found;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry(where, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    found.push_back(entry->path().filename().string());
+    if (root_.empty()) {
+      folders_.push_back(entry->path().string());
+    }
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+std::optional<std::string> Machine::recorded_line(const char* file, std::string_view key,
+                                                  bool key_first) const {
+  std::istringstream lines(read_whole(root_ / file).value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t blank = std::min(line.find(' '), line.size());
+    std::string first = line.substr(0, blank);
+    std::string rest = line.substr(std::min(blank + 1, line.size()));
+    if ((key_first ? first : rest) == key) {
+      return key_first ? rest : first;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> Machine::writable(std::string_view path) {
+  if (!root_.empty()) {
+    const auto letter = recorded_line(kAccessFile, path, false);
+    return letter ? std::optional(*letter == "w") : std::nullopt;
+  }
+  const auto found = live_writable(path);
+  if (found) {
+    writable_.insert_or_assign(std::string(path), *found);
+  }
+  return found;
+}
+
+std::optional<std::string> Machine::gpio_label(std::string_view chip) {
+  if (!root_.empty()) {
+    return recorded_line(kGpioFile, chip, true);
+  }
+  auto found = live_gpio_label(chip);
+  if (found) {
+    gpio_labels_.insert_or_assign(std::string(chip), *found);
+  }
+  return found;
+}
+
+std::optional<std::string> Machine::ip_link(std::string_view interface) {
+  if (!root_.empty()) {
+    return read_whole(root_ / ip_file(interface));
+  }
+  auto found = live_ip_link(interface);
+  if (found) {
+    files_.insert_or_assign(ip_file(interface), *found);
+  }
+  return found;
+}
+
+void Machine::save(const std::filesystem::path& folder) const {
+  try {
+    for (const std::string& path : folders_) {
+      if (std::filesystem::is_directory(path)) {
+        std::filesystem::create_directories(below(folder, path));
+      } else if (!files_.contains(path)) {
+        write_whole(below(folder, path), "");
+      }
+    }
+    for (const auto& [path, text] : files_) {
+      write_whole(below(folder, path), text);
+    }
+    std::string lines;
+    for (const auto& [path, writable] : writable_) {
+      lines += fmt::format("{} {}\n", writable ? 'w' : '-', path);
+    }
+    write_whole(folder / kAccessFile, without_end(lines));
+    lines.clear();
+    for (const auto& [chip, label] : gpio_labels_) {
+      lines += fmt::format("{} {}\n", chip, label);
+    }
+    write_whole(folder / kGpioFile, without_end(lines));
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw InputError(fmt::format("{}: cannot be written: {}; check the folder and its permissions",
+                                 folder.string(), error.code().message()));
+  }
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,65 @@
+#include "host_tools/monitor/run_view.h"
+
+#include <cmath>
+
+namespace tactus::host {
+
+namespace {
+
+constexpr std::size_t kInstants = 1000;  // that the rate is taken over
+
+double magnitude(const firmware::Triple& v) {
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+// The next of 1, 2, 5, 10, 20...
+double next_scale(double scale) {
+  const double decade = std::pow(10.0, std::floor(std::log10(scale) + 1e-9));
+  const double lead = scale / decade;
+  return decade * (lead < 1.5 ? 2.0 : lead < 3.0 ? 5.0 : 10.0);
+}
+
+}  // namespace
+
+void RunView::take(const RunInfo& info) {
+  for (const auto& [key, value] : info) {
+    if (key == "device" || (key == "scene" && name_.empty())) {
+      name_ = value;
+    }
+  }
+}
+
+void RunView::take(const firmware::RecordedTick& tick) {
+  const bool begins = !newest_ || tick.record.tick <= newest_->record.tick;
+  if (begins) {  // the first, or that of another run
+    instants_.clear();
+  } else {
+    missing_ += tick.record.tick - newest_->record.tick - 1;
+  }
+  lost_ = false;
+  newest_ = tick;
+  instants_.push_back({tick.record.tick, tick.loop.scheduled_ns});
+  if (instants_.size() > kInstants) {
+    instants_.pop_front();
+  }
+  if (tick.loop.woke_ns != 0) {
+    wake_up_.add(tick.loop.woke_ns - tick.loop.scheduled_ns);
+    tick_time_.add(tick.loop.done_ns - tick.loop.woke_ns);
+  }
+  const double force_N = magnitude(tick.record.force_commanded_W);
+  while (std::isfinite(force_N) && force_N > force_scale_N_) {
+    force_scale_N_ = next_scale(force_scale_N_);
+  }
+}
+
+double RunView::rate_hz() const {
+  if (instants_.size() < 2) {
+    return 0.0;
+  }
+  const auto ticks = static_cast<double>(instants_.back().tick - instants_.front().tick);
+  const auto ns =
+      static_cast<double>(instants_.back().scheduled_ns - instants_.front().scheduled_ns);
+  return ns > 0.0 ? 1e9 * ticks / ns : 0.0;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,12 @@
+// The monitor at work: live telemetry to the screen, keys to the command socket.
+#pragma once
+
+#include <filesystem>
+
+namespace tactus::host {
+
+// Until q, SIGINT or SIGTERM. A controller that goes is waited for. Throws InputError if none runs
+// at the start, or if this is no terminal.
+void run_monitor(const std::filesystem::path& run_dir);
+
+}  // namespace tactus::host

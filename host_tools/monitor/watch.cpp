@@ -1,0 +1,187 @@
+#include "host_tools/monitor/watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "firmware/safety/energy_ledger.h"
+#include "firmware/safety/faults.h"
+#include "firmware/telemetry/record_fields.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+
+namespace {
+
+using firmware::FieldName;
+using PerJoint = std::array<double, drivers::kMaxJoints>;
+
+constexpr std::array<std::string_view, 10> kUsualFields = {
+    "tick",     "mode",     "faults", "limits",  "tool_x_m",
+    "tool_y_m", "tool_z_m", "proxy",  "contact", "force"};
+
+// "tool" and "x" and "m": tool_x_m.
+std::string column(const FieldName& name, std::string_view part) {
+  return fmt::format("{}{}{}{}", name.column, part, name.unit.empty() ? "" : "_", name.unit);
+}
+
+std::string fault_names(std::uint64_t bits) {
+  std::string names;
+  for (const firmware::FaultText& text : firmware::kFaultTexts) {
+    if ((bits & text.bit) != 0) {
+      names += (names.empty() ? "" : ",") + std::string(text.name);
+    }
+  }
+  return names.empty() ? "none" : names;
+}
+
+template <std::size_t kCount, class Enum>
+std::string word_of(const std::array<std::string_view, kCount>& words, Enum value) {
+  const auto index = static_cast<std::size_t>(value);
+  return index < kCount ? std::string(words[index]) : fmt::format("{}", index);
+}
+
+// Names and values of all columns of a tick, in order.
+class Columns {
+ public:
+  explicit Columns(std::size_t joints) : joints_(joints) {}
+
+  template <class Field>
+  void operator()(const FieldName& name, const Field& field) {
+    add(column(name, ""), text_of(name, field));
+  }
+  void operator()(const FieldName& name, const firmware::Triple& field) {
+    constexpr std::array<std::string_view, 3> kAxes = {"_x", "_y", "_z"};
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+      add(column(name, kAxes[i]), fmt::format("{:.9g}", field[i]));
+    }
+  }
+  void operator()(const FieldName& name, const PerJoint& field) {
+    for (std::size_t i = 0; i < joints_; ++i) {
+      add(column(name, fmt::format("{}", i + 1)), fmt::format("{:.9g}", field[i]));
+    }
+  }
+  void operator()(const FieldName& name, const firmware::EnergyLedger& field) {
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      add(column(name, fmt::format("_{}", firmware::kEnergySourceNames[i])),
+          fmt::format("{:.9g}", field[i]));
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] const std::vector<std::string>& values() const { return values_; }
+
+ private:
+  void add(std::string name, std::string value) {
+    names_.push_back(std::move(name));
+    values_.push_back(std::move(value));
+  }
+
+  template <class Field>
+  static std::string text_of(const FieldName& name, const Field& field) {
+    constexpr std::array<std::string_view, 4> kContacts = {"none", "face", "edge", "vertex"};
+    constexpr std::array<std::string_view, 3> kFrictions = {"free", "stick", "slip"};
+    if constexpr (std::is_same_v<Field, firmware::Mode>) {
+      return word_of(firmware::kModeNames, field);
+    } else if constexpr (std::is_same_v<Field, firmware::Request>) {
+      return word_of(firmware::kRequestNames, field);
+    } else if constexpr (std::is_same_v<Field, rendering::ContactKind>) {
+      return word_of(kContacts, field);
+    } else if constexpr (std::is_same_v<Field, rendering::FrictionState>) {
+      return word_of(kFrictions, field);
+    } else if constexpr (std::is_same_v<Field, firmware::EnergySource>) {
+      return word_of(firmware::kEnergySourceNames, field);
+    } else if constexpr (std::is_enum_v<Field>) {
+      return fmt::format("{}", static_cast<unsigned>(field));
+    } else if constexpr (std::is_floating_point_v<Field>) {
+      return fmt::format("{:.9g}", field);
+    } else if (name.name == "faults" || name.name == "limits") {
+      return fault_names(static_cast<std::uint64_t>(field));
+    } else if (name.name == "state_hash") {
+      return fmt::format("{:016x}", field);
+    } else {
+      return fmt::format("{}", field);
+    }
+  }
+
+  std::size_t joints_;
+  std::vector<std::string> names_;
+  std::vector<std::string> values_;
+};
+
+Columns columns_of(const firmware::RecordedTick& tick, std::size_t joints) {
+  Columns columns(joints);
+  firmware::visit_tick_fields(tick, columns);
+  return columns;
+}
+
+bool is_meant(std::string_view field, std::string_view name) {
+  if (!name.starts_with(field)) {
+    return false;
+  }
+  return name.size() == field.size() || name[field.size()] == '_' ||
+         std::isdigit(static_cast<unsigned char>(name[field.size()])) != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> watch_fields(std::size_t joints) {
+  return columns_of({}, std::min(joints, drivers::kMaxJoints)).names();
+}
+
+WatchLines::WatchLines(std::vector<std::string> fields, std::uint64_t every)
+    : fields_(std::move(fields)), every_(std::max<std::uint64_t>(every, 1)) {
+  if (fields_.empty()) {
+    fields_.assign(kUsualFields.begin(), kUsualFields.end());
+  }
+}
+
+// A name that is a column by itself means that one alone: `tool` has no column, `tick` has.
+void WatchLines::choose(std::size_t joints) {
+  joints_ = std::min(joints, drivers::kMaxJoints);
+  names_ = watch_fields(joints_);
+  for (const std::string& field : fields_) {
+    const bool whole = std::ranges::find(names_, field) != names_.end();
+    const std::size_t before = columns_.size();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (whole ? names_[i] == field : is_meant(field, names_[i])) {
+        columns_.push_back(i);
+      }
+    }
+    if (columns_.size() == before) {
+      throw InputError(
+          fmt::format("there is no field '{}'; there are: {}", field, fmt::join(names_, " ")));
+    }
+  }
+}
+
+std::string WatchLines::line(const firmware::RecordedTick& tick) {
+  if (names_.empty()) {
+    choose(tick.joint_count);
+  }
+  if (seen_++ % every_ != 0) {
+    return {};
+  }
+  const Columns columns = columns_of(tick, joints_);
+  std::string text;
+  for (const std::size_t i : columns_) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", names_[i], columns.values()[i]);
+  }
+  return text;
+}
+
+std::string WatchLines::line(const firmware::TelemetryEvent& event) {
+  const auto kind = static_cast<std::size_t>(event.kind);
+  return fmt::format(
+      "event tick={} kind={} name={} value={:.9g}", event.tick,
+      kind < firmware::kEventKindNames.size() ? firmware::kEventKindNames[kind] : "unknown",
+      firmware::name_of(event), event.value);
+}
+
+}  // namespace tactus::host

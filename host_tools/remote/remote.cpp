@@ -1,0 +1,120 @@
+#include "host_tools/remote/remote.h"
+
+#include <fmt/format.h>
+#include <grp.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <utility>
+
+namespace tactus::host {
+namespace {
+
+std::string group_of(const std::string& path) {
+  struct stat status{};
+  if (::stat(path.c_str(), &status) != 0) {
+    return "of its file";
+  }
+  const struct group* const group = ::getgrgid(status.st_gid);
+  return group == nullptr ? fmt::format("{}", status.st_gid) : std::string(group->gr_name);
+}
+
+std::string remedy(const std::string& path, int error) {
+  switch (error) {
+    case ENOENT:
+      return "no controller runs there; start tactusd, or tactus sim SCENE --serve, or give its "
+             "--run-dir";
+    case ECONNREFUSED:
+      return "the program that listened there has ended; start tactusd again";
+    case EACCES: {
+      const std::string group = group_of(path);
+      return fmt::format(
+          "it is for the group {}; join it with: sudo usermod -aG {} $USER, and log in again",
+          group, group);
+    }
+    default:
+      return std::strerror(error);
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> field_of(std::string_view line, std::string_view name) {
+  const std::string key = fmt::format(" {}=", name);
+  const std::size_t at = line.find(key);
+  if (at == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view value = line.substr(at + key.size());
+  return std::string(value.substr(0, value.find(' ')));
+}
+
+Remote::Remote(const std::filesystem::path& run_dir)
+    : path_((run_dir / kCommandSocket).string()),
+      socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::span<char> room(address.sun_path);
+  if (path_.size() >= room.size()) {
+    throw UnreachableError(path_ + ": a socket's path has at most 107 characters");
+  }
+  std::ranges::copy(path_, room.begin());
+  // The interface of sockets takes every address as the general one.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
+  const auto* const general = reinterpret_cast<const sockaddr*>(&address);
+  if (::connect(socket_.get(), general, sizeof address) != 0) {
+    throw UnreachableError(fmt::format("{}: {}", path_, remedy(path_, errno)));
+  }
+}
+
+void Remote::lost(std::string_view why) const {
+  throw UnreachableError(fmt::format("{}: {}", path_, why));
+}
+
+Reply Remote::send(const std::string& line, std::chrono::milliseconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  const std::string bytes = line + '\n';
+  if (::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) !=
+      static_cast<ssize_t>(bytes.size())) {
+    lost("the controller has ended");
+  }
+  Reply reply;
+  for (;;) {
+    std::string next = receive_line(deadline);
+    if (next.starts_with("ok ") || next.starts_with("refused ")) {
+      reply.is_ok = next.starts_with("ok ");
+      reply.text = std::move(next);
+      return reply;
+    }
+    reply.lines.push_back(std::move(next));
+  }
+}
+
+std::string Remote::receive_line(std::chrono::steady_clock::time_point deadline) {
+  for (;;) {
+    if (const std::size_t end = received_.find('\n'); end != std::string::npos) {
+      std::string line = received_.substr(0, end);
+      received_.erase(0, end + 1);
+      return line;
+    }
+    const auto left = deadline - std::chrono::steady_clock::now();
+    const auto left_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(left).count();
+    if (left_ns <= 0 || !hal::wait_readable(socket_.get(), hal::monotonic_now_ns() + left_ns)) {
+      lost("no reply; is the controller's machine overloaded?");
+    }
+    std::array<char, 4096> buffer{};
+    const ssize_t got = ::recv(socket_.get(), buffer.data(), buffer.size(), 0);
+    if (got <= 0) {
+      lost("the controller has ended");
+    }
+    received_.append(buffer.data(), static_cast<std::size_t>(got));
+  }
+}
+
+}  // namespace tactus::host

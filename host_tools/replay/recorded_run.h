@@ -1,0 +1,66 @@
+// A recording with all that its run depended on: configuration, scene, and the state that it begins
+// with.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host_tools/recording/recording.h"
+#include "host_tools/replay/replayer.h"
+#include "rendering/scene/image_format.h"
+#include "rendering/scene/scene_image.h"
+
+namespace tactus::host {
+
+// Files to take instead of what is in the recording; empty for none.
+struct RunImages {
+  std::string device;
+  std::string scene;
+};
+
+class RecordedRun {
+ public:
+  // Throws InputError if the recording, or an image that it needs, cannot be read, is missing or
+  // has another checksum than the run's.
+  RecordedRun(const std::string& file, const RunImages& images);
+
+  [[nodiscard]] Recording& ticks() { return recording_; }
+  // Its spans live as long as this.
+  [[nodiscard]] const ReplaySetup& setup() const { return setup_; }
+  [[nodiscard]] const rendering::SceneImage* scene() const { return scene_.get(); }
+  // Empty if the recording begins with tick 0.
+  [[nodiscard]] std::span<const std::byte> state() const;
+
+ private:
+  // Aligned as images must be.
+  struct alignas(rendering::kCacheLine) Line {
+    std::array<std::byte, rendering::kCacheLine> bytes;
+  };
+  struct Image {
+    std::vector<Line> lines;
+    std::size_t size = 0;
+
+    [[nodiscard]] std::span<const std::byte> bytes() const {
+      return std::as_bytes(std::span(lines)).first(size);
+    }
+  };
+  [[nodiscard]] Image image(const std::string& file, std::string_view attachment,
+                            std::string_view checksum_key) const;
+  static Image read(const std::string& file);
+  static Image copy(std::span<const std::byte> bytes);
+  void take_device(const std::string& file);
+  void take_scene(const std::string& file);
+
+  std::string name_;
+  Recording recording_;
+  Image device_image_;
+  Image scene_image_;
+  std::unique_ptr<rendering::SceneImage> scene_;
+  ReplaySetup setup_;
+};
+
+}  // namespace tactus::host

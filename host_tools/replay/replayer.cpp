@@ -1,0 +1,121 @@
+#include "host_tools/replay/replayer.h"
+
+#include <bit>
+#include <charconv>
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include "firmware/control/repeat_tick.h"
+#include "firmware/telemetry/record_fields.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+template <class Number>
+  requires std::is_arithmetic_v<Number>
+std::string in_digits(Number value) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+template <class Value>
+std::string in_digits(Value value)
+  requires std::is_enum_v<Value>
+{
+  return in_digits(static_cast<unsigned>(value));
+}
+
+// Every NaN is alike, as in the hash.
+template <class Value>
+bool same_bits(const Value& a, const Value& b) {
+  if constexpr (std::floating_point<Value>) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
+  } else {
+    return a == b;
+  }
+}
+
+std::string element_name(std::size_t index, std::size_t count) {
+  constexpr std::string_view kAxes = "xyz";
+  return count == 3 ? std::string(".") + kAxes[index] : "[" + std::to_string(index) + "]";
+}
+
+// Goes over the fields of one record beside those of another.
+struct FieldComparison {
+  const firmware::TelemetryRecord& recorded;
+  const firmware::TelemetryRecord& replayed;
+  std::optional<Difference> first;
+  std::optional<Difference> hash;
+
+  template <class Value>
+  void operator()(const firmware::FieldName& name, const Value& here) {
+    const auto offset =
+        reinterpret_cast<const std::byte*>(&here) - reinterpret_cast<const std::byte*>(&recorded);
+    const auto& there =
+        *reinterpret_cast<const Value*>(reinterpret_cast<const std::byte*>(&replayed) + offset);
+    if (!first && !name.name.starts_with("stage_ns")) {
+      compare(std::string(name.name), here, there);
+    }
+  }
+
+  template <class Value>
+  void compare(const std::string& name, const Value& here, const Value& there) {
+    if (same_bits(here, there)) {
+      return;
+    }
+    (name == "state_hash" ? hash : first) = Difference{.tick = recorded.tick,
+                                                       .field = name,
+                                                       .recorded = in_digits(here),
+                                                       .replayed = in_digits(there)};
+  }
+
+  template <class Value, std::size_t kSize>
+  void compare(const std::string& name, const std::array<Value, kSize>& here,
+               const std::array<Value, kSize>& there) {
+    for (std::size_t i = 0; i < kSize && !first; ++i) {
+      compare(name + element_name(i, kSize), here[i], there[i]);
+    }
+  }
+};
+
+}  // namespace
+
+std::optional<Difference> first_difference(const firmware::TelemetryRecord& recorded,
+                                           const firmware::TelemetryRecord& replayed) {
+  FieldComparison comparison{.recorded = recorded, .replayed = replayed};
+  firmware::visit_record_fields(recorded, comparison);
+  return comparison.first ? comparison.first : comparison.hash;
+}
+
+Replayer::Replayer(const ReplaySetup& setup)
+    : controller_(std::make_unique<firmware::Controller>()) {
+  firmware::ControllerConfig config = setup.config;
+  config.allow_uncertified = true;  // what was loaded then is loaded now
+  const auto configured = controller_->configure(config);
+  if (!configured) {
+    throw InputError("the controller refuses the configuration: " +
+                     std::string(configured.error().field) + " is out of range");
+  }
+  if (!setup.objects.empty() && !controller_->load_scene(setup.objects, setup.world)) {
+    throw InputError("the controller refuses the scene");
+  }
+}
+
+void Replayer::go_to(std::span<const std::byte> state) {
+  if (!controller_->restore(state)) {
+    throw InputError(
+        "the state that the recording begins with does not fit its configuration and scene, or is "
+        "of another version");
+  }
+}
+
+std::optional<Difference> Replayer::repeat(const firmware::TelemetryRecord& recorded) {
+  firmware::repeat_tick(*controller_, recorded);
+  return record().state_hash == recorded.state_hash ? std::nullopt
+                                                    : first_difference(recorded, record());
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,59 @@
+// A controller that lives a recorded run once more.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "firmware/control/controller.h"
+#include "firmware/telemetry/record.h"
+
+namespace tactus::host {
+
+struct ReplaySetup {
+  firmware::ControllerConfig config;
+  std::span<const rendering::Object> objects;  // none: no scene; outlive the replay
+  rendering::WorldConfig world;
+};
+
+// Where a replayed tick is not the recorded one.
+struct Difference {
+  std::uint64_t tick = 0;
+  std::string field;  // as in TelemetryRecord, with its element: tool_p_W.y, joint_effort[2]
+  std::string recorded;
+  std::string replayed;
+};
+
+// The first of the fields that differs, in their order, bit by bit; stage times may. `state_hash`
+// when all others are equal: an earlier tick was another one, or the record was changed.
+std::optional<Difference> first_difference(const firmware::TelemetryRecord& recorded,
+                                           const firmware::TelemetryRecord& replayed);
+
+// One thread.
+class Replayer {
+ public:
+  // At the moment before tick 0. Throws InputError if the controller refuses configuration or
+  // scene.
+  explicit Replayer(const ReplaySetup& setup);
+
+  // Goes to the moment of a state that Controller::save wrote. Throws InputError if the state is
+  // not of this configuration and scene.
+  void go_to(std::span<const std::byte> state);
+
+  // The recorded tick once more; what differs, if its hash does.
+  std::optional<Difference> repeat(const firmware::TelemetryRecord& recorded);
+
+  // The number of the tick to come.
+  [[nodiscard]] std::uint64_t next_tick() const { return controller_->next_tick(); }
+  // Of the last tick.
+  [[nodiscard]] const firmware::TelemetryRecord& record() const { return controller_->record(); }
+  [[nodiscard]] firmware::Controller& controller() { return *controller_; }
+
+ private:
+  std::unique_ptr<firmware::Controller> controller_;
+};
+
+}  // namespace tactus::host

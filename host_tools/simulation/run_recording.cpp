@@ -1,0 +1,60 @@
+#include "host_tools/simulation/run_recording.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "firmware/configuration/config_state.h"
+#include "firmware/flight/attachments.h"
+#include "host_tools/input_error.h"
+#include "rendering/scene/image_format.h"
+
+namespace tactus::host {
+namespace {
+
+std::string header_checksum(std::span<const std::byte> image) {
+  rendering::ImageHeader header;
+  std::memcpy(&header, image.data(), std::min(image.size(), sizeof header));
+  return fmt::format("{:016x}", header.checksum);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(error)));
+}
+
+}  // namespace
+
+RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& simulation,
+                           std::span<const std::byte> scene)
+    : path_(path), tick_ns_(1e9 / simulation.config().rate_hz) {
+  const std::string rate = fmt::format("{}", simulation.config().rate_hz);
+  const std::string checksum = header_checksum(scene);
+  const std::array<firmware::MetadataEntry, 3> info{
+      {{"program", "tactus sim"}, {"rate_hz", rate}, {firmware::kSceneChecksumKey, checksum}}};
+  if (const int error = writer_->open(path.c_str(), 0, info); error != 0) {
+    fail(path, error);
+  }
+  std::array<std::byte, firmware::kMaxConfigBytes> config{};
+  const std::size_t size = firmware::save_config(simulation.config(), config);
+  writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config).first(size)});
+  writer_->attach({.name = firmware::kSceneAttachment, .bytes = scene});
+}
+
+void RunRecording::add(const Simulation& simulation) {
+  firmware::RecordedTick tick{.record = simulation.record()};
+  tick.loop.scheduled_ns = std::llround(tick_ns_ * static_cast<double>(tick.record.tick));
+  tick.joint_count =
+      static_cast<std::uint32_t>(firmware::joint_count(simulation.config().mechanism));
+  writer_->add(tick);
+}
+
+void RunRecording::close() {
+  if (const int error = writer_->close(); error != 0) {
+    fail(path_, error);
+  }
+}
+
+}  // namespace tactus::host

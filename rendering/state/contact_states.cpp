@@ -1,0 +1,51 @@
+// What friction, shading and the proxies of single objects remember from tick to tick.
+#include "rendering/contact/feature_walk.h"
+#include "rendering/contact/implicit_tracking.h"
+#include "rendering/friction/surface_friction.h"
+#include "rendering/material/force_shading.h"
+#include "rendering/state/plain_states.h"
+#include "rendering/world/lone_touch.h"
+
+namespace tactus::rendering {
+
+void SurfaceFriction::transfer(StateArchive& archive) {
+  auto& [memory, normal, force_N, stiffness_N_per_m, tool_step, tick_s, state, ran, is_held] =
+      *this;
+  archive(memory, normal, force_N, stiffness_N_per_m, tool_step, tick_s, ran, is_held);
+  archive.choice(state, FrictionState::slip);
+}
+
+void ForceShading::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [tool_radius_m, normal, stretch, depth_m, interpolated, offset,
+                          lifted_from_m, residual, has_residual, relaxation] = *this;
+  archive(normal, stretch, depth_m, interpolated, offset, lifted_from_m, residual, has_residual,
+          relaxation);
+}
+
+void FeatureWalker::transfer(StateArchive& archive) {
+  auto& [p, feature, side, friction, model, in_contact] = *this;
+  archive(p, feature, side, model, in_contact);
+  archive.choice(friction, FrictionState::slip);
+}
+
+void ImplicitTracker::transfer(StateArchive& archive) {
+  auto& [p_W, placed, state] = *this;
+  auto& [p_O, side, friction, model] = state;
+  archive(p_W, placed, p_O, side, model);
+  archive.choice(friction, FrictionState::slip);
+}
+
+void LoneTouch::transfer(StateArchive& archive, const Scenery& scenery) {
+  [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, awake, trackers, walkers,
+                          details] = *this;
+  archive(tool_radius_m, last_tool_W);
+  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
+    auto& [shading, point_O, touched, friction_factor] = details[k];
+    archive(awake[k], trackers[k], walkers[k], shading, point_O, touched, friction_factor);
+    const std::size_t triangles = scenery[scenery.lone_objects()[k]].mesh.triangles.size();
+    const std::uint32_t triangle = walkers[k].feature().triangle;
+    archive.require(triangle == 0 || triangle < triangles);
+  }
+}
+
+}  // namespace tactus::rendering

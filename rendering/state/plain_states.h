@@ -1,0 +1,95 @@
+// How the plain structs of this folder that are part of a memory go through a StateArchive. Each
+// names all its members: one that is added fails to compile here until it is dealt with.
+#pragma once
+
+#include "rendering/contact/carry.h"
+#include "rendering/effects/effect.h"
+#include "rendering/friction/friction_model.h"
+#include "rendering/geometry/capsule.h"
+#include "rendering/geometry/rigid_pose.h"
+#include "rendering/geometry/triangle.h"
+#include "rendering/state/state_archive.h"
+#include "rendering/surface/connected_mesh.h"
+#include "rendering/world/motion.h"
+#include "rendering/world/scenery.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+inline void transfer(StateArchive& archive, RigidPose& pose) {
+  auto& [rotation, translation] = pose;
+  archive(rotation, translation);
+}
+
+inline void transfer(StateArchive& archive, Twist& twist) {
+  auto& [linear_W, angular_W] = twist;
+  archive(linear_W, angular_W);
+}
+
+inline void transfer(StateArchive& archive, Bounds& bounds) {
+  auto& [lower_W, upper_W] = bounds;
+  archive(lower_W, upper_W);
+}
+
+inline void transfer(StateArchive& archive, Capsule& capsule) {
+  auto& [start, way, radius] = capsule;
+  archive(start, way, radius);
+}
+
+inline void transfer(StateArchive& archive, FrictionParameters& friction) {
+  auto& [kind, coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
+         stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
+         elastic_fraction] = friction;
+  archive.choice(kind, FrictionKind::elasto_plastic);
+  archive(coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
+          stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
+          elastic_fraction);
+}
+
+inline void transfer(StateArchive& archive, Material& material) {
+  auto& [stiffness_N_per_m, damping_Ns_per_m, friction, grain] = material;
+  auto& [direction_O, along, across] = grain;
+  archive(stiffness_N_per_m, damping_Ns_per_m, friction, along, across);
+  archive.vertices({&direction_O, 1});
+  archive.require(sound(material));
+}
+
+inline void transfer(StateArchive& archive, ToolState& tool) {
+  auto& [p_W, v_W] = tool;
+  archive(p_W, v_W);
+}
+
+inline void transfer(StateArchive& archive, Nearest& nearest) {
+  auto& [distance, normal, feature, edge] = nearest;
+  archive(distance, normal);
+  archive.choice(feature, Feature::vertex);
+  archive.up_to(edge, 2);
+}
+
+inline void transfer(StateArchive& archive, MeshFeature& place) {
+  auto& [kind, number, triangle] = place;
+  archive.choice(kind, Feature::vertex);
+  archive.up_to(number, 2);
+  archive(triangle);
+}
+
+template <class Vector>
+void transfer(StateArchive& archive, FrictionMemory<Vector>& memory) {
+  auto& [elastic_force_N, slipping, left_band] = memory;
+  archive(elastic_force_N, slipping, left_band);
+}
+
+inline void transfer(StateArchive& archive, EffectState& state) {
+  auto& [last_tool_W, held_force_W, delivered_J, anchor_W, phase, started] = state;
+  archive(last_tool_W, held_force_W, delivered_J, anchor_W, phase, started);
+}
+
+// That there is such an object, and such a triangle of its mesh.
+inline void require_place(StateArchive& archive, const Scenery& scenery, std::uint32_t object,
+                          std::uint32_t triangle) {
+  archive.require(object < scenery.size());
+  archive.require(archive.good() && (scenery[object].surface != SurfaceKind::mesh ||
+                                     triangle < scenery[object].mesh.triangles.size()));
+}
+
+}  // namespace tactus::rendering

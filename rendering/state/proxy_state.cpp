@@ -1,0 +1,112 @@
+// What the shared proxy remembers from tick to tick.
+//
+// The neighbourhood is kept as it is, and not gathered anew: where it was gathered decides where
+// moves are cut, so that another one would give other sub-goals. Of its candidates the numbers, and
+// the tangents that they had come to, are kept; triangles and distances follow from the scene.
+#include "rendering/contact/neighbourhood.h"
+#include "rendering/contact/sphere_proxy.h"
+#include "rendering/state/plain_states.h"
+#include "rendering/world/proxy_touch.h"
+
+namespace tactus::rendering {
+
+inline void transfer(StateArchive& archive, Plane& plane) {
+  auto& [normal, offset] = plane;
+  archive(normal, offset);
+}
+
+inline void transfer(StateArchive& archive, FrictionFactors& factors) {
+  auto& [object, factor, count, depth_m] = factors;
+  archive(object, factor, depth_m);
+  archive.up_to(count, object.size());
+}
+
+void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
+  [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
+                          peak, gatherings, work, normal_x, normal_y, normal_z, height, here, there,
+                          here_place, here_gathering, slots] = *this;
+  archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
+  archive.up_to(size, kMaxCandidates);
+  std::uint64_t done = work;
+  archive(done);
+  if (archive.is_reading()) {
+    own_shells = shells;
+    here_place = 0;  // found again
+  }
+  for (std::size_t i = 0; i < size && archive.good(); ++i) {
+    transfer_candidate(archive, scenery, i);
+  }
+  if (archive.is_reading()) {
+    fill_last_four();
+    work = done;
+  }
+}
+
+void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& scenery,
+                                       std::size_t i) {
+  Candidate& slot = slots_[i];
+  [[maybe_unused]] auto& [primitive, measured_at, object, index, prepared, one_sided, point_tool,
+                          behind, nearest_, triangle, seen] = slot;
+  bool measured = measured_at == places_;
+  archive(object, index, prepared, measured);
+  archive(normal_x_[i], normal_y_[i], normal_z_[i], height_[i]);
+  require_place(archive, scenery, object, index);
+  archive.require(archive.good() && meets_proxy(scenery[object]));
+  if (!archive.is_reading() || !archive.good()) {
+    return;
+  }
+  const Object& of = scenery[object];
+  primitive = of.surface == SurfaceKind::primitive ? &scenery.primitive_W(object) : nullptr;
+  one_sided = of.sides == Sides::one;
+  point_tool = is_point_tool(of);
+  measured_at = 0;
+  if (prepared) {
+    triangle = triangle_W(scenery, object, index);
+  }
+  if (measured) {
+    nearest(i, scenery);
+  }
+}
+
+void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
+  [[maybe_unused]] auto& [shells, p, friction, model, start_model, carried_W, touched, factors,
+                          start, start_friction, slipped, fresh, stretching, last_to_tool_m,
+                          neighbourhood, contacts, contact_count, planes, last_hold, stoppers,
+                          stopper_count] = *this;
+  archive(p, model, carried_W, factors);
+  archive.choice(friction, FrictionState::slip);
+  auto& [object, triangle] = touched;
+  archive(object, triangle);
+  if (object != kNoObject) {
+    require_place(archive, scenery, object, triangle);
+  }
+  neighbourhood.transfer(archive, scenery, shells);
+  transfer_last_hold(archive, scenery);
+}
+
+void SphereProxy::transfer_last_hold(StateArchive& archive, const Scenery& scenery) {
+  auto& [planes, count, from, gathering] = last_hold_;
+  archive.up_to(count, planes.size());
+  archive(from, gathering);
+  for (std::size_t i = 0; i < count; ++i) {
+    auto& [plane, nearest, object, triangle, candidate] = planes[i];
+    archive(plane, nearest, object, triangle);
+    archive.up_to(candidate, kMaxCandidates - 1);
+    require_place(archive, scenery, object, triangle);
+  }
+}
+
+void ProxyTouch::transfer(StateArchive& archive, const Scenery& scenery) {
+  [[maybe_unused]] auto& [proxy, shading, friction, before, here, last_tool_W, tool_step_m,
+                          travel_m, first_pass, detailed] = *this;
+  proxy.transfer(archive, scenery);
+  archive(shading, friction, last_tool_W, detailed);
+  auto& [points, count] = before;
+  archive.up_to(count, points.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    auto& [object, point_O] = points[i];
+    archive(object, point_O);
+  }
+}
+
+}  // namespace tactus::rendering

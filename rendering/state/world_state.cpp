@@ -1,0 +1,134 @@
+// What a world remembers from tick to tick: its objects' places, then what each tool feels.
+#include <algorithm>
+
+#include "rendering/state/plain_states.h"
+#include "rendering/surface/deformable_mesh.h"
+#include "rendering/world/effect_touch.h"
+#include "rendering/world/scenery.h"
+#include "rendering/world/tool_touch.h"
+#include "rendering/world/world.h"
+
+namespace tactus::rendering {
+
+void DeformableMesh::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [before, now, wanted, nodes, triangles, nodes_left, moved_in_pass_m,
+                          moved_in_last_pass_m, step_m, asked] = *this;
+  archive.same(now.size());
+  archive.same(nodes.size());
+  archive.up_to(nodes_left, nodes.size());
+  archive(moved_in_pass_m, moved_in_last_pass_m, step_m, asked);
+  archive.vertices(before);
+  archive.vertices(now);
+  archive.vertices(wanted);
+  for (BvhNode& node : nodes) {
+    archive.vertices({&node.lower, 1});
+    archive.vertices({&node.upper, 1});
+  }
+}
+
+void Scenery::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [objects, mover_of, movers, orders, mover_count, changed_of,
+                          changed_materials, changed_count, anything_moved, tick_s, pool,
+                          deformables, deformable_count, lone, lone_count, nodes, node_count,
+                          order] = *this;
+  archive.same(objects.size());
+  archive.same(mover_count);
+  archive.same(deformable_count);
+  archive.same(lone_count);
+  archive(anything_moved, tick_s);
+  transfer_materials(archive);
+  for (std::size_t k = 0; k < mover_count; ++k) {
+    transfer_mover(archive, k);
+  }
+  for (std::size_t k = 0; k < deformable_count; ++k) {
+    archive(deformables[k]);
+  }
+  transfer_materials(archive);
+}
+
+// What set_material has changed, on top of what the scene says.
+void Scenery::transfer_materials(StateArchive& archive) {
+  std::size_t count = changed_count_;
+  archive.up_to(count, kMaxChangedMaterials);
+  if (archive.is_reading()) {
+    changed_of_.fill(kUnchanged);
+    changed_count_ = 0;
+  }
+  std::uint32_t number = 0;
+  for (std::size_t k = 0; k < count && archive.good(); ++k, ++number) {
+    while (!archive.is_reading() && changed_of_[number] == kUnchanged) {
+      ++number;
+    }
+    archive(number);
+    archive.require(number < objects_.size());
+    if (!archive.good()) {
+      return;
+    }
+    Material now = material(number);
+    archive(now.stiffness_N_per_m, now.damping_Ns_per_m, now.friction.static_level,
+            now.friction.coulomb, now.friction.viscous_s_per_m);
+    archive.require(!archive.is_reading() || set_material(number, now));
+  }
+}
+
+// Those that are not the scene's.
+void Scenery::transfer_materials(StateArchive& archive) {
+  archive.up_to(changed_count_, kMaxChangedMaterials);
+  if (archive.is_reading()) {
+    changed_of_.fill(kUnchanged);
+  }
+  for (std::size_t k = 0; k < changed_count_ && archive.good(); ++k) {
+    auto number =
+        static_cast<std::uint32_t>(std::ranges::find(changed_of_, k) - changed_of_.begin());
+    archive(number, changed_materials_[k]);
+    archive.require(number < objects_.size() &&
+                    (!archive.is_reading() || changed_of_[number] == kUnchanged));
+    if (archive.good()) {
+      changed_of_[number] = static_cast<std::uint8_t>(k);
+    }
+  }
+}
+
+void Scenery::transfer_mover(StateArchive& archive, std::size_t k) {
+  [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
+                          motion, next_vertex, moved] = movers_[k];
+  auto& [ordered_X_WO, ordered_twist] = orders_[k];
+  archive(X_WO_before, X_WO, twist, primitive_W.X_WO, bounds_O, moved, ordered_X_WO, ordered_twist);
+  const std::size_t vertices = objects_[object].mesh.vertices.size();
+  archive.up_to(next_vertex, static_cast<std::uint32_t>(vertices));
+  archive.require(next_vertex == 0 || next_vertex < vertices);
+  bool moves_by_itself = motion != nullptr;
+  archive(moves_by_itself);
+  archive.require(!moves_by_itself || objects_[object].motion != nullptr);
+  if (archive.is_reading()) {
+    motion = moves_by_itself && archive.good() ? objects_[object].motion : nullptr;
+  }
+}
+
+void ToolTouch::transfer(StateArchive& archive, const Scenery& scenery) {
+  [[maybe_unused]] auto& [radius_m, proxy, lone, last_proxy_W, placed] = *this;
+  proxy.transfer(archive, scenery);
+  lone.transfer(archive, scenery);
+  archive(last_proxy_W, placed);
+}
+
+void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
+  auto& [states] = *this;
+  for (std::size_t i = 0; i < effects; ++i) {
+    archive(states[i]);
+  }
+}
+
+void World::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [scenery, tools, effect_touches, effects, tick_s, time_s, tool_count] =
+      *this;
+  archive.same(tool_count);
+  archive.same(effects.size());
+  archive(time_s, scenery);
+  for (std::size_t i = 0; i < tool_count && archive.good(); ++i) {
+    tools[i].transfer(archive, scenery);
+    effect_touches[i].transfer(archive, effects.size());
+  }
+}
+
+}  // namespace tactus::rendering

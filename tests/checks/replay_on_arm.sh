@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Runs recorded on this machine replay to the same hashes here and on a 64-bit Arm, through qemu-user.
+set -euo pipefail
+here="$(dirname "${BASH_SOURCE[0]}")"
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+
+"$here/build.sh" release tactus
+"$here/build.sh" aarch64 replay_recording
+
+# record SCENE DEVICE: ten seconds with a fault in them, out of which the hand finds back.
+record() {
+  build/release/bin/tactus bake "host_tools/examples/$1/scene.toml" -o "$work/$1.tactus"
+  build/release/bin/tactus sim "$work/$1.tactus" --device "$2" --seconds 10 --fault stale@2.5x2 --record "$work/$1.$2.mcap" >"$work/summary"
+}
+
+for run in "ramp falcon" "ramp woodenhaptics" "membrane cartesian" "tiles cartesian" "friction cartesian" "heart cartesian"; do
+  read -r scene device <<<"$run"
+  record "$scene" "$device"
+  echo "$scene, $device:"
+  build/release/bin/tactus replay "$work/$scene.$device.mcap"
+  qemu-aarch64-static -L /usr/aarch64-linux-gnu build/aarch64/bin/replay_recording "$work/$scene.$device.mcap" | tee "$work/replayed"
+  grep -q '^[0-9]\{4,\} ticks: every hash equal$' "$work/replayed"
+done
+
+# A run on another image than it says is refused, and says which.
+build/release/bin/tactus bake host_tools/examples/primitives/scene.toml -o "$work/other.tactus"
+code=0
+build/release/bin/tactus replay "$work/ramp.falcon.mcap" --scene "$work/other.tactus" 2>"$work/refused" || code=$?
+[[ $code -eq 2 ]]
+grep -q 'another image' "$work/refused"

@@ -1,0 +1,130 @@
+// A controller that restores another's state goes on to the same bits, over every kind of surface
+// and contact that needs no baking.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "tests/property/wanderer.h"
+#include "tests/replay/restore_check.h"
+#include "tests/support/connected_solid.h"
+#include "tests/support/materials.h"
+#include "tests/support/share.h"
+#include "tests/support/solid.h"
+
+namespace tactus::testing {
+namespace {
+
+using rendering::ContactMethod;
+using rendering::FrictionKind;
+using rendering::Motion;
+using rendering::Object;
+using rendering::Sides;
+
+constexpr std::size_t kTicksAScene = 20'000;
+
+void check(const std::vector<Object>& objects, double radius_m, std::uint64_t seed,
+           std::span<const rendering::Effect> effects = {}) {
+  RestoreTally tally;
+  const std::size_t ticks = std::max<std::size_t>(500, share_of(kTicksAScene));
+  expect_restores_go_on_alike(
+      {.objects = objects, .world = {.tool_radius_m = radius_m, .effects = effects}}, seed, ticks,
+      tally);
+  std::printf("%zu restores in %zu ticks, %zu in contact; %zu bytes at most\n", tally.restores,
+              tally.ticks, tally.contacts, tally.most_bytes);
+  EXPECT_GT(tally.contacts, tally.ticks / 50);
+}
+
+TEST(Restore, GoesOnAlikeOverEveryShapeOfMesh) {
+  std::uint64_t seed = 1;
+  RestoreTally tally;
+  for (const Shape& shape : wandered_shapes()) {
+    for (const double radius_m : {0.0, 0.002}) {
+      SCOPED_TRACE(shape.name);
+      const Solid solid(shape, shape.closed ? Sides::one : Sides::two, kRough);
+      ASSERT_NO_FATAL_FAILURE(expect_restores_go_on_alike(
+          {.objects = {&solid.object(), 1}, .world = {.tool_radius_m = radius_m}}, seed++,
+          std::max<std::size_t>(200, share_of(kTicksAScene / 8)), tally));
+    }
+  }
+  EXPECT_GT(tally.contacts, tally.ticks / 10);
+}
+
+TEST(Restore, GoesOnAlikeWithEveryFrictionModel) {
+  std::uint64_t seed = 100;
+  for (std::size_t kind = 0; kind < rendering::kFrictionKinds; ++kind) {
+    rendering::Material material = kRough;
+    material.friction.kind = static_cast<FrictionKind>(kind);
+    material.friction.viscous_s_per_m = 0.05;
+    material.friction.stiffness_N_per_m = 800.0;
+    const Solid solid(bumpy_sphere(0.04, 3, 0.05), Sides::one, material);
+    SCOPED_TRACE(kind);
+    check({solid.object()}, 0.002, seed++);
+  }
+}
+
+TEST(Restore, GoesOnAlikeAmongObjectsThatMoveByThemselves) {
+  const Solid ball(icosphere(0.03, 3), Sides::one, kRough);
+  const Solid block(box({0.03, 0.04, 0.05}), Sides::one, kRough);
+  const Motion sway{.sway_W = {0.02, 0.01, 0.0}, .sway_Hz = 1.7};
+  const Motion spin{.spin_W = {0.5, 3.0, 0.2}, .pivot_W = {0.01, 0.0, 0.0}};
+  const Motion pass{.velocity_W = {0.001, 0.0, 0.0}};
+  std::vector<Object> objects{ball.object(), block.object(), ball.object()};
+  objects.push_back(
+      {.surface = rendering::SurfaceKind::primitive,
+       .primitive = {.kind = rendering::PrimitiveKind::torus, .dimensions_m = {0.03, 0.01, 0.0}},
+       .material = kRough});
+  const std::array<const Motion*, 4> motions{&sway, &spin, nullptr, &pass};
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    objects[i].moves = true;
+    objects[i].motion = motions[i];
+  }
+  check(objects, 0.0, 200);
+  check(objects, 0.002, 201);
+}
+
+TEST(Restore, GoesOnAlikeOnASheetThatWaves) {
+  Object object;
+  const Solid sheet(flat_sheet(0.005, 30), Sides::two, kRough);
+  const std::vector<rendering::Float3> up(sheet.object().mesh.vertices.size(), {0.0F, 1.0F, 0.0F});
+  const Motion waves{.velocity_W = {0.0, 0.0005, 0.0},
+                     .wave_m = 0.004,
+                     .wave_Hz = 1.0,
+                     .wave_per_m = {12.0, 0.0, 0.0}};
+  object = sheet.object();
+  object.deforms = true;
+  object.vertex_normals = up;
+  object.motion = &waves;
+  check({object}, 0.002, 300);
+}
+
+TEST(Restore, GoesOnAlikeOnPrimitivesFieldsAndWalksAndUnderEffects) {
+  const ConnectedSolid walked(icosphere(0.03, 3));
+  Object walk;
+  walk.method = ContactMethod::feature_walk;
+  walk.mesh = walked.mesh().mesh;
+  walk.neighbours = walked.mesh().neighbours;
+  walk.vertex_normals = walked.mesh().vertex_normals;
+  walk.material = kRough;
+  Object field = walk;
+  field.method = ContactMethod::potential_field;
+  Object ball{
+      .surface = rendering::SurfaceKind::primitive,
+      .primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {0.03, 0.0, 0.0}},
+      .material = kRough};
+  ball.primitive.X_WO.translation = {0.05, 0.0, 0.0};
+  Object pointed = ball;
+  pointed.method = ContactMethod::god_object;
+  pointed.primitive.X_WO.translation = {0.0, 0.05, 0.0};
+  const std::array<rendering::Effect, 3> effects{
+      {{.law = rendering::Spring{.stiffness_N_per_m = 5.0}, .max_force_N = 1.0},
+       {.law = rendering::StickSlip{.stiffness_N_per_m = 50.0, .break_force_N = 0.3},
+        .max_force_N = 1.0},
+       {.law = rendering::Vibration{.amplitude_N = 0.2, .frequency_Hz = 130.0},
+        .max_force_N = 1.0}}};
+  check({walk, field, ball, pointed}, 0.002, 400, effects);
+}
+
+}  // namespace
+}  // namespace tactus::testing

@@ -1,0 +1,112 @@
+#include "tests/replay/scene_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::testing {
+
+using firmware::Mode;
+using firmware::Request;
+
+firmware::ControllerConfig walking_config() {
+  firmware::ControllerConfig config = firmware::cartesian_config();
+  for (firmware::JointLimits& joint : config.joints) {
+    joint.lower = -1.0;
+    joint.upper = 1.0;
+  }
+  config.velocity_cutoff_hz = 100.0;
+  config.friction[0] = {.model = {.kind = rendering::FrictionKind::lugre,
+                                  .coulomb = 0.2,
+                                  .static_level = 0.3,
+                                  .viscous_s_per_m = 0.5,
+                                  .stiffness_N_per_m = 2000.0},
+                        .compensated_share = 0.5,
+                        .turn_length = 1e-5};
+  return config;
+}
+
+void give(firmware::Controller& controller, const TickInput& input) {
+  if (input.change.place.parameter != firmware::Parameter::none) {
+    static_cast<void>(controller.set_parameter(input.change));
+  }
+  controller.note_loop(input.loop);
+  controller.tick(input.sample, input.request);
+}
+
+TickInput SceneWalk::next(Mode mode) {
+  if (ticks_left_-- <= 0) {
+    choose_target();
+  }
+  const Vec3 before = tool_;
+  const Vec3 way = target_ - tool_;
+  const double distance = way.norm();
+  if (distance > 0.0) {
+    tool_ += std::min(1.0, speed_ / distance) * way;
+  }
+  const Vec3 seen = tool_ + 0.05 * speed_ * noise();
+  TickInput input;
+  for (std::size_t joint = 0; joint < firmware::kJointCount; ++joint) {
+    const auto axis = static_cast<Eigen::Index>(joint);
+    input.sample.position[joint] = seen[axis];
+    input.sample.velocity[joint] = (tool_ - before)[axis] / 1e-3;
+  }
+  if (chance(0.002)) {
+    input.sample.status = 1U << (random_() % 7);
+  }
+  if (chance(0.005)) {
+    input.sample.age_us = 10'000;
+  }
+  if (chance(0.005)) {
+    input.loop = {.status = firmware::kLoopLate,
+                  .missed_ticks = static_cast<std::uint32_t>(random_() % 2)};
+  }
+  if (chance(0.01)) {
+    input.change = change();
+  }
+  input.request = wish(mode);
+  return input;
+}
+
+// Near a surface, on either side of it; at speeds from a micrometre to a millimetre a tick.
+void SceneWalk::choose_target() {
+  const rendering::Object& object = objects_[random_() % objects_.size()];
+  if (object.surface == rendering::SurfaceKind::mesh) {
+    const auto& vertices = object.mesh.vertices;
+    target_ = rendering::to_vec3(vertices[random_() % vertices.size()]) + 0.005 * noise();
+  } else {
+    const rendering::Bounds box = rendering::bounds_of(object);
+    const Vec3 middle = (0.5 * (box.lower_W + box.upper_W)).cwiseMax(-0.2).cwiseMin(0.2);
+    const Vec3 half = (0.5 * (box.upper_W - box.lower_W)).cwiseMin(0.1);
+    target_ = middle + 1.1 * half.cwiseProduct(noise());
+  }
+  speed_ = std::pow(10.0, -4.5 + 1.5 * unit());
+  ticks_left_ = 1 + static_cast<int>(60.0 * (1.0 + unit()));
+}
+
+// Of any parameter, mostly within its range.
+firmware::ParameterChange SceneWalk::change() {
+  const auto& text = firmware::kParameterTexts[random_() % firmware::kParameterTexts.size()];
+  const double share = std::abs(unit());
+  const double most = text.unit == "1" ? 1.0 : text.unit == "N/m" ? 2000.0 : 10.0;
+  return {.place = {.parameter = text.parameter,
+                    .object = static_cast<std::uint32_t>(random_() % objects_.size())},
+          .value = most * share};
+}
+
+Request SceneWalk::wish(Mode mode) {
+  if (chance(0.002)) {
+    return static_cast<Request>(random_() % firmware::kRequestNames.size());
+  }
+  switch (mode) {
+    case Mode::init:
+      return Request::home;
+    case Mode::ready:
+      return Request::enable;
+    case Mode::fault:
+      return chance(0.1) ? Request::reset : Request::none;
+    default:
+      return Request::none;
+  }
+}
+
+}  // namespace tactus::testing

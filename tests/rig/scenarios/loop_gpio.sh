@@ -1,0 +1,17 @@
+#!/bin/sh
+# A Hapkit on GPIO lines at 1, 2 and 4 kHz beside a busy machine: no missed tick, and awake as early as cyclictest.
+# twice: csv log
+modprobe gpio-sim-oot
+mkdir -p /run && mount -t tmpfs run /run
+emulated='paddle --path /images/wall_wish.csv --ratio 17.4545'
+device=hapkit priority=40
+# shellcheck source=tests/rig/scenarios/loop.inc
+. /rig/loop.inc
+
+begin
+loop gpio_1kHz wall 1000 0.6
+loop gpio_2kHz wall 2000 0.6
+loop gpio_4kHz wall 4000 0.6
+cyclic gpio 4000 2
+compare
+end

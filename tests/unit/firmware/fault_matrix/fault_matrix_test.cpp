@@ -1,0 +1,182 @@
+// Every fault in every mode: what latches it, how soon the torque is gone, and the way back.
+//
+// Those of the program around the controller (a signal, a dead writer thread, a telemetry reader
+// that is stuck, a commander that was killed) are in the rig, where there is such a program.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "tests/unit/firmware/fault_matrix/faulty_rig.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::uint8_t kInit = 1U << static_cast<unsigned>(Mode::init);
+constexpr std::uint8_t kHoming = 1U << static_cast<unsigned>(Mode::homing);
+constexpr std::uint8_t kReady = 1U << static_cast<unsigned>(Mode::ready);
+constexpr std::uint8_t kActive = 1U << static_cast<unsigned>(Mode::active);
+constexpr std::uint8_t kFault = 1U << static_cast<unsigned>(Mode::fault);
+constexpr std::uint8_t kEvery = kInit | kHoming | kReady | kActive | kFault;
+constexpr std::uint8_t kReferenced = kInit | kReady | kActive | kFault;
+constexpr std::uint8_t kLocated = kReady | kActive | kFault;
+
+template <std::uint32_t kStatus>
+void report(FaultyRig& rig, int /*tick*/) {
+  rig.device.sample.status |= kStatus;
+}
+
+template <std::uint32_t kStatus>
+void fail_the_write(FaultyRig& rig, int /*tick*/) {
+  rig.device.write_status = kStatus;
+}
+
+template <LoopReport kReport>
+void hold_the_loop_up(FaultyRig& rig, int /*tick*/) {
+  rig.controller().note_loop(kReport);
+}
+
+void age_the_sample(FaultyRig& rig, int tick) {
+  rig.device.sample.age_us = 6000U + 1000U * static_cast<std::uint32_t>(tick);
+}
+
+void read_nan(FaultyRig& rig, int /*tick*/) {
+  rig.device.sample.position[2] = std::numeric_limits<double>::quiet_NaN();
+}
+
+void read_infinite_velocity(FaultyRig& rig, int /*tick*/) {
+  rig.device.sample.velocity[0] = -std::numeric_limits<double>::infinity();
+}
+
+void freeze(FaultyRig& rig, int /*tick*/) {
+  rig.device.sample.velocity[0] = 1.0;
+}
+
+void jump(FaultyRig& rig, int tick) {
+  rig.device.sample.position[0] = tick == 0 ? 0.0 : 0.3;
+}
+
+void leave_the_joints_range(FaultyRig& rig, int tick) {
+  rig.device.sample.position[0] = 0.05 * tick;
+}
+
+void go_through_the_wall(FaultyRig& rig, int tick) {
+  rig.device.sample.position[0] = 0.05 * tick;
+}
+
+void race(FaultyRig& rig, int tick) {
+  rig.device.sample.position[0] = 0.006 * tick;
+  rig.device.sample.velocity[0] = 6.0;
+}
+
+// What pushes out of the floor is seen to go into it, faster and faster.
+void flip_the_sign(FaultyRig& rig, int tick) {
+  rig.device.sample.position[1] = -0.002 - 0.003 * tick;
+  rig.device.sample.velocity[1] = -3.0;
+}
+
+// The floor slides away under the tool in small steps while the reading stays.
+void block(FaultyRig& rig, int tick) {
+  rig.device.sample.position[1] = tick == 0 ? 0.0005 : -0.004;
+}
+
+// In with no force yet, out with all of it: a position that comes late by some ticks does that.
+void pump(FaultyRig& rig, int tick) {
+  rig.device.sample.position[1] = tick % 10 < 5 ? -0.03 : 0.001;
+}
+
+constexpr LoopReport kLateReport{.status = kLoopLate, .missed_ticks = 0};
+constexpr LoopReport kOverrunReport{.status = kLoopOnTime, .missed_ticks = 10};
+constexpr LoopReport kWatchdogReport{.status = kLoopWatchdogLost, .missed_ticks = 0};
+
+constexpr auto kFaults = std::to_array<MatrixFault>({
+    {"drive silent", kFaultStaleSamples, kEvery, 3, report<drivers::kDeviceStale>},
+    {"USB short packets", kFaultStaleSamples, kEvery, 3, age_the_sample},
+    {"drive reports error", kFaultDrive, kEvery, 1, report<drivers::kDeviceDriveFault>},
+    {"bus off", kFaultDeviceLost, kEvery, 1, report<drivers::kDeviceLost>},
+    {"USB unplugged in flight", kFaultDeviceLost, kEvery, 1, fail_the_write<drivers::kDeviceLost>},
+    {"drive refuses the command", kFaultDrive, kEvery, 1,
+     fail_the_write<drivers::kDeviceDriveFault>},
+    {"GPIO chip gone", kFaultDeviceLost, kEvery, 1,
+     report<drivers::kDeviceLost | drivers::kDeviceStale>},
+    {"index lost", kFaultEncoder, kEvery, 1, report<drivers::kDeviceEncoderFault>},
+    {"e-stop pressed", kFaultEmergencyStop, kEvery, 1, report<drivers::kDeviceEmergencyStop>},
+    {"power stage over temperature", kFaultOverTemperature, kEvery, 1,
+     report<drivers::kDeviceTooHot>},
+    {"reference lost", kFaultReferenceLost, kActive, 1, report<drivers::kDeviceNotReady>},
+    {"operator stops", kFaultOperatorStop, kEvery, 1, report<drivers::kDeviceOk>, Request::estop},
+    {"late ticks", kFaultLateTicks, kEvery, 3, hold_the_loop_up<kLateReport>},
+    {"tick overrun", kFaultTickOverrun, kEvery, 1, hold_the_loop_up<kOverrunReport>},
+    {"watchdog output gone", kFaultWatchdog, kEvery, 1, hold_the_loop_up<kWatchdogReport>},
+    {"non-finite pose", kFaultJointNotFinite, kEvery, 1, read_nan},
+    {"non-finite velocity", kFaultJointNotFinite, kEvery, 1, read_infinite_velocity},
+    {"encoder stuck", kFaultEncoderFrozen, kLocated, 52, freeze},
+    {"encoder jumping", kFaultEncoderJump, kLocated, 1, jump},
+    {"encoder sign-flipped", kFaultMotionWithoutTorque, kLocated, 90, flip_the_sign},
+    {"joint out of range", kFaultJointLimit, kReferenced, 41, leave_the_joints_range},
+    {"through a wall", kFaultWorkspace, kLocated, 21, go_through_the_wall},
+    {"overspeed", kFaultOverspeed, kLocated, 1, race},
+    {"motor or joint blocked", kFaultTorqueWithoutMotion, kActive, 510, block},
+    {"surface gives energy", kFaultNotPassive, kActive, 400, pump},
+});
+static_assert(kFaults.size() >= 20);
+
+std::string title(const MatrixFault& fault, Mode mode) {
+  return std::string(fault.name) + " in " + std::string(mode_name(mode));
+}
+
+TEST(FaultMatrix, EveryFaultInEveryModeEndsInZeroTorqueALatchedCodeAndAWayBack) {
+  static FaultyRig rig;
+  for (const MatrixFault& fault : kFaults) {
+    for (std::size_t mode = 0; mode < kModeCount; ++mode) {
+      EXPECT_EQ(check_cell(rig, fault, static_cast<Mode>(mode), kNoFault), "")
+          << title(fault, static_cast<Mode>(mode));
+    }
+  }
+}
+
+TEST(FaultMatrix, TorqueIsGoneWithinTwoTicksOfTheFirstOneWithTheFaultCertain) {
+  static FaultyRig rig;
+  for (const MatrixFault& fault : kFaults) {
+    ASSERT_TRUE(rig.enter(Mode::active, kNoFault));
+    rig.heal();
+    int ticks = 0;
+    while (rig.has_torque() && ticks <= 2 * fault.ticks) {
+      fault.inject(rig, ticks);
+      rig.tick(fault.request);
+      ++ticks;
+    }
+    EXPECT_LE(ticks, fault.ticks + 1) << fault.name;
+  }
+}
+
+// Silence for one guard at a time: its cells fail and no others.
+TEST(FaultMatrix, WithoutAGuardExactlyItsCellsFail) {
+  static FaultyRig rig;
+  std::set<std::uint64_t> guards;
+  for (const MatrixFault& fault : kFaults) {
+    guards.insert(fault.bit);
+  }
+  for (const std::uint64_t off : guards) {
+    for (const MatrixFault& fault : kFaults) {
+      for (std::size_t mode = 0; mode < kModeCount; ++mode) {
+        const bool raised = (fault.modes >> mode & 1U) != 0;
+        const bool fails = !check_cell(rig, fault, static_cast<Mode>(mode), off).empty();
+        EXPECT_EQ(fails, fault.bit == off && raised)
+            << title(fault, static_cast<Mode>(mode)) << " without "
+            << fault_name(static_cast<FaultBits>(off));
+      }
+    }
+  }
+}
+
+TEST(FaultMatrix, ASwitchedOffGuardIsSaidInEveryTick) {
+  static FaultyRig rig;
+  ASSERT_TRUE(rig.enter(Mode::active, kFaultOverspeed));
+  EXPECT_EQ(rig.record().limits & kLimitGuardsOff, kLimitGuardsOff);
+}
+
+}  // namespace
+}  // namespace tactus::firmware

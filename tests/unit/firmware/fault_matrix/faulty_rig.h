@@ -1,0 +1,69 @@
+// A controller, a floor and a device in memory that can be made to fail in any mode.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "firmware/control/controller.h"
+#include "firmware/control/run_tick.h"
+#include "firmware/safety/faults.h"
+#include "tests/unit/firmware/test_scene.h"
+
+namespace tactus::firmware {
+
+// Reports what it is told to and keeps what it was commanded. Three axes; the hand is at `sample`.
+class ScriptedDevice {
+ public:
+  [[nodiscard]] static std::size_t joint_count() { return kJointCount; }
+  void read(drivers::JointSample& out) const { out = sample; }
+  std::uint32_t write(const drivers::JointCommand& command) {
+    written = command;
+    return write_status;
+  }
+  void clear_faults() {}
+
+  drivers::JointSample sample;
+  std::uint32_t write_status = drivers::kDeviceOk;
+  drivers::JointCommand written;
+};
+
+class FaultyRig {
+ public:
+  FaultyRig();
+
+  // Starts over, and goes to that mode with the tool 2 mm in the floor; in `active` until the soft
+  // start is over. False if it did not get there.
+  bool enter(Mode mode, std::uint64_t guards_off);
+
+  // The device as it is without a fault in the mode that was entered.
+  void heal();
+
+  void tick(Request request = Request::none) { run_tick(controller_, device, request); }
+  [[nodiscard]] const TelemetryRecord& record() const { return controller_.record(); }
+  [[nodiscard]] bool has_torque() const;
+  Controller& controller() { return controller_; }
+
+  ScriptedDevice device;
+
+ private:
+  Floor floor_{{.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0, .friction = {}}};
+  Controller controller_;
+  bool is_homing_ = false;
+};
+
+// What goes wrong, and what the controller shall make of it.
+struct MatrixFault {
+  std::string_view name;
+  FaultBits bit;
+  std::uint8_t modes;  // those that raise it, 1 << Mode; in the others nothing happens
+  int ticks;           // with the fault in them until it is certain; torque may last one longer
+  void (*inject)(FaultyRig& rig, int tick);  // before each tick
+  Request request = Request::none;           // with each tick
+};
+
+// What is wrong with a cell, or nothing.
+std::string check_cell(FaultyRig& rig, const MatrixFault& fault, Mode mode,
+                       std::uint64_t guards_off);
+
+}  // namespace tactus::firmware

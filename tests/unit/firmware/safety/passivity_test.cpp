@@ -1,0 +1,90 @@
+#include "firmware/safety/passivity.h"
+
+#include <gtest/gtest.h>
+
+#include "firmware/safety/faults.h"
+
+namespace tactus::firmware {
+namespace {
+
+ControllerConfig bare_config(double device_damping, double most_damping) {
+  ControllerConfig config;
+  config.safety.device_damping_Ns_per_m = device_damping;
+  config.safety.passivity_damping_Ns_per_m = most_damping;
+  return config;
+}
+
+// A mass that swings against a stiff sampled wall which no damping tames: the energy it has when it
+// leaves, over what it came with.
+double bounce(const ControllerConfig& config) {
+  constexpr double kMass = 0.1;
+  constexpr double kStiffness = 2000.0;
+  constexpr double kStep_s = 0.001;
+  EnergyAccount account;
+  PassivityControl control;
+  control.configure(config);
+  double x = 0.0005;
+  double v = -0.2;
+  bool touched = false;
+  for (int tick = 0; tick < 1000 && !(touched && x > 0.0); ++tick) {
+    rendering::Touch touch;
+    const bool in_contact = x < 0.0;
+    touched = touched || in_contact;
+    touch.force_W = {in_contact ? -kStiffness * x : 0.0, 0.0, 0.0};
+    const Vec3 p{x, 0.0, 0.0};
+    control.observe(account.settle(p, touch, kStep_s), in_contact);
+    const Vec3 force = touch.force_W + control.damp_W({v, 0.0, 0.0}, in_contact);
+    account.hold(force);
+    v += force.x() / kMass * kStep_s;  // the force is held, the motion exact
+    x += (v - 0.5 * force.x() / kMass * kStep_s) * kStep_s;
+  }
+  return v * v / (0.2 * 0.2);
+}
+
+TEST(PassivityControl, ASampledWallThrowsBackHarderWithoutIt) {
+  EXPECT_GT(bounce(bare_config(0.0, 0.0)), 1.05);
+}
+
+TEST(PassivityControl, TheWallGivesBackNoMoreThanItGot) {
+  EXPECT_LT(bounce(bare_config(0.0, 20.0)), 1.01);
+}
+
+TEST(PassivityControl, DampingOfTheDevicePaysFirst) {
+  PassivityControl control;
+  control.configure(bare_config(2.0, 5.0));
+  // 1 mm in 1 ms: b way^2 / T = 2 mJ
+  control.observe({.given_J = 0.002, .passive_J = 0.002, .way_m2 = 1e-6}, true);
+  EXPECT_NEAR(control.credit_J(), 0.0, 1e-15);
+  EXPECT_EQ(control.damp_W(Vec3::UnitX(), true), Vec3::Zero());
+}
+
+TEST(PassivityControl, ADebtIsPaidByADamperInContactOnly) {
+  PassivityControl control;
+  control.configure(bare_config(0.0, 5.0));
+  control.observe({.given_J = 1e-4, .passive_J = 1e-4, .way_m2 = 0.0}, true);
+  EXPECT_EQ(control.damp_W({0.5, 0.0, 0.0}, false), Vec3::Zero());
+  // E / (T v^2) = 1e-4 / (1e-3 0.25) = 0.4 N s/m
+  EXPECT_TRUE(control.damp_W({0.5, 0.0, 0.0}, true).isApprox(Vec3(-0.2, 0.0, 0.0), 1e-9));
+  EXPECT_TRUE(control.damp_W({0.01, 0.0, 0.0}, true).isApprox(Vec3(-0.05, 0.0, 0.0), 1e-9))
+      << "no more than the largest damping";
+}
+
+TEST(PassivityControl, CreditOfOneTouchDoesNotPayForTheNext) {
+  PassivityControl control;
+  control.configure(bare_config(0.0, 5.0));
+  control.observe({.given_J = -1.0, .passive_J = -1.0, .way_m2 = 0.0}, true);
+  EXPECT_EQ(control.credit_J(), 1.0);
+  control.observe({}, false);
+  EXPECT_EQ(control.credit_J(), 0.0);
+}
+
+TEST(PassivityControl, MoreDebtThanAllowedIsAFault) {
+  PassivityControl control;
+  control.configure(bare_config(0.0, 0.0));
+  EXPECT_EQ(control.observe({.given_J = 0.9, .passive_J = 0.9, .way_m2 = 0.0}, true), kNoFault);
+  EXPECT_EQ(control.observe({.given_J = 0.2, .passive_J = 0.2, .way_m2 = 0.0}, true),
+            kFaultNotPassive);
+}
+
+}  // namespace
+}  // namespace tactus::firmware

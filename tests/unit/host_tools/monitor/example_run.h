@@ -1,0 +1,16 @@
+// Ticks as a controller with three joints would publish them.
+#pragma once
+
+#include <cstdint>
+
+#include "host_tools/monitor/run_view.h"
+
+namespace tactus::host {
+
+// In contact and active, woken `latency_us` after its time at 1 kHz.
+firmware::RecordedTick example_tick(std::uint64_t tick, std::int64_t latency_us);
+
+// A hundred such ticks, most of them woken after 3 us, one after 60 and one after 1500.
+RunView example_run();
+
+}  // namespace tactus::host
