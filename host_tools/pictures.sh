@@ -51,3 +51,11 @@ friction karnopp_stick-slip friction --model karnopp --experiment stick-slip
 friction motion friction --model lugre --motion "$examples/friction/record.csv"
 friction push friction --model lugre --push "$examples/friction/push.csv" --mass-kg 1
 friction fit fit "$examples/friction/record.csv"
+
+# The Z-width of host_tools/certify/README.md.
+pictures=host_tools/certify/pictures
+mkdir -p "$pictures"
+cp "$examples/devices/falcon.toml" "$work/"
+"$tactus" certify "$work/falcon.toml" >"$work/log"
+cp "$work/falcon.zwidth.png" "$pictures/falcon_zwidth.png"
+echo "$pictures/falcon_zwidth.png"
