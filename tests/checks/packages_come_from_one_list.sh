@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # toolchains/packages.txt is the one list: each package once, with a reason; nothing else installs any. The host tools
-# tell the user how to, in host_tools/install_command.h.
+# tell the user how to, in host_tools/install_command.h; a screen of that is in host_tools/README.md.
 set -euo pipefail
 source tests/checks/tracked_files.sh
 list=toolchains/packages.txt
@@ -16,7 +16,7 @@ if [[ -n "$twice" ]]; then
   echo "$list: named twice: $twice"
   status=1
 fi
-if tracked_files '*' | grep -vxF -e toolchains/install-packages.sh -e host_tools/install_command.h \
+if tracked_files '*' | grep -vxF -e toolchains/install-packages.sh -e host_tools/install_command.h -e host_tools/README.md \
     -e "tests/checks/$(basename "$0")" |
   xargs -d '\n' grep -nE '\b(apt|apt-get|aptitude) (-[^ ]+ )*install|\bdpkg (-i|--install)'; then
   echo "only toolchains/install-packages.sh installs packages"
