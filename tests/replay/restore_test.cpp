@@ -23,11 +23,12 @@ using rendering::Object;
 using rendering::Sides;
 
 constexpr std::size_t kTicksAScene = 20'000;
+constexpr std::size_t kLeastTicksAScene = 8'000;  // with fewer some tools never get to the surface
 
 void check(const std::vector<Object>& objects, double radius_m, std::uint64_t seed,
            std::span<const rendering::Effect> effects = {}) {
   RestoreTally tally;
-  const std::size_t ticks = std::max<std::size_t>(500, share_of(kTicksAScene));
+  const std::size_t ticks = std::max(kLeastTicksAScene, share_of(kTicksAScene));
   expect_restores_go_on_alike(
       {.objects = objects, .world = {.tool_radius_m = radius_m, .effects = effects}}, seed, ticks,
       tally);
@@ -45,7 +46,7 @@ TEST(Restore, GoesOnAlikeOverEveryShapeOfMesh) {
       const Solid solid(shape, shape.closed ? Sides::one : Sides::two, kRough);
       ASSERT_NO_FATAL_FAILURE(expect_restores_go_on_alike(
           {.objects = {&solid.object(), 1}, .world = {.tool_radius_m = radius_m}}, seed++,
-          std::max<std::size_t>(200, share_of(kTicksAScene / 8)), tally));
+          std::max(kLeastTicksAScene / 4, share_of(kTicksAScene / 8)), tally));
     }
   }
   EXPECT_GT(tally.contacts, tally.ticks / 10);

@@ -94,7 +94,7 @@ TEST_F(FewJoints, APantographNearASingularityStops) {
   ASSERT_EQ(controller->mode(), Mode::active);
   sample.position = {1.39, 1.75};  // the elbows meet
   const drivers::JointCommand command = controller->tick(sample, Request::none);
-  EXPECT_EQ(controller->record().faults, kFaultKinematicsSingular);
+  EXPECT_NE(controller->record().faults & kFaultKinematicsSingular, 0U);
   EXPECT_FALSE(command.enable);
   EXPECT_EQ(command.effort, drivers::JointCommand{}.effort);
 }
@@ -112,7 +112,7 @@ TEST_F(FewJoints, TwoLinksOfAParallelogramThatMeetAreAJointLimit) {
   ASSERT_EQ(controller->mode(), Mode::active);
   sample.position[1] = -0.4 + 66.0 * std::numbers::pi / 180.0;
   controller->tick(sample, Request::none);
-  EXPECT_EQ(controller->record().faults, kFaultJointLimit);
+  EXPECT_NE(controller->record().faults & kFaultJointLimit, 0U);
 }
 
 }  // namespace
