@@ -272,7 +272,7 @@ TEST_F(CompensatingController, SaysThatALimitHoldsItBack) {
 TEST_F(CompensatingController, StopsWhereAPushWouldNotBeFinite) {
   ControllerConfig config = compensating();
   config.friction[0].model.viscous_s_per_m = 1000.0;
-  config.safety.guards_off = kFaultOverspeed | kFaultEncoderJump;
+  config.safety.guards_off = kFaultOverspeed | kFaultEncoderJump | kFaultMotionWithoutTorque;
   const auto controller = active(config, floor_);
   drivers::JointSample fast = moving(1);
   fast.velocity[0] = 1e308;
