@@ -109,7 +109,7 @@ ChecksumText checksum_text(std::uint64_t checksum) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   ChecksumText text;
   for (char& digit : text.digits) {
-    digit = kDigits[checksum >> 60U];
+    digit = kDigits[static_cast<std::size_t>(checksum >> 60U)];
     checksum <<= 4U;
   }
   return text;

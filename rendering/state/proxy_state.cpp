@@ -38,7 +38,7 @@ void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, cons
   }
   if (archive.is_reading()) {
     fill_last_four();
-    work = done;
+    work = static_cast<std::size_t>(done);
   }
 }
 

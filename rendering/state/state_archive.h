@@ -7,8 +7,8 @@
 //   }
 //
 // Plain numbers and indices, no addresses, little-endian: the bytes mean the same in another
-// process and on another processor. They come from outside when they are read: numbers that are not
-// finite, and what require() refuses, end it.
+// process and on another processor of 64 bits. They come from outside when they are read: numbers
+// that are not finite, and what require() refuses, end it.
 #pragma once
 
 #include <array>
