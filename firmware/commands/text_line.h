@@ -51,7 +51,7 @@ class TextLine {
   }
 
  private:
-  static bool is_control(char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }
+  static bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
 
   static constexpr std::string_view kCut = "...\n";
   static constexpr std::size_t kTextEnd = kRoom - kCut.size();
