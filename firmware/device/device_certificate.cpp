@@ -7,8 +7,8 @@ namespace tactus::firmware {
 
 namespace {
 
-std::unexpected<DeviceError> refuse(std::size_t section, std::string_view key,
-                                    std::string_view what) {
+std::unexpected<DeviceError> refuse_certificate(std::size_t section, std::string_view key,
+                                                std::string_view what) {
   return std::unexpected(DeviceError{what, section, key});
 }
 
@@ -81,12 +81,13 @@ std::expected<void, DeviceError> check_keys(const DeviceSection& section, std::s
        {kCertificateSettings, SettingType::text}}};
   for (const auto& [key, type] : kKeys) {
     if (!has_type(find(section, key), type)) {
-      return refuse(index, key, "is missing or of another type; run tactus certify again");
+      return refuse_certificate(index, key,
+                                "is missing or of another type; run tactus certify again");
     }
   }
   for (const Setting& setting : section.all()) {
     if (std::ranges::find(kKeys, setting.key, &decltype(kKeys)::value_type::first) == kKeys.end()) {
-      return refuse(index, setting.key, "unknown key");
+      return refuse_certificate(index, setting.key, "unknown key");
     }
   }
   return {};
@@ -125,7 +126,8 @@ std::expected<Certification, DeviceError> read_certificate(const DeviceSections&
   const auto stiffnesses = find(section, kCertificateStiffnesses)->numbers;
   if (dampings.empty() || dampings.size() > kMaxCertifiedPoints ||
       dampings.size() != stiffnesses.size()) {
-    return refuse(index, kCertificateStiffnesses, "must be 1 to 16 numbers, one a damping");
+    return refuse_certificate(index, kCertificateStiffnesses,
+                              "must be 1 to 16 numbers, one a damping");
   }
   Certification certification{.is_there = true,
                               .measured_with = find(section, kCertificateMethod)->text};
