@@ -13,9 +13,9 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr rendering::Material kRubber = {.stiffness_N_per_m = 500.0,
-                                         .damping_Ns_per_m = 0.0,
-                                         .friction = rendering::cone_friction(0.6, 0.4)};
+constexpr rendering::Material kSlidingRubber = {.stiffness_N_per_m = 500.0,
+                                                .damping_Ns_per_m = 0.0,
+                                                .friction = rendering::cone_friction(0.6, 0.4)};
 constexpr ParameterPlace kMaxForce{.parameter = Parameter::max_force};
 constexpr ParameterPlace kStiffness{.parameter = Parameter::stiffness, .object = 0};
 
@@ -49,7 +49,7 @@ class ParametersTest : public ::testing::Test {
     return done ? ParameterRefusal{} : done.error();
   }
 
-  Floor floor_{kRubber};
+  Floor floor_{kSlidingRubber};
   Controller controller_;
 };
 
@@ -90,9 +90,9 @@ TEST_F(ParametersTest, SafetyGetsGentlerThanConfiguredAndNeverHarder) {
 }
 
 TEST_F(ParametersTest, RefusesWhatIsNoNumberNoParameterOrNoObject) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kQuietNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal(kMaxForce, kNaN), ParameterRefusal::not_finite);
+  EXPECT_EQ(refusal(kMaxForce, kQuietNaN), ParameterRefusal::not_finite);
   EXPECT_EQ(refusal(kStiffness, kInfinite), ParameterRefusal::not_finite);
   EXPECT_EQ(refusal({}, 1.0), ParameterRefusal::no_such_parameter);
   EXPECT_EQ(refusal({.parameter = static_cast<Parameter>(200)}, 1.0),

@@ -19,24 +19,24 @@ ControllerConfig bare_config(double device_damping, double most_damping) {
 double bounce(const ControllerConfig& config) {
   constexpr double kMass = 0.1;
   constexpr double kStiffness = 2000.0;
-  constexpr double kStep_s = 0.001;
+  constexpr double kTick_s = 0.001;
   EnergyAccount account;
   PassivityControl control;
   control.configure(config);
   double x = 0.0005;
   double v = -0.2;
   bool touched = false;
-  for (int tick = 0; tick < 1000 && !(touched && x > 0.0); ++tick) {
+  for (int tick = 0; tick < 1000 && (!touched || x <= 0.0); ++tick) {
     rendering::Touch touch;
     const bool in_contact = x < 0.0;
     touched = touched || in_contact;
     touch.force_W = {in_contact ? -kStiffness * x : 0.0, 0.0, 0.0};
     const Vec3 p{x, 0.0, 0.0};
-    control.observe(account.settle(p, touch, kStep_s), in_contact);
+    control.observe(account.settle(p, touch, kTick_s), in_contact);
     const Vec3 force = touch.force_W + control.damp_W({v, 0.0, 0.0}, in_contact);
     account.hold(force);
-    v += force.x() / kMass * kStep_s;  // the force is held, the motion exact
-    x += (v - 0.5 * force.x() / kMass * kStep_s) * kStep_s;
+    v += force.x() / kMass * kTick_s;  // the force is held, the motion exact
+    x += (v - 0.5 * force.x() / kMass * kTick_s) * kTick_s;
   }
   return v * v / (0.2 * 0.2);
 }
