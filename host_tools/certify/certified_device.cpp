@@ -46,7 +46,7 @@ DevicePreset matching_preset(const firmware::ControllerConfig& config) {
   for (const std::string_view name : firmware::kPresetNames) {
     const DevicePreset preset = device_preset(name).value();
     const MechanismKind kind = preset.device.plant.mechanism;
-    const Vec3 points_B[] = {preset.centre_B, preset.centre_B + Vec3::Constant(0.01)};
+    const std::array<Vec3, 2> points_B = {preset.centre_B, preset.centre_B + Vec3::Constant(0.01)};
     const auto is_seen_right = [&](const Vec3& point_B) {
       const Vec3 on_B = on_manifold(kind, point_B);
       const auto seen = controller_pose(config, kind, on_B);
