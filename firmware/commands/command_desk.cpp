@@ -149,7 +149,8 @@ void CommandDesk::set_scene(const Command& command, Controller& controller, Answ
   tell(EventKind::scene, answer.tick, kSceneAttachment, 0.0);
 }
 
-void CommandDesk::tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) {
+void CommandDesk::tell(EventKind kind, std::uint64_t tick, std::string_view name,
+                       double value) const {
   if (events_.tell == nullptr) {
     return;
   }

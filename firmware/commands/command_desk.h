@@ -60,7 +60,7 @@ class CommandDesk {
   void carry_out(const Command& command, Controller& controller);
   void set(const Command& command, Controller& controller, Answer& answer);
   void set_scene(const Command& command, Controller& controller, Answer& answer);
-  void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value);
+  void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) const;
 
   RequestSlot requests_;
   Ring<Command, kMaxWaiting> commands_;

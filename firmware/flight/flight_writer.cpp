@@ -24,7 +24,11 @@ void FlightWriter::add(const RecordedTick& tick, Controller& controller) {
     waiting_.store(true, std::memory_order_release);
   }
   mode_ = mode;
-  if (ticks_to_wait_ > 0 && --ticks_to_wait_ == 0) {
+  if (ticks_to_wait_ == 0) {
+    return;
+  }
+  --ticks_to_wait_;
+  if (ticks_to_wait_ == 0) {
     waiting_.store(false, std::memory_order_release);
     ask();
   }

@@ -41,7 +41,6 @@ constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
 // Where commands are taken it goes on until told to stop: somebody may reset it.
 constexpr double kAfterFault_s = 0.2;
-constexpr const char* kRunFolder = "/run/tactus";
 constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};

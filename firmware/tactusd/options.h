@@ -7,12 +7,15 @@
 
 namespace tactus::firmware {
 
+// Where the sockets lie unless told otherwise.
+inline constexpr const char* kRunFolder = "/run/tactus";
+
 struct Options {
   const char* device = nullptr;
   const char* scene = nullptr;      // none: free space
   const char* record = nullptr;     // .mcap or .csv
   const char* flight_dir = ".";     // of what the flight recorder writes
-  const char* run_dir = nullptr;    // of the sockets; none: /run/tactus
+  const char* run_dir = nullptr;    // of the sockets; none: kRunFolder
   const char* group = nullptr;      // of the command socket; none: the program's
   std::uint16_t udp_port = 0;       // JSON to this port of this machine; 0: none
   const char* histogram = nullptr;  // CSV, written at the end

@@ -13,7 +13,6 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr const char* kRunFolder = "/run/tactus";
 constexpr std::string_view kLiveSocketName = "/telemetry.sock";
 // A larger image is not in the recording; its file and checksum are.
 constexpr std::size_t kLargestAttachment = std::size_t{64} << 20U;

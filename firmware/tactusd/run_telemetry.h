@@ -30,6 +30,7 @@ class RunTelemetry {
   RunTelemetry() = default;
   RunTelemetry(const RunTelemetry&) = delete;
   RunTelemetry& operator=(const RunTelemetry&) = delete;
+  ~RunTelemetry() = default;
 
   // Opens what is wanted and starts the thread, before the calling thread becomes a real-time one.
   // False, after telling the user on stderr, if something cannot be had that was asked for.

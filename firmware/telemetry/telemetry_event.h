@@ -37,7 +37,7 @@ inline void set_name(TelemetryEvent& event, std::string_view name) {
 }
 
 inline std::string_view name_of(const TelemetryEvent& event) {
-  const auto end = std::find(event.name.begin(), event.name.end(), '\0');
+  const auto end = std::ranges::find(event.name, '\0');
   return {event.name.data(), static_cast<std::size_t>(end - event.name.begin())};
 }
 

@@ -44,9 +44,13 @@ std::optional<firmware::Pose> controller_pose(const firmware::ControllerConfig& 
 DevicePreset matching_preset(const firmware::ControllerConfig& config) {
   constexpr double kSame_m = 2e-4;
   for (const std::string_view name : firmware::kPresetNames) {
-    const DevicePreset preset = device_preset(name).value();
-    const MechanismKind kind = preset.device.plant.mechanism;
-    const Vec3 points_B[] = {preset.centre_B, preset.centre_B + Vec3::Constant(0.01)};
+    const std::optional<DevicePreset> preset = device_preset(name);
+    if (!preset) {
+      continue;
+    }
+    const MechanismKind kind = preset->device.plant.mechanism;
+    const std::array<Vec3, 2> points_B = {preset->centre_B,
+                                          preset->centre_B + Vec3::Constant(0.01)};
     const auto is_seen_right = [&](const Vec3& point_B) {
       const Vec3 on_B = on_manifold(kind, point_B);
       const auto seen = controller_pose(config, kind, on_B);
@@ -54,7 +58,7 @@ DevicePreset matching_preset(const firmware::ControllerConfig& config) {
     };
     if (joints_of(kind) == firmware::joint_count(config.mechanism) &&
         std::ranges::all_of(points_B, is_seen_right)) {
-      return preset;
+      return *preset;
     }
   }
   throw InputError(fmt::format(

@@ -102,12 +102,12 @@ void add_requests(CLI::App& app) {
   });
   for (const VerbText& text : kRequests) {
     auto [verb, options] = add_verb(app, text);
-    verb->callback([options = options, name = std::string(text.name)] { tell(*options, name); });
+    verb->callback([options, name = std::string(text.name)] { tell(*options, name); });
   }
   auto [verb, options] = add_verb(app, {"home", "Let the device find its reference",
                                         "Example:\n  tactus home --wait && tactus enable"});
   verb->add_flag("--wait", options->wait, "Until homing is over");
-  verb->callback([options = options] { home(*options); });
+  verb->callback([options] { home(*options); });
 }
 
 void add_parameters(CLI::App& app) {
@@ -137,9 +137,8 @@ void add_scene(CLI::App& app) {
                      "to be on its machine.\n\nExample:\n  tactus bake bunny.toml && tactus "
                      "disable && tactus scene bunny.tactus && tactus enable"});
   verb->add_option("file", options->file, "Scene image (.tactus)")->required();
-  verb->callback([options = options] {
-    tell(*options, "scene " + std::filesystem::absolute(options->file).string());
-  });
+  verb->callback(
+      [options] { tell(*options, "scene " + std::filesystem::absolute(options->file).string()); });
 }
 
 void add_record(CLI::App& app) {
@@ -151,7 +150,7 @@ void add_record(CLI::App& app) {
       ->required()
       ->check(CLI::IsMember({"on", "off"}));
   verb->add_option("file", options->file, "Name of the recording; needed with on");
-  verb->callback([options = options] {
+  verb->callback([options] {
     tell(*options, options->value == "on" ? "record on " + options->file : "record off");
   });
 }
@@ -165,9 +164,8 @@ void add_inject(CLI::App& app) {
        "estop_line\n  tactus inject drop 2\n  tactus inject delay 3"});
   verb->add_option("fault", options->name, "Its name")->required();
   verb->add_option("ticks", options->ticks, "For so many ticks")->capture_default_str();
-  verb->callback([options = options] {
-    tell(*options, fmt::format("inject {} {}", options->name, options->ticks));
-  });
+  verb->callback(
+      [options] { tell(*options, fmt::format("inject {} {}", options->name, options->ticks)); });
 }
 
 }  // namespace

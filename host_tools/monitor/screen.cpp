@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -65,12 +66,13 @@ void rule(Canvas& canvas, std::size_t row, std::string_view left, std::string_vi
 void draw_head(Canvas& canvas, const RunView& view) {
   canvas.put(0, 0, "tactus");
   canvas.put(0, 7, view.name().substr(0, 36), Style::strong);
-  if (view.lost() || !view.newest()) {
+  const std::optional<RecordedTick>& newest = view.newest();
+  if (view.lost() || !newest) {
     canvas.put(0, 46, view.lost() ? "CONTROLLER GONE" : "waiting for the first tick",
                Style::warning);
     return;
   }
-  const auto& record = view.newest()->record;
+  const auto& record = newest->record;
   std::string mode(known_name(record.mode));
   std::ranges::transform(mode, mode.begin(), [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
   canvas.put(0, 46, fmt::format(" {} ", mode), style_of(record.mode));
@@ -181,9 +183,10 @@ std::string contact_words(const firmware::TelemetryRecord& record) {
                      record.object, friction < kFriction.size() ? kFriction[friction] : "");
 }
 
-void draw_force_bar(Canvas& canvas, std::size_t row, const RunView& view) {
+void draw_force_bar(Canvas& canvas, std::size_t row, const RunView& view,
+                    const RecordedTick& tick) {
   constexpr std::size_t kBarRoom = 20;
-  const auto& force = view.newest()->record.force_commanded_W;
+  const auto& force = tick.record.force_commanded_W;
   const double force_N = std::hypot(force[0], force[1], force[2]);
   const double share = std::isfinite(force_N) ? force_N / view.force_scale_N() : 0.0;
   const auto length = static_cast<std::size_t>(std::lround(share * kBarRoom));
@@ -194,18 +197,17 @@ void draw_force_bar(Canvas& canvas, std::size_t row, const RunView& view) {
   canvas.paint(row, 23, filled.size(), Style::bar);
 }
 
-void draw_touch(Canvas& canvas, const RunView& view) {
+void draw_touch(Canvas& canvas, const RunView& view, const RecordedTick& tick) {
   rule(canvas, kTouchRow, "touch: x right, y up, z to you", "loop");
-  const auto& record = view.newest()->record;
+  const auto& record = tick.record;
   draw_triple(canvas, kTouchRow + 1, "tool mm", record.tool_p_W, 1e3, 3);
   draw_triple(canvas, kTouchRow + 2, "proxy mm", record.proxy_W, 1e3, 3);
   draw_triple(canvas, kTouchRow + 3, "force N", record.force_commanded_W, 1.0, 3);
-  draw_force_bar(canvas, kTouchRow + 4, view);
+  draw_force_bar(canvas, kTouchRow + 4, view, tick);
   canvas.put(kTouchRow + 5, 0, contact_words(record));
 }
 
-void draw_loop(Canvas& canvas, const RunView& view) {
-  const RecordedTick& tick = *view.newest();
+void draw_loop(Canvas& canvas, const RunView& view, const RecordedTick& tick) {
   const firmware::StageTimes& stage = tick.record.stage_ns;
   const auto us = [](std::uint32_t ns) { return 1e-3 * ns; };
   std::size_t row = kTouchRow + 1;
@@ -245,13 +247,13 @@ void draw_energy(Canvas& canvas, const RecordedTick& tick) {
 Canvas draw_screen(const RunView& view) {
   Canvas canvas;
   draw_head(canvas, view);
-  if (view.newest()) {
-    const RecordedTick& tick = *view.newest();
+  if (const std::optional<RecordedTick>& newest = view.newest()) {
+    const RecordedTick& tick = *newest;
     draw_faults(canvas, tick);
     draw_axes(canvas, tick);
     draw_latency(canvas, view);
-    draw_touch(canvas, view);
-    draw_loop(canvas, view);
+    draw_touch(canvas, view, tick);
+    draw_loop(canvas, view, tick);
     draw_energy(canvas, tick);
   }
   canvas.put(kAnswerRow, 0, view.said(),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 
 #include "firmware/telemetry/outputs/mcap_writer.h"
 #include "hal/linux/system.h"
@@ -45,7 +46,7 @@ void unmap_file(std::span<const std::byte> bytes) {
 
 Recording::Recording(const std::string& file) : name_(file), bytes_(map_file(file)) {
   try {
-    reader_.emplace(bytes_);
+    reader_ = std::make_unique<McapReader>(bytes_);
     const auto info = reader_->metadata().find(firmware::kMetadataName);
     if (info == reader_->metadata().end()) {
       throw InputError("this MCAP file is no recording of tactusd or tactus sim");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,7 +48,7 @@ class Recording {
 
   std::string name_;
   std::span<const std::byte> bytes_;
-  std::optional<McapReader> reader_;
+  std::unique_ptr<McapReader> reader_;
   std::vector<firmware::TelemetryEvent> events_;
   McapReader::Texts info_;
 };

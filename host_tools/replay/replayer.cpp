@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <concepts>
 #include <string_view>
 #include <type_traits>
@@ -32,7 +33,8 @@ std::string in_digits(Value value)
 template <class Value>
 bool same_bits(const Value& a, const Value& b) {
   if constexpr (std::floating_point<Value>) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
   } else {
     return a == b;
   }

@@ -28,8 +28,8 @@ class WishPath {
   // The same way and back again, and so on without end.
   [[nodiscard]] WishPath there_and_back() const;
 
-  // Cheap when t_s rises from call to call; correct for any t_s.
-  [[nodiscard]] Vec3 at(double t_s);
+  // Cheap when time_s rises from call to call; correct for any time_s.
+  [[nodiscard]] Vec3 at(double time_s);
 
   // m: the centre of the box around all waypoints.
   [[nodiscard]] Vec3 middle() const;

@@ -16,6 +16,7 @@ class CsvWriter {
   CsvWriter() = default;
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
+  ~CsvWriter() = default;
 
   // Columns for so many joints. 0, or errno.
   int open(const char* path, std::size_t joints);

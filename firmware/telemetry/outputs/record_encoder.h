@@ -29,6 +29,7 @@ class RecordEncoder {
   RecordEncoder();
   RecordEncoder(const RecordEncoder&) = delete;
   RecordEncoder& operator=(const RecordEncoder&) = delete;
+  ~RecordEncoder() = default;
 
   // Each valid until the next call of any. The same numbers give the same bytes.
   std::span<const std::byte> encode(const RecordedTick& tick);

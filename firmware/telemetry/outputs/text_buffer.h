@@ -20,7 +20,7 @@ class TextBuffer {
   // What does not fit whole is left out.
   TextBuffer& text(std::string_view text) {
     if (text.size() <= room_.size() - size_) {
-      std::copy(text.begin(), text.end(), room_.begin() + static_cast<std::ptrdiff_t>(size_));
+      std::ranges::copy(text, room_.subspan(size_).begin());
       size_ += text.size();
     }
     return *this;

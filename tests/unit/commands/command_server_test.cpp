@@ -34,6 +34,15 @@ std::filesystem::path new_folder() {
 
 // A server before a controller whose loop runs in a thread, as fast as it comes.
 class CommandServerTest : public ::testing::Test {
+ public:
+  CommandServerTest(const CommandServerTest&) = delete;
+  CommandServerTest& operator=(const CommandServerTest&) = delete;
+  ~CommandServerTest() override {
+    server_->stop();
+    stop_loop();
+    std::filesystem::remove_all(folder_);
+  }
+
  protected:
   CommandServerTest() {
     EXPECT_TRUE(controller_->configure(cartesian_config()));
@@ -42,11 +51,6 @@ class CommandServerTest : public ::testing::Test {
     EXPECT_TRUE(scene);
     EXPECT_TRUE(controller_->load_scene((*scene)->objects(), {.tool_radius_m = 0.002}));
     scenes_->use_next();
-  }
-  ~CommandServerTest() override {
-    server_->stop();
-    stop_loop();
-    std::filesystem::remove_all(folder_);
   }
 
   void write_scene(const std::string& name, const host::BakedScene& scene) {
@@ -267,7 +271,9 @@ TEST_F(CommandServerTest, ManyProgramsAtOnceGetEachItsOwnAnswer) {
   start();
   std::vector<std::thread> programs;
   std::atomic<int> wrong{0};
-  for (int program = 0; program < 6; ++program) {
+  constexpr int kPrograms = 6;
+  programs.reserve(kPrograms);
+  for (int program = 0; program < kPrograms; ++program) {
     programs.emplace_back([this, program, &wrong] {
       Remote remote(folder_);
       const std::string value = std::to_string(100 + program);
@@ -310,6 +316,7 @@ TEST_F(CommandServerTest, AProgramThatGoesMidwayHurtsNobody) {
     std::thread([&] {
       try {
         remote.send("status", std::chrono::milliseconds(0));
+        // NOLINTNEXTLINE(bugprone-empty-catch): it did not wait for the answer
       } catch (const host::UnreachableError&) {
       }
     }).join();

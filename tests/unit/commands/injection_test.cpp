@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace tactus::firmware {
@@ -55,13 +56,13 @@ TEST(Injector, AStuckEncoderSaysNothingOfIt) {
 }
 
 TEST(Injector, ReportsWhatADeviceWouldReport) {
-  const std::pair<Injection, std::uint32_t> rows[] = {
-      {Injection::encoder, drivers::kDeviceEncoderFault},
-      {Injection::drive, drivers::kDeviceDriveFault},
-      {Injection::estop_line, drivers::kDeviceEmergencyStop},
-      {Injection::lost, drivers::kDeviceLost},
-      {Injection::not_ready, drivers::kDeviceNotReady}};
-  for (const auto& [injection, status] : rows) {
+  constexpr auto kRows = std::to_array<std::pair<Injection, std::uint32_t>>(
+      {{Injection::encoder, drivers::kDeviceEncoderFault},
+       {Injection::drive, drivers::kDeviceDriveFault},
+       {Injection::estop_line, drivers::kDeviceEmergencyStop},
+       {Injection::lost, drivers::kDeviceLost},
+       {Injection::not_ready, drivers::kDeviceNotReady}});
+  for (const auto& [injection, status] : kRows) {
     Injector injector;
     injector.start({.injection = injection, .ticks = 1});
     EXPECT_EQ(changed(injector, 0.0).status, status);

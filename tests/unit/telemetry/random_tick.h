@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 #include <random>
+#include <span>
 #include <type_traits>
 
 #include "firmware/telemetry/record_fields.h"
@@ -45,9 +48,11 @@ inline void expect_equal(const RecordedTick& expected, const RecordedTick& actua
   std::array<bool, 256> same{};
   std::size_t count = 0;
   visit_tick_fields(expected, [&, base = &expected](const FieldName&, const auto& field) {
-    const auto offset = reinterpret_cast<const char*>(&field) - reinterpret_cast<const char*>(base);
+    const auto bytes = std::as_bytes(std::span(&field, 1));
+    const auto offset = bytes.data() - std::as_bytes(std::span(base, 1)).data();
+    const auto there = std::as_bytes(std::span(&actual, 1));
     same[count] =
-        std::memcmp(&field, reinterpret_cast<const char*>(&actual) + offset, sizeof(field)) == 0;
+        std::ranges::equal(bytes, there.subspan(static_cast<std::size_t>(offset), bytes.size()));
     ++count;
   });
   count = 0;

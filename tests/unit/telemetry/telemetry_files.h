@@ -10,13 +10,17 @@
 namespace tactus {
 
 class FolderTest : public testing::Test {
+ public:
+  FolderTest(const FolderTest&) = delete;
+  FolderTest& operator=(const FolderTest&) = delete;
+  ~FolderTest() override { std::filesystem::remove_all(folder_); }
+
  protected:
   // Short: the name of a socket has room for 107 characters.
   FolderTest() {
     std::string name = "/tmp/tactus-XXXXXX";
     folder_ = mkdtemp(name.data());
   }
-  ~FolderTest() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::string file(const std::string& name) const { return folder_ / name; }
 

@@ -21,6 +21,11 @@ using testing::SceneWalk;
 using testing::TickInput;
 
 class FlightWriterTest : public ::testing::Test {
+ public:
+  FlightWriterTest(const FlightWriterTest&) = delete;
+  FlightWriterTest& operator=(const FlightWriterTest&) = delete;
+  ~FlightWriterTest() override { std::filesystem::remove_all(folder_); }
+
  protected:
   FlightWriterTest() {
     std::filesystem::create_directories(folder_);
@@ -28,7 +33,6 @@ class FlightWriterTest : public ::testing::Test {
     config_size_ = save_config(controller_->config(), config_);
     images_[0] = {.name = kConfigAttachment, .bytes = std::span(config_).first(config_size_)};
   }
-  ~FlightWriterTest() override { std::filesystem::remove_all(folder_); }
 
   void start() { ASSERT_EQ(writer_->start({.folder = folder_.c_str(), .images = images_}), 0); }
 

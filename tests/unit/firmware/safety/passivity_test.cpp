@@ -26,7 +26,7 @@ double bounce(const ControllerConfig& config) {
   double x = 0.0005;
   double v = -0.2;
   bool touched = false;
-  for (int tick = 0; tick < 1000 && !(touched && x > 0.0); ++tick) {
+  for (int tick = 0; tick < 1000 && (!touched || x <= 0.0); ++tick) {
     rendering::Touch touch;
     const bool in_contact = x < 0.0;
     touched = touched || in_contact;

@@ -28,9 +28,9 @@ TEST(Jitter, ReadsWhatCyclictestWrites) {
 }
 
 TEST(Jitter, RefusesWhatCyclictestDoesNotWrite) {
-  for (const char* text : {"", "{}", "[1]", R"({"thread": {"0": {"cycles": "x"}}})",
-                           R"({"thread": {"0": {"cycles": 1, "min": 1, "max": 1, "avg": 1,)"
-                           R"( "histogram": {"1000": 1}}}})"}) {
+  constexpr const char* kTooLate = R"({"thread": {"0": {"cycles": 1, "min": 1, "max": 1, "avg": 1,)"
+                                   R"( "histogram": {"1000": 1}}}})";
+  for (const char* text : {"", "{}", "[1]", R"({"thread": {"0": {"cycles": "x"}}})", kTooLate}) {
     EXPECT_THROW(read_cyclictest(text), InputError) << text;
   }
 }

@@ -102,7 +102,7 @@ TEST(MonitorScreen, StaysWithinItsEdgesWhateverTheTickSays) {
     view.take(tick);
     view.say(std::string(500, 'y'));
     const std::string text = draw_screen(view).text();
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(kScreenRows));
+    EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<long>(kScreenRows));
     EXPECT_TRUE(text.contains("h home   e enable"));
     for (const char letter : text) {
       EXPECT_TRUE(letter == '\n' || (letter >= ' ' && letter <= '~'));

@@ -65,7 +65,7 @@ TEST(Watch, EveryFieldCanBeAskedForByItsName) {
     WatchLines lines({field}, 1);
     const std::string line = lines.line(tick);
     EXPECT_TRUE(line.starts_with(field + "=")) << line;
-    EXPECT_EQ(std::count(line.begin(), line.end(), ' '), 0) << line;
+    EXPECT_EQ(std::ranges::count(line, ' '), 0) << line;
   }
 }
 

@@ -11,7 +11,16 @@
 
 namespace {
 
-using namespace tactus::firmware;
+using tactus::firmware::kModeNames;
+using tactus::firmware::kRequestNames;
+using tactus::firmware::MetadataEntry;
+using tactus::firmware::Mode;
+using tactus::firmware::random_tick;
+using tactus::firmware::RecordedTick;
+using tactus::firmware::RecordEncoder;
+using tactus::firmware::Request;
+using tactus::firmware::RunRecorder;
+using tactus::firmware::TelemetryEvent;
 
 constexpr std::uint64_t kTicks = 1500;
 constexpr std::int64_t kPeriod_ns = 1'000'000;
