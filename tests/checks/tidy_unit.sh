@@ -6,6 +6,9 @@ set -euo pipefail
 
 build="${1#-p=}"
 file="${!#}"
+if [[ "$file" == - ]]; then # run-clang-tidy tries out the settings
+  exec clang-tidy-19 "$@"
+fi
 remembered="${XDG_CACHE_HOME:-$HOME/.cache}/tactus-tidy"
 
 command="$(awk -v file="  \"file\": \"$file\"" '/^  "command": / { command = $0 } index($0, file) == 1 { print command; exit }' \
