@@ -165,7 +165,7 @@ std::expected<SceneImage, SceneError> SceneImage::open(std::span<const std::byte
 Result SceneImage::take(const image::Scene& scene) {
   scene_ = &scene;
   tool_radius_m_ = scene.tool_radius();
-  if (!(tool_radius_m_ >= 0.0 && tool_radius_m_ <= kMaxToolRadius_m)) {
+  if (!is_coefficient(tool_radius_m_) || tool_radius_m_ > kMaxToolRadius_m) {
     return fail(SceneFault::tool_radius);
   }
   tool_count_ = scene.tool_count();
