@@ -25,7 +25,8 @@ key="$(
   {
     clang-tidy-19 --version
     printf '%s\n' "$command" "${files[@]}" | sed "s|$PWD/||g"
-    git ls-files -z '*.clang-tidy' | xargs -0 cat
+    find . "$build" -maxdepth 1 -name .clang-tidy -exec cat {} +
+    git ls-files -z '*/.clang-tidy' | xargs -0 cat
     (cd "$build" && cat "${files[@]}")
   } | sha256sum | cut -d ' ' -f 1
 )"
