@@ -38,9 +38,14 @@ struct Trouble {
   std::string_view what;    // "drive reports that its watchdog expired"; empty: nothing
   std::string_view remedy;  // "check the cable and the host's load, then reset"
   std::uint32_t code = 0;   // the device's own number, in the words of its manual
+  bool is_heat = false;     // over-temperature: kDeviceTooHot beside what it is latched with
 
   explicit operator bool() const { return !what.empty(); }
 };
+
+inline std::uint32_t heat_status(const Trouble& trouble) {
+  return trouble.is_heat ? kDeviceTooHot : kDeviceOk;
+}
 
 // Something that serves one or several axes over one connection: the drives on a CAN bus, a USB
 // device, an input board. No call throws, allocates or waits beyond its deadline.

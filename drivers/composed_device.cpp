@@ -8,7 +8,7 @@ namespace tactus::drivers {
 namespace {
 
 constexpr std::uint32_t kLatchedStatus =
-    kDeviceEncoderFault | kDeviceDriveFault | kDeviceEmergencyStop | kDeviceLost;
+    kDeviceEncoderFault | kDeviceDriveFault | kDeviceEmergencyStop | kDeviceLost | kDeviceTooHot;
 // After these an encoder may count from somewhere else.
 constexpr std::uint32_t kLosesReference = kDeviceEncoderFault | kDeviceLost;
 

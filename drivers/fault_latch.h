@@ -12,13 +12,16 @@ namespace tactus::drivers {
 class FaultLatch {
  public:
   void latch(DeviceStatus bit, const Trouble& trouble) {
-    status_ |= bit;
+    status_ |= bit | heat_status(trouble);
     if (!trouble_) {
       trouble_ = trouble;
     }
   }
   // For a device that names the cause of its fault only later.
-  void explain(const Trouble& trouble) { trouble_ = trouble; }
+  void explain(const Trouble& trouble) {
+    status_ |= heat_status(trouble);
+    trouble_ = trouble;
+  }
   void clear() { *this = FaultLatch{}; }
 
   explicit operator bool() const { return status_ != kDeviceOk; }

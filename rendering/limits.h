@@ -86,5 +86,8 @@ inline constexpr double kWorldBound_m = 100.0;
 
 // The largest sphere that touches, metres. Beyond: the world and the loader refuse the scene.
 inline constexpr double kMaxToolRadius_m = 1.0;
+constexpr bool is_tool_radius(double radius_m) {
+  return radius_m >= 0.0 && radius_m <= kMaxToolRadius_m;
+}
 
 }  // namespace tactus::rendering

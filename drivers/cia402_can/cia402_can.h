@@ -21,6 +21,7 @@
 //   kDeviceDriveFault    the drive reports a fault (EMCY, statusword), leaves torque mode, its
 //                        power or operational by itself, restarts, does not switch its power on, or
 //                        refuses the set-up
+//   kDeviceTooHot        with it, if that is what the drive reports
 //   kDeviceEncoderFault  a position that the shaft cannot have reached; the last good one stays
 //   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, not up in time
 // From then on each tick sends torque zero and 'disable voltage'. What cannot be seen: samples that

@@ -15,6 +15,8 @@ struct ErrorWords {
   std::string_view remedy;
 };
 
+constexpr std::uint16_t kTemperatures = 0x4000;  // the class of 0x4xxx
+
 constexpr std::array<ErrorWords, 24> kErrorWords = {{
     {0xFFFF, 0x2310, "drive reports over-current at its output",
      "lower max_torque_Nm or the drive's current gains, check the motor's phases, then reset"},
@@ -44,7 +46,7 @@ constexpr std::array<ErrorWords, 24> kErrorWords = {{
     {0xF000, 0x2000, "drive reports a fault of its current",
      "check the motor's phases and the current limits, then reset"},
     {0xF000, 0x3000, "drive reports a fault of a voltage", "check the supply, then reset"},
-    {0xF000, 0x4000, "drive reports a fault of a temperature",
+    {0xF000, kTemperatures, "drive reports a fault of a temperature",
      "let it cool down and check its cooling, then reset"},
     {0xF000, 0x5000, "drive reports a hardware fault",
      "see the drive's own diagnosis; switch it off and on"},
@@ -69,7 +71,7 @@ constexpr std::array<ErrorWords, 24> kErrorWords = {{
 Trouble error_code_trouble(std::uint16_t code) {
   for (const ErrorWords& words : kErrorWords) {
     if ((code & words.mask) == words.code) {
-      return {words.what, words.remedy, code};
+      return {words.what, words.remedy, code, (code & 0xF000U) == kTemperatures};
     }
   }
   return {"drive reports an error with a code that CiA does not define",

@@ -68,7 +68,7 @@ void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
     return;
   }
   phase_ = Phase::failed;
-  sample_.status = status;
+  sample_.status = status | heat_status(trouble);
   trouble_ = trouble;
 }
 

@@ -34,9 +34,11 @@ struct MoteusReadings {
 //   kDeviceNotReady      from start until torque mode
 //   kDeviceStale         no reply for reply_stale_s; not latched
 //   kDeviceLost          no reply in time
-//   kDeviceDriveFault    a fault code, the watchdog's time-out, a refused register, torque mode
-//   left kDeviceEncoderFault  a position that is not a number or that no shaft can have reached
-// With the last three the sample keeps the last good position.
+//   kDeviceDriveFault    a fault code, the watchdog's time-out, a refused register, or torque mode
+//                        left
+//   kDeviceTooHot        with it, if that is what the fault code says
+//   kDeviceEncoderFault  a position that is not a number or that no shaft can have reached
+// With the last four the sample keeps the last good position.
 class MoteusCanFd {
  public:
   // The configuration has passed `check`.

@@ -18,6 +18,7 @@ constexpr std::string_view kEncoderWires =
 constexpr std::string_view kServoSetUp =
     "compare the servo's set-up with drivers/moteus_canfd/README.md";
 constexpr std::string_view kServoSupply = "check the supply and what takes its regeneration";
+constexpr std::string_view kServoCoolDown = "let it cool, lower the torque limit, then reset";
 constexpr std::string_view kServoReset = "reset; if it comes back, power-cycle the servo";
 
 constexpr std::array kFaults = {
@@ -28,7 +29,7 @@ constexpr std::array kFaults = {
     FaultWords{35, "the servo's encoder failed", kEncoderWires},
     FaultWords{36, "the servo's motor is not configured", kCalibrateServo},
     FaultWords{37, "the servo's control took longer than its period", kServoReset},
-    FaultWords{38, "the servo is too hot", "let it cool, lower the torque limit, then reset"},
+    FaultWords{38, "the servo is too hot", kServoCoolDown},
     FaultWords{39, "the servo started outside its position limits",
                "move it back or widen servopos, then reset"},
     FaultWords{40, "the servo's supply voltage is too low", kServoSupply},
@@ -49,7 +50,7 @@ constexpr std::array kFaults = {
 Trouble fault_trouble(std::uint8_t code) {
   for (const FaultWords& words : kFaults) {
     if (words.code == code) {
-      return {words.what, words.remedy, code};
+      return {words.what, words.remedy, code, words.remedy == kServoCoolDown};
     }
   }
   return {"the servo reports a fault that this program does not know",

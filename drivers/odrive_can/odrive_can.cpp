@@ -81,7 +81,7 @@ void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
   phase_ = Phase::failed;
   has_sent_ = false;
   next_poll_ = 0;
-  sample_.status = status;
+  sample_.status = status | heat_status(trouble);
   trouble_ = trouble;
 }
 

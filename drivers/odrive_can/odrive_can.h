@@ -36,8 +36,9 @@ struct ODriveReadings {
 //   kDeviceLost           no heartbeat or no estimate in time
 //   kDeviceDriveFault     an error bit, a refused bring-up, or closed loop left
 //   kDeviceEmergencyStop  with it, if that is what the drive says
+//   kDeviceTooHot         likewise
 //   kDeviceEncoderFault   a position that is not a number or that no shaft can have reached
-// With the last four the sample keeps the last good position.
+// With the last five the sample keeps the last good position.
 class ODriveCan {
  public:
   // The configuration has passed `check`.

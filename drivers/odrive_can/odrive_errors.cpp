@@ -168,7 +168,7 @@ Trouble telling_trouble(std::span<const BitWords> table, std::uint64_t error) {
   const std::uint32_t code = low != 0 ? low : static_cast<std::uint32_t>(error >> 32U);
   for (const BitWords& words : table) {
     if ((error & words.bit) != 0) {
-      return {words.what, words.remedy, code};
+      return {words.what, words.remedy, code, words.remedy == kCoolDown};
     }
   }
   return {"the drive reports an error that this program does not know",

@@ -225,6 +225,7 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
 // is an error of now, a fault.
 void ODriveCan::explain(const Trouble& trouble, bool is_error) {
   if (phase_ == Phase::failed && wants_explanation_) {
+    sample_.status |= heat_status(trouble);
     trouble_ = trouble;
     wants_explanation_ = false;
   } else if (phase_ == Phase::up && is_error) {

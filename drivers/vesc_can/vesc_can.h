@@ -10,6 +10,7 @@
 //   kDeviceStale          no status in time; not latched
 //   kDeviceLost           no status for lost_after_s, or five questions unanswered
 //   kDeviceDriveFault     a fault code, its timeout expired, or what it should send is switched off
+//   kDeviceTooHot         with it, if that is what the fault code says
 //   kDeviceEmergencyStop  its kill switch
 //   kDeviceEncoderFault   a speed or a position that the shaft cannot have; not reported
 #pragma once

@@ -62,7 +62,8 @@ constexpr std::array kVescFaults = std::to_array<VescFault>({
 
 Trouble fault_trouble(std::uint8_t code) {
   if (static_cast<std::size_t>(code) < kVescFaults.size()) {
-    return {kVescFaults[code].what, kVescFaults[code].remedy, code};
+    const VescFault& fault = kVescFaults[code];
+    return {fault.what, fault.remedy, code, fault.remedy == kCool};
   }
   return {"VESC reports a fault that this driver does not know",
           "look the number up in VESC Tool, then reset", code};

@@ -11,11 +11,14 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr std::size_t kLargestScene_bytes = std::size_t{64} << 20U;
 constexpr std::size_t kMaxRecordingName = 128;
 
+TelemetrySinks& sinks_of(void* run) {
+  return *static_cast<TelemetrySinks*>(run);
+}
+
 TelemetryWriter& writer_of(void* run) {
-  return *static_cast<TelemetryWriter*>(run);
+  return *sinks_of(run).writer;
 }
 
 std::string_view start_recording(void* run, std::string_view name) {
@@ -41,26 +44,33 @@ std::string_view stop_recording(void* run) {
 }
 
 void scene_changed(void* run, std::span<const std::byte> image) {
-  const bool fits = image.size() <= kLargestScene_bytes;
+  const bool fits = image.size() <= kLargestAttachment_bytes;
   writer_of(run).attach(
       {.name = kSceneAttachment, .bytes = fits ? image : std::span<const std::byte>{}});
+  if (FlightWriter* const flight = sinks_of(run).flight; flight != nullptr) {
+    flight->use_scene(image);
+  }
 }
 
 void tell_event(void* to, const TelemetryEvent& event) {
   writer_of(to).publish(event);
+  if (FlightWriter* const flight = sinks_of(to).flight;
+      flight != nullptr && event.kind == EventKind::scene) {
+    flight->leave_scene();
+  }
 }
 
 }  // namespace
 
-RunHooks telemetry_hooks(TelemetryWriter& writer) {
-  return {.run = &writer,
+RunHooks telemetry_hooks(TelemetrySinks& sinks) {
+  return {.run = &sinks,
           .start_recording = start_recording,
           .stop_recording = stop_recording,
           .scene_changed = scene_changed};
 }
 
-EventSink telemetry_events(TelemetryWriter& writer) {
-  return {.to = &writer, .tell = tell_event};
+EventSink telemetry_events(TelemetrySinks& sinks) {
+  return {.to = &sinks, .tell = tell_event};
 }
 
 }  // namespace tactus::firmware

@@ -3,16 +3,23 @@
 
 #include "firmware/commands/command_desk.h"
 #include "firmware/commands/command_server.h"
+#include "firmware/flight/flight_writer.h"
 #include "firmware/telemetry/outputs/telemetry_writer.h"
 
 namespace tactus::firmware {
 
+// Whom it reaches; all outlives the server.
+struct TelemetrySinks {
+  TelemetryWriter* writer = nullptr;
+  FlightWriter* flight = nullptr;  // null: there is none
+};
+
 // Recordings are plain names in the program's working folder, and replace no file: whoever may
 // connect shall not write where the program may. A scene of more than 64 MiB is not put into
-// recordings. The writer outlives the server.
-RunHooks telemetry_hooks(TelemetryWriter& writer);
+// recordings.
+RunHooks telemetry_hooks(TelemetrySinks& sinks);
 
 // What took effect goes into the telemetry.
-EventSink telemetry_events(TelemetryWriter& writer);
+EventSink telemetry_events(TelemetrySinks& sinks);
 
 }  // namespace tactus::firmware

@@ -2,7 +2,14 @@
 // attachments, and the keys of what it notes of the run.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
 #include <string_view>
+
+#include "rendering/scene/image_format.h"
 
 namespace tactus::firmware {
 
@@ -17,5 +24,15 @@ inline constexpr std::string_view kStateAttachment = "controller.state";
 // The checksums in the images' headers, 16 hexadecimal digits.
 inline constexpr std::string_view kDeviceChecksumKey = "device.checksum";
 inline constexpr std::string_view kSceneChecksumKey = "scene.checksum";
+inline constexpr std::string_view kSceneFileKey = "scene.file";
+
+inline std::uint64_t checksum_of(std::span<const std::byte> image) {
+  rendering::ImageHeader header;
+  std::memcpy(&header, image.data(), std::min(sizeof(header), image.size()));
+  return header.checksum;
+}
+
+// A larger image is not put into recordings; its file and checksum are.
+inline constexpr std::size_t kLargestAttachment_bytes = std::size_t{64} << 20U;
 
 }  // namespace tactus::firmware

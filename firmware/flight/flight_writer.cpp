@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -13,7 +14,36 @@ namespace tactus::firmware {
 
 int FlightWriter::start(const FlightPlan& plan) {
   plan_ = plan;
+  copy_plan();
+  tzset();  // or gmtime_r asks for memory when it is first called
   return thread_.start("flight", [](void* self) { static_cast<FlightWriter*>(self)->run(); }, this);
+}
+
+void FlightWriter::copy_plan() {
+  std::ranges::copy(plan_.images.first(std::min(plan_.images.size(), kMaxImages - 1)),
+                    images_.begin());
+  info_count_ = std::min(plan_.run.info.size(), kMaxInfo - 2);
+  std::ranges::copy(plan_.run.info.first(info_count_), info_.begin());
+}
+
+void FlightWriter::use_scene(std::span<const std::byte> image) {
+  const std::scoped_lock lock(plan_mutex_);
+  const bool fits = image.size() <= kLargestAttachment_bytes;
+  const auto is_scene = [](const Attachment& known) {
+    return known.name == kSceneAttachment || known.bytes.empty();
+  };
+  *std::ranges::find_if(images_, is_scene) = {.name = kSceneAttachment,
+                                              .bytes = fits ? image : std::span<const std::byte>{}};
+
+  const auto tells_scene = [](const MetadataEntry& entry) {
+    return entry.key == kSceneChecksumKey || entry.key == kSceneFileKey;
+  };
+  const auto known = std::span(info_).first(info_count_);
+  info_count_ -= std::ranges::remove_if(known, tells_scene).size();
+  std::snprintf(scene_checksum_.data(), scene_checksum_.size(), "%016" PRIx64, checksum_of(image));
+  info_[info_count_] = {.key = kSceneChecksumKey, .value = scene_checksum_.data()};
+  ++info_count_;
+  has_scene_.store(true, std::memory_order_release);
 }
 
 void FlightWriter::add(const RecordedTick& tick, Controller& controller) {
@@ -45,7 +75,8 @@ void FlightWriter::run() {
   while (!stopping) {
     stopping = stopping_.load(std::memory_order_acquire);
     const bool fault = stopping && waiting_.load(std::memory_order_acquire);
-    if (wanted_.exchange(false, std::memory_order_acq_rel) || fault) {
+    const bool ready = has_scene_.load(std::memory_order_acquire);
+    if (ready && (wanted_.exchange(false, std::memory_order_acq_rel) || fault)) {
       write_out();
     }
     if (!stopping) {
@@ -55,9 +86,14 @@ void FlightWriter::run() {
 }
 
 void FlightWriter::write_out() {
+  const std::scoped_lock lock(plan_mutex_);
   constexpr int kTries = 3;  // a slow disk may be overtaken by the loop
   for (int k = 0; k < kTries; ++k) {
     const auto window = recorder_.hold();
+    if (!has_scene_.load(std::memory_order_acquire)) {
+      ask();  // the loop has just changed the scene
+      break;
+    }
     if (!window || window->first_tick == window->end_tick) {
       std::fputs("tactusd: the flight recorder has nothing yet\n", stderr);
       break;
@@ -92,11 +128,12 @@ void FlightWriter::name_file(std::uint64_t tick) {
 // Ticks `first` to one before `end` are in the file. 0, or errno.
 int FlightWriter::write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end) {
   name_file(window.end_tick);
-  if (const int failed = file_.open(path_.data(), plan_.run.clock_offset_ns, plan_.run.info);
+  if (const int failed =
+          file_.open(path_.data(), plan_.run.clock_offset_ns, std::span(info_).first(info_count_));
       failed != 0) {
     return failed;
   }
-  for (const Attachment& image : plan_.images) {
+  for (const Attachment& image : images_) {
     if (!image.bytes.empty()) {
       file_.attach(image);
     }

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <span>
 
 #include "firmware/control/controller.h"
@@ -17,7 +18,8 @@
 
 namespace tactus::firmware {
 
-// Whatever it points to outlives the writer.
+// Whatever it points to outlives the writer, but for the scene's image: see use_scene(). At most
+// three images and 22 entries are kept.
 struct FlightPlan {
   const char* folder = ".";  // of the files; it is there
   double rate_hz = 1000.0;
@@ -38,8 +40,15 @@ class FlightWriter {
   // The loop's thread, after each tick. A fault is written out a little later, so that what follows
   // it is in the file, too.
   void add(const RecordedTick& tick, Controller& controller);
-  // The loop's thread: see FlightRecorder::forget.
-  void forget() { recorder_.forget(); }
+  // The loop's thread: the controller has another scene from the next tick on. What there is is
+  // forgotten, and nothing is written until use_scene() has named the image.
+  void leave_scene() {
+    recorder_.forget();
+    has_scene_.store(false, std::memory_order_release);
+  }
+  // Another thread: the image of that scene, which outlives the writer or is followed by another.
+  // Waits while a file is being written; then the one before may go.
+  void use_scene(std::span<const std::byte> image);
 
   // Any thread, or a signal's handler: writes out what there is now.
   void ask() { wanted_.store(true, std::memory_order_release); }
@@ -54,13 +63,22 @@ class FlightWriter {
 
  private:
   static constexpr double kAfterFault_s = 0.2;
+  static constexpr std::size_t kMaxImages = 4;
+  static constexpr std::size_t kMaxInfo = 24;
 
   void run();
   void write_out();
+  void copy_plan();
   void name_file(std::uint64_t tick);
   int write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end);
 
   FlightPlan plan_;
+  // Guards images and description against use_scene(); the loop never asks for it.
+  std::mutex plan_mutex_;
+  std::array<Attachment, kMaxImages> images_{};
+  std::array<MetadataEntry, kMaxInfo> info_{};
+  std::size_t info_count_ = 0;
+  std::array<char, 17> scene_checksum_{};
   FlightRecorder recorder_;
   McapWriter file_;
   HelperThread thread_;
@@ -68,6 +86,7 @@ class FlightWriter {
 
   Mode mode_ = Mode::init;           // the loop's
   std::uint64_t ticks_to_wait_ = 0;  // the loop's: until a fault is written out
+  std::atomic<bool> has_scene_{true};
   std::atomic<bool> waiting_{false};
   std::atomic<bool> wanted_{false};
   std::atomic<bool> stopping_{false};

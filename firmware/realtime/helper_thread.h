@@ -4,10 +4,17 @@
 
 #include <pthread.h>
 
+#include <cstddef>
+
+#include "firmware/realtime/crash_stop.h"
+
 namespace tactus::firmware {
 
 class HelperThread {
  public:
+  // All of it is locked in memory, as everything is: not the 8 MB that a thread has by default.
+  static constexpr std::size_t kStack_bytes = std::size_t{256} << 10;
+
   using Body = void (*)(void* context);
 
   HelperThread() = default;
@@ -16,9 +23,9 @@ class HelperThread {
   ~HelperThread() { join(); }
 
   // Runs `body(context)` at ordinary priority whatever the caller's is, with all signals left to
-  // the caller's thread. `name` has at most 15 characters. 0, or errno. Once; before the loop
-  // begins.
-  int start(const char* name, Body body, void* context);
+  // the caller's thread, but for those of its own crashes (crash_stop.h). `name` has at most 15
+  // characters. 0, or errno. Before the loop begins; again only after join().
+  int start(const char* name, Body body, void* context, std::size_t stack_bytes = kStack_bytes);
 
   // Waits until the body has returned; at once if none was started.
   void join();
@@ -28,6 +35,7 @@ class HelperThread {
   void* context_ = nullptr;
   pthread_t thread_{};
   bool started_ = false;
+  CrashStack crash_stack_;
 
   static void* enter(void* self);
 };

@@ -52,6 +52,7 @@ enum FaultBits : std::uint64_t {
   kFaultMotionWithoutTorque = 1ULL << 39,
   kFaultOverTemperature = 1ULL << 40,
   kFaultNotPassive = 1ULL << 41,
+  kFaultHelperCrashed = 1ULL << 42,
 
   kLimitLateTick = 1ULL << 48,
   kLimitWorkspace = 1ULL << 49,
@@ -141,6 +142,8 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kFaultNotPassive, "not_passive",
      "surfaces gave the hand energy that damping could not take back", "stop",
      "reset; less stiffness, or more damping in the device"},
+    {kFaultHelperCrashed, "helper_crashed", "a thread beside the loop crashed", "stop",
+     "the program ends; start it again"},
     {kLimitLateTick, "late_tick", "tick began too late", "none but the count", "by itself"},
     {kLimitWorkspace, "workspace_wall", "tool is in a wall of the workspace", "wall pushes back",
      "by itself"},

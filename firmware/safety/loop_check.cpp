@@ -19,6 +19,9 @@ std::uint64_t LoopCheck::check(const LoopReport& report) {
   if ((report.status & kLoopWatchdogLost) != 0) {
     bits |= kFaultWatchdog;
   }
+  if ((report.status & kLoopHelperCrashed) != 0) {
+    bits |= kFaultHelperCrashed;
+  }
   if (report.missed_ticks >= missed_ticks_to_fault_) {
     bits |= kFaultTickOverrun;
   }

@@ -11,8 +11,9 @@ namespace tactus::firmware {
 // What the loop says of its time, one bit each: an input of the tick, recorded with it.
 enum LoopStatus : std::uint32_t {
   kLoopOnTime = 0,
-  kLoopLate = 1U << 0,          // this tick began later after its time than the loop allows
-  kLoopWatchdogLost = 1U << 1,  // the watchdog output could not be driven
+  kLoopLate = 1U << 0,           // this tick began later after its time than the loop allows
+  kLoopWatchdogLost = 1U << 1,   // the watchdog output could not be driven
+  kLoopHelperCrashed = 1U << 2,  // a thread beside the loop has crashed, and the program is to end
 };
 
 struct LoopReport {

@@ -12,10 +12,11 @@ bool LoopCourse::goes_on(Mode mode, bool stopping) {
   return left_ > 0 && in_fault_ <= ticks_after_fault_ && !stopped;
 }
 
-LoopReport loop_report(const LoopTick& tick, bool watchdog_driven) {
+LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_crashed) {
   constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
   return {.status = (tick.late ? kLoopLate : kLoopOnTime) |
-                    (watchdog_driven ? kLoopOnTime : kLoopWatchdogLost),
+                    (watchdog_driven ? kLoopOnTime : kLoopWatchdogLost) |
+                    (has_crashed ? kLoopHelperCrashed : kLoopOnTime),
           .missed_ticks = static_cast<std::uint32_t>(std::min(tick.skipped, kMost))};
 }
 

@@ -19,12 +19,14 @@ namespace tactus::firmware {
 // The way in and out of the loop, called from its thread once a tick in this order; each bounded,
 // without locks:
 //   stopping      the program is to end: the loop disables, then leaves
+//   has_crashed   something beside the loop has: a fault, after which the loop leaves
 //   take_request  what somebody wants of this tick; may set the controller's parameters, which is
 //                 then part of this tick
 //   publish       the tick is over: controller.record() says what it did
 template <typename T>
 concept LoopDoors = requires(T& doors, Controller& controller, const LoopTick& tick) {
   { doors.stopping() } -> std::same_as<bool>;
+  { doors.has_crashed() } -> std::same_as<bool>;
   { doors.take_request(controller) } -> std::same_as<Request>;
   doors.publish(controller, tick);
 };
@@ -58,9 +60,9 @@ inline bool is_healthy(Mode mode, const LoopTick& tick) {
   return mode != Mode::fault && !tick.late;
 }
 
-// What the controller's guards are told of the loop before a tick: of the tick itself, and whether
-// the tick before could drive the watchdog.
-LoopReport loop_report(const LoopTick& tick, bool watchdog_driven);
+// What the controller's guards are told of the loop before a tick: of the tick itself, whether the
+// tick before could drive the watchdog, and whether something beside the loop has crashed.
+LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_crashed);
 
 // The phase's period for so many ticks a second.
 hal::Phase loop_phase(double rate_hz);
@@ -84,8 +86,9 @@ LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Do
   hal::Wake wake = clock.sleep_until(hal::next_instant_ns(config.phase, clock.now_ns()));
   for (;;) {
     LoopTick tick = timing.woke(wake);
-    stopping = stopping || doors.stopping();
-    controller.note_loop(loop_report(tick, watchdog_driven));
+    const bool has_crashed = doors.has_crashed();
+    stopping = stopping || has_crashed || doors.stopping();
+    controller.note_loop(loop_report(tick, watchdog_driven, has_crashed));
     const Request wanted = doors.take_request(controller);
     const bool disable = stopping && controller.mode() == Mode::active;
     run_tick(controller, device, disable ? Request::disable : wanted);

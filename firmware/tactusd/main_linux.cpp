@@ -17,6 +17,7 @@
 #include "firmware/commands/scene_store.h"
 #include "firmware/commands/telemetry_hooks.h"
 #include "firmware/device/device_image.h"
+#include "firmware/realtime/crash_stop.h"
 #include "firmware/realtime/real_time.h"
 #include "firmware/realtime/service_notice.h"
 #include "firmware/realtime/timing_report.h"
@@ -75,6 +76,10 @@ struct Program {
 };
 
 Program program;
+
+void stop_motors() {
+  program.device->stop();
+}
 
 void on_flight_signal(int /*signal*/) {
   program.telemetry.ask_for_flight();
@@ -209,6 +214,7 @@ class Doors {
       : enable_(options.enable), device_(&device) {}
 
   [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool has_crashed() const { return has_helper_crashed(); }
 
   // --enable acts until an operator does.
   [[nodiscard]] Request take_request(Controller& controller) const {
@@ -314,12 +320,12 @@ bool start_commands(const Options& options) {
   const char* const folder = options.run_dir != nullptr ? options.run_dir : kRunFolder;
   std::array<char, kMostWords> path{};
   std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
-  program.desk.set_events(telemetry_events(program.telemetry.writer()));
+  program.desk.set_events(telemetry_events(program.telemetry.sinks()));
   const auto started =
       program.commands.start({.socket_path = path.data(),
                               .group = options.group,
                               .allow_inject = options.allow_inject,
-                              .hooks = telemetry_hooks(program.telemetry.writer())});
+                              .hooks = telemetry_hooks(program.telemetry.sinks())});
   if (!started) {
     const ListenError& error = started.error();
     std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),
@@ -364,8 +370,17 @@ int start_and_run(const Options& options) {
   action.sa_handler = on_flight_signal;
   sigaction(SIGUSR1, &action, nullptr);
 
+  if (const int failed = catch_crashes(stop_motors); failed != 0) {
+    std::fprintf(stderr, "tactusd: a crash would not stop the motors: %s\n", std::strerror(failed));
+    return kCouldNotStart;
+  }
+
   device->start();
   const int code = run(*device, options);
+  if (has_helper_crashed()) {
+    explain_fault(*device);
+    end_in_crash();
+  }
   program.commands.stop();
   program.supervisor.stop();
   program.telemetry.stop(options);

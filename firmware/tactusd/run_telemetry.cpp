@@ -8,22 +8,13 @@
 #include "firmware/configuration/config_state.h"
 #include "firmware/flight/attachments.h"
 #include "hal/linux/system.h"
-#include "rendering/scene/image_format.h"
 
 namespace tactus::firmware {
 namespace {
 
 constexpr std::string_view kLiveSocketName = "/telemetry.sock";
-// A larger image is not in the recording; its file and checksum are.
-constexpr std::size_t kLargestAttachment = std::size_t{64} << 20U;
 // PlotJuggler draws a hundred points a second.
 constexpr double kUdpRate_Hz = 100.0;
-
-std::uint64_t checksum_of(std::span<const std::byte> image) {
-  rendering::ImageHeader header;
-  std::memcpy(&header, image.data(), std::min(sizeof(header), image.size()));
-  return header.checksum;
-}
 
 std::int64_t realtime_offset_ns() {
   timespec now{};
@@ -97,7 +88,7 @@ void RunTelemetry::describe(const Options& options, const RunImages& images, std
   note("device.file", options.device);
   note(kDeviceChecksumKey, checksum(images.device));
   if (!images.scene.empty()) {
-    note("scene.file", options.scene);
+    note(kSceneFileKey, options.scene);
     note(kSceneChecksumKey, checksum(images.scene));
   }
   description_ = {.info = std::span(info_).first(info_count_),
@@ -113,7 +104,7 @@ void RunTelemetry::attach(const RunImages& images) {
        {Attachment{.name = kConfigAttachment, .bytes = std::span(config_).first(config_bytes)},
         Attachment{.name = kDeviceAttachment, .bytes = images.device},
         Attachment{.name = kSceneAttachment, .bytes = images.scene}}) {
-    if (!image.bytes.empty() && image.bytes.size() <= kLargestAttachment) {
+    if (!image.bytes.empty() && image.bytes.size() <= kLargestAttachment_bytes) {
       writer_.attach(image);
       images_[count++] = image;
     }

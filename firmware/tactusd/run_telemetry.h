@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drivers/composed_device.h"
+#include "firmware/commands/telemetry_hooks.h"
 #include "firmware/configuration/config_state.h"
 #include "firmware/control/controller.h"
 #include "firmware/flight/flight_writer.h"
@@ -43,8 +44,8 @@ class RunTelemetry {
   // After the loop; tells on stderr what is missing from the recording.
   void stop(const Options& options);
 
-  // For recordings that begin and end while the loop runs.
-  TelemetryWriter& writer() { return writer_; }
+  // For what commands change while the loop runs.
+  TelemetrySinks& sinks() { return sinks_; }
   // Writes the last seconds out; from a signal's handler, too.
   void ask_for_flight() { flight_.ask(); }
 
@@ -59,6 +60,7 @@ class RunTelemetry {
 
   TelemetryWriter writer_;
   FlightWriter flight_;
+  TelemetrySinks sinks_{.writer = &writer_, .flight = &flight_};
   std::array<Attachment, 3> images_{};
   RunDescription description_;
   std::array<std::byte, kMaxConfigBytes> config_{};

@@ -118,10 +118,10 @@ class ServedSimulation {
 
   void start_commands() {
     const std::string socket = (options_.run_dir / kCommandSocket).string();
-    desk_->set_events(firmware::telemetry_events(*writer_));
+    desk_->set_events(firmware::telemetry_events(sinks_));
     const auto started = server_->start({.socket_path = socket.c_str(),
                                          .allow_inject = options_.allow_inject,
-                                         .hooks = firmware::telemetry_hooks(*writer_)});
+                                         .hooks = firmware::telemetry_hooks(sinks_)});
     if (!started) {
       fail(socket, started.error().what, started.error().errno_value);
     }
@@ -159,6 +159,7 @@ class ServedSimulation {
   std::optional<Simulation> simulation_;
   std::unique_ptr<firmware::TelemetryWriter> writer_ =
       std::make_unique<firmware::TelemetryWriter>();
+  firmware::TelemetrySinks sinks_{.writer = writer_.get()};
   std::unique_ptr<firmware::CommandDesk> desk_ = std::make_unique<firmware::CommandDesk>();
   std::unique_ptr<firmware::CommandServer> server_ =
       std::make_unique<firmware::CommandServer>(*desk_, *scenes_);

@@ -165,7 +165,7 @@ std::expected<SceneImage, SceneError> SceneImage::open(std::span<const std::byte
 Result SceneImage::take(const image::Scene& scene) {
   scene_ = &scene;
   tool_radius_m_ = scene.tool_radius();
-  if (!is_coefficient(tool_radius_m_) || tool_radius_m_ > kMaxToolRadius_m) {
+  if (!is_tool_radius(tool_radius_m_)) {
     return fail(SceneFault::tool_radius);
   }
   tool_count_ = scene.tool_count();

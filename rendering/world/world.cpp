@@ -8,9 +8,8 @@ namespace tactus::rendering {
 
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
   const bool good_config =
-      config.tool_radius_m >= 0.0 && config.tool_radius_m <= kMaxToolRadius_m &&
-      config.tool_count >= 1 && config.tool_count <= kMaxTools &&
-      config.effects.size() <= kMaxEffects &&
+      is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
+      config.tool_count <= kMaxTools && config.effects.size() <= kMaxEffects &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   const bool good = scenery_.set(good_config ? objects : std::span<const Object>{}) && good_config;
   time_s_ = 0.0;

@@ -1,11 +1,17 @@
 // The whole loop never touches the heap: its timing, the controller in contact, the watchdog's
-// line, and the thread that stands beside it.
+// line, commands in and telemetry out. Nor do the threads that stand beside it, which tell, record
+// and write the flight recorder out.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <string>
 
+#include "firmware/commands/command_desk.h"
+#include "firmware/flight/flight_writer.h"
 #include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/supervisor.h"
+#include "firmware/telemetry/outputs/telemetry_writer.h"
 #include "hal/simulated/gpio_chip.h"
 #include "hal/simulated/gpio_lines.h"
 #include "tests/support/heap_trap.h"
@@ -35,26 +41,60 @@ class StrokingDevice {
 };
 static_assert(drivers::Device<StrokingDevice>);
 
-class CountingDoors {
+// What stands beside the loop; static, as in tactusd.
+struct Beside {
+  firmware::Supervisor supervisor;
+  firmware::CommandDesk desk;
+  firmware::TelemetryWriter telemetry;
+  firmware::FlightWriter flight;
+};
+
+// Commands every hundredth tick, all of it published.
+class BusyDoors {
  public:
-  explicit CountingDoors(firmware::Supervisor& supervisor) : supervisor_(&supervisor) {}
+  explicit BusyDoors(Beside& beside) : beside_(&beside) {}
 
   static bool stopping() { return false; }
-  static firmware::Request take_request(const firmware::Controller& controller) {
+  static bool has_crashed() { return false; }
+  firmware::Request take_request(firmware::Controller& controller) {
+    if (ticks_ % 100 == 99) {
+      beside_->desk.post({.kind = firmware::CommandKind::set,
+                          .change = {.place = {.parameter = firmware::Parameter::max_force},
+                                     .value = 4.0 + ticks_ / 100 % 2}});
+    }
+    if (ticks_ == kFlightAt) {
+      beside_->flight.ask();
+    }
+    beside_->desk.before_tick(controller);
     const firmware::Mode mode = controller.mode();
     return mode == firmware::Mode::init    ? firmware::Request::home
            : mode == firmware::Mode::ready ? firmware::Request::enable
                                            : firmware::Request::none;
   }
-  void publish(const firmware::Controller& controller, const firmware::LoopTick& /*tick*/) {
-    supervisor_->note(controller.mode());
+  void publish(firmware::Controller& controller, const firmware::LoopTick& tick) {
+    beside_->desk.after_tick(controller);
+    while (const auto answer = beside_->desk.next_answer()) {
+      changes += answer->outcome == firmware::Outcome::done ? 1 : 0;
+    }
+    firmware::RecordedTick recorded{
+        .record = controller.record(),
+        .loop = {
+            .scheduled_ns = tick.scheduled_ns, .woke_ns = tick.woke_ns, .done_ns = tick.done_ns}};
+    beside_->flight.add(recorded, controller);
+    beside_->telemetry.publish(recorded);
+    beside_->supervisor.note(controller.mode());
     contacts += controller.record().contact != rendering::ContactKind::none ? 1 : 0;
+    ++ticks_;
   }
 
   int contacts = 0;
+  int changes = 0;
 
  private:
-  firmware::Supervisor* supervisor_;
+  static constexpr int kFlightAt = 10'000;
+
+  Beside* beside_;
+  int ticks_ = 0;
 };
 
 TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
@@ -72,10 +112,15 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   firmware::WatchdogOutput watchdog;
   ASSERT_TRUE(watchdog.open(lines, {.offset = 1, .direction = hal::GpioDirection::output}));
   const firmware::ServiceNotice notice;
-  firmware::Supervisor supervisor;
-  ASSERT_EQ(supervisor.start(notice), 0);
+  static Beside beside;
+  const std::string folder = std::string(::testing::TempDir()) + "loop-no-heap";
+  std::filesystem::create_directories(folder);
+  ASSERT_EQ(beside.supervisor.start(notice), 0);
+  ASSERT_EQ(beside.telemetry.record((folder + "/run.mcap").c_str()), 0);
+  ASSERT_EQ(beside.telemetry.start(), 0);
+  ASSERT_EQ(beside.flight.start({.folder = folder.c_str()}), 0);
   StrokingDevice device;
-  CountingDoors doors(supervisor);
+  BusyDoors doors(beside);
   const firmware::LoopConfig config{.phase = firmware::loop_phase(1000.0), .ticks = kTicks};
   const firmware::LoopParts parts{
       .controller = controller, .clock = clock, .timing = timing, .watchdog = watchdog};
@@ -85,11 +130,17 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   {
     const HeapTrap trap;
     end = firmware::run_loop(config, parts, device, doors);
+    beside.flight.stop();
+    beside.telemetry.stop();
+    beside.supervisor.stop();
     calls = trap.calls();
   }
+  EXPECT_EQ(beside.flight.files(), 1U);
+  std::filesystem::remove_all(folder);
   EXPECT_EQ(calls, 0U);
   EXPECT_EQ(end, firmware::LoopEnd::ended);
   EXPECT_EQ(controller.mode(), firmware::Mode::active);
+  EXPECT_EQ(doors.changes, static_cast<int>(kTicks / 100));
   EXPECT_GT(doors.contacts, static_cast<int>(kTicks / 2));
 }
 

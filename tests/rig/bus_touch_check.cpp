@@ -4,6 +4,8 @@
 // It touched, knew where it was, pushed as it said.
 //   bus_touch_check fault RUN.csv TRUTH.csv JOINTS LIMIT_MS
 // It was stopped: torque is zero for good within LIMIT_MS of the last tick without fault.
+//   bus_touch_check killed TRUTH.csv JOINTS AT_NS LIMIT_MS
+// The controller got a signal at AT_NS: there was torque until then, and none LIMIT_MS later.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,15 +39,88 @@ void expect(bool holds, const std::string& what) {
   failed = failed || !holds;
 }
 
+CsvTable read(const std::string& file, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  return CsvTable::read(file, views);
+}
+
+// What the device really did.
+class Truth {
+ public:
+  Truth(const std::string& file, std::size_t joints) : table_(read(file, columns(joints))) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      position_.push_back(table_.column(fmt::format("joint_{}", joint)));
+      torque_Nm_.push_back(table_.column(fmt::format("shaft_{}_torque_Nm", joint)));
+    }
+  }
+
+  [[nodiscard]] std::size_t rows() const { return table_.rows(); }
+  [[nodiscard]] std::span<const double> times_ns() const { return table_.column("t_ns"); }
+  [[nodiscard]] double torque_Nm(std::size_t joint, std::size_t row) const {
+    return torque_Nm_[joint][row];
+  }
+
+  // 0: there never was any.
+  [[nodiscard]] double last_torque_ns() const {
+    for (std::size_t row = rows(); row-- > 0;) {
+      if (std::ranges::any_of(torque_Nm_, [&](const auto& of) { return of[row] != 0.0; })) {
+        return times_ns()[row];
+      }
+    }
+    return 0.0;
+  }
+
+  // Between the two rows about a time, linearly; NaN outside.
+  [[nodiscard]] double position_at(std::size_t joint, double t_ns) const {
+    const auto times = times_ns();
+    const auto after = std::ranges::lower_bound(times, t_ns);
+    if (after == times.begin() || after == times.end()) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto i = static_cast<std::size_t>(after - times.begin());
+    const double share = (t_ns - times[i - 1]) / (times[i] - times[i - 1]);
+    return position_[joint][i - 1] + share * (position_[joint][i] - position_[joint][i - 1]);
+  }
+
+ private:
+  [[nodiscard]] static std::vector<std::string> columns(std::size_t joints) {
+    std::vector<std::string> names{"t_ns"};
+    for (std::size_t i = 0; i < joints; ++i) {
+      names.push_back(fmt::format("joint_{}", i));
+      names.push_back(fmt::format("shaft_{}_torque_Nm", i));
+    }
+    return names;
+  }
+
+  CsvTable table_;
+  std::vector<std::span<const double>> position_;  // by joint
+  std::vector<std::span<const double>> torque_Nm_;
+};
+
+void check_last_torque(const Truth& truth, double since_ns, double limit_ms,
+                       std::string_view what) {
+  const double last_ns = truth.last_torque_ns();
+  expect(last_ns > 0.0, "there was torque before");
+  const double late_ms = (last_ns - since_ns) * 1e-6;
+  expect(late_ms <= limit_ms, fmt::format("the last torque came {:.2f} ms after {}, {} ms allowed",
+                                          late_ms, what, limit_ms));
+}
+
+// A millisecond lies between two truths, and between two commands.
+constexpr double kStillTorque_ns = 3e6;
+
+void check_killed(const Truth& truth, double at_ns, double limit_ms) {
+  expect(truth.last_torque_ns() >= at_ns - kStillTorque_ns, "there was torque until the signal");
+  check_last_torque(truth, at_ns, limit_ms, "the signal");
+}
+
 class Comparison {
  public:
   Comparison(const std::string& run, const std::string& truth, std::size_t joints)
-      : joints_(joints), run_(read(run, run_columns())), truth_(read(truth, truth_columns())) {
+      : joints_(joints), run_(read(run, run_columns(joints))), truth_(truth, joints) {
     for (std::size_t joint = 0; joint < joints; ++joint) {
       seen_.push_back(run_.column(fmt::format("joint{}", joint + 1)));
       commanded_Nm_.push_back(run_.column(fmt::format("torque{}_Nm", joint + 1)));
-      position_.push_back(truth_.column(fmt::format("joint_{}", joint)));
-      torque_Nm_.push_back(truth_.column(fmt::format("shaft_{}_torque_Nm", joint)));
     }
   }
 
@@ -66,70 +141,25 @@ class Comparison {
     if (first == faults.end() || row == 0) {
       return;
     }
-    double last_torque_ns = 0.0;
-    for (std::size_t i = 0; i < truth_.rows(); ++i) {
-      if (torque_at(i) != 0.0) {
-        last_torque_ns = truth_.column("t_ns")[i];
-      }
-    }
-    expect(last_torque_ns > 0.0, "there was torque before");
-    const double late_ms = (last_torque_ns - done[row - 1]) * 1e-6;
-    expect(late_ms <= limit_ms,
-           fmt::format("the last torque came {:.2f} ms after the last good tick, "
-                       "{} ms allowed",
-                       late_ms, limit_ms));
+    check_last_torque(truth_, done[row - 1], limit_ms, "the last good tick");
   }
 
  private:
-  static CsvTable read(const std::string& file, const std::vector<std::string>& names) {
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    return CsvTable::read(file, views);
-  }
-
-  [[nodiscard]] std::vector<std::string> run_columns() const {
+  [[nodiscard]] static std::vector<std::string> run_columns(std::size_t joints) {
     std::vector<std::string> names{"done_ns",   "sample_ns", "faults",   "contact",
                                    "force_x_N", "force_y_N", "force_z_N"};
-    for (std::size_t i = 1; i <= joints_; ++i) {
+    for (std::size_t i = 1; i <= joints; ++i) {
       names.push_back(fmt::format("joint{}", i));
       names.push_back(fmt::format("torque{}_Nm", i));
     }
     return names;
   }
-  [[nodiscard]] std::vector<std::string> truth_columns() const {
-    std::vector<std::string> names{"t_ns"};
-    for (std::size_t i = 0; i < joints_; ++i) {
-      names.push_back(fmt::format("joint_{}", i));
-      names.push_back(fmt::format("shaft_{}_torque_Nm", i));
-    }
-    return names;
-  }
-
-  [[nodiscard]] double torque_at(std::size_t row) const {
-    double sum = 0.0;
-    for (const std::span<const double> torque_Nm : torque_Nm_) {
-      sum += std::abs(torque_Nm[row]);
-    }
-    return sum;
-  }
-
-  // The truth between its two rows about a time, linearly; NaN outside.
-  [[nodiscard]] double truth_between(std::span<const double> values, double t_ns) const {
-    const auto times = truth_.column("t_ns");
-    const auto after = std::ranges::lower_bound(times, t_ns);
-    if (after == times.begin() || after == times.end()) {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    const auto i = static_cast<std::size_t>(after - times.begin());
-    const double share = (t_ns - times[i - 1]) / (times[i] - times[i - 1]);
-    return values[i - 1] + share * (values[i] - values[i - 1]);
-  }
-
   void check_joints(double limit) const {
     const auto times = run_.column("sample_ns");
     double worst = 0.0;
     for (std::size_t joint = 0; joint < joints_; ++joint) {
       for (std::size_t row = run_.rows() / 10; row < run_.rows(); ++row) {
-        const double truth = truth_between(position_[joint], times[row]);
+        const double truth = truth_.position_at(joint, times[row]);
         if (std::isfinite(truth)) {
           worst = std::max(worst, std::abs(seen_[joint][row] - truth));
         }
@@ -142,7 +172,7 @@ class Comparison {
   // What the motors did at a truth's time against what had been commanded by then.
   void check_torques() const {
     const auto done = run_.column("done_ns");
-    const auto times = truth_.column("t_ns");
+    const auto times = truth_.times_ns();
     std::size_t compared = 0;
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < truth_.rows(); ++i) {
@@ -169,7 +199,7 @@ class Comparison {
   [[nodiscard]] bool torques_agree(std::size_t row, std::size_t truth_row) const {
     for (std::size_t joint = 0; joint < joints_; ++joint) {
       const double commanded = commanded_Nm_[joint][row];
-      const double real = torque_Nm_[joint][truth_row];
+      const double real = truth_.torque_Nm(joint, truth_row);
       if (std::abs(commanded - real) > kTorqueStep_Nm) {
         return false;
       }
@@ -194,25 +224,33 @@ class Comparison {
 
   std::size_t joints_;
   CsvTable run_;
-  CsvTable truth_;
-  // By joint: of the run, then of the truth.
+  Truth truth_;
+  // By joint.
   std::vector<std::span<const double>> seen_;
   std::vector<std::span<const double>> commanded_Nm_;
-  std::vector<std::span<const double>> position_;
-  std::vector<std::span<const double>> torque_Nm_;
 };
 
 int check(std::span<char*> arguments) {
-  if (arguments.size() < 5) {
-    fmt::print(stderr, "usage: bus_touch_check touch|fault RUN.csv TRUTH.csv JOINTS [LIMIT]\n");
-    return 2;
-  }
-  const Comparison comparison(arguments[2], arguments[3],
-                              static_cast<std::size_t>(std::atoi(arguments[4])));
-  if (std::string_view(arguments[1]) == "touch") {
-    comparison.check_touch(arguments.size() > 5 ? std::atof(arguments[5]) : kJointLimit);
+  const std::string_view what = arguments.size() < 5 ? "" : arguments[1];
+  const auto number = [&](std::size_t i, double otherwise) {
+    return i < arguments.size() ? std::atof(arguments[i]) : otherwise;
+  };
+  if (what == "touch" || what == "fault") {
+    const Comparison comparison(arguments[2], arguments[3],
+                                static_cast<std::size_t>(number(4, 0.0)));
+    if (what == "touch") {
+      comparison.check_touch(number(5, kJointLimit));
+    } else {
+      comparison.check_fault(number(5, 5.0));
+    }
+  } else if (what == "killed") {
+    check_killed(Truth(arguments[2], static_cast<std::size_t>(number(3, 0.0))), number(4, 0.0),
+                 number(5, 5.0));
   } else {
-    comparison.check_fault(arguments.size() > 5 ? std::atof(arguments[5]) : 5.0);
+    fmt::print(stderr,
+               "usage: bus_touch_check touch|fault RUN.csv TRUTH.csv JOINTS [LIMIT]\n"
+               "       bus_touch_check killed TRUTH.csv JOINTS AT_NS [LIMIT_MS]\n");
+    return 2;
   }
   return failed ? 1 : 0;
 }

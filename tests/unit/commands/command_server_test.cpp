@@ -251,7 +251,8 @@ TEST_F(CommandServerTest, LinesThatAreNoCommandsAreRefusedAndTheNextOneIsTaken) 
             "refused line: it is longer than 511 characters");
   EXPECT_TRUE(remote.send("status").is_ok);
   EXPECT_EQ(remote.send("inject lost").text,
-            "refused inject: faults are not for sale here; start with --allow-inject");
+            "refused inject: this controller takes no faults from outside; start it with "
+            "--allow-inject");
   EXPECT_EQ(remote.send("record off").text, "refused record: nothing here records");
 }
 

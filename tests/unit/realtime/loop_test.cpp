@@ -139,6 +139,17 @@ TEST_F(RunLoop, TellsTheControllerThatTheWatchdogCannotBeDriven) {
   EXPECT_NE(controller_.record().faults & kFaultWatchdog, 0U);
 }
 
+TEST_F(RunLoop, TakesThePowerAwayAndEndsInTheTickThatSeesACrashBesideIt) {
+  auto open = doors();
+  open.crash_at = 20;
+  EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks_after_fault = 10}, open), LoopEnd::faulted);
+  ASSERT_EQ(open.seen.size(), 21U);
+  EXPECT_EQ(open.seen[19].mode, Mode::active);
+  EXPECT_EQ(open.seen[20].mode, Mode::fault);
+  EXPECT_EQ(controller_.record().faults, kFaultHelperCrashed);
+  EXPECT_FALSE(device_.powered);
+}
+
 TEST_F(RunLoop, GivesTheWatchdogNoEdgeForALateTick) {
   std::vector<bool> levels;
   testing::EnablingDoors open([&](std::size_t tick) {

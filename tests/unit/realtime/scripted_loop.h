@@ -50,6 +50,7 @@ class EnablingDoors {
   explicit EnablingDoors(InTick in_tick) : in_tick_(in_tick) {}
 
   [[nodiscard]] bool stopping() const { return seen.size() >= stop_at; }
+  [[nodiscard]] bool has_crashed() const { return seen.size() >= crash_at; }
   firmware::Request take_request(const firmware::Controller& controller) {
     in_tick_(seen.size());
     const firmware::Mode mode = controller.mode();
@@ -63,6 +64,7 @@ class EnablingDoors {
 
   std::vector<SeenTick> seen;
   std::size_t stop_at = SIZE_MAX;
+  std::size_t crash_at = SIZE_MAX;
 
  private:
   InTick in_tick_;

@@ -115,6 +115,16 @@ TEST_F(Cia402Faults, FaultWithoutAMessageIsAskedFor) {
   expect_recovery();
 }
 
+TEST_F(Cia402Faults, HeatIsToldApartHoweverTheHostLearnsOfIt) {
+  for (const bool tells : {true, false}) {
+    rig_.emulator(0).raise_fault(rig_.clock().now_ns(), 0x4310, tells);
+    rig_.run(7 * kMs);
+    expect_latched(kDeviceTooHot);
+    expect_latched(kDeviceDriveFault);
+    expect_recovery();
+  }
+}
+
 TEST_F(Cia402Faults, HostThatFallsSilentLeavesNoTorque) {
   rig_.idle(25 * kMs);  // beyond the drive's watchdog of 20 ms
   EXPECT_EQ(torque_Nm(), 0.0);

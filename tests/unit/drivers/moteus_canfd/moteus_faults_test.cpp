@@ -68,6 +68,15 @@ TEST_P(MoteusFaults, ErringServoIsLatchedInTwoTicksWithItsWords) {
   expect_recovery();
 }
 
+TEST_P(MoteusFaults, HeatIsToldApart) {
+  rig_.emulator(0).raise_fault(38);
+  react(20 * kMs);
+  EXPECT_EQ(status(), kDeviceDriveFault | kDeviceTooHot);
+  EXPECT_EQ(torque_Nm(), 0.0);
+  EXPECT_EQ(trouble().what, "the servo is too hot");
+  expect_recovery();
+}
+
 TEST_P(MoteusFaults, UnpluggedServoIsLostInFiveMilliseconds) {
   rig_.emulator(0).set_fault(host::EmulatorFault::unplugged);
   const Reaction reaction = react(50 * kMs);

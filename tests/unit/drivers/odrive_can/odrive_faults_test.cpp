@@ -21,6 +21,11 @@ class ODriveFaults : public DriveFaults<ODriveCan, host::ODriveEmulator> {
             host::ODriveEmulatorConfig{.node_id = 1, .firmware = firmware, .heartbeat_ms = 10}) {}
 };
 
+class OldODriveFaults : public ODriveFaults {
+ protected:
+  OldODriveFaults() : ODriveFaults(host::ODriveFirmware::v0_5_6) {}
+};
+
 class ODriveFaultsByFirmware : public ODriveFaults,
                                public ::testing::WithParamInterface<host::ODriveFirmware> {
  protected:
@@ -106,6 +111,23 @@ TEST_P(ODriveFaultsByFirmware, EmergencyStopIsToldApart) {
   react(20 * kMs);
   expect_latched(kDeviceEmergencyStop);
   expect_latched(kDeviceDriveFault);
+  expect_recovery();
+}
+
+TEST_P(ODriveFaultsByFirmware, HeatIsToldApart) {
+  rig_.emulator(0).raise(GetParam() == host::ODriveFirmware::v0_6 ? 0x4000 : 0x40000);
+  react(20 * kMs);
+  EXPECT_EQ(status(), kDeviceDriveFault | kDeviceTooHot);
+  EXPECT_EQ(torque_Nm(), 0.0);
+  expect_recovery();
+}
+
+// Its axis says no more than that the motor has an error, which is then asked for.
+TEST_F(OldODriveFaults, HeatOfTheMotorIsToldApart) {
+  rig_.emulator(0).raise_motor_error(0x20000);
+  rig_.run(400 * kMs);
+  EXPECT_EQ(status(), kDeviceDriveFault | kDeviceTooHot);
+  EXPECT_EQ(trouble().what, "the motor is too hot");
   expect_recovery();
 }
 

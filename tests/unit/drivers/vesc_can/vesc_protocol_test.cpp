@@ -86,6 +86,9 @@ TEST(VescFaults, CodesStandWhereTheFirmwareHasThem) {
   EXPECT_TRUE(says(3, "DRV"));
   EXPECT_TRUE(says(4, "absolute over-current"));
   EXPECT_TRUE(says(6, "motor is too hot"));
+  for (int code = 0; code < 256; ++code) {
+    EXPECT_EQ(fault_trouble(static_cast<std::uint8_t>(code)).is_heat, code == 5 || code == 6);
+  }
   EXPECT_TRUE(says(11, "SPI"));
   EXPECT_TRUE(says(14, "flash"));
   EXPECT_TRUE(says(18, "unbalanced"));

@@ -90,6 +90,7 @@ void pump(FaultyRig& rig, int tick) {
 constexpr LoopReport kLateReport{.status = kLoopLate, .missed_ticks = 0};
 constexpr LoopReport kOverrunReport{.status = kLoopOnTime, .missed_ticks = 10};
 constexpr LoopReport kWatchdogReport{.status = kLoopWatchdogLost, .missed_ticks = 0};
+constexpr LoopReport kCrashReport{.status = kLoopHelperCrashed, .missed_ticks = 0};
 
 constexpr auto kFaults = std::to_array<MatrixFault>({
     {"drive silent", kFaultStaleSamples, kEvery, 3, report<drivers::kDeviceStale>},
@@ -110,6 +111,8 @@ constexpr auto kFaults = std::to_array<MatrixFault>({
     {"late ticks", kFaultLateTicks, kEvery, 3, hold_the_loop_up<kLateReport>},
     {"tick overrun", kFaultTickOverrun, kEvery, 1, hold_the_loop_up<kOverrunReport>},
     {"watchdog output gone", kFaultWatchdog, kEvery, 1, hold_the_loop_up<kWatchdogReport>},
+    {"SIGSEGV in a thread beside the loop", kFaultHelperCrashed, kEvery, 1,
+     hold_the_loop_up<kCrashReport>},
     {"non-finite pose", kFaultJointNotFinite, kEvery, 1, read_nan},
     {"non-finite velocity", kFaultJointNotFinite, kEvery, 1, read_infinite_velocity},
     {"encoder stuck", kFaultEncoderFrozen, kLocated, 52, freeze},

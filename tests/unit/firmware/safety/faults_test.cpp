@@ -42,6 +42,7 @@ TEST(Faults, CodesAreStable) {
   EXPECT_EQ(fault_code(kFaultMotionWithoutTorque), 39);
   EXPECT_EQ(fault_code(kFaultOverTemperature), 40);
   EXPECT_EQ(fault_code(kFaultNotPassive), 41);
+  EXPECT_EQ(fault_code(kFaultHelperCrashed), 42);
   EXPECT_EQ(fault_code(kLimitLateTick), 48);
   EXPECT_EQ(fault_code(kLimitWorkspace), 49);
   EXPECT_EQ(fault_code(kLimitSpeed), 50);

@@ -52,5 +52,9 @@ TEST_F(LoopCheckTest, AWatchdogThatCannotBeDrivenIsAFaultAtOnce) {
   EXPECT_EQ(check_.check({.status = kLoopWatchdogLost, .missed_ticks = 0}), kFaultWatchdog);
 }
 
+TEST_F(LoopCheckTest, ACrashBesideTheLoopIsAFaultAtOnce) {
+  EXPECT_EQ(check_.check({.status = kLoopHelperCrashed, .missed_ticks = 0}), kFaultHelperCrashed);
+}
+
 }  // namespace
 }  // namespace tactus::firmware

@@ -1,0 +1,364 @@
+#include "firmware/commands/command_clerk.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "firmware/commands/reply.h"
+#include "firmware/tactusd/certificate_words.h"
+
+namespace tactus::firmware {
+namespace {
+
+// A loop that takes longer over a tick has stopped.
+constexpr hal::TimeNs kMostWait_ns = hal::kNsPerSecond;
+
+constexpr std::string_view kHelp =
+    "ok help: home | enable | disable | reset | estop | status | list | get NAME | set NAME VALUE "
+    "| scene FILE | record on FILE | record off | inject FAULT [TICKS]";
+
+// The parameters in the order of `list`: the controller's own, then object by object.
+std::optional<ParameterPlace> listed_place(std::size_t index, std::size_t objects) {
+  const auto own = static_cast<std::size_t>(std::ranges::count_if(
+      kParameterTexts, [](const ParameterText& text) { return !is_of_object(text.parameter); }));
+  if (index < own) {
+    return ParameterPlace{.parameter = kParameterTexts[index].parameter};
+  }
+  const std::size_t of_object = kParameterTexts.size() - own;
+  const std::size_t object = (index - own) / of_object;
+  if (object >= objects) {
+    return std::nullopt;
+  }
+  return ParameterPlace{.parameter = kParameterTexts[own + (index - own) % of_object].parameter,
+                        .object = static_cast<std::uint32_t>(object)};
+}
+
+std::string_view word_of(const CommandClient::Waiting& waiting) {
+  switch (waiting.verb) {
+    case Verb::request:
+      return kRequestNames[static_cast<std::size_t>(waiting.request)];
+    case Verb::set:
+      return "set";
+    case Verb::get:
+      return "get";
+    case Verb::list:
+      return "list";
+    case Verb::status:
+      return "status";
+    case Verb::scene:
+      return "scene";
+    case Verb::record:
+      return "record";
+    case Verb::inject:
+      return "inject";
+    case Verb::help:
+      return "help";
+  }
+  return {};
+}
+
+}  // namespace
+
+void CommandClerk::configure(const RunHooks& hooks, bool allow_inject) {
+  hooks_ = hooks;
+  allow_inject_ = allow_inject;
+}
+
+void CommandClerk::take(CommandClient& client, std::string_view line) {
+  constexpr std::size_t kMostOfAWord = 32;
+  const std::string_view word = first_word(line).substr(0, kMostOfAWord);
+  if (word.empty()) {
+    return;
+  }
+  const auto command = parse_command(line);
+  if (!command) {
+    refuse(client, word, command.error());
+    return;
+  }
+  client.waiting = {.verb = command->verb, .request = command->request};
+  carry_out(client, *command);
+}
+
+void CommandClerk::raise_estop() {
+  const auto replaced = desk_.post({.kind = CommandKind::request, .request = Request::estop});
+  if (replaced) {
+    deliver(*replaced);
+  }
+}
+
+void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) {
+  switch (command.verb) {
+    case Verb::request:
+      ask(client, {.kind = CommandKind::request, .request = command.request});
+      break;
+    case Verb::set:
+    case Verb::get:
+      ask_parameter(client, command);
+      break;
+    case Verb::list:
+      ask_next_of_list(client);
+      break;
+    case Verb::status:
+      ask(client, {.kind = CommandKind::look});
+      break;
+    case Verb::scene:
+      ask_scene(client, command.file);
+      break;
+    case Verb::record:
+      switch_recording(client, command.file);
+      break;
+    case Verb::inject:
+      if (!allow_inject_) {
+        refuse(client, "inject",
+               "this controller takes no faults from outside; start it with --allow-inject");
+        break;
+      }
+      client.waiting.injection = command.injection;
+      ask(client, {.kind = CommandKind::inject, .injection = command.injection});
+      break;
+    case Verb::help:
+      client.out().add(kHelp).end();
+      break;
+  }
+}
+
+void CommandClerk::ask(CommandClient& client, Command command) {
+  last_ticket_ = std::max<Ticket>(last_ticket_ + 1, 1);
+  command.ticket = last_ticket_;
+  client.waiting.ticket = command.ticket;
+  client.waiting.is_under_way = true;
+  client.waiting.deadline_ns = now_ns_ + kMostWait_ns;
+  if (const auto known = desk_.post(command)) {
+    deliver(*known);
+  }
+}
+
+void CommandClerk::ask_parameter(CommandClient& client, const CommandLine& command) {
+  ParameterPlace place{.parameter = command.name.parameter};
+  if (!command.name.object.empty()) {
+    auto number = object_number(command.name.object);
+    number = number ? number : scenes_.find_object(command.name.object);
+    if (!number) {
+      refuse(client, word_of(client.waiting), describe(ParameterRefusal::no_such_object));
+      return;
+    }
+    place.object = *number;
+  }
+  client.waiting.place = place;
+  ask(client, {.kind = command.verb == Verb::set ? CommandKind::set : CommandKind::get,
+               .change = {.place = place, .value = command.value}});
+}
+
+// First for the mode: opening an image takes its time, in which nobody is heard, so it is not begun
+// while there is power on the motors.
+void CommandClerk::ask_scene(CommandClient& client, std::string_view file) {
+  std::ranges::copy(file, client.waiting.file.begin());
+  client.waiting.is_asking = true;
+  ask(client, {.kind = CommandKind::look});
+}
+
+void CommandClerk::hand_scene_over(CommandClient& client, const Answer& answer) {
+  client.waiting.is_asking = false;
+  if (answer.after == Mode::active) {
+    refuse(client, "scene", "the mode is active; send disable first");
+    return;
+  }
+  if (scene_ticket_ != 0) {
+    refuse(client, "scene", "another scene is on its way to the loop; send it again");
+    return;
+  }
+  const auto opened = scenes_.open_next(client.waiting.file.data());
+  if (!opened) {
+    const SceneStoreError& error = opened.error();
+    client.out().add("refused scene: ").add(client.waiting.file.data()).add(": ").add(error.what);
+    if (error.errno_value != 0) {
+      client.out().add(": ").add(std::strerror(error.errno_value));
+    }
+    client.out().end();
+    client.waiting.is_under_way = false;
+    return;
+  }
+  now_ns_ = hal::monotonic_now_ns();
+  ask(client, {.kind = CommandKind::scene, .scene = *opened});
+  scene_ticket_ = client.waiting.ticket;
+}
+
+void CommandClerk::ask_next_of_list(CommandClient& client) {
+  const rendering::SceneImage* const scene = scenes_.scene();
+  const auto place =
+      listed_place(client.waiting.listed, scene == nullptr ? 0 : scene->objects().size());
+  if (!place) {
+    client.out().add("ok list").end();
+    client.waiting.is_under_way = false;
+    return;
+  }
+  ++client.waiting.listed;
+  client.waiting.place = *place;
+  ask(client, {.kind = CommandKind::get, .change = {.place = *place}});
+}
+
+void CommandClerk::switch_recording(CommandClient& client, std::string_view file) {
+  if (hooks_.start_recording == nullptr || hooks_.stop_recording == nullptr) {
+    refuse(client, "record", "nothing here records");
+    return;
+  }
+  const std::string_view wrong =
+      file.empty() ? hooks_.stop_recording(hooks_.run) : hooks_.start_recording(hooks_.run, file);
+  if (!wrong.empty()) {
+    refuse(client, "record", wrong);
+    return;
+  }
+  // The tick by which it took effect.
+  ask(client, {.kind = CommandKind::look});
+}
+
+void CommandClerk::look_after(CommandClient& client) {
+  CommandClient::Waiting& waiting = client.waiting;
+  if (waiting.is_under_way && now_ns_ > waiting.deadline_ns) {
+    waiting.ticket = 0;
+    refuse_waiting(client, "the loop has not answered for a second; see its log");
+  } else if (waiting.is_under_way && waiting.verb == Verb::list && waiting.ticket == 0 &&
+             client.has_sent()) {
+    ask_next_of_list(client);
+  }
+}
+
+void CommandClerk::refuse_waiting(CommandClient& client, std::string_view why) {
+  refuse(client, word_of(client.waiting), why);
+}
+
+void CommandClerk::refuse(CommandClient& client, std::string_view command, std::string_view why) {
+  write_refusal(client.out(), command, why);
+  client.waiting.is_under_way = false;
+}
+
+void CommandClerk::deliver_answers() {
+  while (const auto answer = desk_.next_answer()) {
+    deliver(*answer);
+  }
+}
+
+void CommandClerk::deliver(const Answer& answer) {
+  take_over_scene(answer);
+  const bool is_stop = answer.kind == CommandKind::request && answer.request == Request::estop;
+  // An estop that a newer one has replaced is answered with that one.
+  if (is_stop && answer.outcome == Outcome::superseded) {
+    return;
+  }
+  for (CommandClient& client : clients_) {
+    const CommandClient::Waiting& waiting = client.waiting;
+    const bool for_it = waiting.ticket != 0 && waiting.ticket == answer.ticket;
+    const bool waits_for_stop = waiting.ticket != 0 && waiting.verb == Verb::request &&
+                                waiting.request == Request::estop && is_stop;
+    if (client.is_connected() && waiting.is_under_way && (for_it || waits_for_stop)) {
+      client.waiting.ticket = 0;
+      reply(client, answer);
+    }
+  }
+}
+
+// Whoever asked for it may have gone.
+void CommandClerk::take_over_scene(const Answer& answer) {
+  if (answer.kind != CommandKind::scene || answer.ticket != scene_ticket_) {
+    return;
+  }
+  scene_ticket_ = 0;
+  if (answer.outcome != Outcome::done) {
+    remember_refused_object(answer.scene_refusal);
+    scenes_.drop_next();
+    return;
+  }
+  if (hooks_.scene_changed != nullptr) {
+    hooks_.scene_changed(hooks_.run, scenes_.next_bytes());
+  }
+  scenes_.use_next();
+}
+
+// Its name, which goes with the image.
+void CommandClerk::remember_refused_object(const SceneRefusal& refusal) {
+  refused_object_.fill('\0');
+  const bool is_object = refusal.fault == SceneFault::uncertified &&
+                         refusal.part.kind == UncertifiedPart::Kind::object;
+  if (const rendering::SceneImage* const next = scenes_.next_scene();
+      is_object && next != nullptr) {
+    const std::string_view name = next->object_name(refusal.part.index);
+    std::ranges::copy(name.substr(0, refused_object_.size() - 1), refused_object_.begin());
+  }
+}
+
+void CommandClerk::reply(CommandClient& client, const Answer& answer) {
+  TextLine& out = client.out();
+  client.waiting.is_under_way = false;
+  switch (client.waiting.verb) {
+    case Verb::request:
+      write_request_reply(out, answer);
+      break;
+    case Verb::set:
+    case Verb::get:
+      write_parameter_reply(out, word_of(client.waiting), client.waiting.place, answer);
+      break;
+    case Verb::list:
+      reply_list(client, answer);
+      break;
+    case Verb::scene:
+      reply_scene(client, answer);
+      break;
+    case Verb::inject:
+      out.add("ok inject");
+      write_tick(out, answer);
+      out.add(" fault=").add(
+          kInjectionTexts[static_cast<std::size_t>(client.waiting.injection.injection)].name);
+      out.add(" ticks=").add(client.waiting.injection.ticks).end();
+      break;
+    default:
+      reply_status(client, answer);
+      break;
+  }
+}
+
+void CommandClerk::reply_scene(CommandClient& client, const Answer& answer) {
+  if (client.waiting.is_asking) {
+    client.waiting.is_under_way = true;
+    hand_scene_over(client, answer);
+    return;
+  }
+  if (answer.outcome == Outcome::scene) {
+    std::array<char, kMaxCommandLine> room{};
+    refuse(client, "scene", refusal_words(answer.scene_refusal, refused_object_.data(), room));
+    return;
+  }
+  TextLine& out = client.out();
+  out.add("ok scene");
+  write_tick(out, answer);
+  const rendering::SceneImage* const scene = scenes_.scene();
+  out.add(" objects=").add(scene == nullptr ? 0 : scene->objects().size());
+  out.add(" file=").add(scenes_.path()).end();
+}
+
+// Of `status` and `record`.
+void CommandClerk::reply_status(CommandClient& client, const Answer& answer) {
+  TextLine& out = client.out();
+  out.add("ok ").add(word_of(client.waiting));
+  write_tick(out, answer);
+  out.add(" faults=");
+  write_faults(out, answer.faults);
+  const std::string_view scene = scenes_.path();
+  out.add(" scene=").add(scene.empty() ? "none" : scene).end();
+}
+
+void CommandClerk::reply_list(CommandClient& client, const Answer& answer) {
+  client.waiting.is_under_way = true;
+  if (answer.outcome != Outcome::done) {
+    return;
+  }
+  TextLine& out = client.out();
+  const ParameterPlace& place = client.waiting.place;
+  out.add("parameter");
+  write_parameter(out, place, answer.value);
+  if (const rendering::SceneImage* const scene = scenes_.scene();
+      is_of_object(place.parameter) && scene != nullptr) {
+    out.add(" object=").add(scene->object_name(place.object));
+  }
+  out.end();
+}
+
+}  // namespace tactus::firmware

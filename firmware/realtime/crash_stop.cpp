@@ -1,0 +1,96 @@
+#include "firmware/realtime/crash_stop.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <ctime>
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
+// Of stopping the motors from a handler. An alarm nobody catches ends the program.
+constexpr unsigned kMostStop_s = 1;
+// A loop that has not stopped the motors by then has itself died.
+constexpr int kMostWait_ms = 1000;
+
+// What a signal's handler may reach.
+void (*stop_motors)() = nullptr;
+pid_t loop_thread = 0;
+std::atomic<bool> helper_crashed{false};
+std::atomic<bool> motors_stopped{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+int set_handler(void (*handler)(int)) {
+  struct sigaction action{};
+  action.sa_handler = handler;
+  action.sa_flags = SA_ONSTACK;
+  for (const int crash : kCrashes) {
+    if (sigaction(crash, &action, nullptr) != 0) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+void wait_for_the_loop() {
+  constexpr timespec kMillisecond{.tv_sec = 0, .tv_nsec = 1'000'000};
+  helper_crashed.store(true, std::memory_order_relaxed);
+  for (int i = 0; i < kMostWait_ms && !motors_stopped.load(std::memory_order_acquire); ++i) {
+    nanosleep(&kMillisecond, nullptr);
+  }
+}
+
+// Async-signal-safe, but for what a driver does to stop. Raised again, the signal waits until this
+// returns, and then has its default effect.
+void on_crash(int crash) {
+  if (gettid() == loop_thread) {
+    set_handler(SIG_DFL);
+    alarm(kMostStop_s);
+    stop_motors();
+  } else {
+    wait_for_the_loop();
+    set_handler(SIG_DFL);
+  }
+  raise(crash);
+}
+
+}  // namespace
+
+int use_crash_stack(CrashStack& stack) {
+  const stack_t alternative{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+  return sigaltstack(&alternative, nullptr) == 0 ? 0 : errno;
+}
+
+sigset_t all_signals_but_crashes() {
+  sigset_t signals;
+  sigfillset(&signals);
+  for (const int crash : kCrashes) {
+    sigdelset(&signals, crash);
+  }
+  return signals;
+}
+
+int catch_crashes(void (*stop)()) {
+  static CrashStack stack;
+  stop_motors = stop;
+  loop_thread = gettid();
+  if (const int failed = use_crash_stack(stack); failed != 0) {
+    return failed;
+  }
+  return set_handler(on_crash);
+}
+
+bool has_helper_crashed() {
+  return helper_crashed.load(std::memory_order_relaxed);
+}
+
+void end_in_crash() {
+  motors_stopped.store(true, std::memory_order_release);
+  for (;;) {
+    pause();
+  }
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,60 @@
+#!/bin/sh
+# What befalls processes while three ODrive axes press the bunny: the controller is told to end, crashes beside its loop and in it, is
+# killed; who commands it is killed, who watches it stops reading.
+modprobe -a vcan can-raw
+ip link add dev can0 type vcan && ip link set can0 mtu 72 up
+mkdir -p /run && mount -t tmpfs run /run
+emulated='odrive --nodes 0,1,2 --can can0 --mechanism woodenhaptics --ratio 16,12,12 --hand pen --path /images/wish.csv --origin 0.0,-0.01,0.23'
+device=odrive_arm scene=bunny
+# shellcheck source=tests/rig/scenarios/bus_touch.inc
+. /rig/bus_touch.inc
+
+start() { # NAME SECONDS
+  emulate "$1" "$(($2 + 1))"
+  # shellcheck disable=SC2154  # bus_touch.inc sets it
+  tactusd "/images/$device.tactus" "/images/$scene.tactus" --enable --seconds "$2" --run-dir /run --record "/results/$1.mcap" \
+    2>"/results/$1.log" &
+  controller=$!
+  sleep 2
+}
+
+# signalled NAME THREAD SIGNAL EXIT_CODE LIMIT_MS
+signalled() {
+  start "$1" 4
+  at_ns="$(signal_thread $controller "$2" "$3")" || fail "$1: no signal was sent"
+  wait $controller
+  code=$?
+  cat "/results/$1.log"
+  [ $code -eq "$4" ] || fail "$1: tactusd ended with $code, not $4"
+  # shellcheck disable=SC2154
+  wait $emulator
+  echo "measured: $1:"
+  bus_touch_check killed "/results/$1.truth.csv" 3 "$at_ns" "$5" || exit 1
+}
+
+signalled sigterm tactusd 15 0 5
+signalled sigsegv_in_writer telemetry 11 139 5
+grep -q helper_crashed /results/sigsegv_in_writer.log || fail 'the fault has not been told'
+signalled sigsegv_in_loop tactusd 11 139 5
+# Nobody is left: the drives' own watchdog of 20 ms.
+signalled sigkill tactusd 9 137 25
+
+# Neither disturbs the loop.
+start peers 4
+tactus watch --run-dir /run >/results/watch.txt &
+reader=$!
+sleep 0.2
+kill -STOP $reader
+for _ in 1 2 3 4 5; do
+  tactus get max_force_N --run-dir /run >/dev/null &
+  sleep 0.01
+  kill -KILL $!
+done
+answer="$(tactus get max_force_N --run-dir /run)" || fail 'the controller no longer answers'
+wait $controller
+code=$?
+kill -KILL $reader
+cat /results/peers.log
+[ $code -eq 0 ] || fail "peers: tactusd ended with $code"
+grep -q ' 0 missed' /results/peers.log || fail 'peers: missed ticks'
+echo "measured: peers: a reader that had stopped, five commanders killed: no tick missed; then: $answer"

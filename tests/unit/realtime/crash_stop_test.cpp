@@ -1,0 +1,89 @@
+#include "firmware/realtime/crash_stop.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string_view>
+
+#include "firmware/realtime/helper_thread.h"
+
+namespace tactus::firmware {
+namespace {
+
+using ::testing::KilledBySignal;
+
+void tell(std::string_view words) {
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words.data(), words.size());
+}
+
+void stop() {
+  tell("motors stopped by the handler\n");
+}
+
+[[noreturn]] void hang() {
+  for (;;) {
+    pause();
+  }
+}
+
+// As the loop does: it notices, stops the motors, lets the crash go on.
+void crash_beside_the_loop(int signal) {
+  catch_crashes(stop);
+  HelperThread helper;
+  helper.start("crashing", [](void* crash) { raise(*static_cast<int*>(crash)); }, &signal);
+  while (!has_helper_crashed()) {
+    usleep(100);
+  }
+  tell("motors stopped by the loop\n");
+  end_in_crash();
+}
+
+void crash_in_the_loop(void (*stop_motors)(), int signal) {
+  catch_crashes(stop_motors);
+  raise(signal);
+}
+
+// A stack that has run over has no room for a handler.
+int run_over(int depth) {
+  volatile char room[1024];
+  room[0] = static_cast<char>(depth);
+  return depth < 0 ? room[0] : run_over(depth + 1) + room[0];
+}
+
+class CrashStop : public ::testing::Test {
+ protected:
+  CrashStop() { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(CrashStop, InTheLoopStopsTheMotorsAndEndsWithTheSignal) {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+    EXPECT_EXIT(crash_in_the_loop(stop, signal), KilledBySignal(signal), "by the handler");
+  }
+}
+
+TEST_F(CrashStop, BesideTheLoopWaitsUntilTheLoopHasStoppedTheMotors) {
+  for (const int signal : {SIGSEGV, SIGABRT}) {
+    EXPECT_EXIT(crash_beside_the_loop(signal), KilledBySignal(signal),
+                "^motors stopped by the loop");
+  }
+}
+
+TEST_F(CrashStop, EndsTheProgramWhenStoppingHangs) {
+  EXPECT_EXIT(crash_in_the_loop(hang, SIGSEGV), KilledBySignal(SIGALRM), "");
+}
+
+TEST_F(CrashStop, EndsTheProgramWhenStoppingCrashesToo) {
+  EXPECT_EXIT(crash_in_the_loop([] { raise(SIGBUS); }, SIGSEGV), KilledBySignal(SIGBUS), "");
+}
+
+TEST_F(CrashStop, HasRoomForItselfWhenTheStackHasRunOver) {
+  const auto overflow = [] {
+    catch_crashes(stop);
+    run_over(0);
+  };
+  EXPECT_EXIT(overflow(), KilledBySignal(SIGSEGV), "by the handler");
+}
+
+}  // namespace
+}  // namespace tactus::firmware
