@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "firmware/commands/reply.h"
-#include "firmware/tactusd/certificate_words.h"
+#include "firmware/device/certificate_words.h"
 
 namespace tactus::firmware {
 namespace {

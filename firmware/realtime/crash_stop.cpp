@@ -58,9 +58,15 @@ void on_crash(int crash) {
 
 }  // namespace
 
-int use_crash_stack(CrashStack& stack) {
-  const stack_t alternative{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
-  return sigaltstack(&alternative, nullptr) == 0 ? 0 : errno;
+UseCrashStack::UseCrashStack(CrashStack& stack) {
+  const stack_t own{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+  error_ = sigaltstack(&own, &before_) == 0 ? 0 : errno;
+}
+
+UseCrashStack::~UseCrashStack() {
+  if (error_ == 0) {
+    sigaltstack(&before_, nullptr);
+  }
 }
 
 sigset_t all_signals_but_crashes() {
@@ -74,12 +80,10 @@ sigset_t all_signals_but_crashes() {
 
 int catch_crashes(void (*stop)()) {
   static CrashStack stack;
+  static const UseCrashStack in_use(stack);
   stop_motors = stop;
   loop_thread = gettid();
-  if (const int failed = use_crash_stack(stack); failed != 0) {
-    return failed;
-  }
-  return set_handler(on_crash);
+  return in_use.error() != 0 ? in_use.error() : set_handler(on_crash);
 }
 
 bool has_helper_crashed() {

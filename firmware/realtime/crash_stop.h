@@ -13,11 +13,23 @@
 
 namespace tactus::firmware {
 
-// A thread whose own stack has run over has this one for the handler. Outlives the thread.
+// A thread whose own stack has run over has this one for the handler. Outlives its use.
 using CrashStack = std::array<std::byte, 16384>;
 
-// 0, or errno.
-int use_crash_stack(CrashStack& stack);
+// Gives the calling thread that stack, from here to the end of the scope.
+class UseCrashStack {
+ public:
+  explicit UseCrashStack(CrashStack& stack);
+  UseCrashStack(const UseCrashStack&) = delete;
+  UseCrashStack& operator=(const UseCrashStack&) = delete;
+  ~UseCrashStack();
+
+  [[nodiscard]] int error() const { return error_; }  // 0, or errno: there is none
+
+ private:
+  stack_t before_{};
+  int error_ = 0;
+};
 
 // What a thread may block.
 sigset_t all_signals_but_crashes();

@@ -8,7 +8,7 @@ namespace tactus::firmware {
 
 void* HelperThread::enter(void* self) {
   auto* thread = static_cast<HelperThread*>(self);
-  use_crash_stack(thread->crash_stack_);
+  const UseCrashStack crash_stack(thread->crash_stack_);
   thread->body_(thread->context_);
   return nullptr;
 }

@@ -16,6 +16,16 @@ struct LoopTimes {
   std::int64_t woke_ns = 0;
   std::int64_t done_ns = 0;    // after the write
   std::int64_t sample_ns = 0;  // of the first joint's encoder
+
+  [[nodiscard]] std::int64_t wake_latency_ns() const { return between(scheduled_ns, woke_ns); }
+  [[nodiscard]] std::int64_t busy_ns() const { return between(woke_ns, done_ns); }
+
+ private:
+  // Whatever a damaged recording says.
+  static std::int64_t between(std::int64_t from_ns, std::int64_t to_ns) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(to_ns) -
+                                     static_cast<std::uint64_t>(from_ns));
+  }
 };
 
 struct RecordedTick {

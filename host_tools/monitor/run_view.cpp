@@ -43,8 +43,8 @@ void RunView::take(const firmware::RecordedTick& tick) {
     instants_.pop_front();
   }
   if (tick.loop.woke_ns != 0) {
-    wake_up_.add(tick.loop.woke_ns - tick.loop.scheduled_ns);
-    tick_time_.add(tick.loop.done_ns - tick.loop.woke_ns);
+    wake_up_.add(tick.loop.wake_latency_ns());
+    tick_time_.add(tick.loop.busy_ns());
   }
   const double force_N = magnitude(tick.record.force_commanded_W);
   while (std::isfinite(force_N) && force_N > force_scale_N_) {

@@ -79,8 +79,8 @@ std::span<const char> write_json(const RecordedTick& tick,
   json.reals("joint_velocity", std::span(record.joint_velocity).first(joints));
   json.reals("joint_effort", std::span(record.joint_effort).first(joints));
   json.whole("sample_age_us", record.sample_age_us);
-  json.whole("wake_latency_ns", tick.loop.woke_ns - tick.loop.scheduled_ns);
-  json.whole("busy_ns", tick.loop.done_ns - tick.loop.woke_ns);
+  json.whole("wake_latency_ns", tick.loop.wake_latency_ns());
+  json.whole("busy_ns", tick.loop.busy_ns());
   json.whole("dropped", tick.dropped);
   json.close();
   return text.written();

@@ -1,4 +1,4 @@
-#include "firmware/tactusd/certificate_words.h"
+#include "firmware/device/certificate_words.h"
 
 #include <algorithm>
 #include <cstdarg>
