@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 
 #include "hal/linux/system.h"
@@ -42,6 +43,23 @@ class Blob {
     }
   }
   std::vector<std::uint8_t> bytes_;
+};
+
+// A thread begins with the signals of the one that makes it. Those that end the run are the main
+// thread's: another would swallow them where the shell has them ignored, or die of them.
+class NoSignals {
+ public:
+  NoSignals() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  NoSignals(const NoSignals&) = delete;
+  NoSignals& operator=(const NoSignals&) = delete;
+  ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
 };
 
 void add_endpoint(Blob& blob, std::uint32_t address, std::uint32_t max_packet) {
@@ -121,6 +139,7 @@ FunctionFs::FunctionFs(GadgetDevice& device, const GadgetPlace& place)
   // Non-blocking only means that an endpoint of an unplugged gadget says so.
   in_ = open_file(place.function_fs / "ep1", O_RDWR | O_NONBLOCK);
   out_ = open_file(place.function_fs / "ep2", O_RDWR | O_NONBLOCK);
+  const NoSignals no_signals;
   threads_.emplace_back([this] { serve_control(); });
   threads_.emplace_back([this] { serve_out(); });
   threads_.emplace_back([this] { serve_in(); });

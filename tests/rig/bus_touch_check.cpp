@@ -1,7 +1,8 @@
 // Holds what the controller wrote down (tactusd --record) against what the emulated device really
 // did (tactus emulate --truth): both carry CLOCK_MONOTONIC.
-//   bus_touch_check touch RUN.csv TRUTH.csv JOINTS [LIMIT]
-// It touched, knew where it was, pushed as it said.
+//   bus_touch_check touch RUN.csv TRUTH.csv JOINTS [LIMIT [homed_there]]
+// It touched, knew where it was, pushed as it said. `homed_there`: its zero is wherever it stood
+// when it was homed, which its hand does not hold at the truth's zero.
 //   bus_touch_check fault RUN.csv TRUTH.csv JOINTS LIMIT_MS
 // It was stopped: torque is zero for good within LIMIT_MS of the last tick without fault.
 //   bus_touch_check killed TRUTH.csv JOINTS AT_NS LIMIT_MS
@@ -124,10 +125,10 @@ class Comparison {
     }
   }
 
-  void check_touch(double joint_limit) const {
+  void check_touch(double joint_limit, bool homed_there) const {
     const auto faults = run_.column("faults");
     expect(std::ranges::all_of(faults, [](double bits) { return bits == 0.0; }), "no fault");
-    check_joints(joint_limit);
+    check_joints(joint_limit, homed_there);
     check_torques();
     check_force();
   }
@@ -146,27 +147,35 @@ class Comparison {
 
  private:
   [[nodiscard]] static std::vector<std::string> run_columns(std::size_t joints) {
-    std::vector<std::string> names{"done_ns",   "sample_ns", "faults",   "contact",
-                                   "force_x_N", "force_y_N", "force_z_N"};
+    std::vector<std::string> names{"done_ns",       "sample_ns", "faults",    "contact",
+                                   "device_status", "force_x_N", "force_y_N", "force_z_N"};
     for (std::size_t i = 1; i <= joints; ++i) {
       names.push_back(fmt::format("joint{}", i));
       names.push_back(fmt::format("torque{}_Nm", i));
     }
     return names;
   }
-  void check_joints(double limit) const {
+  void check_joints(double limit, bool homed_there) const {
     const auto times = run_.column("sample_ns");
     double worst = 0.0;
     for (std::size_t joint = 0; joint < joints_; ++joint) {
+      const double zero = homed_there ? truth_.position_at(joint, times[homed_row()]) : 0.0;
       for (std::size_t row = run_.rows() / 10; row < run_.rows(); ++row) {
         const double truth = truth_.position_at(joint, times[row]);
         if (std::isfinite(truth)) {
-          worst = std::max(worst, std::abs(seen_[joint][row] - truth));
+          worst = std::max(worst, std::abs(seen_[joint][row] - (truth - zero)));
         }
       }
     }
     expect(worst <= limit,
            fmt::format("joints are at most {:.2e} (rad or m) from where they really are", worst));
+  }
+
+  // The first that the device does not call unreferenced.
+  [[nodiscard]] std::size_t homed_row() const {
+    const auto status = run_.column("device_status");
+    const auto homed = std::ranges::find(status, 0.0);
+    return homed == status.end() ? 0 : static_cast<std::size_t>(homed - status.begin());
   }
 
   // What the motors did at a truth's time against what had been commanded by then.
@@ -239,7 +248,9 @@ int check(std::span<char*> arguments) {
     const Comparison comparison(arguments[2], arguments[3],
                                 static_cast<std::size_t>(number(4, 0.0)));
     if (what == "touch") {
-      comparison.check_touch(number(5, kJointLimit));
+      const bool homed_there =
+          arguments.size() > 6 && std::string_view(arguments[6]) == "homed_there";
+      comparison.check_touch(number(5, kJointLimit), homed_there);
     } else {
       comparison.check_fault(number(5, 5.0));
     }
@@ -248,7 +259,7 @@ int check(std::span<char*> arguments) {
                  number(5, 5.0));
   } else {
     fmt::print(stderr,
-               "usage: bus_touch_check touch|fault RUN.csv TRUTH.csv JOINTS [LIMIT]\n"
+               "usage: bus_touch_check touch|fault RUN.csv TRUTH.csv JOINTS [LIMIT [homed_there]]\n"
                "       bus_touch_check killed TRUTH.csv JOINTS AT_NS [LIMIT_MS]\n");
     return 2;
   }

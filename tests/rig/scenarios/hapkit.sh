@@ -4,7 +4,7 @@ modprobe gpio-sim-oot
 mkdir -p /run && mount -t tmpfs run /run
 # Below the interrupts' threads, at 50: a busy program above them would keep them from numbering every edge. One count is
 # 3.6e-4 rad at the joint.
-priority=40 joint_limit_rad=8e-4
+priority=40 joint_limit_rad="5e-4 homed_there"
 emulated='paddle --hand pen --path /images/wall_wish.csv --ratio 17.4545'
 device=hapkit scene=wall
 # shellcheck source=tests/rig/scenarios/bus_touch.inc
