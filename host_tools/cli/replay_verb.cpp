@@ -138,6 +138,7 @@ class ForceTraces {
 
 void show_changed(RecordedRun& run, const Options& options) {
   std::vector<firmware::ParameterChange> changes;
+  changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
     changes.push_back(parse_change(text, run.scene()));
   }

@@ -10,9 +10,9 @@
 #include <ctime>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "firmware/commands/command_desk.h"
 #include "firmware/commands/command_server.h"
@@ -41,9 +41,8 @@ std::uint64_t clock_now_ns() {
 // The services of tactusd around a simulated device.
 class ServedSimulation {
  public:
-  ServedSimulation(const std::filesystem::path& scene, const RunOptions& run,
-                   const ServeOptions& options)
-      : options_(options), rate_hz_(run.rate_hz) {
+  ServedSimulation(const std::filesystem::path& scene, const RunOptions& run, ServeOptions options)
+      : options_(std::move(options)), rate_hz_(run.rate_hz) {
     const rendering::SceneImage& image = open(scene);
     RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
     plan.config.path = plan.config.path.there_and_back();
@@ -51,7 +50,7 @@ class ServedSimulation {
     for (const std::string& warning : plan.warnings) {
       fmt::print(stderr, "tactus sim: warning: {}\n", warning);
     }
-    simulation_.emplace(plan.config, image.objects(), image.tool_radius_m());
+    simulation_ = std::make_unique<Simulation>(plan.config, image.objects(), image.tool_radius_m());
     simulation_->controller().set_clock(clock_now_ns);
     if (run.seconds) {
       ticks_ = static_cast<std::uint64_t>(*run.seconds * rate_hz_);
@@ -156,7 +155,7 @@ class ServedSimulation {
   std::array<std::byte, firmware::kMaxConfigBytes> config_{};
   // Megabytes each: not for the stack. The server goes before what it serves.
   std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
-  std::optional<Simulation> simulation_;
+  std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<firmware::TelemetryWriter> writer_ =
       std::make_unique<firmware::TelemetryWriter>();
   firmware::TelemetrySinks sinks_{.writer = writer_.get()};
