@@ -78,7 +78,9 @@ struct Program {
 Program program;
 
 void stop_motors() {
-  program.device->stop();
+  if (program.device) {
+    program.device->stop();
+  }
 }
 
 void on_flight_signal(int /*signal*/) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <string_view>
 
@@ -46,9 +47,10 @@ void crash_in_the_loop(void (*stop_motors)(), int signal) {
 
 // A stack that has run over has no room for a handler.
 int run_over(int depth) {
-  volatile char room[1024];
-  room[0] = static_cast<char>(depth);
-  return depth < 0 ? room[0] : run_over(depth + 1) + room[0];
+  std::array<char, 1024> room;
+  volatile char* const used = room.data();
+  *used = static_cast<char>(depth);
+  return depth < 0 ? *used : run_over(depth + 1) + *used;
 }
 
 class CrashStop : public ::testing::Test {
