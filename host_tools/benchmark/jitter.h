@@ -43,8 +43,8 @@ Jitter measure_loop(const JitterPlan& plan);
 // priority, as a fair comparison with a loop that has no other. Throws InputError if it fails.
 std::optional<Jitter> measure_cyclictest(const JitterPlan& plan, bool real_time);
 
-// What `cyclictest --json` wrote. Throws InputError if it is something else.
-Jitter read_cyclictest(std::string_view json);
+// `text` is what `cyclictest --json` wrote. Throws InputError if it is something else.
+Jitter read_cyclictest(std::string_view text);
 
 // Bars of a histogram, a line a band of latencies, at most `width` characters a bar; for a
 // terminal.
