@@ -1,5 +1,8 @@
 #include "firmware/flight/flight_recorder.h"
 
+#include <cstring>
+#include <tuple>
+
 namespace tactus::firmware {
 
 void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
@@ -7,11 +10,28 @@ void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
   if (begins_ || number != end_tick_.load(std::memory_order_relaxed)) {
     begin(number);
   }
-  ticks_[number % kFlightTicks] = tick;
+  put(ticks_[number % kFlightTicks], tick);
   end_tick_.store(number + 1, std::memory_order_release);
   if (number + 1 >= state_due_) {
     take_state(number + 1, controller);
   }
+}
+
+// Whoever finds a word of a later tick finds end_tick_ to be later, too.
+void FlightRecorder::put(Slot& slot, const RecordedTick& tick) {
+  std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
+  std::memcpy(words.data(), &tick, sizeof tick);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    slot[i].store(words[i], std::memory_order_release);
+  }
+}
+
+void FlightRecorder::take(const Slot& slot, RecordedTick& to) {
+  std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = slot[i].load(std::memory_order_acquire);
+  }
+  std::memcpy(&to, words.data(), sizeof to);
 }
 
 void FlightRecorder::begin(std::uint64_t tick) {
@@ -99,9 +119,7 @@ bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
   if (!is_there()) {
     return false;
   }
-  to = ticks_[number % kFlightTicks];
-  // The copy stays before the second look. Not a fence: the thread sanitizer knows none.
-  between_looks_.fetch_add(1, std::memory_order_acq_rel);
+  take(ticks_[number % kFlightTicks], to);
   return is_there();
 }
 

@@ -67,6 +67,13 @@ class FlightRecorder {
   static_assert(std::atomic<Use>::is_always_lock_free &&
                 std::atomic<std::uint64_t>::is_always_lock_free);
 
+  // A tick in words, which the loop may write while the other thread reads them.
+  using Slot =
+      std::array<std::atomic<std::uint64_t>,
+                 (sizeof(RecordedTick) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)>;
+
+  static void put(Slot& slot, const RecordedTick& tick);
+  static void take(const Slot& slot, RecordedTick& to);
   void begin(std::uint64_t tick);
   void take_state(std::uint64_t next_tick, Controller& controller);
   State* oldest_free();
@@ -77,9 +84,8 @@ class FlightRecorder {
   std::atomic<std::uint64_t> begin_tick_{0};  // nothing before it belongs to what follows
   std::atomic<std::uint64_t> end_tick_{0};    // one beyond the last
   std::size_t held_ = kNoState;
-  mutable std::atomic<std::uint32_t> between_looks_{0};
   std::array<State, kStates> states_{};
-  std::array<RecordedTick, kFlightTicks> ticks_{};
+  std::array<Slot, kFlightTicks> ticks_{};
 };
 
 }  // namespace tactus::firmware
