@@ -31,7 +31,7 @@ void FlightRecorder::take(const Slot& slot, RecordedTick& to) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     words[i] = slot[i].load(std::memory_order_acquire);
   }
-  std::memcpy(&to, words.data(), sizeof to);
+  std::memcpy(static_cast<void*>(&to), words.data(), sizeof to);
 }
 
 void FlightRecorder::begin(std::uint64_t tick) {

@@ -72,9 +72,10 @@ void Recording::read_events() {
     if (!event) {
       throw InputError("an event is damaged");
     }
-    events_.push_back(*event);
+    const auto after =
+        std::ranges::upper_bound(events_, event->tick, {}, &firmware::TelemetryEvent::tick);
+    events_.insert(after, *event);
   }
-  std::ranges::stable_sort(events_, {}, &firmware::TelemetryEvent::tick);
   reader_->rewind();
 }
 
