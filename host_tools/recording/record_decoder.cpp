@@ -1,6 +1,7 @@
 #include "host_tools/recording/record_decoder.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "firmware/telemetry/event_generated.h"
 #include "firmware/telemetry/record_generated.h"
@@ -94,7 +95,10 @@ void read_counts(const telemetry::Record& stored, TelemetryRecord& record) {
 
 bool read_joints(const telemetry::Record& stored, RecordedTick& tick) {
   const auto& joints = *stored.joints();
-  if (joints.size() > drivers::kMaxJoints) {
+  // The verifier sees to where a vector begins, not to where its first element lies.
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(joints.Data()) % alignof(telemetry::Joint) == 0;
+  if (!is_aligned || joints.size() > drivers::kMaxJoints) {
     return false;
   }
   tick.joint_count = joints.size();

@@ -46,6 +46,7 @@ void SphereProxy::place(const Vec3& p_W) {
   model_ = {};
   carried_W_ = Vec3::Zero();
   touched_ = {};
+  last_hold_ = {};
   neighbourhood_.clear();
   neighbourhood_.move_to(p_);
 }

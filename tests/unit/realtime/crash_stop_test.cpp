@@ -53,33 +53,28 @@ int run_over(int depth) {
   return depth < 0 ? *used : run_over(depth + 1) + *used;
 }
 
-class CrashStop : public ::testing::Test {
- protected:
-  CrashStop() { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
-};
-
-TEST_F(CrashStop, InTheLoopStopsTheMotorsAndEndsWithTheSignal) {
+TEST(CrashStop, InTheLoopStopsTheMotorsAndEndsWithTheSignal) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
     EXPECT_EXIT(crash_in_the_loop(stop, signal), KilledBySignal(signal), "by the handler");
   }
 }
 
-TEST_F(CrashStop, BesideTheLoopWaitsUntilTheLoopHasStoppedTheMotors) {
+TEST(CrashStop, BesideTheLoopWaitsUntilTheLoopHasStoppedTheMotors) {
   for (const int signal : {SIGSEGV, SIGABRT}) {
     EXPECT_EXIT(crash_beside_the_loop(signal), KilledBySignal(signal),
                 "^motors stopped by the loop");
   }
 }
 
-TEST_F(CrashStop, EndsTheProgramWhenStoppingHangs) {
+TEST(CrashStop, EndsTheProgramWhenStoppingHangs) {
   EXPECT_EXIT(crash_in_the_loop(hang, SIGSEGV), KilledBySignal(SIGALRM), "");
 }
 
-TEST_F(CrashStop, EndsTheProgramWhenStoppingCrashesToo) {
+TEST(CrashStop, EndsTheProgramWhenStoppingCrashesToo) {
   EXPECT_EXIT(crash_in_the_loop([] { raise(SIGBUS); }, SIGSEGV), KilledBySignal(SIGBUS), "");
 }
 
-TEST_F(CrashStop, HasRoomForItselfWhenTheStackHasRunOver) {
+TEST(CrashStop, HasRoomForItselfWhenTheStackHasRunOver) {
   const auto overflow = [] {
     catch_crashes(stop);
     run_over(0);
