@@ -141,6 +141,11 @@ bool Controller::restore(std::span<const std::byte> bytes) {
   StateArchive archive = StateArchive::reader(bytes);
   transfer(archive);
   configured_ = configured_ && archive.good() && archive.at_end();
+  if (!configured_) {
+    // Nothing of what was refused stays: beyond its end an archive reads zeros.
+    StateArchive nothing = StateArchive::reader({});
+    transfer(nothing);
+  }
   return configured_;
 }
 

@@ -104,7 +104,7 @@ void World::transfer(StateArchive& archive) {
   archive.same(tool_count);
   archive.same(effects.size());
   archive(time_s, scenery);
-  for (std::size_t i = 0; i < tool_count && archive.good(); ++i) {
+  for (std::size_t i = 0; i < tool_count; ++i) {
     tools[i].transfer(archive, scenery);
     effect_touches[i].transfer(archive, effects.size());
   }
