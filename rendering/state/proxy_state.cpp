@@ -52,7 +52,7 @@ void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& sce
   archive(normal_x_[i], normal_y_[i], normal_z_[i], height_[i]);
   require_place(archive, scenery, object, index);
   archive.require(archive.good() && meets_proxy(scenery[object]) &&
-                  !(prepared && scenery[object].surface == SurfaceKind::primitive));
+                  (!prepared || scenery[object].surface != SurfaceKind::primitive));
   if (!archive.is_reading() || !archive.good()) {
     return;
   }
