@@ -272,7 +272,9 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
     }
   }
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    command.effort[joint] = effort[static_cast<Eigen::Index>(joint)];
+    // Scaled down to the largest already, but for what that rounds.
+    const double most = config_.joints[joint].max_effort;
+    command.effort[joint] = std::clamp(effort[static_cast<Eigen::Index>(joint)], -most, most);
   }
   command.enable = true;
   return command;
