@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "hal/linux/system.h"
+
 namespace tactus::firmware {
 
 void* HelperThread::enter(void* self) {
@@ -25,11 +27,8 @@ int HelperThread::start(const char* name, Body body, void* context, std::size_t 
   pthread_attr_setschedparam(&attributes, &ordinary);
 
   // A thread begins with the signals of the one that makes it.
-  const sigset_t blocked = all_signals_but_crashes();
-  sigset_t before;
-  pthread_sigmask(SIG_SETMASK, &blocked, &before);
+  const hal::SignalMask only_crashes(SIG_SETMASK, all_signals_but_crashes());
   const int failed = pthread_create(&thread_, &attributes, enter, this);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
   pthread_attr_destroy(&attributes);
   started_ = failed == 0;
   if (started_) {

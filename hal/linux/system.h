@@ -1,9 +1,10 @@
 // Small things that every Linux implementation needs: a file descriptor that closes itself, times,
-// waiting for a descriptor.
+// blocked signals, waiting for a descriptor.
 #pragma once
 
 #include <poll.h>
 
+#include <csignal>
 #include <ctime>
 #include <span>
 
@@ -35,6 +36,19 @@ class FileDescriptor {
 
  private:
   int descriptor_ = -1;
+};
+
+// Changes the calling thread's blocked signals, as pthread_sigmask does, until the end of the
+// scope. What threads it makes meanwhile begin with them.
+class SignalMask {
+ public:
+  SignalMask(int how, const sigset_t& signals) { pthread_sigmask(how, &signals, &before_); }
+  SignalMask(const SignalMask&) = delete;
+  SignalMask& operator=(const SignalMask&) = delete;
+  ~SignalMask() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
 };
 
 // ppoll to an absolute time, taken up again after a signal. How many are ready, 0 at the deadline,

@@ -45,23 +45,6 @@ class Blob {
   std::vector<std::uint8_t> bytes_;
 };
 
-// A thread begins with the signals of the one that makes it. Those that end the run are the main
-// thread's: another would swallow them where the shell has them ignored, or die of them.
-class NoSignals {
- public:
-  NoSignals() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  NoSignals(const NoSignals&) = delete;
-  NoSignals& operator=(const NoSignals&) = delete;
-  ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
- private:
-  sigset_t before_{};
-};
-
 void add_endpoint(Blob& blob, std::uint32_t address, std::uint32_t max_packet) {
   blob.add_byte(USB_DT_ENDPOINT_SIZE);
   blob.add_byte(USB_DT_ENDPOINT);
@@ -139,7 +122,11 @@ FunctionFs::FunctionFs(GadgetDevice& device, const GadgetPlace& place)
   // Non-blocking only means that an endpoint of an unplugged gadget says so.
   in_ = open_file(place.function_fs / "ep1", O_RDWR | O_NONBLOCK);
   out_ = open_file(place.function_fs / "ep2", O_RDWR | O_NONBLOCK);
-  const NoSignals no_signals;
+  // Those that end the run are the main thread's: another would swallow them where the shell has
+  // them ignored, or die of them.
+  sigset_t all;
+  sigfillset(&all);
+  const hal::SignalMask no_signals(SIG_SETMASK, all);
   threads_.emplace_back([this] { serve_control(); });
   threads_.emplace_back([this] { serve_out(); });
   threads_.emplace_back([this] { serve_in(); });

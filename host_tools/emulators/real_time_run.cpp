@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "hal/linux/clock.h"
+#include "hal/linux/system.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -17,24 +18,22 @@ namespace {
 // The signals that end a run, held back while it lives, so that nothing interrupts a step.
 class EndSignals {
  public:
-  EndSignals() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    sigaddset(&signals_, SIGTERM);
-    sigprocmask(SIG_BLOCK, &signals_, &before_);
-  }
-  EndSignals(const EndSignals&) = delete;
-  EndSignals& operator=(const EndSignals&) = delete;
-  ~EndSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-
   [[nodiscard]] bool came() const {
     constexpr timespec kNoTime{};
     return sigtimedwait(&signals_, nullptr, &kNoTime) > 0;
   }
 
  private:
-  sigset_t signals_{};
-  sigset_t before_{};
+  static sigset_t int_and_term() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    return signals;
+  }
+
+  sigset_t signals_ = int_and_term();
+  hal::SignalMask held_{SIG_BLOCK, signals_};
 };
 
 }  // namespace
