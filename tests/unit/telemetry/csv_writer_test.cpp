@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "host_tools/csv/csv_table.h"
+#include "tests/support/folder_test.h"
 #include "tests/unit/telemetry/random_tick.h"
-#include "tests/unit/telemetry/telemetry_files.h"
 
 namespace tactus::firmware {
 namespace {

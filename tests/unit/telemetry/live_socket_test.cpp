@@ -11,7 +11,7 @@
 #include "firmware/telemetry/outputs/record_encoder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/recording/live_reader.h"
-#include "tests/unit/telemetry/telemetry_files.h"
+#include "tests/support/folder_test.h"
 
 namespace tactus::firmware {
 namespace {

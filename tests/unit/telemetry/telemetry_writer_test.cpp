@@ -9,7 +9,7 @@
 
 #include "host_tools/recording/live_reader.h"
 #include "host_tools/recording/recording.h"
-#include "tests/unit/telemetry/telemetry_files.h"
+#include "tests/support/folder_test.h"
 
 namespace tactus::firmware {
 namespace {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -13,20 +12,15 @@
 #include "firmware/flight/attachments.h"
 #include "firmware/flight/flight_writer.h"
 #include "host_tools/replay/replay.h"
+#include "tests/support/folder_test.h"
 #include "tests/unit/rendering/scene/small_scene.h"
 
 namespace tactus::firmware {
 namespace {
 
-class FlightScene : public ::testing::Test {
- public:
-  FlightScene(const FlightScene&) = delete;
-  FlightScene& operator=(const FlightScene&) = delete;
-  ~FlightScene() override { std::filesystem::remove_all(folder_); }
-
+class FlightScene : public FolderTest {
  protected:
   FlightScene() {
-    std::filesystem::create_directories(folder_);
     EXPECT_TRUE(controller_->configure(cartesian_config()));
     const std::size_t size = save_config(controller_->config(), config_);
     first_ = host::write_image(testing::small_scene());
@@ -38,8 +32,7 @@ class FlightScene : public ::testing::Test {
                                             MetadataEntry{kSceneFileKey, "first.tactus"},
                                             MetadataEntry{kSceneChecksumKey, "0123456789abcdef"}};
     EXPECT_EQ(
-        writer_->start(
-            {.folder = folder_.c_str(), .run = {.info = info, .joints = 3}, .images = images}),
+        writer_->start({.folder = folder(), .run = {.info = info, .joints = 3}, .images = images}),
         0);
     run(Request::home, 1);
     run(Request::none, 200);
@@ -65,8 +58,6 @@ class FlightScene : public ::testing::Test {
     }
   }
 
-  std::string folder_ = std::string(::testing::TempDir()) + "flight-scene-" +
-                        ::testing::UnitTest::GetInstance()->current_test_info()->name();
   std::vector<std::byte> first_;
   std::optional<rendering::SceneImage> scene_;
   std::array<std::byte, kMaxConfigBytes> config_{};

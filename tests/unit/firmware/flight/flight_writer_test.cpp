@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <memory>
 #include <thread>
 
@@ -13,6 +12,7 @@
 #include "host_tools/recording/recording.h"
 #include "host_tools/replay/replay.h"
 #include "tests/replay/scene_walk.h"
+#include "tests/support/folder_test.h"
 
 namespace tactus::firmware {
 namespace {
@@ -20,21 +20,15 @@ namespace {
 using testing::SceneWalk;
 using testing::TickInput;
 
-class FlightWriterTest : public ::testing::Test {
- public:
-  FlightWriterTest(const FlightWriterTest&) = delete;
-  FlightWriterTest& operator=(const FlightWriterTest&) = delete;
-  ~FlightWriterTest() override { std::filesystem::remove_all(folder_); }
-
+class FlightWriterTest : public FolderTest {
  protected:
   FlightWriterTest() {
-    std::filesystem::create_directories(folder_);
     EXPECT_TRUE(controller_->configure(testing::walking_config()));
     config_size_ = save_config(controller_->config(), config_);
     images_[0] = {.name = kConfigAttachment, .bytes = std::span(config_).first(config_size_)};
   }
 
-  void start() { ASSERT_EQ(writer_->start({.folder = folder_.c_str(), .images = images_}), 0); }
+  void start() { ASSERT_EQ(writer_->start({.folder = folder(), .images = images_}), 0); }
 
   void tick(Request request) {
     TickInput input;
@@ -50,8 +44,6 @@ class FlightWriterTest : public ::testing::Test {
     ASSERT_EQ(controller_->mode(), Mode::active);
   }
 
-  std::string folder_ = std::string(::testing::TempDir()) + "flight-" +
-                        ::testing::UnitTest::GetInstance()->current_test_info()->name();
   std::unique_ptr<Controller> controller_ = std::make_unique<Controller>();
   std::unique_ptr<FlightWriter> writer_ = std::make_unique<FlightWriter>();
   std::array<std::byte, kMaxConfigBytes> config_{};
@@ -90,7 +82,7 @@ TEST_F(FlightWriterTest, WritesWhenAskedAndOnlyThen) {
   EXPECT_EQ(writer_->files(), 0U);
 
   auto asked = std::make_unique<FlightWriter>();
-  ASSERT_EQ(asked->start({.folder = folder_.c_str(), .images = images_}), 0);
+  ASSERT_EQ(asked->start({.folder = folder(), .images = images_}), 0);
   for (int i = 0; i < 10; ++i) {
     testing::give(*controller_, {});
     asked->add({.record = controller_->record()}, *controller_);

@@ -9,7 +9,7 @@
 
 namespace tactus {
 
-class FolderTest : public testing::Test {
+class FolderTest : public ::testing::Test {
  public:
   FolderTest(const FolderTest&) = delete;
   FolderTest& operator=(const FolderTest&) = delete;
@@ -22,6 +22,7 @@ class FolderTest : public testing::Test {
     folder_ = mkdtemp(name.data());
   }
 
+  [[nodiscard]] const char* folder() const { return folder_.c_str(); }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_ / name; }
 
  private:
