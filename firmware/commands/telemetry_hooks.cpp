@@ -44,9 +44,7 @@ std::string_view stop_recording(void* run) {
 }
 
 void scene_changed(void* run, std::span<const std::byte> image) {
-  const bool fits = image.size() <= kLargestAttachment_bytes;
-  writer_of(run).attach(
-      {.name = kSceneAttachment, .bytes = fits ? image : std::span<const std::byte>{}});
+  writer_of(run).attach(attachment_of(kSceneAttachment, image));
   if (FlightWriter* const flight = sinks_of(run).flight; flight != nullptr) {
     flight->use_scene(image);
   }

@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/telemetry/outputs/attachment_list.h"
 #include "rendering/scene/image_format.h"
 
 namespace tactus::firmware {
@@ -33,6 +34,10 @@ inline std::uint64_t checksum_of(std::span<const std::byte> image) {
 }
 
 // A larger image is not put into recordings; its file and checksum are.
-inline constexpr std::size_t kLargestAttachment_bytes = std::size_t{64} << 20U;
+inline Attachment attachment_of(std::string_view name, std::span<const std::byte> image) {
+  constexpr std::size_t kLargest_bytes = std::size_t{64} << 20U;
+  return {.name = name,
+          .bytes = image.size() <= kLargest_bytes ? image : std::span<const std::byte>{}};
+}
 
 }  // namespace tactus::firmware

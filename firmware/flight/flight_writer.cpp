@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "firmware/flight/attachments.h"
+#include "firmware/telemetry/outputs/text_buffer.h"
 
 namespace tactus::firmware {
 
@@ -20,28 +21,28 @@ int FlightWriter::start(const FlightPlan& plan) {
 }
 
 void FlightWriter::copy_plan() {
-  std::ranges::copy(plan_.images.first(std::min(plan_.images.size(), kMaxImages - 1)),
-                    images_.begin());
+  images_ = {};
+  for (const Attachment& image :
+       plan_.images.first(std::min(plan_.images.size(), AttachmentList::kMost - 1))) {
+    images_.set(image);
+  }
   info_count_ = std::min(plan_.run.info.size(), kMaxInfo - 2);
   std::ranges::copy(plan_.run.info.first(info_count_), info_.begin());
 }
 
 void FlightWriter::use_scene(std::span<const std::byte> image) {
   const std::scoped_lock lock(plan_mutex_);
-  const bool fits = image.size() <= kLargestAttachment_bytes;
-  const auto is_scene = [](const Attachment& known) {
-    return known.name == kSceneAttachment || known.bytes.empty();
-  };
-  *std::ranges::find_if(images_, is_scene) = {.name = kSceneAttachment,
-                                              .bytes = fits ? image : std::span<const std::byte>{}};
+  images_.set(attachment_of(kSceneAttachment, image));
 
   const auto tells_scene = [](const MetadataEntry& entry) {
     return entry.key == kSceneChecksumKey || entry.key == kSceneFileKey;
   };
   const auto known = std::span(info_).first(info_count_);
   info_count_ -= std::ranges::remove_if(known, tells_scene).size();
-  std::snprintf(scene_checksum_.data(), scene_checksum_.size(), "%016" PRIx64, checksum_of(image));
-  info_[info_count_] = {.key = kSceneChecksumKey, .value = scene_checksum_.data()};
+  TextBuffer checksum(scene_checksum_);
+  checksum.hex(checksum_of(image));
+  info_[info_count_] = {.key = kSceneChecksumKey,
+                        .value = {scene_checksum_.data(), checksum.size()}};
   ++info_count_;
   has_scene_.store(true, std::memory_order_release);
 }
@@ -133,7 +134,7 @@ int FlightWriter::write_file(const FlightWindow& window, std::uint64_t& first, s
       failed != 0) {
     return failed;
   }
-  for (const Attachment& image : images_) {
+  for (const Attachment& image : images_.all()) {
     if (!image.bytes.empty()) {
       file_.attach(image);
     }

@@ -19,7 +19,7 @@
 namespace tactus::firmware {
 
 // Whatever it points to outlives the writer, but for the scene's image: see use_scene(). At most
-// three images and 22 entries are kept.
+// AttachmentList::kMost - 1 images and 22 entries are kept.
 struct FlightPlan {
   const char* folder = ".";  // of the files; it is there
   double rate_hz = 1000.0;
@@ -63,7 +63,6 @@ class FlightWriter {
 
  private:
   static constexpr double kAfterFault_s = 0.2;
-  static constexpr std::size_t kMaxImages = 4;
   static constexpr std::size_t kMaxInfo = 24;
 
   void run();
@@ -75,10 +74,10 @@ class FlightWriter {
   FlightPlan plan_;
   // Guards images and description against use_scene(); the loop never asks for it.
   std::mutex plan_mutex_;
-  std::array<Attachment, kMaxImages> images_{};
+  AttachmentList images_;
   std::array<MetadataEntry, kMaxInfo> info_{};
   std::size_t info_count_ = 0;
-  std::array<char, 17> scene_checksum_{};
+  std::array<char, 16> scene_checksum_{};
   FlightRecorder recorder_;
   McapWriter file_;
   HelperThread thread_;

@@ -101,10 +101,10 @@ void RunTelemetry::attach(const RunImages& images) {
   std::size_t count = 0;
   const std::size_t config_bytes = save_config(images.config, config_);
   for (const Attachment& image :
-       {Attachment{.name = kConfigAttachment, .bytes = std::span(config_).first(config_bytes)},
-        Attachment{.name = kDeviceAttachment, .bytes = images.device},
-        Attachment{.name = kSceneAttachment, .bytes = images.scene}}) {
-    if (!image.bytes.empty() && image.bytes.size() <= kLargestAttachment_bytes) {
+       {attachment_of(kConfigAttachment, std::span(config_).first(config_bytes)),
+        attachment_of(kDeviceAttachment, images.device),
+        attachment_of(kSceneAttachment, images.scene)}) {
+    if (!image.bytes.empty()) {
       writer_.attach(image);
       images_[count++] = image;
     }

@@ -11,6 +11,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/telemetry/outputs/attachment_list.h"
 #include "firmware/telemetry/outputs/file_sink.h"
 #include "firmware/telemetry/outputs/mcap_format.h"
 #include "firmware/telemetry/outputs/record_encoder.h"
@@ -20,12 +21,6 @@ namespace tactus::firmware {
 inline constexpr std::string_view kTickTopic = "/tactus/tick";
 inline constexpr std::string_view kEventTopic = "/tactus/event";
 inline constexpr std::string_view kMetadataName = "tactus";
-
-// A file that goes into the recording whole; `bytes` outlives the call it is given to.
-struct Attachment {
-  std::string_view name;
-  std::span<const std::byte> bytes;
-};
 
 class McapWriter {
  public:

@@ -1,25 +1,15 @@
 #include "firmware/telemetry/outputs/run_recorder.h"
 
-#include <algorithm>
 #include <string_view>
 
 namespace tactus::firmware {
 
 bool RunRecorder::attach(const Attachment& attachment) {
-  const auto known = std::span(attachments_).first(attachment_count_);
-  auto place = std::ranges::find(known, attachment.name, &Attachment::name);
-  if (place != known.end()) {
-    *place = attachment;
-  } else if (attachment_count_ < kMaxAttachments) {
-    attachments_[attachment_count_] = attachment;
-    ++attachment_count_;
-  } else {
-    return false;
-  }
-  if (mcap_.is_open()) {
+  const bool known = attachments_.set(attachment);
+  if (known && mcap_.is_open()) {
     mcap_.attach(attachment);
   }
-  return true;
+  return known;
 }
 
 int RunRecorder::open(const char* path) {
@@ -27,7 +17,7 @@ int RunRecorder::open(const char* path) {
   if (std::string_view(path).ends_with(".csv")) {
     csv_.open(path, run_.joints);
   } else if (mcap_.open(path, run_.clock_offset_ns, run_.info) == 0) {
-    for (const Attachment& attachment : std::span(attachments_).first(attachment_count_)) {
+    for (const Attachment& attachment : attachments_.all()) {
       mcap_.attach(attachment);
     }
   }

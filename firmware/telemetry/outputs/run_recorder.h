@@ -21,8 +21,6 @@ struct RunDescription {
 
 class RunRecorder {
  public:
-  static constexpr std::size_t kMaxAttachments = 8;
-
   // Before the first recording.
   void describe(const RunDescription& run) { run_ = run; }
 
@@ -44,8 +42,7 @@ class RunRecorder {
 
  private:
   RunDescription run_;
-  std::array<Attachment, kMaxAttachments> attachments_{};
-  std::size_t attachment_count_ = 0;
+  AttachmentList attachments_;
   McapWriter mcap_;
   CsvWriter csv_;
 };
