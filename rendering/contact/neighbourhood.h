@@ -42,7 +42,10 @@ struct alignas(64) Candidate {
 class Neighbourhood {
  public:
   // Forgets everything; the next `ensure` gathers.
-  void clear() { trust_.radius = -1.0; }
+  void clear() {
+    trust_.radius = -1.0;
+    size_ = 0;
+  }
 
   // Forgets everything if an object moved that is near enough to matter.
   void begin_tick(const Scenery& scenery);

@@ -26,7 +26,7 @@
 namespace tactus::rendering {
 
 // No heap; one thread. Nothing is written beyond the room, and nothing read beyond the end: good()
-// then says no, and what is read is zero.
+// then says no, and what is read is zero. A writer never changes a member.
 class StateArchive {
  public:
   static StateArchive writer(std::span<std::byte> room) { return {room, {}, false}; }
@@ -54,7 +54,9 @@ class StateArchive {
     auto number = static_cast<std::uint8_t>(value);
     bytes(&number, sizeof number);
     require(number <= static_cast<std::uint8_t>(last));
-    value = good_ ? static_cast<Enum>(number) : Enum{};
+    if (is_reading_) {
+      value = good_ ? static_cast<Enum>(number) : Enum{};
+    }
   }
 
   // A count or an index that is at most `most`.
@@ -62,7 +64,9 @@ class StateArchive {
   void up_to(Number& value, std::type_identity_t<Number> most) {
     item(value);
     require(value <= most);
-    value = good_ ? value : Number{0};
+    if (is_reading_ && !good_) {
+      value = 0;
+    }
   }
 
   // What the reader must have too, such as the number of a scene's objects.
@@ -107,7 +111,9 @@ class StateArchive {
     std::uint8_t number = value ? 1 : 0;
     bytes(&number, sizeof number);
     require(number <= 1);
-    value = number == 1;
+    if (is_reading_) {
+      value = number == 1;
+    }
   }
 
   template <std::unsigned_integral Number>

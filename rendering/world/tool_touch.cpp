@@ -13,9 +13,10 @@ bool valid(const ToolState& tool) {
 
 }  // namespace
 
-void ToolTouch::start(double tool_radius_m) {
+void ToolTouch::start(const Scenery& scenery, double tool_radius_m) {
   radius_m_ = tool_radius_m;
   proxy_.set_tool_radius(tool_radius_m);
+  place(scenery, last_proxy_W_);  // nothing of another scene is remembered
   reset();
 }
 

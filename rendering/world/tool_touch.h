@@ -11,8 +11,8 @@ namespace tactus::rendering {
 
 class ToolTouch {
  public:
-  // Takes a radius >= 0, and starts over.
-  void start(double tool_radius_m);
+  // Takes a radius >= 0, and starts over in a scenery that may be another one.
+  void start(const Scenery& scenery, double tool_radius_m);
 
   // Forgets the contact: the next touch starts with the proxies at the tool.
   void reset() { placed_ = false; }

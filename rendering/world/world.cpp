@@ -16,7 +16,7 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
   tool_count_ = good ? config.tool_count : 1;
   effects_ = good ? config.effects : std::span<const Effect>{};
   for (ToolTouch& tool : tools_) {
-    tool.start(good ? config.tool_radius_m : 0.0);
+    tool.start(scenery_, good ? config.tool_radius_m : 0.0);
   }
   reset();
   return good;

@@ -7,13 +7,6 @@ namespace {
 
 using firmware::Controller;
 
-std::unique_ptr<Controller> fresh(const RestoreScene& scene) {
-  auto controller = std::make_unique<Controller>();
-  EXPECT_TRUE(controller->configure(walking_config()));
-  EXPECT_TRUE(controller->load_scene(scene.objects, scene.world));
-  return controller;
-}
-
 // A walk of its own, so that a member that restore() forgets holds something else.
 void lead_astray(Controller& controller, const RestoreScene& scene, std::uint64_t seed) {
   SceneWalk walk(scene.objects, seed);
@@ -25,12 +18,19 @@ void lead_astray(Controller& controller, const RestoreScene& scene, std::uint64_
 
 }  // namespace
 
+std::unique_ptr<Controller> loaded(const RestoreScene& scene) {
+  auto controller = std::make_unique<Controller>();
+  EXPECT_TRUE(controller->configure(walking_config()));
+  EXPECT_TRUE(controller->load_scene(scene.objects, scene.world));
+  return controller;
+}
+
 void expect_restores_go_on_alike(const RestoreScene& scene, std::uint64_t seed, std::size_t ticks,
                                  RestoreTally& tally) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
   SceneWalk walk(scene.objects, seed);
-  const auto first = fresh(scene);
+  const auto first = loaded(scene);
   std::unique_ptr<Controller> second;
   std::vector<std::byte> bytes(firmware::kMaxCheckpointBytes);
   for (std::size_t tick = 0; tick < ticks; ++tick) {
@@ -38,7 +38,7 @@ void expect_restores_go_on_alike(const RestoreScene& scene, std::uint64_t seed, 
       const std::size_t size = first->save(bytes);
       ASSERT_GT(size, 0U) << "tick " << tick;
       if (second == nullptr || random() % 4 == 0) {
-        second = fresh(scene);
+        second = loaded(scene);
       }
       if (random() % 4 != 0) {
         lead_astray(*second, scene, random());

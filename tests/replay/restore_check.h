@@ -17,6 +17,9 @@ struct RestoreScene {
   rendering::WorldConfig world;
 };
 
+// A new controller with walking_config() and the scene.
+std::unique_ptr<firmware::Controller> loaded(const RestoreScene& scene);
+
 struct RestoreTally {
   std::size_t ticks = 0;
   std::size_t contacts = 0;

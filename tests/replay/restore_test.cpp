@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <random>
 #include <vector>
 
 #include "tests/property/wanderer.h"
@@ -125,6 +127,80 @@ TEST(Restore, GoesOnAlikeOnPrimitivesFieldsAndWalksAndUnderEffects) {
        {.law = rendering::Vibration{.amplitude_N = 0.2, .frequency_Hz = 130.0},
         .max_force_N = 1.0}}};
   check({walk, field, ball, pointed}, 0.002, 400, effects);
+}
+
+TEST(Restore, HasRoomForTheLargestScene) {
+  const Solid sheet(flat_sheet(0.002, 62), Sides::two, kRough);
+  ASSERT_GT(sheet.object().mesh.vertices.size(), rendering::kMaxDeformableVertices * 9 / 10);
+  Object ball{
+      .surface = rendering::SurfaceKind::primitive,
+      .primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {0.03, 0.0, 0.0}},
+      .material = kRough};
+  ball.moves = true;
+  std::vector<Object> objects(rendering::kMaxMovers, ball);
+  objects.front() = sheet.object();
+  objects.front().deforms = true;
+  const auto controller = loaded({.objects = objects, .world = {.tool_radius_m = 0.002}});
+  SceneWalk walk(objects, 700);
+  std::vector<std::byte> bytes(firmware::kMaxCheckpointBytes);
+  std::size_t most = 0;
+  for (std::size_t tick = 0; tick < 2000; ++tick) {
+    give(*controller, walk.next(controller->mode()));
+    const std::size_t size = controller->save(bytes);
+    ASSERT_GT(size, 0U) << "tick " << tick;
+    most = std::max(most, size);
+  }
+  std::printf("%zu bytes at most\n", most);
+}
+
+// A flight recorder saves the controller that runs: what cannot be saved must not cost the run.
+TEST(Restore, AStateThatFindsNoRoomIsLeftAsItWas) {
+  const Solid ball(icosphere(0.03, 3), Sides::one, kRough);
+  const std::array<Object, 2> objects{ball.object(), ball.object()};
+  const RestoreScene scene{.objects = objects, .world = {.tool_radius_m = 0.002}};
+  const auto saved = loaded(scene);
+  const auto alone = loaded(scene);
+  std::vector<std::byte> bytes(firmware::kMaxCheckpointBytes);
+  std::mt19937_64 random(500);
+  SceneWalk walk(objects, 500);
+  std::size_t contacts = 0;
+  for (std::size_t tick = 0; tick < kLeastTicksAScene; ++tick) {
+    const std::size_t size = saved->save(bytes);
+    ASSERT_GT(size, 0U) << "tick " << tick;
+    ASSERT_EQ(saved->save(std::span(bytes).first(random() % size)), 0U) << "tick " << tick;
+    const TickInput input = walk.next(alone->mode());
+    give(*saved, input);
+    give(*alone, input);
+    ASSERT_EQ(saved->record().state_hash, alone->record().state_hash) << "tick " << tick;
+    ASSERT_EQ(saved->mode(), alone->mode()) << "tick " << tick;
+    contacts += alone->record().contact != rendering::ContactKind::none ? 1U : 0U;
+  }
+  EXPECT_GT(contacts, kLeastTicksAScene / 50);
+}
+
+TEST(Restore, IsThereRightAfterASmallerScene) {
+  const Solid ball(icosphere(0.03, 3), Sides::one, kRough);
+  const Solid floor(box({0.03, 0.04, 0.05}), Sides::one, kRough);
+  const std::array<Object, 2> objects{floor.object(), ball.object()};
+  const auto controller = loaded({.objects = objects, .world = {.tool_radius_m = 0.002}});
+  SceneWalk walk({&ball.object(), 1}, 600);
+  std::vector<std::byte> bytes(firmware::kMaxCheckpointBytes);
+  const RestoreScene smaller{.objects = {&floor.object(), 1}, .world = {.tool_radius_m = 0.002}};
+  std::size_t swaps = 0;
+  for (std::size_t tick = 0; tick < kLeastTicksAScene; ++tick) {
+    give(*controller, walk.next(controller->mode()));
+    if (controller->record().contact == rendering::ContactKind::none ||
+        controller->mode() == firmware::Mode::active) {
+      continue;
+    }
+    ASSERT_TRUE(controller->load_scene(smaller.objects, smaller.world));
+    const std::size_t size = controller->save(bytes);
+    ASSERT_GT(size, 0U) << "tick " << tick;
+    ASSERT_TRUE(loaded(smaller)->restore(std::span(bytes).first(size))) << "tick " << tick;
+    ASSERT_TRUE(controller->load_scene(objects, smaller.world));
+    ++swaps;
+  }
+  EXPECT_GT(swaps, 0U);
 }
 
 }  // namespace
