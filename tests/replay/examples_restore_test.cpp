@@ -1,0 +1,43 @@
+// A controller that restores another's state goes on to the same bits, over every example scene
+// that needs no foreign file: what only baking makes, such as textures, shading and formulas.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "host_tools/bake/bake.h"
+#include "host_tools/bake/mapped_scene.h"
+#include "tests/replay/restore_check.h"
+#include "tests/support/folder_test.h"
+#include "tests/support/share.h"
+
+namespace tactus::testing {
+namespace {
+
+using RestoreOfExamples = FolderTest;
+
+TEST_F(RestoreOfExamples, GoesOnAlike) {
+  constexpr std::size_t kTicksAScene = 4'000;
+  const std::filesystem::path examples = TACTUS_EXAMPLES;
+  std::uint64_t seed = 800;
+  for (const char* name :
+       {"ramp", "primitives", "heart", "thin_plate", "grating", "stone", "tiles", "shaded_cylinder",
+        "effects", "paddle", "membrane", "friction", "wall"}) {
+    SCOPED_TRACE(name);
+    const std::string image = file(std::string(name) + ".tactus");
+    host::bake_file(examples / name / "scene.toml", image);
+    const host::MappedScene scene(image);
+    RestoreTally tally;
+    ASSERT_NO_FATAL_FAILURE(
+        expect_restores_go_on_alike({.objects = scene.image().objects(),
+                                     .world = {.tool_radius_m = scene.image().tool_radius_m(),
+                                               .effects = scene.image().effects()}},
+                                    seed++, std::max(kTicksAScene, share_of(kTicksAScene)), tally));
+    std::printf("%s: %zu restores, %zu of %zu ticks in contact; %zu bytes at most\n", name,
+                tally.restores, tally.contacts, tally.ticks, tally.most_bytes);
+    EXPECT_GT(tally.contacts, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::testing
