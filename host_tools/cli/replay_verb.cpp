@@ -157,6 +157,9 @@ void show_changed(RecordedRun& run, const Options& options) {
     fmt::print("the changed run ends in a fault at {:.3f} s, the recorded one does not\n",
                *summary.fault_s);
   }
+  if (summary.scene_changed_s) {
+    fmt::print("up to {:.3f} s, where the scene changed\n", *summary.scene_changed_s);
+  }
 }
 
 int run_replay(const Options& options) {

@@ -69,7 +69,9 @@ class ServedSimulation {
       wake = clock.sleep_to_phase(phase, wake);
     }
     server_->stop();
-    writer_->stop();
+    if (const int error = writer_->stop(); error != 0) {
+      throw InputError(fmt::format("the recording ended early: {}", std::strerror(error)));
+    }
   }
 
  private:
@@ -110,6 +112,10 @@ class ServedSimulation {
     writer_->attach({.name = firmware::kSceneAttachment, .bytes = scenes_->bytes()});
     const std::size_t size = firmware::save_config(simulation_->config(), config_);
     writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config_).first(size)});
+    const std::string& file = options_.record;
+    if (const int error = file.empty() ? 0 : writer_->record(file.c_str()); error != 0) {
+      throw InputError(fmt::format("{}: {}", file, std::strerror(error)));
+    }
     if (const int error = writer_->start(); error != 0) {
       fail(socket, "no thread", error);
     }

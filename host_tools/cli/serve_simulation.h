@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "host_tools/simulation/run.h"
 
@@ -11,6 +12,7 @@ namespace tactus::host {
 struct ServeOptions {
   std::filesystem::path run_dir;  // made if it is not there
   bool allow_inject = false;
+  std::string record;  // this file, from the first tick; empty: none
 };
 
 // Until SIGINT or SIGTERM, or for as long as the run says. The hand goes its way to and fro; the

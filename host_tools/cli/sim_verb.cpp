@@ -112,7 +112,9 @@ class Recorder {
 
 void run_sim(const Options& options) {
   if (options.serve) {
-    serve_simulation(options.scene, options.run, options.serving);
+    ServeOptions serving = options.serving;
+    serving.record = options.record;
+    serve_simulation(options.scene, options.run, serving);
     return;
   }
   const MappedScene scene(options.scene);

@@ -123,7 +123,7 @@ void McapReader::take_attachment(std::span<const std::byte> content, std::size_t
   if (crc != 0 && crc != firmware::crc32(checked)) {
     complain_at(offset, "the attachment '" + name + "' is damaged: its checksum differs");
   }
-  attachments_[name] = bytes;
+  attachments_[name].push_back(bytes);
 }
 
 void McapReader::take_schema(std::span<const std::byte> content) {

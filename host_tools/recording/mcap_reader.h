@@ -41,11 +41,9 @@ class McapReader {
   [[nodiscard]] const std::map<std::string, Texts, std::less<>>& metadata() const {
     return metadata_;
   }
-  // By name; checked. The last of a name counts.
-  [[nodiscard]] const std::map<std::string, std::span<const std::byte>, std::less<>>& attachments()
-      const {
-    return attachments_;
-  }
+  // Checked; those of a name in the order of the file.
+  using Attachments = std::map<std::string, std::vector<std::span<const std::byte>>, std::less<>>;
+  [[nodiscard]] const Attachments& attachments() const { return attachments_; }
 
  private:
   struct Channel {
@@ -79,7 +77,7 @@ class McapReader {
   std::map<std::uint16_t, Channel> channels_;
   std::map<std::uint16_t, std::string_view> schemas_;
   std::map<std::string, Texts, std::less<>> metadata_;
-  std::map<std::string, std::span<const std::byte>, std::less<>> attachments_;
+  Attachments attachments_;
   bool cut_ = true;
   std::size_t left_out_ = 0;
 };

@@ -103,9 +103,17 @@ std::string_view Recording::info(std::string_view key) const {
   return found != info_.end() ? std::string_view(found->second) : std::string_view{};
 }
 
-std::span<const std::byte> Recording::attachment(std::string_view name) const {
+std::span<const std::span<const std::byte>> Recording::attachments(std::string_view name) const {
   const auto found = reader_->attachments().find(name);
-  return found != reader_->attachments().end() ? found->second : std::span<const std::byte>{};
+  if (found == reader_->attachments().end()) {
+    return {};
+  }
+  return found->second;
+}
+
+std::span<const std::byte> Recording::attachment(std::string_view name) const {
+  const auto found = attachments(name);
+  return found.empty() ? std::span<const std::byte>{} : found.front();
 }
 
 }  // namespace tactus::host

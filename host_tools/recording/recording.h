@@ -37,7 +37,11 @@ class Recording {
   [[nodiscard]] std::string_view info(std::string_view key) const;
   [[nodiscard]] const McapReader::Texts& info() const { return info_; }
 
-  // A file that is inside the recording: "device.tactus", "scene.tactus". Empty if there is none.
+  // The files of a name that are inside the recording, in the order in which they came:
+  // "device.tactus", "scene.tactus".
+  [[nodiscard]] std::span<const std::span<const std::byte>> attachments(
+      std::string_view name) const;
+  // The first of them. Empty if there is none.
   [[nodiscard]] std::span<const std::byte> attachment(std::string_view name) const;
 
   // The run was cut off: the file lacks what came after its last whole chunk.

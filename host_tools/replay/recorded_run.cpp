@@ -46,22 +46,21 @@ RecordedRun::Image RecordedRun::read(const std::string& file) {
 }
 
 // From the user's file, else out of the recording; empty if there is neither.
-RecordedRun::Image RecordedRun::image(const std::string& file, std::string_view attachment,
-                                      std::string_view checksum_key) const {
-  Image found = file.empty() ? copy(recording_.attachment(attachment)) : read(file);
-  const std::string_view wanted = recording_.info(checksum_key);
+RecordedRun::Image RecordedRun::image(const std::string& file, const Wanted& wanted) const {
+  Image found = file.empty() ? copy(wanted.inside) : read(file);
+  const std::string known(recording_.info(wanted.checksum_key));
   if (found.size == 0) {
-    if (!wanted.empty()) {
-      throw InputError(name_ + ": it does not hold the image " + std::string(attachment) +
-                       " that it was made with (checksum " + std::string(wanted) + "); give it");
+    if (!known.empty()) {
+      throw InputError(name_ + ": it does not hold the image " + std::string(wanted.attachment) +
+                       " that it was made with (checksum " + known + "); give it");
     }
     return found;
   }
   const std::string checksum = checksum_of(found.bytes());
-  if (!wanted.empty() && wanted != checksum) {
+  if (!known.empty() && known != checksum) {
     throw InputError((file.empty() ? name_ : file) +
                      ": another image than the run's: its checksum is " + checksum +
-                     ", and the recording was made with " + std::string(wanted));
+                     ", and the recording was made with " + known);
   }
   return found;
 }
@@ -69,7 +68,7 @@ RecordedRun::Image RecordedRun::image(const std::string& file, std::string_view 
 RecordedRun::RecordedRun(const std::string& file, const RunImages& images)
     : name_(file), recording_(file) {
   take_device(images.device);
-  take_scene(images.scene);
+  take_scenes(images.scene);
 }
 
 void RecordedRun::take_device(const std::string& file) {
@@ -80,7 +79,9 @@ void RecordedRun::take_device(const std::string& file) {
     }
     return;
   }
-  device_image_ = image(file, firmware::kDeviceAttachment, firmware::kDeviceChecksumKey);
+  device_image_ = image(file, {.attachment = firmware::kDeviceAttachment,
+                               .checksum_key = firmware::kDeviceChecksumKey,
+                               .inside = recording_.attachment(firmware::kDeviceAttachment)});
   if (device_image_.size == 0) {
     throw InputError(name_ + ": it does not say what device it is of; give --device D.tactus");
   }
@@ -101,19 +102,56 @@ void RecordedRun::take_device(const std::string& file) {
   }
 }
 
-void RecordedRun::take_scene(const std::string& file) {
-  scene_image_ = image(file, firmware::kSceneAttachment, firmware::kSceneChecksumKey);
-  if (scene_image_.size == 0) {
-    return;
+RecordedRun::Scene RecordedRun::open(Image image, const std::string& name) {
+  Scene scene{.image = std::move(image)};
+  if (scene.image.size == 0) {
+    return scene;
   }
-  auto opened = rendering::SceneImage::open(scene_image_.bytes());
+  auto opened = rendering::SceneImage::open(scene.image.bytes());
   if (!opened) {
-    throw InputError((file.empty() ? name_ + ": the scene's image" : file) + ": " +
-                     std::string(rendering::describe(opened.error().fault)));
+    throw InputError(name + ": " + std::string(rendering::describe(opened.error().fault)));
   }
-  scene_ = std::make_unique<rendering::SceneImage>(*opened);
-  setup_.objects = scene_->objects();
-  setup_.world = {.tool_radius_m = scene_->tool_radius_m(), .effects = scene_->effects()};
+  scene.scene = std::make_unique<rendering::SceneImage>(*opened);
+  return scene;
+}
+
+// Each change of the scene brought its image, empty if it was too large; the one that the run began
+// with comes before them, if it is there at all.
+void RecordedRun::take_scenes(const std::string& file) {
+  const auto inside = recording_.attachments(firmware::kSceneAttachment);
+  const std::string own_name = name_ + ": the scene's image";
+  for (const firmware::TelemetryEvent& event : recording_.events()) {
+    if (event.kind == firmware::EventKind::scene) {
+      changes_.push_back({.tick = event.tick});
+    }
+  }
+  const bool has_first = inside.size() > changes_.size();
+  const std::size_t behind_first = inside.size() - std::min(inside.size(), changes_.size());
+  for (std::size_t i = 0; behind_first + i < inside.size(); ++i) {
+    changes_[i].to = open(copy(inside[behind_first + i]), own_name);
+  }
+  first_ = open(image(file, {.attachment = firmware::kSceneAttachment,
+                             .checksum_key = firmware::kSceneChecksumKey,
+                             .inside = has_first ? inside.front() : std::span<const std::byte>{}}),
+                file.empty() ? own_name : file);
+  if (first_.scene != nullptr) {
+    setup_.objects = first_.scene->objects();
+    setup_.world = world_of(*first_.scene);
+  }
+}
+
+const rendering::SceneImage* RecordedRun::changed_scene(std::uint64_t tick) const {
+  const auto change = std::ranges::find(changes_, tick, &SceneChange::tick);
+  if (change == changes_.end()) {
+    return nullptr;
+  }
+  if (change->to.scene == nullptr) {
+    throw InputError(name_ + ": before tick " + std::to_string(tick) +
+                     " the scene was changed, and the image " +
+                     std::string(firmware::kSceneAttachment) +
+                     " of the new one is not inside: nothing can be replayed beyond that");
+  }
+  return change->to.scene.get();
 }
 
 std::span<const std::byte> RecordedRun::state() const {

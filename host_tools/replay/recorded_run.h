@@ -24,14 +24,17 @@ struct RunImages {
 
 class RecordedRun {
  public:
-  // Throws InputError if the recording, or an image that it needs, cannot be read, is missing or
-  // has another checksum than the run's.
+  // Throws InputError if the recording, or an image that it needs to begin, cannot be read, is
+  // missing or has another checksum than the run's.
   RecordedRun(const std::string& file, const RunImages& images);
 
   [[nodiscard]] Recording& ticks() { return recording_; }
   // Its spans live as long as this.
   [[nodiscard]] const ReplaySetup& setup() const { return setup_; }
-  [[nodiscard]] const rendering::SceneImage* scene() const { return scene_.get(); }
+  [[nodiscard]] const rendering::SceneImage* scene() const { return first_.scene.get(); }
+  // What the run changed its scene to before this tick; nullptr if it did not. Throws InputError if
+  // that image is not in the recording.
+  [[nodiscard]] const rendering::SceneImage* changed_scene(std::uint64_t tick) const;
   // Empty if the recording begins with tick 0.
   [[nodiscard]] std::span<const std::byte> state() const;
 
@@ -48,18 +51,32 @@ class RecordedRun {
       return std::as_bytes(std::span(lines)).first(size);
     }
   };
-  [[nodiscard]] Image image(const std::string& file, std::string_view attachment,
-                            std::string_view checksum_key) const;
+  struct Scene {
+    Image image;
+    std::unique_ptr<rendering::SceneImage> scene;
+  };
+  struct SceneChange {
+    std::uint64_t tick = 0;  // the first with this scene
+    Scene to;                // none: its image is not in the recording
+  };
+  // What the checksum under this key is of; `inside` is the recording's.
+  struct Wanted {
+    std::string_view attachment;
+    std::string_view checksum_key;
+    std::span<const std::byte> inside;
+  };
+  [[nodiscard]] Image image(const std::string& file, const Wanted& wanted) const;
   static Image read(const std::string& file);
   static Image copy(std::span<const std::byte> bytes);
   void take_device(const std::string& file);
-  void take_scene(const std::string& file);
+  static Scene open(Image image, const std::string& name);
+  void take_scenes(const std::string& file);
 
   std::string name_;
   Recording recording_;
   Image device_image_;
-  Image scene_image_;
-  std::unique_ptr<rendering::SceneImage> scene_;
+  Scene first_;
+  std::vector<SceneChange> changes_;
   ReplaySetup setup_;
 };
 

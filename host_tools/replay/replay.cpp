@@ -32,6 +32,9 @@ ReplayResult replay(RecordedRun& run, const ReplaySink& sink) {
       throw InputError(tick < expected ? "the run starts over at tick " + std::to_string(tick)
                                        : gap(expected, tick));
     }
+    if (const rendering::SceneImage* const scene = run.changed_scene(tick)) {
+      replayer.use_scene(*scene);
+    }
     result.difference = replayer.repeat(recorded->record);
     if (result.difference) {
       return result;

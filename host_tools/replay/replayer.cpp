@@ -106,6 +106,13 @@ Replayer::Replayer(const ReplaySetup& setup)
   }
 }
 
+void Replayer::use_scene(const rendering::SceneImage& scene) {
+  if (!controller_->load_scene(scene.objects(), world_of(scene))) {
+    throw InputError("the controller refuses the scene that the run changed to before tick " +
+                     std::to_string(next_tick()));
+  }
+}
+
 void Replayer::go_to(std::span<const std::byte> state) {
   if (!controller_->restore(state)) {
     throw InputError(

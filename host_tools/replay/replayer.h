@@ -10,6 +10,7 @@
 
 #include "firmware/control/controller.h"
 #include "firmware/telemetry/record.h"
+#include "rendering/scene/scene_image.h"
 
 namespace tactus::host {
 
@@ -18,6 +19,10 @@ struct ReplaySetup {
   std::span<const rendering::Object> objects;  // none: no scene; outlive the replay
   rendering::WorldConfig world;
 };
+
+inline rendering::WorldConfig world_of(const rendering::SceneImage& scene) {
+  return {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()};
+}
 
 // Where a replayed tick is not the recorded one.
 struct Difference {
@@ -38,6 +43,10 @@ class Replayer {
   // At the moment before tick 0. Throws InputError if the controller refuses configuration or
   // scene.
   explicit Replayer(const ReplaySetup& setup);
+
+  // Takes another scene, which outlives the replay, before the next tick. Throws InputError if the
+  // controller refuses it.
+  void use_scene(const rendering::SceneImage& scene);
 
   // Goes to the moment of a state that Controller::save wrote. Throws InputError if the state is
   // not of this configuration and scene.

@@ -116,6 +116,10 @@ WhatIfSummary what_if(RecordedRun& run, std::span<const ParameterChange> changes
     if (record.tick < replayer.next_tick()) {
       continue;
     }
+    if (run.changed_scene(record.tick) != nullptr) {
+      summary.scene_changed_s = record.time_s;
+      break;
+    }
     if (is_set(record.change.place)) {
       record.change = {};
     }

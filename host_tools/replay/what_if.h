@@ -33,12 +33,14 @@ struct WhatIfSummary {
   double most_apart_N = 0.0;      // of the difference of the two
   double most_apart_s = 0.0;      // when
   std::optional<double> fault_s;  // the changed run ends in a fault where the recorded one does not
+  std::optional<double> scene_changed_s;  // no further than here: what was set was of another scene
 };
 
 using WhatIfSink = std::function<void(const WhatIfTick&)>;
 
-// From the recording's start, or the state in it, to its end; what the run itself changed of the
-// same parameters is left out. Throws InputError if the controller refuses a change.
+// From the recording's start, or the state in it, to its end or to where its scene changed; what
+// the run itself changed of the same parameters is left out. Throws InputError if the controller
+// refuses a change.
 WhatIfSummary what_if(RecordedRun& run, std::span<const firmware::ParameterChange> changes,
                       const WhatIfSink& sink);
 
