@@ -1,5 +1,5 @@
 #!/bin/sh
-# A Hapkit on GPIO lines at 1, 2 and 4 kHz beside a busy machine: no missed tick, and awake as early as cyclictest.
+# A Hapkit on GPIO lines at 1, 2, 4 and 8 kHz beside a busy machine: no missed tick, and awake as early as cyclictest.
 # twice: csv log
 modprobe gpio-sim-oot
 mkdir -p /run && mount -t tmpfs run /run
@@ -12,6 +12,7 @@ begin
 loop gpio_1kHz wall 1000 0.6
 loop gpio_2kHz wall 2000 0.6
 loop gpio_4kHz wall 4000 0.6
-cyclic gpio 4000 2
+loop gpio_8kHz wall 8000 0.6
+cyclic gpio 8000 2
 compare
 end
