@@ -4,6 +4,7 @@
 
 #include "firmware/control/parameter_name.h"
 #include "firmware/flight/attachments.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
 
@@ -138,9 +139,8 @@ void CommandDesk::set(const Command& command, Controller& controller, Answer& an
 }
 
 void CommandDesk::set_scene(const Command& command, Controller& controller, Answer& answer) {
-  const auto loaded = controller.load_scene(
-      command.scene->objects(),
-      {.tool_radius_m = command.scene->tool_radius_m(), .effects = command.scene->effects()});
+  const auto loaded =
+      controller.load_scene(command.scene->objects(), rendering::world_of(*command.scene));
   if (!loaded) {
     answer.outcome = Outcome::scene;
     answer.scene_refusal = loaded.error();

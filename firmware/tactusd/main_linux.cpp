@@ -32,6 +32,7 @@
 #include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/scene_image.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
 namespace {
@@ -157,8 +158,7 @@ bool load_scene(const Options& options) {
     return false;
   }
   const rendering::SceneImage& scene = **opened;
-  const auto loaded = program.controller.load_scene(
-      scene.objects(), {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()});
+  const auto loaded = program.controller.load_scene(scene.objects(), rendering::world_of(scene));
   if (!loaded) {
     tell_refusal(options.scene, scene, loaded.error());
     return false;

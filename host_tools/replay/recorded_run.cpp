@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 #include "firmware/configuration/config_state.h"
@@ -11,17 +11,14 @@
 #include "firmware/flight/attachments.h"
 #include "firmware/telemetry/outputs/mcap_writer.h"
 #include "host_tools/input_error.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
 
-std::string checksum_of(std::span<const std::byte> image) {
-  rendering::ImageHeader header;
-  std::memcpy(&header, image.data(), std::min(image.size(), sizeof header));
+std::string checksum_text(std::span<const std::byte> image) {
   std::ostringstream text;
-  text.width(16);
-  text.fill('0');
-  text << std::hex << header.checksum;
+  text << std::hex << std::setw(16) << std::setfill('0') << firmware::checksum_of(image);
   return text.str();
 }
 
@@ -56,7 +53,7 @@ RecordedRun::Image RecordedRun::image(const std::string& file, const Wanted& wan
     }
     return found;
   }
-  const std::string checksum = checksum_of(found.bytes());
+  const std::string checksum = checksum_text(found.bytes());
   if (!known.empty() && known != checksum) {
     throw InputError((file.empty() ? name_ : file) +
                      ": another image than the run's: its checksum is " + checksum +
@@ -136,7 +133,7 @@ void RecordedRun::take_scenes(const std::string& file) {
                 file.empty() ? own_name : file);
   if (first_.scene != nullptr) {
     setup_.objects = first_.scene->objects();
-    setup_.world = world_of(*first_.scene);
+    setup_.world = rendering::world_of(*first_.scene);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "firmware/control/repeat_tick.h"
 #include "firmware/telemetry/record_fields.h"
 #include "host_tools/input_error.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -107,7 +108,7 @@ Replayer::Replayer(const ReplaySetup& setup)
 }
 
 void Replayer::use_scene(const rendering::SceneImage& scene) {
-  if (!controller_->load_scene(scene.objects(), world_of(scene))) {
+  if (!controller_->load_scene(scene.objects(), rendering::world_of(scene))) {
     throw InputError("the controller refuses the scene that the run changed to before tick " +
                      std::to_string(next_tick()));
   }

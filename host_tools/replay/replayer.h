@@ -20,10 +20,6 @@ struct ReplaySetup {
   rendering::WorldConfig world;
 };
 
-inline rendering::WorldConfig world_of(const rendering::SceneImage& scene) {
-  return {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()};
-}
-
 // Where a replayed tick is not the recorded one.
 struct Difference {
   std::uint64_t tick = 0;

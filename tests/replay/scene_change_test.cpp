@@ -14,6 +14,7 @@
 #include "host_tools/input_error.h"
 #include "host_tools/replay/replay.h"
 #include "host_tools/replay/what_if.h"
+#include "rendering/scene/scene_world.h"
 #include "tests/replay/scene_walk.h"
 #include "tests/support/folder_test.h"
 #include "tests/unit/rendering/scene/small_scene.h"
@@ -46,9 +47,7 @@ class SceneChange : public FolderTest {
 
   void load(std::span<const std::byte> image) {
     scene_.emplace(*rendering::SceneImage::open(image));
-    ASSERT_TRUE(controller_->load_scene(
-        scene_->objects(),
-        {.tool_radius_m = scene_->tool_radius_m(), .effects = scene_->effects()}));
+    ASSERT_TRUE(controller_->load_scene(scene_->objects(), rendering::world_of(*scene_)));
   }
 
   // As tactusd does it: not while active; the image comes some ticks after the event.

@@ -1,0 +1,14 @@
+// What a world of one tool, as a controller's is, takes from a scene beside its objects.
+#pragma once
+
+#include "rendering/scene/scene_image.h"
+#include "rendering/world/world.h"
+
+namespace tactus::rendering {
+
+// Its spans live as long as the image.
+inline WorldConfig world_of(const SceneImage& scene) {
+  return {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()};
+}
+
+}  // namespace tactus::rendering
