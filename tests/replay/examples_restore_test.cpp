@@ -7,7 +7,9 @@
 
 #include "host_tools/bake/bake.h"
 #include "host_tools/bake/mapped_scene.h"
+#include "rendering/scene/scene_world.h"
 #include "tests/replay/restore_check.h"
+#include "tests/support/example_scenes.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/share.h"
 
@@ -20,19 +22,15 @@ TEST_F(RestoreOfExamples, GoesOnAlike) {
   constexpr std::size_t kTicksAScene = 4'000;
   const std::filesystem::path examples = TACTUS_EXAMPLES;
   std::uint64_t seed = 800;
-  for (const char* name :
-       {"ramp", "primitives", "heart", "thin_plate", "grating", "stone", "tiles", "shaded_cylinder",
-        "effects", "paddle", "membrane", "friction", "wall"}) {
+  for (const char* name : kExampleScenes) {
     SCOPED_TRACE(name);
     const std::string image = file(std::string(name) + ".tactus");
     host::bake_file(examples / name / "scene.toml", image);
     const host::MappedScene scene(image);
     RestoreTally tally;
-    ASSERT_NO_FATAL_FAILURE(
-        expect_restores_go_on_alike({.objects = scene.image().objects(),
-                                     .world = {.tool_radius_m = scene.image().tool_radius_m(),
-                                               .effects = scene.image().effects()}},
-                                    seed++, std::max(kTicksAScene, share_of(kTicksAScene)), tally));
+    ASSERT_NO_FATAL_FAILURE(expect_restores_go_on_alike(
+        {.objects = scene.image().objects(), .world = rendering::world_of(scene.image())}, seed++,
+        std::max(kTicksAScene, share_of(kTicksAScene)), tally));
     std::printf("%s: %zu restores, %zu of %zu ticks in contact; %zu bytes at most\n", name,
                 tally.restores, tally.contacts, tally.ticks, tally.most_bytes);
     EXPECT_GT(tally.contacts, 0U);

@@ -7,6 +7,7 @@
 #include "host_tools/bake/bake.h"
 #include "host_tools/bake/mapped_scene.h"
 #include "rendering/world/world.h"
+#include "tests/support/example_scenes.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::testing {
@@ -46,10 +47,7 @@ TEST_P(Examples, AreBakedAndFelt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples,
-                         ::testing::Values("ramp", "primitives", "heart", "thin_plate", "grating",
-                                           "stone", "tiles", "shaded_cylinder", "effects", "paddle",
-                                           "membrane", "friction"),
+INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples, ::testing::ValuesIn(kExampleScenes),
                          [](const auto& example) { return std::string(example.param); });
 
 }  // namespace
