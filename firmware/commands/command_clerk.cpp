@@ -125,9 +125,22 @@ void CommandClerk::ask(CommandClient& client, Command command) {
   last_ticket_ = std::max<Ticket>(last_ticket_ + 1, 1);
   command.ticket = last_ticket_;
   client.waiting.ticket = command.ticket;
+  client.waiting.command = command;
+  client.waiting.is_posted = false;
   client.waiting.is_under_way = true;
   client.waiting.deadline_ns = now_ns_ + kMostWait_ns;
-  if (const auto known = desk_.post(command)) {
+  post(client);
+}
+
+// Programs that asked and went may have filled the desk: then it waits here, and look_after tries
+// again.
+void CommandClerk::post(CommandClient& client) {
+  CommandClient::Waiting& waiting = client.waiting;
+  if (waiting.command.kind != CommandKind::request && !desk_.has_room()) {
+    return;
+  }
+  waiting.is_posted = true;
+  if (const auto known = desk_.post(waiting.command)) {
     deliver(*known);
   }
 }
@@ -178,6 +191,7 @@ void CommandClerk::hand_scene_over(CommandClient& client, const Answer& answer) 
     return;
   }
   now_ns_ = hal::monotonic_now_ns();
+  // There is room: an answer has just been taken.
   ask(client, {.kind = CommandKind::scene, .scene = *opened});
   scene_ticket_ = client.waiting.ticket;
 }
@@ -216,6 +230,8 @@ void CommandClerk::look_after(CommandClient& client) {
   if (waiting.is_under_way && now_ns_ > waiting.deadline_ns) {
     waiting.ticket = 0;
     refuse_waiting(client, "the loop has not answered for a second; see its log");
+  } else if (waiting.is_under_way && waiting.ticket != 0 && !waiting.is_posted) {
+    post(client);
   } else if (waiting.is_under_way && waiting.verb == Verb::list && waiting.ticket == 0 &&
              client.has_sent()) {
     ask_next_of_list(client);

@@ -56,6 +56,7 @@ class CommandClerk {
  private:
   void carry_out(CommandClient& client, const CommandLine& command);
   void ask(CommandClient& client, Command command);
+  void post(CommandClient& client);
   void ask_parameter(CommandClient& client, const CommandLine& command);
   void ask_scene(CommandClient& client, std::string_view file);
   void ask_next_of_list(CommandClient& client);

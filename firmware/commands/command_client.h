@@ -50,6 +50,8 @@ class CommandClient {
   // What it waits for.
   struct Waiting {
     Ticket ticket = 0;       // of the tick's answer; 0: for none
+    Command command;         // that the tick answers
+    bool is_posted = false;  // it has left for the desk; else there was no room for it yet
     Verb verb = Verb::help;  // `list` and `scene` take several answers
     bool is_under_way = false;
     Request request = Request::none;

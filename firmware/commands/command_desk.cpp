@@ -30,6 +30,7 @@ std::optional<Answer> CommandDesk::post(const Command& command) {
   Answer answer{.ticket = command.ticket, .kind = command.kind, .request = command.request};
   if (command.kind != CommandKind::request) {
     commands_.push(command);
+    ++waiting_;
     return std::nullopt;
   }
   const auto [accepted, replaced] =
@@ -54,14 +55,17 @@ std::optional<Answer> CommandDesk::next_answer() {
   }
   const Answer answer = *front;
   answers_.pop();
+  waiting_ -= answer.kind == CommandKind::request ? 0U : 1U;
   return answer;
 }
 
 Request CommandDesk::before_tick(Controller& controller) {
   before_ = controller.mode();
-  if (const Command* const command = commands_.front(); command != nullptr) {
-    carry_out(*command, controller);
+  if (const Command* const front = commands_.front(); front != nullptr) {
+    // Whoever has its answer may post the next one, so its place is free before.
+    const Command command = *front;
     commands_.pop();
+    carry_out(command, controller);
   }
   pending_ = requests_.take();
   is_operated_ = is_operated_ || pending_.request != Request::none;

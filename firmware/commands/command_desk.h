@@ -3,6 +3,9 @@
 // One thread posts and takes answers, the loop calls before_tick and after_tick. No locks, no heap,
 // and neither side ever waits for the other. Requests go through a slot where the newest wins and
 // an estop stays; everything else keeps its order, one a tick.
+//
+// Nothing is lost as long as the one thread takes the answers often: at most kMaxRequests between
+// two times that it has taken them all.
 #pragma once
 
 #include <atomic>
@@ -19,8 +22,10 @@
 
 namespace tactus::firmware {
 
-// Commands without an answer yet, at most; the one who posts sees to it.
+// Commands whose answers have not been taken yet, at most.
 inline constexpr std::size_t kMaxWaiting = 16;
+// And requests.
+inline constexpr std::size_t kMaxRequests = 48;
 
 // Called from the loop: bounded, without locks. Null tells nobody.
 struct EventSink {
@@ -32,8 +37,11 @@ class CommandDesk {
  public:
   // The command thread's side.
 
-  // An answer that is known at once: of a request that the newest has replaced, or that an estop
-  // keeps out.
+  // Whether there is room for one more command; a request needs none.
+  [[nodiscard]] bool has_room() const { return waiting_ < kMaxWaiting; }
+
+  // Only while there is room, unless it is a request. An answer that is known at once: of a request
+  // that the newest has replaced, or that an estop keeps out.
   std::optional<Answer> post(const Command& command);
 
   // The next answer of a tick, if there is one.
@@ -64,7 +72,8 @@ class CommandDesk {
 
   RequestSlot requests_;
   Ring<Command, kMaxWaiting> commands_;
-  Ring<Answer, kMaxWaiting> answers_;
+  Ring<Answer, kMaxWaiting + kMaxRequests> answers_;
+  std::size_t waiting_ = 0;  // commands whose answers have not been taken; the command thread's
   TicketedRequest pending_;  // the loop's, from before_tick to after_tick
   Mode before_ = Mode::init;
   bool is_operated_ = false;

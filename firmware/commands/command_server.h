@@ -21,7 +21,9 @@ namespace tactus::firmware {
 
 // Programs that are connected at once. The next one is told so and closed.
 inline constexpr std::size_t kMaxCommandClients = 8;
-static_assert(kMaxCommandClients < kMaxWaiting);
+// Between two times that the answers are taken, each says a request and raises an estop at most,
+// and one request is in the tick.
+static_assert(2 * kMaxCommandClients + 1 <= kMaxRequests);
 
 struct CommandServerConfig {
   const char* socket_path = nullptr;

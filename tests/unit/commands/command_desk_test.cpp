@@ -119,6 +119,39 @@ TEST_F(CommandDeskTest, ParametersKeepTheirOrderOneATickAndAreInItsRecord) {
   EXPECT_EQ(read.value.value, 3.0);
 }
 
+TEST_F(CommandDeskTest, ThereIsRoomAgainAsSoonAsAnAnswerIsTaken) {
+  Ticket last = 0;
+  while (desk_.has_room()) {
+    desk_.post({.kind = CommandKind::look, .ticket = ++last});
+  }
+  EXPECT_EQ(last, kMaxWaiting);
+  tick();
+  EXPECT_FALSE(desk_.has_room());
+  EXPECT_EQ(desk_.next_answer()->ticket, 1U);
+  ASSERT_TRUE(desk_.has_room());
+  desk_.post({.kind = CommandKind::look, .ticket = ++last});
+  for (Ticket ticket = 2; ticket <= last; ++ticket) {
+    tick();
+    EXPECT_EQ(desk_.next_answer()->ticket, ticket);
+  }
+  EXPECT_FALSE(desk_.next_answer());
+}
+
+TEST_F(CommandDeskTest, RequestsNeedNoRoom) {
+  while (desk_.has_room()) {
+    desk_.post({.kind = CommandKind::look});
+  }
+  for (std::size_t i = 0; i < kMaxRequests; ++i) {
+    desk_.post({.kind = CommandKind::request, .request = Request::estop});
+    tick();
+  }
+  std::size_t stops = 0;
+  while (const auto answer = desk_.next_answer()) {
+    stops += answer->kind == CommandKind::request ? 1U : 0U;
+  }
+  EXPECT_EQ(stops, kMaxRequests);
+}
+
 TEST_F(CommandDeskTest, AParameterOutOfRangeIsRefusedWithItsRange) {
   const ParameterPlace force{.parameter = Parameter::max_force};
   desk_.post({.kind = CommandKind::set, .ticket = 1, .change = {.place = force, .value = 1e3}});

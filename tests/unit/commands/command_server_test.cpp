@@ -93,6 +93,14 @@ class CommandServerTest : public ::testing::Test {
     start_loop();
   }
 
+  // Programs that ask and do not wait for the answer.
+  void ask_and_go(std::size_t programs) {
+    for (std::size_t i = 0; i < programs; ++i) {
+      Remote remote(folder_);
+      EXPECT_THROW(remote.send("status", std::chrono::milliseconds(0)), host::UnreachableError);
+    }
+  }
+
   std::string say(const std::string& line) { return Remote(folder_).send(line).text; }
 
   std::filesystem::path folder_ = new_folder();
@@ -111,7 +119,7 @@ bool begins(const std::string& text, std::string_view start) {
 
 TEST_F(CommandServerTest, TheDoorIsAFileForItsOwnerAndItsGroup) {
   serve();
-  struct stat status{};
+  struct stat status {};
   ASSERT_EQ(::stat(socket_path_.c_str(), &status), 0);
   EXPECT_TRUE(S_ISSOCK(status.st_mode));
   EXPECT_EQ(status.st_mode & 0777U, 0660U);
@@ -312,17 +320,26 @@ TEST_F(CommandServerTest, RecordingIsSwitchedByWhoeverRecords) {
 
 TEST_F(CommandServerTest, AProgramThatGoesMidwayHurtsNobody) {
   start();
-  for (int i = 0; i < 20; ++i) {
-    Remote remote(folder_);
-    std::thread([&] {
-      try {
-        remote.send("status", std::chrono::milliseconds(0));
-        // NOLINTNEXTLINE(bugprone-empty-catch): it did not wait for the answer
-      } catch (const host::UnreachableError&) {
-      }
-    }).join();
-  }
+  ask_and_go(20);
   EXPECT_TRUE(begins(say("status"), "ok status"));
+}
+
+TEST_F(CommandServerTest, ACommandWaitsForItsPlaceBehindThoseOfProgramsThatWent) {
+  serve();
+  ask_and_go(3 * kMaxWaiting);
+  std::thread late_loop([this] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    start_loop();
+  });
+  EXPECT_TRUE(begins(say("status"), "ok status"));
+  late_loop.join();
+}
+
+TEST_F(CommandServerTest, ALoopThatStandsStillIsNamedHoweverManyWait) {
+  serve();
+  ask_and_go(3 * kMaxWaiting);
+  EXPECT_EQ(say("get max_force_N"),
+            "refused get: the loop has not answered for a second; see its log");
 }
 
 TEST(Remote, ADoorThatIsNotThereIsNamedWithTheRemedy) {
