@@ -50,7 +50,7 @@ std::expected<void, ListenError> ListeningSocket::open(const char* path, const c
     return listen_error("another program listens there; end it, or give another --run-dir",
                         EADDRINUSE);
   }
-  struct stat status {};
+  struct stat status{};
   if (::lstat(path, &status) == 0) {
     if (!S_ISSOCK(status.st_mode)) {
       return listen_error("there is a file in the socket's place; remove it", EEXIST);

@@ -30,7 +30,7 @@ std::string_view start_recording(void* run, std::string_view name) {
            "folder";
   }
   std::ranges::copy(name, path.begin());
-  struct stat status {};
+  struct stat status{};
   if (::lstat(path.data(), &status) == 0) {
     return "there is a file of that name; give another";
   }

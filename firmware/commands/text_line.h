@@ -26,7 +26,8 @@ class TextLine {
 
   // Shortest text that reads back to the same number.
   template <class Number>
-  requires std::integral<Number> || std::floating_point<Number> TextLine& add(Number number) {
+    requires std::integral<Number> || std::floating_point<Number>
+  TextLine& add(Number number) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     return add(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));

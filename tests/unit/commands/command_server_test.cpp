@@ -119,7 +119,7 @@ bool begins(const std::string& text, std::string_view start) {
 
 TEST_F(CommandServerTest, TheDoorIsAFileForItsOwnerAndItsGroup) {
   serve();
-  struct stat status {};
+  struct stat status{};
   ASSERT_EQ(::stat(socket_path_.c_str(), &status), 0);
   EXPECT_TRUE(S_ISSOCK(status.st_mode));
   EXPECT_EQ(status.st_mode & 0777U, 0660U);
