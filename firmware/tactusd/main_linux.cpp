@@ -14,10 +14,7 @@
 
 #include "firmware/commands/command_desk.h"
 #include "firmware/commands/command_server.h"
-#include "firmware/commands/scene_store.h"
 #include "firmware/commands/telemetry_hooks.h"
-#include "firmware/device/certificate_words.h"
-#include "firmware/device/device_image.h"
 #include "firmware/realtime/crash_stop.h"
 #include "firmware/realtime/real_time.h"
 #include "firmware/realtime/service_notice.h"
@@ -27,12 +24,10 @@
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/options.h"
+#include "firmware/tactusd/run_inputs.h"
 #include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
-#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
-#include "rendering/scene/scene_image.h"
-#include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
 namespace {
@@ -58,11 +53,7 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
-  hal::MappedFile device_file;
-  hal::MappedFile falcon_file;
-  DeviceSections sections;
-  DeviceConfig config;
-  SceneStore scenes;
+  RunInputs inputs;
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
   Controller controller;
@@ -73,7 +64,7 @@ struct Program {
   Supervisor supervisor;
   RunTelemetry telemetry;
   CommandDesk desk;
-  CommandServer commands{desk, scenes};
+  CommandServer commands{desk, inputs.scenes()};
 };
 
 Program program;
@@ -92,96 +83,6 @@ int length(std::string_view text) {
   return static_cast<int>(text.size());
 }
 
-bool map(hal::MappedFile& file, const char* path) {
-  const int error = file.open(path);
-  if (error != 0) {
-    std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
-  }
-  return error == 0;
-}
-
-bool load_device(const Options& options) {
-  if (!map(program.device_file, options.device)) {
-    return false;
-  }
-  auto outcome = open_device_image(program.device_file.bytes(), program.sections);
-  if (outcome) {
-    outcome = read_device(program.sections, program.config);
-  }
-  if (!outcome) {
-    const DeviceError& error = outcome.error();
-    std::fprintf(stderr, "tactusd: %s: %.*s%s%.*s\n", options.device, length(error.key),
-                 error.key.data(), error.key.empty() ? "" : " ", length(error.what),
-                 error.what.data());
-    return false;
-  }
-  if (options.rate_hz > 0.0) {
-    program.config.controller.rate_hz = options.rate_hz;
-  }
-  std::array<char, kMostWords> words{};
-  if (const auto warning = certificate_warning(program.config.certification, words);
-      !warning.empty()) {
-    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
-                 warning.data());
-  }
-  program.config.controller.allow_uncertified = options.allow_uncertified;
-  const auto valid = program.controller.configure(program.config.controller);
-  if (!valid) {
-    std::fprintf(stderr, "tactusd: %s: %.*s is out of range; bake the device again\n",
-                 options.device, length(valid.error().field), valid.error().field.data());
-  }
-  program.controller.set_clock(now_ns);
-  return valid.has_value();
-}
-
-void tell_refusal(const char* path, const rendering::SceneImage& scene,
-                  const SceneRefusal& refusal) {
-  const bool is_object = refusal.fault == SceneFault::uncertified &&
-                         refusal.part.kind == UncertifiedPart::Kind::object;
-  const std::string_view name =
-      is_object ? scene.object_name(refusal.part.index) : std::string_view{};
-  std::array<char, kMostWords> room{};
-  const std::string_view words = refusal_words(refusal, name, room);
-  std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
-}
-
-bool load_scene(const Options& options) {
-  if (options.scene == nullptr) {
-    return true;
-  }
-  const auto opened = program.scenes.open_next(options.scene);
-  if (!opened) {
-    const SceneStoreError& error = opened.error();
-    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", options.scene, length(error.what),
-                 error.what.data(), error.errno_value != 0 ? ": " : "",
-                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
-    return false;
-  }
-  const rendering::SceneImage& scene = **opened;
-  const auto loaded = program.controller.load_scene(scene.objects(), rendering::world_of(scene));
-  if (!loaded) {
-    tell_refusal(options.scene, scene, loaded.error());
-    return false;
-  }
-  program.scenes.use_next();
-  return true;
-}
-
-// The Falcon's firmware, if one is named.
-bool load_falcon_firmware() {
-  for (const ConnectionConfig& connection :
-       std::span(program.config.connections).first(program.config.connection_count)) {
-    const auto* falcon = std::get_if<FalconConnection>(&connection.line);
-    if (falcon != nullptr && !falcon->firmware_file.empty()) {
-      std::array<char, 512> path{};
-      const std::size_t size = std::min(falcon->firmware_file.size(), path.size() - 1);
-      std::memcpy(path.data(), falcon->firmware_file.data(), size);
-      return map(program.falcon_file, path.data());
-    }
-  }
-  return true;
-}
-
 void complain(const OpenError& error) {
   const std::string_view code = hal::words(error.error.code);
   std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
@@ -192,16 +93,17 @@ void complain(const OpenError& error) {
 // Null if a board does not open.
 drivers::ComposedDevice* open_boards() {
   // Half of every period stays for the rest of the tick.
-  const double half_period_s = 0.5 / program.config.controller.rate_hz;
-  const double read_limit_s = std::min(program.config.read_limit_s, half_period_s);
+  const double half_period_s = 0.5 / program.inputs.config().controller.rate_hz;
+  const double read_limit_s = std::min(program.inputs.config().read_limit_s, half_period_s);
   const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
   drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
-  const auto opened = program.boards.open(program.config, program.falcon_file.bytes(), device);
+  const auto opened =
+      program.boards.open(program.inputs.config(), program.inputs.falcon_firmware(), device);
   if (!opened) {
     complain(opened.error());
     return nullptr;
   }
-  if (const auto watchdog = program.boards.open_watchdog(program.config, program.watchdog);
+  if (const auto watchdog = program.boards.open_watchdog(program.inputs.config(), program.watchdog);
       !watchdog) {
     complain(watchdog.error());
     return nullptr;
@@ -242,7 +144,7 @@ class Doors {
 };
 
 int run(drivers::ComposedDevice& device, const Options& options) {
-  const double rate_hz = program.config.controller.rate_hz;
+  const double rate_hz = program.inputs.config().controller.rate_hz;
   LoopConfig config{.phase = loop_phase(rate_hz),
                     .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
   if (program.commands.is_running()) {
@@ -336,19 +238,17 @@ bool start_commands(const Options& options) {
   return started.has_value() || (options.run_dir == nullptr && options.group == nullptr);
 }
 
-void write_files(const Options& options) {
-  const auto tell_failure = [](const char* path, int failed) {
-    if (failed != 0) {
-      std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
-    }
-  };
-  if (options.histogram != nullptr) {
-    tell_failure(options.histogram, write_histogram(options.histogram, program.timing));
+void write_timing(const char* path) {
+  if (const int failed = write_histogram(path, program.timing); failed != 0) {
+    std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
   }
 }
 
 int start_and_run(const Options& options) {
-  if (!load_device(options) || !load_scene(options) || !load_falcon_firmware()) {
+  program.controller.set_clock(now_ns);
+  RunInputs& inputs = program.inputs;
+  if (!inputs.load_device(options, program.controller) ||
+      !inputs.load_scene(options, program.controller) || !inputs.load_falcon_firmware()) {
     return kCouldNotStart;
   }
   drivers::ComposedDevice* const device = open_boards();
@@ -357,9 +257,9 @@ int start_and_run(const Options& options) {
   }
   if (!program.telemetry.start(options,
                                {.config = program.controller.config(),
-                                .device = program.device_file.bytes(),
-                                .scene = program.scenes.bytes()},
-                               program.config.joint_count)) {
+                                .device = inputs.device(),
+                                .scene = inputs.scenes().bytes()},
+                               inputs.config().joint_count)) {
     return kCouldNotStart;
   }
   if (!start_commands(options) || !take_time(options) || !start_telling()) {
@@ -392,7 +292,9 @@ int start_and_run(const Options& options) {
   print_timing(stderr, program.timing);
   std::fprintf(stderr, "hash of all ticks: %016" PRIx64 "\n",
                program.controller.record().state_hash);
-  write_files(options);
+  if (options.histogram != nullptr) {
+    write_timing(options.histogram);
+  }
   return code;
 }
 

@@ -1,0 +1,112 @@
+#include "firmware/tactusd/run_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <variant>
+
+#include "firmware/device/certificate_words.h"
+#include "rendering/scene/scene_world.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::size_t kMostWords = 512;  // of one message
+constexpr std::size_t kMostPath = 512;
+
+int length(std::string_view text) {
+  return static_cast<int>(text.size());
+}
+
+bool map(hal::MappedFile& file, const char* path) {
+  const int error = file.open(path);
+  if (error != 0) {
+    std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
+  }
+  return error == 0;
+}
+
+void tell_refusal(const char* path, const rendering::SceneImage& scene,
+                  const SceneRefusal& refusal) {
+  const bool is_object = refusal.fault == SceneFault::uncertified &&
+                         refusal.part.kind == UncertifiedPart::Kind::object;
+  const std::string_view name =
+      is_object ? scene.object_name(refusal.part.index) : std::string_view{};
+  std::array<char, kMostWords> room{};
+  const std::string_view words = refusal_words(refusal, name, room);
+  std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
+}
+
+}  // namespace
+
+bool RunInputs::load_device(const Options& options, Controller& controller) {
+  if (!map(device_file_, options.device)) {
+    return false;
+  }
+  auto outcome = open_device_image(device_file_.bytes(), sections_);
+  if (outcome) {
+    outcome = read_device(sections_, config_);
+  }
+  if (!outcome) {
+    const DeviceError& error = outcome.error();
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%.*s\n", options.device, length(error.key),
+                 error.key.data(), error.key.empty() ? "" : " ", length(error.what),
+                 error.what.data());
+    return false;
+  }
+  if (options.rate_hz > 0.0) {
+    config_.controller.rate_hz = options.rate_hz;
+  }
+  std::array<char, kMostWords> words{};
+  if (const auto warning = certificate_warning(config_.certification, words); !warning.empty()) {
+    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
+                 warning.data());
+  }
+  config_.controller.allow_uncertified = options.allow_uncertified;
+  const auto valid = controller.configure(config_.controller);
+  if (!valid) {
+    std::fprintf(stderr, "tactusd: %s: %.*s is out of range; bake the device again\n",
+                 options.device, length(valid.error().field), valid.error().field.data());
+  }
+  return valid.has_value();
+}
+
+bool RunInputs::load_scene(const Options& options, Controller& controller) {
+  if (options.scene == nullptr) {
+    return true;
+  }
+  const auto opened = scenes_.open_next(options.scene);
+  if (!opened) {
+    const SceneStoreError& error = opened.error();
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", options.scene, length(error.what),
+                 error.what.data(), error.errno_value != 0 ? ": " : "",
+                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
+    return false;
+  }
+  const rendering::SceneImage& scene = **opened;
+  const auto loaded = controller.load_scene(scene.objects(), rendering::world_of(scene));
+  if (!loaded) {
+    tell_refusal(options.scene, scene, loaded.error());
+    return false;
+  }
+  scenes_.use_next();
+  return true;
+}
+
+bool RunInputs::load_falcon_firmware() {
+  for (const ConnectionConfig& connection :
+       std::span(config_.connections).first(config_.connection_count)) {
+    const auto* falcon = std::get_if<FalconConnection>(&connection.line);
+    if (falcon != nullptr && !falcon->firmware_file.empty()) {
+      std::array<char, kMostPath> path{};
+      const std::size_t size = std::min(falcon->firmware_file.size(), path.size() - 1);
+      std::memcpy(path.data(), falcon->firmware_file.data(), size);
+      return map(falcon_file_, path.data());
+    }
+  }
+  return true;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,41 @@
+// The files that a run of tactusd starts from: the device's image, the scene's, the Falcon's
+// firmware. Mapped and checked before the loop; nothing on the heap. What is wrong with one is told
+// on stderr, with its name.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "firmware/commands/scene_store.h"
+#include "firmware/control/controller.h"
+#include "firmware/device/device_image.h"
+#include "firmware/tactusd/options.h"
+#include "hal/linux/mapped_file.h"
+
+namespace tactus::firmware {
+
+class RunInputs {
+ public:
+  // Configures the controller as the device's image and the command line say. False: told, and
+  // nothing of use.
+  bool load_device(const Options& options, Controller& controller);
+  // The scene into the controller, if one is named; the same.
+  bool load_scene(const Options& options, Controller& controller);
+  // If the device names one; the same.
+  bool load_falcon_firmware();
+
+  [[nodiscard]] const DeviceConfig& config() const { return config_; }
+  [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
+  [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
+  // Which the command thread changes later.
+  [[nodiscard]] SceneStore& scenes() { return scenes_; }
+
+ private:
+  hal::MappedFile device_file_;
+  hal::MappedFile falcon_file_;
+  DeviceSections sections_;
+  DeviceConfig config_;
+  SceneStore scenes_;
+};
+
+}  // namespace tactus::firmware
