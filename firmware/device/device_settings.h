@@ -1,5 +1,5 @@
 // Which keys each section of device.toml may hold, and the fields behind them. A key for a new
-// field is one line in device_settings.cpp.
+// field is one line in device_settings.cpp, axis_settings.cpp or joint_settings.cpp.
 #pragma once
 
 #include <span>

@@ -1,0 +1,63 @@
+#include "firmware/device/pin_setting.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::string_view kPinRule =
+    "must be a line's number in quotes, with the words active_low, pull_up, pull_down as needed";
+
+std::string_view next_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find(' '));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+bool read_line_number(std::string_view word, std::uint32_t& number) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc{} && end == word.data() + word.size();
+}
+
+}  // namespace
+
+std::string_view assign(drivers::InputPin& pin, const Setting& setting) {
+  std::string_view rest = setting.text;
+  if (setting.type != SettingType::text || !read_line_number(next_word(rest), pin.offset)) {
+    return kPinRule;
+  }
+  for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+    if (word == "active_low") {
+      pin.active_low = true;
+    } else if (word == "pull_up") {
+      pin.bias = hal::GpioBias::pull_up;
+    } else if (word == "pull_down") {
+      pin.bias = hal::GpioBias::pull_down;
+    } else {
+      return kPinRule;
+    }
+  }
+  return {};
+}
+
+std::string_view assign(drivers::OutputPin& pin, const Setting& setting) {
+  std::string_view rest = setting.text;
+  if (setting.type != SettingType::text || !read_line_number(next_word(rest), pin.offset)) {
+    return kPinRule;
+  }
+  for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+    if (word == "active_low") {
+      pin.active_low = true;
+    } else if (word == "open_drain") {
+      pin.drive = hal::GpioDrive::open_drain;
+    } else {
+      return "must be a line's number in quotes, with the words active_low, open_drain as needed";
+    }
+  }
+  return {};
+}
+
+}  // namespace tactus::firmware
