@@ -35,7 +35,7 @@ std::optional<ParameterPlace> listed_place(std::size_t index, std::size_t object
 std::string_view word_of(const CommandClient::Waiting& waiting) {
   switch (waiting.verb) {
     case Verb::request:
-      return kRequestNames[static_cast<std::size_t>(waiting.request)];
+      return kRequestNames[static_cast<std::size_t>(waiting.command.request)];
     case Verb::set:
       return "set";
     case Verb::get:
@@ -74,7 +74,7 @@ void CommandClerk::take(CommandClient& client, std::string_view line) {
     refuse(client, word, command.error());
     return;
   }
-  client.waiting = {.verb = command->verb, .request = command->request};
+  client.waiting = {.verb = command->verb};
   carry_out(client, *command);
 }
 
@@ -112,7 +112,6 @@ void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) 
                "this controller takes no faults from outside; start it with --allow-inject");
         break;
       }
-      client.waiting.injection = command.injection;
       ask(client, {.kind = CommandKind::inject, .injection = command.injection});
       break;
     case Verb::help:
@@ -156,7 +155,6 @@ void CommandClerk::ask_parameter(CommandClient& client, const CommandLine& comma
     }
     place.object = *number;
   }
-  client.waiting.place = place;
   ask(client, {.kind = command.verb == Verb::set ? CommandKind::set : CommandKind::get,
                .change = {.place = place, .value = command.value}});
 }
@@ -206,7 +204,6 @@ void CommandClerk::ask_next_of_list(CommandClient& client) {
     return;
   }
   ++client.waiting.listed;
-  client.waiting.place = *place;
   ask(client, {.kind = CommandKind::get, .change = {.place = *place}});
 }
 
@@ -264,7 +261,7 @@ void CommandClerk::deliver(const Answer& answer) {
     const CommandClient::Waiting& waiting = client.waiting;
     const bool for_it = waiting.ticket != 0 && waiting.ticket == answer.ticket;
     const bool waits_for_stop = waiting.ticket != 0 && waiting.verb == Verb::request &&
-                                waiting.request == Request::estop && is_stop;
+                                waiting.command.request == Request::estop && is_stop;
     if (client.is_connected() && waiting.is_under_way && (for_it || waits_for_stop)) {
       client.waiting.ticket = 0;
       reply(client, answer);
@@ -310,7 +307,8 @@ void CommandClerk::reply(CommandClient& client, const Answer& answer) {
       break;
     case Verb::set:
     case Verb::get:
-      write_parameter_reply(out, word_of(client.waiting), client.waiting.place, answer);
+      write_parameter_reply(out, word_of(client.waiting), client.waiting.command.change.place,
+                            answer);
       break;
     case Verb::list:
       reply_list(client, answer);
@@ -322,8 +320,9 @@ void CommandClerk::reply(CommandClient& client, const Answer& answer) {
       out.add("ok inject");
       write_tick(out, answer);
       out.add(" fault=").add(
-          kInjectionTexts[static_cast<std::size_t>(client.waiting.injection.injection)].name);
-      out.add(" ticks=").add(client.waiting.injection.ticks).end();
+          kInjectionTexts[static_cast<std::size_t>(client.waiting.command.injection.injection)]
+              .name);
+      out.add(" ticks=").add(client.waiting.command.injection.ticks).end();
       break;
     default:
       reply_status(client, answer);
@@ -367,7 +366,7 @@ void CommandClerk::reply_list(CommandClient& client, const Answer& answer) {
     return;
   }
   TextLine& out = client.out();
-  const ParameterPlace& place = client.waiting.place;
+  const ParameterPlace& place = client.waiting.command.change.place;
   out.add("parameter");
   write_parameter(out, place, answer.value);
   if (const rendering::SceneImage* const scene = scenes_.scene();

@@ -54,10 +54,7 @@ class CommandClient {
     bool is_posted = false;  // it has left for the desk; else there was no room for it yet
     Verb verb = Verb::help;  // `list` and `scene` take several answers
     bool is_under_way = false;
-    Request request = Request::none;
-    ParameterPlace place;
     std::array<char, kMaxCommandLine> file{};  // of `scene`
-    InjectionOrder injection;
     hal::TimeNs deadline_ns = 0;
     std::uint32_t listed = 0;  // of `list`
     bool is_asking = false;    // of `scene`: for the mode, before the file is opened
