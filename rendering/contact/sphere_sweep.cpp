@@ -3,7 +3,8 @@
 // of the root, therefore never oversteps it: every iterate is a travel that is known to be free. It
 // ends inside the shell, after one step over a face and quadratically on edges and vertices; if the
 // steps run out (a grazing pass, where the root is double) the last iterate is a safe answer too.
-// Faces, edges and vertices need no cases of their own.
+// Where it comes no nearer than into the shell there is no root, and an iterate may lie behind the
+// nearest place: it has passed. Faces, edges and vertices need no cases of their own.
 #include "rendering/contact/sphere_sweep.h"
 
 #include <algorithm>
@@ -43,7 +44,9 @@ double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& 
     }
     at = triangle.nearest(sweep.from + travel * sweep.direction);
     if (at.distance <= shell.stop_m) {
-      return travel;
+      const bool has_passed =
+          at.distance >= shell.inner_m && at.normal.dot(sweep.direction) >= kParallelDescent;
+      return has_passed ? limit : travel;
     }
   }
   return travel;

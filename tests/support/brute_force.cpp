@@ -118,9 +118,10 @@ double descent_left(const Vec3& p, const Vec3& h, std::span<const Vec3> normals)
   // a plane, on a line between two planes, or zero. Each of these that lies within the cone is a
   // direction of descent as steep as it is long.
   const Vec3 wish = h - p;
-  const double slack = 1e-9 * wish.norm();
   double best = 0.0;
   const auto consider = [&](const Vec3& u) {
+    // Normals are good to a nanoradian, and the wish, most of which u has cancelled, to rounding.
+    const double slack = 1e-9 * u.norm() + 1e-12 * wish.norm();
     const bool allowed =
         std::ranges::all_of(normals, [&](const Vec3& n) { return n.dot(u) >= -slack; });
     if (allowed) {

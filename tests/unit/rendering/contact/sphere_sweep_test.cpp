@@ -59,6 +59,27 @@ TEST(SphereSweep, NeverGoesTooFarAndNeverStopsForNothing) {
   }
 }
 
+// It comes as near as between inner and stop. A stop that is behind the nearest place would hold a
+// sphere by a plane that it goes away from.
+TEST(SphereSweep, DoesNotStopWhatHasPassed) {
+  const Triangle t({0, 0, 0}, {-0.01, 0.01, 0}, {0.01, 0.01, 0});
+  int passes = 0;
+  for (const double radius_m : {0.0, 0.001, 0.004}) {
+    const Shell shell(radius_m);
+    for (int i = 1; i < 200; ++i) {
+      const double nearest = shell.inner_m + (shell.stop_m - shell.inner_m) * i / 200;
+      for (const double before : {1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 5e-2}) {
+        const double free = travel(t, {-before, -nearest, 0.0}, {0.1, -nearest, 0.0}, shell);
+        ASSERT_TRUE(free < before || free == kFar)
+            << "radius " << radius_m << " nearest " << nearest << " from " << before << ": stopped "
+            << free - before << " m behind the nearest place";
+        passes += free == kFar ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(passes, 1'000);
+}
+
 TEST(SphereSweep, AOneSidedTriangleLetsPassWhatComesFromBehind) {
   const Triangle t({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
   const Shell shell(0.002);
