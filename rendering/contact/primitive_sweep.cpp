@@ -71,7 +71,8 @@ double outside_convex(const Line& line, const Clearance& start, double limit, co
     }
     now = line.at(travel);
     if (now.height <= shell.stop_m) {
-      return travel;
+      const bool has_passed = now.height >= shell.inner_m && now.slope >= kParallel;
+      return has_passed ? limit : travel;
     }
   }
   return travel;

@@ -52,6 +52,33 @@ TEST(PrimitiveSweep, MeetsEachKindWhereTheClosedFormSays) {
   check(PrimitiveKind::torus, {0.05, 0.01}, {0, 0, 0}, {0.3, 0, 0}, 0.03);
 }
 
+// It comes as near as between inner and stop. A stop that is behind the nearest place would hold a
+// sphere by a plane that it goes away from.
+TEST(PrimitiveSweep, DoesNotStopWhatHasPassed) {
+  constexpr double kRadius_m = 0.05;
+  int passes = 0;
+  for (const PrimitiveKind kind :
+       {PrimitiveKind::sphere, PrimitiveKind::cylinder, PrimitiveKind::capsule}) {
+    const Primitive primitive{.kind = kind, .dimensions_m = {kRadius_m, 0.1}};
+    for (const double radius_m : {0.0, 0.001, 0.004}) {
+      const Shell shell(radius_m);
+      for (int i = 1; i < 200; ++i) {
+        const double nearest = shell.inner_m + (shell.stop_m - shell.inner_m) * i / 200;
+        for (const double before : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 5e-2}) {
+          const Vec3 from(-before, 0.0, kRadius_m + nearest);
+          const double free = travel(primitive, from, from + Vec3(1.0, 0.0, 0.0), shell);
+          ASSERT_TRUE(free < before || free == 1.0)
+              << "kind " << static_cast<int>(kind) << " radius " << radius_m << " nearest "
+              << nearest << " from " << before << ": stopped " << free - before
+              << " m behind the nearest place";
+          passes += free == 1.0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(passes, 1'000);
+}
+
 TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
   constexpr std::uint64_t kSeed = 41;
   std::mt19937_64 random(kSeed);
