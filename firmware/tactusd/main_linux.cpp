@@ -27,6 +27,7 @@
 #include "firmware/tactusd/run_inputs.h"
 #include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
+#include "firmware/tactusd/told.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {
@@ -38,7 +39,6 @@ constexpr int kCouldNotStart = 2;
 // After a fault the loop goes on for so long: the boards take the power away and hear what follows.
 // Where commands are taken it goes on until told to stop: somebody may reset it.
 constexpr double kAfterFault_s = 0.2;
-constexpr std::size_t kMostWords = 512;  // of one message
 
 std::atomic<bool> told_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -77,10 +77,6 @@ void stop_motors() {
 
 void on_flight_signal(int /*signal*/) {
   program.telemetry.ask_for_flight();
-}
-
-int length(std::string_view text) {
-  return static_cast<int>(text.size());
 }
 
 void complain(const OpenError& error) {

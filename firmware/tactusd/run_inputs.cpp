@@ -8,17 +8,13 @@
 #include <variant>
 
 #include "firmware/device/certificate_words.h"
+#include "firmware/tactusd/told.h"
 #include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
 namespace {
 
-constexpr std::size_t kMostWords = 512;  // of one message
 constexpr std::size_t kMostPath = 512;
-
-int length(std::string_view text) {
-  return static_cast<int>(text.size());
-}
 
 bool map(hal::MappedFile& file, const char* path) {
   const int error = file.open(path);
