@@ -22,9 +22,10 @@ bool read_line_number(std::string_view word, std::uint32_t& number) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
-}  // namespace
-
-std::string_view assign(drivers::InputPin& pin, const Setting& setting) {
+// The line's number, then every word to `take`, which says whether it knows it.
+template <class Pin, class TakeWord>
+std::string_view read_pin(Pin& pin, const Setting& setting, std::string_view unknown_word,
+                          TakeWord take) {
   std::string_view rest = setting.text;
   if (setting.type != SettingType::text || !read_line_number(next_word(rest), pin.offset)) {
     return kPinRule;
@@ -32,32 +33,38 @@ std::string_view assign(drivers::InputPin& pin, const Setting& setting) {
   for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
     if (word == "active_low") {
       pin.active_low = true;
-    } else if (word == "pull_up") {
-      pin.bias = hal::GpioBias::pull_up;
-    } else if (word == "pull_down") {
-      pin.bias = hal::GpioBias::pull_down;
-    } else {
-      return kPinRule;
+    } else if (!take(word)) {
+      return unknown_word;
     }
   }
   return {};
 }
 
-std::string_view assign(drivers::OutputPin& pin, const Setting& setting) {
-  std::string_view rest = setting.text;
-  if (setting.type != SettingType::text || !read_line_number(next_word(rest), pin.offset)) {
-    return kPinRule;
-  }
-  for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
-    if (word == "active_low") {
-      pin.active_low = true;
-    } else if (word == "open_drain") {
-      pin.drive = hal::GpioDrive::open_drain;
+}  // namespace
+
+std::string_view assign(drivers::InputPin& pin, const Setting& setting) {
+  return read_pin(pin, setting, kPinRule, [&](std::string_view word) {
+    if (word == "pull_up") {
+      pin.bias = hal::GpioBias::pull_up;
+    } else if (word == "pull_down") {
+      pin.bias = hal::GpioBias::pull_down;
     } else {
-      return "must be a line's number in quotes, with the words active_low, open_drain as needed";
+      return false;
     }
-  }
-  return {};
+    return true;
+  });
+}
+
+std::string_view assign(drivers::OutputPin& pin, const Setting& setting) {
+  constexpr std::string_view kUnknownWord =
+      "must be a line's number in quotes, with the words active_low, open_drain as needed";
+  return read_pin(pin, setting, kUnknownWord, [&](std::string_view word) {
+    if (word != "open_drain") {
+      return false;
+    }
+    pin.drive = hal::GpioDrive::open_drain;
+    return true;
+  });
 }
 
 }  // namespace tactus::firmware
