@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "firmware/limits.h"
+#include "firmware/tactusd/told.h"
 
 namespace tactus::firmware {
 
@@ -16,8 +17,8 @@ bool read_number(const char* text, double low, double high, double& number) {
 }
 
 bool complain(std::string_view what, std::string_view argument) {
-  std::fprintf(stderr, "tactusd: %.*s %.*s; see tactusd --help\n", static_cast<int>(what.size()),
-               what.data(), static_cast<int>(argument.size()), argument.data());
+  std::fprintf(stderr, "tactusd: %.*s %.*s; see tactusd --help\n", length(what), what.data(),
+               length(argument), argument.data());
   return false;
 }
 

@@ -15,6 +15,7 @@
 #include "host_tools/csv/csv_table.h"
 #include "host_tools/input_error.h"
 #include "host_tools/simulation/run_log.h"
+#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 
 namespace tactus::host {
@@ -131,8 +132,7 @@ void run(const Options& options) {
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
   const auto world = std::make_unique<rendering::World>();
-  if (!world->set_scene(scene.image().objects(), {.tool_radius_m = scene.image().tool_radius_m(),
-                                                  .effects = scene.image().effects()})) {
+  if (!world->set_scene(scene.image().objects(), rendering::world_of(scene.image()))) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
   }
   LogFile file(options.output, kHeader);
