@@ -67,9 +67,11 @@ inline constexpr std::size_t kMaxFeatureVisits = 96;
 inline constexpr std::uint32_t kMaxTextureSide = 8192;
 inline constexpr std::size_t kMaxTextureLevels = 14;
 
-// Triangles measured in one tick, or what costs as much. Beyond: the proxy stops where it is,
-// nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
-inline constexpr std::size_t kMaxWork = 256;
+// Work of the shared proxy in one tick, in sixths of a triangle that is measured; the constants
+// kWorkOf... say what counts how much. Beyond: the proxy stops where it is, nearer to the tool than
+// before, and goes on in the next tick; kTouchIterationsExhausted. It is what lets a tool that
+// jumps over a coarse mesh arrive in all but one of a thousand ticks.
+inline constexpr std::size_t kMaxWork = 1536;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.

@@ -10,7 +10,7 @@ namespace {
 
 using rendering::StateArchive;
 
-constexpr std::uint64_t kMagic = 0x3130'5355'5443'4154U;  // "TACTUS01", the last the version's
+constexpr std::uint64_t kMagic = 0x3230'5355'5443'4154U;  // "TACTUS02", the last the version's
 
 }  // namespace
 

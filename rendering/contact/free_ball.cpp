@@ -28,16 +28,26 @@ Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
 // In free space a ball half as large as could be is found at a fraction of the cost.
 constexpr double kEasyPart = 0.5;
 
-// Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far.
+// In a hollow many triangles are about as near: among more than these a ball is not worth its
+// while.
+constexpr int kMostLookedAt = 48;
+
+// Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far;
+// to nothing where that is less than `least`, or not soon found.
 struct ClearanceVisitor {
   const Vec3& p;
   double nearest;
+  double least;
   const MeshView* mesh = nullptr;
   double slack_m = 0.0;
+  int looked_at = 0;
 
-  [[nodiscard]] double reach() const { return kEasyPart * nearest + slack_m; }
+  [[nodiscard]] double reach() const { return nearest > 0.0 ? kEasyPart * nearest + slack_m : 0.0; }
   void operator()(std::uint32_t t) {
     nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
+    if (nearest < least || ++looked_at == kMostLookedAt) {
+      nearest = 0.0;
+    }
   }
 };
 
@@ -46,12 +56,16 @@ struct FreeBall {
   const Scenery& scenery;
   const Shells& shells;
   const Vec3& p;
+  double least;
   double free;
 
-  [[nodiscard]] double reach() const { return free + shells.sphere.reach_m; }
+  [[nodiscard]] double reach() const { return std::max(0.0, free) + shells.sphere.reach_m; }
   void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
 
   void take(std::uint32_t number) {
+    if (free < least) {
+      return;
+    }
     const Object& object = scenery[number];
     const double own_reach = shells.of(is_point_tool(object)).reach_m;
     if (object.surface == SurfaceKind::primitive) {
@@ -63,6 +77,7 @@ struct FreeBall {
     const PlacedMesh placed = scenery.mesh_O(number);
     ClearanceVisitor visitor{.p = p_O,
                              .nearest = (free + own_reach) / kEasyPart,
+                             .least = (least + own_reach) / kEasyPart,
                              .mesh = &placed.mesh,
                              .slack_m = placed.slack_m};
     visit_near(placed.mesh.nodes, p_O, visitor);
@@ -72,8 +87,9 @@ struct FreeBall {
 
 }  // namespace
 
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p) {
-  FreeBall ball{.scenery = scenery, .shells = shells, .p = p, .free = kMostClearance_m};
+double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m) {
+  FreeBall ball{
+      .scenery = scenery, .shells = shells, .p = p, .least = least_m, .free = kMostClearance_m};
   visit_near(scenery.still_nodes(), p, ball);
   for (const Mover& mover : scenery.movers()) {
     if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= ball.reach()) {

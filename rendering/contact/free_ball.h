@@ -8,7 +8,7 @@ namespace tactus::rendering {
 
 // No surface that the shared proxy minds is nearer to p than this, beyond its reach; world frame,
 // m. At least half of what it could be, which is found at a fraction of the cost, and never more
-// than 0.1 m.
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p);
+// than 0.1 m; less than `least_m`, and perhaps negative, where that is not so, or not soon found.
+double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m);
 
 }  // namespace tactus::rendering

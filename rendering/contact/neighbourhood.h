@@ -17,6 +17,7 @@
 
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/geometry/capsule.h"
+#include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
 #include "rendering/state/state_archive.h"
@@ -45,20 +46,26 @@ class Neighbourhood {
   void clear() {
     trust_.radius = -1.0;
     size_ = 0;
+    to_walk_.count = 0;
+    to_walk_.left.count = 0;
   }
 
   // Forgets everything if an object moved that is near enough to matter.
   void begin_tick(const Scenery& scenery);
 
-  // Makes the candidates valid about p. False if there were too many triangles for kMaxCandidates:
-  // then the capsule is smaller than wanted, or empty (trust_from(p) < 0) if even the smallest did
-  // not fit.
-  bool ensure(const Scenery& scenery, const Shells& shells, const Vec3& p);
+  enum class Gathering : std::uint8_t {
+    complete,  // the candidates are valid about p
+    smaller,   // the same, but more triangles than kMaxCandidates made the capsule smaller
+    begun,     // the tick's work is done: the next `ensure` for the same p goes on
+    too_many,  // more than kMaxCandidates even in the smallest capsule
+  };
+  // Makes the candidates valid about p, at once or over several ticks.
+  Gathering ensure(const Scenery& scenery, const Shells& shells, const Vec3& p);
+  // Whether the next `ensure` has more to do.
+  [[nodiscard]] bool is_begun() const { return to_walk_.count > 0; }
 
-  // How far the proxy may move from p, whereto it will, before the candidates must be gathered
-  // again; negative if p itself is outside.
-  [[nodiscard]] double trust_from(const Vec3& p) const { return trust_.depth(p); }
-  // The same along a unit direction, for a p that is inside.
+  // How far the proxy may move from p, which is inside, along a unit direction before the
+  // candidates must be gathered again.
   [[nodiscard]] double trust_along(const Vec3& p, const Vec3& direction) const {
     return trust_.room_along(p, direction);
   }
@@ -92,21 +99,27 @@ class Neighbourhood {
   // Grows whenever the candidates change, and with them the meaning of their numbers.
   [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
 
-  // What has been done since the last `start_work`, in units of one measured triangle.
+  // What has been done since the last `start_work`, in units of kMaxWork.
   void start_work() { work_ = 0; }
   [[nodiscard]] std::size_t work() const { return work_; }
   void add_work(std::size_t units) { work_ += units; }
-  // What gathering anew will about cost.
-  [[nodiscard]] std::size_t work_to_gather() const { return tested_ / kTestsPerWork; }
+  // Whether that is all for this tick. Not where objects moved: what was found would be lost.
+  [[nodiscard]] bool is_worked_out() const { return may_pause_ && work_ > kMaxWork; }
 
   // What it remembers, to bytes or back; of the same scenery and shells.
   void transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells);
 
  private:
-  static constexpr std::size_t kTestsPerWork = 2;  // with the boxes on the way to them
+  // Meshes whose triangles are not all looked at yet, by the number of the object.
+  struct ToWalk {
+    std::array<std::uint32_t, kMaxObjects> meshes{};
+    std::size_t count = 0;
+    WalkLeft left;  // of the last of them, if its walk was begun
+  };
 
-  struct Gather;
+  struct GatherObjects;
   struct GatherTriangles;
+  static constexpr std::size_t kMostSmaller = 8;
   // A place, as the tangents take it.
   struct Bounded {
     Bounded(const Neighbourhood& of, const Vec3& p);
@@ -126,13 +139,17 @@ class Neighbourhood {
 
   // The next capsule to trust, from p on.
   [[nodiscard]] Capsule plan(const Vec3& p);
-  bool gather(const Scenery& scenery, const Shells& shells, const Capsule& trust);
+  void begin_gathering(const Scenery& scenery, const Capsule& trust);
+  void go_on_gathering(const Scenery& scenery);
+  void walk_mesh(const Scenery& scenery, std::uint32_t number);
+  void end_gathering(const Scenery& scenery);
   // The next free candidate, or nullptr.
   Candidate* add(const Object& object, std::uint32_t number);
-  bool add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
+  void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
   void fill_last_four();
+  void transfer_walk(StateArchive& archive, const Scenery& scenery);
   void transfer_candidate(StateArchive& archive, const Scenery& scenery, std::size_t i);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
@@ -146,6 +163,10 @@ class Neighbourhood {
   std::size_t tested_ = 0;  // triangles, at the last gathering
   std::size_t peak_ = 0;
   std::size_t gatherings_ = 0;
+  ToWalk to_walk_;           // of a gathering that was begun
+  std::size_t smaller_ = 0;  // how often it was begun anew, for want of room
+  bool is_full_ = false;     // there was no room for a candidate
+  bool may_pause_ = true;    // no object moved here in this tick
   std::size_t work_ = 0;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.

@@ -31,12 +31,16 @@
 namespace tactus::rendering {
 namespace {
 
+using Gathering = Neighbourhood::Gathering;
+
 // A triangle in contact that stops the sphere within this travel holds it already.
 constexpr double kHeld_m = 1e-6;
 // Among more candidates than this a cast would look at too many triangles to pay.
 constexpr std::size_t kMostToCast = 24;
-// Projection and friction, in measured triangles.
-constexpr std::size_t kWorkOfASubGoal = 2;
+// In units of kMaxWork. A stop counts more than it takes.
+constexpr std::size_t kWorkOfASubGoal = 12;
+constexpr std::size_t kWorkOfAStop = 18;
+constexpr std::size_t kWorkOfACastTriangle = 3;
 
 }  // namespace
 
@@ -47,6 +51,7 @@ void SphereProxy::place(const Vec3& p_W) {
   carried_W_ = Vec3::Zero();
   touched_ = {};
   last_hold_ = {};
+  contact_count_ = 0;
   neighbourhood_.clear();
   neighbourhood_.move_to(p_);
 }
@@ -58,8 +63,10 @@ std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
   }
   const Carried carried = carry(scenery, shells_, p_, touched_);
   carried_W_ += carried.p_W - p_;
-  p_ = carried.p_W;
-  neighbourhood_.move_to(p_);
+  if (carried.p_W != p_) {
+    p_ = carried.p_W;
+    neighbourhood_.move_to(p_);
+  }
   return carried.flags;
 }
 
@@ -106,16 +113,21 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       path->points[rest.sub_goals] = p_;
       path->count = rest.sub_goals + 1U;
     }
-    const std::size_t gathering = neighbourhood_.gatherings();
-    const bool complete = neighbourhood_.ensure(scenery, shells_, p_);
-    const bool gathered = neighbourhood_.gatherings() != gathering;
+    const std::size_t before = neighbourhood_.gatherings();
+    const Gathering gathering = neighbourhood_.ensure(scenery, shells_, p_);
+    const bool gathered = neighbourhood_.gatherings() != before;
     if (rest.sub_goals == 0 || gathered) {
       stopper_count_ = 0;
     }
     fresh_ = fresh_ || gathered;
-    if (!complete) {
+    if (gathering == Gathering::begun) {
+      rest.flags |= kTouchIterationsExhausted;
+      press(scenery, h_W, rest);  // on what held it before
+      return rest;
+    }
+    if (gathering != Gathering::complete) {
       rest.flags |= kTouchCandidatesOverflow;
-      if (neighbourhood_.trust_from(p_) < 0.0) {
+      if (gathering == Gathering::too_many) {
         return rest;
       }
     }
@@ -132,9 +144,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       }
       way = travel_toward(scenery, goal.point);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
-    const std::size_t to_come =
-        fresh_ && way.leaves && !way.arrived ? neighbourhood_.work_to_gather() : 0;
-    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() + to_come > kMaxWork) {
+    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
@@ -272,11 +282,14 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
 // start, is out of reach all along.
 double SphereProxy::sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
                                      std::size_t& stopped_by) {
-  constexpr std::size_t kWorkOfAStop = 3;
   double free = length;
   for (const std::uint16_t i : neighbourhood_.within_reach(sweep.from + length * sweep.direction)) {
     if (free < length && !neighbourhood_.may_reach(i, sweep.from + free * sweep.direction)) {
       continue;
+    }
+    if (neighbourhood_.is_worked_out()) {
+      stopped_by = kNothing;
+      return 0.0;  // what was measured is kept: the next tick goes on from there
     }
     const Nearest& start = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
@@ -299,7 +312,7 @@ double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double leng
   constexpr std::size_t kMostMeasured = 64;
   std::size_t room = kMostMeasured;
   const double free = cast_on_all(scenery, shells_, sweep, length, room);
-  neighbourhood_.add_work((kMostMeasured - room) / 2);
+  neighbourhood_.add_work(kWorkOfACastTriangle * (kMostMeasured - room));
   return free;
 }
 

@@ -146,6 +146,13 @@ class SphereProxy {
   bool add_holding_plane(std::size_t i, double most_push, ProxyRest& rest);
   PlaneProjection project(const Vec3& h);
   [[nodiscard]] Vec3 risen_to_rest();
+  struct Press {
+    PlaneProjection projection;
+    FrictionCircle circle;
+    double push_m = 0.0;
+    bool in_cone = true;
+  };
+  Press press(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
   Goal choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
   Goal stay_in_cone(const PlaneProjection& projection, const FrictionCircle& circle, const Vec3& h,
                     const ProxyRest& rest);
@@ -157,7 +164,6 @@ class SphereProxy {
   double sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
                           std::size_t& stopped_by);
   double cast(const Scenery& scenery, const Sweep& sweep, double length);
-  void transfer_last_hold(StateArchive& archive, const Scenery& scenery);
 
   Shells shells_;
   Vec3 p_ = Vec3::Zero();

@@ -52,21 +52,16 @@ Vec3 SphereProxy::risen_to_rest() {
   return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
 }
 
-SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
-  const PlaneProjection projection = project(h);
+// How the tool presses on the planes.
+SphereProxy::Press SphereProxy::press(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
+  Press press{.projection = project(h)};
+  const PlaneProjection& projection = press.projection;
   rest.plane_count = projection.active_count;
   rest.normal_W = Vec3::Zero();
   if (projection.active_count == 0) {
-    const bool arrived = (h - p_).squaredNorm() <= 0.0;
-    if (arrived) {
-      friction_ = FrictionState::free;
-    }
-    return {.point = h, .settled = arrived};
+    return press;
   }
-  FrictionCircle circle;
   double total = 0.0;
-  double pushed = 0.0;
-  bool in_cone = true;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
     const Material& material = scenery.material(contact.object);
@@ -76,19 +71,32 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
     rest.normal_W += pressure * contact.plane.normal;
     const double push = factors_.of(contact.object) * pressure;
     total += pressure;
-    pushed += push;
-    circle.static_radius_m += material.friction.static_level * push;
-    circle.dynamic_radius_m += material.friction.coulomb * push;
-    in_cone = in_cone && is_plain_cone(material);
+    press.push_m += push;
+    press.circle.static_radius_m += material.friction.static_level * push;
+    press.circle.dynamic_radius_m += material.friction.coulomb * push;
+    press.in_cone = press.in_cone && is_plain_cone(material);
   }
   rest.normal_W.normalize();
-  const double deeper = factors_.depth_m > 0.0 ? factors_.depth_m / total : 1.0;
-  if (!in_cone) {
-    return lag_behind(scenery, projection, h, rest, deeper * pushed);
+  if (factors_.depth_m > 0.0) {
+    const double deeper = factors_.depth_m / total;
+    press.push_m *= deeper;
+    press.circle.static_radius_m *= deeper;
+    press.circle.dynamic_radius_m *= deeper;
   }
-  circle.static_radius_m *= deeper;
-  circle.dynamic_radius_m *= deeper;
-  return stay_in_cone(projection, circle, h, rest);
+  return press;
+}
+
+SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
+  const Press pressed = press(scenery, h, rest);
+  if (pressed.projection.active_count == 0) {
+    const bool arrived = (h - p_).squaredNorm() <= 0.0;
+    if (arrived) {
+      friction_ = FrictionState::free;
+    }
+    return {.point = h, .settled = arrived};
+  }
+  return pressed.in_cone ? stay_in_cone(pressed.projection, pressed.circle, h, rest)
+                         : lag_behind(scenery, pressed.projection, h, rest, pressed.push_m);
 }
 
 SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,

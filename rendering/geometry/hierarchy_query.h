@@ -149,32 +149,58 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
   }
 }
 
-// Every triangle whose leaf box comes within the reach of the box about p with the half sides
-// `half`, in no order. The reach stays as it is.
-template <class Visitor>
-void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& half, double reach,
-                    Visitor&& visitor) {
-  const NearBox box(p, half, reach);
-  if (nodes.empty() || !box.near(nodes[0])) {
-    return;
+// What is left of a walk: the nodes still to be looked at, the last one next. There is room for a
+// walk that begins with as many nodes as one can leave.
+struct WalkLeft {
+  static constexpr std::size_t kMostLeft = kMaxHierarchyDepth + 2;
+  std::array<std::uint32_t, 2 * kMostLeft> nodes;
+  std::size_t count = 0;
+};
+
+inline void begin_walk(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left) {
+  left.count = 0;
+  if (!nodes.empty() && box.near(nodes[0])) {
+    left.nodes[left.count++] = 0;
   }
-  std::array<std::uint32_t, kMaxHierarchyDepth + 2> stack;
-  std::size_t depth = 0;
-  stack[depth++] = 0;
+}
+
+// Every triangle whose leaf comes near the box, in no order. Where the visitor says after a leaf
+// that it is exhausted(), the walk stops and can go on later from what is left.
+template <class Visitor>
+void go_on_walking(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
+                   Visitor&& visitor) {
+  std::size_t depth = left.count;
   while (depth > 0) {
-    const BvhNode& node = nodes[stack[--depth]];
+    const BvhNode& node = nodes[left.nodes[--depth]];
     if (node.is_leaf()) {
       visit_leaf(node, visitor);
+      if constexpr (requires { visitor.exhausted(); }) {
+        if (visitor.exhausted()) {
+          break;
+        }
+      }
       continue;
     }
     // Which of the two is near nobody can predict: both are written, and those that are not near
     // written over.
     const NearBox::Pair near = box.near(nodes[node.first], nodes[node.first + 1]);
-    stack[depth] = node.first;
+    left.nodes[depth] = node.first;
     depth += near.first;
-    stack[depth] = node.first + 1;
+    left.nodes[depth] = node.first + 1;
     depth += near.second;
   }
+  left.count = depth;
+}
+
+// Every triangle whose leaf box comes within the reach of the box about p with the half sides
+// `half`, in no order.
+template <class Visitor>
+void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& half, double reach,
+                    Visitor&& visitor) {
+  const NearBox box(p, half, reach);
+  WalkLeft left;
+  begin_walk(nodes, box, left);
+  go_on_walking(nodes, box, left, visitor);
 }
 
 // Every triangle whose leaf box, grown by `margin`, the segment from `from` along the unit

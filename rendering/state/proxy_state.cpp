@@ -21,10 +21,26 @@ inline void transfer(StateArchive& archive, FrictionFactors& factors) {
   archive.up_to(count, object.size());
 }
 
+namespace {
+
+void transfer_planes(StateArchive& archive, const Scenery& scenery, std::span<ContactPlane> planes,
+                     std::size_t& count) {
+  archive.up_to(count, planes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    auto& [plane, nearest, object, triangle, candidate] = planes[i];
+    archive(plane, nearest, object, triangle);
+    archive.up_to(candidate, kMaxCandidates - 1);
+    require_place(archive, scenery, object, triangle);
+  }
+}
+
+}  // namespace
+
 void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
   [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
-                          peak, gatherings, work, normal_x, normal_y, normal_z, height, here, there,
-                          here_place, here_gathering, slots] = *this;
+                          peak, gatherings, to_walk, smaller, is_full, may_pause, work, normal_x,
+                          normal_y, normal_z, height, here, there, here_place, here_gathering,
+                          slots] = *this;
   archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
   archive.up_to(size, kMaxCandidates);
   std::uint64_t done = work;
@@ -33,12 +49,32 @@ void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, cons
     own_shells = shells;
     here_place = 0;  // found again
   }
+  archive.up_to(smaller, kMostSmaller);
+  transfer_walk(archive, scenery);
   for (std::size_t i = 0; i < size && archive.good(); ++i) {
     transfer_candidate(archive, scenery, i);
   }
   if (archive.is_reading()) {
     fill_last_four();
     work = static_cast<std::size_t>(done);
+  }
+}
+
+void Neighbourhood::transfer_walk(StateArchive& archive, const Scenery& scenery) {
+  auto& [meshes, count, left] = to_walk_;
+  archive.up_to(count, meshes.size());
+  archive.up_to(left.count, WalkLeft::kMostLeft);
+  for (std::size_t i = 0; i < count && archive.good(); ++i) {
+    archive(meshes[i]);
+    archive.require(meshes[i] < scenery.size());
+    archive.require(archive.good() && meets_proxy(scenery[meshes[i]]) &&
+                    scenery[meshes[i]].surface == SurfaceKind::mesh);
+  }
+  const std::size_t nodes =
+      count > 0 && archive.good() ? scenery[meshes[count - 1]].mesh.nodes.size() : 0;
+  for (std::size_t i = 0; i < left.count && archive.good(); ++i) {
+    archive(left.nodes[i]);
+    archive.require(left.nodes[i] < nodes);
   }
 }
 
@@ -82,18 +118,14 @@ void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
     require_place(archive, scenery, object, triangle);
   }
   neighbourhood.transfer(archive, scenery, shells);
-  transfer_last_hold(archive, scenery);
-}
-
-void SphereProxy::transfer_last_hold(StateArchive& archive, const Scenery& scenery) {
-  auto& [planes, count, from, gathering] = last_hold_;
-  archive.up_to(count, planes.size());
+  auto& [planes_held, held_count, from, gathering] = last_hold_;
   archive(from, gathering);
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& [plane, nearest, object, triangle, candidate] = planes[i];
-    archive(plane, nearest, object, triangle);
-    archive.up_to(candidate, kMaxCandidates - 1);
-    require_place(archive, scenery, object, triangle);
+  transfer_planes(archive, scenery, planes_held, held_count);
+  // Else they are found anew.
+  std::size_t waiting = neighbourhood.is_begun() ? contact_count : 0;
+  transfer_planes(archive, scenery, contacts, waiting);
+  if (archive.is_reading()) {
+    contact_count = waiting;
   }
 }
 

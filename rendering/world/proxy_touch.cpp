@@ -13,6 +13,11 @@ RigidPose pose_of(const Scenery& scenery, std::uint32_t object) {
   return mover == nullptr ? RigidPose{} : mover->X_WO;
 }
 
+// And not only on its way, which the next tick goes on with.
+bool is_free(const ProxyRest& rest) {
+  return rest.plane_count == 0 && (rest.flags & kTouchIterationsExhausted) == 0;
+}
+
 }  // namespace
 
 void ProxyTouch::set_tool_radius(double tool_radius_m) {
@@ -80,11 +85,11 @@ void ProxyTouch::shade(const Scenery& scenery, const ToolState& tool, ProxyPath*
 // then goes straight to the tool, and the proxy meets the surface if that is between them.
 ProxyTouch::Felt ProxyTouch::come_back(const Scenery& scenery, const ToolState& tool,
                                        ProxyPath* path, ProxyRest& rest) {
-  if (rest.plane_count == 0 && shading_.lower()) {
+  if (is_free(rest) && shading_.lower()) {
     set_friction(friction_);
     rest = proxy_.advance_again(scenery, tool.p_W + shading_.offset(), path);
   }
-  if (rest.plane_count == 0 && shading_.is_on()) {
+  if (is_free(rest) && shading_.is_on()) {
     shading_.reset();
     set_friction(friction_);
     rest = proxy_.advance_again(scenery, tool.p_W, path);

@@ -54,6 +54,17 @@ TEST(Restore, GoesOnAlikeOverEveryShapeOfMesh) {
   EXPECT_GT(tally.contacts, tally.ticks / 10);
 }
 
+TEST(Restore, GoesOnAlikeWhereTrianglesAreGatheredOverSeveralTicks) {
+  // Balls in one another have many triangles everywhere.
+  constexpr int kBalls = 32;
+  Shape balls = icosphere(0.03, 3);
+  for (int k = 1; k < kBalls; ++k) {
+    balls = joined(std::move(balls), turned(icosphere(0.03, 3), {1.0, 2.0, 3.0}, 0.1 * k));
+  }
+  const Solid solid(balls, Sides::one, kRough);
+  check({solid.object()}, 0.004, 500);
+}
+
 TEST(Restore, GoesOnAlikeWithEveryFrictionModel) {
   std::uint64_t seed = 100;
   for (std::size_t kind = 0; kind < rendering::kFrictionKinds; ++kind) {

@@ -153,10 +153,44 @@ TEST_F(WorldTest, MoreTrianglesThanFitMakeTheProxyHoldStillAndAreCounted) {
   // A cone of 4000 slender triangles that all meet in the apex.
   const Solid cone(testing::cone(4000, 0.02, 0.02), Sides::one, kSlippery);
   start(cone, 0.001, {0.0, 0.0, 0.03});
-  const Touch t = touch({0.0, 0.0, 0.005});
-  EXPECT_NE(t.flags & kTouchCandidatesOverflow, 0U);
-  EXPECT_GE(t.proxy_W.z(), 0.011);
-  EXPECT_TRUE(t.force_W.allFinite());
+  std::uint32_t flags = 0;
+  for (int tick = 0; tick < 100; ++tick) {  // it takes more than one to see that they are too many
+    const Touch t = touch({0.0, 0.0, 0.005});
+    flags |= t.flags;
+    ASSERT_GE(t.proxy_W.z(), 0.011);
+    ASSERT_TRUE(t.force_W.allFinite());
+  }
+  EXPECT_NE(flags & kTouchCandidatesOverflow, 0U);
+}
+
+TEST_F(WorldTest, InADensePlaceTheProxyWaitsForSomeTicksAndIsFeltMeanwhile) {
+  // A bowl little larger than the tool has hundreds of triangles about it wherever it rests.
+  constexpr double kBowl_m = 0.0022;
+  constexpr double kTool_m = 0.002;
+  const Solid bowl(testing::icosphere(kBowl_m, 4), Sides::two, kSlippery);
+  start(bowl, kTool_m, Vec3::Zero());
+  for (int tick = 0; tick < 100; ++tick) {
+    touch({0.0, 0.0, -0.0005});
+  }
+  int waits = 0;
+  Vec3 tool;
+  for (int tick = 0; tick < 400; ++tick) {
+    const double angle = 0.002 * tick;
+    tool = 0.0005 * Vec3{std::sin(angle), 0.0, -std::cos(angle)};
+    const Touch t = touch(tool);
+    waits += t.flags == kTouchIterationsExhausted ? 1 : 0;
+    ASSERT_LE(t.proxy_W.norm(), kBowl_m - kTool_m);
+    ASSERT_GT(t.planes, 0U) << "tick " << tick;
+    ASSERT_NEAR(t.force_W.norm(), 0.3, 0.03) << "tick " << tick;
+  }
+  EXPECT_GT(waits, 2);
+  Touch last;
+  for (int tick = 0; tick < 100; ++tick) {
+    last = touch(tool);
+  }
+  EXPECT_EQ(last.flags, kTouchClean);
+  constexpr double kFacets_m = 5 * kMicron;
+  EXPECT_LE((last.proxy_W - (kBowl_m - kTool_m) * tool.normalized()).norm(), kFacets_m);
 }
 
 }  // namespace

@@ -1,0 +1,223 @@
+// How the candidates are gathered: a capsule is planned, the hierarchies of the meshes near it are
+// walked, and every triangle that comes within reach of it becomes a candidate. In a dense place
+// that takes more than one tick's work; the proxy waits there meanwhile. Where objects move it does
+// not wait: the next tick would have to begin anew.
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/contact/free_ball.h"
+#include "rendering/contact/neighbourhood.h"
+#include "rendering/geometry/near_way.h"
+
+namespace tactus::rendering {
+namespace {
+
+// The trusted capsule is as long as makes it take about kWantedTests triangles to look at, so that
+// a gathering serves many ticks on a coarse mesh and few on a fine one. A sphere at rest looks at
+// some 100 already, whatever the length, so a shorter capsule than the least does not pay. These
+// numbers were the best of four sets, by the median and the slowest ticks on the sphere of 1.3
+// million triangles and the dragon, the tool 2 mm.
+constexpr double kLeastTrust_m = 0.2e-3;
+constexpr double kMostTrust_m = 2e-3;
+constexpr double kWantedTests = 128.0;
+// Its length is between 4 and 32 radii.
+constexpr double kLeastRadius_m = 10e-6;
+constexpr double kLeastSlimness = 4.0;
+constexpr double kMostSlimness = 32.0;
+constexpr double kStraight = 0.8;  // of the length
+constexpr double kSlimmer = 1.4;
+constexpr double kStouter = 0.7;
+// In units of kMaxWork, with the boxes on the way to it.
+constexpr std::size_t kWorkOfATriangle = 3;
+
+}  // namespace
+
+// Collects the triangles of one object that come within reach of the trusted way, until there is
+// no room, or the tick's work is done. In the object's frame.
+struct Neighbourhood::GatherTriangles {
+  Neighbourhood& to;
+  const Object& object;
+  std::uint32_t number;
+  const Mover* mover;
+  const MeshView& mesh;
+  NearWay way;
+
+  void leaf(const BvhNode& leaf) {
+    to.tested_ += leaf.triangle_count;
+    to.work_ += kWorkOfATriangle * leaf.triangle_count;
+    way.find(mesh, leaf.first, leaf.triangle_count,
+             [&](std::uint32_t t, const NearWay::Bound& bound) { take(t, bound); });
+  }
+  [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_worked_out(); }
+
+  void take(std::uint32_t t, const NearWay::Bound& bound) {
+    Candidate* const slot = to.add(object, number);
+    if (slot == nullptr) {
+      return;
+    }
+    slot->index = t;
+    to.set_bound(to.size_ - 1, direction_from(mover, to_vec3(bound.normal)),
+                 -static_cast<double>(bound.offset), to.trust_.start);
+  }
+};
+
+// Goes over objects: takes primitives, and notes meshes.
+struct Neighbourhood::GatherObjects {
+  Neighbourhood& to;
+  const Scenery& scenery;
+
+  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+
+  void take(std::uint32_t number) {
+    const Object& object = scenery[number];
+    if (object.surface != SurfaceKind::primitive) {
+      to.to_walk_.meshes[to.to_walk_.count++] = number;
+      return;
+    }
+    const Capsule& trust = to.trust_;
+    const double reach = to.shells_.of(is_point_tool(object)).reach_m + trust.radius;
+    const Primitive& primitive = scenery.primitive_W(number);
+    const Vec3 middle = trust.start + 0.5 * trust.way;
+    if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.way.norm()) {
+      to.add_primitive(object, number, primitive);
+    }
+  }
+};
+
+Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
+  if (size_ == kMaxCandidates) {
+    is_full_ = true;
+    return nullptr;
+  }
+  Candidate& slot = slots_[size_++];
+  slot.primitive = nullptr;
+  slot.object = number;
+  slot.prepared = false;
+  slot.one_sided = object.sides == Sides::one;
+  slot.point_tool = is_point_tool(object);
+  slot.measured_at = 0;
+  return &slot;
+}
+
+void Neighbourhood::add_primitive(const Object& object, std::uint32_t number,
+                                  const Primitive& primitive) {
+  if (Candidate* const slot = add(object, number); slot != nullptr) {
+    slot->primitive = &primitive;
+    set_no_bound(size_ - 1);
+  }
+}
+
+void Neighbourhood::begin_gathering(const Scenery& scenery, const Capsule& trust) {
+  trust_ = trust;
+  size_ = 0;
+  tested_ = 0;
+  is_full_ = false;
+  to_walk_.count = 0;
+  to_walk_.left.count = 0;
+  GatherObjects visitor{.to = *this, .scenery = scenery};
+  const Vec3 middle = trust.start + 0.5 * trust.way;
+  const double reach = shells_.sphere.reach_m + trust.radius;
+  visit_all_near(scenery.still_nodes(), middle, 0.5 * trust.way.cwiseAbs(), reach, visitor);
+  for (const Mover& mover : scenery.movers()) {
+    if (meets_proxy(scenery[mover.object]) &&
+        mover.distance(middle) <= reach + 0.5 * trust.way.norm()) {
+      visitor.take(mover.object);
+    }
+  }
+}
+
+// Until all is gathered, or there is no room, or the tick's work is done.
+void Neighbourhood::go_on_gathering(const Scenery& scenery) {
+  while (to_walk_.count > 0 && !is_full_) {
+    walk_mesh(scenery, to_walk_.meshes[to_walk_.count - 1]);
+    if (to_walk_.left.count > 0) {
+      return;
+    }
+    --to_walk_.count;
+  }
+}
+
+// From where it was left, or from the top.
+void Neighbourhood::walk_mesh(const Scenery& scenery, std::uint32_t number) {
+  const Object& object = scenery[number];
+  const Mover* const mover = scenery.mover_of(number);
+  const PlacedMesh placed = scenery.mesh_O(number);
+  const double reach = shells_.of(is_point_tool(object)).reach_m + trust_.radius;
+  const Vec3 way = direction_in(mover, trust_.way);
+  const Vec3 start = point_in(mover, trust_.start);
+  const NearBox box(start + 0.5 * way, 0.5 * way.cwiseAbs(), reach + placed.slack_m);
+  if (to_walk_.left.count == 0) {
+    begin_walk(placed.mesh.nodes, box, to_walk_.left);
+  }
+  GatherTriangles visitor{.to = *this,
+                          .object = object,
+                          .number = number,
+                          .mover = mover,
+                          .mesh = placed.mesh,
+                          .way = NearWay(start, way, reach)};
+  go_on_walking(placed.mesh.nodes, box, to_walk_.left, visitor);
+}
+
+void Neighbourhood::end_gathering(const Scenery& scenery) {
+  fill_last_four();
+  peak_ = std::max(peak_, size_);
+  wanted_length_m_ *= std::clamp(kWantedTests / (1.0 + static_cast<double>(tested_)), 0.5, 2.0);
+  if (size_ == 0) {
+    wanted_length_m_ = kLeastTrust_m;  // out of free space onto any mesh
+    const double ball = free_radius(scenery, shells_, trust_.start, trust_.radius);
+    if (ball > trust_.radius) {
+      trust_ = {.start = trust_.start, .radius = ball};
+    }
+  }
+}
+
+// The proxy goes on as it came since the last gathering. Where it left the capsule through its
+// side, the next is less slim, where it left through the end, slimmer.
+Capsule Neighbourhood::plan(const Vec3& p) {
+  const Vec3 came = p - trust_.start;
+  const double distance = came.norm();
+  const bool straight = distance > kStraight * wanted_length_m_;
+  slimness_ =
+      std::clamp(slimness_ * (straight ? kSlimmer : kStouter), kLeastSlimness, kMostSlimness);
+  wanted_length_m_ = std::clamp(wanted_length_m_, kLeastTrust_m, kMostTrust_m);
+  const double radius = std::max(kLeastRadius_m, wanted_length_m_ / slimness_);
+  const bool known = distance > kLeastRadius_m && distance < kMostTrust_m;
+  return {.start = p,
+          .way = known ? Vec3{came * (wanted_length_m_ / distance)} : Vec3{Vec3::Zero()},
+          .radius = radius};
+}
+
+Neighbourhood::Gathering Neighbourhood::ensure(const Scenery& scenery, const Shells& shells,
+                                               const Vec3& p) {
+  constexpr double kBorder_m = 1e-6;
+  if (!is_begun() && trust_.depth(p) >= kBorder_m) {
+    return Gathering::complete;
+  }
+  if (!is_begun() || p != trust_.start) {
+    shells_ = shells;
+    smaller_ = 0;
+    ++gatherings_;
+    begin_gathering(scenery, plan(p));
+  }
+  for (;;) {
+    go_on_gathering(scenery);
+    if (!is_full_) {
+      break;
+    }
+    peak_ = kMaxCandidates;
+    wanted_length_m_ *= 0.5;
+    if (++smaller_ == kMostSmaller) {
+      clear();
+      return Gathering::too_many;
+    }
+    begin_gathering(
+        scenery, {.start = trust_.start, .way = 0.5 * trust_.way, .radius = 0.5 * trust_.radius});
+  }
+  if (is_begun()) {
+    return Gathering::begun;
+  }
+  end_gathering(scenery);
+  return smaller_ == 0 ? Gathering::complete : Gathering::smaller;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,105 @@
+#include "rendering/contact/neighbourhood.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "rendering/limits.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/materials.h"
+#include "tests/support/solid.h"
+
+namespace tactus::rendering {
+namespace {
+
+using testing::Solid;
+using Gathering = Neighbourhood::Gathering;
+
+constexpr double kRadius_m = 0.002;
+// A bowl little larger than the tool, which has hundreds of triangles about it wherever it rests.
+constexpr double kBowlRadius_m = 0.0022;
+// There a micrometre above its bottom.
+const Vec3 kPlace{0.0, 0.0, -(kBowlRadius_m - kRadius_m) + 1e-6};
+
+class NeighbourhoodTest : public ::testing::Test {
+ protected:
+  void take(const Solid& solid) {
+    ASSERT_TRUE(scenery_->set({&solid.object(), 1}));
+    begin_tick();
+  }
+  void begin_tick() {
+    scenery_->begin_tick(0.001 * ++ticks_, 0.001);
+    neighbourhood_->begin_tick(*scenery_);
+    neighbourhood_->start_work();
+  }
+  Gathering ensure(const Vec3& p) { return neighbourhood_->ensure(*scenery_, shells_, p); }
+
+  std::unique_ptr<Scenery> scenery_ = std::make_unique<Scenery>();
+  std::unique_ptr<Neighbourhood> neighbourhood_ = std::make_unique<Neighbourhood>();
+  Shells shells_{kRadius_m};
+  int ticks_ = 0;
+};
+
+TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
+  const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
+  take(bowl);
+  // A leaf more, whenever it is begun anew with a smaller capsule.
+  constexpr std::size_t kOneMore = 128;
+  int ticks = 1;
+  while (ensure(kPlace) == Gathering::begun) {
+    EXPECT_TRUE(neighbourhood_->is_begun());
+    EXPECT_LE(neighbourhood_->work(), kMaxWork + kOneMore);
+    ASSERT_LT(++ticks, 1000);
+    begin_tick();
+  }
+  EXPECT_GT(ticks, 2);
+  EXPECT_EQ(neighbourhood_->gatherings(), 1U);
+  std::set<std::uint32_t> found;
+  for (std::size_t i = 0; i < neighbourhood_->size(); ++i) {
+    EXPECT_TRUE(found.insert(neighbourhood_->candidate(i).index).second) << "found twice";
+  }
+  std::uint32_t number = 0;
+  std::size_t near = 0;
+  for (const testing::Corners& corners : testing::corners_of(bowl.shape())) {
+    if ((testing::nearest_point(corners, kPlace) - kPlace).norm() < shells_.sphere.reach_m + 1e-6) {
+      EXPECT_TRUE(found.contains(number)) << "triangle " << number << " is near";
+      ++near;
+    }
+    ++number;
+  }
+  EXPECT_GT(near, 10U);
+  begin_tick();
+  EXPECT_EQ(ensure(kPlace), Gathering::complete);
+  EXPECT_EQ(neighbourhood_->work(), 0U);
+}
+
+TEST_F(NeighbourhoodTest, BeginsAnewWhereTheProxyDidNotWait) {
+  const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
+  take(bowl);
+  ASSERT_EQ(ensure(kPlace), Gathering::begun);
+  begin_tick();
+  ensure(Vec3::Zero());
+  EXPECT_EQ(neighbourhood_->gatherings(), 2U);
+}
+
+TEST_F(NeighbourhoodTest, DoesNotWaitWhereAnObjectMoves) {
+  const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
+  Object moving = bowl.object();
+  moving.moves = true;
+  ASSERT_TRUE(scenery_->set({&moving, 1}));
+  begin_tick();
+  ASSERT_EQ(ensure(kPlace), Gathering::begun);
+  for (int tick = 0; tick < 20; ++tick) {
+    RigidPose X_WO;
+    X_WO.translation = {0.0, 0.0, 1e-9 * (tick + 1)};
+    ASSERT_TRUE(scenery_->set_pose(0, X_WO, {}));
+    begin_tick();
+    ASSERT_NE(ensure(kPlace), Gathering::begun) << "tick " << tick;
+    ASSERT_GT(neighbourhood_->size(), 10U);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::rendering
