@@ -16,11 +16,10 @@ namespace {
 
 using testing::Solid;
 
-constexpr double kRadius_m = 0.002;
-constexpr double kBall_m = 0.03;
-
 class FreeBallTest : public ::testing::Test {
  protected:
+  static constexpr double kBall_m = 0.03;
+
   FreeBallTest() { EXPECT_TRUE(scenery_->set({&solid_.object(), 1})); }
   // Beyond the tool's reach, asked of every triangle.
   double clearance(const Vec3& p) {
@@ -39,7 +38,7 @@ class FreeBallTest : public ::testing::Test {
   Solid solid_{testing::icosphere(kBall_m, 3), Sides::two, testing::kSlippery};
   std::vector<testing::Corners> corners_ = testing::corners_of(solid_.shape());
   std::unique_ptr<Scenery> scenery_ = std::make_unique<Scenery>();
-  Shells shells_{kRadius_m};
+  Shells shells_{0.002};
   std::mt19937_64 random_{20261122};
 };
 

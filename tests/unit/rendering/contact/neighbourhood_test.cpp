@@ -17,14 +17,12 @@ namespace {
 using testing::Solid;
 using Gathering = Neighbourhood::Gathering;
 
-constexpr double kRadius_m = 0.002;
-// A bowl little larger than the tool, which has hundreds of triangles about it wherever it rests.
-constexpr double kBowlRadius_m = 0.0022;
-// There a micrometre above its bottom.
-const Vec3 kPlace{0.0, 0.0, -(kBowlRadius_m - kRadius_m) + 1e-6};
-
 class NeighbourhoodTest : public ::testing::Test {
  protected:
+  // A bowl little larger than the tool, which has hundreds of triangles about it wherever it rests.
+  static constexpr double kToolRadius_m = 0.002;
+  static constexpr double kBowlRadius_m = 0.0022;
+
   void take(const Solid& solid) {
     ASSERT_TRUE(scenery_->set({&solid.object(), 1}));
     begin_tick();
@@ -38,7 +36,9 @@ class NeighbourhoodTest : public ::testing::Test {
 
   std::unique_ptr<Scenery> scenery_ = std::make_unique<Scenery>();
   std::unique_ptr<Neighbourhood> neighbourhood_ = std::make_unique<Neighbourhood>();
-  Shells shells_{kRadius_m};
+  Shells shells_{kToolRadius_m};
+  // A micrometre above the bottom.
+  const Vec3 place_{0.0, 0.0, -(kBowlRadius_m - kToolRadius_m) + 1e-6};
   int ticks_ = 0;
 };
 
@@ -48,7 +48,7 @@ TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   // A leaf more, whenever it is begun anew with a smaller capsule.
   constexpr std::size_t kOneMore = 128;
   int ticks = 1;
-  while (ensure(kPlace) == Gathering::begun) {
+  while (ensure(place_) == Gathering::begun) {
     EXPECT_TRUE(neighbourhood_->is_begun());
     EXPECT_LE(neighbourhood_->work(), kMaxWork + kOneMore);
     ASSERT_LT(++ticks, 1000);
@@ -63,7 +63,7 @@ TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   std::uint32_t number = 0;
   std::size_t near = 0;
   for (const testing::Corners& corners : testing::corners_of(bowl.shape())) {
-    if ((testing::nearest_point(corners, kPlace) - kPlace).norm() < shells_.sphere.reach_m + 1e-6) {
+    if ((testing::nearest_point(corners, place_) - place_).norm() < shells_.sphere.reach_m + 1e-6) {
       EXPECT_TRUE(found.contains(number)) << "triangle " << number << " is near";
       ++near;
     }
@@ -71,14 +71,14 @@ TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   }
   EXPECT_GT(near, 10U);
   begin_tick();
-  EXPECT_EQ(ensure(kPlace), Gathering::complete);
+  EXPECT_EQ(ensure(place_), Gathering::complete);
   EXPECT_EQ(neighbourhood_->work(), 0U);
 }
 
 TEST_F(NeighbourhoodTest, BeginsAnewWhereTheProxyDidNotWait) {
   const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
   take(bowl);
-  ASSERT_EQ(ensure(kPlace), Gathering::begun);
+  ASSERT_EQ(ensure(place_), Gathering::begun);
   begin_tick();
   ensure(Vec3::Zero());
   EXPECT_EQ(neighbourhood_->gatherings(), 2U);
@@ -90,13 +90,13 @@ TEST_F(NeighbourhoodTest, DoesNotWaitWhereAnObjectMoves) {
   moving.moves = true;
   ASSERT_TRUE(scenery_->set({&moving, 1}));
   begin_tick();
-  ASSERT_EQ(ensure(kPlace), Gathering::begun);
+  ASSERT_EQ(ensure(place_), Gathering::begun);
   for (int tick = 0; tick < 20; ++tick) {
     RigidPose X_WO;
     X_WO.translation = {0.0, 0.0, 1e-9 * (tick + 1)};
     ASSERT_TRUE(scenery_->set_pose(0, X_WO, {}));
     begin_tick();
-    ASSERT_NE(ensure(kPlace), Gathering::begun) << "tick " << tick;
+    ASSERT_NE(ensure(place_), Gathering::begun) << "tick " << tick;
     ASSERT_GT(neighbourhood_->size(), 10U);
   }
 }
