@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes the pictures of rendering/README.md and rendering/friction/README.md anew. Needs a built `tactus`: host_tools/demo.sh builds one.
+# Makes the pictures of the READMEs of rendering/, rendering/friction/ and host_tools/certify/ anew. Needs a built `tactus`: host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-tactus="${1:-build/demo/bin/tactus}"
+tactus="${1:-build/release/bin/tactus}"
 if [[ ! -x "$tactus" ]]; then
   echo "host_tools/pictures.sh: no program $tactus; run host_tools/demo.sh first, or give its path" >&2
   exit 2
