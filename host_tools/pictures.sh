@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of the READMEs of rendering/, rendering/friction/ and host_tools/certify/ anew. Needs a built `tactus`: host_tools/demo.sh builds one.
+# Makes the pictures of the READMEs of rendering/, rendering/friction/ and host_tools/certify/ anew. Needs a built `tactus`:
+# host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
