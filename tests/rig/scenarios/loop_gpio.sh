@@ -13,6 +13,6 @@ loop gpio_1kHz wall 1000 0.6
 loop gpio_2kHz wall 2000 0.6
 loop gpio_4kHz wall 4000 0.6
 loop gpio_8kHz wall 8000 0.6
-cyclic gpio 8000 2
+cyclic gpio 8000 3 wall 2000
 compare
 end

@@ -12,6 +12,6 @@ device=falcon priority=70
 begin
 sleep 0.6 # until the device has been enumerated
 loop usb_1kHz bunny 1000 1.2
-cyclic usb 4000 2
+cyclic usb 4000 3 bunny 1000
 compare
 end
