@@ -7,7 +7,16 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr std::size_t kWorkOfAMeasurement = 6;  // in units of kMaxWork
+// In units of kMaxWork.
+constexpr std::size_t kWorkOfAMeasurement = 6;
+constexpr std::size_t kWorkOfASeparation = 1;
+
+void prepare(Candidate& slot, const Scenery& scenery) {
+  if (!slot.prepared) {
+    slot.triangle = triangle_W(scenery, slot.object, slot.index);
+    slot.prepared = true;
+  }
+}
 
 }  // namespace
 
@@ -61,10 +70,10 @@ Neighbourhood::Bounded::Bounded(const Neighbourhood& of, const Vec3& p)
   most = reach + kRounding * (reach + std::abs(x) + std::abs(y) + std::abs(z));
 }
 
-void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p) {
+void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p, double farther_m) {
   static_assert(kMaxCandidates % 4 == 0);
   const Bounded at(of, p);
-  const Floats most = all(at.most);
+  const Floats most = all(at.most + static_cast<float>(farther_m));
   count = 0;
   for (std::size_t first = 0; first < of.size_; first += 4) {
     const Floats bound = floats_at(&of.normal_x_[first]) * at.x +
@@ -81,18 +90,40 @@ void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p) {
   }
 }
 
+void Neighbourhood::move_to_end(const Vec3& p) {
+  move_to(p);
+  const Bounded at(*this, p);
+  here_.count = 0;
+  for (const std::uint16_t i : there_.numbers()) {
+    here_.number[here_.count] = i;
+    here_.count += at.bound(*this, i) <= at.most ? 1U : 0U;
+  }
+  here_place_ = places_;
+  here_gathering_ = gatherings_;
+}
+
 std::span<const std::uint16_t> Neighbourhood::within_reach_here() {
   if (here_place_ != places_ || here_gathering_ != gatherings_) {
-    here_.find(*this, place_);
+    here_.find(*this, place_, 0.0);
     here_place_ = places_;
     here_gathering_ = gatherings_;
   }
   return here_.numbers();
 }
 
-std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p) {
-  there_.find(*this, p);
+std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p, double farther_m) {
+  there_.find(*this, p, farther_m);
   return there_.numbers();
+}
+
+const Triangle* Neighbourhood::triangle(std::size_t i, const Scenery& scenery) {
+  Candidate& slot = slots_[i];
+  if (slot.primitive != nullptr) {
+    return nullptr;
+  }
+  work_ += kWorkOfASeparation;
+  prepare(slot, scenery);
+  return &slot.triangle;
 }
 
 const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
@@ -106,10 +137,7 @@ const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
     measure_primitive(i);
     return slot.nearest;
   }
-  if (!slot.prepared) {
-    slot.triangle = triangle_W(scenery, slot.object, slot.index);
-    slot.prepared = true;
-  }
+  prepare(slot, scenery);
   // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
   // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
   // front. On a face it does not: that is the far side.

@@ -76,10 +76,13 @@ class Neighbourhood {
     ++places_;
   }
 
-  // The candidates that may be within the shell's reach of the place of `move_to`, or of p; all
-  // others are not. Valid until the next call of the same.
+  // The candidates that may be within the shell's reach, and farther, of the place of `move_to`, or
+  // of p; all others are not. Valid until the next call of the same.
   std::span<const std::uint16_t> within_reach_here();
-  std::span<const std::uint16_t> within_reach(const Vec3& p);
+  std::span<const std::uint16_t> within_reach(const Vec3& p, double farther_m = 0.0);
+
+  // The same, where p is what `within_reach` was last asked for: of others it need not be asked.
+  void move_to_end(const Vec3& p);
 
   // Whether candidate i is one of those, for p.
   [[nodiscard]] bool may_reach(std::size_t i, const Vec3& p) const {
@@ -90,8 +93,11 @@ class Neighbourhood {
   // The nearest point of candidate i from the place of `move_to`, measured once a place.
   const Nearest& nearest(std::size_t i, const Scenery& scenery);
 
+  // The triangle of candidate i, to look whether it must be measured; nullptr of a primitive.
+  const Triangle* triangle(std::size_t i, const Scenery& scenery);
+
   [[nodiscard]] std::size_t size() const { return size_; }
-  // Its triangle is there once `nearest` was asked.
+  // Its triangle is there once `nearest` or `triangle` was asked.
   [[nodiscard]] const Candidate& candidate(std::size_t i) const { return slots_[i]; }
 
   [[nodiscard]] std::size_t peak() const { return peak_; }
@@ -133,7 +139,7 @@ class Neighbourhood {
     std::array<std::uint16_t, kMaxCandidates> number{};
     std::size_t count = 0;
 
-    void find(const Neighbourhood& of, const Vec3& p);
+    void find(const Neighbourhood& of, const Vec3& p, double farther_m);
     [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 

@@ -132,6 +132,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       }
     }
     collect_planes(scenery, most_push, rest);
+    const bool was_held = rest.sub_goals > 0 && rest.plane_count > 0;
+    if (was_held && contact_count_ == 0) {
+      look_for_face_below(scenery, rest);
+    }
     Goal goal;
     Advance way;
     do {
@@ -142,7 +146,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       if (goal.settled) {
         return rest;
       }
-      way = travel_toward(scenery, goal.point);
+      way = travel_toward(scenery, goal.point, rest);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
@@ -156,7 +160,11 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
                   .from = p_,
                   .gathering = neighbourhood_.gatherings()};
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
-    neighbourhood_.move_to(p_);
+    if (way.is_known) {
+      neighbourhood_.move_to_end(p_);
+    } else {
+      neighbourhood_.move_to(p_);
+    }
     ++rest.sub_goals;
     neighbourhood_.add_work(kWorkOfASubGoal);
     most_push = 0.0;
@@ -165,6 +173,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
 
 void SphereProxy::collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
   contact_count_ = 0;
+  hovers_ = false;
   for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
     const Nearest& nearest = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
@@ -175,6 +184,32 @@ void SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
     if (nearest.feature == Feature::face || nearest.distance < shell.inner_m || has_stopped(i)) {
       add_plane(i, most_push, rest);
     }
+  }
+}
+
+// Where a move along a face went past its end, the next face lies a little lower. Its plane bounds
+// the sphere there already, so that it need not come down first to find it.
+void SphereProxy::look_for_face_below(const Scenery& scenery, ProxyRest& rest) {
+  constexpr double kLowest_m = 10e-6;
+  double lowest = kLowest_m;
+  std::size_t below = kNothing;
+  for (const std::uint16_t i : neighbourhood_.within_reach(p_, kLowest_m)) {
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    const Triangle* const triangle = neighbourhood_.triangle(i, scenery);
+    if (triangle == nullptr) {
+      continue;
+    }
+    const double height = triangle->height(p_);
+    const double above =
+        (candidate.one_sided ? height : std::abs(height)) - shells_.of(candidate.point_tool).rest_m;
+    if (above > 0.0 && above < lowest && triangle->faces(p_)) {
+      lowest = above;
+      below = i;
+    }
+  }
+  if (below != kNothing) {
+    neighbourhood_.nearest(below, scenery);
+    hovers_ = add_plane(below, 0.0, rest);
   }
 }
 
@@ -252,18 +287,22 @@ bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
 // How much of the way the sphere may go. A move that leaves the trusted capsule is cut at its
 // border, where the neighbourhood is gathered anew; one that leaves even a fresh one is asked of
 // the hierarchy, as far as that is cheap.
-SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Vec3& goal) {
+SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Vec3& goal,
+                                                const ProxyRest& rest) {
   const Vec3 way = goal - p_;
   const double length = way.norm();
   const Sweep sweep{.from = p_, .direction = way / length};
   const double room = neighbourhood_.trust_along(p_, sweep.direction);
   Advance advance{.direction = sweep.direction};
   if (length <= room) {
-    advance.travel = sweep_candidates(scenery, sweep, length, advance.stopped_by);
+    advance.travel = sweep_candidates(scenery, {.sweep = sweep, .length = length, .end = goal},
+                                      rest, advance.stopped_by);
+    advance.is_known = advance.travel >= length;
   } else {
-    advance.travel = sweep_candidates(scenery, sweep, room, advance.stopped_by);
-    advance.leaves = advance.travel >= room;
-    if (fresh_ && advance.leaves && neighbourhood_.size() <= kMostToCast) {
+    const Vec3 border = p_ + room * sweep.direction;
+    advance.travel = sweep_candidates(scenery, {.sweep = sweep, .length = room, .end = border},
+                                      rest, advance.stopped_by);
+    if (fresh_ && advance.travel >= room && neighbourhood_.size() <= kMostToCast) {
       advance.travel = std::max(room, cast(scenery, sweep, length));
     }
   }
@@ -279,21 +318,31 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
 }
 
 // A distance is convex along the way, so what is out of reach at its end, by the tangent at its
-// start, is out of reach all along.
-double SphereProxy::sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
+// start, is out of reach all along. Of the others most lie behind the planes that hold the sphere:
+// on a convex surface, all.
+double SphereProxy::sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
                                      std::size_t& stopped_by) {
-  double free = length;
-  for (const std::uint16_t i : neighbourhood_.within_reach(sweep.from + length * sweep.direction)) {
-    if (free < length && !neighbourhood_.may_reach(i, sweep.from + free * sweep.direction)) {
+  const Sweep& sweep = way.sweep;
+  SeparatingPlanes planes(sweep.from, way.end);
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    planes.add(rest.planes[i].plane.normal);
+  }
+  double free = way.length;
+  for (const std::uint16_t i : neighbourhood_.within_reach(way.end)) {
+    if (free < way.length && !neighbourhood_.may_reach(i, sweep.from + free * sweep.direction)) {
       continue;
     }
     if (neighbourhood_.is_worked_out()) {
       stopped_by = kNothing;
       return 0.0;  // what was measured is kept: the next tick goes on from there
     }
-    const Nearest& start = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
+    const Triangle* const triangle = neighbourhood_.triangle(i, scenery);
+    if (triangle != nullptr && planes.keep_off(*triangle, shell.inner_m)) {
+      continue;
+    }
+    const Nearest& start = neighbourhood_.nearest(i, scenery);
     const double travel =
         candidate.primitive != nullptr
             ? travel_to_contact(*candidate.primitive, scenery[candidate.object].sides, sweep, free,

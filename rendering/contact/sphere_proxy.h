@@ -127,17 +127,23 @@ class SphereProxy {
     std::size_t gathering = 0;
   };
   static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
+  struct Way {
+    Sweep sweep;
+    double length = 0.0;  // m
+    Vec3 end = Vec3::Zero();
+  };
   struct Advance {
     Vec3 direction = Vec3::Zero();      // unit
     double travel = 0.0;                // m
     bool arrived = false;               // the whole way was free
-    bool leaves = false;                // it ends where the candidates end
+    bool is_known = false;              // and the candidates tell what is where it ends
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 
   ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   ProxyRest seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
+  void look_for_face_below(const Scenery& scenery, ProxyRest& rest);
   [[nodiscard]] bool goes_back(const Vec3& goal) const;
   bool recall_planes();
   // True if the plane of candidate i is new.
@@ -145,7 +151,7 @@ class SphereProxy {
   [[nodiscard]] bool has_stopped(std::size_t i) const;
   bool add_holding_plane(std::size_t i, double most_push, ProxyRest& rest);
   PlaneProjection project(const Vec3& h);
-  [[nodiscard]] Vec3 risen_to_rest();
+  [[nodiscard]] Vec3 put_at_rest();
   struct Press {
     PlaneProjection projection;
     FrictionCircle circle;
@@ -160,8 +166,8 @@ class SphereProxy {
                   const ProxyRest& rest, double push_m);
   Goal go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
-  Advance travel_toward(const Scenery& scenery, const Vec3& goal);
-  double sweep_candidates(const Scenery& scenery, const Sweep& sweep, double length,
+  Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
+  double sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
                           std::size_t& stopped_by);
   double cast(const Scenery& scenery, const Sweep& sweep, double length);
 
@@ -184,6 +190,7 @@ class SphereProxy {
   std::size_t contact_count_ = 0;
   std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
   LastHold last_hold_;
+  bool hovers_ = false;  // above its first plane, in this sub-goal
   std::array<std::size_t, kMaxContactPlanes>
       stoppers_{};  // candidates that stopped a sweep in this tick
   std::size_t stopper_count_ = 0;

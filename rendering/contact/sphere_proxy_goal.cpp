@@ -37,18 +37,23 @@ PlaneProjection SphereProxy::project(const Vec3& h) {
   return projection;
 }
 
-// Straight up to where the planes want it: a sweep ends a little below, where the next seam would
-// stop it, and friction alone would leave it there.
-Vec3 SphereProxy::risen_to_rest() {
+// Straight to where the planes want it. A sweep ends a little below, where the next seam would stop
+// it, and friction alone would leave it there; or above, if it hovers.
+Vec3 SphereProxy::put_at_rest() {
+  Vec3 rest = p_;
+  if (hovers_) {
+    const Plane& below = contacts_[0].plane;
+    rest += (below.offset - below.normal.dot(p_)) * below.normal;
+  }
   bool low = false;
   for (std::size_t i = 0; i < contact_count_; ++i) {
     planes_[i] = contacts_[i].plane;
-    low = low || planes_[i].normal.dot(p_) < planes_[i].offset - kSettled_m;
+    low = low || planes_[i].normal.dot(rest) < planes_[i].offset - kSettled_m;
   }
   if (!low) {
-    return p_;
+    return rest;
   }
-  const PlaneProjection up = project_on_planes(p_, std::span(planes_).first(contact_count_));
+  const PlaneProjection up = project_on_planes(rest, std::span(planes_).first(contact_count_));
   return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
 }
 
@@ -102,8 +107,8 @@ SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h
 SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,
                                             const FrictionCircle& circle, const Vec3& h,
                                             const ProxyRest& rest) {
-  const Vec3 risen = projection.feasible ? risen_to_rest() : p_;
-  const FrictionStep step = apply_cone(risen, projection.point, circle, friction_);
+  const Vec3 from = projection.feasible ? put_at_rest() : p_;
+  const FrictionStep step = apply_cone(from, projection.point, circle, friction_);
   slipped_ = slipped_ || step.state == FrictionState::slip;
   friction_ = slipped_ ? FrictionState::slip : step.state;
   if (step.state == FrictionState::stick || !projection.feasible) {

@@ -1,6 +1,11 @@
 // How far a sphere can travel along a straight line before it touches a triangle.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
 #include "rendering/geometry/triangle.h"
 
 namespace tactus::rendering {
@@ -34,6 +39,41 @@ struct Shells {
 struct Sweep {
   Vec3 from = Vec3::Zero();        // m
   Vec3 direction = Vec3::UnitX();  // unit
+};
+
+// Planes that have the whole of a way on their front side: what lies far enough behind one of them
+// is not met.
+class SeparatingPlanes {
+ public:
+  SeparatingPlanes(Vec3 from, Vec3 to) : from_(std::move(from)), to_(std::move(to)) {}
+
+  static constexpr std::size_t kMost = 3;
+
+  // A plane with the unit normal, as near to the way as can be; kMost in all.
+  void add(const Vec3& normal) {
+    normal_[count_] = normal;
+    height_[count_++] = std::min(normal.dot(from_), normal.dot(to_));
+  }
+
+  // Whether one of them, or the triangle's own, shows that the triangle is nowhere nearer to the
+  // way than `distance`. False tells nothing.
+  [[nodiscard]] bool keep_off(const Triangle& triangle, double distance) const {
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (triangle.highest(normal_[k]) <= height_[k] - distance) {
+        return true;
+      }
+    }
+    const double before = triangle.height(from_);
+    const double after = triangle.height(to_);
+    return std::min(before, after) >= distance || std::max(before, after) <= -distance;
+  }
+
+ private:
+  Vec3 from_;
+  Vec3 to_;
+  std::array<Vec3, kMost> normal_;
+  std::array<double, kMost> height_{};
+  std::size_t count_ = 0;
 };
 
 // Travel in metres at which the sphere's centre enters the shell of the triangle, or `limit` if it

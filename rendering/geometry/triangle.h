@@ -1,6 +1,7 @@
 // A triangle prepared for many distance queries.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -35,6 +36,17 @@ class Triangle {
 
   // Unit, toward the front; zero for a triangle without area.
   [[nodiscard]] const Vec3& normal() const { return normal_; }
+
+  // Whether q projects inside the face.
+  [[nodiscard]] bool faces(const Vec3& q) const {
+    return inward_[0].dot(q - corner_[0]) > 0.0 && inward_[1].dot(q - corner_[1]) > 0.0 &&
+           inward_[2].dot(q - corner_[2]) > 0.0;
+  }
+
+  // The largest normal . x of its points x, m.
+  [[nodiscard]] double highest(const Vec3& normal) const {
+    return std::max({normal.dot(corner_[0]), normal.dot(corner_[1]), normal.dot(corner_[2])});
+  }
 
   // From corner k to corner k + 1, not normalised.
   [[nodiscard]] const Vec3& edge(std::size_t k) const { return edge_[k]; }

@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "rendering/limits.h"
 #include "tests/support/brute_force.h"
@@ -98,6 +100,34 @@ TEST_F(NeighbourhoodTest, DoesNotWaitWhereAnObjectMoves) {
     ASSERT_NE(ensure(place_), Gathering::begun) << "tick " << tick;
     ASSERT_GT(neighbourhood_->size(), 10U);
   }
+}
+
+TEST_F(NeighbourhoodTest, AtTheEndOfAWayFindsWhatItWouldFindAnew) {
+  const Solid bowl(testing::icosphere(0.1, 5), Sides::two, testing::kSlippery);
+  take(bowl);
+  Vec3 p{0.0, 0.0, -0.1 + kToolRadius_m + 1e-6};
+  std::size_t found = 0;
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(ensure(p), Gathering::complete);
+    neighbourhood_->move_to(p);
+    for (const std::uint16_t k : neighbourhood_->within_reach_here()) {
+      neighbourhood_->nearest(k, *scenery_);
+    }
+    const Vec3 end = p + Vec3{4e-6 * (i % 7), 3e-6 * (i % 5), 1e-7 * (i % 3)};
+    for (const std::uint16_t k : neighbourhood_->within_reach(end)) {
+      neighbourhood_->nearest(k, *scenery_);
+    }
+    neighbourhood_->move_to_end(end);
+    const std::span<const std::uint16_t> first = neighbourhood_->within_reach_here();
+    const std::vector<std::uint16_t> there(first.begin(), first.end());
+    neighbourhood_->move_to(end);
+    const std::span<const std::uint16_t> anew = neighbourhood_->within_reach_here();
+    ASSERT_EQ(there, std::vector<std::uint16_t>(anew.begin(), anew.end())) << "way " << i;
+    found += there.size();
+    p = end;
+    begin_tick();
+  }
+  EXPECT_GT(found, 200U);
 }
 
 }  // namespace

@@ -88,5 +88,44 @@ TEST(SphereSweep, AOneSidedTriangleLetsPassWhatComesFromBehind) {
   EXPECT_LT(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, shell, false), kFar);
 }
 
+TEST(SeparatingPlanes, KeepOffNothingThatIsNear) {
+  constexpr std::uint64_t kSeed = 22;
+  std::mt19937_64 random(kSeed);
+  std::uniform_real_distribution<double> place(-0.1, 0.1);
+  const auto point = [&] { return Vec3{place(random), place(random), place(random)}; };
+  int kept_off = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    SCOPED_TRACE("seed 22, case " + std::to_string(i));
+    const Corners corners{point(), point(), point(), {}, 0.0};
+    const Vec3 from = point();
+    const Vec3 to = from + 0.2 * point();
+    const double distance = 0.2 * std::abs(place(random));
+    SeparatingPlanes planes(from, to);
+    for (int k = 0; k < i % 4; ++k) {
+      planes.add(point().normalized());
+    }
+    if (planes.keep_off(Triangle(corners.a, corners.b, corners.c), distance)) {
+      ASSERT_GE(testing::segment_distance(corners, from, to), distance - 1e-12);
+      ++kept_off;
+    }
+  }
+  EXPECT_GT(kept_off, 10'000);
+}
+
+TEST(SeparatingPlanes, KeepOffAConvexSolidThatTheSphereSlidesOn) {
+  const double r = 0.002;
+  const Shell shell(r);
+  const testing::Shape ball = testing::icosphere(0.05, 3);
+  for (const Corners& touched : testing::corners_of(ball)) {
+    const Vec3 normal = (touched.b - touched.a).cross(touched.c - touched.a).normalized();
+    const Vec3 from = (touched.a + touched.b + touched.c) / 3.0 + shell.rest_m * normal;
+    SeparatingPlanes planes(from, from + 0.01 * normal.unitOrthogonal());
+    planes.add(normal);
+    for (const Corners& t : testing::corners_of(ball)) {
+      ASSERT_TRUE(planes.keep_off(Triangle(t.a, t.b, t.c), shell.inner_m));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tactus::rendering

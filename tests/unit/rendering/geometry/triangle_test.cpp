@@ -73,5 +73,27 @@ TEST(Triangle, OfNoAreaIsASegment) {
   EXPECT_DOUBLE_EQ(t.nearest({2.0, 0.0, 0.0}).distance, 1.0);
 }
 
+TEST(Triangle, FacesWhatIsNearestToItsFace) {
+  constexpr std::uint64_t kSeed = 13;
+  std::mt19937_64 random(kSeed);
+  int faced = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    SCOPED_TRACE("seed 13, case " + std::to_string(i));
+    const Triangle t(random_point(random, 0.1), random_point(random, 0.1),
+                     random_point(random, 0.1));
+    const Vec3 q = random_point(random, 0.1);
+    ASSERT_EQ(t.faces(q), t.nearest(q).feature == Feature::face);
+    faced += t.faces(q) ? 1 : 0;
+  }
+  EXPECT_GT(faced, 1'000);
+}
+
+TEST(Triangle, IsHighestInACorner) {
+  const Triangle t({0, 0, 1}, {1, 0, 2}, {0, 1, 3});
+  EXPECT_EQ(t.highest(Vec3::UnitZ()), 3.0);
+  EXPECT_EQ(t.highest(-Vec3::UnitZ()), -1.0);
+  EXPECT_EQ(t.highest(Vec3::UnitX()), 1.0);
+}
+
 }  // namespace
 }  // namespace tactus::rendering
