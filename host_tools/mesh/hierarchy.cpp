@@ -34,9 +34,12 @@ struct Box {
       upper[k] = std::max(upper[k], p[k]);
     }
   }
+  // An empty box adds nothing.
   void grow(const Box& b) {
-    grow(b.lower);
-    grow(b.upper);
+    for (std::size_t k = 0; k < 3; ++k) {
+      lower[k] = std::min(lower[k], b.lower[k]);
+      upper[k] = std::max(upper[k], b.upper[k]);
+    }
   }
   [[nodiscard]] float half_area() const {
     const float x = upper[0] - lower[0];

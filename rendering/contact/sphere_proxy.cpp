@@ -12,7 +12,9 @@
 //
 // A triangle whose face is touched gives its plane at once. One that is touched on an edge or a
 // vertex gives it only when it stops a sweep: across a flat or hollow seam the neighbour's edge is
-// near too, its plane is tilted against the motion, and yet it is never in the way.
+// near too, its plane is tilted against the motion, and yet it is never in the way. A face a little
+// below a sphere that a move carried past the end of another gives its plane too: else the sphere
+// would first come down to it.
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the way there: each move shortens the distance to the tool, so the proxy cannot
