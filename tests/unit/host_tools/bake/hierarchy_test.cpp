@@ -24,12 +24,10 @@ class HierarchyTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kLeafTriangles = 4;
 
-  static bool meets(double lower, double upper, double p, double half) {
-    return lower <= p + half && upper >= p - half;
-  }
   static bool meets(const Float3& lower, const Float3& upper, const Vec3& p, double half) {
-    return meets(lower.x, upper.x, p.x(), half) && meets(lower.y, upper.y, p.y(), half) &&
-           meets(lower.z, upper.z, p.z(), half);
+    const Vec3 low = rendering::to_vec3(lower);
+    const Vec3 high = rendering::to_vec3(upper);
+    return (low.array() <= p.array() + half).all() && (high.array() >= p.array() - half).all();
   }
   // Triangles in the leaves that a cube about p meets.
   static std::size_t looked_at(const Hierarchy& hierarchy, const Vec3& p, double half) {
@@ -69,8 +67,7 @@ TEST_F(HierarchyTest, LooksAtFewMoreTrianglesThanItMust) {
     std::size_t must = 0;
     constexpr double kHalf_m = 0.002;
     for (int i = 0; i < 200; ++i) {
-      const Float3& v = shape.vertices[any(random)];
-      const Vec3 p{v.x, v.y, v.z};
+      const Vec3 p = rendering::to_vec3(shape.vertices[any(random)]);
       looked += looked_at(hierarchy, p, kHalf_m);
       must += least(shape, p, kHalf_m) + kLeafTriangles;
     }
