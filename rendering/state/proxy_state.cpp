@@ -108,8 +108,8 @@ void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& sce
 void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
   [[maybe_unused]] auto& [shells, p, friction, model, start_model, carried_W, touched, factors,
                           start, start_friction, slipped, fresh, stretching, last_to_tool_m,
-                          neighbourhood, contacts, contact_count, planes, last_hold, hovers, stoppers,
-                          stopper_count] = *this;
+                          neighbourhood, contacts, contact_count, planes, last_hold, hovers,
+                          stoppers, stopper_count] = *this;
   archive(p, model, carried_W, factors);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle] = touched;
