@@ -109,6 +109,8 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
   stretching_ = true;
   last_to_tool_m_ = std::numeric_limits<double>::infinity();
   ProxyRest rest;
+  std::uint8_t held = 0;  // how many planes held it last in this tick; they are in `rest`
+  Vec3 held_normal = Vec3::Zero();
   double most_push = kMostPushOut_m;
   for (;;) {
     if (path != nullptr) {
@@ -134,6 +136,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       }
     }
     collect_planes(scenery, most_push, rest);
+    if (rest.plane_count > 0) {
+      held = rest.plane_count;
+      held_normal = rest.normal_W;
+    }
     const bool was_held = rest.sub_goals > 0 && rest.plane_count > 0;
     if (was_held && contact_count_ == 0) {
       look_for_face_below(scenery, rest);
@@ -152,6 +158,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
+      if (rest.plane_count == 0 && held_normal.dot(h_W - p_) < 0.0) {
+        rest.plane_count = held;  // between two faces it is still pressed
+        rest.normal_W = held_normal;
+      }
       return rest;
     }
     if (way.travel <= 0.0) {
