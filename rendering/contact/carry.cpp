@@ -105,9 +105,9 @@ struct Push {
       return;
     }
     const Vec3 met_O = from_O + hit.travel_m * sweep.direction;
-    const HitSurface surface = surface_at(scenery, number, hit, met_O);
-    const Vec3 normal_W = now.direction(surface.normal_O);
-    const double to_rest = std::min(shell.rest_m - surface.distance_m, kMostPush_m);
+    const Nearest nearest = nearest_at(scenery, number, hit.triangle, met_O);
+    const Vec3 normal_W = now.direction(nearest.normal);
+    const double to_rest = std::min(shell.rest_m - nearest.distance, kMostPush_m);
     add(normal_W, normal_W.dot(now.point(met_O)) + to_rest);
   }
 

@@ -13,7 +13,8 @@ namespace tactus::rendering {
 // What held the proxy in the last tick.
 struct Touched {
   std::uint32_t object = kNoObject;
-  std::uint32_t triangle = 0;  // of its mesh
+  std::uint32_t triangle = 0;    // of its mesh
+  Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of all that held it
 };
 
 struct Carried {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/contact/primitive_sweep.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -156,8 +158,7 @@ void Neighbourhood::measure_primitive(std::size_t i) {
   slot.seen = sample(*slot.primitive, place_);
   const bool inside = slot.seen.distance_m < 0.0;
   slot.behind = slot.one_sided && inside;
-  slot.nearest = {.distance = std::abs(slot.seen.distance_m),
-                  .normal = inside ? Vec3{-slot.seen.normal_W} : slot.seen.normal_W};
+  slot.nearest = nearest_of(slot.seen);
   if (!inside && convex(*slot.primitive)) {
     set_bound(i, slot.nearest.normal, slot.nearest.distance, place_);
   } else {

@@ -76,8 +76,8 @@ class Neighbourhood {
     ++places_;
   }
 
-  // The candidates that may be within the shell's reach, and farther, of the place of `move_to`, or
-  // of p; all others are not. Valid until the next call of the same.
+  // The candidates that may be within the shell's reach of the place of `move_to`, or of p, where
+  // `farther_m` adds to the reach; all others are not. Valid until the next call of the same.
   std::span<const std::uint16_t> within_reach_here();
   std::span<const std::uint16_t> within_reach(const Vec3& p, double farther_m = 0.0);
 

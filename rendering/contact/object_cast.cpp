@@ -99,16 +99,13 @@ ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast
   return visitor.hit();
 }
 
-HitSurface surface_at(const Scenery& scenery, std::uint32_t number, const ObjectHit& hit,
-                      const Vec3& p_O) {
+Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle,
+                   const Vec3& p_O) {
   const Object& object = scenery[number];
   if (object.surface == SurfaceKind::primitive) {
-    const SurfaceSample seen = sample(object.primitive, p_O);
-    return {.distance_m = std::abs(seen.distance_m),
-            .normal_O = seen.distance_m < 0.0 ? Vec3{-seen.normal_W} : seen.normal_W};
+    return nearest_of(sample(object.primitive, p_O));
   }
-  const Nearest nearest = triangle_of(scenery.mesh_O(number).mesh, hit.triangle).nearest(p_O);
-  return {.distance_m = nearest.distance, .normal_O = nearest.normal};
+  return triangle_of(scenery.mesh_O(number).mesh, triangle).nearest(p_O);
 }
 
 double cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,

@@ -25,13 +25,9 @@ struct ObjectHit {
 ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast& cast,
                   const Shell& shell, std::size_t& room);
 
-// From the surface that was met to the centre at p_O; unit.
-struct HitSurface {
-  double distance_m = 0.0;
-  Vec3 normal_O = Vec3::Zero();
-};
-HitSurface surface_at(const Scenery& scenery, std::uint32_t number, const ObjectHit& hit,
-                      const Vec3& p_O);
+// The nearest point of the object, or of one triangle of its mesh, from p_O; in the object's frame.
+Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle,
+                   const Vec3& p_O);
 
 // The same over the objects that stand still, and over all objects where they are in this tick; the
 // free travel.

@@ -2,11 +2,19 @@
 // sphere_sweep.h is for triangles.
 #pragma once
 
+#include <cmath>
+
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {
+
+// The same as for a triangle: the normal points to the side where the sample was taken.
+inline Nearest nearest_of(const SurfaceSample& seen) {
+  return {.distance = std::abs(seen.distance_m),
+          .normal = seen.distance_m < 0.0 ? Vec3{-seen.normal_W} : seen.normal_W};
+}
 
 // Travel in metres at which the sphere's centre enters the shell of the surface, or `limit` if it
 // does not do so before. Never too long, and too short only by the shell's thickness.

@@ -44,6 +44,14 @@ constexpr std::size_t kWorkOfASubGoal = 12;
 constexpr std::size_t kWorkOfAStop = 18;
 constexpr std::size_t kWorkOfACastTriangle = 3;
 
+Touched touched_by(const ProxyRest& rest) {
+  if (rest.plane_count == 0 || rest.pressure_m[rest.hardest()] <= 0.0) {
+    return {};
+  }
+  const ContactPlane& plane = rest.planes[rest.hardest()];
+  return {.object = plane.object, .triangle = plane.triangle, .normal_W = rest.normal_W};
+}
+
 }  // namespace
 
 void SphereProxy::place(const Vec3& p_W) {
@@ -81,6 +89,7 @@ ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPat
   start_ = p_;
   start_friction_ = friction_;
   start_model_ = model_;
+  start_touched_ = touched_;
   fresh_ = false;
   neighbourhood_.start_work();
   return approach(scenery, h_W, path);
@@ -90,17 +99,18 @@ ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, Pr
   p_ = start_;
   friction_ = start_friction_;
   model_ = start_model_;
+  touched_ = start_touched_;
   neighbourhood_.move_to(p_);
   return approach(scenery, h_W, path);
 }
 
 ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
-  const ProxyRest rest = seek(scenery, h_W, path);
-  touched_ = {};
-  if (rest.plane_count > 0 && rest.pressure_m[rest.hardest()] > 0.0) {
-    const ContactPlane& plane = rest.planes[rest.hardest()];
-    touched_ = {.object = plane.object, .triangle = plane.triangle};
+  ProxyRest rest = seek(scenery, h_W, path);
+  constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
+  if (rest.plane_count == 0 && (rest.flags & kUnfinished) != 0) {
+    press_as_before(scenery, h_W, rest);
   }
+  touched_ = touched_by(rest);
   return rest;
 }
 
@@ -109,8 +119,6 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
   stretching_ = true;
   last_to_tool_m_ = std::numeric_limits<double>::infinity();
   ProxyRest rest;
-  std::uint8_t held = 0;  // how many planes held it last in this tick; they are in `rest`
-  Vec3 held_normal = Vec3::Zero();
   double most_push = kMostPushOut_m;
   for (;;) {
     if (path != nullptr) {
@@ -137,12 +145,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     }
     collect_planes(scenery, most_push, rest);
     if (rest.plane_count > 0) {
-      held = rest.plane_count;
-      held_normal = rest.normal_W;
-    }
-    const bool was_held = rest.sub_goals > 0 && rest.plane_count > 0;
-    if (was_held && contact_count_ == 0) {
-      look_for_face_below(scenery, rest);
+      touched_ = touched_by(rest);
+      if (contact_count_ == 0) {
+        look_for_face_below(scenery, rest);
+      }
     }
     Goal goal;
     Advance way;
@@ -158,10 +164,6 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
     if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
       rest.flags |= kTouchIterationsExhausted;
-      if (rest.plane_count == 0 && held_normal.dot(h_W - p_) < 0.0) {
-        rest.plane_count = held;  // between two faces it is still pressed
-        rest.normal_W = held_normal;
-      }
       return rest;
     }
     if (way.travel <= 0.0) {

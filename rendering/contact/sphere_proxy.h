@@ -159,6 +159,7 @@ class SphereProxy {
     bool in_cone = true;
   };
   Press press(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
+  void press_as_before(const Scenery& scenery, const Vec3& h, ProxyRest& rest) const;
   Goal choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest);
   Goal stay_in_cone(const PlaneProjection& projection, const FrictionCircle& circle, const Vec3& h,
                     const ProxyRest& rest);
@@ -177,10 +178,11 @@ class SphereProxy {
   SurfaceFriction model_;
   SurfaceFriction start_model_;    // of the last advance
   Vec3 carried_W_ = Vec3::Zero();  // by objects that moved, since the last begin_friction
-  Touched touched_;                // what pushed hardest in the last tick
+  Touched touched_;                // what pushed hardest when it was last held
   FrictionFactors factors_;
   Vec3 start_ = Vec3::Zero();  // of the last advance
   FrictionState start_friction_ = FrictionState::free;
+  Touched start_touched_;
   bool slipped_ = false;    // in this tick
   bool fresh_ = false;      // the neighbourhood was gathered in this tick
   bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/contact/object_cast.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/friction/cone.h"
 
@@ -89,6 +90,26 @@ SphereProxy::Press SphereProxy::press(const Scenery& scenery, const Vec3& h, Pro
     press.circle.dynamic_radius_m *= deeper;
   }
   return press;
+}
+
+// A tick that ends before its work is done, between two faces or where it waits for what is near,
+// is still felt: by the surface that held the proxy last, if the tool presses toward it.
+void SphereProxy::press_as_before(const Scenery& scenery, const Vec3& h, ProxyRest& rest) const {
+  const Vec3& normal = touched_.normal_W;  // zero if there was none
+  const double pressure = normal.dot(p_ - h);
+  if (pressure <= 0.0) {
+    return;
+  }
+  const Mover* const mover = scenery.mover_of(touched_.object);
+  Nearest nearest = nearest_at(scenery, touched_.object, touched_.triangle, point_in(mover, p_));
+  nearest.normal = direction_from(mover, nearest.normal);
+  rest.normal_W = normal;
+  rest.planes[0] = {.plane = {.normal = normal, .offset = normal.dot(p_)},
+                    .nearest = nearest,
+                    .object = touched_.object,
+                    .triangle = touched_.triangle};
+  rest.pressure_m[0] = pressure;
+  rest.plane_count = 1;
 }
 
 SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {

@@ -24,9 +24,8 @@ Triangle::Triangle(const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 Nearest Triangle::nearest(const Vec3& q) const {
-  const std::array<double, 3> inward{inward_[0].dot(q - corner_[0]), inward_[1].dot(q - corner_[1]),
-                                     inward_[2].dot(q - corner_[2])};
-  if (inward[0] > 0.0 && inward[1] > 0.0 && inward[2] > 0.0) {
+  const std::array<double, 3> inward = inward_of(q);
+  if (is_inside(inward)) {
     const double h = height(q);
     return {.distance = std::abs(h), .normal = h < 0.0 ? Vec3{-normal_} : normal_};
   }

@@ -38,10 +38,7 @@ class Triangle {
   [[nodiscard]] const Vec3& normal() const { return normal_; }
 
   // Whether q projects inside the face.
-  [[nodiscard]] bool faces(const Vec3& q) const {
-    return inward_[0].dot(q - corner_[0]) > 0.0 && inward_[1].dot(q - corner_[1]) > 0.0 &&
-           inward_[2].dot(q - corner_[2]) > 0.0;
-  }
+  [[nodiscard]] bool faces(const Vec3& q) const { return is_inside(inward_of(q)); }
 
   // The largest normal . x of its points x, m.
   [[nodiscard]] double highest(const Vec3& normal) const {
@@ -52,6 +49,14 @@ class Triangle {
   [[nodiscard]] const Vec3& edge(std::size_t k) const { return edge_[k]; }
 
  private:
+  // How far inside each edge q projects, times the edge's length.
+  [[nodiscard]] std::array<double, 3> inward_of(const Vec3& q) const {
+    return {inward_[0].dot(q - corner_[0]), inward_[1].dot(q - corner_[1]),
+            inward_[2].dot(q - corner_[2])};
+  }
+  static bool is_inside(const std::array<double, 3>& inward) {
+    return inward[0] > 0.0 && inward[1] > 0.0 && inward[2] > 0.0;
+  }
   [[nodiscard]] Nearest nearest_on_border(const Vec3& q, const std::array<double, 3>& inward) const;
 
   std::array<Vec3, 3> corner_;

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <numeric>
 #include <random>
-#include <span>
 #include <vector>
 
 #include "tests/support/shapes.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -191,6 +192,29 @@ TEST_F(WorldTest, InADensePlaceTheProxyWaitsForSomeTicksAndIsFeltMeanwhile) {
   EXPECT_EQ(last.flags, kTouchClean);
   constexpr double kFacets_m = 5 * kMicron;
   EXPECT_LE((last.proxy_W - (kBowl_m - kTool_m) * tool.normalized()).norm(), kFacets_m);
+}
+
+// Rushed over many triangles, the proxy is often between two faces when a tick's work is done.
+TEST_F(WorldTest, ATickThatIsCutShortIsFeltAsTheOnesBefore) {
+  constexpr double kBall_m = 0.05;
+  constexpr int kSettled = 200;
+  const Solid ball(testing::icosphere(kBall_m, 6), Sides::one, kSlippery);
+  for (const double radius_m : {0.0, 0.002}) {
+    start(ball, radius_m, {0.06, 0.0, 0.0});
+    int cut_short = 0;
+    for (int tick = 0; tick < 2000; ++tick) {
+      const double angle = 0.02 * std::max(0, tick - kSettled) * (tick % 7) / 7.0;
+      const double r = 0.06 - std::min(0.012, 0.0001 * tick);
+      const Vec3 tool{r * std::cos(angle), r * std::sin(angle), 0.0};
+      const Touch t = touch(tool);
+      if (tick > kSettled) {
+        cut_short += t.flags == kTouchIterationsExhausted ? 1 : 0;
+        ASSERT_GT(t.planes, 0U) << "tick " << tick << ", radius " << radius_m;
+        ASSERT_GT(t.force_W.dot(t.proxy_W), 0.0) << "tick " << tick << ", radius " << radius_m;
+      }
+    }
+    EXPECT_GT(cut_short, 100) << "radius " << radius_m;
+  }
 }
 
 }  // namespace
