@@ -116,8 +116,8 @@ ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPa
 
 ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   slipped_ = false;
-  stretching_ = true;
-  last_to_tool_m_ = std::numeric_limits<double>::infinity();
+  last_move_ = Vec3::Zero();
+  least_left_m_.fill(std::numeric_limits<double>::infinity());
   ProxyRest rest;
   double most_push = kMostPushOut_m;
   for (;;) {

@@ -167,6 +167,8 @@ class SphereProxy {
                   const ProxyRest& rest, double push_m);
   Goal go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
+  static double contraction(const Vec3& move, const Vec3& before, const ProxyRest& rest);
+  [[nodiscard]] Vec3 bent_part(const Vec3& move, const ProxyRest& rest) const;
   Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
   double sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
                           std::size_t& stopped_by);
@@ -183,10 +185,11 @@ class SphereProxy {
   Vec3 start_ = Vec3::Zero();  // of the last advance
   FrictionState start_friction_ = FrictionState::free;
   Touched start_touched_;
-  bool slipped_ = false;    // in this tick
-  bool fresh_ = false;      // the neighbourhood was gathered in this tick
-  bool stretching_ = true;  // moves on edges and vertices are lengthened, in this tick
-  double last_to_tool_m_ = 0.0;
+  bool slipped_ = false;           // in this tick
+  bool fresh_ = false;             // the neighbourhood was gathered in this tick
+  Vec3 last_move_ = Vec3::Zero();  // in this tick, unless it was lengthened
+  // To the tool, after the moves on one and on two planes that were lengthened in this tick.
+  std::array<double, 2> least_left_m_{};
   Neighbourhood neighbourhood_;
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t contact_count_ = 0;

@@ -1,6 +1,7 @@
 // Where the proxy goes next: the nearest point that its planes allow, as far as friction lets it.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rendering/contact/object_cast.h"
 #include "rendering/contact/sphere_proxy.h"
@@ -170,36 +171,70 @@ SphereProxy::Goal SphereProxy::go_toward(const Vec3& goal, const Vec3& h, const 
 }
 
 // On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and
-// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by R /
-// |R - depth| a move ends on the ray from the feature through the goal, from where the next
-// sub-goal drops straight onto it (or, where the tool lies beyond the feature and the sphere rolls
-// off, each move doubles the last). On the way there the distance to the tool may grow; if it is
-// not made good when the sphere touches again, the rest of the tick does without.
+// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by
+// 1 / (1 - ratio) a move ends on the ray from the feature through the goal, from where the next
+// sub-goal drops straight onto it; where the tool lies beyond the feature the sphere rolls off, in
+// ever longer moves. Along the crease of two surfaces the ratio is that of the last two moves.
+// On the way there the distance to the tool may grow: a move is lengthened only where a plain one
+// would end nearer to the tool than wherever that was done before in this tick.
 Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
   constexpr double kMostOfRadius = 0.25;
-  const Nearest& nearest = rest.planes[0].nearest;
-  const double to_tool = (p_ - h).norm();
-  stretching_ = stretching_ && to_tool < last_to_tool_m_;
-  last_to_tool_m_ = to_tool;
-  const double radius = nearest.distance;
-  const double length = move.norm();
-  if (!stretching_ || rest.plane_count != 1 || nearest.feature == Feature::face ||
-      length >= kMostOfRadius * radius) {
+  constexpr double kRollingOff = 4.0;
+  constexpr double kRounding_m = 1e-12;
+  const Vec3 before = std::exchange(last_move_, move);
+  const double most = kMostOfRadius * rest.planes[0].nearest.distance / move.norm();
+  const double ratio = contraction(move, before, rest);
+  if (ratio == 0.0 || most <= 1.0) {
     return move;
   }
-  const double most = kMostOfRadius * radius / length;
-  const double stretch = std::min(most, radius / std::abs(radius - rest.pressure_m[0]));
-  Vec3 along = Vec3::Zero();
+  const double left = (p_ + move - h).norm();
+  double& least_left = least_left_m_[rest.plane_count - 1U];
+  if (left >= least_left) {
+    return move;
+  }
+  least_left = left;
+  const double stretch =
+      ratio < 1.0 ? 1.0 / (1.0 - ratio) : std::max(kRollingOff, 1.0 / (ratio - 1.0));
+  const Vec3 stretched = move + (std::min(stretch, most) - 1.0) * bent_part(move, rest);
+  const bool allowed = std::all_of(
+      contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
+      [&](const ContactPlane& c) {
+        return c.plane.normal.dot(p_ + stretched) >= c.plane.offset - kRounding_m;
+      });
+  if (allowed) {
+    last_move_ = Vec3::Zero();
+  }
+  return allowed ? stretched : move;
+}
+
+// Of one move to the next, by the curvature of what the centre moves on; 0 if that is flat, or not
+// known.
+double SphereProxy::contraction(const Vec3& move, const Vec3& before, const ProxyRest& rest) {
+  constexpr double kAligned = 0.99;
+  const Nearest& nearest = rest.planes[0].nearest;
+  if (rest.plane_count == 1) {
+    return nearest.feature == Feature::face ? 0.0 : rest.pressure_m[0] / nearest.distance;
+  }
+  const double length = before.norm();
+  const bool aligned = move.dot(before) > kAligned * length * move.norm();
+  return rest.plane_count == 2 && aligned ? move.norm() / length : 0.0;
+}
+
+// What of a move on one edge or vertex, or along a crease, follows the curvature.
+Vec3 SphereProxy::bent_part(const Vec3& move, const ProxyRest& rest) const {
+  const Vec3& normal = rest.planes[0].plane.normal;
+  if (rest.plane_count == 2) {
+    const Vec3 crease = normal.cross(rest.planes[1].plane.normal).normalized();
+    return move.dot(crease) * crease;
+  }
+  Vec3 bent = move - move.dot(normal) * normal;
+  const Nearest& nearest = rest.planes[0].nearest;
   if (nearest.feature == Feature::edge) {
     const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
     const Vec3 edge = triangle.edge(nearest.edge).normalized();
-    along = move.dot(edge) * edge;
+    bent -= move.dot(edge) * edge;
   }
-  const Vec3 stretched = along + stretch * (move - along);
-  const bool allowed = std::all_of(
-      contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
-      [&](const ContactPlane& c) { return c.plane.normal.dot(p_ + stretched) >= c.plane.offset; });
-  return allowed ? stretched : move;
+  return bent;
 }
 
 }  // namespace tactus::rendering
