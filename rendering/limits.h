@@ -71,7 +71,7 @@ inline constexpr std::size_t kMaxTextureLevels = 14;
 // kWorkOf... say what counts how much. Beyond: the proxy stops where it is, nearer to the tool than
 // before, and goes on in the next tick; kTouchIterationsExhausted. It is what lets a tool that
 // jumps over a coarse mesh arrive in all but one of a thousand ticks.
-inline constexpr std::size_t kMaxWork = 1536;
+inline constexpr std::size_t kMaxWork = 1152;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.

@@ -35,6 +35,7 @@ void Neighbourhood::begin_tick(const Scenery& scenery) {
   });
   if (disturbed) {
     clear();
+    wanted_length_m_ = std::min(wanted_length_m_, kLongTrust_m);
     may_pause_ = false;
   }
 }

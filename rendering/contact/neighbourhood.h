@@ -126,6 +126,7 @@ class Neighbourhood {
   struct GatherObjects;
   struct GatherTriangles;
   static constexpr std::size_t kMostSmaller = 8;
+  static constexpr double kLongTrust_m = 2.5e-3;  // longer only where triangles are few
   // A place, as the tangents take it.
   struct Bounded {
     Bounded(const Neighbourhood& of, const Vec3& p);

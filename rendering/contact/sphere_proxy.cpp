@@ -42,7 +42,7 @@ constexpr std::size_t kMostToCast = 24;
 // In units of kMaxWork. A stop counts more than it takes.
 constexpr std::size_t kWorkOfASubGoal = 12;
 constexpr std::size_t kWorkOfAStop = 18;
-constexpr std::size_t kWorkOfACastTriangle = 3;
+constexpr std::size_t kWorkOfACastTriangle = 6;
 
 Touched touched_by(const ProxyRest& rest) {
   if (rest.plane_count == 0 || rest.pressure_m[rest.hardest()] <= 0.0) {
