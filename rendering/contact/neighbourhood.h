@@ -106,7 +106,10 @@ class Neighbourhood {
   [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
 
   // What has been done since the last `start_work`, in units of kMaxWork.
-  void start_work() { work_ = 0; }
+  void start_work() {
+    work_ = 0;
+    first_gathering_ = gatherings_ + 1;
+  }
   [[nodiscard]] std::size_t work() const { return work_; }
   void add_work(std::size_t units) { work_ += units; }
   // Whether that is all for this tick. Not where objects moved: what was found would be lost.
@@ -170,10 +173,11 @@ class Neighbourhood {
   std::size_t tested_ = 0;  // triangles, at the last gathering
   std::size_t peak_ = 0;
   std::size_t gatherings_ = 0;
-  ToWalk to_walk_;           // of a gathering that was begun
-  std::size_t smaller_ = 0;  // how often it was begun anew, for want of room
-  bool is_full_ = false;     // there was no room for a candidate
-  bool may_pause_ = true;    // no object moved here in this tick
+  std::size_t first_gathering_ = 0;  // of this tick
+  ToWalk to_walk_;                   // of a gathering that was begun
+  std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
+  bool is_full_ = false;             // there was no room for a candidate
+  bool may_pause_ = true;            // no object moved here in this tick
   std::size_t work_ = 0;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.

@@ -17,11 +17,11 @@ namespace {
 // some 100 already, whatever the length, so a shorter capsule than the least does not pay. These
 // numbers were the best of four sets, by the median and the slowest ticks on the sphere of 1.3
 // million triangles and the dragon, the tool 2 mm. It grows beyond kLongTrust_m only
-// while kFewTests are enough, so that a tool that jumps over a coarse mesh finds it gathered.
+// where it did not last for one tick and takes few tests: a tool jumps over a coarse mesh.
 constexpr double kLeastTrust_m = 0.2e-3;
-constexpr double kMostTrust_m = 32e-3;
+constexpr double kMostTrust_m = 16e-3;
 constexpr double kWantedTests = 128.0;
-constexpr double kFewTests = 32.0;
+constexpr double kFewTests = 24.0;
 // Its length is between 4 and 32 radii.
 constexpr double kLeastRadius_m = 10e-6;
 constexpr double kLeastSlimness = 4.0;
@@ -165,7 +165,8 @@ void Neighbourhood::end_gathering(const Scenery& scenery) {
   peak_ = std::max(peak_, size_);
   const double tests = 1.0 + static_cast<double>(tested_);
   const double length = wanted_length_m_ * std::clamp(kWantedTests / tests, 0.5, 2.0);
-  const double sparse = wanted_length_m_ * std::clamp(kFewTests / tests, 0.5, 2.0);
+  const bool lasted = gatherings_ == first_gathering_;
+  const double sparse = wanted_length_m_ * std::clamp(kFewTests / tests, 0.5, lasted ? 1.0 : 2.0);
   wanted_length_m_ = std::max(std::min(length, kLongTrust_m), sparse);
   if (size_ == 0) {
     wanted_length_m_ = kLeastTrust_m;  // out of free space onto any mesh

@@ -38,9 +38,9 @@ void transfer_planes(StateArchive& archive, const Scenery& scenery, std::span<Co
 
 void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
   [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
-                          peak, gatherings, to_walk, smaller, is_full, may_pause, work, normal_x,
-                          normal_y, normal_z, height, here, there, here_place, here_gathering,
-                          slots] = *this;
+                          peak, gatherings, first_gathering, to_walk, smaller, is_full, may_pause,
+                          work, normal_x, normal_y, normal_z, height, here, there, here_place,
+                          here_gathering, slots] = *this;
   archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
   archive.up_to(size, kMaxCandidates);
   std::uint64_t done = work;
