@@ -16,8 +16,8 @@ namespace {
 // a gathering serves many ticks on a coarse mesh and few on a fine one. A sphere at rest looks at
 // some 100 already, whatever the length, so a shorter capsule than the least does not pay. These
 // numbers were the best of four sets, by the median and the slowest ticks on the sphere of 1.3
-// million triangles and the dragon, the tool 2 mm. It grows beyond kLongTrust_m only
-// where it did not last for one tick and takes few tests: a tool jumps over a coarse mesh.
+// million triangles and the dragon, the tool 2 mm. It grows beyond kLongTrust_m only where it did
+// not last for one tick and takes few tests: a tool jumps over a coarse mesh.
 constexpr double kLeastTrust_m = 0.2e-3;
 constexpr double kMostTrust_m = 16e-3;
 constexpr double kWantedTests = 128.0;
