@@ -10,7 +10,7 @@
 
 namespace tactus::rendering {
 
-// What held the proxy in the last tick.
+// What held the proxy last.
 struct Touched {
   std::uint32_t object = kNoObject;
   std::uint32_t triangle = 0;    // of its mesh

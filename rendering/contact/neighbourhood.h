@@ -105,6 +105,9 @@ class Neighbourhood {
   // Grows whenever the candidates change, and with them the meaning of their numbers.
   [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
 
+  // Whether that was so since the last `start_work`.
+  [[nodiscard]] bool is_fresh() const { return gatherings_ >= first_gathering_; }
+
   // What has been done since the last `start_work`, in units of kMaxWork.
   void start_work() {
     work_ = 0;
@@ -173,7 +176,7 @@ class Neighbourhood {
   std::size_t tested_ = 0;  // triangles, at the last gathering
   std::size_t peak_ = 0;
   std::size_t gatherings_ = 0;
-  std::size_t first_gathering_ = 0;  // of this tick
+  std::size_t first_gathering_ = 0;  // since the last `start_work`
   ToWalk to_walk_;                   // of a gathering that was begun
   std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
   bool is_full_ = false;             // there was no room for a candidate

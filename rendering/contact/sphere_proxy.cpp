@@ -45,10 +45,11 @@ constexpr std::size_t kWorkOfAStop = 18;
 constexpr std::size_t kWorkOfACastTriangle = 6;
 
 Touched touched_by(const ProxyRest& rest) {
-  if (rest.plane_count == 0 || rest.pressure_m[rest.hardest()] <= 0.0) {
+  const std::size_t hardest = rest.hardest();
+  if (rest.plane_count == 0 || rest.pressure_m[hardest] <= 0.0) {
     return {};
   }
-  const ContactPlane& plane = rest.planes[rest.hardest()];
+  const ContactPlane& plane = rest.planes[hardest];
   return {.object = plane.object, .triangle = plane.triangle, .normal_W = rest.normal_W};
 }
 
@@ -90,7 +91,6 @@ ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPat
   start_friction_ = friction_;
   start_model_ = model_;
   start_touched_ = touched_;
-  fresh_ = false;
   neighbourhood_.start_work();
   return approach(scenery, h_W, path);
 }
@@ -131,7 +131,6 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (rest.sub_goals == 0 || gathered) {
       stopper_count_ = 0;
     }
-    fresh_ = fresh_ || gathered;
     if (gathering == Gathering::begun) {
       rest.flags |= kTouchIterationsExhausted;
       press(scenery, h_W, rest);  // on what held it before
@@ -316,7 +315,8 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
     const Vec3 border = p_ + room * sweep.direction;
     advance.travel = sweep_candidates(scenery, {.sweep = sweep, .length = room, .end = border},
                                       rest, advance.stopped_by);
-    if (fresh_ && advance.travel >= room && neighbourhood_.size() <= kMostToCast) {
+    if (neighbourhood_.is_fresh() && advance.travel >= room &&
+        neighbourhood_.size() <= kMostToCast) {
       advance.travel = std::max(room, cast(scenery, sweep, length));
     }
   }

@@ -186,7 +186,6 @@ class SphereProxy {
   FrictionState start_friction_ = FrictionState::free;
   Touched start_touched_;
   bool slipped_ = false;           // in this tick
-  bool fresh_ = false;             // the neighbourhood was gathered in this tick
   Vec3 last_move_ = Vec3::Zero();  // in this tick, unless it was lengthened
   // To the tool, after the moves on one and on two planes that were lengthened in this tick.
   std::array<double, 2> least_left_m_{};

@@ -182,9 +182,12 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   constexpr double kRollingOff = 4.0;
   constexpr double kRounding_m = 1e-12;
   const Vec3 before = std::exchange(last_move_, move);
-  const double most = kMostOfRadius * rest.planes[0].nearest.distance / move.norm();
   const double ratio = contraction(move, before, rest);
-  if (ratio == 0.0 || most <= 1.0) {
+  if (ratio == 0.0) {
+    return move;
+  }
+  const double most = kMostOfRadius * rest.planes[0].nearest.distance / move.norm();
+  if (most <= 1.0) {
     return move;
   }
   const double left = (p_ + move - h).norm();

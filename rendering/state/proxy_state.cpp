@@ -107,9 +107,9 @@ void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& sce
 
 void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
   [[maybe_unused]] auto& [shells, p, friction, model, start_model, carried_W, touched, factors,
-                          start, start_friction, start_touched, slipped, fresh, last_move,
-                          least_left_m, neighbourhood, contacts, contact_count, planes, last_hold,
-                          hovers, stoppers, stopper_count] = *this;
+                          start, start_friction, start_touched, slipped, last_move, least_left_m,
+                          neighbourhood, contacts, contact_count, planes, last_hold, hovers,
+                          stoppers, stopper_count] = *this;
   archive(p, model, carried_W, factors);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = touched;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <random>
@@ -78,7 +79,7 @@ TEST_F(RollingTest, RoundAVertexInFewMoves) {
 // greater y: the sphere rests between them, and the lower the farther they are apart.
 class Rails {
  public:
-  [[nodiscard]] Solid solid() const {
+  [[nodiscard]] static Solid solid() {
     testing::Shape shape{.name = "rails", .closed = false};
     for (const double side : {-1.0, 1.0}) {
       const auto first = static_cast<std::uint32_t>(shape.vertices.size());
@@ -104,7 +105,7 @@ class Rails {
 };
 
 TEST_F(RollingTest, AlongTheCreaseOfTwoEdgesInFewMoves) {
-  const Solid rails = Rails().solid();
+  const Solid rails = Rails::solid();
   take(rails, {0.0, 0.0, 0.01});
   jump({0.0, 0.0, 0.001});
   for (int k = 0; k < kJumps; ++k) {
