@@ -18,9 +18,11 @@
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the way there: each move shortens the distance to the tool, so the proxy cannot
-// cycle, and it ends where no plane lets it come nearer, a local minimum of that distance. Every
-// position on the way is one that a sweep has found clear, so it crosses nothing, whatever is cut
-// short by a limit.
+// cycle, and it ends where no plane lets it come nearer, a local minimum of that distance. Two
+// moves do not: one up to where a plane holds the sphere, by less than the shell is thick
+// (goes_back ends the cycles of these), and one that is lengthened (follow_curvature bounds them).
+// Every position on the way is one that a sweep has found clear, so it crosses nothing, whatever is
+// cut short by a limit.
 #include "rendering/contact/sphere_proxy.h"
 
 #include <algorithm>
@@ -61,7 +63,6 @@ void SphereProxy::place(const Vec3& p_W) {
   model_ = {};
   carried_W_ = Vec3::Zero();
   touched_ = {};
-  last_hold_ = {};
   contact_count_ = 0;
   neighbourhood_.clear();
   neighbourhood_.move_to(p_);
@@ -116,7 +117,7 @@ ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPa
 
 ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   slipped_ = false;
-  last_move_ = Vec3::Zero();
+  last_crease_move_ = Vec3::Zero();
   least_left_m_.fill(std::numeric_limits<double>::infinity());
   ProxyRest rest;
   double most_push = kMostPushOut_m;
@@ -130,6 +131,8 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     const bool gathered = neighbourhood_.gatherings() != before;
     if (rest.sub_goals == 0 || gathered) {
       stopper_count_ = 0;
+      recalled_count_ = 0;
+      last_hold_.count = 0;
     }
     if (gathering == Gathering::begun) {
       rest.flags |= kTouchIterationsExhausted;
@@ -153,7 +156,8 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     Advance way;
     do {
       goal = choose_goal(scenery, h_W, rest);
-      if (!goal.settled && goes_back(goal.point) && recall_planes()) {
+      if (!goal.settled && !goal.stretched && goes_back(goal.point, h_W) && recall_last_hold()) {
+        add_recalled_planes(scenery, most_push, rest);
         goal = choose_goal(scenery, h_W, rest);
       }
       if (goal.settled) {
@@ -168,10 +172,14 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (way.travel <= 0.0) {
       return rest;
     }
-    last_hold_ = {.planes = rest.planes,
-                  .count = goal.stretched ? std::size_t{0} : rest.plane_count,
-                  .from = p_,
-                  .gathering = neighbourhood_.gatherings()};
+    last_hold_.count = goal.stretched ? std::size_t{0} : rest.plane_count;
+    last_hold_.from = p_;
+    for (std::size_t i = 0; i < last_hold_.count; ++i) {
+      last_hold_.candidates[i] = rest.planes[i].candidate;
+    }
+    if (rest.plane_count == 2) {
+      last_crease_move_ = goal.stretched ? Vec3{Vec3::Zero()} : Vec3{goal.point - p_};
+    }
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     if (way.is_known) {
       neighbourhood_.move_to_end(p_);
@@ -197,6 +205,9 @@ void SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
     if (nearest.feature == Feature::face || nearest.distance < shell.inner_m || has_stopped(i)) {
       add_plane(i, most_push, rest);
     }
+  }
+  if (contact_count_ > 0) {
+    add_recalled_planes(scenery, most_push, rest);
   }
 }
 
@@ -228,25 +239,41 @@ void SphereProxy::look_for_face_below(const Scenery& scenery, ProxyRest& rest) {
 
 // In a flat valley the proxy can go back and forth within the thickness of the shell: on either
 // side it does not touch the other, and the nearest point of each plane lies beyond it. When it is
-// about to go back to where it came from, the planes that held it there hold it again.
-bool SphereProxy::goes_back(const Vec3& goal) const {
+// about to go back to where it came from, or as far from the tool as it was there, the triangles
+// that held it there give their planes from then on, wherever it is.
+bool SphereProxy::goes_back(const Vec3& goal, const Vec3& h) const {
   constexpr double kMostOfTheWay = 0.25;
-  return last_hold_.count > 0 && last_hold_.gathering == neighbourhood_.gatherings() &&
-         (goal - last_hold_.from).norm() <= kMostOfTheWay * (p_ - last_hold_.from).norm();
+  const Vec3& from = last_hold_.from;
+  return last_hold_.count > 0 && ((goal - h).squaredNorm() >= (from - h).squaredNorm() ||
+                                  (goal - from).norm() <= kMostOfTheWay * (p_ - from).norm());
 }
 
-bool SphereProxy::recall_planes() {
-  constexpr double kShell_m = 0.3e-6;  // from rest to inner, and a little
-  bool any = false;
-  for (std::size_t i = 0; i < last_hold_.count && contact_count_ < kMaxContactPlanes; ++i) {
-    const Plane& plane = last_hold_.planes[i].plane;
-    if (plane.normal.dot(p_) >= plane.offset - kShell_m) {
-      contacts_[contact_count_++] = last_hold_.planes[i];
-      any = true;
+bool SphereProxy::recall_last_hold() {
+  const std::size_t before = recalled_count_;
+  for (const std::size_t i : std::span(last_hold_.candidates).first(last_hold_.count)) {
+    if (recalled_count_ < recalled_.size() && !gives_plane(i)) {
+      recalled_[recalled_count_++] = i;
     }
   }
-  last_hold_.count = 0;
-  return any;
+  return recalled_count_ > before;
+}
+
+bool SphereProxy::gives_plane(std::size_t i) const {
+  const auto contacts = std::span(contacts_).first(contact_count_);
+  const auto recalled = std::span(recalled_).first(recalled_count_);
+  return std::ranges::find(contacts, i, &ContactPlane::candidate) != contacts.end() ||
+         std::ranges::find(recalled, i) != recalled.end();
+}
+
+// What lies behind such a plane is convex, so that it bounds the proxy from any distance.
+void SphereProxy::add_recalled_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
+  for (const std::size_t i : std::span(recalled_).first(recalled_count_)) {
+    neighbourhood_.nearest(i, scenery);
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    if (!candidate.behind && (candidate.primitive == nullptr || convex(*candidate.primitive))) {
+      add_plane(i, most_push, rest);
+    }
+  }
 }
 
 bool SphereProxy::has_stopped(std::size_t i) const {

@@ -121,10 +121,9 @@ class SphereProxy {
   };
   // What held the proxy at its last sub-goal in this tick.
   struct LastHold {
-    std::array<ContactPlane, 3> planes{};
+    std::array<std::size_t, 3> candidates{};
     std::size_t count = 0;
     Vec3 from = Vec3::Zero();
-    std::size_t gathering = 0;
   };
   static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
   struct Way {
@@ -144,8 +143,11 @@ class SphereProxy {
   ProxyRest seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   void look_for_face_below(const Scenery& scenery, ProxyRest& rest);
-  [[nodiscard]] bool goes_back(const Vec3& goal) const;
-  bool recall_planes();
+  [[nodiscard]] bool goes_back(const Vec3& goal, const Vec3& h) const;
+  // True if any of it is new.
+  bool recall_last_hold();
+  [[nodiscard]] bool gives_plane(std::size_t i) const;
+  void add_recalled_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   // True if the plane of candidate i is new.
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
   [[nodiscard]] bool has_stopped(std::size_t i) const;
@@ -167,7 +169,7 @@ class SphereProxy {
                   const ProxyRest& rest, double push_m);
   Goal go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
-  static double contraction(const Vec3& move, const Vec3& before, const ProxyRest& rest);
+  [[nodiscard]] double contraction(const Vec3& move, const ProxyRest& rest) const;
   [[nodiscard]] Vec3 bent_part(const Vec3& move, const ProxyRest& rest) const;
   Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
   double sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
@@ -185,8 +187,8 @@ class SphereProxy {
   Vec3 start_ = Vec3::Zero();  // of the last advance
   FrictionState start_friction_ = FrictionState::free;
   Touched start_touched_;
-  bool slipped_ = false;           // in this tick
-  Vec3 last_move_ = Vec3::Zero();  // in this tick, unless it was lengthened
+  bool slipped_ = false;                  // in this tick
+  Vec3 last_crease_move_ = Vec3::Zero();  // in this tick, unless it was lengthened
   // To the tool, after the moves on one and on two planes that were lengthened in this tick.
   std::array<double, 2> least_left_m_{};
   Neighbourhood neighbourhood_;
@@ -194,6 +196,8 @@ class SphereProxy {
   std::size_t contact_count_ = 0;
   std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
   LastHold last_hold_;
+  std::array<std::size_t, 6> recalled_{};  // candidates that give their planes from afar
+  std::size_t recalled_count_ = 0;
   bool hovers_ = false;  // above its first plane, in this sub-goal
   std::array<std::size_t, kMaxContactPlanes>
       stoppers_{};  // candidates that stopped a sweep in this tick

@@ -1,7 +1,6 @@
 // Where the proxy goes next: the nearest point that its planes allow, as far as friction lets it.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "rendering/contact/object_cast.h"
 #include "rendering/contact/sphere_proxy.h"
@@ -181,8 +180,7 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   constexpr double kMostOfRadius = 0.25;
   constexpr double kRollingOff = 4.0;
   constexpr double kRounding_m = 1e-12;
-  const Vec3 before = std::exchange(last_move_, move);
-  const double ratio = contraction(move, before, rest);
+  const double ratio = contraction(move, rest);
   if (ratio == 0.0) {
     return move;
   }
@@ -204,22 +202,19 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
       [&](const ContactPlane& c) {
         return c.plane.normal.dot(p_ + stretched) >= c.plane.offset - kRounding_m;
       });
-  if (allowed) {
-    last_move_ = Vec3::Zero();
-  }
   return allowed ? stretched : move;
 }
 
 // Of one move to the next, by the curvature of what the centre moves on; 0 if that is flat, or not
 // known.
-double SphereProxy::contraction(const Vec3& move, const Vec3& before, const ProxyRest& rest) {
+double SphereProxy::contraction(const Vec3& move, const ProxyRest& rest) const {
   constexpr double kAligned = 0.99;
   const Nearest& nearest = rest.planes[0].nearest;
   if (rest.plane_count == 1) {
     return nearest.feature == Feature::face ? 0.0 : rest.pressure_m[0] / nearest.distance;
   }
-  const double length = before.norm();
-  const bool aligned = move.dot(before) > kAligned * length * move.norm();
+  const double length = last_crease_move_.norm();
+  const bool aligned = move.dot(last_crease_move_) > kAligned * length * move.norm();
   return rest.plane_count == 2 && aligned ? move.norm() / length : 0.0;
 }
 

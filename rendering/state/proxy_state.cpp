@@ -107,9 +107,9 @@ void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& sce
 
 void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
   [[maybe_unused]] auto& [shells, p, friction, model, start_model, carried_W, touched, factors,
-                          start, start_friction, start_touched, slipped, last_move, least_left_m,
-                          neighbourhood, contacts, contact_count, planes, last_hold, hovers,
-                          stoppers, stopper_count] = *this;
+                          start, start_friction, start_touched, slipped, last_crease_move,
+                          least_left_m, neighbourhood, contacts, contact_count, planes, last_hold,
+                          recalled, recalled_count, hovers, stoppers, stopper_count] = *this;
   archive(p, model, carried_W, factors);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = touched;
@@ -118,9 +118,6 @@ void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
     require_place(archive, scenery, object, triangle);
   }
   neighbourhood.transfer(archive, scenery, shells);
-  auto& [planes_held, held_count, from, gathering] = last_hold_;
-  archive(from, gathering);
-  transfer_planes(archive, scenery, planes_held, held_count);
   // Else they are found anew.
   std::size_t waiting = neighbourhood.is_begun() ? contact_count : 0;
   transfer_planes(archive, scenery, contacts, waiting);
