@@ -9,6 +9,7 @@
 #include "tests/property/wanderer.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/solid.h"
+#include "tests/support/triangle_grid.h"
 
 namespace tactus::testing {
 namespace {
@@ -19,10 +20,13 @@ using rendering::World;
 
 constexpr double kTolerance_m = 1e-6;
 
-void check_path(const ProxyPath& path, std::span<const Corners> corners, const ProxyCase& c,
+void check_path(const ProxyPath& path, TriangleGrid& triangles, const ProxyCase& c,
                 ProxyTally& tally) {
+  const double within = c.radius_m + 1e-5;
   for (std::size_t k = 0; k + 1 < path.count; ++k) {
-    const double near = clearance(corners, path.points[k], path.points[k + 1], c.radius_m + 1e-5);
+    const Vec3& from = path.points[k];
+    const Vec3& to = path.points[k + 1];
+    const double near = clearance(triangles.near(from, to, within), from, to, within);
     tally.worst_clearance_m = std::min(tally.worst_clearance_m, near - c.radius_m);
     ASSERT_GT(near, 0.0) << "the path crosses a triangle";
     ASSERT_GE(near, c.radius_m - kTolerance_m) << "the path cuts into a triangle";
@@ -31,12 +35,13 @@ void check_path(const ProxyPath& path, std::span<const Corners> corners, const P
 
 // Distance to the tool cannot be shortened, to first order, by any direction that the triangles in
 // contact allow.
-void check_minimum(const Touch& touch, const Vec3& tool, std::span<const Corners> corners,
+void check_minimum(const Touch& touch, const Vec3& tool, TriangleGrid& triangles,
                    const ProxyCase& c, ProxyTally& tally) {
+  const double within = c.radius_m + kTolerance_m;
   std::vector<Vec3> normals;
-  for (const Corners& t : corners) {
+  for (const Corners& t : triangles.near(touch.proxy_W, touch.proxy_W, within)) {
     const Vec3 offset = touch.proxy_W - nearest_point(t, touch.proxy_W);
-    if (offset.norm() <= c.radius_m + kTolerance_m) {
+    if (offset.norm() <= within) {
       normals.push_back(offset.normalized());
     }
   }
@@ -59,7 +64,7 @@ void walk_about(const ProxyCase& c, std::uint64_t seed, std::size_t ticks, Proxy
   const Solid solid(
       c.shape, c.sides,
       {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(mu, 0.7 * mu)});
-  const std::vector<Corners> corners = corners_of(solid.shape());
+  TriangleGrid triangles(corners_of(solid.shape()));
   const auto world = std::make_unique<World>();
   ASSERT_TRUE(world->set_scene({&solid.object(), 1}, {.tool_radius_m = c.radius_m}));
   Wanderer tool(solid.shape(), seed);
@@ -71,14 +76,14 @@ void walk_about(const ProxyCase& c, std::uint64_t seed, std::size_t ticks, Proxy
     const Vec3 p = tool.next();
     const Touch touch = world->touch({.p_W = p}, &path);
     tally.unfinished += touch.flags != 0 ? 1 : 0;
-    ASSERT_NO_FATAL_FAILURE(check_path(path, corners, c, tally));
+    ASSERT_NO_FATAL_FAILURE(check_path(path, triangles, c, tally));
     if (touch.planes == 0 && touch.flags == 0) {
       ASSERT_EQ(touch.proxy_W, p) << "without contact the proxy is at the tool";
       continue;
     }
     ++tally.contacts;
     if (!c.friction && touch.flags == 0) {
-      ASSERT_NO_FATAL_FAILURE(check_minimum(touch, p, corners, c, tally));
+      ASSERT_NO_FATAL_FAILURE(check_minimum(touch, p, triangles, c, tally));
     }
   }
 }

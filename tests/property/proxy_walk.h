@@ -1,4 +1,5 @@
-// The shared proxy of a world against brute force over all triangles, under a tool that wanders.
+// The shared proxy of a world against brute force over all triangles that are near, under a tool
+// that wanders.
 #pragma once
 
 #include <cstdint>
