@@ -267,7 +267,10 @@ class Tick {
   // From where a way ended, up to the height at which the proxy rests. False if that is no nearer
   // to the tool than before: then it stays.
   bool come_to_rest_at(const Vec3& stop) {
-    const Vec3 end = risen(stop);
+    Vec3 end = risen(stop);
+    if (end == stop) {
+      end = lifted(stop);
+    }
     const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
     if (gain_m <= kLeastGain_m) {
       return false;
@@ -285,6 +288,19 @@ class Tick {
                           lifted->value >= 0.0 &&
                           first_crossing(field_, from, lifted->point, kFewRanges).way == Way::free;
     return can_rise ? lifted->point : from;
+  }
+
+  // The same in the bottom of a crease, where no double tells free from solid: away from the planes
+  // that hold the proxy, or back, if the straight way there from where the proxy is is free.
+  Vec3 lifted(const Vec3& stop) {
+    constexpr double kLift = 2.0 * kImplicitRest_m;
+    constexpr std::size_t kFewRanges = 16;
+    const Vec3 up = rest_.planes > 0 ? Vec3{surface_.R_WO.transpose() * rest_.normal_W}
+                                     : (state_.p_O - stop).stableNormalized();
+    const Vec3 to = stop + kLift / surface_.scale_m * up;
+    const bool can_lift = surface_.bounds_O.contains(to) &&
+                          first_crossing(field_, state_.p_O, to, kFewRanges).way == Way::free;
+    return can_lift ? to : Vec3{0.5 * (state_.p_O + stop)};
   }
 
   bool glide_toward(const Vec3& goal) {

@@ -128,6 +128,35 @@ TEST_P(Wandering, KeepsTheProxyOnItsSideAndBringsItToRestNearTheTool) {
   EXPECT_LE(short_of, contact / 1000);
 }
 
+// Within the bottle, from one wall into the groove where the neck comes through it, and then along
+// the groove: its bottom is a curve of singular points.
+TEST(Crossing, OfTwoSheetsDoesNotCatchTheProxy) {
+  const FormulaSurface bottle("scale(klein_bottle(), 0.4)", kWanderingScale_m);
+  std::mt19937_64 random(kWanderingSeed);
+  const auto near = [&](const Vec3& p) {
+    std::uniform_real_distribution<double> aside(-0.0015, 0.0015);
+    return Vec3{p + Vec3{aside(random), aside(random), aside(random)}};
+  };
+  constexpr int kPulls = 12;
+  for (int k = 0; k < 200; ++k) {
+    ImplicitTracker tracker;
+    tracker.place({-0.01046, 0.01172, 0.00751});
+    for (const Vec3& on_the_way : {Vec3{-0.0234, 0.0175, 0.033}, Vec3{-0.0122, 0.0246, 0.0212},
+                                   Vec3{-0.0024, 0.0321, 0.0081}}) {
+      tracker.advance(bottle.surface, kNoFriction, on_the_way);
+    }
+    const Vec3 over = near({0.0015, 0.0345, 0.004});
+    const Vec3 along = near({0.0085, 0.039, -0.004});
+    for (int pull = 0; pull < kPulls; ++pull) {
+      const Vec3 tool = over + std::min(1.0, pull / 3.0) * (along - over);
+      const ImplicitRest rest = tracker.advance(bottle.surface, kNoFriction, tool);
+      ASSERT_GE(bottle.value_at(rest.proxy_W), 0.0) << "run " << k << " pull " << pull;
+      ASSERT_FALSE(rest.flags == kTouchClean && could_do_better(bottle, 1.0, rest, tool, random))
+          << "run " << k << " pull " << pull;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Shapes, Wandering,
     ::testing::Values(Case{"sphere(1)", Sides::one}, Case{"shell(sphere(1), 0.01)", Sides::one},
