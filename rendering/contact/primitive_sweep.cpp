@@ -7,7 +7,9 @@
 //   close in on the root;
 // - round a torus f bends down no more than its curvatures allow: the step is the root of the
 //   parabola that bends down as much as anything in reach can ("sphere tracing" of Hart, The Visual
-//   Computer 12, 1996, with a second-order bound in place of the Lipschitz bound alone).
+//   Computer 12, 1996, with a second-order bound in place of the Lipschitz bound alone). Inside its
+//   tube the parabola is that of the squared distance from the centre circle, which bends up by no
+//   more than that from a straight line would.
 #include "rendering/contact/primitive_sweep.h"
 
 #include <algorithm>
@@ -19,7 +21,7 @@ namespace {
 // A descent below a nanometre a metre is the rounding of a move along a contact plane.
 constexpr double kParallel = -1e-9;
 // Newton's method and the chord take a handful; a grazing pass round a torus takes the most.
-constexpr int kMostSteps = 64;
+constexpr int kMostSteps = 128;
 
 struct Clearance {
   double height = 0.0;  // m
@@ -39,18 +41,13 @@ class Line {
             .slope = side_ * seen.normal_W.dot(sweep_.direction)};
   }
 
-  // The torus alone: outside its tube the clearance bends down by at most 1/r, r the distance from
-  // the axis; inside by at most 1/d too, d the distance from the centre circle. The directions of
-  // the two bends are perpendicular. Returns the smaller radius.
+  // The torus alone: outside its tube the clearance bends down by at most one over this, the
+  // distance from the axis.
   [[nodiscard]] double bend_radius(double travel) const {
     const Vec3 p = primitive_.X_WO.point_in(sweep_.from + travel * sweep_.direction);
-    const double r = std::sqrt(p.x() * p.x() + p.z() * p.z());
-    if (side_ > 0.0) {
-      return r;
-    }
-    const double beside = r - primitive_.dimensions_m[0];
-    return std::min(r, std::sqrt(beside * beside + p.y() * p.y()));
+    return std::sqrt(p.x() * p.x() + p.z() * p.z());
   }
+  [[nodiscard]] double tube_radius() const { return primitive_.dimensions_m[1]; }
 
  private:
   const Primitive& primitive_;
@@ -176,6 +173,29 @@ double round_torus(const Line& line, const Clearance& start, bool leaving, doubl
   return travel;
 }
 
+double inside_tube(const Line& line, const Clearance& start, double limit, const Shell& shell) {
+  const double most = line.tube_radius() - shell.inner_m;  // from the centre circle
+  double travel = 0.0;
+  Clearance now = start;
+  bool clear = now.height > shell.inner_m;
+  for (int step = 0; step < kMostSteps; ++step) {
+    if ((!clear || now.height <= shell.stop_m) && now.slope < kParallel) {
+      return travel;
+    }
+    const double distance = line.tube_radius() - now.height;
+    const double to_nearest = distance * now.slope;
+    const double beyond = to_nearest * to_nearest + (most - distance) * (most + distance);
+    // Deep in the shell no farther than to where it is nearest to the centre circle.
+    travel += to_nearest + (clear ? std::sqrt(std::max(0.0, beyond)) : 0.0);
+    if (travel >= limit) {
+      return limit;
+    }
+    now = line.at(travel);
+    clear = clear || now.height >= shell.stop_m;
+  }
+  return travel;
+}
+
 }  // namespace
 
 double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& sweep, double limit,
@@ -191,7 +211,8 @@ double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& s
     return inside ? inside_convex(line, at_start, limit, shell)
                   : outside_convex(line, at_start, limit, shell);
   }
-  return round_torus(line, at_start, inside && solid, limit, shell);
+  return inside && !solid ? inside_tube(line, at_start, limit, shell)
+                          : round_torus(line, at_start, inside, limit, shell);
 }
 
 }  // namespace tactus::rendering

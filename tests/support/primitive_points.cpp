@@ -73,10 +73,25 @@ std::vector<Patch> patches_in_O(const Primitive& primitive) {
   return {};
 }
 
-// Walks from (u, v) to better neighbours, with steps that halve where there is none.
+// Walks from (u, v) to better neighbours, with steps that halve where there is none. Along a slim
+// cone a step of u is far shorter than one of v: some go mostly along one of them.
 double descended(const Patch& patch, const Vec3& q, double u, double v) {
-  constexpr std::array<std::array<double, 2>, 8> kNeighbours{
-      {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+  constexpr std::array<std::array<double, 2>, 16> kNeighbours{{{-1, -1},
+                                                               {0, -1},
+                                                               {1, -1},
+                                                               {-1, 0},
+                                                               {1, 0},
+                                                               {-1, 1},
+                                                               {0, 1},
+                                                               {1, 1},
+                                                               {-0.1, -1},
+                                                               {0.1, -1},
+                                                               {-0.1, 1},
+                                                               {0.1, 1},
+                                                               {-1, -0.1},
+                                                               {-1, 0.1},
+                                                               {1, -0.1},
+                                                               {1, 0.1}}};
   double best = (patch(u, v) - q).squaredNorm();
   for (double step = 0.05; step > 1e-10;) {
     bool better = false;

@@ -150,6 +150,30 @@ TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
   }
 }
 
+// The centre of a sphere that nearly fills a tube is always near to where the nearest point jumps
+// from one side to the other.
+TEST(PrimitiveSweep, StopsOnlyAtTheWallOfATubeThatTheSphereNearlyFills) {
+  constexpr std::uint64_t kSeed = 53;
+  constexpr double kRing_m = 0.02;
+  constexpr double kTube_m = 0.0032;
+  const Primitive torus{.kind = PrimitiveKind::torus, .dimensions_m = {kRing_m, kTube_m}};
+  const Shell shell(0.003);
+  std::mt19937_64 random(kSeed);
+  std::normal_distribution<double> bell;
+  std::uniform_real_distribution<double> aside(-0.0001, 0.0001);
+  for (int i = 0; i < testing::share_of(20'000); ++i) {
+    const Vec3 from(kRing_m + aside(random), aside(random), 0.0);
+    const Vec3 to = from + Vec3(0.02 * bell(random), 0.002 * bell(random), 0.02 * bell(random));
+    const double length = (to - from).norm();
+    const double free = travel(torus, from, to, shell, Sides::two);
+    const Vec3 end = from + free / length * (to - from);
+    ASSERT_GE(least_clearance(torus, from, end, -1.0, shell.inner_m), shell.inner_m - 1e-10);
+    if (free < length) {
+      ASSERT_LE(-sample(torus, end).distance_m, shell.stop_m + 1e-10) << "seed 53, case " << i;
+    }
+  }
+}
+
 TEST(PrimitiveSweep, DeepInTheShellItMayMoveOutButNotIn) {
   constexpr std::uint64_t kSeed = 47;
   std::mt19937_64 random(kSeed);
