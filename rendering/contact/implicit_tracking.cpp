@@ -291,7 +291,8 @@ class Tick {
   }
 
   // The same in the bottom of a crease, where no double tells free from solid: away from the planes
-  // that hold the proxy, or back, if the straight way there from where the proxy is is free.
+  // that hold the proxy, or back if none does, where the straight way from the proxy is free; else
+  // half way to the stop.
   Vec3 lifted(const Vec3& stop) {
     constexpr double kLift = 2.0 * kImplicitRest_m;
     constexpr std::size_t kFewRanges = 16;

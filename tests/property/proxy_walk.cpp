@@ -37,15 +37,9 @@ void check_path(const ProxyPath& path, TriangleGrid& triangles, const ProxyCase&
 // contact allow.
 void check_minimum(const Touch& touch, const Vec3& tool, TriangleGrid& triangles,
                    const ProxyCase& c, ProxyTally& tally) {
-  const double within = c.radius_m + kTolerance_m;
-  std::vector<Vec3> normals;
-  for (const Corners& t : triangles.near(touch.proxy_W, touch.proxy_W, within)) {
-    const Vec3 offset = touch.proxy_W - nearest_point(t, touch.proxy_W);
-    if (offset.norm() <= within) {
-      normals.push_back(offset.normalized());
-    }
-  }
-  const double left = descent_left(touch.proxy_W, tool, normals);
+  const Vec3& p = touch.proxy_W;
+  const double reach = c.radius_m + kTolerance_m;
+  const double left = descent_left(p, tool, triangles.near(p, p, reach), reach);
   tally.worst_descent_m = std::max(tally.worst_descent_m, left);
   ASSERT_LE(left, kTolerance_m) << "the proxy could come nearer to the tool";
 }

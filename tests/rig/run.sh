@@ -68,8 +68,8 @@ host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[
 # What a scenario's line "# KEY: words" says.
 setting() { sed -n "s/^# $2: //p" "tests/rig/scenarios/$1.sh" | paste -sd' '; }
 
-# One run, NAME, NAME.again or NAME.third, its verdict in results/RUN.verdict. A machine has one processor: as many run beside each other
-# as this one has.
+# One run, NAME, NAME.again or NAME.third, its verdict in results/RUN.verdict. A machine has one processor: as many run beside
+# each other as this one has.
 run_scenario() {
   local name="${1%%.*}" results="build/rig/results/$1" start=$SECONDS options code=0
   read -r -a options < <(setting "$name" qemu)

@@ -141,4 +141,16 @@ double descent_left(const Vec3& p, const Vec3& h, std::span<const Vec3> normals)
   return best;
 }
 
+double descent_left(const Vec3& p, const Vec3& h, std::span<const Corners> triangles,
+                    double reach) {
+  std::vector<Vec3> normals;
+  for (const Corners& t : triangles) {
+    const Vec3 offset = p - nearest_point(t, p);
+    if (offset.norm() <= reach) {
+      normals.push_back(offset.normalized());
+    }
+  }
+  return descent_left(p, h, normals);
+}
+
 }  // namespace tactus::testing

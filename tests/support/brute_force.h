@@ -32,4 +32,7 @@ double clearance(std::span<const Corners> triangles, const Vec3& p, const Vec3& 
 // h|.
 double descent_left(const Vec3& p, const Vec3& h, std::span<const Vec3> normals);
 
+// The same, where what comes within `reach` of p holds it.
+double descent_left(const Vec3& p, const Vec3& h, std::span<const Corners> triangles, double reach);
+
 }  // namespace tactus::testing

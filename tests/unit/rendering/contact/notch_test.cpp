@@ -41,18 +41,6 @@ class NotchTest : public ::testing::TestWithParam<double> {
     world_->touch({.p_W = from});
     return world_->touch({.p_W = to});
   }
-  // Of the tool's pull on the proxy, what no triangle in contact takes, m.
-  [[nodiscard]] double pull_left(const Vec3& proxy, const Vec3& tool) const {
-    std::vector<Vec3> normals;
-    for (const Corners& triangle : triangles_) {
-      const Vec3 offset = proxy - testing::nearest_point(triangle, proxy);
-      if (offset.norm() <= GetParam() + kMicron) {
-        normals.push_back(offset.normalized());
-      }
-    }
-    return testing::descent_left(proxy, tool, normals);
-  }
-
   Solid block_;
   std::vector<Corners> triangles_ = testing::corners_of(block_.shape());
   std::unique_ptr<World> world_ = std::make_unique<World>();
@@ -73,7 +61,7 @@ TEST_P(NotchTest, IsNotHeldByASideThatItHasLeft) {
       ++cut_short;
       continue;
     }
-    ASSERT_LE(pull_left(t.proxy_W, to), kMicron)
+    ASSERT_LE(testing::descent_left(t.proxy_W, to, triangles_, GetParam() + kMicron), kMicron)
         << "jump " << k << " from " << from.transpose() << " to " << to.transpose();
   }
   EXPECT_LE(cut_short, kJumps / 1000);
