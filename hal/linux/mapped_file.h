@@ -1,14 +1,21 @@
-// A file mapped whole, for images that are used in place.
+// A file mapped whole, for images that are used in place. The bytes stay where they are when it is
+// moved.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <utility>
 
 namespace tactus::hal {
 
 class MappedFile {
  public:
   MappedFile() = default;
+  MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+  MappedFile& operator=(MappedFile&& other) noexcept {
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
   ~MappedFile();

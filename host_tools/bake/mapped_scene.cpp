@@ -1,45 +1,34 @@
 #include "host_tools/bake/mapped_scene.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <system_error>
-#include <utility>
 
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
 
-// Closes a descriptor at the end of its scope.
-class File {
- public:
-  explicit File(const std::filesystem::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-    }
+namespace fs = std::filesystem;
+
+hal::MappedFile map(const fs::path& path) {
+  hal::MappedFile file;
+  std::error_code error;
+  const bool is_file = fs::is_regular_file(path, error);
+  if (!is_file && fs::exists(path, error)) {
+    throw InputError(fmt::format("{}: is not a file; name a scene image", path.string()));
   }
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-[[noreturn]] void fail_to_read(const std::filesystem::path& path, int error) {
-  throw InputError(fmt::format("{}: cannot read: {}; check the path and its permissions",
-                               path.string(), std::generic_category().message(error)));
+  if (is_file && fs::file_size(path, error) == 0) {
+    return file;  // the image's own check says that it is cut short
+  }
+  if (const int failure = file.open(path.c_str()); failure != 0) {
+    throw InputError(fmt::format("{}: cannot read: {}; check the path and its permissions",
+                                 path.string(), std::generic_category().message(failure)));
+  }
+  return file;
 }
 
-rendering::SceneImage open_image(const std::filesystem::path& path,
-                                 std::span<const std::byte> bytes) {
+rendering::SceneImage open_image(const fs::path& path, std::span<const std::byte> bytes) {
   std::expected<rendering::SceneImage, rendering::SceneError> image =
       rendering::SceneImage::open(bytes);
   if (!image) {
@@ -50,42 +39,8 @@ rendering::SceneImage open_image(const std::filesystem::path& path,
 
 }  // namespace
 
-MappedScene::Mapping::Mapping(const std::filesystem::path& path) {
-  const File file(path);
-  struct stat status{};
-  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) {
-    fail_to_read(path, errno);
-  }
-  if (!S_ISREG(status.st_mode)) {
-    throw InputError(fmt::format("{}: is not a file; name a scene image", path.string()));
-  }
-  const auto size = static_cast<std::size_t>(status.st_size);
-  if (size == 0) {
-    return;
-  }
-  void* start = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
-  if (start == MAP_FAILED) {
-    fail_to_read(path, errno);
-  }
-  bytes_ = {static_cast<const std::byte*>(start), size};
-}
-
-MappedScene::Mapping::Mapping(Mapping&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
-
-MappedScene::Mapping& MappedScene::Mapping::operator=(Mapping&& other) noexcept {
-  std::swap(bytes_, other.bytes_);
-  return *this;
-}
-
-MappedScene::Mapping::~Mapping() {
-  if (!bytes_.empty()) {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
-    ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
-  }
-}
-
 MappedScene::MappedScene(const std::filesystem::path& path)
-    : mapping_(path), image_(open_image(path, mapping_.bytes())) {}
+    : file_(map(path)), image_(open_image(path, file_.bytes())) {}
 
 std::string explain(const rendering::SceneError& error) {
   std::string text;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "hal/linux/mapped_file.h"
 #include "rendering/scene/scene_error.h"
 #include "rendering/scene/scene_image.h"
 
@@ -18,24 +19,10 @@ class MappedScene {
   explicit MappedScene(const std::filesystem::path& path);
 
   [[nodiscard]] const rendering::SceneImage& image() const { return image_; }
-  [[nodiscard]] std::span<const std::byte> bytes() const { return mapping_.bytes(); }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return file_.bytes(); }
 
  private:
-  class Mapping {
-   public:
-    explicit Mapping(const std::filesystem::path& path);
-    Mapping(Mapping&& other) noexcept;
-    Mapping& operator=(Mapping&& other) noexcept;
-    Mapping(const Mapping&) = delete;
-    Mapping& operator=(const Mapping&) = delete;
-    ~Mapping();
-    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
-
-   private:
-    std::span<const std::byte> bytes_;
-  };
-
-  Mapping mapping_;
+  hal::MappedFile file_;
   rendering::SceneImage image_;
 };
 
