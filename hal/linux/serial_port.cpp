@@ -71,10 +71,6 @@ bool set_raw(int descriptor, speed_t speed) {
 
 }  // namespace
 
-LinuxSerialPort::~LinuxSerialPort() {
-  close_node();
-}
-
 Result<void> LinuxSerialPort::open(std::string_view path, std::uint32_t baud) {
   const auto* const speed =
       std::ranges::find(kSerialSpeeds, baud, &std::pair<std::uint32_t, speed_t>::first);
@@ -92,15 +88,14 @@ Result<void> LinuxSerialPort::open(std::string_view path, std::uint32_t baud) {
 }
 
 void LinuxSerialPort::adopt(int descriptor) {
-  close_node();
   path_.fill('\0');
-  descriptor_ = descriptor;
+  node_ = FileDescriptor(descriptor);
   const int flags = fcntl(descriptor, F_GETFL);
   fcntl(descriptor, F_SETFL, flags | O_NONBLOCK);
 }
 
 Result<void> LinuxSerialPort::DoReopen() {
-  close_node();
+  node_.reset();
   if (path_[0] == '\0') {
     return failure(ErrorCode::disconnected);
   }
@@ -108,37 +103,25 @@ Result<void> LinuxSerialPort::DoReopen() {
 }
 
 Result<void> LinuxSerialPort::open_node() {
-  close_node();
-  const int descriptor = ::open(path_.data(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) {
+  node_.reset();
+  FileDescriptor node(::open(path_.data(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!node.is_open() || ioctl(node.get(), TIOCEXCL) != 0 || !set_raw(node.get(), speed_)) {
     return not_opened(errno);
   }
-  if (ioctl(descriptor, TIOCEXCL) != 0 || !set_raw(descriptor, speed_)) {
-    const int reason = errno;
-    ::close(descriptor);
-    return not_opened(reason);
-  }
-  descriptor_ = descriptor;
+  node_ = std::move(node);
   return {};
-}
-
-void LinuxSerialPort::close_node() {
-  if (descriptor_ >= 0) {
-    ::close(descriptor_);
-    descriptor_ = -1;
-  }
 }
 
 std::unexpected<Error> LinuxSerialPort::failed(int errno_value) {
   if (means_gone(errno_value)) {
-    close_node();
+    node_.reset();
     return failure(ErrorCode::disconnected, errno_value);
   }
   return failure(ErrorCode::io, errno_value);
 }
 
 Result<bool> LinuxSerialPort::wait_for(short events, TimeNs deadline_ns) {
-  pollfd waiting{.fd = descriptor_, .events = events, .revents = 0};
+  pollfd waiting{.fd = node_.get(), .events = events, .revents = 0};
   const int ready = wait_for_descriptors({&waiting, 1}, deadline_ns);
   if (ready < 0) {
     return failed(errno);
@@ -149,11 +132,11 @@ Result<bool> LinuxSerialPort::wait_for(short events, TimeNs deadline_ns) {
 Result<std::size_t> LinuxSerialPort::DoWrite(std::span<const std::byte> bytes, TimeNs deadline_ns) {
   std::size_t taken = 0;
   while (taken < bytes.size()) {
-    if (descriptor_ < 0) {
+    if (!node_.is_open()) {
       return failure(ErrorCode::disconnected);
     }
     const auto rest = bytes.subspan(taken);
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t written = ::write(node_.get(), rest.data(), rest.size());
     if (written >= 0) {
       taken += static_cast<std::size_t>(written);
       continue;
@@ -177,10 +160,10 @@ Result<std::size_t> LinuxSerialPort::DoWrite(std::span<const std::byte> bytes, T
 
 Result<std::size_t> LinuxSerialPort::DoRead(std::span<std::byte> buffer, TimeNs deadline_ns) {
   for (;;) {
-    if (descriptor_ < 0) {
+    if (!node_.is_open()) {
       return failure(ErrorCode::disconnected);
     }
-    const ssize_t got = ::read(descriptor_, buffer.data(), buffer.size());
+    const ssize_t got = ::read(node_.get(), buffer.data(), buffer.size());
     if (got > 0) {
       return static_cast<std::size_t>(got);
     }
@@ -201,10 +184,10 @@ Result<std::size_t> LinuxSerialPort::DoRead(std::span<std::byte> buffer, TimeNs 
 }
 
 Result<void> LinuxSerialPort::DoDiscardInput() {
-  if (descriptor_ < 0) {
+  if (!node_.is_open()) {
     return failure(ErrorCode::disconnected);
   }
-  if (tcflush(descriptor_, TCIFLUSH) != 0) {
+  if (tcflush(node_.get(), TCIFLUSH) != 0) {
     return failed(errno);
   }
   return {};

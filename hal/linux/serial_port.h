@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "hal/linux/system.h"
 #include "hal/serial_port.h"
 
 namespace tactus::hal {
@@ -15,11 +16,6 @@ namespace tactus::hal {
 // last command before an end gets through.
 class LinuxSerialPort final : public SerialPort {
  public:
-  LinuxSerialPort() = default;
-  LinuxSerialPort(const LinuxSerialPort&) = delete;
-  LinuxSerialPort& operator=(const LinuxSerialPort&) = delete;
-  ~LinuxSerialPort();
-
   // Not real time. `baud` is one of the rates of termios; a board with a USB of its own ignores it.
   //   not_found         no such device node
   //   invalid_argument  no such rate, or a path that is too long
@@ -37,7 +33,6 @@ class LinuxSerialPort final : public SerialPort {
   Result<void> DoReopen() override;
 
   Result<void> open_node();
-  void close_node();
   // An errno of a read, a write or an ioctl; a device that is gone closes the node.
   std::unexpected<Error> failed(int errno_value);
   // Waits until the tty can be read or written. False at the deadline.
@@ -45,7 +40,7 @@ class LinuxSerialPort final : public SerialPort {
 
   std::array<char, 256> path_{};
   std::uint32_t speed_ = 0;  // B115200 and so on
-  int descriptor_ = -1;
+  FileDescriptor node_;
 };
 
 }  // namespace tactus::hal
