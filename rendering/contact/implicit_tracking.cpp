@@ -17,8 +17,8 @@
 #include <limits>
 #include <utility>
 
-#include "rendering/contact/first_crossing.h"
 #include "rendering/contact/implicit_glide.h"
+#include "rendering/contact/implicit_way.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
@@ -32,34 +32,9 @@ constexpr double kSettled_m = 1e-9;
 constexpr double kHeld_m = 1e-6;
 // A move along the surface that gains less than this is none.
 constexpr double kLeastGain_m = 1e-10;
-// Intervals on one straight way. Beyond, the sub-goal ends where the way is known to be free.
-constexpr std::size_t kMostRanges = 64;
 constexpr std::size_t kMostPlanes = 4;
 // Planes that may be met without a move.
 constexpr std::size_t kMostAttempts = 8;
-
-// The part of a straight way within a box.
-struct Inside {
-  double enter = 0.0;
-  double leave = 1.0;
-};
-
-Inside clip(const Box& box, const Vec3& from, const Vec3& way) {
-  Inside inside;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lower = box.lower[axis] - from[axis];
-    const double upper = box.upper[axis] - from[axis];
-    if (way[axis] == 0.0) {
-      inside.leave = lower <= 0.0 && upper >= 0.0 ? inside.leave : -1.0;
-      continue;
-    }
-    const double one = lower / way[axis];
-    const double other = upper / way[axis];
-    inside.enter = std::max(inside.enter, std::min(one, other));
-    inside.leave = std::min(inside.leave, std::max(one, other));
-  }
-  return inside;
-}
 
 class Tick {
  public:
@@ -115,7 +90,7 @@ class Tick {
     const double height_m = here_.height * surface_.scale_m;
     if (height_m < 0.5 * kImplicitRest_m && !has_risen_) {
       has_risen_ = true;
-      move_to(risen(state_.p_O));
+      move_to(risen(field_, state_.p_O).value_or(state_.p_O));
       return false;
     }
     if (is_stalled(height_m)) {
@@ -189,14 +164,14 @@ class Tick {
   bool come_out() {
     forget_contact();
     field_.set_side(-1.0);
-    const Crossing crossing = cross_toward(h_);
-    if (crossing.way == Way::blocked) {
-      move_to(share_of_way(crossing.blocked_at));
+    const StraightWay way = look_along(field_, state_.p_O, h_);
+    if (way.crossing.way == Way::blocked) {
+      move_to(way.at(way.crossing.blocked_at));
       state_.side = 0.0;
       return false;
     }
-    if (crossing.way == Way::unknown) {
-      move_to(share_of_way(crossing.free_to));
+    if (way.crossing.way == Way::unknown) {
+      move_to(way.at(way.crossing.free_to));
       return exhausted();
     }
     move_to(h_);
@@ -248,15 +223,16 @@ class Tick {
       if (rest_.planes == 1 && plane_count_ == 1 && glide_toward(goal.point)) {
         return false;
       }
-      const Crossing crossing = cross_toward(goal.point);
+      const StraightWay way = look_along(field_, state_.p_O, goal.point);
+      const Crossing& crossing = way.crossing;
       if (crossing.way == Way::free) {
         move_to(goal.point);
         return false;
       }
-      const Vec3 stop = share_of_way(crossing.free_to);
+      const Vec3 stop = way.at(crossing.free_to);
       const bool is_held =
           crossing.way == Way::blocked && (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
-      if (!is_held || !add_blocking_plane(share_of_way(crossing.blocked_at))) {
+      if (!is_held || !add_blocking_plane(way.at(crossing.blocked_at))) {
         const bool has_moved = come_to_rest_at(stop);
         return !has_moved && (crossing.way == Way::blocked || exhausted());
       }
@@ -264,12 +240,15 @@ class Tick {
     return exhausted();
   }
 
-  // From where a way ended, up to the height at which the proxy rests. False if that is no nearer
-  // to the tool than before: then it stays.
+  // From where a way ended, up to the height at which the proxy rests, or away from the planes that
+  // hold it, or back if none does. False if that is no nearer to the tool than before: then it
+  // stays.
   bool come_to_rest_at(const Vec3& stop) {
-    Vec3 end = risen(stop);
+    Vec3 end = risen(field_, stop).value_or(stop);
     if (end == stop) {
-      end = lifted(stop);
+      const Vec3 up = rest_.planes > 0 ? Vec3{surface_.R_WO.transpose() * rest_.normal_W}
+                                       : (state_.p_O - stop).stableNormalized();
+      end = lifted(field_, state_.p_O, stop, up);
     }
     const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
     if (gain_m <= kLeastGain_m) {
@@ -277,31 +256,6 @@ class Tick {
     }
     move_to(end);
     return true;
-  }
-
-  // As far up from a free point as the proxy rests, if the way there is free.
-  Vec3 risen(const Vec3& from) {
-    constexpr double kMostRise = 4.0 * kImplicitRest_m;
-    constexpr std::size_t kFewRanges = 8;
-    const auto lifted = settle_at_rest(field_, from, kMostRise / surface_.scale_m);
-    const bool can_rise = lifted && surface_.bounds_O.contains(lifted->point) &&
-                          lifted->value >= 0.0 &&
-                          first_crossing(field_, from, lifted->point, kFewRanges).way == Way::free;
-    return can_rise ? lifted->point : from;
-  }
-
-  // The same in the bottom of a crease, where no double tells free from solid: away from the planes
-  // that hold the proxy, or back if none does, where the straight way from the proxy is free; else
-  // half way to the stop.
-  Vec3 lifted(const Vec3& stop) {
-    constexpr double kLift = 2.0 * kImplicitRest_m;
-    constexpr std::size_t kFewRanges = 16;
-    const Vec3 up = rest_.planes > 0 ? Vec3{surface_.R_WO.transpose() * rest_.normal_W}
-                                     : (state_.p_O - stop).stableNormalized();
-    const Vec3 to = stop + kLift / surface_.scale_m * up;
-    const bool can_lift = surface_.bounds_O.contains(to) &&
-                          first_crossing(field_, state_.p_O, to, kFewRanges).way == Way::free;
-    return can_lift ? to : Vec3{0.5 * (state_.p_O + stop)};
   }
 
   bool glide_toward(const Vec3& goal) {
@@ -312,22 +266,6 @@ class Tick {
       is_sampled_ = true;
     }
     return to.has_value();
-  }
-
-  // The first crossing between the proxy and a point, or the wall of the bounds on the way there.
-  Crossing cross_toward(const Vec3& to) {
-    const Vec3 way = to - state_.p_O;
-    const double leave = clip(surface_.bounds_O, state_.p_O, way).leave;
-    target_ = leave < 1.0 ? Vec3{state_.p_O + std::max(leave, 0.0) * way} : to;
-    if (leave <= 0.0) {
-      return {};  // it stands on the wall, and leaves
-    }
-    return first_crossing(field_, state_.p_O, target_, kMostRanges);
-  }
-
-  // Of the way that cross_toward looked at.
-  [[nodiscard]] Vec3 share_of_way(double share) const {
-    return share == 1.0 ? target_ : Vec3{state_.p_O + share * (target_ - state_.p_O)};
   }
 
   Goal choose_goal() {
@@ -392,8 +330,7 @@ class Tick {
   std::array<Plane, kMostPlanes> planes_;
   std::size_t plane_count_ = 0;
   std::array<std::size_t, 3> holding_{};  // of planes_, the first rest_.planes
-  Vec3 target_ = Vec3::Zero();
-  Vec3 lag_O_ = Vec3::Zero();  // of the tool's nearest point, by a friction model
+  Vec3 lag_O_ = Vec3::Zero();             // of the tool's nearest point, by a friction model
 };
 
 }  // namespace

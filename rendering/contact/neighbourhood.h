@@ -64,6 +64,9 @@ class Neighbourhood {
   // Whether the next `ensure` has more to do.
   [[nodiscard]] bool is_begun() const { return to_walk_.count > 0; }
 
+  // Whether the candidates are valid about p, and on the straight way there from where they are.
+  [[nodiscard]] bool trusts(const Vec3& p) const { return trust_.depth(p) >= 0.0; }
+
   // How far the proxy may move from p, which is inside, along a unit direction before the
   // candidates must be gathered again.
   [[nodiscard]] double trust_along(const Vec3& p, const Vec3& direction) const {

@@ -1,0 +1,148 @@
+// Which surfaces hold the proxy where it is, each by a plane.
+//
+// A triangle whose face is touched gives its plane at once. One that is touched on an edge or a
+// vertex gives it only when it stops a sweep: across a flat or hollow seam the neighbour's edge is
+// near too, its plane is tilted against the motion, and yet it is never in the way. A face a little
+// below a sphere that a move carried past the end of another gives its plane too: else the sphere
+// would first come down to it.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "rendering/contact/sphere_proxy.h"
+
+namespace tactus::rendering {
+
+void SphereProxy::collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
+  contact_count_ = 0;
+  hovers_ = false;
+  for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
+    const Nearest& nearest = neighbourhood_.nearest(i, scenery);
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    const Shell& shell = shells_.of(candidate.point_tool);
+    if (nearest.distance > shell.reach_m || candidate.behind) {
+      continue;
+    }
+    if (nearest.feature == Feature::face || nearest.distance < shell.inner_m || has_stopped(i)) {
+      add_plane(i, most_push, rest);
+    }
+  }
+  if (contact_count_ > 0) {
+    add_recalled_planes(scenery, most_push, rest);
+  }
+}
+
+// Where a move along a face went past its end, the next face lies a little lower. Its plane bounds
+// the sphere there already, so that it need not come down first to find it.
+void SphereProxy::look_for_face_below(const Scenery& scenery, ProxyRest& rest) {
+  constexpr double kLowest_m = 10e-6;
+  double lowest = kLowest_m;
+  std::size_t below = kNothing;
+  for (const std::uint16_t i : neighbourhood_.within_reach(p_, kLowest_m)) {
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    const Triangle* const triangle = neighbourhood_.triangle(i, scenery);
+    if (triangle == nullptr) {
+      continue;
+    }
+    const double height = triangle->height(p_);
+    const double above =
+        (candidate.one_sided ? height : std::abs(height)) - shells_.of(candidate.point_tool).rest_m;
+    if (above > 0.0 && above < lowest && triangle->faces(p_)) {
+      lowest = above;
+      below = i;
+    }
+  }
+  if (below != kNothing) {
+    neighbourhood_.nearest(below, scenery);
+    hovers_ = add_plane(below, 0.0, rest);
+  }
+}
+
+// In a flat valley the proxy can go back and forth within the thickness of the shell: on either
+// side it does not touch the other, and the nearest point of each plane lies beyond it. When it is
+// about to go back to where it came from, or as far from the tool as it was there, the triangles
+// that held it there give their planes from then on, wherever it is.
+bool SphereProxy::goes_back(const Vec3& goal, const Vec3& h) const {
+  constexpr double kMostOfTheWay = 0.25;
+  const Vec3& from = last_hold_.from;
+  return last_hold_.count > 0 && ((goal - h).squaredNorm() >= (from - h).squaredNorm() ||
+                                  (goal - from).norm() <= kMostOfTheWay * (p_ - from).norm());
+}
+
+bool SphereProxy::recall_last_hold() {
+  const std::size_t before = recalled_count_;
+  for (const std::size_t i : std::span(last_hold_.candidates).first(last_hold_.count)) {
+    if (recalled_count_ < recalled_.size() && !gives_plane(i)) {
+      recalled_[recalled_count_++] = i;
+    }
+  }
+  return recalled_count_ > before;
+}
+
+bool SphereProxy::gives_plane(std::size_t i) const {
+  const auto contacts = std::span(contacts_).first(contact_count_);
+  const auto recalled = std::span(recalled_).first(recalled_count_);
+  return std::ranges::find(contacts, i, &ContactPlane::candidate) != contacts.end() ||
+         std::ranges::find(recalled, i) != recalled.end();
+}
+
+// What lies behind such a plane is convex, so that it bounds the proxy from any distance.
+void SphereProxy::add_recalled_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
+  for (const std::size_t i : std::span(recalled_).first(recalled_count_)) {
+    neighbourhood_.nearest(i, scenery);
+    const Candidate& candidate = neighbourhood_.candidate(i);
+    if (!candidate.behind && (candidate.primitive == nullptr || convex(*candidate.primitive))) {
+      add_plane(i, most_push, rest);
+    }
+  }
+}
+
+bool SphereProxy::has_stopped(std::size_t i) const {
+  const auto end = stoppers_.begin() + static_cast<std::ptrdiff_t>(stopper_count_);
+  return std::find(stoppers_.begin(), end, i) != end;
+}
+
+bool SphereProxy::add_holding_plane(std::size_t i, double most_push, ProxyRest& rest) {
+  const Candidate& candidate = neighbourhood_.candidate(i);
+  if (candidate.nearest.distance > shells_.of(candidate.point_tool).reach_m) {
+    return false;  // met on the way, not held by it
+  }
+  return add_plane(i, most_push, rest);
+}
+
+bool SphereProxy::add_plane(std::size_t i, double most_push, ProxyRest& rest) {
+  const Nearest& nearest = neighbourhood_.candidate(i).nearest;
+  const Shell& shell = shells_.of(neighbourhood_.candidate(i).point_tool);
+  const double to_rest = shell.rest_m - nearest.distance;
+  constexpr double kRounding_m = 1e-9;  // a sweep ends there
+  const double push =
+      nearest.distance < shell.inner_m - kRounding_m ? std::min(to_rest, most_push) : to_rest;
+  const ContactPlane contact{
+      .plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_) + push},
+      .nearest = nearest,
+      .object = neighbourhood_.candidate(i).object,
+      .triangle = neighbourhood_.candidate(i).index,
+      .candidate = i};
+  // Triangles that share the nearest edge or vertex give the same plane.
+  constexpr double kSameNormal = 1e-20;
+  for (std::size_t k = 0; k < contact_count_; ++k) {
+    if ((contacts_[k].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
+        contacts_[k].plane.offset >= contact.plane.offset) {
+      return false;
+    }
+  }
+  if (contact_count_ < kMaxContactPlanes) {
+    contacts_[contact_count_++] = contact;
+    return true;
+  }
+  rest.flags |= kTouchPlanesOverflow;
+  const auto farthest = std::ranges::max_element(
+      contacts_, {}, [](const ContactPlane& c) { return c.nearest.distance; });
+  if (contact.nearest.distance >= farthest->nearest.distance) {
+    return false;
+  }
+  *farthest = contact;
+  return true;
+}
+
+}  // namespace tactus::rendering
