@@ -7,8 +7,11 @@ report="$PWD/build/$preset/ctest.xml"
 rm -f "$report"
 
 export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+# How long a test may take, s; a soak runs some for an hour or more.
+limit=900
+if [[ -n "${TACTUS_SOAK:-}" ]]; then limit=36000; fi
 status=0
-ctest --test-dir "build/$preset" --parallel "$(nproc)" --timeout 900 --no-tests=error --output-on-failure \
+ctest --test-dir "build/$preset" --parallel "$(nproc)" --timeout "$limit" --no-tests=error --output-on-failure \
   --output-junit "$report" "$@" || status=$?
 
 count() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -n 1; }
