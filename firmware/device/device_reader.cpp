@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "firmware/device/device_certificate.h"
+#include "firmware/device/device_checks.h"
 #include "firmware/device/device_image.h"
 #include "firmware/device/device_settings.h"
+#include "firmware/device/device_tables.h"
 
 namespace tactus::firmware {
 
@@ -18,6 +20,10 @@ Outcome refuse(std::size_t section, std::string_view key, std::string_view what)
   return std::unexpected(DeviceError{what, section, key});
 }
 
+Outcome as_outcome(std::size_t section, const drivers::Checked& checked) {
+  return checked ? Outcome{} : refuse(section, checked.error().field, checked.error().rule);
+}
+
 std::string_view text_of(const DeviceSection& section, std::string_view key) {
   for (const Setting& setting : section.all()) {
     if (setting.key == key && setting.type == SettingType::text) {
@@ -25,99 +31,6 @@ std::string_view text_of(const DeviceSection& section, std::string_view key) {
     }
   }
   return {};
-}
-
-// Puts one setting where one of the tables has its key.
-class Assigner {
- public:
-  explicit Assigner(const Setting& setting) : setting_(setting) {}
-
-  template <class S>
-  void operator()(S& object, std::span<const Binding<S>> table) {
-    for (const Binding<S>& binding : table) {
-      if (binding.key == setting_.key) {
-        found_ = true;
-        wrong_ = binding.assign(object, setting_);
-      }
-    }
-  }
-  [[nodiscard]] std::string_view wrong() const { return found_ ? wrong_ : "unknown key"; }
-
- private:
-  const Setting& setting_;
-  std::string_view wrong_;
-  bool found_ = false;
-};
-
-class KeyCollector {
- public:
-  explicit KeyCollector(std::span<KnownKey> keys) : keys_(keys) {}
-
-  void add(std::string_view key, std::string_view unit) {
-    if (count_ < keys_.size()) {
-      keys_[count_] = {key, unit};
-      ++count_;
-    }
-  }
-  template <class S>
-  void operator()(S& /*object*/, std::span<const Binding<S>> table) {
-    for (const Binding<S>& binding : table) {
-      add(binding.key, binding.unit);
-    }
-  }
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  std::span<KnownKey> keys_;
-  std::size_t count_ = 0;
-};
-
-// Which tables a section has, object by object: for assigning and for listing alike.
-template <class Visitor>
-void visit_connection(ConnectionConfig& connection, Visitor&& visit) {
-  visit(connection, connection_keys());
-  if (auto* can = std::get_if<CanConnection>(&connection.line)) {
-    visit(*can, can_keys());
-  } else if (auto* falcon = std::get_if<FalconConnection>(&connection.line)) {
-    visit(*falcon, falcon_keys());
-  } else if (auto* haply = std::get_if<HaplyConnection>(&connection.line)) {
-    visit(*haply, haply_keys());
-  } else if (auto* gpio = std::get_if<GpioConnection>(&connection.line)) {
-    visit(*gpio, gpio_keys());
-  }
-}
-
-template <class Visitor>
-void visit_axis(AxisConfig& axis, Visitor&& visit) {
-  visit(axis, axis_keys());
-  if (auto* board = std::get_if<BoardAxis>(&axis.drive)) {
-    visit(*board, board_axis_keys());
-  } else if (auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
-    visit(*odrive, odrive_keys());
-  } else if (auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
-    visit(*moteus, moteus_keys());
-  } else if (auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
-    visit(*cia402, cia402_keys());
-  } else if (auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
-    visit(*vesc, vesc_keys());
-  } else if (auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
-    visit(*gpio, gpio_axis_keys());
-  }
-}
-
-template <class Visitor>
-void visit_mechanism(MechanismGeometry& mechanism, Visitor&& visit) {
-  if (auto* cartesian = std::get_if<CartesianGeometry>(&mechanism)) {
-    visit(*cartesian, cartesian_keys());
-  } else if (auto* delta = std::get_if<DeltaGeometry>(&mechanism)) {
-    visit(*delta, delta_keys());
-  } else if (auto* paddle = std::get_if<PaddleGeometry>(&mechanism)) {
-    visit(*paddle, paddle_keys());
-  } else if (auto* pantograph = std::get_if<PantographGeometry>(&mechanism)) {
-    visit(*pantograph, pantograph_keys());
-  } else if (auto* arm = std::get_if<SerialArmGeometry>(&mechanism)) {
-    visit(*arm, serial_arm_keys());
-  }
 }
 
 class DeviceReader {
@@ -149,8 +62,6 @@ class DeviceReader {
   Outcome choose_drive(std::size_t i, AxisConfig& axis);
   Outcome find_connection(std::size_t i, AxisConfig& axis);
   Outcome find_axis(std::size_t i, std::string_view key, std::string_view name, std::size_t& found);
-  Outcome check_axis(std::size_t i, const AxisConfig& axis);
-  [[nodiscard]] Outcome check_shared_buses() const;
   Outcome finish();
   [[nodiscard]] std::span<const Binding<JointConfig>> joint_keys() const {
     return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
@@ -174,7 +85,7 @@ Outcome DeviceReader::assign_all(std::size_t section, std::string_view choosing,
     if (setting.key == choosing) {
       continue;
     }
-    Assigner assigner(setting);
+    SettingAssigner assigner(setting);
     visit_tables(assigner);
     if (!assigner.wrong().empty()) {
       return refuse(section, setting.key, assigner.wrong());
@@ -245,23 +156,7 @@ Outcome DeviceReader::read_plant(std::size_t i) {
       !read) {
     return read;
   }
-  const auto negative = [](std::optional<double> value) { return value && *value < 0.0; };
-  const auto not_positive = [](std::optional<double> value) { return value && *value <= 0.0; };
-  if (not_positive(plant.moving_mass_kg) || not_positive(plant.encoder_resolution) ||
-      not_positive(plant.velocity_cutoff_hz)) {
-    return refuse(i, {}, "the mass, the encoder's resolution and the cut-off must be above 0");
-  }
-  if (negative(plant.viscous_Ns_per_m) || negative(plant.coulomb_friction) ||
-      negative(plant.motor_time_constant_s) ||
-      plant.breakaway_friction.value_or(0.0) < plant.coulomb_friction.value_or(0.0)) {
-    return refuse(i, {},
-                  "damping, friction and time constant must not be below 0, and the break-away "
-                  "friction, which belongs to the other, not below the sliding one");
-  }
-  if (plant.delay_ticks.value_or(0) > kMaxPlantDelay) {
-    return refuse(i, "delay_ticks", "must be 0 to 8");
-  }
-  return {};
+  return as_outcome(i, check(plant));
 }
 
 Outcome DeviceReader::read_connection(std::size_t i) {
@@ -308,7 +203,7 @@ Outcome DeviceReader::read_axis(std::size_t i) {
   if (const auto found = find_connection(i, axis); !found) {
     return found;
   }
-  return check_axis(i, axis);
+  return as_outcome(i, check_drive(axis, config_));
 }
 
 Outcome DeviceReader::choose_drive(std::size_t i, AxisConfig& axis) {
@@ -351,26 +246,6 @@ Outcome DeviceReader::find_connection(std::size_t i, AxisConfig& axis) {
   return {};
 }
 
-Outcome DeviceReader::check_axis(std::size_t i, const AxisConfig& axis) {
-  drivers::Checked checked;
-  if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
-    checked = check(*odrive);
-  } else if (const auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
-    checked = check(*moteus);
-  } else if (const auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
-    checked = check(*cia402);
-  } else if (const auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
-    checked = check(*vesc);
-  } else if (const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
-    const auto* line = std::get_if<GpioConnection>(&config_.connections[axis.connection].line);
-    checked = check(*gpio, line != nullptr && !line->counter.empty());
-  }
-  if (!checked) {
-    return refuse(i, checked.error().field, checked.error().rule);
-  }
-  return {};
-}
-
 Outcome DeviceReader::find_axis(std::size_t i, std::string_view key, std::string_view name,
                                 std::size_t& found) {
   const auto all = std::span(config_.axes).first(config_.axis_count);
@@ -407,8 +282,8 @@ Outcome DeviceReader::read_joint(std::size_t i) {
                   "ratios must be above 0 (a turned direction is written as motor_direction = -1), "
                   "directions 1 or -1");
   }
-  if (const auto checked = check(joint.reference); !checked) {
-    return refuse(i, checked.error().field, checked.error().rule);
+  if (const auto checked = as_outcome(i, check(joint.reference)); !checked) {
+    return checked;
   }
   config_.controller.joints[config_.joint_count] = joint.limits;
   ++config_.joint_count;
@@ -428,44 +303,11 @@ Outcome DeviceReader::take_certificate(std::size_t i) {
   return {};
 }
 
-// What CiA 402 drives on one bus have to agree about.
-Outcome DeviceReader::check_shared_buses() const {
-  for (std::size_t connection = 0; connection < config_.connection_count; ++connection) {
-    std::array<drivers::Cia402Config, kMaxAxes> drives{};
-    std::size_t count = 0;
-    for (const AxisConfig& axis : std::span(config_.axes).first(config_.axis_count)) {
-      const auto* drive = std::get_if<drivers::Cia402Config>(&axis.drive);
-      if (drive != nullptr && axis.connection == connection) {
-        drives[count] = *drive;
-        ++count;
-      }
-    }
-    const auto checked =
-        count == 0 ? drivers::Checked{} : check_bus(std::span(drives).first(count));
-    if (!checked) {
-      return refuse(0, checked.error().field, checked.error().rule);
-    }
-  }
-  return {};
-}
-
 Outcome DeviceReader::finish() {
   if (config_.joint_count != joint_count(config_.controller.mechanism)) {
     return refuse(0, {}, "the mechanism has more joints than there are [[joint]] tables");
   }
-  if (!drivers::lies_between(config_.read_limit_s, 0.0, 0.1)) {
-    return refuse(0, "read_limit_s", "must lie between 0 and 0.1");
-  }
-  if (config_.watchdog_line.has_value() == config_.watchdog_chip.empty()) {
-    return refuse(0, "watchdog_line", "needs its watchdog_chip, and the chip its watchdog_line");
-  }
-  if (const auto shared = check_shared_buses(); !shared) {
-    return shared;
-  }
-  if (const auto valid = validate(config_.controller); !valid) {
-    return refuse(0, valid.error().field, "is out of the controller's range");
-  }
-  return {};
+  return as_outcome(0, check(config_));
 }
 
 std::size_t DeviceReader::list_keys(std::size_t section, std::span<KnownKey> keys) {
