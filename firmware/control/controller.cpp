@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "firmware/limits.h"
@@ -40,14 +39,6 @@ bool all_finite(const rendering::Touch& touch) {
 // The limits that hold a force back, and so have a source.
 constexpr std::uint64_t kForceLimits =
     kLimitForce | kLimitSlew | kLimitEffort | kLimitWorkspace | kLimitSpeed | kLimitPassivity;
-
-// What of a scene this configuration does not allow.
-std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
-                                            std::span<const rendering::Object> objects,
-                                            std::span<const rendering::Effect> effects) {
-  return config.allow_uncertified ? std::nullopt
-                                  : first_uncertified(config.certificate, objects, effects);
-}
 
 }  // namespace
 
@@ -366,63 +357,6 @@ void Controller::close_record(const drivers::JointCommand& command) {
   record_.counters.late_ticks = loop_check_.late_count();
   record_.counters.limited_ticks += record_.limits != 0 ? 1U : 0U;
   record_.state_hash = state_hash(record_, record_.state_hash);
-}
-
-std::expected<void, ConfigError> Controller::configure(const ControllerConfig& config) {
-  if (const auto valid = validate(config); !valid) {
-    return valid;
-  }
-  if (const auto part = refused_part(config, objects_, effects_)) {
-    return std::unexpected(
-        ConfigError{"certificate", part->stiffness_N_per_m, 0.0, part->limit_N_per_m});
-  }
-  config_ = config;
-  configured_safety_ = config.safety;
-  change_ = ParameterChange{};
-  mechanism_ = Mechanism(config.mechanism);
-  sample_check_.configure(config);
-  loop_check_.configure(config);
-  encoder_guard_.configure(config);
-  workspace_walls_.configure(config);
-  motion_guard_.configure(config);
-  energy_.restart();
-  passivity_.configure(config);
-  velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
-  force_limiter_.configure(config);
-  gravity_compensation_.configure(config);
-  friction_compensation_.configure(config);
-  world_.reset();
-  world_.set_tick(1.0 / config.rate_hz);
-  configured_ = true;
-
-  mode_ = Mode::init;
-  faults_ = kNoFault;
-  raised_ = kNoFault;
-  write_status_ = drivers::kDeviceOk;
-  loop_report_ = {};
-  held_effort_ = {};
-  pose_ = Pose{};
-  tool_ = rendering::ToolState{};
-  record_ = TelemetryRecord{};
-  next_tick_ = 0;
-  return {};
-}
-
-std::expected<void, SceneRefusal> Controller::load_scene(std::span<const rendering::Object> objects,
-                                                         const rendering::WorldConfig& config) {
-  if (mode_ == Mode::active) {
-    return std::unexpected(SceneRefusal{SceneFault::active, {}});
-  }
-  if (const auto part = refused_part(config_, objects, config.effects)) {
-    return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
-  }
-  const bool taken = world_.set_scene(objects, config);
-  objects_ = taken ? objects : std::span<const rendering::Object>{};
-  effects_ = taken ? config.effects : std::span<const rendering::Effect>{};
-  if (!taken) {
-    return std::unexpected(SceneRefusal{SceneFault::world, {}});
-  }
-  return {};
 }
 
 void Controller::note_transfers(std::uint32_t write_status, std::uint32_t read_ns,
