@@ -3,13 +3,13 @@
 #include <linux/can.h>
 #include <linux/can/error.h>
 #include <linux/can/raw.h>
-#include <linux/errqueue.h>
 #include <linux/net_tstamp.h>
 #include <sys/socket.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+
+#include "hal/linux/can_wire.h"
 
 namespace tactus::hal {
 
@@ -48,49 +48,6 @@ Result<void> set_option(int socket, int level, int name, int value) {
   return set_option(socket, level, name, &value, sizeof(value));
 }
 
-// The same bytes serve both kinds: a classic frame is the beginning of an FD frame.
-struct WireFrame {
-  canfd_frame frame{};
-  std::size_t bytes = 0;
-};
-
-WireFrame to_wire(const CanFrame& frame) {
-  WireFrame wire;
-  wire.frame.can_id =
-      frame.id | (frame.extended ? CAN_EFF_FLAG : 0U) | (frame.remote ? CAN_RTR_FLAG : 0U);
-  wire.frame.len = frame.length;
-  if (frame.fd) {
-    wire.frame.flags = static_cast<std::uint8_t>((frame.bit_rate_switch ? CANFD_BRS : 0U) |
-                                                 (frame.error_state_indicator ? CANFD_ESI : 0U));
-  }
-  std::memcpy(wire.frame.data, frame.data.data(), frame.bytes().size());
-  wire.bytes = frame.fd ? CANFD_MTU : CAN_MTU;
-  return wire;
-}
-
-CanFrame from_wire(const canfd_frame& wire, bool fd) {
-  CanFrame frame;
-  frame.extended = (wire.can_id & CAN_EFF_FLAG) != 0;
-  frame.remote = (wire.can_id & CAN_RTR_FLAG) != 0;
-  frame.id = wire.can_id & (frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
-  frame.fd = fd;
-  frame.bit_rate_switch = fd && (wire.flags & CANFD_BRS) != 0;
-  frame.error_state_indicator = fd && (wire.flags & CANFD_ESI) != 0;
-  frame.length = std::min(wire.len, static_cast<std::uint8_t>(fd ? kMaxCanFdBytes : kMaxCanBytes));
-  std::memcpy(frame.data.data(), wire.data, frame.bytes().size());
-  return frame;
-}
-
-CanErrorReport error_from_wire(const canfd_frame& wire) {
-  return {.classes = wire.can_id & kCanEveryErrorClass,
-          .controller = wire.data[1],
-          .protocol_type = wire.data[2],
-          .protocol_place = wire.data[3],
-          .transceiver = wire.data[4],
-          .transmit_errors = wire.data[6],
-          .receive_errors = wire.data[7]};
-}
-
 // The kernel stamps with CLOCK_REALTIME.
 TimeNs realtime_minus_monotonic_ns() {
   timespec real{};
@@ -98,35 +55,10 @@ TimeNs realtime_minus_monotonic_ns() {
   return to_ns(real) - monotonic_now_ns();
 }
 
-struct Ancillary {
-  TimeNs realtime_ns = 0;
-  std::uint32_t drops = 0;
-  bool tells_drops = false;
-};
-
-Ancillary read_ancillary(msghdr& message) {
-  Ancillary ancillary;
-  for (cmsghdr* item = CMSG_FIRSTHDR(&message); item != nullptr;
-       item = CMSG_NXTHDR(&message, item)) {
-    if (item->cmsg_level != SOL_SOCKET) {
-      continue;
-    }
-    if (item->cmsg_type == SO_TIMESTAMPING) {
-      scm_timestamping stamps{};
-      std::memcpy(&stamps, CMSG_DATA(item), sizeof(stamps));
-      ancillary.realtime_ns = to_ns(stamps.ts[0]);
-    } else if (item->cmsg_type == SO_RXQ_OVFL) {
-      std::memcpy(&ancillary.drops, CMSG_DATA(item), sizeof(ancillary.drops));
-      ancillary.tells_drops = true;
-    }
-  }
-  return ancillary;
-}
-
 // Room for one batch of either direction, on the stack.
 template <std::size_t kCount>
 struct Batch {
-  std::array<WireFrame, kCount> wire;
+  std::array<CanWireFrame, kCount> wire;
   std::array<iovec, kCount> pieces{};
   std::array<mmsghdr, kCount> messages{};
 
@@ -300,7 +232,7 @@ Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
     }
     const TimeNs offset_ns = realtime_minus_monotonic_ns();
     for (std::size_t i = 0; i < static_cast<std::size_t>(got); ++i) {
-      const Ancillary ancillary = read_ancillary(batch.messages[i].msg_hdr);
+      const CanAncillary ancillary = read_ancillary(batch.messages[i].msg_hdr);
       if (ancillary.tells_drops) {
         note_drops(ancillary.drops);
       }
@@ -380,8 +312,8 @@ Result<void> LinuxCanBus::DoSetFilters(std::span<const CanFilter> filters) {
     return can_filter{.can_id = filter.word | (filter.inverted ? CAN_INV_FILTER : 0U),
                       .can_mask = filter.mask};
   });
-  return set_option(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER,
-                    filters.empty() ? nullptr : words.data(), filters.size() * sizeof(can_filter));
+  return set_option(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, words.data(),
+                    filters.size() * sizeof(can_filter));
 }
 
 Result<void> LinuxCanBus::DoSetErrorClasses(std::uint32_t classes) {
