@@ -221,7 +221,7 @@ TEST_F(PeerFailures, TrianglesWithLegsOfAMicrometreAreFelt) {
   for (const double radius_m : {0.0, 2e-5, 0.002}) {
     take(solid, radius_m);
     world_->touch({.p_W = {0.0, radius_m + 0.001, 0.0}});
-    for (int tick = 0; tick < share_of(200); ++tick) {
+    for (int tick = 0; tick < part_of(200); ++tick) {
       const Vec3 tool(1e-7 * tick, radius_m - 1e-5 * tick, 0.5e-7 * tick);
       const Touch touch = world_->touch({.p_W = tool});
       ASSERT_NEAR(touch.proxy_W.y(), radius_m, 1e-6) << "radius " << radius_m << " tick " << tick;

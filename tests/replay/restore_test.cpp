@@ -27,13 +27,17 @@ using rendering::Sides;
 constexpr std::size_t kTicksAScene = 20'000;
 constexpr std::size_t kLeastTicksAScene = 8'000;  // with fewer some tools never get to the surface
 
+// A soak begins anew now and then: a scene that moves by itself is out of reach in the end.
 void check(const std::vector<Object>& objects, double radius_m, std::uint64_t seed,
            std::span<const rendering::Effect> effects = {}) {
+  constexpr std::uint64_t kNextSeed = 1000;
   RestoreTally tally;
   const std::size_t ticks = std::max(kLeastTicksAScene, share_of(kTicksAScene));
-  expect_restores_go_on_alike(
-      {.objects = objects, .world = {.tool_radius_m = radius_m, .effects = effects}}, seed, ticks,
-      tally);
+  for (std::size_t done = 0; done < ticks; done += kTicksAScene, seed += kNextSeed) {
+    ASSERT_NO_FATAL_FAILURE(expect_restores_go_on_alike(
+        {.objects = objects, .world = {.tool_radius_m = radius_m, .effects = effects}}, seed,
+        std::min(kTicksAScene, ticks - done), tally));
+  }
   std::printf("%zu restores in %zu ticks, %zu in contact; %zu bytes at most\n", tally.restores,
               tally.ticks, tally.contacts, tally.most_bytes);
   EXPECT_GT(tally.contacts, tally.ticks / 50);

@@ -17,4 +17,11 @@ Count share_of(Count count) {
   return std::max(Count{1}, static_cast<Count>(share * static_cast<double>(count)));
 }
 
+// The same of what there is no more of, in a soak neither: the rows of a table, the ticks of a path
+// with an end.
+template <std::integral Count>
+Count part_of(Count count) {
+  return std::min(count, share_of(count));
+}
+
 }  // namespace tactus::testing

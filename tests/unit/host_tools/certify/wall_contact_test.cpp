@@ -26,7 +26,7 @@ TEST(WallContact, AgreesWithTheExactStabilityLimits) {
   const testing::Csv limits("wall_Kmax_m0.1.csv");
   ContactTrial trial;
   ASSERT_EQ(limits.rows(), 56U);
-  const std::size_t step = 56 / testing::share_of(std::size_t{56});
+  const std::size_t step = 56 / testing::part_of(std::size_t{56});
   for (std::size_t row = 0; row < limits.rows(); row += step) {
     const WallContact contact = testing::ideal_contact(
         limits.number(row, "m_kg"), limits.number(row, "b_Ns_m"), limits.number(row, "f_Hz"));

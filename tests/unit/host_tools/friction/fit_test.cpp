@@ -24,7 +24,7 @@ using testing::RecordPlan;
 
 std::vector<std::uint64_t> seeds() {
   std::vector<std::uint64_t> all{11, 12, 13};
-  all.resize(testing::share_of(all.size()));
+  all.resize(testing::part_of(all.size()));
   return all;
 }
 
