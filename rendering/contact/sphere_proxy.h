@@ -125,6 +125,12 @@ class SphereProxy {
     std::size_t count = 0;
     Vec3 from = Vec3::Zero();
   };
+  // What the proxy's centre moves on, where that is no plane.
+  struct Bend {
+    double ratio = 0.0;            // of one move to the next; 0 if it is flat, or not known
+    Vec3 part = Vec3::Zero();      // of the move that changes by it
+    double most_of_radius = 0.25;  // how far a move may be lengthened
+  };
   static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
   struct Way {
     Sweep sweep;
@@ -169,8 +175,8 @@ class SphereProxy {
                   const ProxyRest& rest, double push_m);
   Goal go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest);
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
-  [[nodiscard]] double contraction(const Vec3& move, const ProxyRest& rest) const;
-  [[nodiscard]] Vec3 bent_part(const Vec3& move, const ProxyRest& rest) const;
+  [[nodiscard]] Bend bend_of_feature(const Vec3& move, const Vec3& h, const ProxyRest& rest) const;
+  [[nodiscard]] Bend bend_of_crease(const Vec3& move, const ProxyRest& rest) const;
   Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
   double sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
                           std::size_t& stopped_by);

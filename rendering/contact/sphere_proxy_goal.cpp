@@ -177,15 +177,13 @@ SphereProxy::Goal SphereProxy::go_toward(const Vec3& goal, const Vec3& h, const 
 // On the way there the distance to the tool may grow: a move is lengthened only where a plain one
 // would end nearer to the tool than wherever that was done before in this tick.
 Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
-  constexpr double kMostOfRadius = 0.25;
   constexpr double kRollingOff = 4.0;
   constexpr double kRounding_m = 1e-12;
-  const double ratio = contraction(move, rest);
-  if (ratio == 0.0) {
-    return move;
-  }
-  const double most = kMostOfRadius * rest.planes[0].nearest.distance / move.norm();
-  if (most <= 1.0) {
+  const Bend bend = rest.plane_count == 1   ? bend_of_feature(move, h, rest)
+                    : rest.plane_count == 2 ? bend_of_crease(move, rest)
+                                            : Bend{};
+  const double most = bend.most_of_radius * rest.planes[0].nearest.distance / move.norm();
+  if (bend.ratio == 0.0 || most <= 1.0) {
     return move;
   }
   const double left = (p_ + move - h).norm();
@@ -195,8 +193,8 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   }
   least_left = left;
   const double stretch =
-      ratio < 1.0 ? 1.0 / (1.0 - ratio) : std::max(kRollingOff, 1.0 / (ratio - 1.0));
-  const Vec3 stretched = move + (std::min(stretch, most) - 1.0) * bent_part(move, rest);
+      bend.ratio < 1.0 ? 1.0 / (1.0 - bend.ratio) : std::max(kRollingOff, 1.0 / (bend.ratio - 1.0));
+  const Vec3 stretched = move + (std::min(stretch, most) - 1.0) * bend.part;
   const bool allowed = std::all_of(
       contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
       [&](const ContactPlane& c) {
@@ -205,34 +203,51 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   return allowed ? stretched : move;
 }
 
-// Of one move to the next, by the curvature of what the centre moves on; 0 if that is flat, or not
-// known.
-double SphereProxy::contraction(const Vec3& move, const ProxyRest& rest) const {
-  constexpr double kAligned = 0.99;
+// Across an edge and on a vertex. Where friction takes most of the pull, the rest of it is what
+// draws the proxy: the pull aside d and the pressure p change on the way s across by
+// d' = p / R - 1 and p' = -d / R, along the edge by -1 and 0, so that the rest d - f, of which the
+// friction is f = mu p, changes by the ratio cos^2 (p + mu d) / R, the angle that of the way to the
+// way across. As a small difference it is not known for far.
+SphereProxy::Bend SphereProxy::bend_of_feature(const Vec3& move, const Vec3& h,
+                                               const ProxyRest& rest) const {
+  constexpr double kMostRubbed = 0.03;
   const Nearest& nearest = rest.planes[0].nearest;
-  if (rest.plane_count == 1) {
-    return nearest.feature == Feature::face ? 0.0 : rest.pressure_m[0] / nearest.distance;
+  if (nearest.feature == Feature::face) {
+    return {};
   }
-  const double length = last_crease_move_.norm();
-  const bool aligned = move.dot(last_crease_move_) > kAligned * length * move.norm();
-  return rest.plane_count == 2 && aligned ? move.norm() / length : 0.0;
-}
-
-// What of a move on one edge or vertex, or along a crease, follows the curvature.
-Vec3 SphereProxy::bent_part(const Vec3& move, const ProxyRest& rest) const {
   const Vec3& normal = rest.planes[0].plane.normal;
-  if (rest.plane_count == 2) {
-    const Vec3 crease = normal.cross(rest.planes[1].plane.normal).normalized();
-    return move.dot(crease) * crease;
+  const Vec3 slide = move - move.dot(normal) * normal;
+  const double length = slide.norm();
+  if (length == 0.0) {
+    return {};
   }
-  Vec3 bent = move - move.dot(normal) * normal;
-  const Nearest& nearest = rest.planes[0].nearest;
+  Vec3 across = slide;
   if (nearest.feature == Feature::edge) {
     const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
     const Vec3 edge = triangle.edge(nearest.edge).normalized();
-    bent -= move.dot(edge) * edge;
+    across -= slide.dot(edge) * edge;
   }
-  return bent;
+  const double pressure = rest.pressure_m[0];
+  const Vec3 to_tool = h - p_;
+  const double pull = (to_tool - to_tool.dot(normal) * normal).norm();
+  const double held = pull - length;
+  if (held <= length) {
+    return {.ratio = pressure / nearest.distance, .part = across};
+  }
+  const double squared_cosine = across.squaredNorm() / (length * length);
+  return {.ratio = squared_cosine * (pressure + held / pressure * pull) / nearest.distance,
+          .part = slide,
+          .most_of_radius = kMostRubbed};
+}
+
+SphereProxy::Bend SphereProxy::bend_of_crease(const Vec3& move, const ProxyRest& rest) const {
+  constexpr double kAligned = 0.99;
+  const double length = last_crease_move_.norm();
+  if (move.dot(last_crease_move_) <= kAligned * length * move.norm()) {
+    return {};
+  }
+  const Vec3 crease = rest.planes[0].plane.normal.cross(rest.planes[1].plane.normal).normalized();
+  return {.ratio = move.norm() / length, .part = move.dot(crease) * crease};
 }
 
 }  // namespace tactus::rendering

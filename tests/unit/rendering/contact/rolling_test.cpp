@@ -75,6 +75,31 @@ TEST_F(RollingTest, RoundAVertexInFewMoves) {
   EXPECT_LE(most_moves_, 8U);
 }
 
+// Aslant over an edge, with friction: where the sphere slips it comes to rest as soon as its pull
+// along the surface is what friction holds.
+TEST_F(RollingTest, OverARoughEdgeInFewMoves) {
+  const Solid box(testing::box(Vec3::Constant(kBox_m)), Sides::one, testing::kRough);
+  constexpr double kEdge_m = 0.5 * kBox_m;
+  constexpr double kDynamic = testing::kRough.friction.coulomb;
+  take(box, {0.03, 0.03, 0.0});
+  int slips = 0;
+  for (int k = 0; k < kJumps; ++k) {
+    const double angle = between(0.3, 1.3);
+    const Vec3 out{std::cos(angle), std::sin(angle), 0.0};
+    const Vec3 edge{kEdge_m, kEdge_m, between(-0.002, 0.002)};
+    const Touch t = jump(edge + between(-0.2, 0.8) * kTool_m * out);
+    ASSERT_EQ(t.flags, kTouchClean) << "jump " << k;
+    if (t.friction == FrictionState::slip) {
+      const double pressure = t.force_W.dot(t.normal_W);
+      const double pull = (t.force_W - pressure * t.normal_W).norm();
+      ASSERT_NEAR(pull / pressure, kDynamic, 0.005 * kDynamic) << "jump " << k;
+      ++slips;
+    }
+  }
+  EXPECT_GT(slips, kJumps / 4);
+  EXPECT_LE(most_moves_, 12U);
+}
+
 // Two upright plates whose upper edges lie in the plane z = 0 and part at a right angle toward
 // greater y: the sphere rests between them, and the lower the farther they are apart.
 class Rails {
