@@ -198,6 +198,8 @@ TEST_P(FrictionEnergy, OfASurfaceWithAGrainIsNeverGivenOutOverAClosedMotion) {
 
 // The plane turns with every tick, by a little or by any angle, and the motion lies in it.
 TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
+  // Of the largest force: a turn to nearly the other side takes digits.
+  constexpr double kRounding = 1e-11;
   SCOPED_TRACE(seed());
   Dice dice(seed());
   Worst worst;
@@ -208,6 +210,7 @@ TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
     FrictionMemory<Vec3> memory;
     Load load(dice);
     double work_J = 0.0;
+    double largest_N = 0.0;
     for (const Vec3& step : steps) {
       const double bend = dice.one_in(10) ? 10.0 : dice.decades(-6.0, -1.0);
       const Vec3 next = (normal + bend * dice.direction()).normalized();
@@ -216,7 +219,8 @@ TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
       const Vec3 way = step - normal.dot(step) * normal;
       work_J += update_friction(friction, memory, way, load.next(), 1e-3).mean_force_N.dot(way);
       worst.given_out_J = std::max(worst.given_out_J, stored_J(friction, memory) - work_J);
-      ASSERT_NEAR(memory.elastic_force_N.dot(normal), 0.0, 1e-12);
+      largest_N = std::max(largest_N, memory.elastic_force_N.norm());
+      ASSERT_NEAR(memory.elastic_force_N.dot(normal), 0.0, kRounding * largest_N) << "motion " << i;
     }
     worst.friction_J += work_J;
   }
