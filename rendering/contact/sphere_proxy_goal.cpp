@@ -5,6 +5,7 @@
 #include "rendering/contact/object_cast.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/friction/cone.h"
+#include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
 namespace {
@@ -216,7 +217,7 @@ SphereProxy::Bend SphereProxy::bend_of_feature(const Vec3& move, const Vec3& h,
     return {};
   }
   const Vec3& normal = rest.planes[0].plane.normal;
-  const Vec3 slide = move - move.dot(normal) * normal;
+  const Vec3 slide = tangential(move, normal);
   const double length = slide.norm();
   if (length == 0.0) {
     return {};
@@ -228,8 +229,7 @@ SphereProxy::Bend SphereProxy::bend_of_feature(const Vec3& move, const Vec3& h,
     across -= slide.dot(edge) * edge;
   }
   const double pressure = rest.pressure_m[0];
-  const Vec3 to_tool = h - p_;
-  const double pull = (to_tool - to_tool.dot(normal) * normal).norm();
+  const double pull = tangential(h - p_, normal).norm();
   const double held = pull - length;
   if (held <= length) {
     return {.ratio = pressure / nearest.distance, .part = across};

@@ -1,6 +1,7 @@
 #include "rendering/friction/surface_friction.h"
 
 #include "rendering/friction/carry.h"
+#include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 // The grain along the contact plane; none where it stands on it.
 Grain in_plane(const Grain& grain, const Vec3& normal) {
   constexpr double kUpright = 1e-6;
-  const Vec3 flat = grain.direction - grain.direction.dot(normal) * normal;
+  const Vec3 flat = tangential(grain.direction, normal);
   const double length = flat.norm();
   if (length <= kUpright * grain.direction.norm()) {
     return {.direction = flat, .along = grain.across, .across = grain.across};
@@ -45,7 +46,7 @@ void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
   if (friction.stiffness_N_per_m <= 0.0) {
     friction.stiffness_N_per_m = surface.stiffness_N_per_m;
   }
-  Vec3 step = tool_step_ - tool_step_.dot(normal) * normal;
+  Vec3 step = tangential(tool_step_, normal);
   if (is_held_) {
     if (normal != normal_) {
       turn(memory_, normal_, normal);

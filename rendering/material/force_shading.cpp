@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rendering/geometry/tangential.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr double kLengthening = 1.5;
 constexpr double kDepthOfRadius = 0.25;
 // An edge has no rounding for a point. Much deeper than rounding errors all the same.
 constexpr double kLeastDepth_m = 20e-6;
-
-Vec3 along(const Vec3& v, const Vec3& normal) {
-  return v - v.dot(normal) * normal;
-}
 
 }  // namespace
 
@@ -70,7 +68,7 @@ bool ForceShading::improve(const ShadedRest& rest) {
     stretch_ = rest.depth_m * rest.normal_W;
   }
   const Vec3 error = rest.depth_m * (rest.normal_W + rest.lean) - stretch_;
-  const Vec3 residual = along(error, rest.normal_W);
+  const Vec3 residual = tangential(error, rest.normal_W);
   if (has_residual_) {
     const Vec3 change = residual - residual_;
     const double squared = change.squaredNorm();
@@ -91,7 +89,7 @@ bool ForceShading::improve(const ShadedRest& rest) {
 Vec3 lean_of(const Vec3& shading_normal, const Vec3& normal) {
   constexpr double kMostLean = 1.7320508075688772;  // tan 60 degrees
   const double facing = shading_normal.dot(normal);
-  const Vec3 across = along(shading_normal, normal);
+  const Vec3 across = tangential(shading_normal, normal);
   const double length = across.norm();
   if (length <= kMostLean * facing) {
     return across / facing;

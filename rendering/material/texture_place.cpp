@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/geometry/tangential.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -27,8 +29,8 @@ TextureSpot shine(const Vec3& p, const Vec3& n, std::size_t axis, double tile_m)
   const Vec3 u = u_sign / tile_m * Vec3::Unit(u_axis);
   const Vec3 v = v_sign / tile_m * Vec3::Unit(v_axis);
   return {.at = {.u = u.dot(p), .v = v.dot(p)},
-          .grad_u_W = u - u.dot(n) * n,
-          .grad_v_W = v - v.dot(n) * n};
+          .grad_u_W = tangential(u, n),
+          .grad_v_W = tangential(v, n)};
 }
 
 }  // namespace

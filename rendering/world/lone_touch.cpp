@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rendering/contact/potential_field.h"
+#include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
 namespace {
@@ -53,10 +54,6 @@ Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
           .contact = ContactKind::face,
           .friction = FrictionState::slip,
           .planes = 1};
-}
-
-Vec3 across(const Vec3& v, const Vec3& normal) {
-  return v - v.dot(normal) * normal;
 }
 
 }  // namespace
@@ -186,7 +183,7 @@ Touch LoneTouch::touch_in_frame(const Lone& lone, const ToolState& tool_O) {
   const Vec3 stretch = touch.proxy_W - tool_O.p_W;
   const double stiffness = material.stiffness_N_per_m;
   touch.force_W = stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W;
-  touch.parts.friction_W = stiffness * across(stretch, touch.normal_W);
+  touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W);
   if (detailed) {
     shade_in_frame(lone, tool_O, touch);
   }
@@ -224,7 +221,7 @@ void LoneTouch::shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch&
     const Vec3 along = stiffness * felt_depth * lean;
     touch.force_W = stiffness * (stretch - (touch.depth_m - felt_depth) * touch.normal_W) -
                     material.damping_Ns_per_m * tool_O.v_W;
-    touch.parts.friction_W = stiffness * across(stretch, touch.normal_W) - along;
+    touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W) - along;
     touch.parts.texture_W =
         along +
         (stiffness * felt_depth - material.stiffness_N_per_m * touch.depth_m) * touch.normal_W;

@@ -1,0 +1,13 @@
+// The part of a vector in a plane.
+#pragma once
+
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// `normal` is the plane's, a unit vector.
+inline Vec3 tangential(const Vec3& v, const Vec3& normal) {
+  return v - v.dot(normal) * normal;
+}
+
+}  // namespace tactus::rendering
