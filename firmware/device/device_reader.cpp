@@ -1,8 +1,6 @@
 // From sections to a configuration: a section's own kind or driver chooses the tables of keys,
 // every setting finds its field, and then the parts check themselves and each other.
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 #include "firmware/device/device_certificate.h"
 #include "firmware/device/device_checks.h"
