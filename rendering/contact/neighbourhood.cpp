@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include "rendering/contact/primitive_sweep.h"
 
@@ -15,7 +16,7 @@ constexpr std::size_t kWorkOfASeparation = 1;
 
 void prepare(Candidate& slot, const Scenery& scenery) {
   if (!slot.prepared) {
-    slot.triangle = triangle_W(scenery, slot.object, slot.index);
+    ::new (&slot.triangle) Triangle(triangle_W(scenery, slot.object, slot.index));  // in place
     slot.prepared = true;
   }
 }
@@ -42,13 +43,17 @@ void Neighbourhood::begin_tick(const Scenery& scenery) {
 
 // Floats are four to a vector; what they round off is far less than the shell is thick. Heights
 // count from the reach of the sphere, whoever the candidate's object takes for the tool.
+void Neighbourhood::store_bound(std::size_t i, const Float3& normal, double distance) {
+  const double nearer = shells_.sphere.reach_m - shells_.of(slots_[i].point_tool).reach_m;
+  normal_x_[i] = normal.x;
+  normal_y_[i] = normal.y;
+  normal_z_[i] = normal.z;
+  height_[i] = static_cast<float>(distance + nearer);
+}
+
 void Neighbourhood::set_bound(std::size_t i, const Vec3& normal, double distance,
                               const Vec3& from) {
-  const double nearer = shells_.sphere.reach_m - shells_.of(slots_[i].point_tool).reach_m;
-  normal_x_[i] = static_cast<float>(normal.x());
-  normal_y_[i] = static_cast<float>(normal.y());
-  normal_z_[i] = static_cast<float>(normal.z());
-  height_[i] = static_cast<float>(distance + nearer - normal.dot(from - trust_.start));
+  store_bound(i, to_float3(normal), distance - normal.dot(from - trust_.start));
 }
 
 // Always measured.
@@ -99,7 +104,7 @@ void Neighbourhood::move_to_end(const Vec3& p) {
   here_.count = 0;
   for (const std::uint16_t i : there_.numbers()) {
     here_.number[here_.count] = i;
-    here_.count += at.bound(*this, i) <= at.most ? 1U : 0U;
+    here_.count += may_reach(i, at) ? 1U : 0U;
   }
   here_place_ = places_;
   here_gathering_ = gatherings_;

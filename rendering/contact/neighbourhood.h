@@ -87,10 +87,15 @@ class Neighbourhood {
   // The same, where p is what `within_reach` was last asked for: of others it need not be asked.
   void move_to_end(const Vec3& p);
 
-  // Whether candidate i is one of those, for p.
-  [[nodiscard]] bool may_reach(std::size_t i, const Vec3& p) const {
-    const Bounded at(*this, p);
-    return at.bound(*this, i) <= at.most;
+  // A place, as the tangents take it; while the candidates are the same.
+  struct Bounded {
+    Bounded(const Neighbourhood& of, const Vec3& p);
+    float x, y, z;
+    float most;  // a larger bound is out of reach
+  };
+  // Whether candidate i is one of those, for the place.
+  [[nodiscard]] bool may_reach(std::size_t i, const Bounded& at) const {
+    return normal_x_[i] * at.x + normal_y_[i] * at.y + normal_z_[i] * at.z + height_[i] <= at.most;
   }
 
   // The nearest point of candidate i from the place of `move_to`, measured once a place.
@@ -136,15 +141,6 @@ class Neighbourhood {
   struct GatherTriangles;
   static constexpr std::size_t kMostSmaller = 8;
   static constexpr double kLongTrust_m = 2.5e-3;  // longer only where triangles are few
-  // A place, as the tangents take it.
-  struct Bounded {
-    Bounded(const Neighbourhood& of, const Vec3& p);
-    [[nodiscard]] float bound(const Neighbourhood& of, std::size_t i) const {
-      return of.normal_x_[i] * x + of.normal_y_[i] * y + of.normal_z_[i] * z + of.height_[i];
-    }
-    float x, y, z;
-    float most;  // a larger bound is out of reach
-  };
   struct Within {
     std::array<std::uint16_t, kMaxCandidates> number{};
     std::size_t count = 0;
@@ -167,6 +163,8 @@ class Neighbourhood {
   void fill_last_four();
   void transfer_walk(StateArchive& archive, const Scenery& scenery);
   void transfer_candidate(StateArchive& archive, const Scenery& scenery, std::size_t i);
+  // At least that far from the capsule's start, and farther along the normal.
+  void store_bound(std::size_t i, const Float3& normal, double distance);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
   Vec3 place_ = Vec3::Zero();

@@ -58,8 +58,11 @@ struct Neighbourhood::GatherTriangles {
       return;
     }
     slot->index = t;
-    to.set_bound(to.size_ - 1, direction_from(mover, to_vec3(bound.normal)),
-                 -static_cast<double>(bound.offset), to.trust_.start);
+    Float3 normal = bound.normal;
+    if (mover != nullptr) {
+      normal = to_float3(direction_from(mover, to_vec3(normal)));
+    }
+    to.store_bound(to.size_ - 1, normal, -static_cast<double>(bound.offset));
   }
 };
 

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "rendering/contact/object_cast.h"
 #include "rendering/contact/primitive_sweep.h"
@@ -226,8 +227,9 @@ double SphereProxy::sweep_candidates(const Scenery& scenery, const Way& way, con
     planes.add(rest.planes[i].plane.normal);
   }
   double free = way.length;
+  std::optional<Neighbourhood::Bounded> stop;  // once there is one
   for (const std::uint16_t i : neighbourhood_.within_reach(way.end)) {
-    if (free < way.length && !neighbourhood_.may_reach(i, sweep.from + free * sweep.direction)) {
+    if (stop && !neighbourhood_.may_reach(i, *stop)) {
       continue;
     }
     if (neighbourhood_.is_worked_out()) {
@@ -248,6 +250,7 @@ double SphereProxy::sweep_candidates(const Scenery& scenery, const Way& way, con
             : travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell, start);
     if (travel < free) {
       free = travel;
+      stop.emplace(neighbourhood_, sweep.from + free * sweep.direction);
       stopped_by = i;
       neighbourhood_.add_work(kWorkOfAStop);
     }

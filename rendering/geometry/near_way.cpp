@@ -1,6 +1,6 @@
 // All of a triangle lies behind any plane that its three corners lie behind. The plane taken is
-// across the gap from the triangle's box to the point of the way nearest to the box's middle, and
-// the ends of the way are where the way is nearest to it.
+// normal to the gap from the triangle's middle to the point of the way nearest to that, and the
+// ends of the way are where the way is nearest to it.
 //
 // Corners count from the way's start, which is subtracted in two parts: the result is as exact as
 // it is small. A dot product of three is then wrong by less than eight roundings of the lengths
@@ -22,8 +22,12 @@ FourVectors corners(const MeshView& mesh, const std::array<const TriangleIndices
               mesh.vertices[(*triangles[2])[corner]], mesh.vertices[(*triangles[3])[corner]]);
 }
 
-Floats gap(Floats place, Floats lower, Floats upper) {
-  return most(place - upper, all(0.0F)) - most(lower - place, all(0.0F));
+Floats magnitude(Floats a) {
+  return most(a, -a);
+}
+
+Floats largest(const FourVectors& v) {
+  return most(most(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 
 }  // namespace
@@ -32,7 +36,7 @@ NearWay::NearWay(const Vec3& start, const Vec3& way, double reach)
     : start_(four(start)),
       start_rest_(four(start - to_vec3(to_float3(start)))),
       way_(four(way)),
-      way_by_squared_(four(way.squaredNorm() > 0.0 ? Vec3{way * (0.5 / way.squaredNorm())}
+      way_by_squared_(four(way.squaredNorm() > 0.0 ? Vec3{way * (1.0 / way.squaredNorm())}
                                                    : Vec3{Vec3::Zero()})) {
   const auto length = static_cast<float>(way.norm());
   reach_ = static_cast<float>(reach) * (1.0F + kWayRounding) + kWayRounding * length;
@@ -50,20 +54,16 @@ NearWay::Four NearWay::bounds(const MeshView& mesh, std::uint32_t first, std::ui
   const FourVectors a = from_start(corners(mesh, triangles, 0));
   const FourVectors b = from_start(corners(mesh, triangles, 1));
   const FourVectors c = from_start(corners(mesh, triangles, 2));
-  const FourVectors lower{least(least(a.x, b.x), c.x), least(least(a.y, b.y), c.y),
-                          least(least(a.z, b.z), c.z)};
-  const FourVectors upper{most(most(a.x, b.x), c.x), most(most(a.y, b.y), c.y),
-                          most(most(a.z, b.z), c.z)};
-  const FourVectors sum{lower.x + upper.x, lower.y + upper.y, lower.z + upper.z};
-  const Floats part = least(most(dot(sum, way_by_squared_), all(0.0F)), all(1.0F));
-  const FourVectors offset{gap(part * way_.x, lower.x, upper.x),
-                           gap(part * way_.y, lower.y, upper.y),
-                           gap(part * way_.z, lower.z, upper.z)};
+  constexpr float kThird = 1.0F / 3.0F;
+  const FourVectors middle{kThird * (a.x + b.x + c.x), kThird * (a.y + b.y + c.y),
+                           kThird * (a.z + b.z + c.z)};
+  const Floats part = least(most(dot(middle, way_by_squared_), all(0.0F)), all(1.0F));
+  const FourVectors offset{part * way_.x - middle.x, part * way_.y - middle.y,
+                           part * way_.z - middle.z};
   const Floats squared = dot(offset, offset);
   const Floats behind = most(most(dot(offset, a), dot(offset, b)), dot(offset, c));
   const Floats distance = least(dot(offset, way_), all(0.0F)) - behind;
-  const Floats size =
-      most(most(most(upper.x, -lower.x), most(upper.y, -lower.y)), most(upper.z, -lower.z));
+  const Floats size = most(most(largest(a), largest(b)), largest(c));
   const Floats rounding = kWayRounding * size;
   const Floats reach = reach_ + rounding;
   const Integers directed = squared > kLeastSquaredGap;

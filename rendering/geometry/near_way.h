@@ -51,7 +51,7 @@ class NearWay {
   FourVectors start_;       // to the nearest float
   FourVectors start_rest_;  // what that leaves of it
   FourVectors way_;
-  FourVectors way_by_squared_;  // over twice its squared length
+  FourVectors way_by_squared_;  // over its squared length
   float reach_ = 0.0F;
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -39,10 +40,13 @@ class NearWayTest : public ::testing::Test {
     }
   }
   [[nodiscard]] MeshView mesh() const { return {.vertices = vertices_, .triangles = triangles_}; }
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t t) const {
+    const auto& [a, b, c] = triangles_[t];
+    return {to_vec3(vertices_[a]), to_vec3(vertices_[b]), to_vec3(vertices_[c])};
+  }
   [[nodiscard]] Triangle triangle(std::uint32_t t) const {
-    const std::uint32_t first = 3 * t;
-    return {to_vec3(vertices_[first]), to_vec3(vertices_[first + 1]),
-            to_vec3(vertices_[first + 2])};
+    const auto [a, b, c] = corners(t);
+    return {a, b, c};
   }
 
   std::mt19937_64 random_{kSeed};
@@ -92,6 +96,34 @@ TEST_F(NearWayTest, FindsAllThatComeNearAndBoundsTheirDistanceFromBelow) {
     }
   }
   EXPECT_GT(far, 5'000) << "of some 20,000";
+}
+
+// The plane is normal to the gap D from the middle of a triangle, whose corners are at most r from
+// it. The foremost corner is h in front of the middle and at most r aside: it is nearer than
+// (D - h) + r^2 / (2 (D - h)), of which the plane tells the first.
+TEST_F(NearWayTest, BoundsASmallTriangleNearlyByItsDistance) {
+  constexpr double kAll = 1e3;
+  int asked = 0;
+  for (int k = 0; k < 2'000; ++k) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", case " + std::to_string(k));
+    make_triangles(8, Vec3::Zero(), 1.0);
+    const Vec3 start = 2.0 * vector();
+    for (const auto& [t, bound] : found_by(NearWay(start, Vec3::Zero(), kAll), mesh())) {
+      const auto [a, b, c] = corners(t);
+      const Vec3 middle = (a + b + c) / 3.0;
+      const double gap = (start - middle).norm();
+      const double r = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
+      if (gap < 2.0 * r) {
+        continue;
+      }
+      ++asked;
+      constexpr double kRounding = 1e-5;
+      const double short_by =
+          triangle(t).nearest(start).distance + static_cast<double>(bound.offset);
+      EXPECT_LE(short_by, r * r / (2.0 * (gap - r)) + kRounding) << t;
+    }
+  }
+  EXPECT_GT(asked, 10'000) << "of 16,000";
 }
 
 TEST_F(NearWayTest, LooksAtTheTrianglesAskedForAlone) {
