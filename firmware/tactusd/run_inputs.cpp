@@ -63,8 +63,11 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
   config_.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = controller.configure(config_.controller);
   if (!valid) {
-    std::fprintf(stderr, "tactusd: %s: %.*s is out of range; bake the device again\n",
-                 options.device, length(valid.error().field), valid.error().field.data());
+    const ConfigError& error = valid.error();
+    // The image was found valid at the device's own rate.
+    std::fprintf(stderr, "tactusd: %s: %.*s is %g, not in %g to %g; give another --rate\n",
+                 options.device, length(error.field), error.field.data(), error.value, error.least,
+                 error.greatest);
   }
   return valid.has_value();
 }

@@ -1,13 +1,12 @@
 #include "host_tools/certify/wall_contact.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "firmware/control/run_tick.h"
+#include "host_tools/configure_controller.h"
 #include "host_tools/input_error.h"
 #include "rendering/geometry/portable_math.h"
 
@@ -83,19 +82,15 @@ DeviceParameters ready_at_once(DeviceParameters device) {
 
 // As it is, but with its full force at once, and without the passivity control: the certificate is
 // for what the wall does by itself, and that control is there for what nobody certified.
-void configure(firmware::Controller& controller, const WallContact& contact,
-               std::span<const rendering::Object> wall) {
+void prepare(firmware::Controller& controller, const WallContact& contact,
+             std::span<const rendering::Object> wall) {
   firmware::ControllerConfig config = contact.controller;
   config.workspace_origin_D = contact.point_B;
   config.safety.soft_start_s = 0.0;
   config.safety.contact_start_s = 0.0;
   config.safety.passivity_damping_Ns_per_m = 0.0;
   config.allow_uncertified = true;
-  if (const auto configured = controller.configure(config); !configured) {
-    const firmware::ConfigError& error = configured.error();
-    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}", error.field,
-                                 error.value, error.least, error.greatest));
-  }
+  configure(controller, config);
   if (!controller.load_scene(wall, {.tool_radius_m = 0.0})) {
     throw InputError("the controller refused the wall");
   }
@@ -192,7 +187,7 @@ double motion_in_window(Contact& contact, const Press& press, const WindowTicks&
 
 ContactVerdict ContactTrial::run(const WallContact& contact, const WallStiffness& wall) {
   const std::array<rendering::Object, 1> objects{wall_object(contact, wall)};
-  configure(*controller_, contact, objects);
+  prepare(*controller_, contact, objects);
   const Course course = plan_course(contact, wall);
   const Press press = press_of(contact, course);
   Contact now(*controller_, contact, course);

@@ -9,6 +9,7 @@
 
 #include "firmware/control/repeat_tick.h"
 #include "firmware/telemetry/record_fields.h"
+#include "host_tools/configure_controller.h"
 #include "host_tools/input_error.h"
 #include "rendering/scene/scene_world.h"
 
@@ -97,11 +98,7 @@ Replayer::Replayer(const ReplaySetup& setup)
     : controller_(std::make_unique<firmware::Controller>()) {
   firmware::ControllerConfig config = setup.config;
   config.allow_uncertified = true;  // what was loaded then is loaded now
-  const auto configured = controller_->configure(config);
-  if (!configured) {
-    throw InputError("the controller refuses the configuration: " +
-                     std::string(configured.error().field) + " is out of range");
-  }
+  configure(*controller_, config);
   if (!setup.objects.empty() && !controller_->load_scene(setup.objects, setup.world)) {
     throw InputError("the controller refuses the scene");
   }

@@ -1,9 +1,8 @@
 #include "host_tools/simulation/simulation.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "host_tools/configure_controller.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -28,11 +27,7 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
   firmware::ControllerConfig controller = config.controller;
   controller.rate_hz = config.rate_hz;
   controller.workspace_origin_D = origin_B_;
-  if (const auto configured = controller_->configure(controller); !configured) {
-    const firmware::ConfigError& error = configured.error();
-    throw InputError(fmt::format("controller: {} is {}, outside of {} to {}", error.field,
-                                 error.value, error.least, error.greatest));
-  }
+  configure(*controller_, controller);
   if (!controller_->load_scene(objects,
                                {.tool_radius_m = tool_radius_m, .effects = config.effects})) {
     throw InputError(
