@@ -66,12 +66,13 @@ inline void transfer(StateArchive& archive, EffectState& state) {
   archive(last_tool_W, held_force_W, delivered_J, anchor_W, phase, started);
 }
 
-// That there is such an object, and such a triangle of its mesh.
+// That the shared proxy meets such an object, and that its mesh has such a triangle.
 inline void require_place(StateArchive& archive, const Scenery& scenery, std::uint32_t object,
                           std::uint32_t triangle) {
   archive.require(object < scenery.size());
-  archive.require(archive.good() && (scenery[object].surface != SurfaceKind::mesh ||
-                                     triangle < scenery[object].mesh.triangles.size()));
+  archive.require(archive.good() && meets_proxy(scenery[object]) &&
+                  (scenery[object].surface != SurfaceKind::mesh ||
+                   triangle < scenery[object].mesh.triangles.size()));
 }
 
 }  // namespace tactus::rendering

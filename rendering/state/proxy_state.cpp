@@ -87,7 +87,7 @@ void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& sce
   archive(object, index, prepared, measured);
   archive(normal_x_[i], normal_y_[i], normal_z_[i], height_[i]);
   require_place(archive, scenery, object, index);
-  archive.require(archive.good() && meets_proxy(scenery[object]) &&
+  archive.require(archive.good() &&
                   (!prepared || scenery[object].surface != SurfaceKind::primitive));
   if (!archive.is_reading() || !archive.good()) {
     return;
@@ -114,7 +114,9 @@ void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = touched;
   archive(object, triangle, normal_W);
-  if (object != kNoObject) {
+  if (object == kNoObject) {
+    archive.require(normal_W.isZero(0.0));
+  } else {
     require_place(archive, scenery, object, triangle);
   }
   neighbourhood.transfer(archive, scenery, shells);

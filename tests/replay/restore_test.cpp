@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <random>
 #include <vector>
 
@@ -216,6 +218,40 @@ TEST(Restore, IsThereRightAfterASmallerScene) {
     ++swaps;
   }
   EXPECT_GT(swaps, 0U);
+}
+
+// The normal of what held the proxy last stands behind its object and triangle.
+TEST(Restore, RefusesAProxyThatNothingHolds) {
+  const Solid ball(icosphere(0.03, 3), Sides::one, kRough);
+  const std::array<Object, 1> objects{ball.object()};
+  const RestoreScene scene{.objects = objects, .world = {.tool_radius_m = 0.002}};
+  const auto controller = loaded(scene);
+  SceneWalk walk(objects, 800);
+  while (controller->record().contact == rendering::ContactKind::none) {
+    give(*controller, walk.next(controller->mode()));
+  }
+  std::vector<std::byte> bytes(firmware::kMaxCheckpointBytes);
+  bytes.resize(controller->save(bytes));
+  ASSERT_TRUE(loaded(scene)->restore(bytes));
+  struct Held {
+    std::uint32_t object;
+    std::uint32_t triangle;
+    std::array<double, 3> normal_W;
+  };
+  std::size_t refused = 0;
+  for (std::size_t place = 0; place + sizeof(Held) <= bytes.size(); ++place) {
+    Held held{};
+    std::memcpy(&held, bytes.data() + place, sizeof held);
+    const auto& [x, y, z] = held.normal_W;
+    if (held.object != 0 || held.triangle >= objects[0].mesh.triangles.size() ||
+        !(std::abs(x * x + y * y + z * z - 1.0) < 1e-9)) {
+      continue;
+    }
+    std::vector<std::byte> changed = bytes;
+    std::memcpy(changed.data() + place, &rendering::kNoObject, sizeof rendering::kNoObject);
+    refused += loaded(scene)->restore(changed) ? 0U : 1U;
+  }
+  EXPECT_EQ(refused, 1U);
 }
 
 }  // namespace
