@@ -1,6 +1,7 @@
 #include "rendering/contact/neighbourhood.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -87,13 +88,8 @@ void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p, double 
     const Floats bound = floats_at(&of.normal_x_[first]) * at.x +
                          floats_at(&of.normal_y_[first]) * at.y +
                          floats_at(&of.normal_z_[first]) * at.z + floats_at(&of.height_[first]);
-    const Integers near = bound <= most;
-    if (!any(near)) {
-      continue;
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      number[count] = static_cast<std::uint16_t>(first + k);
-      count += near[k] != 0 ? 1U : 0U;
+    for (std::uint32_t near = which(bound <= most); near != 0; near &= near - 1) {
+      number[count++] = static_cast<std::uint16_t>(first + lowest(near));
     }
   }
 }

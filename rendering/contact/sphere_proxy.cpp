@@ -173,6 +173,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (rest.plane_count == 2) {
       last_crease_move_ = goal.stretched ? Vec3{Vec3::Zero()} : Vec3{goal.point - p_};
     }
+    const Vec3 from = p_;
     p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
     if (way.is_known) {
       neighbourhood_.move_to_end(p_);
@@ -181,8 +182,33 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     }
     ++rest.sub_goals;
     neighbourhood_.add_work(kWorkOfASubGoal);
+    if (way.is_known && !goal.stretched && rest.sub_goals > 1 && is_still_on_face(scenery, rest)) {
+      Nearest& nearest = rest.planes[0].nearest;
+      nearest.distance += nearest.normal.dot(p_ - from);
+      return rest;
+    }
     most_push = 0.0;
   }
+}
+
+// Whether another look at what holds the proxy, which has come to the goal, would find nothing new:
+// on the one face that held it the plane is the same, and whatever else is near is touched on its
+// border, where it gives none. After a tick's first move that is not asked: where triangles are
+// small it mostly is not so, and asking would cost more than it saves.
+bool SphereProxy::is_still_on_face(const Scenery& scenery, const ProxyRest& rest) {
+  const ContactPlane& contact = rest.planes[0];
+  if (rest.plane_count != 1 || contact.nearest.feature != Feature::face || recalled_count_ > 0) {
+    return false;
+  }
+  bool is_held = false;
+  for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
+    const Triangle* const triangle = neighbourhood_.triangle(i, scenery);
+    if (triangle == nullptr || has_stopped(i) || triangle->faces(p_) != (i == contact.candidate)) {
+      return false;
+    }
+    is_held = is_held || i == contact.candidate;
+  }
+  return is_held;
 }
 
 // How much of the way the sphere may go. A move that leaves the trusted capsule is cut at its

@@ -177,6 +177,7 @@ class SphereProxy {
   Vec3 follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest);
   [[nodiscard]] Bend bend_of_feature(const Vec3& move, const Vec3& h, const ProxyRest& rest) const;
   [[nodiscard]] Bend bend_of_crease(const Vec3& move, const ProxyRest& rest) const;
+  [[nodiscard]] bool is_still_on_face(const Scenery& scenery, const ProxyRest& rest);
   Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
   double sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
                           std::size_t& stopped_by);

@@ -2,7 +2,6 @@
 // into four times one: the bits are the same.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -25,10 +24,20 @@ inline Floats floats_at(const float* place) {
   return floats;
 }
 
-// Whether any is not 0.
-inline bool any(Integers answers) {
-  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(answers);
-  return (halves[0] | halves[1]) != 0;
+// The numbers of those that hold, each a bit; all bits of an answer are the same.
+inline std::uint32_t which(Integers answers) {
+#ifdef __SSE__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskps(std::bit_cast<Floats>(answers)));
+#else
+  constexpr Integers kBits{1, 2, 4, 8};
+  const Integers bits = answers & kBits;
+  return static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]);
+#endif
+}
+
+// Of such bits, which are not all 0.
+inline std::uint32_t lowest(std::uint32_t bits) {
+  return static_cast<std::uint32_t>(std::countr_zero(bits));
 }
 
 // Of two that are numbers.
@@ -37,6 +46,10 @@ inline Floats least(Floats a, Floats b) {
 }
 inline Floats most(Floats a, Floats b) {
   return a > b ? a : b;
+}
+
+inline Floats magnitude(Floats a) {
+  return std::bit_cast<Floats>(std::bit_cast<Integers>(a) & 0x7fff'ffff);
 }
 
 inline Floats root(Floats squared) {

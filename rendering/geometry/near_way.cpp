@@ -22,10 +22,6 @@ FourVectors corners(const MeshView& mesh, const std::array<const TriangleIndices
               mesh.vertices[(*triangles[2])[corner]], mesh.vertices[(*triangles[3])[corner]]);
 }
 
-Floats magnitude(Floats a) {
-  return most(a, -a);
-}
-
 Floats largest(const FourVectors& v) {
   return most(most(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
@@ -68,8 +64,8 @@ NearWay::Four NearWay::bounds(const MeshView& mesh, std::uint32_t first, std::ui
   const Floats reach = reach_ + rounding;
   const Integers directed = squared > kLeastSquaredGap;
   const Integers far = (distance > 0.0F) & (distance * distance > reach * reach * squared);
-  Four four{.near = ~(far & directed)};
-  if (any(four.near)) {
+  Four four{.near = which(~(far & directed))};
+  if (four.near != 0) {
     const Floats over = directed ? (1.0F - kWayRounding) / root(squared) : all(0.0F);
     four.normal = {over * offset.x, over * offset.y, over * offset.z};
     four.offset = over * behind + rounding;

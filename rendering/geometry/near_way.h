@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "rendering/geometry/floats.h"
@@ -28,8 +29,9 @@ class NearWay {
     const std::uint32_t end = first + count;
     for (; first < end; first += 4) {
       const Four four = bounds(mesh, first, end - 1);
-      for (std::uint32_t k = 0; k < 4 && first + k < end; ++k) {
-        if (four.near[k] != 0) {
+      for (std::uint32_t near = four.near; near != 0; near &= near - 1) {
+        const std::uint32_t k = lowest(near);
+        if (first + k < end) {
           found(first + k, Bound{.normal = {four.normal.x[k], four.normal.y[k], four.normal.z[k]},
                                  .offset = four.offset[k]});
         }
@@ -39,7 +41,7 @@ class NearWay {
 
  private:
   struct Four {
-    Integers near;  // 0 for those that are far
+    std::uint32_t near;  // which
     FourVectors normal;
     Floats offset;
   };
