@@ -48,6 +48,13 @@ Touched touched_by(const ProxyRest& rest) {
   return {.object = plane.object, .triangle = plane.triangle, .normal_W = rest.normal_W};
 }
 
+void add_point(ProxyPath* path, std::size_t number, const Vec3& p) {
+  if (path != nullptr) {
+    path->points[number] = p;
+    path->count = number + 1;
+  }
+}
+
 }  // namespace
 
 void SphereProxy::place(const Vec3& p_W) {
@@ -115,10 +122,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
   ProxyRest rest;
   double most_push = kMostPushOut_m;
   for (;;) {
-    if (path != nullptr) {
-      path->points[rest.sub_goals] = p_;
-      path->count = rest.sub_goals + 1U;
-    }
+    add_point(path, rest.sub_goals, p_);
     const std::size_t before = neighbourhood_.gatherings();
     const Gathering gathering = neighbourhood_.ensure(scenery, shells_, p_);
     const bool gathered = neighbourhood_.gatherings() != before;
@@ -185,6 +189,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (way.is_known && !goal.stretched && rest.sub_goals > 1 && is_still_on_face(scenery, rest)) {
       Nearest& nearest = rest.planes[0].nearest;
       nearest.distance += nearest.normal.dot(p_ - from);
+      add_point(path, rest.sub_goals, p_);
       return rest;
     }
     most_push = 0.0;
