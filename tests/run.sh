@@ -23,13 +23,17 @@ stages=(
   "shell             shell.sh"
   "tidy              tidy.sh"
 )
+soak_stages=(
+  "alone             build.sh alone"
+)
 
 usage() {
   cat <<END
 usage: tests/run.sh [--only STAGE]... [--soak] [--help]
   --only STAGE   run this stage only; may be repeated
-  --soak         random tests a hundred times as long, the loop a minute for each rate and device
-stages: $(printf '%s\n' "${stages[@]}" | awk '{print $1}' | paste -sd' ')
+  --soak         random tests a hundred times as long, the loop a minute for each rate and device, and
+                 $(printf '%s\n' "${soak_stages[@]}" | awk '{print $1}' | paste -sd' ')
+stages: $(printf '%s\n' "${stages[@]}" "${soak_stages[@]}" | awk '{print $1}' | paste -sd' ')
 Each stage's whole output is kept in build/test-logs/STAGE.log.
 END
 }
@@ -48,13 +52,14 @@ while [[ $# -gt 0 ]]; do
   shift
 done
 for name in "${only[@]}"; do
-  if ! printf '%s\n' "${stages[@]}" | grep -q "^$name "; then
+  if ! printf '%s\n' "${stages[@]}" "${soak_stages[@]}" | grep -q "^$name "; then
     echo "tests/run.sh: no stage '$name'" >&2
     usage >&2
     exit 2
   fi
 done
 is_wanted() { [[ ${#only[@]} -eq 0 || " ${only[*]} " == *" $1 "* ]]; }
+if [[ -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then stages+=("${soak_stages[@]}"); fi
 
 logs=build/test-logs
 mkdir -p "$logs"

@@ -16,7 +16,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kBakeExamples =
     "The files and their keys are described in host_tools/bake/README.md. A file with a "
     "[mechanism]\n"
     "is a device, any other a scene.\n"
@@ -28,14 +28,14 @@ constexpr const char* kExamples =
     "  tactus bake scene.toml --quiet             prints warnings and errors alone\n"
     "  tactus bake scene.toml --json | jq '.objects[].open_edges'";
 
-struct Options {
+struct BakeOptions {
   std::string scene;
   std::string output;
   bool json = false;
   bool quiet = false;
 };
 
-BakeReport bake_with_progress(const Options& options, const std::filesystem::path& output) {
+BakeReport bake_with_progress(const BakeOptions& options, const std::filesystem::path& output) {
   if (options.quiet || ::isatty(STDERR_FILENO) != 1) {
     return bake_file(options.scene, output);
   }
@@ -85,7 +85,7 @@ void print_table(const BakeReport& report) {
              report.tool_radius_m, report.seconds);
 }
 
-void run_device(const Options& options, const std::filesystem::path& output) {
+void run_device(const BakeOptions& options, const std::filesystem::path& output) {
   const LoadedDevice device = bake_device(options.scene);
   write_file_atomically(output, device.image());
   for (const std::string& warning : device.warnings()) {
@@ -107,7 +107,7 @@ void run_device(const Options& options, const std::filesystem::path& output) {
   }
 }
 
-void run(const Options& options) {
+void run(const BakeOptions& options) {
   const std::filesystem::path output =
       options.output.empty() ? std::filesystem::path(options.scene).replace_extension(".tactus")
                              : std::filesystem::path(options.output);
@@ -133,13 +133,13 @@ void run(const Options& options) {
 void add_bake_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "bake", "Turn a scene file and its meshes, or a device file, into an image");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BakeOptions>();
   verb->add_option("scene", options->scene, "Scene or device file (TOML)")->required();
   verb->add_option("-o,--output", options->output,
                    "Image to write; default: the file's name with .tactus");
   verb->add_flag("--json", options->json, "Print the report as one JSON object");
   verb->add_flag("-q,--quiet", options->quiet, "Print nothing but warnings and errors");
-  verb->footer(kExamples);
+  verb->footer(kBakeExamples);
   verb->callback([options] { run(*options); });
 }
 

@@ -24,7 +24,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kBenchExamples =
     "touch: the tool presses 1 to 3 mm into the mesh, strokes, leaves and comes back every two "
     "seconds, friction\n"
     "0.6 / 0.4, 1000 N/m; spheres of 0.1 m radius from 1,280 to 1,310,720 triangles, Debian's "
@@ -50,7 +50,7 @@ constexpr const char* kExamples =
     "  tactus bench touch --mesh statue.ply --longest-side-m 0.2 --radius-m 0.002\n"
     "  tactus bench sim --seconds 30 --json | jq .simulated_s_per_s";
 
-struct Options {
+struct BenchOptions {
   std::string what = "all";
   std::string mesh;
   double longest_side_m = 0.15;
@@ -107,7 +107,7 @@ void print_text(const TouchFigures& figures) {
   }
 }
 
-void bench_touch(const Options& options, const BenchmarkMesh& mesh, FiguresFile* file) {
+void bench_touch(const BenchOptions& options, const BenchmarkMesh& mesh, FiguresFile* file) {
   const rendering::Object object = object_of(mesh, !options.frictionless);
   for (const double radius_m : options.radii_m) {
     const std::vector<Vec3> path = stroke_workload(object.mesh, radius_m, options.ticks);
@@ -128,7 +128,7 @@ void bench_touch(const Options& options, const BenchmarkMesh& mesh, FiguresFile*
 }
 
 // One ball is stroked, alone and among others.
-void bench_objects(const Options& options) {
+void bench_objects(const BenchOptions& options) {
   constexpr double kToolRadius_m = 0.002;
   double alone_ns = 0.0;
   for (const std::size_t count : {std::size_t{1}, std::size_t{64}, std::size_t{1000}}) {
@@ -156,7 +156,7 @@ void bench_objects(const Options& options) {
 }
 
 // One ball is stroked under every friction model; the cone is the first.
-void bench_friction(const Options& options) {
+void bench_friction(const BenchOptions& options) {
   constexpr int kLevel = 5;
   constexpr double kToolRadius_m = 0.002;
   const BenchmarkMesh ball = sphere_mesh(kLevel);
@@ -181,7 +181,7 @@ void bench_friction(const Options& options) {
   }
 }
 
-void bench_sim(const Options& options, const BenchmarkMesh& mesh) {
+void bench_sim(const BenchOptions& options, const BenchmarkMesh& mesh) {
   constexpr double kToolRadius_m = 0.002;
   rendering::Object object = object_of(mesh, !options.frictionless);
   RunOptions run_options;
@@ -208,7 +208,8 @@ void bench_sim(const Options& options, const BenchmarkMesh& mesh) {
 }
 
 // Every mesh in turn; only one is held at a time.
-void for_each_mesh(const Options& options, const std::function<void(const BenchmarkMesh&)>& use) {
+void for_each_mesh(const BenchOptions& options,
+                   const std::function<void(const BenchmarkMesh&)>& use) {
   if (!options.mesh.empty()) {
     use(mesh_from_file(std::filesystem::path(options.mesh).stem().string(), options.mesh,
                        options.longest_side_m));
@@ -240,7 +241,7 @@ void for_each_mesh(const Options& options, const std::function<void(const Benchm
   }
 }
 
-void run_bench(const Options& options) {
+void run_bench(const BenchOptions& options) {
   if (options.loop) {
     LoopBenchOptions loop = options.loop_options;
     loop.plan.seconds = options.seconds;
@@ -276,7 +277,7 @@ void run_bench(const Options& options) {
   });
 }
 
-void add_loop_options(CLI::App& verb, Options& options) {
+void add_loop_options(CLI::App& verb, BenchOptions& options) {
   JitterPlan& plan = options.loop_options.plan;
   auto* loop = verb.add_flag("--loop", options.loop, "Measure how late a loop wakes");
   verb.add_option("--rate", plan.rate_hz, "For --loop, Hz")
@@ -298,7 +299,7 @@ void add_loop_options(CLI::App& verb, Options& options) {
 
 void add_bench_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("bench", "Measure how long a tick takes");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BenchOptions>();
   verb->add_option("what", options->what, "touch, objects, friction, sim or all")
       ->check(CLI::IsMember({"touch", "objects", "friction", "sim", "all"}))
       ->capture_default_str();
@@ -328,7 +329,7 @@ void add_bench_verb(CLI::App& app) {
   verb->add_option("--touch-to-be-counted", options->to_be_counted)->group("");
   add_loop_options(*verb, *options);
   verb->add_flag("--json", options->json, "Print one JSON object a line");
-  verb->footer(kExamples);
+  verb->footer(kBenchExamples);
   verb->callback([options] { run_bench(*options); });
 }
 

@@ -19,7 +19,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kCertifyExamples =
     "Presses the simulated device against walls of every stiffness and damping, with the hand off "
     "and on, at\n"
     "several places of its workspace, through the real controller. What it finds out goes into "
@@ -36,7 +36,7 @@ constexpr const char* kExamples =
     "  tactus certify arm.toml --margin 2            half of what was found to be stable\n"
     "  tactus certify arm.toml --dampings 16 --json | jq .certified";
 
-struct Options {
+struct CertifyOptions {
   std::string device;
   double margin = ZWidthOptions{}.margin;
   std::size_t dampings = ZWidthOptions{}.dampings;
@@ -46,7 +46,7 @@ struct Options {
 
 constexpr double kMostMargin = 100.0;
 
-ZWidth measure_with_progress(const Options& options, const CertifiedDevice& device) {
+ZWidth measure_with_progress(const CertifyOptions& options, const CertifiedDevice& device) {
   const ZWidthOptions sweep{
       .dampings = options.dampings, .margin = options.margin, .threads = options.threads};
   if (::isatty(STDERR_FILENO) != 1) {
@@ -103,7 +103,7 @@ void print_text(const ZWidth& z_width, const CertifiedDevice& device, const Cert
              files.csv.string(), files.png.string(), name);
 }
 
-void run(const Options& options) {
+void run(const CertifyOptions& options) {
   if (!(options.margin >= 1.0) || options.margin > kMostMargin) {
     throw InputError(
         fmt::format("--margin {}: write a number from 1 to {}", options.margin, kMostMargin));
@@ -137,7 +137,7 @@ void run(const Options& options) {
 void add_certify_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "certify", "Find out how stiff a surface a device holds, on the simulated device");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CertifyOptions>();
   verb->add_option("device", options->device, "Device file (TOML)")->required();
   verb->add_option("--margin", options->margin,
                    "What was found to be stable is divided by this, 1 to 100")
@@ -146,7 +146,7 @@ void add_certify_verb(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--threads", options->threads, "Default: one a processor");
   verb->add_flag("--json", options->json, "Print the result as one JSON object");
-  verb->footer(kExamples);
+  verb->footer(kCertifyExamples);
   verb->callback([options] { run(*options); });
 }
 

@@ -17,7 +17,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kDoctorExamples =
     "Looks at the kernel, at what this user may do, at the processors, and at the interfaces that "
     "devices hang on.\n"
     "Changes nothing. Below a line that is not well stands the command that mends it.\n"
@@ -30,7 +30,7 @@ constexpr const char* kExamples =
     "  tactus doctor --save board           records what was looked at, to be sent to someone\n"
     "  tactus doctor --root board           examines a recorded machine";
 
-struct Options {
+struct DoctorOptions {
   std::string device;
   std::string root;
   std::string save;
@@ -57,7 +57,7 @@ Needs needs_of_file(const std::string& name) {
   return needs_of(device.config());
 }
 
-void run(const Options& options) {
+void run(const DoctorOptions& options) {
   const Needs needs = needs_of_file(options.device);
   Machine machine = options.root.empty() ? Machine() : Machine(options.root);
   const Findings findings = examine(machine, needs);
@@ -75,13 +75,13 @@ void run(const Options& options) {
 void add_doctor_verb(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("doctor", "Say whether this machine can run the controller on time");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DoctorOptions>();
   verb->add_option("device", options->device, "Device (.toml or .tactus); default: any");
   auto* root = verb->add_option("--root", options->root, "Folder of a recorded machine");
   verb->add_option("--save", options->save, "Record what was looked at in this folder")
       ->excludes(root);
   verb->add_flag("--json", options->json, "Print one JSON object a line");
-  verb->footer(kExamples);
+  verb->footer(kDoctorExamples);
   verb->callback([options] { run(*options); });
 }
 

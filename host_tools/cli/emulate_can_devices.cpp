@@ -18,7 +18,7 @@ namespace tactus::host {
 namespace {
 
 // Of one kind of drive; what the others need stays as it is.
-struct Options {
+struct CanDeviceOptions {
   MachineOptions machine;
   std::string interface;
   std::vector<unsigned> nodes;
@@ -32,7 +32,7 @@ struct Options {
   double status_ms = 5.0;
 };
 
-void emulate_can(const Options& options, const std::string& kind, bool needs_fd,
+void emulate_can(const CanDeviceOptions& options, const std::string& kind, bool needs_fd,
                  const MakeCanEmulator& make) {
   CanDrives drives(options.interface, options.nodes, needs_fd, options.machine.seed, make);
   if (drives.link_is_down()) {
@@ -48,7 +48,7 @@ void emulate_can(const Options& options, const std::string& kind, bool needs_fd,
           });
 }
 
-void emulate_odrive(const Options& options) {
+void emulate_odrive(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 0, 62);
   const ODriveFirmware firmware = odrive_firmware(options.firmware);
   emulate_can(
@@ -60,7 +60,7 @@ void emulate_odrive(const Options& options) {
       });
 }
 
-void emulate_moteus(const Options& options) {
+void emulate_moteus(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 1, 126);
   emulate_can(options, "moteus", true,
               [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
@@ -72,7 +72,7 @@ void emulate_moteus(const Options& options) {
               });
 }
 
-void emulate_cia402(const Options& options) {
+void emulate_cia402(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 1, 127);
   emulate_can(options, "CiA 402", false,
               [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
@@ -86,7 +86,7 @@ void emulate_cia402(const Options& options) {
               });
 }
 
-void emulate_vesc(const Options& options) {
+void emulate_vesc(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 0, 254);
   emulate_can(options, "VESC", false, [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
     return std::make_unique<VescEmulator>(
@@ -101,13 +101,13 @@ void emulate_vesc(const Options& options) {
 
 struct Device {
   CLI::App& verb;
-  Options& options;
+  CanDeviceOptions& options;
 };
 
 // The options live as long as the verb's callback.
 Device add_can_device(CLI::App& emulate, const char* name, const char* text,
-                      const std::vector<unsigned>& nodes, void (*run)(const Options&)) {
-  const auto options = std::make_shared<Options>();
+                      const std::vector<unsigned>& nodes, void (*run)(const CanDeviceOptions&)) {
+  const auto options = std::make_shared<CanDeviceOptions>();
   CLI::App* const verb = emulate.add_subcommand(name, text);
   options->machine.mechanism = "woodenhaptics";
   options->nodes = nodes;

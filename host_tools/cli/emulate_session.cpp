@@ -7,12 +7,11 @@
 #include <cstdio>
 
 #include "firmware/configuration/controller_config.h"
+#include "host_tools/cli/progress_line.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
-
-constexpr const char* kWipeLine = "\r\x1b[K";
 
 void show_status(const EmulatedRun& run) {
   const MachineTruth& truth = run.machine().truth();

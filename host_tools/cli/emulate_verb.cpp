@@ -6,7 +6,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kEmulateExamples =
     "Each device has its own help: tactus emulate odrive --help. What is faked and what is not, "
     "the\n"
     "columns of the truth and how to set up interfaces: host_tools/emulators/README.md.\n"
@@ -28,7 +28,7 @@ void add_emulate_verb(CLI::App& app) {
   CLI::App* const verb = app.add_subcommand(
       "emulate", "Play a haptic device from the other side of a CAN bus, USB, a tty or GPIO lines");
   verb->require_subcommand(0, 1);
-  verb->footer(kExamples);
+  verb->footer(kEmulateExamples);
   add_emulated_can_devices(*verb);
   add_emulated_boards(*verb);
   verb->callback([verb] {

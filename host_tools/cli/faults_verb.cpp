@@ -12,18 +12,18 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kFaultsExamples =
     "Examples:\n"
     "  tactus faults\n"
     "  tactus faults | grep -A1 overspeed\n"
     "  tactus faults --markdown --into firmware/README.md";
 
-struct Options {
+struct FaultsOptions {
   bool markdown = false;
   std::string into;
 };
 
-void run(const Options& options) {
+void run(const FaultsOptions& options) {
   if (!options.into.empty()) {
     const std::string text = with_fault_table(read_file(options.into));
     write_file_atomically(options.into, std::as_bytes(std::span(text)));
@@ -37,10 +37,10 @@ void run(const Options& options) {
 void add_faults_verb(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("faults", "List what stops or limits the controller, and the way back");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FaultsOptions>();
   CLI::Option* markdown = verb->add_flag("--markdown", options->markdown, "As a Markdown table");
   verb->add_option("--into", options->into, "Replace the table in this file")->needs(markdown);
-  verb->footer(kExamples);
+  verb->footer(kFaultsExamples);
   verb->callback([options] { run(*options); });
 }
 

@@ -21,7 +21,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kFitExamples =
     "The record has the columns t_s,x_m,force_N and may have v_m_per_s and normal_force_N. force_N "
     "is the friction, along the\n"
     "motion: what drives the motion, less mass times acceleration. With a normal force the "
@@ -44,7 +44,7 @@ constexpr const char* kExamples =
     "  tactus fit joint.csv --model lugre --joint --output friction.toml --figure fit.png\n"
     "  tactus fit stroke.csv --model stribeck --fit-alpha --json | jq .fits[0].parameters";
 
-struct Options {
+struct FitVerbOptions {
   std::string record;
   std::string model = "all";
   std::optional<double> normal_force_N;
@@ -98,7 +98,7 @@ nlohmann::ordered_json json_of(const FrictionFit& fit, ForceScale scale) {
           {"parameters", parameters}};
 }
 
-void print_json(const Options& options, const FrictionRecord& record,
+void print_json(const FitVerbOptions& options, const FrictionRecord& record,
                 std::span<const FrictionFit> fits) {
   const ForceScale scale = scale_of(record);
   auto all = nlohmann::ordered_json::array();
@@ -113,7 +113,7 @@ void print_json(const Options& options, const FrictionRecord& record,
   fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-void print_text(const Options& options, const FrictionRecord& record,
+void print_text(const FitVerbOptions& options, const FrictionRecord& record,
                 std::span<const FrictionFit> fits) {
   fmt::print("{}", record_text(options.record, record));
   for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -121,7 +121,8 @@ void print_text(const Options& options, const FrictionRecord& record,
   }
 }
 
-void write_outputs(const Options& options, const FrictionRecord& record, const FrictionFit& fit) {
+void write_outputs(const FitVerbOptions& options, const FrictionRecord& record,
+                   const FrictionFit& fit) {
   const std::string name = std::filesystem::path(options.record).filename().string();
   if (!options.output.empty()) {
     const std::string toml =
@@ -138,7 +139,7 @@ void write_outputs(const Options& options, const FrictionRecord& record, const F
   }
 }
 
-void run_fit(const Options& options) {
+void run_fit(const FitVerbOptions& options) {
   const std::vector<rendering::FrictionKind> kinds = kinds_to_fit(options.model);
   const FrictionRecord record = read_friction_record(options.record, options.normal_force_N);
   if (options.joint && record.has_normal_force) {
@@ -169,7 +170,7 @@ void run_fit(const Options& options) {
 void add_fit_verb(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("fit", "Estimate the parameters of friction models from measurements");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FitVerbOptions>();
   verb->add_option("record", options->record, "Measured motion and force (CSV)")->required();
   verb->add_option("--model", options->model, "coulomb, stribeck, dahl, lugre or all")
       ->capture_default_str();
@@ -186,7 +187,7 @@ void add_fit_verb(CLI::App& app) {
                    "Write the friction of the model, or of the preferred one, to this TOML file");
   verb->add_option("--figure", options->figure, "Draw measurement and fit into this PNG file");
   verb->add_flag("--json", options->json, "Print what was found as one JSON object");
-  verb->footer(kExamples);
+  verb->footer(kFitExamples);
   verb->callback([options] { run_fit(*options); });
 }
 

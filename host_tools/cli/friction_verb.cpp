@@ -20,7 +20,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kFrictionExamples =
     "The output has the columns t_s,x_m,v_m_per_s,force_N,bristle_m, and further ones where an "
     "experiment has more to say.\n"
     "force_N points along the motion, as in the papers: a mass feels -force_N.\n"
@@ -42,7 +42,7 @@ constexpr const char* kExamples =
 
 constexpr double kDefaultRate_hz = 1000.0;
 
-struct Options {
+struct FrictionOptions {
   std::string model = "lugre";
   std::vector<std::string> parameters;
   std::string motion;
@@ -57,7 +57,7 @@ struct Options {
   bool json = false;
 };
 
-rendering::FrictionParameters parameters_from(const Options& options) {
+rendering::FrictionParameters parameters_from(const FrictionOptions& options) {
   const ForceScale scale = options.normal_force_N ? ForceScale::per_newton : ForceScale::newton;
   rendering::FrictionParameters parameters = published_parameters(friction_kind(options.model));
   for (const std::string& assignment : options.parameters) {
@@ -96,7 +96,8 @@ void print_table(const FindingsTable& findings) {
   }
 }
 
-void report(const Options& options, const FrictionTrack& track, const FindingsTable& findings) {
+void report(const FrictionOptions& options, const FrictionTrack& track,
+            const FindingsTable& findings) {
   if (options.json) {
     nlohmann::ordered_json json{{"model", options.model}};
     if (!options.experiment.empty()) {
@@ -125,7 +126,8 @@ std::string title(const rendering::FrictionParameters& parameters, const std::st
                      name_of(parameters.kind).title);
 }
 
-FrictionTrack motion_track(const Options& options, const rendering::FrictionParameters& friction) {
+FrictionTrack motion_track(const FrictionOptions& options,
+                           const rendering::FrictionParameters& friction) {
   TimeSeries motion = read_time_series(options.motion, "x_m");
   if (options.rate_hz) {
     motion = resampled(motion, *options.rate_hz);
@@ -138,7 +140,8 @@ FrictionTrack motion_track(const Options& options, const rendering::FrictionPara
   return track;
 }
 
-FrictionTrack push_track(const Options& options, const rendering::FrictionParameters& friction) {
+FrictionTrack push_track(const FrictionOptions& options,
+                         const rendering::FrictionParameters& friction) {
   FrictionTrack track = run_push({.friction = friction,
                                   .normal_force_N = options.normal_force_N.value_or(1.0),
                                   .mass_kg = options.mass_kg,
@@ -150,7 +153,7 @@ FrictionTrack push_track(const Options& options, const rendering::FrictionParame
   return track;
 }
 
-ExperimentResult experiment_result(const Options& options,
+ExperimentResult experiment_result(const FrictionOptions& options,
                                    const rendering::FrictionParameters& friction) {
   const Experiment& known = experiment(options.experiment);
   ExperimentRun run{.friction = friction,
@@ -168,7 +171,7 @@ ExperimentResult experiment_result(const Options& options,
   return result;
 }
 
-void run_friction(const Options& options) {
+void run_friction(const FrictionOptions& options) {
   const int tasks = static_cast<int>(!options.motion.empty()) +
                     static_cast<int>(!options.push.empty()) +
                     static_cast<int>(!options.experiment.empty());
@@ -203,7 +206,7 @@ void add_friction_verb(CLI::App& app) {
   constexpr double kMostRate_hz = 1e6;
   CLI::App* verb = app.add_subcommand(
       "friction", "Run a friction model on a motion, on a pushed mass, or in an experiment");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FrictionOptions>();
   verb->add_option("--model", options->model,
                    "cone, coulomb, stribeck, karnopp, dahl, lugre or elasto_plastic")
       ->capture_default_str();
@@ -228,7 +231,7 @@ void add_friction_verb(CLI::App& app) {
   verb->add_option("-o,--output", options->output, "Write the result to this CSV file");
   verb->add_option("--figure", options->figure, "Draw it into this PNG file");
   verb->add_flag("--json", options->json, "Print what was found as one JSON object");
-  verb->footer(parameter_help() + "\n" + experiment_help() + "\n" + kExamples);
+  verb->footer(parameter_help() + "\n" + experiment_help() + "\n" + kFrictionExamples);
   verb->callback([options] { run_friction(*options); });
 }
 

@@ -15,20 +15,20 @@ namespace {
 using rendering::Float3;
 using rendering::SceneImage;
 
-constexpr const char* kExamples =
+constexpr const char* kInspectExamples =
     "An image that opens has passed every check: checksum, structure, index ranges, hierarchy.\n"
     "\n"
     "Examples:\n"
     "  tactus inspect scene.tactus\n"
     "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'";
 
-struct Options {
+struct InspectOptions {
   std::string image;
   bool json = false;
 };
 
 // One object, gathered from the image's views.
-struct Summary {
+struct ObjectSummary {
   std::string name;
   rendering::Object object;
   rendering::BakeCounters counters;
@@ -41,7 +41,7 @@ struct Summary {
   }
 };
 
-Summary summarise(const SceneImage& image, std::size_t index) {
+ObjectSummary summarise(const SceneImage& image, std::size_t index) {
   const rendering::BakedMeshView baked = image.baked_mesh(index);
   const std::size_t bytes = baked.mesh.vertices.size_bytes() + baked.mesh.triangles.size_bytes() +
                             baked.mesh.nodes.size_bytes() + baked.neighbours.size_bytes() +
@@ -71,7 +71,7 @@ nlohmann::ordered_json to_json(const rendering::MaterialGrain& grain) {
       {"direction", to_json(grain.direction_O)}, {"along", grain.along}, {"across", grain.across}};
 }
 
-nlohmann::ordered_json to_json(const Summary& s) {
+nlohmann::ordered_json to_json(const ObjectSummary& s) {
   const rendering::Material& material = s.object.material;
   return {{"name", s.name},
           {"triangles", s.object.mesh.triangles.size()},
@@ -96,7 +96,7 @@ nlohmann::ordered_json to_json(const Summary& s) {
           {"inconsistent_edges", s.counters.inconsistent_edges}};
 }
 
-void print_json(const Options& options, const MappedScene& scene) {
+void print_json(const InspectOptions& options, const MappedScene& scene) {
   nlohmann::ordered_json json{{"image", options.image},
                               {"version", scene.image().version()},
                               {"checksum", fmt::format("{:016x}", scene.image().checksum())},
@@ -125,7 +125,7 @@ void print_friction(const rendering::Material& material) {
   }
 }
 
-void print_object(const Summary& s) {
+void print_object(const ObjectSummary& s) {
   const rendering::Material& material = s.object.material;
   fmt::print("\n{}\n", s.name);
   fmt::print("  triangles  {}, vertices {}, hierarchy nodes {}, {:.1f} bytes a triangle\n",
@@ -147,7 +147,7 @@ void print_object(const Summary& s) {
              s.counters.degenerate_triangles);
 }
 
-void print_text(const Options& options, const MappedScene& scene) {
+void print_text(const InspectOptions& options, const MappedScene& scene) {
   fmt::print("{}: format version {}, {} bytes, checksum {:016x} is right\n", options.image,
              scene.image().version(), scene.bytes().size(), scene.image().checksum());
   fmt::print("tool radius {} m, {} tool{}, {} object{}\n", scene.image().tool_radius_m(),
@@ -161,7 +161,7 @@ void print_text(const Options& options, const MappedScene& scene) {
   }
 }
 
-void run(const Options& options) {
+void run(const InspectOptions& options) {
   const MappedScene scene(options.image);
   if (options.json) {
     print_json(options, scene);
@@ -174,10 +174,10 @@ void run(const Options& options) {
 
 void add_inspect_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("inspect", "Check a scene image and show what is in it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InspectOptions>();
   verb->add_option("image", options->image, "Scene image (.tactus)")->required();
   verb->add_flag("--json", options->json, "Print one JSON object");
-  verb->footer(kExamples);
+  verb->footer(kInspectExamples);
   verb->callback([options] { run(*options); });
 }
 

@@ -9,7 +9,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kMonitorExamples =
     "Shows mode, faults and what to do about them, axes, forces, how the loop keeps its time, and "
     "where energy goes;\n"
     "needs 80 columns and 24 rows, and nothing else that ssh does not have.\n"
@@ -28,7 +28,7 @@ void add_monitor_verb(CLI::App& app) {
   verb->add_option("--run-dir", *run_dir, "Folder of the controller's sockets")
       ->envname("TACTUS_RUN_DIR")
       ->capture_default_str();
-  verb->footer(kExamples);
+  verb->footer(kMonitorExamples);
   verb->callback([run_dir] { run_monitor(*run_dir); });
 }
 

@@ -14,7 +14,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kPlotExamples =
     "Takes the CSV file of `tactus sim` or `tactus touch` and draws two PNG files with gnuplot:\n"
     "force and depth over time, and the proxy's path over the scene from two sides.\n"
     "\n"
@@ -28,14 +28,14 @@ constexpr const char* kExamples =
     "                                                        and shaded_against.png: both forces, "
     "and how they turn";
 
-struct Options {
+struct PlotOptions {
   std::string run;
   std::string scene;
   std::string output;
   std::string against;
 };
 
-void run_plot(const Options& options) {
+void run_plot(const PlotOptions& options) {
   const RunData run = read_run(options.run);
   const MappedScene scene(options.scene);
   const std::filesystem::path csv(options.run);
@@ -66,14 +66,14 @@ void run_plot(const Options& options) {
 
 void add_plot_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("plot", "Draw figures of a run: force, depth and the path");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlotOptions>();
   verb->add_option("run", options->run, "Run (CSV) of tactus sim or tactus touch")->required();
   verb->add_option("--scene", options->scene, "Scene image (.tactus) of the run")->required();
   verb->add_option("-o,--output", options->output,
                    "Folder or prefix of the PNG files; default: this folder");
   verb->add_option("--against", options->against,
                    "Another run (CSV), drawn over this one in a third figure");
-  verb->footer(kExamples);
+  verb->footer(kPlotExamples);
   verb->callback([options] { run_plot(*options); });
 }
 

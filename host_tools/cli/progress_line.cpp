@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kQuietAtFirst{2000};
 constexpr std::chrono::milliseconds kInterval{500};
-constexpr const char* kWipeLine = "\r\x1b[K";
 
 }  // namespace
 

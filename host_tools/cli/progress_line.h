@@ -10,6 +10,9 @@
 
 namespace tactus::host {
 
+// Takes back the terminal's line that the cursor is in.
+inline constexpr const char* kWipeLine = "\r\x1b[K";
+
 // Shows nothing in the first two seconds; then rewrites a line of stderr twice a second, from a
 // thread of its own, until destroyed, which wipes the line.
 class ProgressLine {

@@ -22,7 +22,7 @@ constexpr const char* kExitCodes =
     "\nExit codes: 0 done, 1 refused (the reply says why and what to do), 2 no controller could be "
     "reached.\nThe replies are described in firmware/commands/README.md.";
 
-struct Options {
+struct RemoteOptions {
   std::string run_dir = std::string(kDefaultRunDir);
   std::string name;
   std::string value;
@@ -30,7 +30,7 @@ struct Options {
   std::uint32_t ticks = 1;
   bool wait = false;
 };
-using Shared = std::shared_ptr<Options>;
+using SharedOptions = std::shared_ptr<RemoteOptions>;
 
 struct VerbText {
   const char* name;
@@ -38,9 +38,9 @@ struct VerbText {
   const char* examples;
 };
 
-std::pair<CLI::App*, Shared> add_verb(CLI::App& app, const VerbText& text) {
+std::pair<CLI::App*, SharedOptions> add_verb(CLI::App& app, const VerbText& text) {
   CLI::App* const verb = app.add_subcommand(text.name, text.description);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RemoteOptions>();
   verb->add_option("--run-dir", options->run_dir,
                    "Folder of the controller's sockets, as tactusd was given it")
       ->envname("TACTUS_RUN_DIR")
@@ -59,7 +59,7 @@ void tell(const Reply& reply) {
   }
 }
 
-void tell(const Options& options, const std::string& line) {
+void tell(const RemoteOptions& options, const std::string& line) {
   // A list asks the tick for each parameter of each object.
   constexpr std::chrono::minutes kLongList(1);
   Remote remote(options.run_dir);
@@ -68,7 +68,7 @@ void tell(const Options& options, const std::string& line) {
 }
 
 // Until homing is over, if the user waits for it.
-void home(const Options& options) {
+void home(const RemoteOptions& options) {
   Remote remote(options.run_dir);
   tell(remote.send("home"));
   while (options.wait) {

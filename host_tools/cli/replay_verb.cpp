@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kDiffers = 1;
 
-constexpr const char* kExamples =
+constexpr const char* kReplayExamples =
     "Gives the controller the recorded inputs once more and compares the hash of every tick, "
     "which\n"
     "is a chain over all that was felt and commanded. Stops at the first that differs and names "
@@ -42,7 +42,7 @@ constexpr const char* kExamples =
     "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
     "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png";
 
-struct Options {
+struct ReplayOptions {
   std::string recording;
   RunImages images;
   std::vector<std::string> changes;
@@ -97,7 +97,7 @@ RunData thinned(const std::vector<RunRow>& rows) {
 // Both forces, to where the user wants them.
 class ForceTraces {
  public:
-  explicit ForceTraces(const Options& options) : picture_(options.picture) {
+  explicit ForceTraces(const ReplayOptions& options) : picture_(options.picture) {
     if (!options.csv.empty()) {
       csv_.emplace(options.csv,
                    "t_s,recorded_x_N,recorded_y_N,recorded_z_N,changed_x_N,changed_y_N,"
@@ -136,7 +136,7 @@ class ForceTraces {
   std::vector<RunRow> changed_;
 };
 
-void show_changed(RecordedRun& run, const Options& options) {
+void show_changed(RecordedRun& run, const ReplayOptions& options) {
   std::vector<firmware::ParameterChange> changes;
   changes.reserve(options.changes.size());
   for (const std::string& text : options.changes) {
@@ -162,7 +162,7 @@ void show_changed(RecordedRun& run, const Options& options) {
   }
 }
 
-int run_replay(const Options& options) {
+int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
     throw InputError("--csv and --picture show two forces: give --set name=value, too");
   }
@@ -180,14 +180,14 @@ int run_replay(const Options& options) {
 
 void add_replay_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("replay", "Live a recorded run once more, and compare");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayOptions>();
   verb->add_option("recording", options->recording, "Recording (.mcap)")->required();
   verb->add_option("--device", options->images.device, "Device image (.tactus) of the run");
   verb->add_option("--scene", options->images.scene, "Scene image (.tactus) of the run");
   verb->add_option("--set", options->changes, "A parameter as it was not, like max_force_N=4");
   verb->add_option("--csv", options->csv, "With --set: write both forces of every tick there");
   verb->add_option("--picture", options->picture, "With --set: draw both forces there (PNG)");
-  verb->footer(kExamples);
+  verb->footer(kReplayExamples);
   verb->callback([options] {
     if (const int code = run_replay(*options); code != 0) {
       throw CLI::RuntimeError(code);

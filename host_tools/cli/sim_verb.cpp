@@ -20,7 +20,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kSimExamples =
     "A wish path is where the hand wants to be, with header t_s,x_m,y_m,z_m; without one the hand\n"
     "presses and strokes the front of the scene for ten seconds (a device with one axis presses\n"
     "on its right side). The device stands so that the middle of the path is the middle of its\n"
@@ -40,7 +40,7 @@ constexpr const char* kExamples =
     "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
     "    then, elsewhere: export TACTUS_RUN_DIR=/tmp/tactus; tactus home --wait; tactus enable";
 
-struct Options {
+struct SimOptions {
   std::string scene;
   std::string output;
   std::string hashes;
@@ -54,7 +54,7 @@ struct Options {
 // What happens beside the run, after each tick.
 class Recorder {
  public:
-  Recorder(const Options& options, double seconds, const Simulation& simulation,
+  Recorder(const SimOptions& options, double seconds, const Simulation& simulation,
            std::span<const std::byte> scene)
       : seconds_(seconds) {
     if (!options.output.empty()) {
@@ -110,7 +110,7 @@ class Recorder {
   std::optional<ProgressLine> progress_;
 };
 
-void run_sim(const Options& options) {
+void run_sim(const SimOptions& options) {
   if (options.serve) {
     ServeOptions serving = options.serving;
     serving.record = options.record;
@@ -138,7 +138,7 @@ void run_sim(const Options& options) {
 void add_sim_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "sim", "Let a simulated hand and device touch a scene through the controller");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimOptions>();
   RunOptions& run = options->run;
   verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
   verb->add_option("--device", run.device,
@@ -173,7 +173,7 @@ void add_sim_verb(CLI::App& app) {
   for (const char* const other : {"--output", "--hashes", "--fault", "--json"}) {
     serve->excludes(verb->get_option(other));
   }
-  verb->footer(kExamples);
+  verb->footer(kSimExamples);
   verb->callback([options] { run_sim(*options); });
 }
 

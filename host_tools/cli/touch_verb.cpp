@@ -21,7 +21,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kTouchExamples =
     "The path's header is t_s,x_m,y_m,z_m: where the tool's centre is, in the scene's world frame. "
     "The proxy starts at the\n"
     "first position. The tool's velocity, which the damping acts on, is the difference to the row "
@@ -40,14 +40,14 @@ constexpr std::string_view kHeader =
     "contact,depth_m,"
     "friction_state\n";
 
-struct Options {
+struct TouchOptions {
   std::string scene;
   std::string path;
   std::string output;
   bool json = false;
 };
 
-struct Summary {
+struct TouchSummary {
   std::size_t ticks = 0;
   std::size_t contact_ticks = 0;
   std::size_t flagged_ticks = 0;
@@ -112,7 +112,7 @@ void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Tou
   file.flush_if_full();
 }
 
-void print(const Options& options, const Summary& s) {
+void print(const TouchOptions& options, const TouchSummary& s) {
   if (options.json) {
     const nlohmann::ordered_json json{
         {"output", options.output},         {"ticks", s.ticks},
@@ -128,7 +128,7 @@ void print(const Options& options, const Summary& s) {
   }
 }
 
-void run(const Options& options) {
+void run(const TouchOptions& options) {
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
   const auto world = std::make_unique<rendering::World>();
@@ -136,7 +136,7 @@ void run(const Options& options) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
   }
   LogFile file(options.output, kHeader);
-  Summary summary;
+  TouchSummary summary;
   ProgressLine progress;
   constexpr std::size_t kTicksBetweenSteps = 4096;
   for (std::size_t row = 0; row < path.size(); ++row) {
@@ -160,13 +160,13 @@ void run(const Options& options) {
 void add_touch_verb(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("touch", "Replay tool positions against a scene, without dynamics");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TouchOptions>();
   verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
   verb->add_option("--path", options->path, "Tool positions (CSV)")->required();
   verb->add_option("-o,--output", options->output, "Write one row a tick to this CSV file")
       ->required();
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");
-  verb->footer(kExamples);
+  verb->footer(kTouchExamples);
   verb->callback([options] { run(*options); });
 }
 

@@ -20,7 +20,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kWatchExamples =
     "A line a tick, name=value apart by blanks, until the controller ends or the reader has had "
     "enough; events are lines\n"
     "that begin with 'event'. A field is a column of a recording (--list), or the beginning of "
@@ -115,7 +115,7 @@ void add_watch_verb(CLI::App& app) {
   verb->add_option("--seconds", options->seconds, "End after so long; default: with the controller")
       ->check(CLI::NonNegativeNumber);
   verb->add_flag("--list", options->list, "Print the names of all fields");
-  verb->footer(kExamples);
+  verb->footer(kWatchExamples);
   verb->callback([options] { run(*options); });
 }
 

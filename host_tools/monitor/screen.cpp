@@ -28,6 +28,7 @@ constexpr std::size_t kEnergyRow = 19;
 constexpr std::size_t kAnswerRow = 22;
 constexpr std::size_t kKeysRow = 23;
 constexpr std::size_t kRightColumn = 48;
+constexpr double kMostTime_s = 1e9;  // 32 years
 
 // Seven characters and the sign, whatever the size; what is no number is said to be.
 std::string number(double value, int digits) {
@@ -76,7 +77,8 @@ void draw_head(Canvas& canvas, const RunView& view) {
   std::string mode(known_name(record.mode));
   std::ranges::transform(mode, mode.begin(), [](char c) { return c >= 'a' ? c - 'a' + 'A' : c; });
   canvas.put(0, 46, fmt::format(" {} ", mode), style_of(record.mode));
-  const auto seconds = static_cast<std::uint64_t>(std::max(record.time_s, 0.0));
+  const bool can_be_told = record.time_s >= 0.0 && record.time_s < kMostTime_s;
+  const auto seconds = static_cast<std::uint64_t>(can_be_told ? record.time_s : 0.0);
   const std::string when = fmt::format("tick {} {:02}:{:02}:{:02}", record.tick, seconds / 3600,
                                        seconds / 60 % 60, seconds % 60);
   canvas.put(0, kScreenColumns - std::min(when.size(), kScreenColumns), when);

@@ -6,7 +6,9 @@ shift
 report="$PWD/build/$preset/ctest.xml"
 rm -f "$report"
 
-export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+symbols="external_symbolizer_path=$(command -v llvm-symbolizer-19 || true)"
+export ASAN_OPTIONS="detect_stack_use_after_return=1:$symbols" UBSAN_OPTIONS="print_stacktrace=1:$symbols"
+export TSAN_OPTIONS="halt_on_error=1:$symbols"
 # How long a test may take, s; a soak runs some for an hour or more.
 limit=900
 if [[ -n "${TACTUS_SOAK:-}" ]]; then limit=36000; fi

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -169,7 +170,7 @@ SceneError texture_error(Change change) {
 }
 
 TEST(HostileImage, WithABadTextureIsRefused) {
-  const auto refused = [](auto change) {
+  const auto refused = [](const std::function<void(TextureLayer&)>& change) {
     const SceneError error =
         texture_error([&](host::BakedTextures& textures) { change(textures.layers.front()); });
     EXPECT_EQ(error.fault, SceneFault::texture);
