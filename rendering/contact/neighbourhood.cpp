@@ -88,8 +88,11 @@ void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p, double 
     const Floats bound = floats_at(&of.normal_x_[first]) * at.x +
                          floats_at(&of.normal_y_[first]) * at.y +
                          floats_at(&of.normal_z_[first]) * at.z + floats_at(&of.height_[first]);
-    for (std::uint32_t near = which(bound <= most); near != 0; near &= near - 1) {
-      number[count++] = static_cast<std::uint16_t>(first + lowest(near));
+    // Each is written, and written over if it is not near: a branch would mostly be mistaken.
+    const std::uint32_t near = which(bound <= most);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      number[count] = static_cast<std::uint16_t>(first + k);
+      count += near >> k & 1U;
     }
   }
 }

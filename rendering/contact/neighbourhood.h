@@ -47,7 +47,7 @@ class Neighbourhood {
     trust_.radius = -1.0;
     size_ = 0;
     to_walk_.count = 0;
-    to_walk_.left.count = 0;
+    to_walk_.left.clear();
   }
 
   // Forgets everything if an object moved that is near enough to matter.
@@ -142,7 +142,7 @@ class Neighbourhood {
   static constexpr std::size_t kMostSmaller = 8;
   static constexpr double kLongTrust_m = 2.5e-3;  // longer only where triangles are few
   struct Within {
-    std::array<std::uint16_t, kMaxCandidates> number{};
+    std::array<std::uint16_t, kMaxCandidates + 1> number{};  // the last is written, and not read
     std::size_t count = 0;
 
     void find(const Neighbourhood& of, const Vec3& p, double farther_m);

@@ -118,7 +118,7 @@ void Neighbourhood::begin_gathering(const Scenery& scenery, const Capsule& trust
   tested_ = 0;
   is_full_ = false;
   to_walk_.count = 0;
-  to_walk_.left.count = 0;
+  to_walk_.left.clear();
   GatherObjects visitor{.to = *this, .scenery = scenery};
   const Vec3 middle = trust.start + 0.5 * trust.way;
   const double reach = shells_.sphere.reach_m + trust.radius;
@@ -135,7 +135,7 @@ void Neighbourhood::begin_gathering(const Scenery& scenery, const Capsule& trust
 void Neighbourhood::go_on_gathering(const Scenery& scenery) {
   while (to_walk_.count > 0 && !is_full_) {
     walk_mesh(scenery, to_walk_.meshes[to_walk_.count - 1]);
-    if (to_walk_.left.count > 0) {
+    if (to_walk_.left.count() > 0) {
       return;
     }
     --to_walk_.count;
@@ -151,7 +151,7 @@ void Neighbourhood::walk_mesh(const Scenery& scenery, std::uint32_t number) {
   const Vec3 way = direction_in(mover, trust_.way);
   const Vec3 start = point_in(mover, trust_.start);
   const NearBox box(start + 0.5 * way, 0.5 * way.cwiseAbs(), reach + placed.slack_m);
-  if (to_walk_.left.count == 0) {
+  if (to_walk_.left.count() == 0) {
     begin_walk(placed.mesh.nodes, box, to_walk_.left);
   }
   GatherTriangles visitor{.to = *this,

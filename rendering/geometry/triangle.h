@@ -55,7 +55,7 @@ class Triangle {
             inward_[2].dot(q - corner_[2])};
   }
   static bool is_inside(const std::array<double, 3>& inward) {
-    return inward[0] > 0.0 && inward[1] > 0.0 && inward[2] > 0.0;
+    return std::min({inward[0], inward[1], inward[2]}) > 0.0;
   }
   [[nodiscard]] Nearest nearest_on_border(const Vec3& q, const std::array<double, 3>& inward) const;
 

@@ -63,7 +63,8 @@ void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, cons
 void Neighbourhood::transfer_walk(StateArchive& archive, const Scenery& scenery) {
   auto& [meshes, count, left] = to_walk_;
   archive.up_to(count, meshes.size());
-  archive.up_to(left.count, WalkLeft::kMostLeft);
+  std::size_t waiting = left.count();
+  archive.up_to(waiting, WalkLeft::kMostLeft);
   for (std::size_t i = 0; i < count && archive.good(); ++i) {
     archive(meshes[i]);
     archive.require(meshes[i] < scenery.size());
@@ -72,9 +73,13 @@ void Neighbourhood::transfer_walk(StateArchive& archive, const Scenery& scenery)
   }
   const std::size_t nodes =
       count > 0 && archive.good() ? scenery[meshes[count - 1]].mesh.nodes.size() : 0;
-  for (std::size_t i = 0; i < left.count && archive.good(); ++i) {
-    archive(left.nodes[i]);
-    archive.require(left.nodes[i] < nodes);
+  if (archive.is_reading()) {
+    left.begin = 0;
+    left.end = static_cast<std::uint32_t>(archive.good() ? waiting : 0);
+  }
+  for (std::uint32_t place = left.begin; place != left.end && archive.good(); ++place) {
+    archive(left.at(place));
+    archive.require(left.at(place) < nodes);
   }
 }
 

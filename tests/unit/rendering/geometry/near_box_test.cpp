@@ -1,10 +1,10 @@
+#include "rendering/geometry/near_box.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <string>
-
-#include "rendering/geometry/hierarchy_query.h"
 
 namespace tactus::rendering {
 namespace {

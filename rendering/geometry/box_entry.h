@@ -1,0 +1,65 @@
+// Where a straight way enters boxes of a hierarchy: two at once.
+#pragma once
+
+#include <cstring>
+#include <limits>
+
+#include "rendering/geometry/floats.h"
+#include "rendering/surface/mesh.h"
+
+namespace tactus::rendering {
+
+// A straight way, of which the boxes of a hierarchy are asked where it enters them.
+class BoxEntry {
+ public:
+  // Along the unit direction; boxes are grown by the margin.
+  BoxEntry(const Vec3& from, const Vec3& direction, double margin);
+
+  // The travel at which it enters each of two, if that is within the limit, else infinity. Never
+  // later than it does.
+  struct Pair {
+    float first;
+    float second;
+  };
+  [[nodiscard]] Pair into(const BvhNode& first, const BvhNode& second, double limit) const {
+    const Slabs a = slabs(first);
+    const Slabs b = slabs(second);
+    // Past each other by what rounding may have done.
+    constexpr float kRounding = 1e-6F;
+    const Floats enter = (1.0F - kRounding) * most(transposed(a.near, b.near, most), Floats{});
+    const Floats leave = least((1.0F + kRounding) * transposed(a.far, b.far, least),
+                               all((1.0F + kRounding) * static_cast<float>(limit)));
+    const Floats travel = enter <= leave ? enter : all(std::numeric_limits<float>::infinity());
+    return {travel[0], travel[1]};
+  }
+
+ private:
+  struct Slabs {
+    Floats near;
+    Floats far;
+  };
+  // Along each axis; the last is no travel.
+  [[nodiscard]] Slabs slabs(const BvhNode& node) const {
+    const Floats lower = (corner(node.lower) - from_upper_) * inverse_;
+    const Floats upper = (corner(node.upper) - from_lower_) * inverse_;
+    return {least(lower, upper), most(lower, upper)};
+  }
+  // What `best` makes of the first three of each, the first two in the result.
+  template <class Best>
+  static Floats transposed(Floats a, Floats b, Best best) {
+    const Floats xy = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    const Floats z = __builtin_shufflevector(a, b, 2, 6, 2, 6);
+    return best(best(xy, z), __builtin_shufflevector(xy, xy, 2, 3, 2, 3));
+  }
+  static Floats corner(const Float3& corner) {
+    Floats floats;
+    std::memcpy(&floats, &corner, sizeof floats);
+    return floats;
+  }
+
+  Floats from_lower_{};  // less the margin
+  Floats from_upper_{};
+  Floats inverse_{};
+};
+
+}  // namespace tactus::rendering

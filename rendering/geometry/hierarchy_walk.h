@@ -1,0 +1,111 @@
+// A walk to all leaves of a hierarchy that come near a place, which can be left and taken up again.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rendering/geometry/near_box.h"
+#include "rendering/limits.h"
+#include "rendering/surface/mesh.h"
+
+namespace tactus::rendering {
+
+template <class Visitor>
+void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
+  if constexpr (requires { visitor.leaf(leaf); }) {
+    visitor.leaf(leaf);
+  } else {
+    for (std::uint32_t t = leaf.first; t < leaf.first + leaf.triangle_count; ++t) {
+      visitor(t);
+    }
+  }
+}
+
+// The nodes that a walk has still to look at, in a ring: the first comes first, so that the next
+// ones are known long before their turn, and where one waits for memory the others go on. With more
+// than kRoomy waiting the last comes first, which adds no more than one a level.
+struct WalkLeft {
+  static constexpr std::uint32_t kRoomy = 128;
+  static constexpr std::uint32_t kLeaves = 32;  // that are visited together
+  static constexpr std::uint32_t kMostLeft = kRoomy + kMaxHierarchyDepth + kLeaves + 2;
+  // A walk may begin with all that one can leave.
+  static constexpr std::uint32_t kPlaces = 512;
+  static_assert(kMostLeft + kMaxHierarchyDepth + kLeaves + 2 <= kPlaces);
+
+  std::array<std::uint32_t, kPlaces> nodes;
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+
+  [[nodiscard]] std::uint32_t count() const { return end - begin; }
+  [[nodiscard]] std::uint32_t& at(std::uint32_t place) { return nodes[place % kPlaces]; }
+  void clear() { begin = end = 0; }
+  void add(std::uint32_t node) { at(end++) = node; }
+};
+
+inline void begin_walk(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left) {
+  left.clear();
+  if (!nodes.empty() && box.near(nodes[0])) {
+    left.add(0);
+  }
+}
+
+// Takes from what is left until kLeaves leaves, or all, are found that are near; their count.
+inline std::uint32_t find_leaves(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
+                                 std::span<std::uint32_t, WalkLeft::kLeaves + 2> leaves) {
+  std::uint32_t found = 0;
+  std::uint32_t begin = left.begin;
+  std::uint32_t end = left.end;
+  while (begin != end && found < WalkLeft::kLeaves) {
+    const std::uint32_t number = left.at(end - begin > WalkLeft::kRoomy ? --end : begin++);
+    const BvhNode& node = nodes[number];
+    if (node.is_leaf()) {  // the root, or one that was left
+      leaves[found++] = number;
+      continue;
+    }
+    // Which of the two is near, and which is a leaf, nobody can predict: both are written to both
+    // lists, and what is not wanted there is written over. What a leaf has fetched is no node, and
+    // not looked at.
+    const BvhNode& first = nodes[node.first];
+    const BvhNode& second = nodes[node.first + 1];
+    __builtin_prefetch(nodes.data() + first.first);
+    __builtin_prefetch(nodes.data() + second.first);
+    const NearBox::Pair near = box.near(first, second);
+    const std::uint32_t first_leaf = near.first & (first.is_leaf() ? 1U : 0U);
+    const std::uint32_t second_leaf = near.second & (second.is_leaf() ? 1U : 0U);
+    left.at(end) = leaves[found] = node.first;
+    end += near.first - first_leaf;
+    found += first_leaf;
+    left.at(end) = leaves[found] = node.first + 1;
+    end += near.second - second_leaf;
+    found += second_leaf;
+  }
+  left.begin = begin;
+  left.end = end;
+  return found;
+}
+
+// Every triangle whose leaf comes near the box, in no order. Where the visitor says after a leaf
+// that it is exhausted(), the walk stops and can go on later from what is left.
+template <class Visitor>
+void go_on_walking(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
+                   Visitor&& visitor) {
+  std::array<std::uint32_t, WalkLeft::kLeaves + 2> leaves;
+  while (left.count() > 0) {
+    const std::uint32_t leaf_count = find_leaves(nodes, box, left, leaves);
+    for (std::uint32_t i = 0; i < leaf_count; ++i) {
+      visit_leaf(nodes[leaves[i]], visitor);
+      if constexpr (requires { visitor.exhausted(); }) {
+        if (visitor.exhausted()) {
+          while (++i < leaf_count) {
+            left.add(leaves[i]);
+          }
+          return;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace tactus::rendering

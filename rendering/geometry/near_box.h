@@ -1,0 +1,69 @@
+// Whether boxes of a hierarchy come near a place: two at once, without a branch.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "rendering/geometry/floats.h"
+#include "rendering/surface/mesh.h"
+
+namespace tactus::rendering {
+
+// A box about a point, of which the boxes of a hierarchy are asked whether they come near.
+class NearBox {
+ public:
+  // `half` are the half sides of the box about p.
+  NearBox(const Vec3& p, const Vec3& half, double reach) {
+    // What rounding to float takes off is given to the reach.
+    constexpr double kRounding = 4e-7;
+    const double size = p.cwiseAbs().maxCoeff() + half.maxCoeff() + reach;
+    const auto wide = static_cast<float>(reach + kRounding * size);
+    squared_reach_ = wide * wide;
+    for (int k = 0; k < 3; ++k) {
+      lower_[k] = static_cast<float>(p[k] - half[k]);
+      upper_[k] = static_cast<float>(p[k] + half[k]);
+    }
+  }
+
+  [[nodiscard]] bool near(const BvhNode& node) const {
+    const Floats squared = squared_gaps(node);
+    return squared[0] + squared[2] + squared[1] <= squared_reach_;
+  }
+
+  // The same of two nodes: 1 for one that is near, else 0.
+  struct Pair {
+    std::uint32_t first;
+    std::uint32_t second;
+  };
+  [[nodiscard]] Pair near(const BvhNode& first, const BvhNode& second) const {
+    const Floats a = squared_gaps(first);
+    const Floats b = squared_gaps(second);
+    const Floats sum =
+        __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const Floats squared = sum + __builtin_shufflevector(sum, sum, 2, 3, 2, 3);
+    const std::uint32_t near = which(squared <= all(squared_reach_));
+    return {near & 1U, near >> 1U & 1U};
+  }
+
+ private:
+  // Along each axis; the last is 0.
+  [[nodiscard]] Floats squared_gaps(const BvhNode& node) const {
+    Floats node_lower;
+    Floats node_upper;
+    std::memcpy(&node_lower, &node.lower, sizeof node_lower);
+    std::memcpy(&node_upper, &node.upper, sizeof node_upper);
+    const Floats gap = most(most(node_lower - upper_, lower_ - node_upper), Floats{});
+    return gap * gap;
+  }
+
+  // Beside the corners of a node stand integers: whatever they are, this box reaches past them.
+  Floats lower_{0.0F, 0.0F, 0.0F, -std::numeric_limits<float>::infinity()};
+  Floats upper_{0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity()};
+  float squared_reach_ = 0.0F;
+};
+static_assert(offsetof(BvhNode, first) == sizeof(Float3) &&
+              offsetof(BvhNode, triangle_count) == 16 + sizeof(Float3));
+
+}  // namespace tactus::rendering
