@@ -162,6 +162,7 @@ class Neighbourhood {
   void set_no_bound(std::size_t i);
   void fill_last_four();
   void transfer_walk(StateArchive& archive, const Scenery& scenery);
+  void transfer_here(StateArchive& archive);
   void transfer_candidate(StateArchive& archive, const Scenery& scenery, std::size_t i);
   // At least that far from the capsule's start, and farther along the normal.
   void store_bound(std::size_t i, const Float3& normal, double distance);

@@ -7,7 +7,7 @@
 //   2. the sub-goal is the point nearest to the tool that satisfies all planes (at most three of
 //      them hold it), drawn back to the friction circle (sphere_proxy_goal.cpp);
 //   3. the sphere sweeps straight to the sub-goal and stops where it meets a triangle that gave no
-//      plane yet.
+//      plane yet (sphere_proxy_sweep.cpp).
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the way there: each move shortens the distance to the tool, so the proxy cannot
@@ -18,26 +18,15 @@
 // cut short by a limit.
 #include "rendering/contact/sphere_proxy.h"
 
-#include <algorithm>
 #include <limits>
-#include <optional>
-
-#include "rendering/contact/object_cast.h"
-#include "rendering/contact/primitive_sweep.h"
 
 namespace tactus::rendering {
 namespace {
 
 using Gathering = Neighbourhood::Gathering;
 
-// A triangle in contact that stops the sphere within this travel holds it already.
-constexpr double kHeld_m = 1e-6;
-// Among more candidates than this a cast would look at too many triangles to pay.
-constexpr std::size_t kMostToCast = 24;
-// In units of kMaxWork. A stop counts more than it takes.
+// In units of kMaxWork.
 constexpr std::size_t kWorkOfASubGoal = 12;
-constexpr std::size_t kWorkOfAStop = 18;
-constexpr std::size_t kWorkOfACastTriangle = 6;
 
 Touched touched_by(const ProxyRest& rest) {
   const std::size_t hardest = rest.hardest();
@@ -214,87 +203,6 @@ bool SphereProxy::is_still_on_face(const Scenery& scenery, const ProxyRest& rest
     is_held = is_held || i == contact.candidate;
   }
   return is_held;
-}
-
-// How much of the way the sphere may go. A move that leaves the trusted capsule is cut at its
-// border, where the neighbourhood is gathered anew; one that leaves even a fresh one is asked of
-// the hierarchy, as far as that is cheap.
-SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Vec3& goal,
-                                                const ProxyRest& rest) {
-  const Vec3 way = goal - p_;
-  const double length = way.norm();
-  const Sweep sweep{.from = p_, .direction = way / length};
-  const bool stays = neighbourhood_.trusts(goal);
-  const double room =
-      stays ? length : std::min(length, neighbourhood_.trust_along(p_, sweep.direction));
-  const Vec3 end = stays ? goal : Vec3{p_ + room * sweep.direction};
-  Advance advance{.direction = sweep.direction};
-  advance.travel = sweep_candidates(scenery, {.sweep = sweep, .length = room, .end = end}, rest,
-                                    advance.stopped_by);
-  advance.is_known = stays && advance.travel >= length;
-  if (!stays && neighbourhood_.is_fresh() && advance.travel >= room &&
-      neighbourhood_.size() <= kMostToCast) {
-    advance.travel = std::max(room, cast(scenery, sweep, length));
-  }
-  advance.arrived = advance.travel >= length;
-  if (advance.stopped_by != kNothing && stopper_count_ < stoppers_.size() &&
-      !has_stopped(advance.stopped_by)) {
-    stoppers_[stopper_count_++] = advance.stopped_by;
-  }
-  if (advance.travel > kHeld_m) {
-    advance.stopped_by = kNothing;
-  }
-  return advance;
-}
-
-// A distance is convex along the way, so what is out of reach at its end, by the tangent at its
-// start, is out of reach all along. Of the others most lie behind the planes that hold the sphere:
-// on a convex surface, all.
-double SphereProxy::sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
-                                     std::size_t& stopped_by) {
-  const Sweep& sweep = way.sweep;
-  SeparatingPlanes planes(sweep.from, way.end);
-  for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    planes.add(rest.planes[i].plane.normal);
-  }
-  double free = way.length;
-  std::optional<Neighbourhood::Bounded> stop;  // once there is one
-  for (const std::uint16_t i : neighbourhood_.within_reach(way.end)) {
-    if (stop && !neighbourhood_.may_reach(i, *stop)) {
-      continue;
-    }
-    if (neighbourhood_.is_worked_out()) {
-      stopped_by = kNothing;
-      return 0.0;  // what was measured is kept: the next tick goes on from there
-    }
-    const Candidate& candidate = neighbourhood_.candidate(i);
-    const Shell& shell = shells_.of(candidate.point_tool);
-    const Triangle* const triangle = neighbourhood_.triangle(i, scenery);
-    if (triangle != nullptr && planes.keep_off(*triangle, shell.inner_m)) {
-      continue;
-    }
-    const Nearest& start = neighbourhood_.nearest(i, scenery);
-    const double travel =
-        candidate.primitive != nullptr
-            ? travel_to_contact(*candidate.primitive, scenery[candidate.object].sides, sweep, free,
-                                shell, candidate.seen)
-            : travel_to_contact(candidate.triangle, candidate.one_sided, sweep, free, shell, start);
-    if (travel < free) {
-      free = travel;
-      stop.emplace(neighbourhood_, sweep.from + free * sweep.direction);
-      stopped_by = i;
-      neighbourhood_.add_work(kWorkOfAStop);
-    }
-  }
-  return free;
-}
-
-double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length) {
-  constexpr std::size_t kMostMeasured = 64;
-  std::size_t room = kMostMeasured;
-  const double free = cast_on_all(scenery, shells_, sweep, length, room);
-  neighbourhood_.add_work(kWorkOfACastTriangle * (kMostMeasured - room));
-  return free;
 }
 
 }  // namespace tactus::rendering

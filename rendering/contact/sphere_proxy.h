@@ -178,9 +178,8 @@ class SphereProxy {
   [[nodiscard]] Bend bend_of_feature(const Vec3& move, const Vec3& h, const ProxyRest& rest) const;
   [[nodiscard]] Bend bend_of_crease(const Vec3& move, const ProxyRest& rest) const;
   [[nodiscard]] bool is_still_on_face(const Scenery& scenery, const ProxyRest& rest);
+  class CandidateSweep;
   Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
-  double sweep_candidates(const Scenery& scenery, const Way& way, const ProxyRest& rest,
-                          std::size_t& stopped_by);
   double cast(const Scenery& scenery, const Sweep& sweep, double length);
 
   Shells shells_;

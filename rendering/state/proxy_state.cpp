@@ -42,18 +42,19 @@ void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, cons
                           work, normal_x, normal_y, normal_z, height, here, there, here_place,
                           here_gathering, slots] = *this;
   archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
+  archive.require(places > 0);
   archive.up_to(size, kMaxCandidates);
   std::uint64_t done = work;
   archive(done);
   if (archive.is_reading()) {
     own_shells = shells;
-    here_place = 0;  // found again
   }
   archive.up_to(smaller, kMostSmaller);
   transfer_walk(archive, scenery);
   for (std::size_t i = 0; i < size && archive.good(); ++i) {
     transfer_candidate(archive, scenery, i);
   }
+  transfer_here(archive);
   if (archive.is_reading()) {
     fill_last_four();
     work = static_cast<std::size_t>(done);
@@ -80,6 +81,25 @@ void Neighbourhood::transfer_walk(StateArchive& archive, const Scenery& scenery)
   for (std::uint32_t place = left.begin; place != left.end && archive.good(); ++place) {
     archive(left.at(place));
     archive.require(left.at(place) < nodes);
+  }
+}
+
+// Found anew it could lack what the tangents put out of reach since.
+void Neighbourhood::transfer_here(StateArchive& archive) {
+  auto& [number, count] = here_;
+  bool is_known = here_place_ == places_ && here_gathering_ == gatherings_;
+  archive(is_known);
+  if (archive.is_reading()) {
+    here_place_ = is_known ? places_ : 0;
+    here_gathering_ = gatherings_;
+  }
+  if (!is_known) {
+    return;
+  }
+  archive.up_to(count, size_);
+  for (std::size_t i = 0; i < count && archive.good(); ++i) {
+    archive(number[i]);
+    archive.require(number[i] < size_ && (i == 0 || number[i - 1] < number[i]));
   }
 }
 

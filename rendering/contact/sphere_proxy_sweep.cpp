@@ -1,0 +1,155 @@
+// How far the sphere may go on its way to the sub-goal, and what stops it.
+//
+// A distance is convex along the way, so what is out of reach at its end, by the tangent at its
+// start, is out of reach all along. Of the others most lie behind the planes that hold the sphere:
+// on a convex surface, all. Those that are near where it starts are swept first: where the proxy
+// presses on something hollow they stop it soon, and few of the rest are within reach of there.
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "rendering/contact/object_cast.h"
+#include "rendering/contact/primitive_sweep.h"
+#include "rendering/contact/sphere_proxy.h"
+
+namespace tactus::rendering {
+namespace {
+
+// A triangle in contact that stops the sphere within this travel holds it already.
+constexpr double kHeld_m = 1e-6;
+// Among more candidates than this a cast would look at too many triangles to pay.
+constexpr std::size_t kMostToCast = 24;
+// In units of kMaxWork. A stop counts more than it takes.
+constexpr std::size_t kWorkOfAStop = 18;
+constexpr std::size_t kWorkOfACastTriangle = 6;
+
+}  // namespace
+
+// Shrinks to the first candidate that stops the sphere.
+class SphereProxy::CandidateSweep {
+ public:
+  CandidateSweep(SphereProxy& proxy, const Scenery& scenery, const Way& way, const ProxyRest& rest)
+      : of_(proxy.neighbourhood_),
+        shells_(proxy.shells_),
+        scenery_(scenery),
+        sweep_(way.sweep),
+        planes_(way.sweep.from, way.end),
+        free_(way.length),
+        end_(way.end) {
+    for (std::size_t i = 0; i < rest.plane_count; ++i) {
+      planes_.add(rest.planes[i].plane.normal);
+    }
+  }
+
+  // False if the tick's work is done before the end is known.
+  bool sweep_all() {
+    const std::span<const std::uint16_t> here = of_.within_reach_here();
+    for (const std::uint16_t i : here) {
+      if (!sweep(i)) {
+        return false;
+      }
+    }
+    auto swept = here.begin();  // both ascend
+    for (const std::uint16_t i : of_.within_reach(end_)) {
+      while (swept != here.end() && *swept < i) {
+        ++swept;
+      }
+      const bool is_swept = swept != here.end() && *swept == i;
+      if (!is_swept && !sweep(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] double free() const { return free_; }
+  [[nodiscard]] std::size_t stopped_by() const { return stopped_by_; }
+
+ private:
+  // False if that is too much for the tick.
+  bool sweep(std::size_t i) {
+    if (stop_ && !of_.may_reach(i, *stop_)) {
+      return true;
+    }
+    if (of_.is_worked_out()) {
+      return false;
+    }
+    const Candidate& candidate = of_.candidate(i);
+    const Shell& shell = shells_.of(candidate.point_tool);
+    const Triangle* const triangle = of_.triangle(i, scenery_);
+    if (triangle != nullptr && planes_.keep_off(*triangle, shell.inner_m)) {
+      return true;
+    }
+    const Nearest& start = of_.nearest(i, scenery_);
+    const double travel =
+        candidate.primitive != nullptr
+            ? travel_to_contact(*candidate.primitive, scenery_[candidate.object].sides, sweep_,
+                                free_, shell, candidate.seen)
+            : travel_to_contact(candidate.triangle, candidate.one_sided, sweep_, free_, shell,
+                                start);
+    if (travel < free_) {
+      free_ = travel;
+      stopped_by_ = i;
+      end_ = sweep_.from + free_ * sweep_.direction;
+      stop_.emplace(of_, end_);
+      of_.add_work(kWorkOfAStop);
+    }
+    return true;
+  }
+
+  Neighbourhood& of_;
+  const Shells& shells_;
+  const Scenery& scenery_;
+  const Sweep& sweep_;
+  SeparatingPlanes planes_;
+  double free_;  // m
+  Vec3 end_;     // of that
+  std::size_t stopped_by_ = kNothing;
+  std::optional<Neighbourhood::Bounded> stop_;  // once there is one
+};
+
+// How much of the way the sphere may go. A move that leaves the trusted capsule is cut at its
+// border, where the neighbourhood is gathered anew; one that leaves even a fresh one is asked of
+// the hierarchy, as far as that is cheap.
+SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Vec3& goal,
+                                                const ProxyRest& rest) {
+  const Vec3 move = goal - p_;
+  const double length = move.norm();
+  const Sweep sweep{.from = p_, .direction = move / length};
+  const bool stays = neighbourhood_.trusts(goal);
+  const double room =
+      stays ? length : std::min(length, neighbourhood_.trust_along(p_, sweep.direction));
+  const Way way{
+      .sweep = sweep, .length = room, .end = stays ? goal : Vec3{p_ + room * sweep.direction}};
+  CandidateSweep candidates(*this, scenery, way, rest);
+  Advance advance{.direction = sweep.direction};
+  if (!candidates.sweep_all()) {
+    return advance;  // what was measured is kept: the next tick goes on from there
+  }
+  advance.travel = candidates.free();
+  advance.stopped_by = candidates.stopped_by();
+  advance.is_known = stays && advance.travel >= length;
+  if (!stays && neighbourhood_.is_fresh() && advance.travel >= room &&
+      neighbourhood_.size() <= kMostToCast) {
+    advance.travel = std::max(room, cast(scenery, sweep, length));
+  }
+  advance.arrived = advance.travel >= length;
+  if (advance.stopped_by != kNothing && stopper_count_ < stoppers_.size() &&
+      !has_stopped(advance.stopped_by)) {
+    stoppers_[stopper_count_++] = advance.stopped_by;
+  }
+  if (advance.travel > kHeld_m) {
+    advance.stopped_by = kNothing;
+  }
+  return advance;
+}
+
+double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length) {
+  constexpr std::size_t kMostMeasured = 64;
+  std::size_t room = kMostMeasured;
+  const double free = cast_on_all(scenery, shells_, sweep, length, room);
+  neighbourhood_.add_work(kWorkOfACastTriangle * (kMostMeasured - room));
+  return free;
+}
+
+}  // namespace tactus::rendering
