@@ -36,6 +36,7 @@ constexpr int kMostLookedAt = 48;
 // to nothing where that is less than `least`, or not soon found.
 struct ClearanceVisitor {
   const Vec3& p;
+  Work& work;
   double nearest;
   double least;
   const MeshView* mesh = nullptr;
@@ -43,7 +44,9 @@ struct ClearanceVisitor {
   int looked_at = 0;
 
   [[nodiscard]] double reach() const { return nearest > 0.0 ? kEasyPart * nearest + slack_m : 0.0; }
+  void boxes(std::uint32_t pairs) { work.add(kWorkOfBoxesAbout * pairs); }
   void operator()(std::uint32_t t) {
+    work.add(kWorkOfALook);
     nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
     if (nearest < least || ++looked_at == kMostLookedAt) {
       nearest = 0.0;
@@ -56,6 +59,7 @@ struct FreeBall {
   const Scenery& scenery;
   const Shells& shells;
   const Vec3& p;
+  Work& work;
   double least;
   double free;
 
@@ -76,6 +80,7 @@ struct FreeBall {
     const Vec3 p_O = point_in(scenery.mover_of(number), p);
     const PlacedMesh placed = scenery.mesh_O(number);
     ClearanceVisitor visitor{.p = p_O,
+                             .work = work,
                              .nearest = (free + own_reach) / kEasyPart,
                              .least = (least + own_reach) / kEasyPart,
                              .mesh = &placed.mesh,
@@ -87,9 +92,14 @@ struct FreeBall {
 
 }  // namespace
 
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m) {
-  FreeBall ball{
-      .scenery = scenery, .shells = shells, .p = p, .least = least_m, .free = kMostClearance_m};
+double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m,
+                   Work& work) {
+  FreeBall ball{.scenery = scenery,
+                .shells = shells,
+                .p = p,
+                .work = work,
+                .least = least_m,
+                .free = kMostClearance_m};
   visit_near(scenery.still_nodes(), p, ball);
   for (const Mover& mover : scenery.movers()) {
     if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= ball.reach()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rendering/contact/sphere_sweep.h"
+#include "rendering/contact/work.h"
 #include "rendering/world/scenery.h"
 
 namespace tactus::rendering {
@@ -9,6 +10,8 @@ namespace tactus::rendering {
 // No surface that the shared proxy minds is nearer to p than this, beyond its reach; world frame,
 // m. At least half of what it could be, which is found at a fraction of the cost, and never more
 // than 0.1 m; less than `least_m`, and perhaps negative, where that is not so, or not soon found.
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m);
+// Adds to `work` what it took.
+double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m,
+                   Work& work);
 
 }  // namespace tactus::rendering

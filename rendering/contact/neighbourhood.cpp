@@ -11,10 +11,6 @@
 namespace tactus::rendering {
 namespace {
 
-// In units of kMaxWork.
-constexpr std::size_t kWorkOfAMeasurement = 6;
-constexpr std::size_t kWorkOfASeparation = 1;
-
 void prepare(Candidate& slot, const Scenery& scenery) {
   if (!slot.prepared) {
     ::new (&slot.triangle) Triangle(triangle_W(scenery, slot.object, slot.index));  // in place
@@ -111,6 +107,7 @@ void Neighbourhood::move_to_end(const Vec3& p) {
 
 std::span<const std::uint16_t> Neighbourhood::within_reach_here() {
   if (here_place_ != places_ || here_gathering_ != gatherings_) {
+    work_.add(size_ / kTangentsAUnit);
     here_.find(*this, place_, 0.0);
     here_place_ = places_;
     here_gathering_ = gatherings_;
@@ -119,6 +116,7 @@ std::span<const std::uint16_t> Neighbourhood::within_reach_here() {
 }
 
 std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p, double farther_m) {
+  work_.add(size_ / kTangentsAUnit);
   there_.find(*this, p, farther_m);
   return there_.numbers();
 }
@@ -128,7 +126,7 @@ const Triangle* Neighbourhood::triangle(std::size_t i, const Scenery& scenery) {
   if (slot.primitive != nullptr) {
     return nullptr;
   }
-  work_ += kWorkOfASeparation;
+  work_.add(kWorkOfASeparation);
   prepare(slot, scenery);
   return &slot.triangle;
 }
@@ -139,7 +137,7 @@ const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
     return slot.nearest;
   }
   slot.measured_at = places_;
-  work_ += kWorkOfAMeasurement;
+  work_.add(kWorkOfAMeasurement);
   if (slot.primitive != nullptr) {
     measure_primitive(i);
     return slot.nearest;

@@ -16,6 +16,7 @@
 #include <span>
 
 #include "rendering/contact/sphere_sweep.h"
+#include "rendering/contact/work.h"
 #include "rendering/geometry/capsule.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
@@ -46,6 +47,7 @@ class Neighbourhood {
   void clear() {
     trust_.radius = -1.0;
     size_ = 0;
+    here_place_ = 0;
     to_walk_.count = 0;
     to_walk_.left.clear();
   }
@@ -61,6 +63,10 @@ class Neighbourhood {
   };
   // Makes the candidates valid about p, at once or over several ticks.
   Gathering ensure(const Scenery& scenery, const Shells& shells, const Vec3& p);
+  // The same for a proxy that is at p at a tick's end and will be at `next` after another, if it
+  // would leave what is valid, and the tick had little work: so that few ticks both gather and move
+  // among what was gathered.
+  void look_ahead(const Scenery& scenery, const Shells& shells, const Vec3& p, const Vec3& next);
   // Whether the next `ensure` has more to do.
   [[nodiscard]] bool is_begun() const { return to_walk_.count > 0; }
 
@@ -116,15 +122,15 @@ class Neighbourhood {
   // Whether that was so since the last `start_work`.
   [[nodiscard]] bool is_fresh() const { return gatherings_ >= first_gathering_; }
 
-  // What has been done since the last `start_work`, in units of kMaxWork.
+  // What has been done since the last `start_work`.
   void start_work() {
-    work_ = 0;
+    work_.begin_tick();
     first_gathering_ = gatherings_ + 1;
   }
-  [[nodiscard]] std::size_t work() const { return work_; }
-  void add_work(std::size_t units) { work_ += units; }
+  [[nodiscard]] Work& work() { return work_; }
+  [[nodiscard]] const Work& work() const { return work_; }
   // Whether that is all for this tick. Not where objects moved: what was found would be lost.
-  [[nodiscard]] bool is_worked_out() const { return may_pause_ && work_ > kMaxWork; }
+  [[nodiscard]] bool is_worked_out() const { return may_pause_ && work_.is_over(); }
 
   // What it remembers, to bytes or back; of the same scenery and shells.
   void transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells);
@@ -149,6 +155,7 @@ class Neighbourhood {
     [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 
+  Gathering gather(const Scenery& scenery, const Shells& shells, const Vec3& p);
   // The next capsule to trust, from p on.
   [[nodiscard]] Capsule plan(const Vec3& p);
   void begin_gathering(const Scenery& scenery, const Capsule& trust);
@@ -183,7 +190,7 @@ class Neighbourhood {
   std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
   bool is_full_ = false;             // there was no room for a candidate
   bool may_pause_ = true;            // no object moved here in this tick
-  std::size_t work_ = 0;
+  Work work_;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.
   std::array<float, kMaxCandidates> normal_x_{};

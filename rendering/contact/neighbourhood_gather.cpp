@@ -29,8 +29,9 @@ constexpr double kMostSlimness = 32.0;
 constexpr double kStraight = 0.8;  // of the length
 constexpr double kSlimmer = 1.4;
 constexpr double kStouter = 0.7;
-// In units of kMaxWork, with the boxes on the way to it.
-constexpr std::size_t kWorkOfATriangle = 3;
+// Nearer to the border of the capsule the proxy has left it.
+constexpr double kBorder_m = 1e-6;
+constexpr std::size_t kLittleWork = kUsualWork / 2;
 
 }  // namespace
 
@@ -44,9 +45,11 @@ struct Neighbourhood::GatherTriangles {
   const MeshView& mesh;
   NearWay way;
 
+  void boxes(std::uint32_t pairs) { to.work_.add(kWorkOfBoxesNear * pairs); }
+
   void leaf(const BvhNode& leaf) {
     to.tested_ += leaf.triangle_count;
-    to.work_ += kWorkOfATriangle * leaf.triangle_count;
+    to.work_.add(kWorkOfALook * leaf.triangle_count);
     way.find(mesh, leaf.first, leaf.triangle_count,
              [&](std::uint32_t t, const NearWay::Bound& bound) { take(t, bound); });
   }
@@ -173,7 +176,7 @@ void Neighbourhood::end_gathering(const Scenery& scenery) {
   wanted_length_m_ = std::max(std::min(length, kLongTrust_m), sparse);
   if (size_ == 0) {
     wanted_length_m_ = kLeastTrust_m;  // out of free space onto any mesh
-    const double ball = free_radius(scenery, shells_, trust_.start, trust_.radius);
+    const double ball = free_radius(scenery, shells_, trust_.start, trust_.radius, work_);
     if (ball > trust_.radius) {
       trust_ = {.start = trust_.start, .radius = ball};
     }
@@ -198,14 +201,27 @@ Capsule Neighbourhood::plan(const Vec3& p) {
 
 Neighbourhood::Gathering Neighbourhood::ensure(const Scenery& scenery, const Shells& shells,
                                                const Vec3& p) {
-  constexpr double kBorder_m = 1e-6;
-  if (!is_begun() && trust_.depth(p) >= kBorder_m) {
-    return Gathering::complete;
+  const bool is_valid = !is_begun() && trust_.depth(p) >= kBorder_m;
+  return is_valid ? Gathering::complete : gather(scenery, shells, p);
+}
+
+void Neighbourhood::look_ahead(const Scenery& scenery, const Shells& shells, const Vec3& p,
+                               const Vec3& next) {
+  // A point meets too few triangles to be late.
+  const bool can_gather = !shells.is_point() && work_.done() <= kLittleWork && may_pause_ &&
+                          !is_begun() && smaller_ == 0;
+  if (can_gather && trust_.depth(next) < kBorder_m) {
+    gather(scenery, shells, p);
   }
+}
+
+Neighbourhood::Gathering Neighbourhood::gather(const Scenery& scenery, const Shells& shells,
+                                               const Vec3& p) {
   if (!is_begun() || p != trust_.start) {
     shells_ = shells;
     smaller_ = 0;
     ++gatherings_;
+    work_.add(kWorkOfAGathering);
     begin_gathering(scenery, plan(p));
   }
   for (;;) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rendering/contact/primitive_sweep.h"
+#include "rendering/contact/work.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/near_way.h"
 
@@ -27,8 +28,10 @@ class TriangleCast {
   [[nodiscard]] double reach() const { return hit_.travel_m; }
   [[nodiscard]] bool exhausted() const { return room_ == 0; }
 
+  void boxes(std::uint32_t pairs) { add_work(kWorkOfBoxesAlong * pairs); }
+
   void leaf(const BvhNode& leaf) {
-    room_ -= std::min<std::size_t>(room_, leaf.triangle_count);
+    add_work(kWorkOfALook * leaf.triangle_count);
     way_.find(mesh_, leaf.first, leaf.triangle_count,
               [this](std::uint32_t t, const NearWay::Bound&) { meet(t); });
   }
@@ -38,7 +41,10 @@ class TriangleCast {
     return {sweep_.from, hit_.travel_m * sweep_.direction, shell_.reach_m};
   }
 
+  void add_work(std::size_t units) { room_ -= std::min(room_, units); }
+
   void meet(std::uint32_t t) {
+    add_work(kWorkOfAMeeting);
     const Triangle triangle = triangle_of(mesh_, t);
     const double travel = travel_to_contact(triangle, one_sided_, sweep_, hit_.travel_m, shell_,
                                             triangle.nearest(sweep_.from));

@@ -20,8 +20,8 @@ struct ObjectHit {
   std::uint32_t triangle = 0;  // of a mesh
 };
 
-// `room` is how many triangles may be measured; what is used is taken from it. When it runs out the
-// travel ends where the walk ended, and nothing is met.
+// `room` is for how much work there is room, in units of kMaxWork; what is done is taken from it.
+// When it runs out the travel ends where the walk ended, and nothing is met.
 ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast& cast,
                   const Shell& shell, std::size_t& room);
 

@@ -25,9 +25,6 @@ namespace {
 
 using Gathering = Neighbourhood::Gathering;
 
-// In units of kMaxWork.
-constexpr std::size_t kWorkOfASubGoal = 12;
-
 Touched touched_by(const ProxyRest& rest) {
   const std::size_t hardest = rest.hardest();
   if (rest.plane_count == 0 || rest.pressure_m[hardest] <= 0.0) {
@@ -54,6 +51,7 @@ void SphereProxy::place(const Vec3& p_W) {
   touched_ = {};
   contact_count_ = 0;
   neighbourhood_.clear();
+  neighbourhood_.work().save_all();
   neighbourhood_.move_to(p_);
 }
 
@@ -131,12 +129,16 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
         return rest;
       }
     }
-    collect_planes(scenery, most_push, rest);
     if (rest.plane_count > 0) {
       touched_ = touched_by(rest);
-      if (contact_count_ == 0) {
-        look_for_face_below(scenery, rest);
-      }
+    }
+    if (!collect_planes(scenery, most_push, rest)) {
+      rest.flags |= kTouchIterationsExhausted;
+      rest.plane_count = 0;
+      return rest;
+    }
+    if (rest.plane_count > 0 && contact_count_ == 0) {
+      look_for_face_below(scenery, rest);
     }
     Goal goal;
     Advance way;
@@ -151,7 +153,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       }
       way = travel_toward(scenery, goal.point, rest);
     } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
-    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work() > kMaxWork) {
+    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work().is_over()) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
@@ -174,7 +176,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       neighbourhood_.move_to(p_);
     }
     ++rest.sub_goals;
-    neighbourhood_.add_work(kWorkOfASubGoal);
+    neighbourhood_.work().add(kWorkOfASubGoal);
     if (way.is_known && !goal.stretched && rest.sub_goals > 1 && is_still_on_face(scenery, rest)) {
       Nearest& nearest = rest.planes[0].nearest;
       nearest.distance += nearest.normal.dot(p_ - from);

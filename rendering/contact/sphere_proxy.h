@@ -96,8 +96,13 @@ class SphereProxy {
   // what came of it, and not of the try before. The work of both counts for the tick.
   ProxyRest advance_again(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
 
+  // Last in a tick.
+  void look_ahead(const Scenery& scenery) {
+    neighbourhood_.look_ahead(scenery, shells_, p_, p_ + kFarther * (p_ - start_));
+  }
+
   // Whether the tick's work leaves room for another.
-  [[nodiscard]] bool can_advance_again() const { return 2 * neighbourhood_.work() <= kMaxWork; }
+  [[nodiscard]] bool can_advance_again() const { return neighbourhood_.work().is_less_than_half(); }
 
   // From now on; all 1 and 0 at the start.
   void set_friction_factors(const FrictionFactors& factors) { factors_ = factors; }
@@ -113,6 +118,9 @@ class SphereProxy {
   // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the
   // inside) is pushed out no faster than this a tick; within the shell it is put right at once.
   static constexpr double kMostPushOut_m = 20e-6;
+
+  // The next tick's move, of this tick's.
+  static constexpr double kFarther = 1.5;
 
   struct Goal {
     Vec3 point = Vec3::Zero();
@@ -147,7 +155,8 @@ class SphereProxy {
 
   ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   ProxyRest seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
-  void collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
+  // False if the tick's work is done before all are measured that are near.
+  bool collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   void look_for_face_below(const Scenery& scenery, ProxyRest& rest);
   [[nodiscard]] bool goes_back(const Vec3& goal, const Vec3& h) const;
   // True if any of it is new.

@@ -94,16 +94,21 @@ SphereProxy::Press SphereProxy::press(const Scenery& scenery, const Vec3& h, Pro
 }
 
 // A tick that ends before its work is done, between two faces or where it waits for what is near,
-// is still felt: by the surface that held the proxy last, if the tool presses toward it.
+// is still felt: by the surface that held the proxy last, if the tool presses toward it, or toward
+// its nearest point where the proxy has gone far from there since.
 void SphereProxy::press_as_before(const Scenery& scenery, const Vec3& h, ProxyRest& rest) const {
-  const Vec3& normal = touched_.normal_W;  // zero if there was none
-  const double pressure = normal.dot(p_ - h);
-  if (pressure <= 0.0) {
+  if (touched_.object == kNoObject) {
     return;
   }
   const Mover* const mover = scenery.mover_of(touched_.object);
   Nearest nearest = nearest_at(scenery, touched_.object, touched_.triangle, point_in(mover, p_));
   nearest.normal = direction_from(mover, nearest.normal);
+  const Vec3 pull = p_ - h;
+  const Vec3& normal = touched_.normal_W.dot(pull) > 0.0 ? touched_.normal_W : nearest.normal;
+  const double pressure = normal.dot(pull);
+  if (pressure <= 0.0) {
+    return;
+  }
   rest.normal_W = normal;
   rest.planes[0] = {.plane = {.normal = normal, .offset = normal.dot(p_)},
                     .nearest = nearest,

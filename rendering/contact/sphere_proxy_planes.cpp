@@ -13,10 +13,13 @@
 
 namespace tactus::rendering {
 
-void SphereProxy::collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
+bool SphereProxy::collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
   contact_count_ = 0;
   hovers_ = false;
   for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
+    if (neighbourhood_.is_worked_out()) {
+      return false;  // what was measured is kept: the next tick goes on from there
+    }
     const Nearest& nearest = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
@@ -30,6 +33,7 @@ void SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
   if (contact_count_ > 0) {
     add_recalled_planes(scenery, most_push, rest);
   }
+  return true;
 }
 
 // Where a move along a face went past its end, the next face lies a little lower. Its plane bounds

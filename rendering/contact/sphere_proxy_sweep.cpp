@@ -19,9 +19,8 @@ namespace {
 constexpr double kHeld_m = 1e-6;
 // Among more candidates than this a cast would look at too many triangles to pay.
 constexpr std::size_t kMostToCast = 24;
-// In units of kMaxWork. A stop counts more than it takes.
-constexpr std::size_t kWorkOfAStop = 18;
-constexpr std::size_t kWorkOfACastTriangle = 6;
+// And more work than this, in units of kMaxWork, would not.
+constexpr std::size_t kMostCastWork = 240;
 
 }  // namespace
 
@@ -43,7 +42,10 @@ class SphereProxy::CandidateSweep {
 
   // False if the tick's work is done before the end is known.
   bool sweep_all() {
-    const std::span<const std::uint16_t> here = of_.within_reach_here();
+    std::span<const std::uint16_t> here;
+    if (!shells_.is_point()) {  // which is near too few
+      here = of_.within_reach_here();
+    }
     for (const std::uint16_t i : here) {
       if (!sweep(i)) {
         return false;
@@ -92,7 +94,7 @@ class SphereProxy::CandidateSweep {
       stopped_by_ = i;
       end_ = sweep_.from + free_ * sweep_.direction;
       stop_.emplace(of_, end_);
-      of_.add_work(kWorkOfAStop);
+      of_.work().add(kWorkOfAStop);
     }
     return true;
   }
@@ -145,10 +147,10 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
 }
 
 double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length) {
-  constexpr std::size_t kMostMeasured = 64;
-  std::size_t room = kMostMeasured;
+  const std::size_t most = std::min(kMostCastWork, neighbourhood_.work().left());
+  std::size_t room = most;
   const double free = cast_on_all(scenery, shells_, sweep, length, room);
-  neighbourhood_.add_work(kWorkOfACastTriangle * (kMostMeasured - room));
+  neighbourhood_.work().add(most - room);
   return free;
 }
 

@@ -32,6 +32,9 @@ struct Shells {
 
   [[nodiscard]] const Shell& of(bool point_tool) const { return point_tool ? point : sphere; }
 
+  // Whether the tool is one by itself.
+  [[nodiscard]] bool is_point() const { return sphere.reach_m <= point.reach_m; }
+
   Shell sphere;
   Shell point{0.0};
 };

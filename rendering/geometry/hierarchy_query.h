@@ -1,6 +1,7 @@
 // Questions to a bounding-volume hierarchy. Fixed stacks, no recursion; a visitor is called with
 // the index of each triangle in the leaves that the query reaches, or its leaf() with each such
-// leaf. (Templates so that the visitor is inlined.)
+// leaf, and its boxes() with how many pairs of boxes were looked at. (Templates so that the visitor
+// is inlined.)
 #pragma once
 
 #include <algorithm>
@@ -60,6 +61,7 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
       visit_leaf(node, visitor);
       continue;
     }
+    count_boxes(visitor, 1);
     __builtin_prefetch(nodes.data() + nodes[node.first].first);
     __builtin_prefetch(nodes.data() + nodes[node.first + 1].first);
     Pending near{node.first, squared_distance(nodes[node.first], p)};
@@ -120,6 +122,7 @@ double visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3&
       visit_leaf(node, visitor);
       continue;
     }
+    count_boxes(visitor, 1);
     __builtin_prefetch(nodes.data() + nodes[node.first].first);
     __builtin_prefetch(nodes.data() + nodes[node.first + 1].first);
     const BoxEntry::Pair entries =

@@ -12,6 +12,14 @@
 
 namespace tactus::rendering {
 
+// Tells a visitor that counts them how many pairs of boxes were looked at.
+template <class Visitor>
+void count_boxes(Visitor& visitor, std::uint32_t pairs) {
+  if constexpr (requires { visitor.boxes(pairs); }) {
+    visitor.boxes(pairs);
+  }
+}
+
 template <class Visitor>
 void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
   if constexpr (requires { visitor.leaf(leaf); }) {
@@ -51,10 +59,16 @@ inline void begin_walk(std::span<const BvhNode> nodes, const NearBox& box, WalkL
   }
 }
 
-// Takes from what is left until kLeaves leaves, or all, are found that are near; their count.
-inline std::uint32_t find_leaves(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
-                                 std::span<std::uint32_t, WalkLeft::kLeaves + 2> leaves) {
+struct LeavesFound {
+  std::uint32_t leaves = 0;
+  std::uint32_t pairs = 0;  // of boxes that were looked at
+};
+
+// Takes from what is left until kLeaves leaves, or all, are found that are near.
+inline LeavesFound find_leaves(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
+                               std::span<std::uint32_t, WalkLeft::kLeaves + 2> leaves) {
   std::uint32_t found = 0;
+  std::uint32_t pairs = 0;
   std::uint32_t begin = left.begin;
   std::uint32_t end = left.end;
   while (begin != end && found < WalkLeft::kLeaves) {
@@ -67,6 +81,7 @@ inline std::uint32_t find_leaves(std::span<const BvhNode> nodes, const NearBox& 
     // Which of the two is near, and which is a leaf, nobody can predict: both are written to both
     // lists, and what is not wanted there is written over. What a leaf has fetched is no node, and
     // not looked at.
+    ++pairs;
     const BvhNode& first = nodes[node.first];
     const BvhNode& second = nodes[node.first + 1];
     __builtin_prefetch(nodes.data() + first.first);
@@ -83,7 +98,7 @@ inline std::uint32_t find_leaves(std::span<const BvhNode> nodes, const NearBox& 
   }
   left.begin = begin;
   left.end = end;
-  return found;
+  return {.leaves = found, .pairs = pairs};
 }
 
 // Every triangle whose leaf comes near the box, in no order. Where the visitor says after a leaf
@@ -93,12 +108,13 @@ void go_on_walking(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft&
                    Visitor&& visitor) {
   std::array<std::uint32_t, WalkLeft::kLeaves + 2> leaves;
   while (left.count() > 0) {
-    const std::uint32_t leaf_count = find_leaves(nodes, box, left, leaves);
-    for (std::uint32_t i = 0; i < leaf_count; ++i) {
+    const LeavesFound found = find_leaves(nodes, box, left, leaves);
+    count_boxes(visitor, found.pairs);
+    for (std::uint32_t i = 0; i < found.leaves; ++i) {
       visit_leaf(nodes[leaves[i]], visitor);
       if constexpr (requires { visitor.exhausted(); }) {
         if (visitor.exhausted()) {
-          while (++i < leaf_count) {
+          while (++i < found.leaves) {
             left.add(leaves[i]);
           }
           return;

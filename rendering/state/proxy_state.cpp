@@ -36,6 +36,12 @@ void transfer_planes(StateArchive& archive, const Scenery& scenery, std::span<Co
 
 }  // namespace
 
+void Work::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [done, most, saved] = *this;
+  archive(done);
+  archive.up_to(saved, kMostSaved);
+}
+
 void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
   [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
                           peak, gatherings, first_gathering, to_walk, smaller, is_full, may_pause,
@@ -44,8 +50,6 @@ void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, cons
   archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
   archive.require(places > 0);
   archive.up_to(size, kMaxCandidates);
-  std::uint64_t done = work;
-  archive(done);
   if (archive.is_reading()) {
     own_shells = shells;
   }
@@ -57,8 +61,8 @@ void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, cons
   transfer_here(archive);
   if (archive.is_reading()) {
     fill_last_four();
-    work = static_cast<std::size_t>(done);
   }
+  archive(work);  // which measuring again has added to
 }
 
 void Neighbourhood::transfer_walk(StateArchive& archive, const Scenery& scenery) {

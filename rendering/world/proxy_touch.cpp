@@ -59,6 +59,7 @@ Touch ProxyTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath
   if (rest.plane_count > 0) {
     set_force(tool, rest, felt, touch);
   }
+  proxy_.look_ahead(scenery);
   return touch;
 }
 

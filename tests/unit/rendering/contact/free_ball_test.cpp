@@ -47,7 +47,8 @@ TEST_F(FreeBallTest, NothingIsNearerAndWhereItIsAskedForItIsOftenFound) {
   int found = 0;
   for (int k = 0; k < 2000; ++k) {
     const Vec3 p = somewhere();
-    const double radius = free_radius(*scenery_, shells_, p, kWanted_m);
+    Work work;
+    const double radius = free_radius(*scenery_, shells_, p, kWanted_m, work);
     if (radius >= kWanted_m) {
       ASSERT_LE(radius, clearance(p) + 1e-9) << p.transpose();
       ++found;
@@ -59,8 +60,9 @@ TEST_F(FreeBallTest, NothingIsNearerAndWhereItIsAskedForItIsOftenFound) {
 TEST_F(FreeBallTest, WhereThereIsNotAsMuchAsIsAskedForItSaysLess) {
   for (int k = 0; k < 2000; ++k) {
     const Vec3 p = somewhere();
+    Work work;
     const double least = std::max(0.0, clearance(p)) + 1e-6;
-    ASSERT_LT(free_radius(*scenery_, shells_, p, least), least) << p.transpose();
+    ASSERT_LT(free_radius(*scenery_, shells_, p, least, work), least) << p.transpose();
   }
 }
 

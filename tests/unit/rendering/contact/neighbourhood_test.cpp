@@ -51,7 +51,7 @@ TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   int ticks = 1;
   while (ensure(place_) == Gathering::begun) {
     EXPECT_TRUE(neighbourhood_->is_begun());
-    EXPECT_LE(neighbourhood_->work(), kMaxWork + kOneMore);
+    EXPECT_LE(neighbourhood_->work().done(), kMaxWork + kOneMore);
     ASSERT_LT(++ticks, 1000);
     begin_tick();
   }
@@ -73,7 +73,7 @@ TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   EXPECT_GT(near, 10U);
   begin_tick();
   EXPECT_EQ(ensure(place_), Gathering::complete);
-  EXPECT_EQ(neighbourhood_->work(), 0U);
+  EXPECT_EQ(neighbourhood_->work().done(), 0U);
 }
 
 TEST_F(NeighbourhoodTest, BeginsAnewWhereTheProxyDidNotWait) {
