@@ -1,7 +1,6 @@
 // Where a straight way enters boxes of a hierarchy: two at once.
 #pragma once
 
-#include <cstring>
 #include <limits>
 
 #include "rendering/geometry/floats.h"
@@ -40,8 +39,8 @@ class BoxEntry {
   };
   // Along each axis; the last is no travel.
   [[nodiscard]] Slabs slabs(const BvhNode& node) const {
-    const Floats lower = (corner(node.lower) - from_upper_) * inverse_;
-    const Floats upper = (corner(node.upper) - from_lower_) * inverse_;
+    const Floats lower = (floats_at(&node.lower.x) - from_upper_) * inverse_;
+    const Floats upper = (floats_at(&node.upper.x) - from_lower_) * inverse_;
     return {least(lower, upper), most(lower, upper)};
   }
   // What `best` makes of the first three of each, the first two in the result.
@@ -50,11 +49,6 @@ class BoxEntry {
     const Floats xy = __builtin_shufflevector(a, b, 0, 4, 1, 5);
     const Floats z = __builtin_shufflevector(a, b, 2, 6, 2, 6);
     return best(best(xy, z), __builtin_shufflevector(xy, xy, 2, 3, 2, 3));
-  }
-  static Floats corner(const Float3& corner) {
-    Floats floats;
-    std::memcpy(&floats, &corner, sizeof floats);
-    return floats;
   }
 
   Floats from_lower_{};  // less the margin

@@ -62,8 +62,7 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
       continue;
     }
     count_boxes(visitor, 1);
-    __builtin_prefetch(nodes.data() + nodes[node.first].first);
-    __builtin_prefetch(nodes.data() + nodes[node.first + 1].first);
+    fetch_below(nodes, nodes[node.first], nodes[node.first + 1]);
     Pending near{node.first, squared_distance(nodes[node.first], p)};
     Pending far{node.first + 1, squared_distance(nodes[node.first + 1], p)};
     if (far.squared < near.squared) {
@@ -123,8 +122,7 @@ double visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3&
       continue;
     }
     count_boxes(visitor, 1);
-    __builtin_prefetch(nodes.data() + nodes[node.first].first);
-    __builtin_prefetch(nodes.data() + nodes[node.first + 1].first);
+    fetch_below(nodes, nodes[node.first], nodes[node.first + 1]);
     const BoxEntry::Pair entries =
         entry.into(nodes[node.first], nodes[node.first + 1], visitor.reach());
     Pending near{node.first, entries.first};

@@ -31,6 +31,13 @@ void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
   }
 }
 
+// What is below the two is asked for soon.
+inline void fetch_below(std::span<const BvhNode> nodes, const BvhNode& first,
+                        const BvhNode& second) {
+  __builtin_prefetch(nodes.data() + first.first);
+  __builtin_prefetch(nodes.data() + second.first);
+}
+
 // The nodes that a walk has still to look at, in a ring: the first comes first, so that the next
 // ones are known long before their turn, and where one waits for memory the others go on. With more
 // than kRoomy waiting the last comes first, which adds no more than one a level.
@@ -84,8 +91,7 @@ inline LeavesFound find_leaves(std::span<const BvhNode> nodes, const NearBox& bo
     ++pairs;
     const BvhNode& first = nodes[node.first];
     const BvhNode& second = nodes[node.first + 1];
-    __builtin_prefetch(nodes.data() + first.first);
-    __builtin_prefetch(nodes.data() + second.first);
+    fetch_below(nodes, first, second);
     const NearBox::Pair near = box.near(first, second);
     const std::uint32_t first_leaf = near.first & (first.is_leaf() ? 1U : 0U);
     const std::uint32_t second_leaf = near.second & (second.is_leaf() ? 1U : 0U);

@@ -1,9 +1,7 @@
 // Whether boxes of a hierarchy come near a place: two at once, without a branch.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "rendering/geometry/floats.h"
@@ -50,11 +48,8 @@ class NearBox {
  private:
   // Along each axis; the last is 0.
   [[nodiscard]] Floats squared_gaps(const BvhNode& node) const {
-    Floats node_lower;
-    Floats node_upper;
-    std::memcpy(&node_lower, &node.lower, sizeof node_lower);
-    std::memcpy(&node_upper, &node.upper, sizeof node_upper);
-    const Floats gap = most(most(node_lower - upper_, lower_ - node_upper), Floats{});
+    const Floats gap =
+        most(most(floats_at(&node.lower.x) - upper_, lower_ - floats_at(&node.upper.x)), Floats{});
     return gap * gap;
   }
 
@@ -63,7 +58,5 @@ class NearBox {
   Floats upper_{0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity()};
   float squared_reach_ = 0.0F;
 };
-static_assert(offsetof(BvhNode, first) == sizeof(Float3) &&
-              offsetof(BvhNode, triangle_count) == 16 + sizeof(Float3));
 
 }  // namespace tactus::rendering

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -27,6 +28,9 @@ struct BvhNode {
   [[nodiscard]] bool is_leaf() const { return triangle_count != 0; }
 };
 static_assert(sizeof(BvhNode) == 32);
+// A corner and the integer beside it are read as four floats.
+static_assert(offsetof(BvhNode, first) == sizeof(Float3) &&
+              offsetof(BvhNode, triangle_count) == 16 + sizeof(Float3));
 
 // In the world frame. Triangles are stored in the order of the hierarchy's leaves.
 struct MeshView {

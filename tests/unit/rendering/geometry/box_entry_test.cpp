@@ -5,20 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
+
+#include "tests/unit/rendering/geometry/any_boxes.h"
 
 namespace tactus::rendering {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-class BoxEntryTest : public ::testing::Test {
+class BoxEntryTest : public ::testing::Test, protected testing::AnyBoxes {
  protected:
-  static constexpr std::uint64_t kSeed = 21;
+  BoxEntryTest() : AnyBoxes(kSeed) {}
 
-  double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
-  Vec3 vector() { return {2.0 * unit() - 1.0, 2.0 * unit() - 1.0, 2.0 * unit() - 1.0}; }
+  static constexpr std::uint64_t kSeed = 21;
 
   // Some ways run along an axis.
   Vec3 direction() {
@@ -28,16 +28,6 @@ class BoxEntryTest : public ::testing::Test {
     }
     return way.squaredNorm() > 0.0 ? way.normalized() : Vec3{Vec3::UnitZ()};
   }
-
-  // Its integers are floats that are not numbers.
-  BvhNode box_at(const Vec3& corner) {
-    return {.lower = to_float3(corner),
-            .first = 0xffff'ffffU,
-            .upper = to_float3(corner + 0.01 * (Vec3::Ones() + vector())),
-            .triangle_count = 0x7fc0'0000U};
-  }
-
-  std::mt19937_64 random_{kSeed};
 };
 
 // Axis by axis, in double.

@@ -3,28 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <string>
+
+#include "tests/unit/rendering/geometry/any_boxes.h"
 
 namespace tactus::rendering {
 namespace {
 
-class NearBoxTest : public ::testing::Test {
+class NearBoxTest : public ::testing::Test, protected testing::AnyBoxes {
  protected:
+  NearBoxTest() : AnyBoxes(kSeed) {}
+
   static constexpr std::uint64_t kSeed = 11;
-
-  double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
-  Vec3 vector() { return {2.0 * unit() - 1.0, 2.0 * unit() - 1.0, 2.0 * unit() - 1.0}; }
-
-  // Its integers are floats that are not numbers.
-  BvhNode box_at(const Vec3& corner) {
-    return {.lower = to_float3(corner),
-            .first = 0xffff'ffffU,
-            .upper = to_float3(corner + 0.01 * (Vec3::Ones() + vector())),
-            .triangle_count = 0x7fc0'0000U};
-  }
-
-  std::mt19937_64 random_{kSeed};
 };
 
 double distance_to_box(const Vec3& p, const Vec3& lower, const Vec3& upper) {
