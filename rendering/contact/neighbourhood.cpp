@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <new>
 
@@ -11,12 +12,27 @@
 namespace tactus::rendering {
 namespace {
 
-void prepare(Candidate& slot, const Scenery& scenery) {
-  if (!slot.prepared) {
-    ::new (&slot.triangle) Triangle(triangle_W(scenery, slot.object, slot.index));  // in place
-    slot.prepared = true;
+// Four numbers of 16 bits in one.
+constexpr std::uint64_t kInEachOfFour = 0x0001'0001'0001'0001;
+
+// Of four bits, the numbers of those that are set, ascending, and how many they are.
+struct Numbers {
+  std::uint64_t of_each = 0;  // what follows the last is not meant
+  std::size_t count = 0;
+};
+constexpr std::array<Numbers, 16> kNumbersOf = [] {
+  std::array<Numbers, 16> all{};
+  for (std::uint32_t bits = 0; bits < all.size(); ++bits) {
+    std::array<std::uint16_t, 4> numbers{};
+    std::size_t count = 0;
+    for (std::uint16_t k = 0; k < numbers.size(); ++k) {
+      numbers[count] = k;
+      count += bits >> k & 1U;
+    }
+    all[bits] = {.of_each = std::bit_cast<std::uint64_t>(numbers), .count = count};
   }
-}
+  return all;
+}();
 
 }  // namespace
 
@@ -79,18 +95,20 @@ void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p, double 
   static_assert(kMaxCandidates % 4 == 0);
   const Bounded at(of, p);
   const Floats most = all(at.most + static_cast<float>(farther_m));
-  count = 0;
-  for (std::size_t first = 0; first < of.size_; first += 4) {
-    const Floats bound = floats_at(&of.normal_x_[first]) * at.x +
-                         floats_at(&of.normal_y_[first]) * at.y +
-                         floats_at(&of.normal_z_[first]) * at.z + floats_at(&of.height_[first]);
-    // Each is written, and written over if it is not near: a branch would mostly be mistaken.
-    const std::uint32_t near = which(bound <= most);
-    for (std::uint32_t k = 0; k < 4; ++k) {
-      number[count] = static_cast<std::uint16_t>(first + k);
-      count += near >> k & 1U;
-    }
+  const std::size_t size = of.size_;
+  std::size_t found = 0;
+  for (std::size_t first = 0; first < size; first += 4) {
+    const Floats bound = aligned_floats_at(&of.normal_x_[first]) * at.x +
+                         aligned_floats_at(&of.normal_y_[first]) * at.y +
+                         aligned_floats_at(&of.normal_z_[first]) * at.z +
+                         aligned_floats_at(&of.height_[first]);
+    // All four are written, and written over where not near: a branch would mostly be mistaken.
+    const Numbers& near = kNumbersOf[which(bound <= most)];
+    const std::uint64_t numbers = near.of_each + first * kInEachOfFour;
+    std::memcpy(&number[found], &numbers, sizeof numbers);
+    found += near.count;
   }
+  count = found;
 }
 
 void Neighbourhood::move_to_end(const Vec3& p) {
@@ -121,14 +139,9 @@ std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p, double
   return there_.numbers();
 }
 
-const Triangle* Neighbourhood::triangle(std::size_t i, const Scenery& scenery) {
-  Candidate& slot = slots_[i];
-  if (slot.primitive != nullptr) {
-    return nullptr;
-  }
-  work_.add(kWorkOfASeparation);
-  prepare(slot, scenery);
-  return &slot.triangle;
+void Neighbourhood::prepare(Candidate& slot, const Scenery& scenery) {
+  ::new (&slot.triangle) Triangle(triangle_W(scenery, slot.object, slot.index));  // in place
+  slot.prepared = true;
 }
 
 const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
@@ -142,12 +155,14 @@ const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
     measure_primitive(i);
     return slot.nearest;
   }
-  prepare(slot, scenery);
+  if (!slot.prepared) {
+    prepare(slot, scenery);
+  }
   // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
   // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
   // front. On a face it does not: that is the far side.
   constexpr double kBesideBorder_m = -1e-9;
-  slot.nearest = slot.triangle.nearest(place_);
+  ::new (&slot.nearest) Nearest(slot.triangle.nearest(place_));  // in place
   slot.behind =
       slot.one_sided && slot.triangle.height(place_) <
                             (slot.nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);

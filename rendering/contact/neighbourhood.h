@@ -18,6 +18,7 @@
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/contact/work.h"
 #include "rendering/geometry/capsule.h"
+#include "rendering/geometry/floats.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
@@ -108,7 +109,17 @@ class Neighbourhood {
   const Nearest& nearest(std::size_t i, const Scenery& scenery);
 
   // The triangle of candidate i, to look whether it must be measured; nullptr of a primitive.
-  const Triangle* triangle(std::size_t i, const Scenery& scenery);
+  const Triangle* triangle(std::size_t i, const Scenery& scenery) {
+    Candidate& slot = slots_[i];
+    if (slot.primitive != nullptr) {
+      return nullptr;
+    }
+    work_.add(kWorkOfASeparation);
+    if (!slot.prepared) {
+      prepare(slot, scenery);
+    }
+    return &slot.triangle;
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   // Its triangle is there once `nearest` or `triangle` was asked.
@@ -148,7 +159,7 @@ class Neighbourhood {
   static constexpr std::size_t kMostSmaller = 8;
   static constexpr double kLongTrust_m = 2.5e-3;  // longer only where triangles are few
   struct Within {
-    std::array<std::uint16_t, kMaxCandidates + 1> number{};  // the last is written, and not read
+    std::array<std::uint16_t, kMaxCandidates> number{};
     std::size_t count = 0;
 
     void find(const Neighbourhood& of, const Vec3& p, double farther_m);
@@ -165,6 +176,7 @@ class Neighbourhood {
   // The next free candidate, or nullptr.
   Candidate* add(const Object& object, std::uint32_t number);
   void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
+  static void prepare(Candidate& slot, const Scenery& scenery);
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
   void fill_last_four();
@@ -193,10 +205,10 @@ class Neighbourhood {
   Work work_;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.
-  std::array<float, kMaxCandidates> normal_x_{};
-  std::array<float, kMaxCandidates> normal_y_{};
-  std::array<float, kMaxCandidates> normal_z_{};
-  std::array<float, kMaxCandidates> height_{};
+  alignas(Floats) std::array<float, kMaxCandidates> normal_x_{};
+  alignas(Floats) std::array<float, kMaxCandidates> normal_y_{};
+  alignas(Floats) std::array<float, kMaxCandidates> normal_z_{};
+  alignas(Floats) std::array<float, kMaxCandidates> height_{};
   Within here_;
   Within there_;
   std::uint64_t here_place_ = 0;

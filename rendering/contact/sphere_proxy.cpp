@@ -160,11 +160,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (way.travel <= 0.0) {
       return rest;
     }
-    last_hold_.count = goal.stretched ? std::size_t{0} : rest.plane_count;
-    last_hold_.from = p_;
-    for (std::size_t i = 0; i < last_hold_.count; ++i) {
-      last_hold_.candidates[i] = rest.planes[i].candidate;
-    }
+    last_hold_.take(rest, goal.stretched ? std::size_t{0} : rest.plane_count, p_);
     if (rest.plane_count == 2) {
       last_crease_move_ = goal.stretched ? Vec3{Vec3::Zero()} : Vec3{goal.point - p_};
     }

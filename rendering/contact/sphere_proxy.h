@@ -132,6 +132,14 @@ class SphereProxy {
     std::array<std::size_t, 3> candidates{};
     std::size_t count = 0;
     Vec3 from = Vec3::Zero();
+
+    void take(const ProxyRest& rest, std::size_t planes, const Vec3& p) {
+      count = planes;
+      from = p;
+      for (std::size_t i = 0; i < planes; ++i) {
+        candidates[i] = rest.planes[i].candidate;
+      }
+    }
   };
   // What the proxy's centre moves on, where that is no plane.
   struct Bend {

@@ -46,17 +46,21 @@ class SphereProxy::CandidateSweep {
     if (!shells_.is_point()) {  // which is near too few
       here = of_.within_reach_here();
     }
-    for (const std::uint16_t i : here) {
-      if (!sweep(i)) {
-        return false;
-      }
-    }
-    auto swept = here.begin();  // both ascend
-    for (const std::uint16_t i : of_.within_reach(end_)) {
-      while (swept != here.end() && *swept < i) {
+    return sweep_each(here, {}) && sweep_each(of_.within_reach(end_), here);
+  }
+
+  [[nodiscard]] double free() const { return free_; }
+  [[nodiscard]] std::size_t stopped_by() const { return stopped_by_; }
+
+ private:
+  // But for those that were swept before; both ascend. False if that is too much for the tick.
+  bool sweep_each(std::span<const std::uint16_t> numbers, std::span<const std::uint16_t> before) {
+    auto swept = before.begin();
+    for (const std::uint16_t i : numbers) {
+      while (swept != before.end() && *swept < i) {
         ++swept;
       }
-      const bool is_swept = swept != here.end() && *swept == i;
+      const bool is_swept = swept != before.end() && *swept == i;
       if (!is_swept && !sweep(i)) {
         return false;
       }
@@ -64,11 +68,6 @@ class SphereProxy::CandidateSweep {
     return true;
   }
 
-  [[nodiscard]] double free() const { return free_; }
-  [[nodiscard]] std::size_t stopped_by() const { return stopped_by_; }
-
- private:
-  // False if that is too much for the tick.
   bool sweep(std::size_t i) {
     if (stop_ && !of_.may_reach(i, *stop_)) {
       return true;

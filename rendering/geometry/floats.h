@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 
 #include "rendering/geometry/vector.h"
 
@@ -22,6 +23,11 @@ inline Floats floats_at(const float* place) {
   Floats floats;
   std::memcpy(&floats, place, sizeof floats);
   return floats;
+}
+
+// The same where the place is aligned for it.
+inline Floats aligned_floats_at(const float* place) {
+  return floats_at(std::assume_aligned<alignof(Floats)>(place));
 }
 
 // The numbers of those that hold, each a bit; all bits of an answer are the same.

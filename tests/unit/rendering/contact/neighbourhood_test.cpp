@@ -130,5 +130,65 @@ TEST_F(NeighbourhoodTest, AtTheEndOfAWayFindsWhatItWouldFindAnew) {
   EXPECT_GT(found, 200U);
 }
 
+// A sphere of 0.1 m, and the tool on its top, from where a tick's move of a millimetre leaves the
+// trusted capsule.
+class LookAheadTest : public NeighbourhoodTest {
+ protected:
+  void SetUp() override {
+    take(ball_);
+    ASSERT_EQ(ensure(top_), Gathering::complete);
+    ASSERT_FALSE(neighbourhood_->trusts(next_));
+    begin_tick();
+  }
+  void look_ahead(const Vec3& next) { neighbourhood_->look_ahead(*scenery_, shells_, top_, next); }
+
+  const Solid ball_{testing::icosphere(0.1, 5), Sides::one, testing::kSlippery};
+  const Vec3 top_{0.0, 0.0, 0.1 + kToolRadius_m + 1e-6};
+  const Vec3 next_ = top_ + Vec3{1e-3, 0.0, 0.0};
+};
+
+TEST_F(LookAheadTest, TheNextTickNeedNotGather) {
+  look_ahead(next_);
+  EXPECT_EQ(neighbourhood_->gatherings(), 2U);
+  begin_tick();
+  EXPECT_EQ(ensure(top_), Gathering::complete);
+  EXPECT_EQ(neighbourhood_->gatherings(), 2U);
+  EXPECT_EQ(neighbourhood_->work().done(), 0U);
+}
+
+TEST_F(LookAheadTest, DoesNothingWhereTheNextMoveIsTrusted) {
+  look_ahead(top_ + Vec3{1e-6, 0.0, 0.0});
+  EXPECT_EQ(neighbourhood_->work().done(), 0U);
+}
+
+TEST_F(LookAheadTest, DoesNothingAfterMuchWork) {
+  neighbourhood_->work().add(kUsualWork);
+  look_ahead(next_);
+  EXPECT_EQ(neighbourhood_->gatherings(), 1U);
+}
+
+TEST_F(LookAheadTest, DoesNothingForAPoint) {
+  shells_ = Shells{0.0};
+  look_ahead(next_);
+  EXPECT_EQ(neighbourhood_->gatherings(), 1U);
+}
+
+TEST_F(LookAheadTest, DoesNothingWhereAnObjectMoved) {
+  Object moving = ball_.object();
+  moving.moves = true;
+  ASSERT_TRUE(scenery_->set({&moving, 1}));
+  neighbourhood_->clear();
+  begin_tick();
+  ASSERT_EQ(ensure(top_), Gathering::complete);
+  RigidPose X_WO;
+  X_WO.translation = {0.0, 0.0, 1e-9};
+  ASSERT_TRUE(scenery_->set_pose(0, X_WO, {}));
+  begin_tick();
+  ASSERT_EQ(ensure(top_), Gathering::complete);
+  const std::size_t gatherings = neighbourhood_->gatherings();
+  look_ahead(next_);
+  EXPECT_EQ(neighbourhood_->gatherings(), gatherings);
+}
+
 }  // namespace
 }  // namespace tactus::rendering
