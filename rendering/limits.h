@@ -68,10 +68,13 @@ inline constexpr std::uint32_t kMaxTextureSide = 8192;
 inline constexpr std::size_t kMaxTextureLevels = 14;
 
 // Work of the shared proxy in one tick, in sixths of a triangle that is measured; contact/work.h
-// says what counts how much. Beyond: the proxy stops where it is, nearer to the tool than before,
-// and goes on in the next tick; kTouchIterationsExhausted. kUsualWork keeps 999 of 1,000 ticks on
-// the dragon within 10 us. A tick that begins a contact, or whose tool has jumped, may take
-// kMaxWork, from what is saved: a unit in kTicksToSaveAUnit ticks, and kMostSavedWork at a start.
+// says what counts how much. Beyond: the proxy stops where it is and goes on in the next tick;
+// kTouchIterationsExhausted. What was measured in a tick before counts, but does not end one, and
+// where waiting would bring no more the first move is made, so that no place holds the proxy, not
+// one with hundreds of triangles in reach: there a tick may do more. kUsualWork keeps 999 of 1,000
+// ticks on the dragon within 10 us. A tick that begins a contact, or whose tool has jumped, may
+// take kMaxWork, from what is saved: a unit in kTicksToSaveAUnit ticks, and kMostSavedWork at a
+// start.
 inline constexpr std::size_t kUsualWork = 368;
 inline constexpr std::size_t kMaxWork = 1152;
 inline constexpr std::size_t kMostSavedWork = 2048;

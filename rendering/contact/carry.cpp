@@ -179,7 +179,7 @@ Vec3 up_to_still(const Scenery& scenery, const Shells& shells, const Vec3& from_
   }
   std::size_t room = kMaxCastWork;
   const Sweep sweep{.from = from_W, .direction = way / length};
-  return from_W + cast_on_still(scenery, shells, sweep, length, room) * sweep.direction;
+  return from_W + cast_on_still(scenery, shells, sweep, length, room).travel_m * sweep.direction;
 }
 
 // Where the point of the mesh next to p_O went in this tick.

@@ -51,6 +51,16 @@ class Neighbourhood {
     here_place_ = 0;
     to_walk_.count = 0;
     to_walk_.left.clear();
+    is_full_ = false;
+  }
+  // The same, and what it has learnt about how to gather: as if it were new.
+  void start_over() {
+    clear();
+    trust_ = {};
+    wanted_length_m_ = 0.0;
+    slimness_ = 1.0;
+    smaller_ = 0;
+    work_ = {};
   }
 
   // Forgets everything if an object moved that is near enough to matter.
@@ -107,6 +117,7 @@ class Neighbourhood {
 
   // The nearest point of candidate i from the place of `move_to`, measured once a place.
   const Nearest& nearest(std::size_t i, const Scenery& scenery);
+  [[nodiscard]] bool is_measured(std::size_t i) const { return slots_[i].measured_at == places_; }
 
   // The triangle of candidate i, to look whether it must be measured; nullptr of a primitive.
   const Triangle* triangle(std::size_t i, const Scenery& scenery) {
@@ -136,12 +147,18 @@ class Neighbourhood {
   // What has been done since the last `start_work`.
   void start_work() {
     work_.begin_tick();
+    measured_ = 0;
     first_gathering_ = gatherings_ + 1;
   }
   [[nodiscard]] Work& work() { return work_; }
   [[nodiscard]] const Work& work() const { return work_; }
   // Whether that is all for this tick. Not where objects moved: what was found would be lost.
   [[nodiscard]] bool is_worked_out() const { return may_pause_ && work_.is_over(); }
+  // Whether candidate i must wait for the next tick. What was measured is kept and never waits, so
+  // that in the end all is.
+  [[nodiscard]] bool must_wait(std::size_t i) const { return is_worked_out() && !is_measured(i); }
+  // Whether a tick with no more work than this one would come no further than this one.
+  [[nodiscard]] bool would_wait_in_vain() const { return !may_pause_ || measured_ == 0; }
 
   // What it remembers, to bytes or back; of the same scenery and shells.
   void transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells);
@@ -202,6 +219,7 @@ class Neighbourhood {
   std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
   bool is_full_ = false;             // there was no room for a candidate
   bool may_pause_ = true;            // no object moved here in this tick
+  std::size_t measured_ = 0;         // candidates, since the last `start_work`
   Work work_;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.

@@ -231,7 +231,7 @@ Neighbourhood::Gathering Neighbourhood::gather(const Scenery& scenery, const She
     }
     peak_ = kMaxCandidates;
     wanted_length_m_ *= 0.5;
-    if (++smaller_ == kMostSmaller) {
+    if (++smaller_ >= kMostSmaller) {
       clear();
       return Gathering::too_many;
     }

@@ -69,18 +69,22 @@ struct CastOnObjects {
   const Shells& shells;
   const Sweep& sweep_W;
   std::size_t& room;
-  double free;
+  FirstHit first;
 
-  [[nodiscard]] double reach() const { return free; }
+  [[nodiscard]] double reach() const { return first.travel_m; }
   void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
 
   void take(std::uint32_t number) {
     const Mover* const mover = scenery.mover_of(number);
     const Sweep sweep_O{.from = point_in(mover, sweep_W.from),
                         .direction = direction_in(mover, sweep_W.direction)};
-    free = cast_on(scenery, number, {.sweep_O = sweep_O, .limit_m = free},
-                   shells.of(is_point_tool(scenery[number])), room)
-               .travel_m;
+    const ObjectHit hit = cast_on(scenery, number, {.sweep_O = sweep_O, .limit_m = first.travel_m},
+                                  shells.of(is_point_tool(scenery[number])), room);
+    first.travel_m = hit.travel_m;
+    if (hit.met) {
+      first.object = number;
+      first.triangle = hit.triangle;
+    }
   }
 };
 
@@ -114,29 +118,32 @@ Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t t
   return triangle_of(scenery.mesh_O(number).mesh, triangle).nearest(p_O);
 }
 
-double cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                     double limit_m, std::size_t& room) {
-  CastOnObjects visitor{
-      .scenery = scenery, .shells = shells, .sweep_W = sweep_W, .room = room, .free = limit_m};
-  visit_along(scenery.still_nodes(), sweep_W.from, sweep_W.direction, shells.sphere.reach_m,
-              visitor);
-  return visitor.free;
-}
-
-double cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                   double limit_m, std::size_t& room) {
+FirstHit cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                       double limit_m, std::size_t& room) {
   CastOnObjects visitor{.scenery = scenery,
                         .shells = shells,
                         .sweep_W = sweep_W,
                         .room = room,
-                        .free = cast_on_still(scenery, shells, sweep_W, limit_m, room)};
+                        .first = {.travel_m = limit_m}};
+  visit_along(scenery.still_nodes(), sweep_W.from, sweep_W.direction, shells.sphere.reach_m,
+              visitor);
+  return visitor.first;
+}
+
+FirstHit cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                     double limit_m, std::size_t& room) {
+  CastOnObjects visitor{.scenery = scenery,
+                        .shells = shells,
+                        .sweep_W = sweep_W,
+                        .room = room,
+                        .first = cast_on_still(scenery, shells, sweep_W, limit_m, room)};
   for (const Mover& mover : scenery.movers()) {
     if (meets_proxy(scenery[mover.object]) &&
-        mover.distance(sweep_W.from) <= visitor.free + shells.sphere.reach_m) {
+        mover.distance(sweep_W.from) <= visitor.first.travel_m + shells.sphere.reach_m) {
       visitor.take(mover.object);
     }
   }
-  return visitor.free;
+  return visitor.first;
 }
 
 }  // namespace tactus::rendering

@@ -29,11 +29,17 @@ ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast
 Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle,
                    const Vec3& p_O);
 
-// The same over the objects that stand still, and over all objects where they are in this tick; the
-// free travel.
-double cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+// The first of all objects that stops the sphere.
+struct FirstHit {
+  double travel_m = 0.0;  // that is free
+  std::uint32_t object = kNoObject;
+  std::uint32_t triangle = 0;
+};
+
+// The same over the objects that stand still, and over all objects where they are in this tick.
+FirstHit cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                       double limit_m, std::size_t& room);
+FirstHit cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
                      double limit_m, std::size_t& room);
-double cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                   double limit_m, std::size_t& room);
 
 }  // namespace tactus::rendering

@@ -50,8 +50,7 @@ void SphereProxy::place(const Vec3& p_W) {
   carried_W_ = Vec3::Zero();
   touched_ = {};
   contact_count_ = 0;
-  neighbourhood_.clear();
-  neighbourhood_.work().save_all();
+  neighbourhood_.start_over();
   neighbourhood_.move_to(p_);
 }
 
@@ -140,20 +139,13 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (rest.plane_count > 0 && contact_count_ == 0) {
       look_for_face_below(scenery, rest);
     }
-    Goal goal;
-    Advance way;
-    do {
-      goal = choose_goal(scenery, h_W, rest);
-      if (!goal.settled && !goal.stretched && goes_back(goal.point, h_W) && recall_last_hold()) {
-        add_recalled_planes(scenery, most_push, rest);
-        goal = choose_goal(scenery, h_W, rest);
-      }
-      if (goal.settled) {
-        return rest;
-      }
-      way = travel_toward(scenery, goal.point, rest);
-    } while (way.stopped_by != kNothing && add_holding_plane(way.stopped_by, most_push, rest));
-    if (rest.sub_goals == kMaxSubGoals || neighbourhood_.work().is_over()) {
+    const auto [goal, way] = find_move(scenery, h_W, most_push, rest);
+    if (goal.settled) {
+      return rest;
+    }
+    const bool must_move =
+        rest.sub_goals == 0 && way.travel > 0.0 && neighbourhood_.would_wait_in_vain();
+    if (rest.sub_goals == kMaxSubGoals || (neighbourhood_.work().is_over() && !must_move)) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
@@ -181,6 +173,27 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     }
     most_push = 0.0;
   }
+}
+
+// Toward the next goal, among all planes that hold the proxy at once.
+SphereProxy::Move SphereProxy::find_move(const Scenery& scenery, const Vec3& h_W, double most_push,
+                                         ProxyRest& rest) {
+  Move move;
+  std::size_t sweeps = 0;
+  do {
+    move.goal = choose_goal(scenery, h_W, rest);
+    const Goal& goal = move.goal;
+    if (!goal.settled && !goal.stretched && goes_back(goal.point, h_W) && recall_last_hold()) {
+      add_recalled_planes(scenery, most_push, rest);
+      move.goal = choose_goal(scenery, h_W, rest);
+    }
+    if (goal.settled) {
+      break;
+    }
+    move.way = travel_toward(scenery, goal.point, rest);
+  } while (++sweeps <= kMaxContactPlanes && move.way.stopped_by != kNothing &&
+           add_holding_plane(move.way.stopped_by, most_push, rest));
+  return move;
 }
 
 // Whether another look at what holds the proxy, which has come to the goal, would find nothing new:

@@ -161,8 +161,14 @@ class SphereProxy {
     std::size_t stopped_by = kNothing;  // the candidate that stopped it at once
   };
 
+  struct Move {
+    Goal goal;
+    Advance way;  // there, unless it is settled
+  };
+
   ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   ProxyRest seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
+  Move find_move(const Scenery& scenery, const Vec3& h_W, double most_push, ProxyRest& rest);
   // False if the tick's work is done before all are measured that are near.
   bool collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   void look_for_face_below(const Scenery& scenery, ProxyRest& rest);

@@ -17,8 +17,8 @@ bool SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
   contact_count_ = 0;
   hovers_ = false;
   for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
-    if (neighbourhood_.is_worked_out()) {
-      return false;  // what was measured is kept: the next tick goes on from there
+    if (neighbourhood_.must_wait(i)) {
+      return false;
     }
     const Nearest& nearest = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);

@@ -72,14 +72,14 @@ class SphereProxy::CandidateSweep {
     if (stop_ && !of_.may_reach(i, *stop_)) {
       return true;
     }
-    if (of_.is_worked_out()) {
-      return false;
-    }
     const Candidate& candidate = of_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
     const Triangle* const triangle = of_.triangle(i, scenery_);
     if (triangle != nullptr && planes_.keep_off(*triangle, shell.inner_m)) {
       return true;
+    }
+    if (of_.must_wait(i)) {
+      return false;
     }
     const Nearest& start = of_.nearest(i, scenery_);
     const double travel =
@@ -125,7 +125,7 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
   CandidateSweep candidates(*this, scenery, way, rest);
   Advance advance{.direction = sweep.direction};
   if (!candidates.sweep_all()) {
-    return advance;  // what was measured is kept: the next tick goes on from there
+    return advance;
   }
   advance.travel = candidates.free();
   advance.stopped_by = candidates.stopped_by();
@@ -148,9 +148,12 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
 double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length) {
   const std::size_t most = std::min(kMostCastWork, neighbourhood_.work().left());
   std::size_t room = most;
-  const double free = cast_on_all(scenery, shells_, sweep, length, room);
+  const FirstHit hit = cast_on_all(scenery, shells_, sweep, length, room);
   neighbourhood_.work().add(most - room);
-  return free;
+  if (hit.object != kNoObject) {  // should the tick end before it is measured there
+    touched_ = {.object = hit.object, .triangle = hit.triangle, .normal_W = Vec3::Zero()};
+  }
+  return hit.travel_m;
 }
 
 }  // namespace tactus::rendering

@@ -39,9 +39,6 @@ inline constexpr std::size_t kWorkOfAGathering = 25;
 // contact, may go on to kMaxWork with what is saved.
 class Work {
  public:
-  // As after a long rest.
-  void save_all() { saved_ = kMostSaved; }
-
   void begin_tick() {
     const std::size_t beyond = done_ - std::min(done_, kUsualWork);
     saved_ -= std::min(saved_, beyond * kTicksToSaveAUnit);

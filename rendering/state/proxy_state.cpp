@@ -45,13 +45,14 @@ void Work::transfer(StateArchive& archive) {
 void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
   [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
                           peak, gatherings, first_gathering, to_walk, smaller, is_full, may_pause,
-                          work, normal_x, normal_y, normal_z, height, here, there, here_place,
-                          here_gathering, slots] = *this;
+                          measured, work, normal_x, normal_y, normal_z, height, here, there,
+                          here_place, here_gathering, slots] = *this;
   archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
   archive.require(places > 0);
   archive.up_to(size, kMaxCandidates);
   if (archive.is_reading()) {
     own_shells = shells;
+    is_full = false;
   }
   archive.up_to(smaller, kMostSmaller);
   transfer_walk(archive, scenery);

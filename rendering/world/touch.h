@@ -39,7 +39,7 @@ enum TouchFlags : std::uint32_t {
   kTouchCandidatesOverflow =
       1U << 0,  // more triangles near the tool than kMaxCandidates: slower path taken
   kTouchIterationsExhausted =
-      1U << 1,  // kMaxWork or kMaxSubGoals reached: the proxy is short of its minimum this tick
+      1U << 1,  // the tick's work or kMaxSubGoals done: the proxy is short of its minimum this tick
   kTouchPlanesOverflow = 1U << 2,  // more contact planes than kMaxContactPlanes
   kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
   kTouchPinched =

@@ -107,16 +107,5 @@ TEST(Work, TellsWhatIsLeft) {
   EXPECT_EQ(work.left(), 0U);
 }
 
-TEST(Work, IsAllThereAgainAfterALongRest) {
-  Work work;
-  for (int tick = 0; tick < 100; ++tick) {
-    work.begin_tick();
-    work_out(work);
-  }
-  work.save_all();
-  rest(work, 1);
-  EXPECT_EQ(work_out(work), kMaxWork + 1);
-}
-
 }  // namespace
 }  // namespace tactus::rendering

@@ -1,0 +1,107 @@
+// Where more triangles are within reach than a tick has work for, the proxy goes on in the ticks
+// after. The oracle is the smooth surface that the triangles make.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <tuple>
+
+#include "rendering/world/world.h"
+#include "tests/support/materials.h"
+#include "tests/support/solid.h"
+
+namespace tactus::rendering {
+namespace {
+
+using testing::Solid;
+
+// A flat disc in the plane y = 0 whose triangles all meet in its middle, as on the end of a turned
+// part.
+testing::Shape disc(std::uint32_t sides) {
+  constexpr double kDisc_m = 0.02;
+  testing::Shape shape{.name = "disc", .closed = false, .vertices = {{0.0F, 0.0F, 0.0F}}};
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    shape.vertices.push_back(
+        to_float3({kDisc_m * std::cos(angle), 0.0, kDisc_m * std::sin(angle)}));
+    shape.triangles.push_back({0, 1 + (i + 1) % sides, 1 + i});
+  }
+  return shape;
+}
+
+class DenseTest : public ::testing::Test {
+ protected:
+  // Where the proxy of a tick should be, and whether it lies still though it is far from there.
+  void look(const Vec3& proxy, const Vec3& ideal) {
+    constexpr double kFar_m = 0.1e-3;
+    const double lag = (proxy - ideal).norm();
+    most_lag_m_ = std::max(most_lag_m_, lag);
+    still_ = proxy == last_ && lag > kFar_m ? still_ + 1 : 0;
+    most_still_ = std::max(most_still_, still_);
+    last_ = proxy;
+  }
+
+  std::unique_ptr<World> world_ = std::make_unique<World>();
+  Vec3 last_ = Vec3::Zero();
+  int still_ = 0;
+  int most_still_ = 0;
+  double most_lag_m_ = 0.0;
+};
+
+class DiscTest : public DenseTest,
+                 public ::testing::WithParamInterface<std::tuple<std::uint32_t, double>> {};
+
+TEST_P(DiscTest, TheProxyFollowsOverItsMiddleAndLeavesIt) {
+  const auto [sides, radius_m] = GetParam();
+  const Solid solid(disc(sides), Sides::one, testing::kSlippery);
+  ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = radius_m}));
+  world_->touch({.p_W = {0.005, radius_m + 0.001, 0.0003}});
+  for (int tick = 0; tick < 5'000; ++tick) {
+    const double angle = 2.0 * std::numbers::pi * 1e-3 * tick;
+    const Vec3 tool{0.005 * std::cos(angle), radius_m - 0.001, 0.0003 * std::sin(0.7 * angle)};
+    const Touch touch = world_->touch({.p_W = tool});
+    look(touch.proxy_W, {tool.x(), radius_m, tool.z()});
+    ASSERT_GE(touch.proxy_W.y(), radius_m) << "tick " << tick;
+  }
+  EXPECT_LE(most_still_, 20);
+  EXPECT_LE(most_lag_m_, 1e-3);
+  const Vec3 above{0.0, radius_m + 0.005, 0.0};
+  int ticks = 0;
+  while (world_->touch({.p_W = above}).proxy_W != above) {
+    ASSERT_LT(++ticks, 20);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sides, DiscTest,
+                         ::testing::Combine(::testing::Values(100U, 180U, 200U, 500U),
+                                            ::testing::Values(0.0, 0.002)));
+
+// The tool goes to and fro over a ball that goes to and fro itself.
+TEST_F(DenseTest, OnAFineBallThatMovesTheProxyGoesWithTheTool) {
+  constexpr double kBall_m = 0.1;
+  constexpr double kTool_m = 0.002;
+  constexpr double kDepth_m = 0.001;
+  const Solid solid(testing::icosphere(kBall_m, 7), Sides::one, testing::kSlippery);
+  Object ball = solid.object();
+  ball.moves = true;
+  ASSERT_TRUE(world_->set_scene({&ball, 1}, {.tool_radius_m = kTool_m}));
+  const auto out = [](int tick) {
+    const double angle = 0.3 * std::sin(0.003 * tick);
+    return Vec3{0.6 * std::sin(angle), 0.8 * std::sin(angle), std::cos(angle)};
+  };
+  world_->touch({.p_W = (kBall_m + kTool_m + kDepth_m) * out(0)});
+  for (int tick = 0; tick < 1'500; ++tick) {
+    const Vec3 middle{0.002 * std::sin(0.02 * tick), 0.0, 0.0};
+    ASSERT_TRUE(world_->set_pose(0, {.translation = middle}, {}));
+    const Touch touch = world_->touch({.p_W = middle + (kBall_m + kTool_m - kDepth_m) * out(tick)});
+    look(touch.proxy_W - middle, (kBall_m + kTool_m) * out(tick));
+  }
+  EXPECT_LE(most_still_, 5);
+  EXPECT_LE(most_lag_m_, 0.3e-3);
+}
+
+}  // namespace
+}  // namespace tactus::rendering
