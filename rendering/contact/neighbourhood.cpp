@@ -25,8 +25,8 @@ constexpr std::array<Numbers, 16> kNumbersOf = [] {
   for (std::uint32_t bits = 0; bits < all.size(); ++bits) {
     std::array<std::uint16_t, 4> numbers{};
     std::size_t count = 0;
-    for (std::uint16_t k = 0; k < numbers.size(); ++k) {
-      numbers[count] = k;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      numbers[count] = static_cast<std::uint16_t>(k);
       count += bits >> k & 1U;
     }
     all[bits] = {.of_each = std::bit_cast<std::uint64_t>(numbers), .count = count};
