@@ -139,14 +139,14 @@ std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p, double
   return there_.numbers();
 }
 
-void Neighbourhood::prepare(Candidate& slot, const Scenery& scenery) {
+void Neighbourhood::build(Candidate& slot, const Scenery& scenery) {
   ::new (&slot.triangle) Triangle(triangle_W(scenery, slot.object, slot.index));  // in place
   slot.prepared = true;
 }
 
 const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
   Candidate& slot = slots_[i];
-  if (slot.measured_at == places_) {
+  if (is_measured(i)) {
     return slot.nearest;
   }
   slot.measured_at = places_;
@@ -156,9 +156,7 @@ const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
     measure_primitive(i);
     return slot.nearest;
   }
-  if (!slot.prepared) {
-    prepare(slot, scenery);
-  }
+  prepare(slot, scenery);
   // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
   // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
   // front. On a face it does not: that is the far side.

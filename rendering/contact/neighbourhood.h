@@ -126,9 +126,7 @@ class Neighbourhood {
       return nullptr;
     }
     work_.add(kWorkOfASeparation);
-    if (!slot.prepared) {
-      prepare(slot, scenery);
-    }
+    prepare(slot, scenery);
     return &slot.triangle;
   }
 
@@ -193,7 +191,12 @@ class Neighbourhood {
   // The next free candidate, or nullptr.
   Candidate* add(const Object& object, std::uint32_t number);
   void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
-  static void prepare(Candidate& slot, const Scenery& scenery);
+  static void prepare(Candidate& slot, const Scenery& scenery) {
+    if (!slot.prepared) {
+      build(slot, scenery);
+    }
+  }
+  static void build(Candidate& slot, const Scenery& scenery);
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
   void fill_last_four();

@@ -80,13 +80,25 @@ struct CastOnObjects {
                         .direction = direction_in(mover, sweep_W.direction)};
     const ObjectHit hit = cast_on(scenery, number, {.sweep_O = sweep_O, .limit_m = first.travel_m},
                                   shells.of(is_point_tool(scenery[number])), room);
-    first.travel_m = hit.travel_m;
-    if (hit.met) {
-      first.object = number;
-      first.triangle = hit.triangle;
+    if (hit.travel_m < first.travel_m) {
+      first = {.travel_m = hit.travel_m,
+               .object = hit.met ? number : kNoObject,
+               .triangle = hit.triangle};
     }
   }
 };
+
+CastOnObjects over_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
+                         double limit_m, std::size_t& room) {
+  CastOnObjects visitor{.scenery = scenery,
+                        .shells = shells,
+                        .sweep_W = sweep_W,
+                        .room = room,
+                        .first = {.travel_m = limit_m}};
+  visit_along(scenery.still_nodes(), sweep_W.from, sweep_W.direction, shells.sphere.reach_m,
+              visitor);
+  return visitor;
+}
 
 }  // namespace
 
@@ -120,23 +132,12 @@ Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t t
 
 FirstHit cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
                        double limit_m, std::size_t& room) {
-  CastOnObjects visitor{.scenery = scenery,
-                        .shells = shells,
-                        .sweep_W = sweep_W,
-                        .room = room,
-                        .first = {.travel_m = limit_m}};
-  visit_along(scenery.still_nodes(), sweep_W.from, sweep_W.direction, shells.sphere.reach_m,
-              visitor);
-  return visitor.first;
+  return over_still(scenery, shells, sweep_W, limit_m, room).first;
 }
 
 FirstHit cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
                      double limit_m, std::size_t& room) {
-  CastOnObjects visitor{.scenery = scenery,
-                        .shells = shells,
-                        .sweep_W = sweep_W,
-                        .room = room,
-                        .first = cast_on_still(scenery, shells, sweep_W, limit_m, room)};
+  CastOnObjects visitor = over_still(scenery, shells, sweep_W, limit_m, room);
   for (const Mover& mover : scenery.movers()) {
     if (meets_proxy(scenery[mover.object]) &&
         mover.distance(sweep_W.from) <= visitor.first.travel_m + shells.sphere.reach_m) {

@@ -113,7 +113,7 @@ void Neighbourhood::transfer_candidate(StateArchive& archive, const Scenery& sce
   Candidate& slot = slots_[i];
   [[maybe_unused]] auto& [primitive, measured_at, object, index, prepared, one_sided, point_tool,
                           behind, nearest_, triangle, seen] = slot;
-  bool measured = measured_at == places_;
+  bool measured = is_measured(i);
   archive(object, index, prepared, measured);
   archive(normal_x_[i], normal_y_[i], normal_z_[i], height_[i]);
   require_place(archive, scenery, object, index);
