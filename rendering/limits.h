@@ -69,9 +69,10 @@ inline constexpr std::size_t kMaxTextureLevels = 14;
 
 // Work of the shared proxy in one tick, in sixths of a triangle that is measured; contact/work.h
 // says what counts how much. Beyond: the proxy stops where it is and goes on in the next tick;
-// kTouchIterationsExhausted. What was measured in a tick before counts, but does not end one, and
-// where waiting would bring no more the first move is made, so that no place holds the proxy, not
-// one with hundreds of triangles in reach: there a tick may do more. kUsualWork keeps 999 of 1,000
+// kTouchIterationsExhausted. What was measured is kept, and a tick that finds the proxy where the
+// last began does whatever its first move takes, so that no place holds the proxy, not one with
+// hundreds of triangles in reach: there a tick may do more, but measures no triangle twice before
+// that move and sweeps past them at most kMaxContactPlanes + 1 times. kUsualWork keeps 999 of 1,000
 // ticks on the dragon within 10 us. A tick that begins a contact, or whose tool has jumped, may
 // take kMaxWork, from what is saved: a unit in kTicksToSaveAUnit ticks, and kMostSavedWork at a
 // start.

@@ -150,7 +150,6 @@ const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
     return slot.nearest;
   }
   slot.measured_at = places_;
-  ++measured_;
   work_.add(kWorkOfAMeasurement);
   if (slot.primitive != nullptr) {
     measure_primitive(i);

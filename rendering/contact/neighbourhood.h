@@ -145,18 +145,24 @@ class Neighbourhood {
   // What has been done since the last `start_work`.
   void start_work() {
     work_.begin_tick();
-    measured_ = 0;
+    waited_ = first_place_ == places_;
+    first_place_ = places_;
     first_gathering_ = gatherings_ + 1;
   }
   [[nodiscard]] Work& work() { return work_; }
   [[nodiscard]] const Work& work() const { return work_; }
   // Whether that is all for this tick. Not where objects moved: what was found would be lost.
   [[nodiscard]] bool is_worked_out() const { return may_pause_ && work_.is_over(); }
-  // Whether candidate i must wait for the next tick. What was measured is kept and never waits, so
-  // that in the end all is.
-  [[nodiscard]] bool must_wait(std::size_t i) const { return is_worked_out() && !is_measured(i); }
-  // Whether a tick with no more work than this one would come no further than this one.
-  [[nodiscard]] bool would_wait_in_vain() const { return !may_pause_ || measured_ == 0; }
+  // Whether the proxy still is where the last tick's work began: what that had too much to do for,
+  // this one does, up to its first move, so that no place holds the proxy. Where objects moved
+  // nothing is kept for the next tick, and that holds at once.
+  [[nodiscard]] bool has_waited() const {
+    return !may_pause_ || (waited_ && places_ == first_place_);
+  }
+  // Whether candidate i must wait for the next tick; what was measured is kept.
+  [[nodiscard]] bool must_wait(std::size_t i) const {
+    return is_worked_out() && !has_waited() && !is_measured(i);
+  }
 
   // What it remembers, to bytes or back; of the same scenery and shells.
   void transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells);
@@ -222,7 +228,8 @@ class Neighbourhood {
   std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
   bool is_full_ = false;             // there was no room for a candidate
   bool may_pause_ = true;            // no object moved here in this tick
-  std::size_t measured_ = 0;         // candidates, since the last `start_work`
+  std::uint64_t first_place_ = 0;    // at the last `start_work`
+  bool waited_ = false;              // and it was so at the one before
   Work work_;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.

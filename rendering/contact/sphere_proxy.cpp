@@ -143,8 +143,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (goal.settled) {
       return rest;
     }
-    const bool must_move =
-        rest.sub_goals == 0 && way.travel > 0.0 && neighbourhood_.would_wait_in_vain();
+    const bool must_move = rest.sub_goals == 0 && way.travel > 0.0 && neighbourhood_.has_waited();
     if (rest.sub_goals == kMaxSubGoals || (neighbourhood_.work().is_over() && !must_move)) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;

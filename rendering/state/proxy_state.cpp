@@ -45,9 +45,9 @@ void Work::transfer(StateArchive& archive) {
 void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
   [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
                           peak, gatherings, first_gathering, to_walk, smaller, is_full, may_pause,
-                          measured, work, normal_x, normal_y, normal_z, height, here, there,
-                          here_place, here_gathering, slots] = *this;
-  archive(place, trust, wanted_length_m, slimness, places, tested, peak, gatherings);
+                          first_place, waited, work, normal_x, normal_y, normal_z, height, here,
+                          there, here_place, here_gathering, slots] = *this;
+  archive(place, trust, wanted_length_m, slimness, places, first_place, tested, peak, gatherings);
   archive.require(places > 0);
   archive.up_to(size, kMaxCandidates);
   if (archive.is_reading()) {
