@@ -118,7 +118,7 @@ struct FirstContact {
   const Shell& shell;
   const Sweep& sweep;
   double free;
-  std::size_t room = kMaxFeatureVisits;
+  std::size_t room;
   std::uint32_t triangle = kNoTriangle;
 
   [[nodiscard]] double reach() const { return free; }
@@ -153,13 +153,24 @@ void FeatureWalker::place(const Vec3& p_W) {
 
 FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
                                    const Vec3& h_W) {
+  if (!in_reach(h_W)) {
+    return {.proxy_W = p_, .flags = kTouchToolInvalid};
+  }
+  const Vec3 before = p_;
+  const FeatureRest rest = go(mesh, sides, material, h_W);
+  has_waited_ = (rest.flags & kTouchIterationsExhausted) != 0 && p_ == before;
+  return rest;
+}
+
+std::size_t FeatureWalker::most_visits() const {
+  return has_waited_ ? kMostFeatureVisits : kMaxFeatureVisits;
+}
+
+FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Material& material,
+                              const Vec3& h_W) {
   // Off one surface and onto the next: more than this in one tick waits for the next one.
   constexpr int kRounds = 4;
   FeatureRest rest{.proxy_W = p_};
-  if (!in_reach(h_W)) {
-    rest.flags = kTouchToolInvalid;
-    return rest;
-  }
   const Shell shell(0.0);
   for (int round = 0; round < kRounds; ++round) {
     if (!in_contact_ && !approach(mesh, sides, h_W, rest)) {
@@ -199,7 +210,8 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
                        .one_sided = sides == Sides::one,
                        .shell = shell,
                        .sweep = sweep,
-                       .free = length};
+                       .free = length,
+                       .room = most_visits()};
   const double visited =
       visit_along(mesh.mesh.nodes, sweep.from, sweep.direction, shell.reach_m, visitor);
   if (visited < visitor.free) {
@@ -225,8 +237,7 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
 // What is left of this tick's visits is the limit; one triangle is always measured.
 FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q,
                                 FeatureRest& rest) const {
-  const std::size_t left =
-      kMaxFeatureVisits - std::min<std::size_t>(rest.visited, kMaxFeatureVisits);
+  const std::size_t left = most_visits() - std::min<std::size_t>(rest.visited, most_visits());
   const FeatureWalk result = walk_features(mesh, triangle, q, left);
   rest.visited = static_cast<std::uint16_t>(rest.visited + result.visited);
   if (!result.complete) {

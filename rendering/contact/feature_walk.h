@@ -62,7 +62,8 @@ class FeatureWalker {
 
   // Moves the point as near to the tool as the surface and friction let it. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most
-  // kMaxFeatureVisits triangles measured in contact, and as many on the way to it.
+  // kMaxFeatureVisits triangles measured in contact, and as many on the way to it;
+  // kMostFeatureVisits where the last call had too much to do to come anywhere.
   FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
                       const Vec3& h_W);
 
@@ -74,6 +75,7 @@ class FeatureWalker {
   void transfer(StateArchive& archive);
 
  private:
+  FeatureRest go(const ConnectedMesh& mesh, Sides sides, const Material& material, const Vec3& h);
   bool approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h, FeatureRest& rest);
   FeatureWalk walk(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q,
                    FeatureRest& rest) const;
@@ -81,6 +83,7 @@ class FeatureWalker {
                                  const Vec3& h) const;
   MeshNearest stay_in_cone(const ConnectedMesh& mesh, const FrictionParameters& friction,
                            double depth, const FeatureWalk& lowest, FeatureRest& rest);
+  [[nodiscard]] std::size_t most_visits() const;
   void settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
               const FeatureWalk& lowest, FeatureRest& rest);
 
@@ -90,6 +93,7 @@ class FeatureWalker {
   FrictionState friction_ = FrictionState::free;
   SurfaceFriction model_;
   bool in_contact_ = false;
+  bool has_waited_ = false;  // the last call ended where it began, short of where it would go
 };
 
 }  // namespace tactus::rendering

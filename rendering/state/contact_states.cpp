@@ -23,8 +23,8 @@ void ForceShading::transfer(StateArchive& archive) {
 }
 
 void FeatureWalker::transfer(StateArchive& archive) {
-  auto& [p, feature, side, friction, model, in_contact] = *this;
-  archive(p, feature, side, model, in_contact);
+  auto& [p, feature, side, friction, model, in_contact, has_waited] = *this;
+  archive(p, feature, side, model, in_contact, has_waited);
   archive.choice(friction, FrictionState::slip);
 }
 

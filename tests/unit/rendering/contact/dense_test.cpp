@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "rendering/world/world.h"
+#include "tests/support/connected_solid.h"
 #include "tests/support/materials.h"
 #include "tests/support/solid.h"
 
@@ -88,6 +89,12 @@ class DenseTest : public ::testing::Test {
     last_ = proxy;
   }
 
+  void come_near(const Vec3& place) {
+    for (int tick = 0; tick < 100; ++tick) {
+      world_->touch({.p_W = place + 10.0 * testing::kMicron * Vec3::UnitY()});
+    }
+  }
+
   std::unique_ptr<World> world_ = std::make_unique<World>();
   Vec3 last_ = Vec3::Zero();
   int still_ = 0;
@@ -98,23 +105,22 @@ class DenseTest : public ::testing::Test {
 class DiscTest : public DenseTest,
                  public ::testing::WithParamInterface<std::tuple<std::uint32_t, End, double>> {};
 
+// A tool that goes to and fro over the middle, as deep as that lets it.
+Vec3 tool_at(int tick, double radius_m) {
+  const double angle = 2.0 * std::numbers::pi * 1e-3 * tick;
+  return {0.005 * std::cos(angle), radius_m - 0.001, 0.0003 * std::sin(0.7 * angle)};
+}
+
 TEST_P(DiscTest, TheProxyFollowsOverItsMiddleAndLeavesIt) {
   constexpr double kRound_m = 3.0 * testing::kMicron;  // a hundred sides lie that far within a tip
   const auto [sides, end, radius_m] = GetParam();
   const Solid solid(disc(sides, end), Sides::one, testing::kSlippery);
   ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = radius_m}));
-  const auto tool_at = [radius_m](int tick) {
-    const double angle = 2.0 * std::numbers::pi * 1e-3 * tick;
-    return Vec3{0.005 * std::cos(angle), radius_m - 0.001, 0.0003 * std::sin(0.7 * angle)};
-  };
-  const Vec3 start =
-      nearest_above(end, tool_at(0), radius_m) + 10.0 * testing::kMicron * Vec3::UnitY();
-  for (int tick = 0; tick < 100; ++tick) {
-    world_->touch({.p_W = start});
-  }
+  come_near(nearest_above(end, tool_at(0, radius_m), radius_m));
   for (int tick = 0; tick < 5'000; ++tick) {
-    const Vec3 proxy = world_->touch({.p_W = tool_at(tick)}).proxy_W;
-    look(proxy, nearest_above(end, tool_at(tick), radius_m));
+    const Vec3 tool = tool_at(tick, radius_m);
+    const Vec3 proxy = world_->touch({.p_W = tool}).proxy_W;
+    look(proxy, nearest_above(end, tool, radius_m));
     ASSERT_GE(height(end, proxy), radius_m - kRound_m) << "tick " << tick;
   }
   EXPECT_LE(most_still_, 1);
@@ -137,6 +143,40 @@ INSTANTIATE_TEST_SUITE_P(Pit, DiscTest,
 INSTANTIATE_TEST_SUITE_P(Tip, DiscTest,
                          ::testing::Combine(::testing::Values(100U, 180U, 200U, 500U),
                                             ::testing::Values(End::tip), ::testing::Values(0.002)));
+
+// The same of a point that walks, which every triangle about a vertex may keep waiting. Where it
+// has not met the surface the tool is not held out.
+class WalkTest : public DenseTest,
+                 public ::testing::WithParamInterface<std::tuple<std::uint32_t, End>> {};
+
+TEST_P(WalkTest, ThePointFollowsOverItsMiddleAndLeavesIt) {
+  const auto [sides, end] = GetParam();
+  const testing::ConnectedSolid solid(disc(sides, end));
+  const Object object{.method = ContactMethod::feature_walk,
+                      .mesh = solid.mesh().mesh,
+                      .neighbours = solid.mesh().neighbours,
+                      .vertex_normals = solid.mesh().vertex_normals,
+                      .material = testing::kSlippery};
+  ASSERT_TRUE(world_->set_scene({&object, 1}, {}));
+  come_near(nearest_above(end, tool_at(0, 0.0), 0.0));
+  int off = 0;  // ticks in a row
+  int most_off = 0;
+  for (int tick = 0; tick < 5'000; ++tick) {
+    const Vec3 tool = tool_at(tick, 0.0);
+    const Vec3 proxy = world_->touch({.p_W = tool}).proxy_W;
+    off = (proxy - nearest_above(end, tool, 0.0)).norm() > 0.2e-3 ? off + 1 : 0;
+    most_off = std::max(most_off, off);
+  }
+  EXPECT_LE(most_off, 5);
+  const Vec3 above{0.0, 0.005, 0.0};
+  world_->touch({.p_W = above});
+  world_->touch({.p_W = above});
+  EXPECT_EQ(world_->touch({.p_W = above}).contact, ContactKind::none);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, WalkTest,
+                         ::testing::Combine(::testing::Values(100U, 200U, 500U, 2'000U),
+                                            ::testing::Values(End::flat, End::pit, End::tip)));
 
 // The tool goes to and fro over a ball that goes to and fro itself.
 TEST_F(DenseTest, OnAFineBallThatMovesTheProxyGoesWithTheTool) {
