@@ -83,6 +83,10 @@ inline constexpr std::size_t kMaxWork = 1152;
 inline constexpr std::size_t kMostSavedWork = 2048;
 inline constexpr std::size_t kTicksToSaveAUnit = 10;
 
+// And in the same units, of carrying it along with objects that move: where hundreds of triangles
+// come over it at 5 m/s. Beyond: they pass over it; kTouchPinched.
+inline constexpr std::size_t kMaxCarryWork = 12'288;
+
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.
 inline constexpr std::size_t kMaxFormulaInstructions = 256;

@@ -25,7 +25,6 @@ namespace {
 
 constexpr std::size_t kMaxPlanes = 24;
 constexpr int kMaxRounds = 12;
-constexpr std::size_t kMaxCastWork = 2048;
 // A sphere that overlaps a surface already is not thrown out of it.
 constexpr double kMostPush_m = 1e-6;
 
@@ -70,7 +69,7 @@ struct Push {
   const Vec3& from_W;
   std::array<Plane, kMaxPlanes> planes{};
   std::size_t plane_count = 0;
-  std::size_t room = kMaxCastWork;
+  std::size_t room = kMaxCarryWork;
   bool clear = true;  // in this round
 
   // One more plane to stay in front of; in the world frame.
@@ -177,7 +176,7 @@ Vec3 up_to_still(const Scenery& scenery, const Shells& shells, const Vec3& from_
   if (length <= 0.0) {
     return from_W;
   }
-  std::size_t room = kMaxCastWork;
+  std::size_t room = kMaxCarryWork;
   const Sweep sweep{.from = from_W, .direction = way / length};
   return from_W + cast_on_still(scenery, shells, sweep, length, room).travel_m * sweep.direction;
 }

@@ -132,6 +132,27 @@ TEST_P(DiscTest, TheProxyFollowsOverItsMiddleAndLeavesIt) {
   }
 }
 
+// It comes from below a tool that lies still beside its axis.
+TEST_P(DiscTest, ThatRisesPushesTheProxyAndNeverSwallowsIt) {
+  constexpr double kRound_m = 3.0 * testing::kMicron;
+  constexpr double kLowest_m = -0.006;
+  constexpr double kTick_s = 1e-3;
+  const auto [sides, end, radius_m] = GetParam();
+  const Solid solid(disc(sides, end), Sides::one, testing::kSlippery);
+  Object object = solid.object();
+  object.moves = true;
+  for (const double speed : {0.01, 0.1, 1.0, 5.0}) {  // m/s
+    ASSERT_TRUE(world_->set_scene({&object, 1}, {.tool_radius_m = radius_m}));
+    for (double y = kLowest_m; y < -kLowest_m; y += speed * kTick_s) {
+      ASSERT_TRUE(world_->set_pose(0, {.translation = {0.0, y, 0.0}}, {}));
+      const Touch touch = world_->touch({.p_W = {0.0004, 0.0, 0.0003}});
+      ASSERT_EQ(touch.flags & kTouchPinched, 0U) << speed << " m/s, " << y;
+      ASSERT_GE(height(end, touch.proxy_W - Vec3{0.0, y, 0.0}), radius_m - kRound_m)
+          << speed << " m/s, " << y;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Flat, DiscTest,
                          ::testing::Combine(::testing::Values(100U, 180U, 200U, 500U),
                                             ::testing::Values(End::flat),
