@@ -3,61 +3,112 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "firmware/control/controller.h"
+#include "host_tools/mesh/hierarchy.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace tactus {
 namespace {
 
-// A ball that is touched, and one that moves.
-std::array<rendering::Object, 2> scene() {
-  std::array<rendering::Object, 2> objects;
-  for (rendering::Object& object : objects) {
-    object.surface = rendering::SurfaceKind::primitive;
-    object.primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {0.05, 0.0, 0.0}};
-    object.material = {.stiffness_N_per_m = 500.0, .friction = rendering::cone_friction(0.6, 0.4)};
+constexpr double kBall_m = 0.05;
+constexpr double kTool_m = 0.002;
+constexpr rendering::Material kMaterial{.stiffness_N_per_m = 500.0,
+                                        .friction = rendering::cone_friction(0.6, 0.4)};
+
+// A disc before the ball, as dense in its middle as takes several ticks to look at.
+class Disc {
+ public:
+  Disc() {
+    constexpr double kDisc_m = 0.01;
+    constexpr std::uint32_t kSides = 300;
+    const double x = kBall_m + 0.0005;
+    vertices_.push_back(rendering::to_float3({x, 0.0, 0.0}));
+    std::vector<rendering::TriangleIndices> triangles;
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kSides;
+      vertices_.push_back(
+          rendering::to_float3({x, kDisc_m * std::cos(angle), kDisc_m * std::sin(angle)}));
+      triangles.push_back({0, 1 + i, 1 + (i + 1) % kSides});
+    }
+    host::Hierarchy hierarchy = host::build_hierarchy(vertices_, triangles);
+    for (const std::uint32_t place : hierarchy.order) {
+      triangles_.push_back(triangles[place]);
+    }
+    nodes_ = std::move(hierarchy.nodes);
   }
+
+  [[nodiscard]] rendering::Object object() const {
+    return {.mesh = {.vertices = vertices_, .triangles = triangles_, .nodes = nodes_},
+            .material = kMaterial};
+  }
+
+ private:
+  std::vector<rendering::Float3> vertices_;
+  std::vector<rendering::TriangleIndices> triangles_;
+  std::vector<rendering::BvhNode> nodes_;
+};
+
+// A ball and a disc that are touched, and a ball that moves.
+std::array<rendering::Object, 3> scene() {
+  static const Disc disc;
+  const rendering::Object ball{
+      .surface = rendering::SurfaceKind::primitive,
+      .primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {kBall_m, 0.0, 0.0}},
+      .material = kMaterial};
+  std::array<rendering::Object, 3> objects{ball, ball, disc.object()};
   objects[1].moves = true;
   return objects;
 }
 
-drivers::JointSample sample() {
+// The tool comes over the disc, and presses on it.
+drivers::JointSample sample(std::size_t tick) {
   drivers::JointSample sample;
-  sample.position[0] = 0.049;
+  sample.position[0] = kBall_m + (tick < 2 ? 0.004 : 0.001);
+  sample.position[1] = 1e-5 * static_cast<double>(tick);
   return sample;
 }
 
-void begin(firmware::Controller& controller, const std::array<rendering::Object, 2>& objects) {
+void begin(firmware::Controller& controller, const std::array<rendering::Object, 3>& objects) {
   fuzz::require(controller.configure(firmware::cartesian_config()).has_value(), "configured");
-  fuzz::require(controller.load_scene(objects, {.tool_radius_m = 0.002}).has_value(), "loaded");
+  fuzz::require(controller.load_scene(objects, {.tool_radius_m = kTool_m}).has_value(), "loaded");
 }
 
 }  // namespace
 }  // namespace tactus
 
-// Each three bytes of the input: where, 16 bits, and the byte that is put there.
+// The first byte of the input is how long the controller has run; of each three that follow two are
+// a place and the third the byte that is put there.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tactus;
+  constexpr std::size_t kMostTicks = 16;
   static const auto objects = scene();
   static firmware::Controller controller;
   begin(controller, objects);
-  controller.tick(sample(), firmware::Request::home);
-  controller.tick(sample(), firmware::Request::none);
-  controller.tick(sample(), firmware::Request::enable);
+  std::size_t tick = 0;
+  controller.tick(sample(tick++), firmware::Request::home);
+  controller.tick(sample(tick++), firmware::Request::none);
+  controller.tick(sample(tick++), firmware::Request::enable);
+  for (const std::size_t end = tick + (size > 0 ? data[0] % kMostTicks : 0); tick < end; ++tick) {
+    controller.tick(sample(tick), firmware::Request::none);
+  }
   std::vector<std::byte> state(firmware::kMaxCheckpointBytes);
   state.resize(controller.save(state));
   fuzz::require(!state.empty(), "a state is saved");
-  for (std::size_t i = 0; i + 2 < size; i += 3) {
+  for (std::size_t i = 1; i + 2 < size; i += 3) {
     const std::size_t place = (std::size_t{data[i]} << 8U) | data[i + 1];
     state[place % state.size()] = static_cast<std::byte>(data[i + 2]);
   }
   begin(controller, objects);
   if (controller.restore(state)) {
-    const drivers::JointCommand command = controller.tick(sample(), firmware::Request::none);
-    for (const double effort : command.effort) {
-      fuzz::require(std::isfinite(effort) && std::abs(effort) <= 10.0, "a bounded effort");
+    for (const std::size_t end = tick + 4; tick < end; ++tick) {
+      const drivers::JointCommand command = controller.tick(sample(tick), firmware::Request::none);
+      for (const double effort : command.effort) {
+        fuzz::require(std::isfinite(effort) && std::abs(effort) <= 10.0, "a bounded effort");
+      }
     }
   }
   return 0;
