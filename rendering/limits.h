@@ -45,8 +45,8 @@ inline constexpr std::size_t kMaxEffects = 16;
 inline constexpr std::size_t kMaxHierarchyDepth = 64;
 
 // Triangles near the tool that are kept from tick to tick (about 370 bytes each). Beyond: the
-// neighbourhood shrinks, and if even the smallest does not fit, the proxy holds still;
-// kTouchCandidatesOverflow.
+// neighbourhood shrinks, and if even the smallest does not fit, the proxy goes straight toward the
+// tool or holds still; kTouchCandidatesOverflow.
 inline constexpr std::size_t kMaxCandidates = 512;
 
 // Distinct contact planes at one position of the proxy. Beyond: the proxy holds still;
@@ -84,7 +84,8 @@ inline constexpr std::size_t kMostSavedWork = 2048;
 inline constexpr std::size_t kTicksToSaveAUnit = 10;
 
 // And in the same units, of carrying it along with objects that move: where hundreds of triangles
-// come over it at 5 m/s. Beyond: they pass over it; kTouchPinched.
+// come over it at 5 m/s. Beyond: they pass over it; kTouchPinched. And of a straight way among more
+// than kMaxCandidates. Beyond: the proxy goes no farther than what was seen.
 inline constexpr std::size_t kMaxCarryWork = 12'288;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.

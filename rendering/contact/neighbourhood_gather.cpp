@@ -44,6 +44,8 @@ struct Neighbourhood::GatherTriangles {
   const Mover* mover;
   const MeshView& mesh;
   NearWay way;
+  const Vec3& start;
+  double farthest_m;  // from the start, of what comes within reach of the way
 
   void boxes(std::uint32_t pairs) { to.work_.add(kWorkOfBoxesNear * pairs); }
 
@@ -55,7 +57,20 @@ struct Neighbourhood::GatherTriangles {
   }
   [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_worked_out(); }
 
+  // Of long thin triangles that meet in a point the way sees many that are not near it. Where there
+  // was no room for all, each is measured.
+  [[nodiscard]] bool is_far(std::uint32_t t) {
+    if (to.smaller_ == 0) {
+      return false;
+    }
+    to.work_.add(kWorkOfAMeasurement);
+    return triangle_of(mesh, t).nearest(start).distance > farthest_m;
+  }
+
   void take(std::uint32_t t, const NearWay::Bound& bound) {
+    if (is_far(t)) {
+      return;
+    }
     Candidate* const slot = to.add(object, number);
     if (slot == nullptr) {
       return;
@@ -162,7 +177,9 @@ void Neighbourhood::walk_mesh(const Scenery& scenery, std::uint32_t number) {
                           .number = number,
                           .mover = mover,
                           .mesh = placed.mesh,
-                          .way = NearWay(start, way, reach)};
+                          .way = NearWay(start, way, reach),
+                          .start = start,
+                          .farthest_m = reach + way.norm()};
   go_on_walking(placed.mesh.nodes, box, to_walk_.left, visitor);
 }
 

@@ -125,6 +125,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (gathering != Gathering::complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (gathering == Gathering::too_many) {
+        if (rest.sub_goals < kMaxSubGoals) {
+          go_straight(scenery, h_W);
+          add_point(path, ++rest.sub_goals, p_);
+        }
         return rest;
       }
     }

@@ -168,6 +168,9 @@ class SphereProxy {
 
   ProxyRest approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
   ProxyRest seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path);
+  // As far as that goes: among too many triangles to know what holds the proxy it cannot slide, but
+  // it can leave.
+  void go_straight(const Scenery& scenery, const Vec3& h_W);
   Move find_move(const Scenery& scenery, const Vec3& h_W, double most_push, ProxyRest& rest);
   // False if the tick's work is done before all are measured that are near.
   bool collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
@@ -203,7 +206,8 @@ class SphereProxy {
   [[nodiscard]] bool is_still_on_face(const Scenery& scenery, const ProxyRest& rest);
   class CandidateSweep;
   Advance travel_toward(const Scenery& scenery, const Vec3& goal, const ProxyRest& rest);
-  double cast(const Scenery& scenery, const Sweep& sweep, double length);
+  // The free part of the way, by no more work than that.
+  double cast(const Scenery& scenery, const Sweep& sweep, double length, std::size_t most_work);
 
   Shells shells_;
   Vec3 p_ = Vec3::Zero();

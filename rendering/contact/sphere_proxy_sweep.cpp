@@ -132,7 +132,8 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
   advance.is_known = stays && advance.travel >= length;
   if (!stays && neighbourhood_.is_fresh() && advance.travel >= room &&
       neighbourhood_.size() <= kMostToCast) {
-    advance.travel = std::max(room, cast(scenery, sweep, length));
+    const std::size_t most_work = std::min(kMostCastWork, neighbourhood_.work().left());
+    advance.travel = std::max(room, cast(scenery, sweep, length, most_work));
   }
   advance.arrived = advance.travel >= length;
   if (advance.stopped_by != kNothing && stopper_count_ < stoppers_.size() &&
@@ -145,15 +146,30 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
   return advance;
 }
 
-double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length) {
-  const std::size_t most = std::min(kMostCastWork, neighbourhood_.work().left());
-  std::size_t room = most;
+double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length,
+                         std::size_t most_work) {
+  std::size_t room = most_work;
   const FirstHit hit = cast_on_all(scenery, shells_, sweep, length, room);
-  neighbourhood_.work().add(most - room);
+  neighbourhood_.work().add(most_work - room);
   if (hit.object != kNoObject) {  // should the tick end before it is measured there
     touched_ = {.object = hit.object, .triangle = hit.triangle, .normal_W = Vec3::Zero()};
   }
   return hit.travel_m;
+}
+
+void SphereProxy::go_straight(const Scenery& scenery, const Vec3& h_W) {
+  const Vec3 move = h_W - p_;
+  const double length = move.norm();
+  if (length <= 0.0) {
+    friction_ = FrictionState::free;
+    return;
+  }
+  const Sweep sweep{.from = p_, .direction = move / length};
+  const double travel = cast(scenery, sweep, length, kMaxCarryWork);
+  if (travel > 0.0) {
+    p_ = travel >= length ? h_W : Vec3{p_ + travel * sweep.direction};
+    neighbourhood_.move_to(p_);
+  }
 }
 
 }  // namespace tactus::rendering

@@ -132,6 +132,26 @@ TEST_P(DiscTest, TheProxyFollowsOverItsMiddleAndLeavesIt) {
   }
 }
 
+// More triangles about one point than can be kept do not let the proxy slide, but they let it go.
+TEST_F(DenseTest, TheProxyLeavesAPointOfMoreTrianglesThanItKeeps) {
+  constexpr double kTool_m = 0.002;
+  for (const End end : {End::flat, End::tip, End::pit}) {
+    const Solid solid(disc(1'000, end), Sides::one, testing::kSlippery);
+    ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = kTool_m}));
+    come_near(nearest_above(end, Vec3::Zero(), kTool_m));
+    std::uint32_t flags = kTouchClean;
+    for (int tick = 0; tick < 500; ++tick) {
+      flags |= world_->touch({.p_W = {0.0, 0.0005, 0.0}}).flags;
+    }
+    EXPECT_NE(flags & kTouchCandidatesOverflow, 0U);
+    const Vec3 above{0.001, 0.008, 0.0};
+    int ticks = 0;
+    while (world_->touch({.p_W = above}).proxy_W != above) {
+      ASSERT_LT(++ticks, 500) << static_cast<int>(end);
+    }
+  }
+}
+
 // It comes from below a tool that lies still beside its axis.
 TEST_P(DiscTest, ThatRisesPushesTheProxyAndNeverSwallowsIt) {
   constexpr double kRound_m = 3.0 * testing::kMicron;
