@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <utility>
 #include <vector>
 
 #include "firmware/control/controller.h"
-#include "host_tools/mesh/hierarchy.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/support/solid.h"
 
 namespace tactus {
 namespace {
@@ -19,42 +17,12 @@ constexpr double kTool_m = 0.002;
 constexpr rendering::Material kMaterial{.stiffness_N_per_m = 500.0,
                                         .friction = rendering::cone_friction(0.6, 0.4)};
 
-// A disc before the ball, as dense in its middle as takes several ticks to look at.
-class Disc {
- public:
-  Disc() {
-    constexpr double kDisc_m = 0.01;
-    constexpr std::uint32_t kSides = 300;
-    const double x = kBall_m + 0.0005;
-    vertices_.push_back(rendering::to_float3({x, 0.0, 0.0}));
-    std::vector<rendering::TriangleIndices> triangles;
-    for (std::uint32_t i = 0; i < kSides; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kSides;
-      vertices_.push_back(
-          rendering::to_float3({x, kDisc_m * std::cos(angle), kDisc_m * std::sin(angle)}));
-      triangles.push_back({0, 1 + i, 1 + (i + 1) % kSides});
-    }
-    host::Hierarchy hierarchy = host::build_hierarchy(vertices_, triangles);
-    for (const std::uint32_t place : hierarchy.order) {
-      triangles_.push_back(triangles[place]);
-    }
-    nodes_ = std::move(hierarchy.nodes);
-  }
-
-  [[nodiscard]] rendering::Object object() const {
-    return {.mesh = {.vertices = vertices_, .triangles = triangles_, .nodes = nodes_},
-            .material = kMaterial};
-  }
-
- private:
-  std::vector<rendering::Float3> vertices_;
-  std::vector<rendering::TriangleIndices> triangles_;
-  std::vector<rendering::BvhNode> nodes_;
-};
-
-// A ball and a disc that are touched, and a ball that moves.
+// A ball and before it a disc, as dense in its middle as takes several ticks to look at, that are
+// touched, and a ball that moves.
 std::array<rendering::Object, 3> scene() {
-  static const Disc disc;
+  static const testing::Solid disc(
+      testing::moved(testing::fan(300, 0.01, 0.0), {0.0, kBall_m + 0.0005, 0.0}),
+      rendering::Sides::one, kMaterial);
   const rendering::Object ball{
       .surface = rendering::SurfaceKind::primitive,
       .primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {kBall_m, 0.0, 0.0}},
@@ -67,8 +35,8 @@ std::array<rendering::Object, 3> scene() {
 // The tool comes over the disc, and presses on it.
 drivers::JointSample sample(std::size_t tick) {
   drivers::JointSample sample;
-  sample.position[0] = kBall_m + (tick < 2 ? 0.004 : 0.001);
-  sample.position[1] = 1e-5 * static_cast<double>(tick);
+  sample.position[1] = kBall_m + (tick < 2 ? 0.004 : 0.001);
+  sample.position[0] = 1e-5 * static_cast<double>(tick);
   return sample;
 }
 

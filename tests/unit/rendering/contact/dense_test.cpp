@@ -25,15 +25,7 @@ enum class End : std::int8_t { flat = 0, tip = -1, pit = 1 };
 
 testing::Shape disc(std::uint32_t sides, End end) {
   constexpr double kDisc_m = 0.02;
-  const double rim = static_cast<int>(end) * kDisc_m;
-  testing::Shape shape{.name = "disc", .closed = false, .vertices = {{0.0F, 0.0F, 0.0F}}};
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / sides;
-    shape.vertices.push_back(
-        to_float3({kDisc_m * std::cos(angle), rim, kDisc_m * std::sin(angle)}));
-    shape.triangles.push_back({0, 1 + (i + 1) % sides, 1 + i});
-  }
-  return shape;
+  return testing::fan(sides, kDisc_m, static_cast<int>(end) * kDisc_m);
 }
 
 // A half plane through the axis, in which the end is a line.
