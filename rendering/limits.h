@@ -60,9 +60,9 @@ inline constexpr std::size_t kMaxSubGoals = 64;
 // Triangles that feature_walk measures in one tick of contact, and on the way to it. Beyond: the
 // point stops where it is, nearer to the tool than before, and goes on in the next tick;
 // kTouchIterationsExhausted. Where it came nowhere, as about a vertex of hundreds of triangles, the
-// next tick may measure kMostFeatureVisits. Beyond: the point holds still there.
-inline constexpr std::size_t kMaxFeatureVisits = 96;
-inline constexpr std::size_t kMostFeatureVisits = 2048;
+// next tick may measure kMaxFeatureVisits. Beyond: the point holds still there.
+inline constexpr std::size_t kUsualFeatureVisits = 96;
+inline constexpr std::size_t kMaxFeatureVisits = 2048;
 
 // Texels along a side of a texture, and the levels that such a side needs. Beyond: the picture is
 // refused, when it is baked and when it is opened.

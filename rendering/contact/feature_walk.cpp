@@ -163,7 +163,7 @@ FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides, const
 }
 
 std::size_t FeatureWalker::most_visits() const {
-  return has_waited_ ? kMostFeatureVisits : kMaxFeatureVisits;
+  return has_waited_ ? kMaxFeatureVisits : kUsualFeatureVisits;
 }
 
 FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Material& material,

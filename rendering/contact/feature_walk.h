@@ -62,8 +62,8 @@ class FeatureWalker {
 
   // Moves the point as near to the tool as the surface and friction let it. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most
-  // kMaxFeatureVisits triangles measured in contact, and as many on the way to it;
-  // kMostFeatureVisits where the last call had too much to do to come anywhere.
+  // kUsualFeatureVisits triangles measured in contact, and as many on the way to it;
+  // kMaxFeatureVisits where the last call had too much to do to come anywhere.
   FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
                       const Vec3& h_W);
 
