@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,11 +32,13 @@ void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
   }
 }
 
-// What is below the two is asked for soon.
+// What is below the two is asked for soon. Below a leaf there are no nodes: an address that nobody
+// reads, and not one of the array, so it is counted in bytes.
 inline void fetch_below(std::span<const BvhNode> nodes, const BvhNode& first,
                         const BvhNode& second) {
-  __builtin_prefetch(nodes.data() + first.first);
-  __builtin_prefetch(nodes.data() + second.first);
+  const auto start = std::bit_cast<std::uintptr_t>(nodes.data());
+  __builtin_prefetch(std::bit_cast<const void*>(start + first.first * sizeof(BvhNode)));
+  __builtin_prefetch(std::bit_cast<const void*>(start + second.first * sizeof(BvhNode)));
 }
 
 // The nodes that a walk has still to look at, in a ring: the first comes first, so that the next
