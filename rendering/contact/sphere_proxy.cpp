@@ -88,6 +88,7 @@ ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, Pr
   model_ = start_model_;
   touched_ = start_touched_;
   neighbourhood_.move_to(p_);
+  neighbourhood_.work().repeat();
   return approach(scenery, h_W, path);
 }
 

@@ -102,7 +102,7 @@ class SphereProxy {
   }
 
   // Whether the tick's work leaves room for another.
-  [[nodiscard]] bool can_advance_again() const { return neighbourhood_.work().is_less_than_half(); }
+  [[nodiscard]] bool can_advance_again() const { return neighbourhood_.work().can_repeat(); }
 
   // From now on; all 1 and 0 at the start.
   void set_friction_factors(const FrictionFactors& factors) { factors_ = factors; }

@@ -36,7 +36,8 @@ inline constexpr std::size_t kWorkOfASubGoal = 8;
 inline constexpr std::size_t kWorkOfAGathering = 25;
 
 // A tick's work. Most ticks end after kUsualWork; one that has more to do, such as the first of a
-// contact, may go on to kMaxWork with what is saved.
+// contact, may go on to kMaxWork with what is saved, and one whose way is gone again, for the sake
+// of shading and textures, without.
 class Work {
  public:
   void begin_tick() {
@@ -47,12 +48,14 @@ class Work {
     done_ = 0;
   }
 
+  // What was done is done once more, or less.
+  [[nodiscard]] bool can_repeat() const { return 2 * done_ <= kMaxWork; }
+  void repeat() { most_ = kMaxWork; }
+
   void add(std::size_t units) { done_ += units; }
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] std::size_t left() const { return most_ - std::min(done_, most_); }
   [[nodiscard]] bool is_over() const { return done_ > most_; }
-  // Whether what was done can be done once more.
-  [[nodiscard]] bool is_less_than_half() const { return 2 * done_ <= most_; }
 
   void transfer(StateArchive& archive);
 

@@ -99,12 +99,36 @@ TEST(Work, TellsWhatIsLeft) {
   work.begin_tick();
   EXPECT_EQ(work.left(), kMaxWork);
   work.add(kMaxWork / 2);
-  EXPECT_TRUE(work.is_less_than_half());
   EXPECT_EQ(work.left(), kMaxWork - kMaxWork / 2);
-  work.add(1);
-  EXPECT_FALSE(work.is_less_than_half());
   work.add(kMaxWork);
   EXPECT_EQ(work.left(), 0U);
+}
+
+TEST(Work, ThatIsDoneAgainMayBeTheMostAndIsPaidFromWhatIsSaved) {
+  Work work;
+  for (int tick = 0; tick < 100; ++tick) {
+    work.begin_tick();
+    work_out(work);
+  }
+  ASSERT_TRUE(work.can_repeat());
+  work.repeat();
+  EXPECT_EQ(work_out(work), kMaxWork + 1);
+  EXPECT_FALSE(work.can_repeat());
+  constexpr std::size_t kSaved = 50;
+  rest(work, kSaved * kTicksToSaveAUnit);
+  work.repeat();
+  work_out(work);
+  work.begin_tick();
+  EXPECT_LE(work_out(work), kUsualWork + 2);
+}
+
+TEST(Work, CanBeDoneAgainUpToHalfTheMost) {
+  Work work;
+  work.begin_tick();
+  work.add(kMaxWork / 2);
+  EXPECT_TRUE(work.can_repeat());
+  work.add(1);
+  EXPECT_FALSE(work.can_repeat());
 }
 
 }  // namespace
