@@ -1,9 +1,11 @@
 // Shading and bumps shift the proxy's goal; that the proxy crosses nothing must not depend on it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/support/brute_force.h"
+#include "tests/support/share.h"
 #include "tests/unit/rendering/detail/shaded_solid.h"
 
 namespace tactus::testing {
@@ -74,13 +76,15 @@ void wander(const Shape& shape, double radius_m, bool friction, std::uint64_t se
 
 TEST(DetailSafety, NoShadedOrBumpySurfaceIsEverCrossed) {
   constexpr std::uint64_t kSeed = 20'25;
+  constexpr int kTicksToTouch = 1500;
+  const int ticks = std::max(kTicksToTouch, share_of(kTicksToTouch));
   std::uint64_t seed = kSeed;
   for (const Shape& shape : shapes()) {
     for (const double radius_m : {0.0, 0.002}) {
       for (const bool friction : {false, true}) {
         SCOPED_TRACE(::testing::Message() << shape.name << ", radius " << radius_m << ", friction "
                                           << friction << ", seed " << seed);
-        wander(shape, radius_m, friction, seed++, 1500);
+        wander(shape, radius_m, friction, seed++, ticks);
         if (::testing::Test::HasFatalFailure()) {
           return;
         }
