@@ -16,6 +16,7 @@ stages=(
   "replay-on-arm     replay_on_arm.sh"
   "heap-check        heap_check_catches_offences.sh"
   "include-check     include_check_catches_offences.sh"
+  "tidy-check        tidy_catches_offences.sh"
   "install           install_package.sh"
   "packages-list     packages_come_from_one_list.sh"
   "links             links.sh"

@@ -3,6 +3,7 @@
 # the unit, all that it includes, its command line, the settings and the tool. What was found clean is remembered in
 # $XDG_CACHE_HOME/tactus-tidy.
 set -euo pipefail
+here="$(dirname "${BASH_SOURCE[0]}")"
 
 build="${1#-p=}"
 file="${!#}"
@@ -24,6 +25,7 @@ mapfile -t files < <(tr -d '\134' <<<"${rule#*:}" | tr -s ' \n' '\n' | grep .)
 key="$(
   {
     clang-tidy-19 --version
+    cat "$here/tidy_scope.cpp"
     printf '%s\n' "$command" "${files[@]}" | sed "s|$PWD/||g"
     find . "$build" -maxdepth 1 -name .clang-tidy -exec cat {} +
     git ls-files -z '*/.clang-tidy' | xargs -0 cat
@@ -33,6 +35,6 @@ key="$(
 if [[ -f "$remembered/$key" ]]; then
   exit 0
 fi
-clang-tidy-19 "$@"
+clang-tidy-19 "-load=$(bash "$here/tidy_scope.sh")" --checks=tactus-scope "$@"
 mkdir -p "$remembered"
 touch "$remembered/$key"
