@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "host_tools/bake/bake.h"
 #include "host_tools/bake/mapped_scene.h"
@@ -45,6 +46,33 @@ TEST_P(Examples, AreBakedAndFelt) {
     EXPECT_TRUE(hardest > 0.01 || scene.image().object_name(i) == "ring")
         << scene.image().object_name(i);
   }
+}
+
+TEST(ExamplesTogether, HaveEveryContactMethodPrimitiveAndDetail) {
+  const TemporaryFolder folder;
+  std::set<rendering::ContactMethod> methods;
+  std::set<rendering::PrimitiveKind> primitives;
+  std::set<rendering::TextureUse> textures;
+  bool shaded = false;
+  for (const char* name : kExampleScenes) {
+    const std::filesystem::path image = folder.path() / "scene.tactus";
+    host::bake_file(std::filesystem::path(TACTUS_EXAMPLES) / name / "scene.toml", image);
+    const host::MappedScene scene(image);
+    for (const rendering::Object& object : scene.image().objects()) {
+      methods.insert(object.method);
+      if (object.surface == rendering::SurfaceKind::primitive) {
+        primitives.insert(object.primitive.kind);
+      }
+      for (const rendering::TextureLayer& layer : object.detail.layers) {
+        textures.insert(layer.use);
+      }
+      shaded = shaded || !object.detail.corner_normals.empty();
+    }
+  }
+  EXPECT_EQ(methods.size(), 5U);
+  EXPECT_EQ(primitives.size(), 7U);
+  EXPECT_EQ(textures.size(), 4U);
+  EXPECT_TRUE(shaded);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheRepository, Examples, ::testing::ValuesIn(kExampleScenes),
