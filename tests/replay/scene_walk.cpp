@@ -67,9 +67,13 @@ TickInput SceneWalk::next(Mode mode) {
   return input;
 }
 
-// Near a surface, on either side of it; at speeds from a micrometre to a millimetre a tick.
+// Near a surface, on either side of it; at speeds from a micrometre to a millimetre a tick. Mostly
+// of the same object as before: it takes many such ways to come to one.
 void SceneWalk::choose_target() {
-  const rendering::Object& object = objects_[random_() % objects_.size()];
+  if (chance(0.1)) {
+    object_ = random_() % objects_.size();
+  }
+  const rendering::Object& object = objects_[object_];
   if (object.surface == rendering::SurfaceKind::mesh) {
     const auto& vertices = object.mesh.vertices;
     target_ = rendering::to_vec3(vertices[random_() % vertices.size()]) + 0.005 * noise();

@@ -3,6 +3,7 @@
 // inputs.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <span>
@@ -44,6 +45,7 @@ class SceneWalk {
   std::mt19937_64 random_;
   Vec3 tool_{0.0, 0.15, 0.15};
   Vec3 target_{0.0, 0.15, 0.15};
+  std::size_t object_ = 0;  // that it is about
   double speed_ = 1e-3;
   int ticks_left_ = 0;
 };
