@@ -77,7 +77,7 @@ inline constexpr std::size_t kMaxTextureLevels = 14;
 // that move and sweeps past them at most kMaxContactPlanes + 1 times. kUsualWork keeps 999 of 1,000
 // ticks on the dragon within 10 us. A tick that begins a contact, or whose tool has jumped, may
 // take kMaxWork, from what is saved: a unit in kTicksToSaveAUnit ticks, and kMostSavedWork at a
-// start. So may one that shading or a texture sends over its way again.
+// start. One that shading or a texture sends over its way again may, whatever is saved.
 inline constexpr std::size_t kUsualWork = 368;
 inline constexpr std::size_t kMaxWork = 1152;
 inline constexpr std::size_t kMostSavedWork = 2048;

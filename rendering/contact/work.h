@@ -37,7 +37,7 @@ inline constexpr std::size_t kWorkOfAGathering = 25;
 
 // A tick's work. Most ticks end after kUsualWork; one that has more to do, such as the first of a
 // contact, may go on to kMaxWork with what is saved, and one whose way is gone again, for the sake
-// of shading and textures, without.
+// of shading and textures, whatever is saved.
 class Work {
  public:
   void begin_tick() {

@@ -3,14 +3,12 @@
 # headers they share are looked at once; the files that bring them together lie in the build folder, and so do copies of
 # the settings.
 set -euo pipefail
-here="$(dirname "${BASH_SOURCE[0]}")"
 
 source tests/checks/tracked_files.sh
 
-"$here/build.sh" tidy tactus_scene_header tactus_device_header tactus_telemetry_headers
+"$(dirname "${BASH_SOURCE[0]}")/build.sh" tidy tactus_scene_header tactus_device_header tactus_telemetry_headers
 tracked_files '*/.clang-tidy' | while read -r settings; do
   cp "$settings" "build/tidy/$settings"
 done
 printf 'InheritParentConfig: true\nChecks: -bugprone-suspicious-include\n' >build/tidy/.clang-tidy
-"$here/tidy_scope.sh"
 run-clang-tidy-19 -clang-tidy-binary "$PWD/tests/checks/tidy_unit.sh" -quiet -p build/tidy -j "$(nproc)" "^$PWD/((rendering|hal|drivers|firmware|host_tools|tests)/|build/tidy/.*/Unity/)"

@@ -2,13 +2,12 @@
 # Shows that clang-tidy, kept to the project's own code, still finds offences in a file and in what it includes, and that a
 # clean one passes.
 set -euo pipefail
-plugin="$(bash tests/checks/tidy_scope.sh)"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/tests"
 
 check() {
-  clang-tidy-19 "-load=$plugin" --checks=tactus-scope --config-file=.clang-tidy "$work/tests/unit.cpp" -- -std=c++23 -I"$work" >"$work/output" 2>&1
+  tests/checks/clang_tidy.sh --config-file=.clang-tidy "$work/tests/unit.cpp" -- -std=c++23 -I"$work" >"$work/output" 2>&1
 }
 
 # expect_caught CHECK HEADER_LINE SOURCE_LINE

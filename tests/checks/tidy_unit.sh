@@ -35,6 +35,6 @@ key="$(
 if [[ -f "$remembered/$key" ]]; then
   exit 0
 fi
-clang-tidy-19 "-load=$(bash "$here/tidy_scope.sh")" --checks=tactus-scope "$@"
+"$here/clang_tidy.sh" "$@"
 mkdir -p "$remembered"
 touch "$remembered/$key"

@@ -21,7 +21,7 @@ constexpr rendering::Material kMaterial{.stiffness_N_per_m = 500.0,
 // touched, and a ball that moves.
 std::array<rendering::Object, 3> scene() {
   static const testing::Solid disc(
-      testing::moved(testing::fan(300, 0.01, 0.0), {0.0, kBall_m + 0.0005, 0.0}),
+      testing::moved(testing::disc(300, 0.01, 0.0), {0.0, kBall_m + 0.0005, 0.0}),
       rendering::Sides::one, kMaterial);
   const rendering::Object ball{
       .surface = rendering::SurfaceKind::primitive,

@@ -326,15 +326,15 @@ Shape open_tube(int sides, double radius_m, double height_m) {
   return s;
 }
 
-Shape fan(std::uint32_t sides, double radius_m, double rim_m) {
-  Shape shape{.name = "fan", .closed = false, .vertices = {{0.0F, 0.0F, 0.0F}}};
+Shape disc(std::uint32_t sides, double radius_m, double rim_m) {
+  Shape s{.name = "disc", .closed = false};
+  const std::uint32_t middle = add_vertex(s, {0, 0, 0});
   for (std::uint32_t i = 0; i < sides; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / sides;
-    shape.vertices.push_back(
-        to_float3({radius_m * std::cos(angle), rim_m, radius_m * std::sin(angle)}));
-    shape.triangles.push_back({0, 1 + (i + 1) % sides, 1 + i});
+    const double a = kTurn * i / sides;
+    add_vertex(s, {radius_m * std::cos(a), rim_m, radius_m * std::sin(a)});
+    s.triangles.push_back({middle, 1 + (i + 1) % sides, 1 + i});
   }
-  return shape;
+  return s;
 }
 
 Shape doubled(Shape shape) {

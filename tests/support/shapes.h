@@ -48,7 +48,7 @@ Shape triangle_soup(std::uint64_t seed, int triangles, double size_m);
 Shape open_tube(int sides, double radius_m, double height_m);
 // A disc about the origin, its front upward, whose triangles all meet in its middle; its rim at
 // y = rim_m, so that it is flat, a tip or a pit.
-Shape fan(std::uint32_t sides, double radius_m, double rim_m);
+Shape disc(std::uint32_t sides, double radius_m, double rim_m);
 
 Shape doubled(Shape shape);  // every triangle twice
 Shape moved(Shape shape, const Vec3& offset_m);

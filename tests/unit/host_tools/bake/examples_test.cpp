@@ -14,14 +14,17 @@
 namespace tactus::testing {
 namespace {
 
+host::MappedScene baked(const TemporaryFolder& folder, const char* example) {
+  const std::filesystem::path image = folder.path() / "scene.tactus";
+  host::bake_file(std::filesystem::path(TACTUS_EXAMPLES) / example / "scene.toml", image);
+  return host::MappedScene(image);
+}
+
 class Examples : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Examples, AreBakedAndFelt) {
   const TemporaryFolder folder;
-  const std::filesystem::path image = folder.path() / "scene.tactus";
-  const std::filesystem::path examples = TACTUS_EXAMPLES;
-  host::bake_file(examples / GetParam() / "scene.toml", image);
-  const host::MappedScene scene(image);
+  const host::MappedScene scene = baked(folder, GetParam());
   // From above each object down through its middle: somewhere on the way it is felt.
   for (std::uint32_t i = 0; i < scene.image().objects().size(); ++i) {
     const auto world = std::make_unique<rendering::World>();
@@ -55,9 +58,7 @@ TEST(ExamplesTogether, HaveEveryContactMethodPrimitiveAndDetail) {
   std::set<rendering::TextureUse> textures;
   bool shaded = false;
   for (const char* name : kExampleScenes) {
-    const std::filesystem::path image = folder.path() / "scene.tactus";
-    host::bake_file(std::filesystem::path(TACTUS_EXAMPLES) / name / "scene.toml", image);
-    const host::MappedScene scene(image);
+    const host::MappedScene scene = baked(folder, name);
     for (const rendering::Object& object : scene.image().objects()) {
       methods.insert(object.method);
       if (object.surface == rendering::SurfaceKind::primitive) {
@@ -71,7 +72,7 @@ TEST(ExamplesTogether, HaveEveryContactMethodPrimitiveAndDetail) {
   }
   EXPECT_EQ(methods.size(), 5U);
   EXPECT_EQ(primitives.size(), 7U);
-  EXPECT_EQ(textures.size(), 4U);
+  EXPECT_EQ(textures.size(), rendering::kTextureUses);
   EXPECT_TRUE(shaded);
 }
 

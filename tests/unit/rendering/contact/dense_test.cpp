@@ -25,7 +25,7 @@ enum class End : std::int8_t { flat = 0, tip = -1, pit = 1 };
 
 testing::Shape disc(std::uint32_t sides, End end) {
   constexpr double kDisc_m = 0.02;
-  return testing::fan(sides, kDisc_m, static_cast<int>(end) * kDisc_m);
+  return testing::disc(sides, kDisc_m, static_cast<int>(end) * kDisc_m);
 }
 
 // A half plane through the axis, in which the end is a line.
