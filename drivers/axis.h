@@ -19,7 +19,8 @@ namespace tactus::drivers {
 struct AxisSample {
   double position_rad = 0.0;
   double velocity_rad_per_s = 0.0;
-  double torque_Nm = 0.0;   // as the device measures it; zero if it does not
+  double torque_Nm = 0.0;   // as the device measures it; only if has_torque
+  bool has_torque = false;  // the device reports torque or current, and has done so
   hal::TimeNs time_ns = 0;  // when the position was true, as well as is known; 0: never
   std::uint32_t status = kDeviceNotReady;  // DeviceStatus bits, faults latched
   // Where the encoder's index pulse was last seen, for a reference by index.

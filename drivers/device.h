@@ -23,6 +23,9 @@ enum DeviceStatus : std::uint32_t {
   kDeviceLost = 1U << 5,    // unplugged, bus off: no way to reach the motors
   kDeviceHoming = 1U << 6,  // moving or being moved to its reference
   kDeviceTooHot = 1U << 7,  // a drive or a motor reports over-temperature
+  // The encoder may count from another zero than before: its drive or board lost power, restarted,
+  // or stopped answering. The joint's reference is lost with it, and only homing brings it back.
+  kDeviceReferenceLost = 1U << 8,
 };
 
 // A revolute joint is in rad, rad/s, N m; a prismatic one in m, m/s, N.
