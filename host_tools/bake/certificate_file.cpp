@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "firmware/device/device_certificate.h"
-#include "host_tools/bake/atomic_file.h"
+#include "host_tools/files/atomic_file.h"
 
 namespace tactus::host {
 

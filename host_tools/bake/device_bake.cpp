@@ -11,10 +11,10 @@
 
 #include "firmware/device/device_certificate.h"
 #include "firmware/device/device_generated.h"
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/certificate_file.h"
 #include "host_tools/bake/key_advice.h"
 #include "host_tools/bake/toml_file.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 #include "rendering/scene/image_format.h"
 
