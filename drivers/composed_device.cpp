@@ -153,7 +153,8 @@ std::uint32_t ComposedDevice::write(const JointCommand& command) {
     const double effort = searches ? joint.homing.effort() : command.effort[i];
     const double torque_Nm = motor_torque_Nm(joint.homing.transmission(), effort);
     AxisCommand& axis = boards_[joint.wiring.motor.board].commands[joint.wiring.motor.axis];
-    axis.enable = is_well && (command.enable || (searches && effort != 0.0));
+    axis.power_off = command.power_off || !is_well;
+    axis.enable = !axis.power_off && (command.enable || (searches && effort != 0.0));
     axis.torque_Nm =
         axis.enable ? std::clamp(torque_Nm, -joint.wiring.max_torque_Nm, joint.wiring.max_torque_Nm)
                     : 0.0;
