@@ -16,6 +16,11 @@ std::filesystem::path certificate_path(const std::filesystem::path& device) {
   return path.replace_extension(".certificate.toml");
 }
 
+std::filesystem::path commissioning_path(const std::filesystem::path& device) {
+  std::filesystem::path path = device;
+  return path.replace_extension(".commissioning.toml");
+}
+
 void write_certificate(const std::filesystem::path& file,
                        const firmware::StiffnessCertificate& certificate,
                        const std::string& measured_with, std::uint64_t settings_checksum) {
