@@ -88,6 +88,10 @@ void CommandClerk::raise_estop() {
 void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) {
   switch (command.verb) {
     case Verb::request:
+      if (command.request == Request::enable && !hooks_.enable_refusal.empty()) {
+        refuse(client, "enable", hooks_.enable_refusal);
+        break;
+      }
       ask(client, {.kind = CommandKind::request, .request = command.request});
       break;
     case Verb::set:

@@ -221,11 +221,12 @@ bool start_commands(const Options& options) {
   std::array<char, kMostWords> path{};
   std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
   program.desk.set_events(telemetry_events(program.telemetry.sinks()));
-  const auto started =
-      program.commands.start({.socket_path = path.data(),
-                              .group = options.group,
-                              .allow_inject = options.allow_inject,
-                              .hooks = telemetry_hooks(program.telemetry.sinks())});
+  RunHooks hooks = telemetry_hooks(program.telemetry.sinks());
+  hooks.enable_refusal = program.inputs.enable_refusal();
+  const auto started = program.commands.start({.socket_path = path.data(),
+                                               .group = options.group,
+                                               .allow_inject = options.allow_inject,
+                                               .hooks = hooks});
   if (!started) {
     const ListenError& error = started.error();
     std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),

@@ -105,6 +105,7 @@ void print_usage(std::FILE* file) {
       "  --allow-non-realtime  run even where real-time priority is not to be had\n"
       "  --allow-inject        let `tactus inject` raise faults, for tests and drills\n"
       "  --allow-uncertified   load a scene that is stiffer than the device's certificate\n"
+      "  --allow-uncommissioned  enable a device that tactus commission has not passed\n"
       "  --help\n"
       "\n"
       "Exit codes: 0 ended as asked, 1 a fault stopped the motors, 2 could not start.\n"
@@ -131,6 +132,8 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
       options.allow_inject = true;
     } else if (argument == "--allow-uncertified") {
       options.allow_uncertified = true;
+    } else if (argument == "--allow-uncommissioned") {
+      options.allow_uncommissioned = true;
     } else if (argument.starts_with("--")) {
       const char* value = i + 1 < argc ? argv[i + 1] : nullptr;
       ++i;

@@ -22,8 +22,9 @@ struct Options {
   double seconds = 0.0;             // 0: until told to stop
   bool enable = false;              // home and enable without being asked
   bool allow_non_realtime = false;
-  bool allow_inject = false;       // faults on command, for tests and drills
-  bool allow_uncertified = false;  // a scene stiffer than the device's certificate
+  bool allow_inject = false;          // faults on command, for tests and drills
+  bool allow_uncommissioned = false;  // force on a device whose motors nobody has checked
+  bool allow_uncertified = false;     // a scene stiffer than the device's certificate
   int priority = 80;
   std::optional<int> cpu;  // the loop's processor; none: any
   double rate_hz = 0.0;    // 0: the device's own

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "firmware/device/certificate_words.h"
+#include "firmware/device/device_commissioning.h"
 #include "firmware/tactusd/told.h"
 #include "rendering/scene/scene_world.h"
 
@@ -59,6 +60,17 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
   if (const auto warning = certificate_warning(config_.certification, words); !warning.empty()) {
     std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
                  warning.data());
+  }
+  const std::string_view refusal = commissioning_refusal(config_.commissioning);
+  if (!refusal.empty()) {
+    std::fprintf(stderr, "tactusd: %s: %s%.*s\n", options.device,
+                 options.allow_uncommissioned ? "warning: " : "", length(refusal), refusal.data());
+  }
+  if (!options.allow_uncommissioned) {
+    enable_refusal_ = refusal;
+    if (options.enable && !refusal.empty()) {
+      return false;
+    }
   }
   config_.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = controller.configure(config_.controller);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "firmware/commands/scene_store.h"
 #include "firmware/control/controller.h"
@@ -24,6 +25,8 @@ class RunInputs {
   // If the device names one; the same.
   bool load_falcon_firmware();
 
+  // Why this device may not be enabled, and what to do; empty if it may.
+  [[nodiscard]] std::string_view enable_refusal() const { return enable_refusal_; }
   [[nodiscard]] const DeviceConfig& config() const { return config_; }
   [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
   [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
@@ -35,6 +38,7 @@ class RunInputs {
   hal::MappedFile falcon_file_;
   DeviceSections sections_;
   DeviceConfig config_;
+  std::string_view enable_refusal_;
   SceneStore scenes_;
 };
 

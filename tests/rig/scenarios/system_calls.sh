@@ -10,7 +10,7 @@ tactus emulate odrive --nodes 0,1,2 --can can0 --mechanism woodenhaptics --ratio
 emulator=$!
 sleep 0.5
 chrt -f 60 strace -f -qq -e 'raw=!write' -e verbose=none -o /results/trace \
-  tactusd /images/odrive_traced.tactus /images/bunny.tactus --enable --rate 100 --seconds 1.5 \
+  tactusd /images/odrive_traced.tactus /images/bunny.tactus --enable --allow-uncommissioned --rate 100 --seconds 1.5 \
   --record /results/run.mcap --run-dir /run 2>/results/tactusd.log
 code=$?
 kill -INT $emulator
