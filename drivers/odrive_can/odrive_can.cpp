@@ -21,6 +21,9 @@ constexpr double kSettleAgain_s = 0.1;
 constexpr double kArmAgain_s = 0.3;
 constexpr double kStopAgain_s = 0.01;
 constexpr double kExplainAgain_s = 0.02;
+// The questions for torque of drives with consecutive numbers fall into different ticks.
+constexpr hal::TimeNs kPollSpread_ns = 2'000'000;
+constexpr std::uint8_t kPollSpread = 5;
 
 // What is asked for in turn; the errors first, which alone matter after a fault.
 constexpr std::array kPolled_0_5 = {Command::get_motor_error, Command::get_encoder_error,
@@ -83,7 +86,7 @@ void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
   if (phase == Phase::up) {
     sample_.status = kDeviceOk;
     polled_ns_ = now_ns;
-    torque_polled_ns_ = now_ns;
+    torque_polled_ns_ = now_ns + kPollSpread_ns * (config_.node_id % kPollSpread);
     is_followed_ = true;
   } else {
     sample_.has_torque = false;
@@ -114,8 +117,9 @@ void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
                 outbox);
   }
   send_of_phase(now_ns, outbox);
-  poll(now_ns, outbox);
-  poll_torque(now_ns, outbox);
+  if (!poll_torque(now_ns, outbox)) {  // one question a tick, to spare the bus
+    poll(now_ns, outbox);
+  }
 }
 
 // Without power wanted nothing goes into closed loop, nor stays there.
@@ -209,16 +213,17 @@ void ODriveCan::poll(hal::TimeNs now_ns, CanOutbox& outbox) {
   ++next_poll_;
 }
 
-void ODriveCan::poll_torque(hal::TimeNs now_ns, CanOutbox& outbox) {
+bool ODriveCan::poll_torque(hal::TimeNs now_ns, CanOutbox& outbox) {
   const bool is_0_6 = generation_ == Generation::v0_6;
   const bool is_known = is_0_6 || config_.torque_constant_Nm_per_A > 0.0;
   if (phase_ != Phase::up || !is_known || config_.torque_period_s <= 0.0 ||
       !has_passed(config_.torque_period_s, torque_polled_ns_, now_ns)) {
-    return;
+    return false;
   }
   torque_polled_ns_ = now_ns;
-  outbox.add(odrive::request(config_.node_id, is_0_6 ? Command::get_torques : Command::get_iq,
-                             config_.ask_by_remote_frame));
+  return outbox.add(odrive::request(config_.node_id,
+                                    is_0_6 ? Command::get_torques : Command::get_iq,
+                                    config_.ask_by_remote_frame));
 }
 
 bool ODriveCan::is_time_to_send(double period_s, hal::TimeNs now_ns) {

@@ -108,7 +108,7 @@ class ODriveCan {
   void switch_power(bool power_off, hal::TimeNs now_ns);
   void send_of_phase(hal::TimeNs now_ns, CanOutbox& outbox);
   void poll(hal::TimeNs now_ns, CanOutbox& outbox);
-  void poll_torque(hal::TimeNs now_ns, CanOutbox& outbox);
+  bool poll_torque(hal::TimeNs now_ns, CanOutbox& outbox);
   bool is_time_to_send(double period_s, hal::TimeNs now_ns);
   [[nodiscard]] bool was_sent_before(hal::TimeNs time_ns) const;
   void send_torque(float torque_Nm, CanOutbox& outbox) const;
