@@ -17,12 +17,19 @@ namespace {
 
 constexpr std::size_t kMostPath = 512;
 
-bool map(hal::MappedFile& file, const char* path) {
-  const int error = file.open(path);
-  if (error != 0) {
-    std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
+// Far more than a device's settings with its certificate, or the Falcon's firmware.
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
+bool copy(hal::ImageSlot& slot, const char* path) {
+  const int no_room = slot.reserve(kMostBytes);
+  const hal::FileError error =
+      no_room == 0 ? slot.read(path) : hal::FileError{.what = "no memory", .errno_value = no_room};
+  if (error.is_error()) {
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", path, length(error.what), error.what.data(),
+                 error.errno_value != 0 ? ": " : "",
+                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
   }
-  return error == 0;
+  return !error.is_error();
 }
 
 void tell_refusal(const char* path, const rendering::SceneImage& scene,
@@ -39,7 +46,7 @@ void tell_refusal(const char* path, const rendering::SceneImage& scene,
 }  // namespace
 
 bool RunInputs::load_device(const Options& options, Controller& controller) {
-  if (!map(device_file_, options.device)) {
+  if (!copy(device_file_, options.device)) {
     return false;
   }
   auto outcome = open_device_image(device_file_.bytes(), sections_);
@@ -85,6 +92,7 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
 }
 
 bool RunInputs::load_scene(const Options& options, Controller& controller) {
+  scenes_.set_room(options.scene_memory_bytes);
   if (options.scene == nullptr) {
     return true;
   }
@@ -114,7 +122,7 @@ bool RunInputs::load_falcon_firmware() {
       std::array<char, kMostPath> path{};
       const std::size_t size = std::min(falcon->firmware_file.size(), path.size() - 1);
       std::memcpy(path.data(), falcon->firmware_file.data(), size);
-      return map(falcon_file_, path.data());
+      return copy(falcon_file_, path.data());
     }
   }
   return true;
