@@ -43,6 +43,14 @@ void tell_refusal(const char* path, const rendering::SceneImage& scene,
   std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
 
+// The certificate was measured at the device's own rate, which its checksum covers. A wall that is
+// held at that rate may not be held at a slower one; at a faster one it is held at least as well,
+// because each force is held for less time and the delay, in ticks, is shorter.
+bool is_slower_than_certified(const Options& options, const DeviceConfig& config) {
+  return config.certification.limits.exists() && !options.allow_uncertified &&
+         options.rate_hz > 0.0 && options.rate_hz < config.controller.rate_hz;
+}
+
 }  // namespace
 
 bool RunInputs::load_device(const Options& options, Controller& controller) {
@@ -58,6 +66,14 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
     std::fprintf(stderr, "tactusd: %s: %.*s%s%.*s\n", options.device, length(error.key),
                  error.key.data(), error.key.empty() ? "" : " ", length(error.what),
                  error.what.data());
+    return false;
+  }
+  if (is_slower_than_certified(options, config_)) {
+    std::fprintf(stderr,
+                 "tactusd: %s: the device is certified at %g Hz, and --rate %g is slower; leave "
+                 "--rate out, or set rate_hz = %g under [controller], then tactus certify and "
+                 "tactus bake, or take the risk with --allow-uncertified\n",
+                 options.device, config_.controller.rate_hz, options.rate_hz, options.rate_hz);
     return false;
   }
   if (options.rate_hz > 0.0) {
