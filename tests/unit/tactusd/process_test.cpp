@@ -82,7 +82,16 @@ class Bench {
   }
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
-  ~Bench() { fs::remove_all(folder_); }
+  ~Bench() {
+    for (const pid_t process : started_) {
+      // One that a test has waited for is nobody's child any more.
+      if (::waitpid(process, nullptr, WNOHANG) == 0) {
+        ::kill(process, SIGKILL);
+        ::waitpid(process, nullptr, 0);
+      }
+    }
+    fs::remove_all(folder_);
+  }
 
   // The program's process; it has its own session, so that no terminal and no group is disturbed.
   [[nodiscard]] pid_t start(const std::string& log, const fs::path& run_dir) const {
@@ -99,6 +108,7 @@ class Bench {
       }
       ::_exit(127);
     }
+    started_.push_back(child);
     return child;
   }
   [[nodiscard]] pid_t start() const { return start("log", folder_); }
@@ -106,12 +116,19 @@ class Bench {
   [[nodiscard]] const fs::path& folder() const { return folder_; }
   [[nodiscard]] const KeepingBoard& board() const { return board_; }
   [[nodiscard]] std::string log(const std::string& name = "log") const {
-    return text_of(folder_ / name);
+    std::string status;
+    try {
+      status = host::Remote(folder_).send("status").text;
+    } catch (const host::UnreachableError& error) {
+      status = error.what();
+    }
+    return text_of(folder_ / name) + status;
   }
 
  private:
   KeepingBoard board_;
   fs::path folder_;
+  mutable std::vector<pid_t> started_;
 };
 
 // The status of waitpid, or -1 after the time: then it is killed.
