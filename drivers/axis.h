@@ -31,6 +31,9 @@ struct AxisSample {
 struct AxisCommand {
   double torque_Nm = 0.0;
   bool enable = false;  // motor power; false makes the torque zero at the device
+  // After a fault: the power stage goes off, also where `enable` false alone leaves it on at zero
+  // torque. Never together with `enable`.
+  bool power_off = false;
 };
 
 // What is wrong with an axis, latched with its status bit, for the log and the operator. The texts

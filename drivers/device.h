@@ -32,7 +32,11 @@ enum DeviceStatus : std::uint32_t {
 struct JointSample {
   std::array<double, kMaxJoints> position{};
   std::array<double, kMaxJoints> velocity{};
-  std::uint32_t age_us = 0;  // from the encoder's reading to now
+  // As the motors' drives measure it, through the transmission, N m or N. Meaningful where the
+  // joint's bit is set in effort_known: not every device reports torque or current.
+  std::array<double, kMaxJoints> effort{};
+  std::uint32_t effort_known = 0;  // a bit per joint, joint 0 the lowest
+  std::uint32_t age_us = 0;        // from the encoder's reading to now
   std::uint32_t status = kDeviceOk;
 };
 
@@ -40,6 +44,9 @@ struct JointCommand {
   std::array<double, kMaxJoints> effort{};  // N m or N
   bool enable = false;  // motor power; false makes every effort zero at the device
   bool home = false;    // find the reference: the device may move by itself, gently
+  // The controller is in fault: the power stage goes off, also where `enable` false alone leaves it
+  // on at zero torque so that enabling takes no bring-up.
+  bool power_off = false;
 };
 
 // `read` fills the newest sample within the device's own deadline; `write` sends a command. Neither

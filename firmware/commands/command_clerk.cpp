@@ -88,6 +88,10 @@ void CommandClerk::raise_estop() {
 void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) {
   switch (command.verb) {
     case Verb::request:
+      if (command.request == Request::enable && !hooks_.enable_refusal.empty()) {
+        refuse(client, "enable", hooks_.enable_refusal);
+        break;
+      }
       ask(client, {.kind = CommandKind::request, .request = command.request});
       break;
     case Verb::set:
@@ -171,6 +175,10 @@ void CommandClerk::hand_scene_over(CommandClient& client, const Answer& answer) 
   client.waiting.is_asking = false;
   if (answer.after == Mode::active) {
     refuse(client, "scene", "the mode is active; send disable first");
+    return;
+  }
+  if (answer.after == Mode::homing) {
+    refuse(client, "scene", "homing is under way; wait until the mode is ready");
     return;
   }
   if (scene_ticket_ != 0) {

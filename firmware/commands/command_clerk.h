@@ -24,6 +24,8 @@ struct RunHooks {
   std::string_view (*stop_recording)(void* run) = nullptr;
   // The loop has taken another scene; when this returns, nobody may hold the one before.
   void (*scene_changed)(void* run, std::span<const std::byte> image) = nullptr;
+  // Why nobody may enable this device, and what to do; empty if they may. Outlives the server.
+  std::string_view enable_refusal;
 };
 
 class CommandClerk {

@@ -247,6 +247,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
     friction_compensation_.rest();
     energy_.hold(Vec3::Zero());
     command.home = mode_ == Mode::homing;
+    command.power_off = mode_ == Mode::fault;
     return command;
   }
   const Vec3 held = hold_up(sample);
@@ -259,6 +260,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   if (friction_compensation_.is_on()) {
     effort = compensated(sample, effort, length_of(scale * force_W));
     if (mode_ != Mode::active) {
+      command.power_off = true;
       return command;
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "firmware/device/device_commissioning.h"
+
 namespace tactus::firmware {
 
 namespace {
@@ -47,8 +49,12 @@ std::uint64_t hash_of(const Setting& setting) {
   return hash.hash();
 }
 
+bool is_written_by_people(const DeviceSection& section) {
+  return section.kind != kCertificateKind && section.kind != kCommissioningKind;
+}
+
 bool touches_stability(const DeviceSection& section) {
-  return section.kind != kCertificateKind && section.kind != "connection";
+  return is_written_by_people(section) && section.kind != "connection";
 }
 
 // Whatever the order of the settings.
@@ -59,6 +65,17 @@ std::uint64_t hash_of(const DeviceSection& section) {
     sum += is_name ? 0 : hash_of(setting);
   }
   return sum;
+}
+
+std::uint64_t checksum_of(const DeviceSections& sections, bool (*counts)(const DeviceSection&)) {
+  Fnv1a hash;
+  for (const DeviceSection& section : sections.all()) {
+    if (counts(section)) {
+      hash.add(section.kind);
+      hash.add(std::bit_cast<double>(hash_of(section)));
+    }
+  }
+  return hash.hash();
 }
 
 const Setting* find(const DeviceSection& section, std::string_view key) {
@@ -96,14 +113,11 @@ std::expected<void, DeviceError> check_keys(const DeviceSection& section, std::s
 }  // namespace
 
 std::uint64_t settings_checksum(const DeviceSections& sections) {
-  Fnv1a hash;
-  for (const DeviceSection& section : sections.all()) {
-    if (touches_stability(section)) {
-      hash.add(section.kind);
-      hash.add(std::bit_cast<double>(hash_of(section)));
-    }
-  }
-  return hash.hash();
+  return checksum_of(sections, touches_stability);
+}
+
+std::uint64_t all_settings_checksum(const DeviceSections& sections) {
+  return checksum_of(sections, is_written_by_people);
 }
 
 ChecksumText checksum_text(std::uint64_t checksum) {

@@ -25,6 +25,10 @@ inline constexpr std::string_view kCertificateSettings = "settings";  // a check
 // does not matter to it; that of the sections does.
 std::uint64_t settings_checksum(const DeviceSections& sections);
 
+// The same over all settings but the device's name and what tools have found out about it: a motor
+// on another node or port is another motor.
+std::uint64_t all_settings_checksum(const DeviceSections& sections);
+
 // As the file writes it: 16 hexadecimal digits.
 struct ChecksumText {
   std::array<char, 16> digits{};

@@ -102,11 +102,20 @@ struct Certification {
   std::string_view measured_with;
 };
 
+// What the image says about its commissioning.
+struct Commissioning {
+  bool is_there = false;
+  bool is_for_these_settings = false;  // false: something has been changed since
+  bool passed = false;                 // every joint answered its motor as it should
+  std::string_view measured_with;
+};
+
 struct DeviceConfig {
   std::string_view name;
   ControllerConfig controller;  // its joints' limits are those of `joints`
   PlantConfig plant;
-  Certification certification;   // its limits are also the controller's
+  Certification certification;  // its limits are also the controller's
+  Commissioning commissioning;
   double read_limit_s = 0.0005;  // how long a tick waits for fresh samples
   // A line that every healthy tick turns over, for a circuit that takes the motors' power away when
   // it stops: on a GPIO chip, by its label or path.

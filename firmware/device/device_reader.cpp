@@ -4,6 +4,7 @@
 
 #include "firmware/device/device_certificate.h"
 #include "firmware/device/device_checks.h"
+#include "firmware/device/device_commissioning.h"
 #include "firmware/device/device_image.h"
 #include "firmware/device/device_settings.h"
 #include "firmware/device/device_tables.h"
@@ -55,6 +56,7 @@ class DeviceReader {
   Outcome read_axis(std::size_t i);
   Outcome read_joint(std::size_t i);
   Outcome take_certificate(std::size_t i);
+  Outcome take_commissioning(std::size_t i);
 
   Outcome choose_connection(std::size_t i, ConnectionConfig& connection);
   Outcome choose_drive(std::size_t i, AxisConfig& axis);
@@ -105,9 +107,9 @@ Outcome DeviceReader::for_each(std::string_view kind, Step step) {
 
 Outcome DeviceReader::read() {
   config_ = {};
-  constexpr std::array<std::string_view, 8> kKinds = {"mechanism", "device",        "controller",
-                                                      "plant",     "connection",    "axis",
-                                                      "joint",     kCertificateKind};
+  constexpr std::array<std::string_view, 9> kKinds = {
+      "mechanism", "device", "controller",     "plant",           "connection",
+      "axis",      "joint",  kCertificateKind, kCommissioningKind};
   for (std::size_t i = 0; i < sections_.count; ++i) {
     if (std::ranges::find(kKinds, sections_.sections[i].kind) == kKinds.end()) {
       return refuse(i, {},
@@ -116,9 +118,11 @@ Outcome DeviceReader::read() {
     }
   }
   constexpr std::array<Step, kKinds.size()> kSteps = {
-      &DeviceReader::read_mechanism, &DeviceReader::read_top,        &DeviceReader::read_controller,
-      &DeviceReader::read_plant,     &DeviceReader::read_connection, &DeviceReader::read_axis,
-      &DeviceReader::read_joint,     &DeviceReader::take_certificate};
+      &DeviceReader::read_mechanism,    &DeviceReader::read_top,
+      &DeviceReader::read_controller,   &DeviceReader::read_plant,
+      &DeviceReader::read_connection,   &DeviceReader::read_axis,
+      &DeviceReader::read_joint,        &DeviceReader::take_certificate,
+      &DeviceReader::take_commissioning};
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
     if (const auto outcome = for_each(kKinds[k], kSteps[k]); !outcome) {
       return outcome;
@@ -298,6 +302,18 @@ Outcome DeviceReader::take_certificate(std::size_t i) {
   }
   config_.certification = *read;
   config_.controller.certificate = read->limits;
+  return {};
+}
+
+Outcome DeviceReader::take_commissioning(std::size_t i) {
+  if (config_.commissioning.is_there) {
+    return refuse(i, {}, "a device has one commissioning");
+  }
+  const auto read = read_commissioning(sections_, i);
+  if (!read) {
+    return std::unexpected(read.error());
+  }
+  config_.commissioning = *read;
   return {};
 }
 

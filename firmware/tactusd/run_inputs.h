@@ -1,16 +1,18 @@
 // The files that a run of tactusd starts from: the device's image, the scene's, the Falcon's
-// firmware. Mapped and checked before the loop; nothing on the heap. What is wrong with one is told
+// firmware. Copied into memory and checked there before the loop: no later write
+// reaches them. Nothing on the heap. What is wrong with one is told
 // on stderr, with its name.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "firmware/commands/scene_store.h"
 #include "firmware/control/controller.h"
 #include "firmware/device/device_image.h"
 #include "firmware/tactusd/options.h"
-#include "hal/linux/mapped_file.h"
+#include "hal/linux/image_slot.h"
 
 namespace tactus::firmware {
 
@@ -24,6 +26,8 @@ class RunInputs {
   // If the device names one; the same.
   bool load_falcon_firmware();
 
+  // Why this device may not be enabled, and what to do; empty if it may.
+  [[nodiscard]] std::string_view enable_refusal() const { return enable_refusal_; }
   [[nodiscard]] const DeviceConfig& config() const { return config_; }
   [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
   [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
@@ -31,10 +35,11 @@ class RunInputs {
   [[nodiscard]] SceneStore& scenes() { return scenes_; }
 
  private:
-  hal::MappedFile device_file_;
-  hal::MappedFile falcon_file_;
+  hal::ImageSlot device_file_;
+  hal::ImageSlot falcon_file_;
   DeviceSections sections_;
   DeviceConfig config_;
+  std::string_view enable_refusal_;
   SceneStore scenes_;
 };
 

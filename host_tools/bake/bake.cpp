@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
 #include <numbers>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/corner_normals.h"
 #include "host_tools/bake/friction_check.h"
 #include "host_tools/bake/mesh_import.h"
 #include "host_tools/bake/texture_bake.h"
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "rendering/world/scenery.h"
 
@@ -175,6 +177,19 @@ void require_room(const rendering::SceneryNeeds& needs, const std::string& file)
   }
 }
 
+// Everything that baking reads and the user may hold dear.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& scene,
+                                            const SceneDescription& description) {
+  std::vector<std::filesystem::path> files = {scene};
+  for (const ObjectDescription& object : description.objects) {
+    files.push_back(object.mesh);
+    for (const TextureDescription& texture : object.detail.textures) {
+      files.push_back(texture.image);
+    }
+  }
+  return files;
+}
+
 }  // namespace
 
 BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::path& image,
@@ -191,6 +206,7 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                    .objects = {},
                    .effects = description.effects};
   rendering::SceneryNeeds needs;  // at first without the sizes of meshes
+  keep_inputs_safe(std::array{image}, files_of(scene, description));
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);

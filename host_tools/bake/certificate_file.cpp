@@ -7,13 +7,18 @@
 #include <vector>
 
 #include "firmware/device/device_certificate.h"
-#include "host_tools/bake/atomic_file.h"
+#include "host_tools/files/atomic_file.h"
 
 namespace tactus::host {
 
 std::filesystem::path certificate_path(const std::filesystem::path& device) {
   std::filesystem::path path = device;
   return path.replace_extension(".certificate.toml");
+}
+
+std::filesystem::path commissioning_path(const std::filesystem::path& device) {
+  std::filesystem::path path = device;
+  return path.replace_extension(".commissioning.toml");
 }
 
 void write_certificate(const std::filesystem::path& file,

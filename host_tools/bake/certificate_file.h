@@ -12,6 +12,9 @@ namespace tactus::host {
 // "arm.certificate.toml" beside "arm.toml".
 std::filesystem::path certificate_path(const std::filesystem::path& device);
 
+// "arm.commissioning.toml" beside "arm.toml", which tactus commission writes.
+std::filesystem::path commissioning_path(const std::filesystem::path& device);
+
 // Throws InputError if it cannot be written. `settings_checksum` is firmware::settings_checksum of
 // the device that was measured.
 void write_certificate(const std::filesystem::path& file,

@@ -10,11 +10,12 @@
 #include <span>
 
 #include "firmware/device/device_certificate.h"
+#include "firmware/device/device_commissioning.h"
 #include "firmware/device/device_generated.h"
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/certificate_file.h"
 #include "host_tools/bake/key_advice.h"
 #include "host_tools/bake/toml_file.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 #include "rendering/scene/image_format.h"
 
@@ -184,31 +185,52 @@ std::vector<std::byte> write_checked(std::span<const WrittenSection> written) {
   return bytes;
 }
 
+// What tools find out about a device and leave in a file beside it.
+struct FoundOut {
+  std::string_view kind;
+  std::string_view verb;
+  std::filesystem::path (*path)(const std::filesystem::path& device);
+  std::string_view without_it;
+};
+constexpr std::array<FoundOut, 2> kFoundOut = {
+    {{firmware::kCertificateKind, "certify", certificate_path,
+      "without a certificate, so tactusd will not refuse surfaces that are too stiff"},
+     {firmware::kCommissioningKind, "commission", commissioning_path,
+      "not commissioned, so tactusd will not enable it"}}};
+
 std::vector<WrittenSection> read_device_file(const std::string& name) {
   std::vector<WrittenSection> written = read_sections(name, parse_toml(read_file(name), name));
-  const auto certificate =
-      std::ranges::find(written, firmware::kCertificateKind, &WrittenSection::kind);
-  if (certificate != written.end()) {
-    fail_at(
-        name, certificate->line,
-        "[certificate]: a certificate stands in a file of its own, which tactus certify writes; "
-        "remove this table");
+  for (const FoundOut& found_out : kFoundOut) {
+    const auto section = std::ranges::find(written, found_out.kind, &WrittenSection::kind);
+    if (section != written.end()) {
+      fail_at(name, section->line,
+              fmt::format("[{}]: stands in a file of its own, which tactus {} writes; remove this "
+                          "table",
+                          found_out.kind, found_out.verb));
+    }
   }
   return written;
 }
 
 // Nothing if there is no such file.
-std::optional<WrittenSection> read_certificate_file(const std::filesystem::path& file) {
+std::optional<WrittenSection> read_found_out(const std::filesystem::path& file,
+                                             const FoundOut& found_out) {
   if (!std::filesystem::exists(file)) {
     return std::nullopt;
   }
   const std::string name = file.string();
   std::vector<WrittenSection> written = read_sections(name, parse_toml(read_file(file), name));
-  if (written.size() != 2 || written[1].kind != firmware::kCertificateKind ||
-      !written[0].settings.empty()) {
-    fail_at(name, 1, "must hold one table, [certificate], as tactus certify writes it");
+  if (written.size() != 2 || written[1].kind != found_out.kind || !written[0].settings.empty()) {
+    fail_at(name, 1,
+            fmt::format("must hold one table, [{}], as tactus {} writes it", found_out.kind,
+                        found_out.verb));
   }
   return std::move(written[1]);
+}
+
+bool is_for_these_settings(const LoadedDevice& device, std::string_view kind) {
+  return kind == firmware::kCertificateKind ? device.config().certification.is_for_these_settings
+                                            : device.config().commissioning.is_for_these_settings;
 }
 
 }  // namespace
@@ -226,6 +248,7 @@ LoadedDevice::LoadedDevice(std::vector<std::byte> image, const std::string& name
                                        : fmt::format("{}: {} {}", name, error.key, error.what));
   }
   settings_checksum_ = firmware::settings_checksum(sections);
+  all_settings_checksum_ = firmware::all_settings_checksum(sections);
 }
 
 bool describes_device(const std::filesystem::path& file) {
@@ -234,27 +257,29 @@ bool describes_device(const std::filesystem::path& file) {
 
 LoadedDevice bake_device(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const std::filesystem::path certificate_file = certificate_path(file);
   std::vector<WrittenSection> written = read_device_file(name);
   (void)write_checked(written);  // an error of the device's own comes first
-  std::optional<WrittenSection> certificate = read_certificate_file(certificate_file);
-  if (!certificate) {
-    LoadedDevice device(write_checked(written), name);
-    device.warn(fmt::format(
-        "{}: without a certificate, so tactusd will not refuse surfaces that are too stiff; make "
-        "one with: tactus certify {}",
-        name, name));
-    return device;
+  std::vector<std::string> warnings;
+  for (const FoundOut& found_out : kFoundOut) {
+    const std::filesystem::path beside = found_out.path(file);
+    std::optional<WrittenSection> section = read_found_out(beside, found_out);
+    if (!section) {
+      warnings.push_back(fmt::format("{}: {}; run: tactus {} {}", name, found_out.without_it,
+                                     found_out.verb, name));
+      continue;
+    }
+    written.push_back(std::move(*section));
+    if (!is_for_these_settings(LoadedDevice(write_checked(written), name), found_out.kind)) {
+      written.pop_back();
+      warnings.push_back(
+          fmt::format("{}: not taken in, because the settings of {} have been changed since; run "
+                      "again: tactus {} {}",
+                      beside.string(), name, found_out.verb, name));
+    }
   }
-  written.push_back(std::move(*certificate));
   LoadedDevice device(write_checked(written), name);
-  if (!device.config().certification.is_for_these_settings) {
-    written.pop_back();
-    device = LoadedDevice(write_checked(written), name);
-    device.warn(fmt::format(
-        "{}: not taken in, because the settings of {} have been changed since it was measured; "
-        "make a new one with: tactus certify {}",
-        certificate_file.string(), name, name));
+  for (std::string& warning : warnings) {
+    device.warn(std::move(warning));
   }
   return device;
 }

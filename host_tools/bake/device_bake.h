@@ -22,6 +22,8 @@ class LoadedDevice {
   [[nodiscard]] const std::vector<std::byte>& image() const { return image_; }
   // Over the settings, for the certificate.
   [[nodiscard]] std::uint64_t settings_checksum() const { return settings_checksum_; }
+  // Over all of them, for the commissioning.
+  [[nodiscard]] std::uint64_t all_settings_checksum() const { return all_settings_checksum_; }
   // For the user, from baking: one line each.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   void warn(std::string warning) { warnings_.push_back(std::move(warning)); }
@@ -30,6 +32,7 @@ class LoadedDevice {
   std::vector<std::byte> image_;
   std::unique_ptr<firmware::DeviceConfig> config_;
   std::uint64_t settings_checksum_ = 0;
+  std::uint64_t all_settings_checksum_ = 0;
   std::vector<std::string> warnings_;
 };
 
@@ -37,9 +40,9 @@ class LoadedDevice {
 // cannot be read or is no TOML.
 bool describes_device(const std::filesystem::path& file);
 
-// Checks everything. Takes in the certificate beside the file (certificate_file.h), if there is one
-// and the settings are still those it was made for; a warning if not. Throws InputError naming
-// file, line and remedy.
+// Checks everything. Takes in what tactus certify and tactus commission left beside the file
+// (certificate_file.h), if it is there and the settings are still those it was made for; a warning
+// if not. Throws InputError naming file, line and remedy.
 LoadedDevice bake_device(const std::filesystem::path& file);
 
 // "3 joints on 1 connection: ...", for the user.

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <string>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/mesh_text_check.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

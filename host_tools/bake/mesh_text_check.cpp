@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/text_lines.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/effect_description.h"
 #include "host_tools/bake/friction_description.h"
 #include "host_tools/bake/placement_description.h"
 #include "host_tools/bake/toml_file.h"
 #include "host_tools/bake/toml_section.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 #include "rendering/limits.h"
 

@@ -84,7 +84,8 @@ void draw_z_width(const ZWidth& z_width, const std::string& device_name,
   for (std::size_t i = 0; i < z_width.curves.size(); ++i) {
     script += curve_block(z_width, i);
   }
-  script += picture_head(png, kZWidthWidth, kZWidthHeight);
+  const TemporaryFolder folder;
+  script += picture_head(folder, kZWidthWidth, kZWidthHeight);
   script += fmt::format(
       kZWidthHead, fmt::arg("right", std::max(1.0, z_width.dampings_Ns_per_m.back())),
       fmt::arg("top", 1.06 * most_of(z_width)),
@@ -101,8 +102,7 @@ void draw_z_width(const ZWidth& z_width, const std::string& device_name,
         gnuplot_string(fmt::format("hand: {}", z_width.curves[i].hand)));
   }
   script += "\nunset multiplot\nunset output\n";
-  const TemporaryFolder folder;
-  run_gnuplot(folder, script);
+  run_gnuplot(folder, script, png);
 }
 
 }  // namespace tactus::host

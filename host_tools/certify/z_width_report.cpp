@@ -6,7 +6,7 @@
 #include <iterator>
 #include <span>
 
-#include "host_tools/bake/atomic_file.h"
+#include "host_tools/files/atomic_file.h"
 
 namespace tactus::host {
 namespace {

@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/bake.h"
+#include "host_tools/bake/certificate_file.h"
 #include "host_tools/bake/device_bake.h"
 #include "host_tools/cli/progress_line.h"
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/files/output_place.h"
 
 namespace tactus::host {
 namespace {
@@ -86,6 +88,7 @@ void print_table(const BakeReport& report) {
 }
 
 void run_device(const BakeOptions& options, const std::filesystem::path& output) {
+  keep_inputs_safe({output}, {options.scene, certificate_path(options.scene)});
   const LoadedDevice device = bake_device(options.scene);
   write_file_atomically(output, device.image());
   for (const std::string& warning : device.warnings()) {

@@ -54,17 +54,23 @@ void add_machine_options(CLI::App& verb, MachineOptions& machine) {
            "How far the shaft turns for 1 rad or 1 m of the joint: one number, or one a joint (1)");
   add_list(verb, "--direction", machine.directions,
            "1, or -1 where the joint moves against the shaft: likewise (1)");
+  add_list(verb, "--motor-direction", machine.motor_directions,
+           "-1 where the motor alone is wired the wrong way round (as --direction)");
   add_list(verb, "--offset", machine.offsets,
            "Where the joint is when its shaft is at 0, rad or m: likewise (0)");
   verb.add_option("--hand", machine.hand, "Who holds the handle: finger, pen, firm or none")
       ->capture_default_str();
   verb.add_option("--path", machine.path,
                   "Wish path of the hand (CSV: t_s,x_m,y_m,z_m), from the start of the program");
+  verb.add_option("--let-go", machine.let_go_s, "When the hand leaves the handle for good, s")
+      ->check(CLI::PositiveNumber);
+  verb.add_flag("--balanced", machine.balanced,
+                "The arm's weight is balanced: left alone it stays where it is");
   add_list(verb, "--origin", machine.origin_m,
            "Where the path's origin is in the mechanism's frame: x,y,z in m (its middle)");
   verb.add_option("--fault", machine.faults,
                   "AXIS:KIND@SECONDS, AXIS from 0 or all; none, silent, delayed, corrupted, "
-                  "erroring or unplugged, like 0:silent@3");
+                  "erroring, unplugged or power_cycled, like 0:silent@3");
   verb.add_option("--seconds", machine.run.seconds, "How long; default: until it is interrupted")
       ->check(CLI::PositiveNumber);
   verb.add_option("--truth", machine.truth,

@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/faults/fault_table.h"
+#include "host_tools/files/atomic_file.h"
 
 namespace tactus::host {
 namespace {

@@ -12,8 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/cli/progress_line.h"
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/friction/fit.h"
 #include "host_tools/friction/fit_report.h"
 #include "host_tools/input_error.h"
@@ -127,6 +128,7 @@ void write_outputs(const FitVerbOptions& options, const FrictionRecord& record,
   if (!options.output.empty()) {
     const std::string toml =
         fit_toml(name, fit, record, options.joint ? TomlUse::joint : TomlUse::surface);
+    keep_images_safe(options.output);
     write_file_atomically(options.output, std::as_bytes(std::span(toml)));
   }
   if (!options.figure.empty()) {
@@ -140,6 +142,7 @@ void write_outputs(const FitVerbOptions& options, const FrictionRecord& record,
 }
 
 void run_fit(const FitVerbOptions& options) {
+  keep_inputs_safe({options.output, options.figure}, {options.record});
   const std::vector<rendering::FrictionKind> kinds = kinds_to_fit(options.model);
   const FrictionRecord record = read_friction_record(options.record, options.normal_force_N);
   if (options.joint && record.has_normal_force) {

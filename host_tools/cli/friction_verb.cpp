@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/files/output_place.h"
 #include "host_tools/friction/experiments.h"
 #include "host_tools/friction/friction_figures.h"
 #include "host_tools/friction/friction_run.h"
@@ -184,6 +185,7 @@ void run_friction(const FrictionOptions& options) {
   if (!options.setup.empty() && options.experiment.empty()) {
     throw InputError("--setup is for an --experiment");
   }
+  keep_inputs_safe({options.output, options.figure}, {options.motion, options.push});
   const rendering::FrictionParameters friction = parameters_from(options);
   ExperimentResult result;
   if (!options.motion.empty()) {

@@ -5,15 +5,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
 #include "host_tools/cli/certify_verb.h"
+#include "host_tools/cli/commission_verb.h"
 #include "host_tools/cli/doctor_verb.h"
 #include "host_tools/cli/emulate_verb.h"
 #include "host_tools/cli/faults_verb.h"
@@ -36,21 +39,23 @@ enum ExitCode : int {
   kInternalFailure = 1,
   kRefused = 1,
   kBadInput = 2,
-  kUnreachable = 2
+  kUnreachable = 2,
+  kNotWritten = 2
 };
 
 using AddVerb = void (*)(CLI::App& app);
 
 // In the order of --help.
 constexpr std::array kVerbs = {
-    AddVerb{tactus::host::add_bake_verb},     AddVerb{tactus::host::add_inspect_verb},
-    AddVerb{tactus::host::add_touch_verb},    AddVerb{tactus::host::add_sim_verb},
-    AddVerb{tactus::host::add_plot_verb},     AddVerb{tactus::host::add_bench_verb},
-    AddVerb{tactus::host::add_friction_verb}, AddVerb{tactus::host::add_fit_verb},
-    AddVerb{tactus::host::add_emulate_verb},  AddVerb{tactus::host::add_faults_verb},
-    AddVerb{tactus::host::add_doctor_verb},   AddVerb{tactus::host::add_replay_verb},
-    AddVerb{tactus::host::add_remote_verbs},  AddVerb{tactus::host::add_certify_verb},
-    AddVerb{tactus::host::add_monitor_verb},  AddVerb{tactus::host::add_watch_verb},
+    AddVerb{tactus::host::add_bake_verb},       AddVerb{tactus::host::add_inspect_verb},
+    AddVerb{tactus::host::add_touch_verb},      AddVerb{tactus::host::add_sim_verb},
+    AddVerb{tactus::host::add_plot_verb},       AddVerb{tactus::host::add_bench_verb},
+    AddVerb{tactus::host::add_friction_verb},   AddVerb{tactus::host::add_fit_verb},
+    AddVerb{tactus::host::add_emulate_verb},    AddVerb{tactus::host::add_faults_verb},
+    AddVerb{tactus::host::add_doctor_verb},     AddVerb{tactus::host::add_replay_verb},
+    AddVerb{tactus::host::add_remote_verbs},    AddVerb{tactus::host::add_certify_verb},
+    AddVerb{tactus::host::add_commission_verb}, AddVerb{tactus::host::add_monitor_verb},
+    AddVerb{tactus::host::add_watch_verb},
 };
 
 // "tactus bake", or "tactus" before a verb is known.
@@ -60,7 +65,8 @@ std::string name_of_run(const CLI::App& app) {
 }
 
 int report(const CLI::App& app, std::string_view message, ExitCode code) {
-  fmt::print(stderr, "{}: {}\n", name_of_run(app), message);
+  // Where stderr cannot be written either, the exit code is all that is left to say.
+  std::fputs(fmt::format("{}: {}\n", name_of_run(app), message).c_str(), stderr);
   return code;
 }
 
@@ -86,6 +92,17 @@ void require_verb(const CLI::App& app, std::span<char*> arguments) {
   }
 }
 
+// A full disk or a closed pipe shows when the last bytes of standard output are written.
+int with_output_written(const CLI::App& app, int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+    return code;
+  }
+  return report(app,
+                fmt::format("standard output cannot be written: {}; its end is missing",
+                            std::generic_category().message(errno)),
+                kNotWritten);
+}
+
 int run(CLI::App& app, int argc, char** argv) {
   try {
     require_verb(app, {argv, static_cast<std::size_t>(argc)});
@@ -100,6 +117,9 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const tactus::host::UnreachableError& error) {
     return report(app, error.what(), kUnreachable);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {  // fmt throws where a full buffer cannot be written
+      return kNotWritten;
+    }
     return report(app, fmt::format("internal failure: {}", error.what()), kInternalFailure);
   }
 }
@@ -116,5 +136,5 @@ int main(int argc, char** argv) {
   for (const AddVerb add : kVerbs) {
     add(app);
   }
-  return run(app, argc, argv);
+  return with_output_written(app, run(app, argc, argv));
 }

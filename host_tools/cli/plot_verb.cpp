@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host_tools/bake/mapped_scene.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/run_data.h"
@@ -41,6 +42,8 @@ void run_plot(const PlotOptions& options) {
   const std::filesystem::path csv(options.run);
   const FigureFiles files =
       figure_files(options.output.empty() ? "./" : options.output, csv.stem().string());
+  keep_inputs_safe({files.force, files.path, files.against},
+                   {options.run, options.against, options.scene});
   std::error_code failure;
   if (files.force.has_parent_path()) {
     std::filesystem::create_directories(files.force.parent_path(), failure);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host_tools/cli/progress_line.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/replay/replay.h"
@@ -166,6 +167,8 @@ int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
     throw InputError("--csv and --picture show two forces: give --set name=value, too");
   }
+  keep_inputs_safe({options.csv, options.picture},
+                   {options.recording, options.images.device, options.images.scene});
   RecordedRun run(options.recording, options.images);
   if (!compare(run, options.recording)) {
     return kDiffers;

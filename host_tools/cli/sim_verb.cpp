@@ -12,6 +12,7 @@
 #include "host_tools/bake/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/cli/serve_simulation.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
 #include "host_tools/simulation/run_log.h"
@@ -111,6 +112,8 @@ class Recorder {
 };
 
 void run_sim(const SimOptions& options) {
+  keep_inputs_safe({options.output, options.hashes, options.record},
+                   {options.scene, options.run.path});
   if (options.serve) {
     ServeOptions serving = options.serving;
     serving.record = options.record;
@@ -130,7 +133,9 @@ void run_sim(const SimOptions& options) {
   const RunSummary summary = run(simulation, plan.seconds, options.run.rate_hz,
                                  [&](const Simulation& now) { recorder.add(now); });
   recorder.close();
-  fmt::print("{}", options.json ? summary_json(summary) : summary_text(summary));
+  std::FILE* const out =
+      is_standard_output(options.output) || is_standard_output(options.hashes) ? stderr : stdout;
+  fmt::print(out, "{}", options.json ? summary_json(summary) : summary_text(summary));
 }
 
 }  // namespace

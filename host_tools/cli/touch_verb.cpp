@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "host_tools/bake/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/csv/csv_table.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/simulation/run_log.h"
 #include "rendering/scene/scene_world.h"
@@ -33,6 +35,7 @@ constexpr const char* kTouchExamples =
     "Examples:\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv\n"
     "  tactus plot out.csv --scene scene.tactus\n"
+    "  tactus touch scene.tactus --path path.csv --output /dev/stdout | cut -d, -f1,8-10\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv --json | jq .max_force_N";
 
 constexpr std::string_view kHeader =
@@ -113,22 +116,25 @@ void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Tou
 }
 
 void print(const TouchOptions& options, const TouchSummary& s) {
+  std::FILE* const out = is_standard_output(options.output) ? stderr : stdout;
   if (options.json) {
     const nlohmann::ordered_json json{
         {"output", options.output},         {"ticks", s.ticks},
         {"contact_ticks", s.contact_ticks}, {"flagged_ticks", s.flagged_ticks},
         {"max_force_N", s.max_force_N},     {"max_depth_m", s.max_depth_m}};
-    fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print(out, "{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
-  fmt::print("{}: {} ticks, {} in contact, largest force {:.4g} N, largest depth {:.4g} mm\n",
+  fmt::print(out, "{}: {} ticks, {} in contact, largest force {:.4g} N, largest depth {:.4g} mm\n",
              options.output, s.ticks, s.contact_ticks, s.max_force_N, 1e3 * s.max_depth_m);
   if (s.flagged_ticks > 0) {
-    fmt::print("{} ticks gave something up to a limit (rendering/limits.h)\n", s.flagged_ticks);
+    fmt::print(out, "{} ticks gave something up to a limit (rendering/limits.h)\n",
+               s.flagged_ticks);
   }
 }
 
 void run(const TouchOptions& options) {
+  keep_inputs_safe({options.output}, {options.scene, options.path});
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
   const auto world = std::make_unique<rendering::World>();

@@ -34,6 +34,7 @@ EmulatedMachine::EmulatedMachine(const EmulatedMachineConfig& config, hal::TimeN
       step_ns_(checked_step(config.step_ns)),
       start_ns_(start_ns),
       next_step_ns_(start_ns),
+      let_go_s_(config.let_go_s),
       hand_(config.hand, config.path, config.seed, seconds_of(config.step_ns)),
       plant_(plant_parameters_) {
   plant_.place(holds(config.hand) ? Vec3(hand_.wish_W() + origin_B_) : config.device.centre_B);
@@ -108,7 +109,8 @@ JointEfforts EmulatedMachine::take_torques() {
 
 void EmulatedMachine::move(const JointEfforts& effort) {
   const double dt_s = seconds_of(step_ns_);
-  const HandParameters& hand = hand_.parameters();
+  const bool is_held = seconds_of(next_step_ns_ - start_ns_) < let_go_s_;
+  const HandParameters hand = is_held ? hand_.parameters() : HandParameters{};
   const Vec3 wish_B = hand_.wish_W() + origin_B_;
   const Vec3 next_wish_B = hand_.next_wish_W() + origin_B_;
   const Grip grip{.mass_kg = hand.mass_kg,

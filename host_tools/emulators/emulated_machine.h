@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "drivers/transmission.h"
@@ -34,6 +35,8 @@ struct EmulatedMachineConfig {
   Vec3 origin_B = Vec3::Zero();                        // m: the wish path's origin
   std::uint64_t seed = 1;                              // of the hand's tremor
   hal::TimeNs step_ns = kLongestMachineStep_ns;
+  // From the machine's start on: then the hand leaves the handle for good.
+  double let_go_s = std::numeric_limits<double>::infinity();
 };
 
 // One joint and what drives it. The shaft must outlive the machine.
@@ -97,6 +100,7 @@ class EmulatedMachine {
   hal::TimeNs step_ns_;
   hal::TimeNs start_ns_;
   hal::TimeNs next_step_ns_;
+  double let_go_s_;
   Hand hand_;
   Plant plant_;
   std::vector<EmulatedAxis> axes_;

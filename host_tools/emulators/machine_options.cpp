@@ -50,6 +50,11 @@ EmulatedMachineConfig machine_config(const MachineOptions& options) {
   EmulatedMachineConfig config;
   config.device = mechanism_preset(options.mechanism);
   config.hand = hand_of(options.hand);
+  config.let_go_s = options.let_go_s;
+  if (options.balanced) {
+    config.device.device.plant.elbow_kg = 0.0;
+    config.device.device.plant.handle_kg = 0.0;
+  }
   if (!options.path.empty()) {
     if (options.hand == "none") {
       throw InputError("--path is a hand's wish; say whose with --hand finger, pen or firm");
@@ -75,9 +80,13 @@ std::vector<drivers::Transmission> transmissions(const MachineOptions& options,
   for (std::size_t i = 0; i < joints; ++i) {
     const double ratio = for_joint(options.ratios, i, joints, "--ratio");
     const double direction = for_joint(options.directions, i, joints, "--direction");
+    const double motor_direction =
+        options.motor_directions.empty()
+            ? direction
+            : for_joint(options.motor_directions, i, joints, "--motor-direction");
     result.push_back({.motor_ratio = ratio,
                       .encoder_ratio = ratio,
-                      .motor_direction = direction,
+                      .motor_direction = motor_direction,
                       .encoder_direction = direction,
                       .offset = for_joint(options.offsets, i, joints, "--offset")});
     if (!drivers::is_valid(result.back())) {

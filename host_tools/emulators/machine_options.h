@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +19,11 @@ struct MachineOptions {
   std::string mechanism;               // of firmware::kPresetNames
   std::vector<double> ratios = {1.0};  // each list: one for all joints, or one for each
   std::vector<double> directions = {1.0};
+  std::vector<double> motor_directions;  // empty: as `directions`
   std::vector<double> offsets = {0.0};
-  std::string hand = "none";     // finger, pen, firm or none
+  std::string hand = "none";  // finger, pen, firm or none
+  double let_go_s = std::numeric_limits<double>::infinity();
+  bool balanced = false;         // the links weigh nothing
   std::string path;              // CSV of the hand's wish; empty: it holds the origin
   std::vector<double> origin_m;  // of the path, in the mechanism's frame; empty: workspace's middle
   std::vector<std::string> faults;

@@ -8,8 +8,9 @@
 #include <iterator>
 #include <span>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/csv/csv_table.h"
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/friction/sliding_mass.h"
 #include "host_tools/input_error.h"
 
@@ -126,6 +127,7 @@ void write_track(const std::filesystem::path& file, const FrictionTrack& track) 
     }
   }
   text += '\n';
+  keep_images_safe(file);
   write_file_atomically(file, std::as_bytes(std::span(text)));
 }
 

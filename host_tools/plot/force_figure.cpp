@@ -101,15 +101,15 @@ void draw_force_figure(const RunData& run, const std::string& title,
   std::string script = time_series(run.rows);
   script += background("stick", stretches(run.rows, rendering::FrictionState::stick));
   script += background("slip", stretches(run.rows, rendering::FrictionState::slip));
-  script += picture_head(png, 1600, 1000);
+  const TemporaryFolder folder;
+  script += picture_head(folder, 1600, 1000);
   script += fmt::format(kForceHead, fmt::arg("first", first_s), fmt::arg("last", last_s),
                         fmt::arg("title", gnuplot_string(title)));
   script +=
       fmt::format(kForcePanel, fmt::arg("top", axis_top(force_N, 0.1)),
                   fmt::arg("commanded", run.has_commanded ? kCommandedCurve : std::string_view{}));
   script += fmt::format(kDepthPanel, fmt::arg("top", axis_top(depth_mm, 0.1)));
-  const TemporaryFolder folder;
-  run_gnuplot(folder, script);
+  run_gnuplot(folder, script, png);
 }
 
 }  // namespace tactus::host

@@ -11,12 +11,18 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <system_error>
 
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/files/output_file.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
+
+constexpr unsigned char kFirstPrintable = 0x20;
+constexpr unsigned char kDelete = 0x7f;
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
   std::ofstream stream(file, std::ios::binary);
@@ -69,7 +75,13 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
   write_file(file, bytes);
 }
 
-void run_gnuplot(const TemporaryFolder& folder, std::string_view script) {
+namespace {
+
+std::filesystem::path picture_of(const TemporaryFolder& folder) {
+  return folder.path() / "picture.png";
+}
+
+void draw(const TemporaryFolder& folder, std::string_view script) {
   const std::filesystem::path script_file = folder.path() / "script.gp";
   const std::filesystem::path messages = folder.path() / "messages.txt";
   write_file(script_file, script);
@@ -100,7 +112,29 @@ void run_gnuplot(const TemporaryFolder& folder, std::string_view script) {
   }
 }
 
-std::string picture_head(const std::filesystem::path& png, double width, double height) {
+// True if the bytes begin and end as a PNG file does: gnuplot does not say when the disk is full.
+bool is_whole_png(std::string_view bytes) {
+  constexpr std::string_view kHead = "\x89PNG\r\n\x1a\n";
+  constexpr std::string_view kLastChunk = "IEND\xae\x42\x60\x82";
+  return bytes.starts_with(kHead) && bytes.ends_with(kLastChunk);
+}
+
+}  // namespace
+
+void run_gnuplot(const TemporaryFolder& folder, std::string_view script,
+                 const std::filesystem::path& png) {
+  draw(folder, script);
+  const std::string picture = read_file(picture_of(folder));
+  if (!is_whole_png(picture)) {
+    throw InputError(fmt::format("{}: gnuplot's picture is not whole; is the disk of {} full?",
+                                 png.string(), folder.path().string()));
+  }
+  OutputFile file(png, OutputKind::file);
+  file.write(std::as_bytes(std::span(picture)));
+  file.commit();
+}
+
+std::string picture_head(const TemporaryFolder& folder, double width, double height) {
   constexpr std::string_view kHead = R"gnuplot(
 if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
   set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
@@ -111,13 +145,14 @@ set output {output}
 set multiplot
 )gnuplot";
   return fmt::format(kHead, fmt::arg("width", width), fmt::arg("height", height),
-                     fmt::arg("output", gnuplot_string(png.string())));
+                     fmt::arg("output", gnuplot_string(picture_of(folder).string())));
 }
 
 std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
-    result += c;
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < kFirstPrintable || byte == kDelete ? ' ' : c;
     if (c == '\'') {
       result += c;
     }

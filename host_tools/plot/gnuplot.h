@@ -30,14 +30,18 @@ class TemporaryFolder {
 // InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 
-// Runs gnuplot on the script, which is kept in the folder as script.gp. Throws InputError: gnuplot
-// is not installed, or what it complained about.
-void run_gnuplot(const TemporaryFolder& folder, std::string_view script);
+// Begins a script that draws several panels into the folder's picture, of that many pixels. No name
+// of the user's goes into a script as a file: gnuplot runs a file name that begins with | as a
+// command.
+std::string picture_head(const TemporaryFolder& folder, double width, double height);
 
-// Begins a script that draws several panels into one PNG of that many pixels.
-std::string picture_head(const std::filesystem::path& png, double width, double height);
+// Runs gnuplot on the script, then writes the folder's picture, once it is whole, to `png`. Throws
+// InputError: gnuplot is not installed, it complained, or `png` cannot be written.
+void run_gnuplot(const TemporaryFolder& folder, std::string_view script,
+                 const std::filesystem::path& png);
 
-// A string in gnuplot's single quotes.
+// A string in gnuplot's single quotes, with spaces for control characters: a line end would begin
+// a command.
 std::string gnuplot_string(std::string_view text);
 
 }  // namespace tactus::host

@@ -123,7 +123,8 @@ void draw_panels(const std::string& title, std::span<const Panel> panels,
       script += curve_block(fmt::format("$curve_{}_{}", p, i), panels[p].curves[i]);
     }
   }
-  script += picture_head(png, kPanelsWidth, height);
+  const TemporaryFolder folder;
+  script += picture_head(folder, kPanelsWidth, height);
   script += fmt::format(kPanelsHead, fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("title_height", 1.0 - 0.5 * kTitle / height));
   const double each = (height - kTitle) / count;
@@ -133,8 +134,7 @@ void draw_panels(const std::string& title, std::span<const Panel> panels,
     script += panel_script(panels[p], p, 1.0 - top / height, 1.0 - bottom / height);
   }
   script += "unset multiplot\nunset output\n";
-  const TemporaryFolder folder;
-  run_gnuplot(folder, script);
+  run_gnuplot(folder, script, png);
 }
 
 }  // namespace tactus::host

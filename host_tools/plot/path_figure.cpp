@@ -208,7 +208,7 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
                        path_blocks(run, View::side, "_side") +
                        ends_block(run, View::front, sheet.front.window, "_front") +
                        ends_block(run, View::side, sheet.side.window, "_side");
-  script += picture_head(png, kSheetWidth, sheet.height);
+  script += picture_head(folder, kSheetWidth, sheet.height);
   script += fmt::format(kPathHead, fmt::arg("force", std::max(force_N, 0.1)),
                         fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("title_x", sheet.front.left / kSheetWidth),
@@ -216,7 +216,7 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
   script += panel_script(sheet, sheet.front, objects, folder, false);
   script += panel_script(sheet, sheet.side, objects, folder, true);
   script += "unset multiplot\nunset output\n";
-  run_gnuplot(folder, script);
+  run_gnuplot(folder, script, png);
 }
 
 }  // namespace tactus::host

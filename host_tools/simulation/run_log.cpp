@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
-
-#include "host_tools/input_error.h"
+#include <span>
 
 namespace tactus::host {
 namespace {
@@ -25,18 +24,11 @@ void append(std::string& line, const firmware::Triple& v) {
 }  // namespace
 
 LogFile::LogFile(const std::filesystem::path& path, std::string_view header)
-    : path_(path), stream_(path, std::ios::binary), buffer_(header) {
-  if (!stream_) {
-    throw InputError(fmt::format("{}: cannot write; is the folder there?", path_.string()));
-  }
-}
+    : file_((keep_images_safe(path), path), OutputKind::may_be_a_pipe), buffer_(header) {}
 
 void LogFile::flush() {
-  stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  file_.write(std::as_bytes(std::span(buffer_)));
   buffer_.clear();
-  if (!stream_) {
-    throw InputError(fmt::format("{}: writing failed; is the disk full?", path_.string()));
-  }
 }
 
 void LogFile::flush_if_full() {
@@ -47,10 +39,7 @@ void LogFile::flush_if_full() {
 
 void LogFile::close() {
   flush();
-  stream_.close();
-  if (!stream_) {
-    throw InputError(fmt::format("{}: writing failed; is the disk full?", path_.string()));
-  }
+  file_.commit();
 }
 
 RunCsv::RunCsv(const std::filesystem::path& path) : file_(path, kHeader) {}

@@ -3,16 +3,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
+#include "host_tools/files/output_file.h"
 #include "host_tools/simulation/simulation.h"
 
 namespace tactus::host {
 
-// A text file written in large pieces. Throws InputError, text for a user, when it cannot
-// be written.
+// A text file, or a pipe, written in large pieces. The file is there under its name once close()
+// has returned. Throws InputError, text for a user, when it cannot be written, or is a baked image.
 class LogFile {
  public:
   LogFile(const std::filesystem::path& path, std::string_view header);
@@ -25,8 +25,7 @@ class LogFile {
  private:
   void flush();
 
-  std::filesystem::path path_;
-  std::ofstream stream_;
+  OutputFile file_;
   std::string buffer_;
 };
 

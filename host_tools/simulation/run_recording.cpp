@@ -1,9 +1,12 @@
 #include "host_tools/simulation/run_recording.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -29,12 +32,15 @@ std::string header_checksum(std::span<const std::byte> image) {
 
 RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& simulation,
                            std::span<const std::byte> scene)
-    : path_(path), tick_ns_(1e9 / simulation.config().rate_hz) {
+    : path_(path),
+      place_(output_place(path, OutputKind::file)),
+      tick_ns_(1e9 / simulation.config().rate_hz) {
+  keep_images_safe(path);
   const std::string rate = fmt::format("{}", simulation.config().rate_hz);
   const std::string checksum = header_checksum(scene);
   const std::array<firmware::MetadataEntry, 3> info{
       {{"program", "tactus sim"}, {"rate_hz", rate}, {firmware::kSceneChecksumKey, checksum}}};
-  if (const int error = writer_->open(path.c_str(), 0, info); error != 0) {
+  if (const int error = writer_->open(partial_of(place_).c_str(), 0, info); error != 0) {
     fail(path, error);
   }
   std::array<std::byte, firmware::kMaxConfigBytes> config{};
@@ -52,8 +58,13 @@ void RunRecording::add(const Simulation& simulation) {
 }
 
 void RunRecording::close() {
+  const std::filesystem::path partial = partial_of(place_);
   if (const int error = writer_->close(); error != 0) {
+    ::unlink(partial.c_str());
     fail(path_, error);
+  }
+  if (::rename(partial.c_str(), place_.file.c_str()) != 0) {
+    fail(path_, errno);
   }
 }
 

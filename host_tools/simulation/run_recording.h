@@ -7,6 +7,7 @@
 #include <span>
 
 #include "firmware/telemetry/outputs/mcap_writer.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/simulation/simulation.h"
 
 namespace tactus::host {
@@ -20,11 +21,12 @@ class RunRecording {
 
   // After each tick.
   void add(const Simulation& simulation);
-  // Throws InputError if anything could not be written.
+  // Puts the recording in its place. Throws InputError if anything could not be written.
   void close();
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_;  // as the user named it
+  OutputPlace place_;
   double tick_ns_;
   std::unique_ptr<firmware::McapWriter> writer_ = std::make_unique<firmware::McapWriter>();
 };

@@ -55,7 +55,20 @@ cp host_tools/examples/bunny/scene.toml "$images/bunny.toml"
 "$build/bin/tactus" bake --quiet host_tools/examples/wall/scene.toml -o "$images/wall.tactus"
 cp host_tools/examples/bunny/wish.csv "$images/wish.csv"
 cp host_tools/examples/wall/wish.csv "$images/wall_wish.csv"
+cat >"$images/everywhere.csv" <<END
+t_s,x_m,y_m,z_m
+0,0,0,0
+4,0,0,0
+5,0.05,0,0
+6.5,-0.05,0,0
+7.5,0,0.05,0
+9,0,-0.05,0
+10,0,0,0.04
+11,0,0,-0.04
+12,0,0,0
+END
 for device in host_tools/examples/devices/*.toml; do
+  cp "$device" "$images/"
   "$build/bin/tactus" bake --quiet "$device" -o "$images/$(basename "$device" .toml).tactus"
 done
 # At 4 kHz the drives' messages come with every fourth tick: the others do not wait for one.

@@ -12,7 +12,7 @@ device=odrive_arm scene=bunny
 start() { # NAME SECONDS
   emulate "$1" "$(($2 + 1))"
   # shellcheck disable=SC2154  # bus_touch.inc sets it
-  tactusd "/images/$device.tactus" "/images/$scene.tactus" --enable --seconds "$2" --run-dir /run --record "/results/$1.mcap" \
+  tactusd "/images/$device.tactus" "/images/$scene.tactus" --enable --allow-uncommissioned --seconds "$2" --run-dir /run --record "/results/$1.mcap" \
     2>"/results/$1.log" &
   controller=$!
   sleep 2

@@ -1,6 +1,7 @@
 #!/bin/sh
 # What the program asks of the kernel in its steady state, thread by thread: the loop sleeps and talks to its bus, and nothing
 # else. At 100 Hz, so that there is time for the tracer.
+mkdir -p /run # tactusd makes its folder there
 modprobe -a vcan can-raw
 ip link add dev can0 type vcan && ip link set can0 mtu 72 up
 mkdir -p /run && mount -t tmpfs run /run
@@ -10,7 +11,7 @@ tactus emulate odrive --nodes 0,1,2 --can can0 --mechanism woodenhaptics --ratio
 emulator=$!
 sleep 0.5
 chrt -f 60 strace -f -qq -e 'raw=!write' -e verbose=none -o /results/trace \
-  tactusd /images/odrive_traced.tactus /images/bunny.tactus --enable --rate 100 --seconds 1.5 \
+  tactusd /images/odrive_traced.tactus /images/bunny.tactus --enable --allow-uncommissioned --rate 100 --seconds 1.5 \
   --record /results/run.mcap --run-dir /run 2>/results/tactusd.log
 code=$?
 kill -INT $emulator

@@ -318,6 +318,14 @@ TEST_F(CommandServerTest, RecordingIsSwitchedByWhoeverRecords) {
   EXPECT_EQ(say("record off"), "refused record: nothing is recorded");
 }
 
+TEST_F(CommandServerTest, ADeviceThatMayNotBeEnabledSaysWhyAndStaysReady) {
+  serve({.hooks = {.enable_refusal = "this device was not commissioned"}});
+  start_loop();
+  EXPECT_TRUE(begins(say("home"), "ok home"));
+  EXPECT_EQ(say("enable"), "refused enable: this device was not commissioned");
+  EXPECT_EQ(say("status").find("mode=active"), std::string::npos);
+}
+
 TEST_F(CommandServerTest, AProgramThatGoesMidwayHurtsNobody) {
   start();
   ask_and_go(20);

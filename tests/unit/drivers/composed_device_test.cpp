@@ -205,6 +205,55 @@ TEST_F(TwoBoards, LostEncoderLosesItsReferenceUnlessItIsAbsolute) {
   EXPECT_EQ(read().position[0], 0.5);
 }
 
+// The zero may move long after another fault: the loss is taken then, and once.
+TEST_F(TwoBoards, ReferenceIsLostAlsoBesideAFaultThatIsLatchedAlready) {
+  home();
+  (void)device.write({});
+  encoders.samples[0].status = kDeviceDriveFault;
+  encoders.words = {"the drive restarted", "reset", 0};
+  EXPECT_EQ(read().status, kDeviceDriveFault);
+  encoders.samples[0].status = kDeviceDriveFault | kDeviceReferenceLost;
+  EXPECT_EQ(read().status, kDeviceDriveFault | kDeviceReferenceLost | kDeviceNotReady);
+  device.clear_faults();
+  EXPECT_EQ(read().status, kDeviceNotReady);
+  EXPECT_EQ(device.lost_reference().joint, "second");
+  EXPECT_EQ(device.lost_reference().trouble.what, "the drive restarted");
+  home();
+  EXPECT_TRUE(device.lost_reference().joint.empty());
+}
+
+TEST_F(TwoBoards, LossOfAnAbsoluteEncodersZeroOrOfAMotorsCostsNothing) {
+  home();
+  drives.samples[0].status = kDeviceReferenceLost;  // absolute
+  drives.samples[1].status = kDeviceReferenceLost;  // a motor whose encoder is another board's
+  EXPECT_EQ(read().status, kDeviceOk);
+}
+
+TEST_F(TwoBoards, MeasuredTorqueIsAnEffortThroughTheGearWhereItIsKnown) {
+  home();
+  drives.samples[0].torque_Nm = 0.02;
+  drives.samples[0].has_torque = true;
+  drives.samples[1].torque_Nm = 7.0;
+  const JointSample sample = read();
+  EXPECT_EQ(sample.effort_known, 1U);
+  EXPECT_DOUBLE_EQ(sample.effort[0], -0.2);
+  EXPECT_EQ(sample.effort[1], 0.0);
+}
+
+TEST_F(TwoBoards, PowerGoesOffForAFaultOfTheControllerAndOfTheDevice) {
+  home();
+  (void)device.write({});
+  EXPECT_FALSE(drives.written[0].power_off);
+  (void)device.write({.effort = {0.5, 0.5}, .enable = true, .power_off = true});
+  EXPECT_TRUE(drives.written[0].power_off);
+  EXPECT_FALSE(drives.written[0].enable);
+  EXPECT_EQ(drives.written[0].torque_Nm, 0.0);
+  drives.samples[1].status = kDeviceDriveFault;
+  (void)read();
+  (void)device.write({});
+  EXPECT_TRUE(drives.written[0].power_off);
+}
+
 TEST_F(TwoBoards, StartAndStopReachEveryBoard) {
   EXPECT_EQ(drives.starts, 1);
   EXPECT_EQ(encoders.starts, 1);

@@ -68,6 +68,11 @@ TEST_F(LinuxCounterTest, WithoutACeilingTheCallerMustKnowIt) {
   EXPECT_EQ(rig_.device.ceiling(), 0xFFFF'FFFFU);
 }
 
+TEST_F(LinuxCounterTest, ACeilingOfZeroCountsNothing) {
+  rig_.folder.set("counter2/count0/ceiling", "0");
+  EXPECT_EQ(refusal({}), ErrorCode::not_supported);
+}
+
 TEST_F(LinuxCounterTest, ACounterWithoutAFunctionCannotDecodeQuadrature) {
   rig_.folder.remove("counter2/count0/function");
   EXPECT_EQ(refusal({}), ErrorCode::not_supported);

@@ -66,6 +66,26 @@ TEST(LinuxPwmOutput, ClosingLeavesDutyZeroAndDisabled) {
   EXPECT_EQ(folder.get("pwmchip0/pwm1/enable"), "0");
 }
 
+TEST(LinuxPwmOutput, DisablesAnOutputThatWasEnabled) {
+  FolderPwmRig rig;
+  ASSERT_TRUE(rig.output().set_period_ns(50'000));
+  ASSERT_TRUE(rig.output().set_enabled(true));
+  ASSERT_TRUE(rig.output().set_enabled(false));
+  EXPECT_EQ(rig.folder.get("pwmchip0/pwm1/enable"), "0");
+}
+
+TEST(LinuxPwmOutput, AChannelThatCannotBeSilencedIsNotOpened) {
+  for (const char* const attribute : {"pwmchip0/pwm1/duty_cycle", "pwmchip0/pwm1/enable"}) {
+    const SysfsFolder folder;
+    lay_out_channel(folder);
+    folder.set(attribute, "no number");
+    LinuxPwmOutput channel;
+    EXPECT_FALSE(channel.open("pwmchip0", 1, folder.root())) << attribute;
+    folder.set(attribute, "0");
+    EXPECT_TRUE(channel.open("pwmchip0", 1, folder.root())) << attribute;
+  }
+}
+
 TEST(LinuxPwmOutput, ExportsAChannelThatIsNotThere) {
   const SysfsFolder folder;
   folder.set("pwmchip0/export", "");

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/bake/mapped_scene.h"
+#include "host_tools/files/atomic_file.h"
 #include "tests/support/shapes.h"
 #include "tests/unit/host_tools/bake/box_files.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "host_tools/bake/atomic_file.h"
+#include "host_tools/files/atomic_file.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "host_tools/bake/atomic_file.h"
 #include "host_tools/benchmark/command.h"
+#include "host_tools/files/atomic_file.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {

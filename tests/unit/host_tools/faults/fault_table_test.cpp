@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/safety/faults.h"
-#include "host_tools/bake/atomic_file.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host_tools/bake/atomic_file.h"
+#include "host_tools/files/atomic_file.h"
 #include "tests/support/run_program.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 

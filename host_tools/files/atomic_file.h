@@ -8,8 +8,9 @@
 
 namespace tactus::host {
 
-// Writes beside `path` and renames, so that a failure, or a controller that has the old file
-// mapped, never meets half of the new one. Throws InputError naming `path` and the system's reason.
+// Writes beside `path` and renames, so that a failure or a reader never meets half of the new file;
+// into a pipe directly. Throws InputError naming `path` and the reason: output_place.h refuses it,
+// or the system.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 // The whole file. Throws InputError naming `path`: missing, a folder, not readable.

@@ -1,0 +1,10 @@
+// `tactus commission`: the guided check of a device before its first force.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tactus::host {
+
+void add_commission_verb(CLI::App& app);
+
+}  // namespace tactus::host

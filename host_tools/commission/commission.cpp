@@ -1,0 +1,209 @@
+#include "host_tools/commission/commission.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/safety/sample_check.h"
+#include "host_tools/input_error.h"
+
+namespace tactus::host {
+namespace {
+
+using firmware::ControllerConfig;
+using firmware::Verdict;
+
+// Shares of a joint's range: what a pulse shall move it at least, and at most.
+constexpr double kWantedTravel = 0.004;
+constexpr double kLargestTravel = 0.06;
+
+// The motors have no power after this, whatever ends the scope.
+class PowerOff {
+ public:
+  explicit PowerOff(Bench& bench) : bench_(&bench) {}
+  PowerOff(const PowerOff&) = delete;
+  PowerOff& operator=(const PowerOff&) = delete;
+  ~PowerOff() { bench_->write({}); }
+
+ private:
+  Bench* bench_;
+};
+
+double range_of(const ControllerConfig& config, std::size_t joint) {
+  return config.joints[joint].upper - config.joints[joint].lower;
+}
+
+class Session {
+ public:
+  Session(Bench& bench, const CommissionPlan& plan, const CommissionProgress& progress)
+      : bench_(&bench),
+        plan_(&plan),
+        progress_(&progress),
+        joints_(firmware::joint_count(plan.controller.mechanism)) {}
+
+  CommissionReport run() {
+    const PowerOff at_the_end(*bench_);
+    home();
+    report_.joints.resize(joints_);
+    for (std::size_t i = 0; i < joints_; ++i) {
+      report_.joints[i] = {.name = plan_->joints[i],
+                           .lower = plan_->controller.joints[i].lower,
+                           .upper = plan_->controller.joints[i].upper,
+                           .slides = std::holds_alternative<firmware::CartesianGeometry>(
+                               plan_->controller.mechanism)};
+    }
+    watch_travel();
+    let_person(HandTask::let_go);
+    for (std::size_t i = 0; i < joints_ && report_.trouble.empty(); ++i) {
+      try_joint(i);
+    }
+    return report_;
+  }
+
+ private:
+  void tell(const std::string& step) {
+    if (*progress_) {
+      (*progress_)(step);
+    }
+  }
+
+  void tick(const drivers::JointCommand& command) {
+    bench_->write(command);
+    bench_->wait();
+    bench_->read(sample_);
+  }
+
+  // The device goes on ticking meanwhile: its drives' watchdogs watch.
+  void let_person(HandTask task) {
+    bench_->ask(task);
+    while (bench_->is_at_work(task)) {
+      tick({});
+    }
+  }
+
+  void home() {
+    tell("homing");
+    bench_->read(sample_);
+    let_person(HandTask::hold_for_homing);
+    const double limit = plan_->homing_limit_s * plan_->controller.rate_hz;
+    for (double ticks = 0.0; !firmware::is_referenced(sample_.status); ++ticks) {
+      if (ticks > limit || firmware::device_faults(sample_.status) != 0) {
+        const std::string trouble = bench_->trouble();
+        throw InputError(
+            trouble.empty()
+                ? fmt::format("the joints were not homed in {:.0f} s; see how each finds its "
+                              "reference in device.toml",
+                              plan_->homing_limit_s)
+                : trouble);
+      }
+      tick({.home = true});
+    }
+  }
+
+  void watch_travel() {
+    tell("travel: the hand moves the handle everywhere");
+    bench_->ask(HandTask::move_everywhere);
+    for (std::size_t i = 0; i < joints_; ++i) {
+      report_.joints[i].travel = {sample_.position[i], sample_.position[i]};
+    }
+    while (bench_->is_at_work(HandTask::move_everywhere)) {
+      tick({});
+      if (!firmware::is_referenced(sample_.status)) {
+        report_.trouble = bench_->trouble();
+        return;
+      }
+      for (std::size_t i = 0; i < joints_; ++i) {
+        firmware::TravelSeen& seen = report_.joints[i].travel;
+        seen.lower = std::min(seen.lower, sample_.position[i]);
+        seen.upper = std::max(seen.upper, sample_.position[i]);
+      }
+    }
+  }
+
+  firmware::JointExpectation expected(std::size_t joint) const {
+    firmware::JointExpectation expected{.inertia = report_.joints[joint].expected_inertia,
+                                        .lower = report_.joints[joint].lower,
+                                        .upper = report_.joints[joint].upper};
+    for (std::size_t i = 0; i < joints_; ++i) {
+      expected.range[i] = range_of(plan_->controller, i);
+    }
+    return expected;
+  }
+
+  void try_joint(std::size_t joint) {
+    const PowerOff after(*bench_);
+    JointReport& own = report_.joints[joint];
+    own.expected_inertia =
+        apparent_inertia(plan_->controller, sample_, plan_->moving_mass_kg)[joint];
+    const double range = range_of(plan_->controller, joint);
+    const double most_effort = plan_->controller.joints[joint].max_effort;
+    firmware::JointTrial trial({.joint = joint,
+                                .rate_hz = plan_->controller.rate_hz,
+                                .first_effort = plan_->first_effort_share * most_effort,
+                                .most_effort = plan_->most_effort_share * most_effort,
+                                .wanted_travel = kWantedTravel * range,
+                                .largest_travel = kLargestTravel * range});
+    double told = 0.0;
+    while (trial.end() == firmware::TrialEnd::running) {
+      drivers::JointCommand command{.enable = true};
+      command.effort[joint] = trial.tick(sample_);
+      if (trial.effort() != told) {
+        told = trial.effort();
+        tell(fmt::format("{}: pulses of {:.3g} {}", own.name, told, own.slides ? "N" : "N m"));
+      }
+      tick(command);
+    }
+    own.fit = trial.fit();
+    own.effort = trial.effort();
+    own.verdict = firmware::judge_trial(trial, joint, expected(joint));
+    if (own.verdict == Verdict::passed) {
+      own.verdict = firmware::judge_travel(own.travel, expected(joint));
+    }
+    if (own.verdict == Verdict::sample_bad) {
+      report_.trouble = bench_->trouble();
+    }
+  }
+
+  Bench* bench_;
+  const CommissionPlan* plan_;
+  const CommissionProgress* progress_;
+  std::size_t joints_;
+  drivers::JointSample sample_;
+  CommissionReport report_;
+};
+
+}  // namespace
+
+bool CommissionReport::has_passed() const {
+  return trouble.empty() && !joints.empty() &&
+         std::ranges::all_of(
+             joints, [](const JointReport& joint) { return joint.verdict == Verdict::passed; });
+}
+
+std::array<double, firmware::kJointCount> apparent_inertia(const ControllerConfig& config,
+                                                           const drivers::JointSample& sample,
+                                                           double mass_kg) {
+  const Vec3 joints(sample.position[0], sample.position[1], sample.position[2]);
+  const firmware::Pose pose =
+      firmware::Mechanism(config.mechanism).forward(joints, config.workspace_origin_D);
+  const auto n = static_cast<Eigen::Index>(firmware::joint_count(config.mechanism));
+  Mat3 inertia = mass_kg * pose.jacobian_D.transpose() * pose.jacobian_D;
+  for (Eigen::Index i = n; i < inertia.rows(); ++i) {
+    inertia(i, i) = 1.0;  // a joint that the mechanism does not have
+  }
+  const Mat3 mobility = inertia.inverse();
+  std::array<double, firmware::kJointCount> apparent{};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    apparent[static_cast<std::size_t>(i)] = 1.0 / mobility(i, i);
+  }
+  return apparent;
+}
+
+CommissionReport commission(Bench& bench, const CommissionPlan& plan,
+                            const CommissionProgress& progress) {
+  return Session(bench, plan, progress).run();
+}
+
+}  // namespace tactus::host

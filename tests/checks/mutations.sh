@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Plants the faults of tests/mutation/faults.txt into a copy of the sources, compiles that once, and shows that for each
+# fault some test fails. Names every fault that no test found. How it works: tests/mutation/README.md.
+set -euo pipefail
+list=tests/mutation/faults.txt
+tree=build/mutation/tree
+build=build/mutation/build
+export TACTUS_MUTANT_LIMIT_S=60 # a test that a fault keeps from ending has found it
+export TACTUS_PROPERTY_TICKS=20000 GTEST_FAIL_FAST=1
+
+tests/checks/build.sh release plant_faults
+# A file that is as it was keeps its time, so that only what has changed is compiled again.
+files="$(git ls-files --cached --others --exclude-standard)"
+(mkdir -p "$tree" && cd "$tree" && sed -n 's#/[^/]*$##p' <<<"$files" | sort -u | xargs -d '\n' mkdir -p)
+grep -vxFf <(sed -n 's/^file  *//p' "$list") <<<"$files" | while IFS= read -r file; do
+  cmp -s "$file" "$tree/$file" || cp "$file" "$tree/$file"
+done
+faults="$(build/release/tests/plant_faults "$list" . "$tree")"
+
+root="$PWD/$tree"
+CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 -DTACTUS_TESTS=ON \
+  -DCMAKE_CXX_FLAGS="-Wno-error -include $root/tests/mutation/switch.h" -DCMAKE_CXX_FLAGS_RELEASE=-O1 >/dev/null
+mapfile -t programs < <(cut -f2 <<<"$faults" | sort -u)
+cmake --build "$build" --target "${programs[@]}" --parallel "$(nproc)"
+
+# run NUMBER PROGRAM FILTER: the tests with that fault on; 0 is none.
+run() {
+  TACTUS_MUTANT="$1" timeout "$TACTUS_MUTANT_LIMIT_S" "$TACTUS_MUTANT_BUILD/tests/$2" --gtest_filter="$3" --gtest_brief=1
+}
+# try_fault LINE: prints what became of the fault, and the first test that found it.
+try_fault() {
+  IFS=$'\t' read -r number program filter file name <<<"$1"
+  if output="$(run "$number" "$program" "$filter" 2>&1)"; then
+    echo "SURVIVED  $number  $file: $name ($program --gtest_filter='$filter')"
+  else
+    found="$(sed -n 's/^\[  FAILED  \] \([^ ,]*\).*/\1/p' <<<"$output" | head -n 1)"
+    echo "found     $number  $file: $name, by ${found:-$program, which crashed or did not end}"
+  fi
+}
+export TACTUS_MUTANT_BUILD="$PWD/$build"
+export -f run try_fault
+
+echo "without a fault:"
+status=0
+while IFS=$'\t' read -r program filter; do
+  if ! output="$(run 0 "$program" "$filter" 2>&1)" || grep -q "0 tests ran" <<<"$output"; then
+    echo "FAILS     $program --gtest_filter='$filter'" && tail -n 20 <<<"$output" && status=1
+  fi
+done < <(cut -f2,3 <<<"$faults" | sort -u)
+[[ $status -eq 0 ]] || exit 1
+
+# shellcheck disable=SC2016  # the inner shell expands it
+results="$(xargs -d '\n' -P "$(nproc)" -I{} bash -c 'try_fault "$1"' _ {} <<<"$faults" | sort -k2 -n)"
+echo "$results"
+survived="$(grep -c '^SURVIVED' <<<"$results" || true)"
+echo "$(wc -l <<<"$faults") faults planted, $survived of them found by no test"
+echo "$(grep -c '^found' <<<"$results" || true) $survived 0" >"${TACTUS_COUNTS:-/dev/null}"
+[[ "$survived" -eq 0 ]]

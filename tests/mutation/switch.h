@@ -1,0 +1,19 @@
+// Chooses the one planted fault of a run. plant_faults puts calls of is_on into copies of the
+// sources, and the compiler includes this file into each of them by itself (-include).
+#pragma once
+
+#include <cstdlib>
+
+namespace tactus::mutation {
+
+// The number in TACTUS_MUTANT; 0, which no fault has, without one.
+inline const int chosen = [] {
+  const char* text = std::getenv("TACTUS_MUTANT");
+  return text == nullptr ? 0 : std::atoi(text);
+}();
+
+inline bool is_on(int number) {
+  return number == chosen;
+}
+
+}  // namespace tactus::mutation
