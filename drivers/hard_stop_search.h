@@ -19,11 +19,11 @@
 namespace tactus::drivers {
 
 struct HardStopLimits {
-  double effort = 0.0;        // signed: the way to the stop
-  double speed = 0.5;         // of the moves
-  double range = 0.0;         // free travel from the stop to the other limit; infinite: unknown
-  double min_travel = 0.0;    // free travel that must be seen; 0: kRangeShare of the range
-  hal::TimeNs time_ns = 0;    // for each move
+  double effort = 0.0;      // signed: the way to the stop
+  double speed = 0.5;       // of the moves
+  double range = 0.0;       // free travel from the stop to the other limit; infinite: unknown
+  double min_travel = 0.0;  // free travel that must be seen; 0: kRangeShare of the range
+  hal::TimeNs time_ns = 0;  // for each move
 };
 
 class HardStopSearch {
@@ -59,7 +59,7 @@ class HardStopSearch {
   HardStopLimits limits_;
   double way_ = 1.0;  // toward the stop
   double min_travel_ = 0.0;
-  double back_off_ = 0.0;   // how far
+  double back_off_ = 0.0;    // how far
   double same_place_ = 0.0;  // two approaches may differ by so much
   SearchMove move_;
   Phase phase_ = Phase::approach;

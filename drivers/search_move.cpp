@@ -1,6 +1,7 @@
 #include "drivers/search_move.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tactus::drivers {
@@ -13,11 +14,65 @@ constexpr double kLeastShare = 0.01;
 constexpr hal::TimeNs kSpeedWindow_ns = 100'000'000;
 constexpr double kSpeedSlack_s = 0.02;
 
+struct HomingText {
+  HomingFailure failure;
+  std::string_view what;
+  std::string_view remedy;
+};
+
+constexpr std::array kHomingTexts{
+    HomingText{HomingFailure::not_a_number, "homing: the position or the velocity is not a number",
+               "check the encoder and its cable, then reset and home"},
+    HomingText{HomingFailure::too_fast,
+               "homing: the joint jumped or moved faster than 3 times search_speed",
+               "check encoder_direction, motor_direction, the encoder's cable and scale, and that "
+               "nobody moves the joint; then reset and home"},
+    HomingText{HomingFailure::wrong_way, "homing: the joint moves against the push",
+               "encoder_direction or motor_direction is wrong, or a hand or its weight pushes "
+               "harder than search_effort; then reset and home"},
+    HomingText{HomingFailure::did_not_move, "homing: the joint did not move under search_effort",
+               "check that the motor is plugged in and the brake open, that nothing holds the "
+               "joint, and search_effort; then reset and home"},
+    HomingText{HomingFailure::took_too_long, "homing found no stop in its time",
+               "check search_effort, search_speed and that the joint moves freely; raise "
+               "time_limit_s for a long way; then reset and home"},
+    HomingText{HomingFailure::stop_moved,
+               "homing: the joint stopped in two places, so an obstacle stopped it",
+               "take hands and things out of its way, then reset and home"},
+    HomingText{HomingFailure::short_travel, "homing: the joint moves less than its range",
+               "take hands and things out of its way; check lower, upper, the stop's position and "
+               "encoder_ratio; a smaller way is declared by min_travel; then reset and home"},
+    HomingText{HomingFailure::beyond_range,
+               "homing: the joint moved twice its range without a stop",
+               "check encoder_ratio, the counts of a turn, lower and upper, and that the encoder "
+               "does not slip; then reset and home"},
+    HomingText{HomingFailure::range_unknown, "homing by hard stop needs the joint's range",
+               "give the joint's lower and upper limits, or min_travel"},
+    HomingText{HomingFailure::no_index, "homing saw no index pulse",
+               "move the joint over its index while it homes; check the index's wiring and the "
+               "way of search_effort, then reset and home"},
+    HomingText{HomingFailure::index_elsewhere,
+               "homing: the index would put the joint outside its limits",
+               "check the index's position, lower and upper, and that the search begins within a "
+               "turn of the right pulse; then reset and home"},
+    HomingText{HomingFailure::not_still, "homing: the joint was not held still in its known pose",
+               "hold it still there for half a second: reset and home"},
+};
+
 double in_seconds(hal::TimeNs time_ns) {
   return static_cast<double>(time_ns) * 1e-9;
 }
 
 }  // namespace
+
+Trouble describe(HomingFailure failure) {
+  for (const HomingText& text : kHomingTexts) {
+    if (text.failure == failure) {
+      return {text.what, text.remedy, 0};
+    }
+  }
+  return {};
+}
 
 void SearchMove::begin(double way, double position, hal::TimeNs now_ns) {
   way_ = way;

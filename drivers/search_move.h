@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "drivers/axis.h"
 #include "hal/clock.h"
 
 namespace tactus::drivers {
@@ -27,6 +28,9 @@ enum class HomingFailure : std::uint8_t {
   index_elsewhere,  // the index would put the joint outside its limits
   not_still,        // the joint did not stand still in its known pose
 };
+
+// In words, with a remedy; nothing for `none`.
+Trouble describe(HomingFailure failure);
 
 class SearchMove {
  public:
