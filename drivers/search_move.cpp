@@ -10,6 +10,8 @@ namespace {
 
 // The part of the effort that is always asked for, so that the motor keeps its power in the move.
 constexpr double kLeastShare = 0.01;
+// A push that counts as the whole.
+constexpr double kFullShare = 0.95;
 // Speeds are judged over so long, with so much of the search speed's travel for noise.
 constexpr hal::TimeNs kSpeedWindow_ns = 100'000'000;
 constexpr double kSpeedSlack_s = 0.02;
@@ -84,6 +86,8 @@ void SearchMove::begin(double way, double position, hal::TimeNs now_ns) {
   began_ns_ = now_ns;
   still_since_ns_ = now_ns;
   checked_ns_ = now_ns;
+  last_at_ = position;
+  last_ns_ = now_ns;
   stands_ = false;
 }
 
@@ -94,6 +98,8 @@ void SearchMove::advance(double position, double velocity, hal::TimeNs now_ns) {
     return;
   }
   push(velocity, now_ns);
+  last_at_ = position;
+  last_ns_ = now_ns;
 }
 
 void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
@@ -101,8 +107,7 @@ void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
     failure_ = HomingFailure::not_a_number;
     return;
   }
-  const double passed_s = in_seconds(now_ns - checked_ns_) * kFastest + kSpeedSlack_s;
-  if (std::abs(position - checked_at_) > limits_.speed * passed_s) {
+  if (moves_too_fast(position, now_ns)) {
     failure_ = HomingFailure::too_fast;
     return;
   }
@@ -120,12 +125,21 @@ void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
     failure_ = HomingFailure::took_too_long;
     return;
   }
-  const bool full = way_ == 0.0 || now_ns - began_ns_ >= kRise_ns;
+  const bool full = way_ == 0.0 || std::abs(effort_) > kFullShare * limits_.effort;
   if (!full || std::abs(position - still_at_) > limits_.still_band) {
     still_at_ = position;
     still_since_ns_ = now_ns;
   }
   stands_ = now_ns - still_since_ns_ >= kStanding_ns;
+}
+
+// From the last tick, and over a window that is long against the encoder's counts.
+bool SearchMove::moves_too_fast(double position, hal::TimeNs now_ns) const {
+  const auto farthest = [&](hal::TimeNs since_ns) {
+    return limits_.speed * (kFastest * in_seconds(now_ns - since_ns) + kSpeedSlack_s);
+  };
+  return std::abs(position - checked_at_) > farthest(checked_ns_) ||
+         std::abs(position - last_at_) > farthest(last_ns_);
 }
 
 void SearchMove::push(double velocity, hal::TimeNs now_ns) {
@@ -139,7 +153,10 @@ void SearchMove::push(double velocity, hal::TimeNs now_ns) {
   if (std::abs(share) < kLeastShare) {
     share = std::copysign(kLeastShare, way_);
   }
-  effort_ = limits_.effort * share;
+  const double before = share * effort_ > 0.0 ? std::abs(effort_) / limits_.effort : 0.0;
+  const double most =
+      std::max(kLeastShare, before + in_seconds(now_ns - last_ns_) / in_seconds(kRise_ns));
+  effort_ = limits_.effort * std::clamp(share, -most, most);
 }
 
 }  // namespace tactus::drivers

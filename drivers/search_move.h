@@ -1,7 +1,8 @@
 // One move of a homing search: the motor pushes a joint one way, gently, and the joint's answer is
 // watched. No input or output; all in the joint's units, rad or m, N m or N.
 //
-// The push rises from nothing over kRise_ns and is damped to the search speed. The damping trusts
+// The push never rises faster than to the whole in kRise_ns, at the start, when it turns about and
+// when the joint meets something. It is damped to the search speed. The damping trusts
 // the encoder's sign only after the joint has followed a push: with a wrong sign it would drive the
 // joint on. Until then the push shrinks with the size of the speed and never turns about.
 #pragma once
@@ -66,6 +67,7 @@ class SearchMove {
 
  private:
   void watch(double position, double velocity, hal::TimeNs now_ns);
+  [[nodiscard]] bool moves_too_fast(double position, hal::TimeNs now_ns) const;
   void push(double velocity, hal::TimeNs now_ns);
 
   Limits limits_;
@@ -75,9 +77,11 @@ class SearchMove {
   double effort_ = 0.0;
   double still_at_ = 0.0;
   double checked_at_ = 0.0;
+  double last_at_ = 0.0;
   hal::TimeNs began_ns_ = 0;
   hal::TimeNs still_since_ns_ = 0;
   hal::TimeNs checked_ns_ = 0;
+  hal::TimeNs last_ns_ = 0;
   bool follows_ = false;  // the joint has followed a push: the encoder's sign is right
   bool stands_ = false;
   HomingFailure failure_ = HomingFailure::none;

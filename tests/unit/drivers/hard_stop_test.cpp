@@ -168,16 +168,20 @@ TEST(HardStop, ObstacleThatTakesMoreThanTwoHundredthsOfTheRangeIsNoStop) {
 TEST(HardStop, HandThatGoesAwayOrComesBetweenTheApproachesIsNoStop) {
   StopRun leaves;
   leaves.plant.lowest = 0.2;
-  leaves.each_ms = [&leaves](int) {
-    if (leaves.plant.position > 0.25 && leaves.ms > 2000) {
+  bool met = false;
+  leaves.each_ms = [&leaves, &met](int) {
+    met = met || leaves.plant.position < 0.201;
+    if (met && leaves.plant.position > 0.25) {
       leaves.plant.lowest = -1.0;
     }
   };
   leaves.run();
   expect_refused(leaves, "homing: the joint stopped in two places, so an obstacle stopped it");
   StopRun comes;
-  comes.each_ms = [&comes](int) {
-    if (comes.ms > 2000 && comes.plant.position > -0.93) {
+  bool touched = false;
+  comes.each_ms = [&comes, &touched](int) {
+    touched = touched || comes.plant.position < -0.999;
+    if (touched && comes.plant.position > -0.93) {
       comes.plant.lowest = std::max(comes.plant.lowest, -0.95);
     }
   };
