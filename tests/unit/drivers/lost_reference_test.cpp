@@ -68,7 +68,7 @@ class OneJoint final : private hal::SimulatedEventSource {
   }
   void home() {
     command_ = {.home = true};
-    ticks(2);
+    ticks(510);  // it must stand still for half a second
     command_ = {};
     ticks(5);
   }
