@@ -23,11 +23,12 @@ int make_file(const char* path, IfThere if_there) {
   if (!file.is_open() || ::fstat(file.get(), &status) != 0) {
     return -1;
   }
-  if (!S_ISREG(status.st_mode)) {
+  const bool is_file = S_ISREG(status.st_mode);
+  if (!is_file && !S_ISCHR(status.st_mode)) {
     errno = EEXIST;
     return -1;
   }
-  return ::ftruncate(file.get(), 0) == 0 ? ::fcntl(file.get(), F_DUPFD_CLOEXEC, 0) : -1;
+  return !is_file || ::ftruncate(file.get(), 0) == 0 ? ::fcntl(file.get(), F_DUPFD_CLOEXEC, 0) : -1;
 }
 
 }  // namespace

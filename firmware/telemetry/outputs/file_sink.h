@@ -13,13 +13,13 @@ namespace tactus::firmware {
 
 // A file of that name that is there already. Links are never followed.
 enum class IfThere : std::uint8_t {
-  replace,  // it is emptied, if it is a regular file
+  replace,  // a file is emptied, a character device written to
   refuse,   // EEXIST
 };
 
 class FileSink {
  public:
-  // Makes the file. 0, or errno: EEXIST too where it may be replaced and is no regular file, ELOOP
+  // Makes the file. 0, or errno: EEXIST too for a pipe, a socket or a disk, ELOOP
   // where it is a link.
   int open(const char* path, IfThere if_there = IfThere::replace);
 

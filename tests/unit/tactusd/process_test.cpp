@@ -32,7 +32,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::KeepingBoard;
 
-constexpr double kPatience_s = 15.0;
+constexpr double kPatience_s = 4.0;
+// A busy machine keeps a board from answering in time, which is a fault before there is torque.
+constexpr int kTries = 10;
 
 // A wall above the tool's home; the hand pushes 5 mm into it.
 constexpr std::string_view kScene = R"([tool]
@@ -41,19 +43,21 @@ radius_m = 0.002
 name = "wall"
 primitive = "box"
 size_m = [0.2, 0.2, 0.1]
-position_m = [0.0, 0.0, 0.04]
+position_m = [0.0, 0.0, 0.055]
 stiffness_N_per_m = 150.0
 )";
 
 std::string device_text(const std::string& port) {
   // Slow ticks: a busy machine is late for none.
-  return "name = \"Haply\"\n[mechanism]\nkind = \"haply_pantograph\"\n[controller]\nrate_hz = 200\n"
+  return "name = \"Haply\"\n[mechanism]\nkind = \"haply_pantograph\"\n[controller]\nrate_hz = "
+         "200\nmax_sample_age_us = 200000\n"
          "[[connection]]\nname = \"usb\"\nkind = \"haply_serial\"\nport = \"" +
          port +
          "\"\n[[axis]]\nname = \"m1\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = "
          "0\n"
          "[[axis]]\nname = \"m2\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = 1\n"
-         "[[joint]]\nname = \"left\"\nmotor = \"m1\"\n[[joint]]\nname = \"right\"\nmotor = "
+         "[[joint]]\nname = \"left\"\nmotor = \"m1\"\nreference = \"known_pose\"\nreference_rad = "
+         "2.55406\n[[joint]]\nname = \"right\"\nmotor = "
          "\"m2\"\n";
 }
 
@@ -146,41 +150,59 @@ int wait_for_end(pid_t process) {
 }
 
 struct AfterSignal {
-  bool pushed = false;
+  double before_Nm = 0.0;
   int status = -1;
   double torque_Nm = -1.0;
 };
 
+// A bench whose board pushes, with the program's process.
+struct Pushing {
+  std::unique_ptr<Bench> bench;
+  pid_t process = 0;
+};
+
+Pushing start_pushing() {
+  Pushing pushing;
+  for (int i = 0; i < kTries; ++i) {
+    pushing.bench = std::make_unique<Bench>();
+    pushing.process = pushing.bench->start();
+    if (pushing.bench->board().pushes_within(kPatience_s)) {
+      return pushing;
+    }
+  }
+  ADD_FAILURE() << "no torque: " << pushing.bench->log();
+  return pushing;
+}
+
 AfterSignal send_while_pushing(int signal) {
-  const Bench bench;
-  const pid_t process = bench.start();
-  AfterSignal after;
-  after.pushed = bench.board().pushes_within(kPatience_s);
-  EXPECT_TRUE(after.pushed) << bench.log();
-  ::kill(process, after.pushed ? signal : SIGKILL);
+  const auto [bench, process] = start_pushing();
+  AfterSignal after{.before_Nm = bench->board().torque_Nm()};
+  ::kill(process, signal);
   after.status = wait_for_end(process);
   ::usleep(50'000);  // what is on the line arrives
-  after.torque_Nm = bench.board().torque_Nm();
+  after.torque_Nm = bench->board().torque_Nm();
   return after;
 }
 
 std::vector<int> signals_that(SignalReaction reaction) {
   std::vector<int> signals;
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
-    if (reaction_to(signal) == reaction) {
+    // Real-time signals are alike: the first, one between and the last. EndSignals goes over all.
+    const bool is_between = signal > SIGRTMIN + 1 && signal < SIGRTMAX;
+    if (reaction_to(signal) == reaction && !is_between) {
       signals.push_back(signal);
     }
   }
   return signals;
 }
 
-// Four at a time: each waits for its board most of the time.
+// Two at a time: each waits for its board most of the time.
 template <class Each>
 void for_each_signal(const std::vector<int>& signals, Each each) {
   std::atomic<std::size_t> next{0};
   std::vector<std::thread> threads;
-  threads.reserve(4);
-  for (int i = 0; i < 4; ++i) {
+  threads.reserve(2);
+  for (int i = 0; i < 2; ++i) {
     threads.emplace_back([&] {
       for (std::size_t k = next++; k < signals.size(); k = next++) {
         each(signals[k]);
@@ -197,8 +219,8 @@ TEST(TactusdSignals, NoneThatEndsOrStopsTheProgramLeavesTorqueOnTheBoard) {
   for_each_signal(signals_that(SignalReaction::end), [&](int signal) {
     const AfterSignal after = send_while_pushing(signal);
     const std::scoped_lock lock(printing);
-    std::printf("signal %2d (%s): torque left %.4f N m\n", signal, ::strsignal(signal),
-                after.torque_Nm);
+    std::printf("signal %2d (%s): torque %.4f N m before, %.4f N m left\n", signal,
+                ::strsignal(signal), after.before_Nm, after.torque_Nm);
     EXPECT_TRUE(WIFEXITED(after.status) && WEXITSTATUS(after.status) == 0) << after.status;
     EXPECT_EQ(after.torque_Nm, 0.0) << signal;
   });
@@ -209,17 +231,16 @@ TEST(TactusdSignals, ACrashLeavesNoTorqueAndKeepsItsSignal) {
   for_each_signal(signals_that(SignalReaction::crash), [&](int signal) {
     const AfterSignal after = send_while_pushing(signal);
     const std::scoped_lock lock(printing);
-    std::printf("signal %2d (%s): torque left %.4f N m\n", signal, ::strsignal(signal),
-                after.torque_Nm);
+    std::printf("signal %2d (%s): torque %.4f N m before, %.4f N m left\n", signal,
+                ::strsignal(signal), after.before_Nm, after.torque_Nm);
     EXPECT_TRUE(WIFSIGNALED(after.status) && WTERMSIG(after.status) == signal) << after.status;
     EXPECT_EQ(after.torque_Nm, 0.0) << signal;
   });
 }
 
 TEST(TactusdSignals, TheOthersLeaveItAtWork) {
-  const Bench bench;
-  const pid_t process = bench.start();
-  ASSERT_TRUE(bench.board().pushes_within(kPatience_s)) << bench.log();
+  const auto [held, process] = start_pushing();
+  const Bench& bench = *held;
   for (const SignalReaction reaction :
        {SignalReaction::ignore, SignalReaction::harmless, SignalReaction::flight}) {
     for (const int signal : signals_that(reaction)) {
@@ -235,9 +256,8 @@ TEST(TactusdSignals, TheOthersLeaveItAtWork) {
 }
 
 TEST(TactusdSecond, DoesNotStartOnTheSameRunFolderOrTheSamePort) {
-  const Bench bench;
-  const pid_t first = bench.start();
-  ASSERT_TRUE(bench.board().pushes_within(kPatience_s)) << bench.log();
+  const auto [held, first] = start_pushing();
+  const Bench& bench = *held;
   const std::string holder = "process " + std::to_string(first);
 
   const int same_folder = wait_for_end(bench.start("second", bench.folder()));
@@ -267,9 +287,8 @@ TEST(TactusdSecond, DoesNotStartWithoutAFolderForItsStop) {
 
 // Each in place: the file keeps its inode, as with cp or an editor.
 TEST(TactusdImages, LiveOnWhateverHappensToTheirFiles) {
-  const Bench bench;
-  const pid_t process = bench.start();
-  ASSERT_TRUE(bench.board().pushes_within(kPatience_s)) << bench.log();
+  const auto [held, process] = start_pushing();
+  const Bench& bench = *held;
   for (const char* name : {"scene.tactus", "device.tactus"}) {
     const fs::path path = bench.folder() / name;
     {
@@ -289,9 +308,8 @@ TEST(TactusdImages, LiveOnWhateverHappensToTheirFiles) {
 }
 
 TEST(TactusdImages, FromAPipeOrTooLargeAreRefusedAtOnceAndTheStopIsHeard) {
-  const Bench bench;
-  const pid_t process = bench.start();
-  ASSERT_TRUE(bench.board().pushes_within(kPatience_s)) << bench.log();
+  const auto [held, process] = start_pushing();
+  const Bench& bench = *held;
   host::Remote remote(bench.folder());
   EXPECT_TRUE(host::send_stop(bench.folder()).is_ok);
   ASSERT_EQ(::mkfifo((bench.folder() / "pipe").c_str(), 0600), 0);

@@ -63,11 +63,11 @@ TEST_F(FileSinkTest, EmptiesARegularFileOnlyWhereThatIsAsked) {
   EXPECT_EQ(content(), "");
 }
 
-TEST_F(FileSinkTest, RefusesAPipeAndADeviceWithoutWaiting) {
+TEST_F(FileSinkTest, RefusesAPipeWithoutWaitingAndADeviceWhereAFileIsToBeMade) {
   const std::string pipe = (folder_ / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_EQ(sink_.open(pipe.c_str(), IfThere::replace), EEXIST);
-  EXPECT_EQ(sink_.open("/dev/null", IfThere::replace), EEXIST);
+  EXPECT_EQ(sink_.open("/dev/null", IfThere::refuse), EEXIST);
 }
 
 }  // namespace
