@@ -32,7 +32,11 @@ enum DeviceStatus : std::uint32_t {
 struct JointSample {
   std::array<double, kMaxJoints> position{};
   std::array<double, kMaxJoints> velocity{};
-  std::uint32_t age_us = 0;  // from the encoder's reading to now
+  // As the motors' drives measure it, through the transmission, N m or N. Meaningful where the
+  // joint's bit is set in effort_known: not every device reports torque or current.
+  std::array<double, kMaxJoints> effort{};
+  std::uint32_t effort_known = 0;  // a bit per joint, joint 0 the lowest
+  std::uint32_t age_us = 0;        // from the encoder's reading to now
   std::uint32_t status = kDeviceOk;
 };
 
