@@ -108,7 +108,8 @@ class Bench {
       ::dup2(out, STDERR_FILENO);
       if (::chdir(folder_.c_str()) == 0) {
         ::execl(TACTUSD_PROGRAM, "tactusd", "device.tactus", "scene.tactus", "--enable",
-                "--allow-non-realtime", "--run-dir", folder.c_str(), nullptr);
+                "--allow-uncommissioned", "--allow-non-realtime", "--run-dir", folder.c_str(),
+                nullptr);
       }
       ::_exit(127);
     }
