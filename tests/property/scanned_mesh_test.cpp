@@ -57,7 +57,7 @@ TEST(ScannedMesh, AToolThatBeginsInTouchFeelsNothingUntilItHasLeft) {
   for (const double radius_m : {0.002, 0.005}) {
     for (const double friction : {0.0, 0.8}) {
       for (const rendering::Sides sides : {rendering::Sides::one, rendering::Sides::two}) {
-        leave_from({shape, sides, radius_m, friction}, seed++, share_of(std::size_t{400}), tally);
+        leave_from({shape, sides, radius_m, friction}, seed++, share_of(std::size_t{100}), tally);
         if (HasFatalFailure()) {
           return;
         }
