@@ -49,8 +49,8 @@ inline constexpr std::size_t kMaxHierarchyDepth = 64;
 // tool or holds still; kTouchCandidatesOverflow.
 inline constexpr std::size_t kMaxCandidates = 512;
 
-// Distinct contact planes at one position of the proxy. Beyond: the proxy holds still;
-// kTouchPlanesOverflow.
+// Distinct contact planes at one position of the proxy. Beyond: the proxy holds still,
+// unless the straight way to the tool is free; kTouchPlanesOverflow.
 inline constexpr std::size_t kMaxContactPlanes = 24;
 
 // Straight moves of the proxy in one tick. Beyond: it stops where it is, nearer to the tool than

@@ -207,6 +207,22 @@ bool Controller::locate(const drivers::JointSample& sample) {
   return pose_.status == kPoseGood;
 }
 
+// A change moves the force no faster than the activation of the largest force would. Without force
+// it comes in at once.
+void Controller::bring_changes_in() {
+  if (!material_changes_.any()) {
+    return;
+  }
+  if (mode_ != Mode::active) {
+    material_changes_.finish(world_);
+    return;
+  }
+  const double most_N =
+      config_.safety.max_force_N * gain_per_tick(config_.safety.soft_start_s, config_.rate_hz);
+  material_changes_.step(world_, most_N, length_of(tool_.v_W));
+  raise(material_changes_.any() ? kLimitChange : kNoFault);
+}
+
 // `ready` touches too, without force: the proxy then waits on the surface that the tool is pushed
 // into, and activation brings the force up from there.
 rendering::Touch Controller::touch(bool located) {
@@ -215,6 +231,7 @@ rendering::Touch Controller::touch(bool located) {
   if (!located || (mode_ != Mode::ready && mode_ != Mode::active)) {
     return touch;
   }
+  bring_changes_in();
   touch = world_.touch(tool_);
   if (!all_finite(touch)) {
     raise(kFaultForceNotFinite);
@@ -237,9 +254,11 @@ Vec3 Controller::limit_force(const rendering::Touch& touch) {
     return Vec3::Zero();
   }
   const Vec3 added_W = add_safety(pushes);
-  const SlowedForce slowed = motion_guard_.slow(touch.force_W + added_W, tool_.v_W);
-  const LimitedForce limited = force_limiter_.limit(slowed.force_W, pushes);
-  raise(slowed.limits | limited.limits);
+  const LimitedForce soft =
+      force_limiter_.soften(touch.force_W + added_W, touch.parts.effect_W, pushes);
+  const SlowedForce slowed = motion_guard_.slow(soft.force_W, tool_.v_W);
+  const LimitedForce limited = force_limiter_.limit(slowed.force_W);
+  raise(soft.limits | slowed.limits | limited.limits);
   if ((raised_ & kForceLimits) != 0) {
     record_.limited_source =
         (raised_ & kLimitPassivity) != 0 ? energy_.most_giving() : strongest_part(touch, added_W);
@@ -314,7 +333,7 @@ Vec3 Controller::compensated(const drivers::JointSample& sample, const Vec3& eff
                              double force_N) {
   const PushRoom room{.pose = pose_,
                       .effort = effort,
-                      .force_N = std::max(0.0, config_.safety.max_force_N - force_N)};
+                      .force_N = std::max(0.0, force_limiter_.max_force_N() - force_N)};
   const FrictionPush push =
       friction_compensation_.push(joints_of(sample.position), joints_of(sample.velocity), room);
   if (!all_finite(push.effort)) {

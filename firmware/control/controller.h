@@ -15,6 +15,7 @@
 #include "firmware/configuration/controller_config.h"
 #include "firmware/control/friction_compensation.h"
 #include "firmware/control/gravity_compensation.h"
+#include "firmware/control/material_changes.h"
 #include "firmware/control/mode.h"
 #include "firmware/control/parameters.h"
 #include "firmware/control/velocity_filter.h"
@@ -109,6 +110,7 @@ class Controller {
   void check_efforts(const drivers::JointSample& sample);
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
+  void bring_changes_in();
   Vec3 limit_force(const rendering::Touch& touch);
   Vec3 add_safety(bool pushes);
   Vec3 hold_up(const drivers::JointSample& sample);
@@ -142,6 +144,7 @@ class Controller {
   GravityCompensation gravity_compensation_;
   FrictionCompensation friction_compensation_;
   rendering::World world_;
+  MaterialChanges material_changes_;
   std::span<const rendering::Object> objects_;  // of the world's scene
   std::span<const rendering::Effect> effects_;
 

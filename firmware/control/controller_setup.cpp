@@ -41,6 +41,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   force_limiter_.configure(config);
   gravity_compensation_.configure(config);
   friction_compensation_.configure(config);
+  material_changes_.finish(world_);
   world_.reset();
   world_.set_tick(1.0 / config.rate_hz);
   configured_ = true;
@@ -67,6 +68,7 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
   if (const auto part = refused_part(config_, objects, config.effects)) {
     return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
   }
+  material_changes_.clear();
   const bool taken = world_.set_scene(objects, config);
   objects_ = taken ? objects : std::span<const rendering::Object>{};
   effects_ = taken ? config.effects : std::span<const rendering::Effect>{};

@@ -71,9 +71,10 @@ void PassivityControl::transfer(StateArchive& archive) {
 }
 
 void ForceLimiter::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [max_force_N, max_step_N, activation_gain_per_tick, contact_gain_per_tick,
-                          activation_gain, contact_gain, touched, last_W] = *this;
-  archive(activation_gain, contact_gain, touched, last_W);
+  [[maybe_unused]] auto& [wanted_max_force_N, max_force_N, max_step_N, activation_gain_per_tick,
+                          contact_gain_per_tick, activation_gain, contact_gain, touched, last_W] =
+      *this;
+  archive(max_force_N, activation_gain, contact_gain, touched, last_W);
 }
 
 void GravityCompensation::transfer(StateArchive& archive) {
@@ -94,9 +95,9 @@ void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
                           loop_check, encoder_guard, effort_guard, workspace_walls, motion_guard,
                           energy, passivity, velocity_filter, force_limiter, gravity_compensation,
-                          friction_compensation, world, objects, effects, mode, faults, fault_joint,
-                          raised, write_status, loop_report, held_effort, pose, tool, record,
-                          next_tick, now_ns] = *this;
+                          friction_compensation, world, material_changes, objects, effects, mode,
+                          faults, fault_joint, raised, write_status, loop_report, held_effort, pose,
+                          tool, record, next_tick, now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
@@ -110,6 +111,7 @@ void Controller::transfer(StateArchive& archive) {
   transfer_pose(archive);
   transfer_record(archive);
   archive(world);
+  material_changes.transfer(archive, world);
 }
 
 void Controller::transfer_guards(StateArchive& archive) {

@@ -92,7 +92,7 @@ std::expected<ParameterValue, ParameterRefusal> Controller::parameter(
   if (place.object >= world_.object_count()) {
     return std::unexpected(ParameterRefusal::no_such_object);
   }
-  const rendering::Material& material = world_.material(place.object);
+  const rendering::Material material = material_changes_.wanted(world_, place.object);
   if (!has_term(place.parameter, material.friction.kind)) {
     return std::unexpected(ParameterRefusal::not_of_this_model);
   }
@@ -115,14 +115,17 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
     return std::unexpected(ParameterRefusal::not_while_active);
   }
   if (is_of_object(change.place.parameter)) {
-    rendering::Material material = world_.material(change.place.object);
+    rendering::Material material = material_changes_.wanted(world_, change.place.object);
     material_field(change.place.parameter, material) = change.value;
     if (!is_certified(change.place.object, material)) {
       return std::unexpected(ParameterRefusal::uncertified);
     }
-    if (!world_.set_material(change.place.object, material)) {
+    // As it is now, so that it has a place among the changed: the ticks bring the change in.
+    const rendering::Material felt = world_.material(change.place.object);
+    if (!world_.set_material(change.place.object, felt)) {
       return std::unexpected(ParameterRefusal::too_many_changed);
     }
+    material_changes_.set(change.place.object, material);
   } else {
     apply_own(change);
   }

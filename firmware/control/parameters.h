@@ -2,7 +2,9 @@
 // new value has to pass.
 //
 // A change is applied between two ticks, by Controller::set_parameter, and is part of the record of
-// the tick that first had it: the same inputs with the same changes give the same ticks.
+// the tick that first had it: the same inputs with the same changes give the same ticks. While the
+// motors are on, what a scene says of an object and a higher largest force come in gradually, so
+// that no change pushes the hand (control/material_changes.h, safety/force_limiter.h).
 //
 // The limits of safety can be made gentler than the device's file says, never harder: its values
 // are the end of their range. What a scene says of its objects can be changed either way, up to the

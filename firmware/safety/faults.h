@@ -61,6 +61,7 @@ enum FaultBits : std::uint64_t {
   kLimitSpeed = 1ULL << 50,
   kLimitPassivity = 1ULL << 51,
   kLimitGuardsOff = 1ULL << 52,
+  kLimitChange = 1ULL << 53,
 };
 
 inline constexpr std::uint64_t kFaultMask = 0x0000'FFFF'0000'FFFFULL;
@@ -166,6 +167,8 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
      "damping takes it back; see the ledger", "by itself"},
     {kLimitGuardsOff, "guards_off", "a test has switched guards off", "those guards are silent",
      "configure without"},
+    {kLimitChange, "limiting_change", "a changed parameter is still coming in",
+     "force follows it gradually", "by itself"},
 });
 
 // The stable code of a single bit, 0 to 63.

@@ -32,7 +32,8 @@ void ForceLimiter::configure(const ControllerConfig& config) {
 }
 
 void ForceLimiter::retune(const ControllerConfig& config) {
-  max_force_N_ = config.safety.max_force_N;
+  wanted_max_force_N_ = config.safety.max_force_N;
+  max_force_N_ = std::min(max_force_N_, wanted_max_force_N_);
   max_step_N_ = config.safety.force_slew_N_per_s / config.rate_hz;
   activation_gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
   contact_gain_per_tick_ = gain_per_tick(config.safety.contact_start_s, config.rate_hz);
@@ -42,21 +43,35 @@ void ForceLimiter::restart() {
   activation_gain_ = 0.0;
   contact_gain_ = 0.0;
   touched_ = false;
+  max_force_N_ = wanted_max_force_N_;
   last_W_.setZero();
 }
 
-LimitedForce ForceLimiter::limit(const Vec3& force_W, bool in_contact) {
+LimitedForce ForceLimiter::soften(const Vec3& force_W, const Vec3& effect_W, bool in_contact) {
   LimitedForce out;
   touched_ = touched_ || in_contact;
-  out.force_W = force_W * activation_gain_ * contact_gain_;
-  if (in_contact && activation_gain_ * contact_gain_ < 1.0) {
+  const bool is_rising = activation_gain_ * contact_gain_ < 1.0;
+  const bool has_effect = effect_W != Vec3::Zero();
+  if (has_effect && contact_gain_ < 1.0) {
+    const Vec3 surface_W = force_W - effect_W;
+    out.force_W = surface_W * activation_gain_ * contact_gain_ + effect_W * activation_gain_;
+  } else {
+    out.force_W = force_W * activation_gain_ * contact_gain_;
+  }
+  if ((in_contact && is_rising) || (has_effect && activation_gain_ < 1.0)) {
     out.limits |= kLimitSoftStart;
   }
   activation_gain_ = std::min(1.0, activation_gain_ + activation_gain_per_tick_);
   if (touched_) {
     contact_gain_ = std::min(1.0, contact_gain_ + contact_gain_per_tick_);
   }
+  return out;
+}
 
+LimitedForce ForceLimiter::limit(const Vec3& force_W) {
+  LimitedForce out{.force_W = force_W};
+  max_force_N_ =
+      std::min(wanted_max_force_N_, max_force_N_ + wanted_max_force_N_ * activation_gain_per_tick_);
   const double length = length_of(out.force_W);
   if (length > max_force_N_) {
     out.force_W = shortened(out.force_W, length, max_force_N_);

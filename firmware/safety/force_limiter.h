@@ -1,11 +1,13 @@
 // Makes a rendered force fit for a hand. In this order, once a tick:
 //
-//  soft start  f1 = f g(ticks since activation / soft_start_s) g(ticks since first contact /
-//  contact_start_s),
-//              g(x) = x below 1, then 1. First contact is the first tick in contact after
-//              activation, which is the tick of activation itself when the tool is already pressed
-//              into something.
-//  clamp       |f2| <= max_force_N, same direction as f1
+//  soft start  f1 = (e + s g(ticks since first contact / contact_start_s))
+//                   g(ticks since activation / soft_start_s),
+//              g(x) = x below 1, then 1, e what the effects give and s all the rest. First contact
+//              is the first tick in contact after activation, which is the tick of activation
+//              itself when the tool is already pressed into something. Effects need no contact: a
+//              first contact neither brings them in nor holds them back.
+//  clamp       |f2| <= max_force_N, same direction as f1. A limit that is raised while the force
+//              is on comes in within soft_start_s; one that is lowered holds at once.
 //  slew        |f3 - last| <= force_slew_N_per_s / rate_hz, straight from the last force toward f2
 //
 // The slew works both ways, on the force vector. Zero force by a fault or a disable does not pass
@@ -29,14 +31,22 @@ class ForceLimiter {
  public:
   void configure(const ControllerConfig& config);
 
-  // Takes the limits alone: ramps and slew go on from where they are.
+  // Takes the limits alone: ramps and slew go on from where they are, and the largest force rises
+  // from the one that held before.
   void retune(const ControllerConfig& config);
 
   // Activation: both ramps and the slew start again from zero force.
   void restart();
 
-  // `force_W` must be finite.
-  LimitedForce limit(const Vec3& force_W, bool in_contact);
+  // Soft start, the first stage: `force_W` is all of the force and `effect_W` the effects' part of
+  // it, both finite.
+  LimitedForce soften(const Vec3& force_W, const Vec3& effect_W, bool in_contact);
+
+  // Clamp and slew, of what soften() gave. Finite.
+  LimitedForce limit(const Vec3& force_W);
+
+  // The largest force of this tick, N.
+  [[nodiscard]] double max_force_N() const { return max_force_N_; }
 
   // The force that in the end went out (the effort limit may have scaled it): the next slew starts
   // from it.
@@ -46,7 +56,8 @@ class ForceLimiter {
   void transfer(rendering::StateArchive& archive);
 
  private:
-  double max_force_N_ = 0.0;
+  double wanted_max_force_N_ = 0.0;
+  double max_force_N_ = 0.0;  // now; it rises to the wanted one
   double max_step_N_ = 0.0;
   double activation_gain_per_tick_ = 1.0;
   double contact_gain_per_tick_ = 1.0;

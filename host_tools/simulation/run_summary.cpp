@@ -13,9 +13,13 @@
 namespace tactus::host {
 namespace {
 
-constexpr std::array<std::string_view, kTouchFlagCount> kTouchFlagNames = {
-    "candidates_overflow", "iterations_exhausted", "planes_overflow", "tool_invalid", "pinched"};
-static_assert(rendering::kTouchPinched == 1U << (kTouchFlagCount - 1));
+constexpr std::array<std::string_view, kTouchFlagCount> kTouchFlagNames = {"candidates_overflow",
+                                                                           "iterations_exhausted",
+                                                                           "planes_overflow",
+                                                                           "tool_invalid",
+                                                                           "pinched",
+                                                                           "overlap"};
+static_assert(rendering::kTouchOverlap == 1U << (kTouchFlagCount - 1));
 
 double magnitude(const firmware::Triple& v) {
   return Vec3(v[0], v[1], v[2]).norm();

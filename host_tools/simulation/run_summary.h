@@ -10,7 +10,7 @@
 
 namespace tactus::host {
 
-inline constexpr std::size_t kTouchFlagCount = 5;
+inline constexpr std::size_t kTouchFlagCount = 6;
 
 struct RunSummary {
   std::uint64_t ticks = 0;

@@ -67,6 +67,7 @@ struct Push {
   const Scenery& scenery;
   const Shells& shells;
   const Vec3& from_W;
+  const LeftOut& left_out;
   std::array<Plane, kMaxPlanes> planes{};
   std::size_t plane_count = 0;
   std::size_t room = kMaxCarryWork;
@@ -84,6 +85,9 @@ struct Push {
   // The way that the object sees, from where the proxy was to goal_W.
   void ask(std::uint32_t number, const RigidPose& before, const RigidPose& now,
            const Vec3& goal_W) {
+    if (left_out.has(number)) {
+      return;
+    }
     const Vec3 from_O = before.point_in(from_W);
     const Vec3 way = now.point_in(goal_W) - from_O;
     const double length = way.norm();
@@ -133,7 +137,7 @@ struct Push {
 
   void ask_movers(const Vec3& goal_W) {
     for (const Mover& mover : scenery.movers()) {
-      if (!meets_proxy(scenery[mover.object])) {
+      if (!meets_proxy(scenery[mover.object]) || left_out.has(mover.object)) {
         continue;
       }
       const Vec3 from_O = mover.X_WO_before.point_in(from_W);
@@ -170,7 +174,7 @@ struct Push {
 
 // Past the objects that move, and up to those that stand still.
 Vec3 up_to_still(const Scenery& scenery, const Shells& shells, const Vec3& from_W,
-                 const Vec3& goal_W) {
+                 const Vec3& goal_W, const LeftOut& left_out) {
   const Vec3 way = goal_W - from_W;
   const double length = way.norm();
   if (length <= 0.0) {
@@ -178,7 +182,8 @@ Vec3 up_to_still(const Scenery& scenery, const Shells& shells, const Vec3& from_
   }
   std::size_t room = kMaxCarryWork;
   const Sweep sweep{.from = from_W, .direction = way / length};
-  return from_W + cast_on_still(scenery, shells, sweep, length, room).travel_m * sweep.direction;
+  return from_W +
+         cast_on_still(scenery, shells, sweep, length, room, left_out).travel_m * sweep.direction;
 }
 
 // Where the point of the mesh next to p_O went in this tick.
@@ -216,10 +221,10 @@ Vec3 taken_along(const Scenery& scenery, const Vec3& p_W, const Touched& touched
 
 }  // namespace
 
-Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
-              const Touched& touched) {
+Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W, const Touched& touched,
+              const LeftOut& left_out) {
   const Vec3 wish = taken_along(scenery, p_W, touched);
-  Push push{.scenery = scenery, .shells = shells, .from_W = p_W};
+  Push push{.scenery = scenery, .shells = shells, .from_W = p_W, .left_out = left_out};
   Vec3 goal = wish;
   for (int round = 0; round < kMaxRounds; ++round) {
     push.clear = true;
@@ -235,7 +240,7 @@ Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
     }
     goal = projection.point;
   }
-  return {.p_W = up_to_still(scenery, shells, p_W, wish), .flags = kTouchPinched};
+  return {.p_W = up_to_still(scenery, shells, p_W, wish, left_out), .flags = kTouchPinched};
 }
 
 }  // namespace tactus::rendering

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/world/scenery.h"
 #include "rendering/world/touch.h"
@@ -22,10 +23,11 @@ struct Carried {
   std::uint32_t flags = kTouchClean;  // pinched
 };
 
-// Of a proxy at p_W, clear of every object where it was in the last tick. Seen from each object the
+// Of a proxy at p_W, clear of every object where it was in the last tick, but for those that are
+// left out. Seen from each object the
 // proxy goes straight from where it was to where it is, and crosses nothing. Real time: bounded
 // work, no heap.
-Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
-              const Touched& touched);
+Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W, const Touched& touched,
+              const LeftOut& left_out = {});
 
 }  // namespace tactus::rendering

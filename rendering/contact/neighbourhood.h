@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/contact/work.h"
 #include "rendering/geometry/capsule.h"
@@ -61,7 +62,11 @@ class Neighbourhood {
     slimness_ = 1.0;
     smaller_ = 0;
     work_ = {};
+    left_out_ = {};
   }
+
+  // Objects that give no candidates. A change takes clear() to come about.
+  [[nodiscard]] LeftOut& left_out() { return left_out_; }
 
   // Forgets everything if an object moved that is near enough to matter.
   void begin_tick(const Scenery& scenery);
@@ -231,6 +236,7 @@ class Neighbourhood {
   std::uint64_t first_place_ = 0;    // at the last `start_work`
   bool waited_ = false;              // and it was so at the one before
   Work work_;
+  LeftOut left_out_;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.
   alignas(Floats) std::array<float, kMaxCandidates> normal_x_{};

@@ -92,6 +92,9 @@ struct Neighbourhood::GatherObjects {
   void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
 
   void take(std::uint32_t number) {
+    if (to.left_out_.has(number)) {
+      return;
+    }
     const Object& object = scenery[number];
     if (object.surface != SurfaceKind::primitive) {
       to.to_walk_.meshes[to.to_walk_.count++] = number;

@@ -69,12 +69,16 @@ struct CastOnObjects {
   const Shells& shells;
   const Sweep& sweep_W;
   std::size_t& room;
+  const LeftOut& left_out;
   FirstHit first;
 
   [[nodiscard]] double reach() const { return first.travel_m; }
   void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
 
   void take(std::uint32_t number) {
+    if (left_out.has(number)) {
+      return;
+    }
     const Mover* const mover = scenery.mover_of(number);
     const Sweep sweep_O{.from = point_in(mover, sweep_W.from),
                         .direction = direction_in(mover, sweep_W.direction)};
@@ -89,11 +93,12 @@ struct CastOnObjects {
 };
 
 CastOnObjects over_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                         double limit_m, std::size_t& room) {
+                         double limit_m, std::size_t& room, const LeftOut& left_out) {
   CastOnObjects visitor{.scenery = scenery,
                         .shells = shells,
                         .sweep_W = sweep_W,
                         .room = room,
+                        .left_out = left_out,
                         .first = {.travel_m = limit_m}};
   visit_along(scenery.still_nodes(), sweep_W.from, sweep_W.direction, shells.sphere.reach_m,
               visitor);
@@ -131,13 +136,13 @@ Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t t
 }
 
 FirstHit cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                       double limit_m, std::size_t& room) {
-  return over_still(scenery, shells, sweep_W, limit_m, room).first;
+                       double limit_m, std::size_t& room, const LeftOut& left_out) {
+  return over_still(scenery, shells, sweep_W, limit_m, room, left_out).first;
 }
 
 FirstHit cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                     double limit_m, std::size_t& room) {
-  CastOnObjects visitor = over_still(scenery, shells, sweep_W, limit_m, room);
+                     double limit_m, std::size_t& room, const LeftOut& left_out) {
+  CastOnObjects visitor = over_still(scenery, shells, sweep_W, limit_m, room, left_out);
   for (const Mover& mover : scenery.movers()) {
     if (meets_proxy(scenery[mover.object]) &&
         mover.distance(sweep_W.from) <= visitor.first.travel_m + shells.sphere.reach_m) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/world/scenery.h"
 
@@ -36,10 +37,11 @@ struct FirstHit {
   std::uint32_t triangle = 0;
 };
 
-// The same over the objects that stand still, and over all objects where they are in this tick.
+// The same over the objects that stand still, and over all objects where they are in this tick, but
+// for those that are left out.
 FirstHit cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                       double limit_m, std::size_t& room);
+                       double limit_m, std::size_t& room, const LeftOut& left_out = {});
 FirstHit cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                     double limit_m, std::size_t& room);
+                     double limit_m, std::size_t& room, const LeftOut& left_out = {});
 
 }  // namespace tactus::rendering

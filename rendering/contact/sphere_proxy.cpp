@@ -50,6 +50,7 @@ void SphereProxy::place(const Vec3& p_W) {
   carried_W_ = Vec3::Zero();
   touched_ = {};
   contact_count_ = 0;
+  begins_ = true;
   neighbourhood_.start_over();
   neighbourhood_.move_to(p_);
 }
@@ -59,7 +60,7 @@ std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
   if (!scenery.anything_moved()) {
     return kTouchClean;
   }
-  const Carried carried = carry(scenery, shells_, p_, touched_);
+  const Carried carried = carry(scenery, shells_, p_, touched_, neighbourhood_.left_out());
   carried_W_ += carried.p_W - p_;
   if (carried.p_W != p_) {
     p_ = carried.p_W;
@@ -79,6 +80,7 @@ ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPat
   start_model_ = model_;
   start_touched_ = touched_;
   neighbourhood_.start_work();
+  choose_felt(scenery);
   return approach(scenery, h_W, path);
 }
 
@@ -92,6 +94,44 @@ ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, Pr
   return approach(scenery, h_W, path);
 }
 
+// Where it begins the sphere feels nothing that it overlaps, and later nothing that came over it or
+// that it came out of, until it is clear of it.
+void SphereProxy::choose_felt(const Scenery& scenery) {
+  constexpr double kNoOverlap_m = 0.5e-6;  // within the shell
+  LeftOut& left_out = neighbourhood_.left_out();
+  bool changed = false;
+  if (begins_) {
+    changed = left_out.add_overlapped(scenery, shells_, p_, kNoOverlap_m);
+    begins_ = false;
+  } else if (left_out.any()) {
+    changed = left_out.take_back(scenery, shells_, p_);
+  }
+  if (changed) {
+    neighbourhood_.clear();
+  }
+}
+
+void SphereProxy::forget_left_out(ProxyRest& rest) {
+  rest.plane_count = 0;
+  contact_count_ = 0;
+  if (touched_.object != kNoObject && neighbourhood_.left_out().has(touched_.object)) {
+    touched_ = {};
+  }
+  neighbourhood_.clear();
+}
+
+void SphereProxy::break_free(const Scenery& scenery, const Vec3& h_W, ProxyRest& rest) {
+  if ((rest.flags & kTouchPlanesOverflow) == 0 || rest.sub_goals > 0) {
+    return;
+  }
+  go_straight(scenery, h_W);
+  if (p_ == h_W) {
+    rest.plane_count = 0;
+    rest.normal_W = Vec3::Zero();
+    friction_ = FrictionState::free;
+  }
+}
+
 ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   ProxyRest rest = seek(scenery, h_W, path);
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
@@ -99,6 +139,7 @@ ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPa
     press_as_before(scenery, h_W, rest);
   }
   touched_ = touched_by(rest);
+  rest.flags |= neighbourhood_.left_out().any() ? kTouchOverlap : kTouchClean;
   return rest;
 }
 
@@ -126,6 +167,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (gathering != Gathering::complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (gathering == Gathering::too_many) {
+        if (neighbourhood_.left_out().add_overlapped(scenery, shells_, p_, kMostPushOut_m)) {
+          forget_left_out(rest);
+          continue;
+        }
         if (rest.sub_goals < kMaxSubGoals) {
           go_straight(scenery, h_W);
           add_point(path, ++rest.sub_goals, p_);
@@ -141,6 +186,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       rest.plane_count = 0;
       return rest;
     }
+    if (overlaps_) {
+      forget_left_out(rest);
+      continue;
+    }
     if (rest.plane_count > 0 && contact_count_ == 0) {
       look_for_face_below(scenery, rest);
     }
@@ -154,6 +203,7 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
       return rest;
     }
     if (way.travel <= 0.0) {
+      break_free(scenery, h_W, rest);
       return rest;
     }
     last_hold_.take(rest, goal.stretched ? std::size_t{0} : rest.plane_count, p_);

@@ -115,8 +115,8 @@ class SphereProxy {
   void transfer(StateArchive& archive, const Scenery& scenery);
 
  private:
-  // A sphere that overlaps a surface (a tool that came out through a one-sided mesh from the
-  // inside) is pushed out no faster than this a tick; within the shell it is put right at once.
+  // A sphere that overlaps a surface by at most this, by rounding or by what deforms, is put right
+  // in one tick. An object that it overlaps by more is left out until the sphere is clear of it.
   static constexpr double kMostPushOut_m = 20e-6;
 
   // The next tick's move, of this tick's.
@@ -172,6 +172,14 @@ class SphereProxy {
   // it can leave.
   void go_straight(const Scenery& scenery, const Vec3& h_W);
   Move find_move(const Scenery& scenery, const Vec3& h_W, double most_push, ProxyRest& rest);
+  // Which objects are felt in this tick.
+  void choose_felt(const Scenery& scenery);
+  // Starts the tick's search again without the objects that were left out in it.
+  void forget_left_out(ProxyRest& rest);
+  [[nodiscard]] bool overlaps(const Candidate& candidate) const;
+  // Where more planes hold the sphere than are kept, and none of its moves is free: straight to
+  // the tool, if that is.
+  void break_free(const Scenery& scenery, const Vec3& h_W, ProxyRest& rest);
   // False if the tick's work is done before all are measured that are near.
   bool collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest);
   void look_for_face_below(const Scenery& scenery, ProxyRest& rest);
@@ -231,7 +239,9 @@ class SphereProxy {
   LastHold last_hold_;
   std::array<std::size_t, 6> recalled_{};  // candidates that give their planes from afar
   std::size_t recalled_count_ = 0;
-  bool hovers_ = false;  // above its first plane, in this sub-goal
+  bool begins_ = true;     // no tick since it was placed
+  bool overlaps_ = false;  // an object was left out in this sub-goal
+  bool hovers_ = false;    // above its first plane, in this sub-goal
   std::array<std::size_t, kMaxContactPlanes>
       stoppers_{};  // candidates that stopped a sweep in this tick
   std::size_t stopper_count_ = 0;

@@ -16,6 +16,7 @@ namespace tactus::rendering {
 bool SphereProxy::collect_planes(const Scenery& scenery, double most_push, ProxyRest& rest) {
   contact_count_ = 0;
   hovers_ = false;
+  overlaps_ = false;
   for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
     if (neighbourhood_.must_wait(i)) {
       return false;
@@ -23,6 +24,10 @@ bool SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
     const Nearest& nearest = neighbourhood_.nearest(i, scenery);
     const Candidate& candidate = neighbourhood_.candidate(i);
     const Shell& shell = shells_.of(candidate.point_tool);
+    if (overlaps(candidate)) {
+      overlaps_ = neighbourhood_.left_out().add(candidate.object) || overlaps_;
+      continue;
+    }
     if (nearest.distance > shell.reach_m || candidate.behind) {
       continue;
     }
@@ -34,6 +39,14 @@ bool SphereProxy::collect_planes(const Scenery& scenery, double most_push, Proxy
     add_recalled_planes(scenery, most_push, rest);
   }
   return true;
+}
+
+// From behind only a sphere that is inside, or comes through, is nearer than its radius: outside,
+// the front is between.
+bool SphereProxy::overlaps(const Candidate& candidate) const {
+  constexpr double kBehind_m = 0.1e-6;
+  const double slack_m = candidate.behind ? kBehind_m : kMostPushOut_m;
+  return candidate.nearest.distance < shells_.of(candidate.point_tool).inner_m - slack_m;
 }
 
 // Where a move along a face went past its end, the next face lies a little lower. Its plane bounds

@@ -149,7 +149,8 @@ SphereProxy::Advance SphereProxy::travel_toward(const Scenery& scenery, const Ve
 double SphereProxy::cast(const Scenery& scenery, const Sweep& sweep, double length,
                          std::size_t most_work) {
   std::size_t room = most_work;
-  const FirstHit hit = cast_on_all(scenery, shells_, sweep, length, room);
+  const FirstHit hit =
+      cast_on_all(scenery, shells_, sweep, length, room, neighbourhood_.left_out());
   neighbourhood_.work().add(most_work - room);
   if (hit.object != kNoObject) {  // should the tick end before it is measured there
     touched_ = {.object = hit.object, .triangle = hit.triangle, .normal_W = Vec3::Zero()};

@@ -45,8 +45,9 @@ void Work::transfer(StateArchive& archive) {
 void Neighbourhood::transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells) {
   [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_shells, places, size, tested,
                           peak, gatherings, first_gathering, to_walk, smaller, is_full, may_pause,
-                          first_place, waited, work, normal_x, normal_y, normal_z, height, here,
-                          there, here_place, here_gathering, slots] = *this;
+                          first_place, waited, work, left_out, normal_x, normal_y, normal_z, height,
+                          here, there, here_place, here_gathering, slots] = *this;
+  archive(left_out);
   archive(place, trust, wanted_length_m, slimness, places, first_place, tested, peak, gatherings);
   archive.require(places > 0);
   archive.up_to(size, kMaxCandidates);
@@ -139,8 +140,9 @@ void SphereProxy::transfer(StateArchive& archive, const Scenery& scenery) {
   [[maybe_unused]] auto& [shells, p, friction, model, start_model, carried_W, touched, factors,
                           start, start_friction, start_touched, slipped, last_crease_move,
                           least_left_m, neighbourhood, contacts, contact_count, planes, last_hold,
-                          recalled, recalled_count, hovers, stoppers, stopper_count] = *this;
-  archive(p, model, carried_W, factors);
+                          recalled, recalled_count, begins, overlaps, hovers, stoppers,
+                          stopper_count] = *this;
+  archive(p, model, carried_W, factors, begins);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = touched;
   archive(object, triangle, normal_W);

@@ -111,6 +111,25 @@ void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& to
   last_tool_W_ = tool.p_W;
 }
 
+double LoneTouch::stretch_m(const Scenery& scenery, std::uint32_t object) const {
+  const auto numbers = scenery.lone_objects();
+  const auto k = static_cast<std::size_t>(std::ranges::find(numbers, object) - numbers.begin());
+  if (k == numbers.size() || !awake_[k]) {
+    return 0.0;
+  }
+  const Object& lone = scenery[object];
+  const Vec3 tool_O = point_in(scenery.mover_of(object), last_tool_W_);
+  if (lone.method != ContactMethod::potential_field) {
+    return (last_proxy_O(k, lone) - tool_O).norm();
+  }
+  const FieldPush push =
+      lone.surface == SurfaceKind::primitive
+          ? potential_field(lone.primitive, tool_O, tool_radius_m_)
+          : potential_field(ConnectedMesh{lone.mesh, lone.neighbours, lone.vertex_normals}, tool_O,
+                            tool_radius_m_);
+  return std::max(0.0, push.depth_m);
+}
+
 void LoneTouch::hold(const Scenery& scenery) {
   for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
     wake(k, scenery.mover_of(scenery.lone_objects()[k]));

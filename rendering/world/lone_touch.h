@@ -30,6 +30,9 @@ class LoneTouch {
   // Instead of add_to in a tick without a valid tool.
   void hold(const Scenery& scenery);
 
+  // How far the proxy of one of them was from the tool after the last touch, m.
+  [[nodiscard]] double stretch_m(const Scenery& scenery, std::uint32_t object) const;
+
   // What it remembers, to bytes or back; of the same scenery.
   void transfer(StateArchive& archive, const Scenery& scenery);
 

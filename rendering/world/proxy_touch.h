@@ -35,6 +35,9 @@ class ProxyTouch {
 
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
 
+  // How far the proxy was from the tool after the last touch, m.
+  [[nodiscard]] double stretch_m() const { return (position_W() - last_tool_W_).norm(); }
+
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 

@@ -21,6 +21,14 @@ class ToolTouch {
   // receives the shared proxy's moves.
   Touch touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path);
 
+  // How far the proxy of an object was from the tool after the last touch, m.
+  [[nodiscard]] double stretch_m(const Scenery& scenery, std::uint32_t object) const {
+    if (!placed_) {
+      return 0.0;
+    }
+    return meets_proxy(scenery[object]) ? proxy_.stretch_m() : lone_.stretch_m(scenery, object);
+  }
+
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 

@@ -44,6 +44,8 @@ enum TouchFlags : std::uint32_t {
   kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
   kTouchPinched =
       1U << 4,  // objects that moved left the proxy no room: some of them passed over it
+  kTouchOverlap = 1U << 5,  // an object that the tool began in or came out of is not felt until the
+                            // tool is clear of it
 };
 
 // A touch's force by what makes it, N in the world frame, on the hand. What is left of the force is

@@ -37,6 +37,14 @@ bool World::set_tick(double tick_s) {
   return good;
 }
 
+double World::stretch_m(std::uint32_t object) const {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < tool_count_; ++i) {
+    longest = std::max(longest, tools_[i].stretch_m(scenery_, object));
+  }
+  return longest;
+}
+
 void World::begin_tick() {
   scenery_.begin_tick(time_s_, tick_s_);
   time_s_ += tick_s_;

@@ -59,6 +59,9 @@ class World {
     return scenery_.material(object);
   }
 
+  // How far an object's proxy was from the tool after the last touch, m; the largest of all tools.
+  [[nodiscard]] double stretch_m(std::uint32_t object) const;
+
   // From the next tick on a vertex of an object that `deforms` moves there, by at most
   // kMaxVertexStep_m a tick. False for whatever Scenery::move_vertex refuses.
   bool move_vertex(std::uint32_t object, std::uint32_t vertex, const Vec3& p_O) {

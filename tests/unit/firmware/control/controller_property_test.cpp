@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include "firmware/control/controller.h"
 #include "firmware/safety/faults.h"
@@ -185,6 +187,135 @@ void run_random_ticks(const ControllerConfig& base, std::uint64_t first_seed) {
     }
   }
   EXPECT_GT(active_ticks_in_contact, runs * kTicks / 20);
+}
+
+// What an operator does with a tool that does not move: requests, changes, scenes, faults.
+class RandomOperator {
+ public:
+  RandomOperator(std::uint64_t seed, Controller& controller,
+                 std::span<const std::unique_ptr<Floor>> floors)
+      : generator_(seed), controller_(controller), floors_(floors) {}
+
+  Request act() {
+    if (chance(0.02)) {
+      set_something();
+    }
+    if (chance(0.002)) {
+      load_something();
+    }
+    const bool wants_back = controller_.mode() != Mode::active && chance(0.5);
+    if (wants_back) {
+      return controller_.mode() == Mode::fault  ? Request::reset
+             : controller_.mode() == Mode::init ? Request::home
+                                                : Request::enable;
+    }
+    return chance(0.0005) ? static_cast<Request>(generator_() % kRequestNames.size())
+                          : Request::none;
+  }
+
+  [[nodiscard]] bool chance(double share) {
+    return std::uniform_real_distribution<double>()(generator_) < share;
+  }
+
+ private:
+  void set_something() {
+    const auto& texts = kParameterTexts;
+    const ParameterPlace place{.parameter = texts[generator_() % texts.size()].parameter};
+    const auto range = controller_.parameter(place);
+    if (!range) {
+      return;
+    }
+    // Small values and large ones alike.
+    const double share =
+        std::pow(10.0, -6.0 * std::uniform_real_distribution<double>()(generator_));
+    const double value = range->least + share * (range->greatest - range->least);
+    static_cast<void>(controller_.set_parameter({.place = place, .value = value}));
+  }
+
+  void load_something() {
+    static const std::array<rendering::Effect, 1> field = {
+        {{.law = rendering::ConstantField{.force_W = {6.0, 0.0, 0.0}}, .max_force_N = 6.5}}};
+    rendering::WorldConfig config{.tool_radius_m = chance(0.5) ? 0.002 : 0.0};
+    if (chance(0.5)) {
+      config.effects = field;
+    }
+    static_cast<void>(
+        controller_.load_scene(floors_[generator_() % floors_.size()]->objects(), config));
+  }
+
+  std::mt19937_64 generator_;
+  Controller& controller_;
+  std::span<const std::unique_ptr<Floor>> floors_;
+};
+
+// What the soft start adds to the largest force in a tick, N, and the same for a raised limit.
+double configured_rise(const ControllerConfig& config) {
+  return 2.0 * config.safety.max_force_N / (config.safety.soft_start_s * config.rate_hz);
+}
+
+// The tool goes to a random depth and stays there.
+double next_height(RandomOperator& hand, double height, bool& moves) {
+  moves = moves ? !hand.chance(0.02) : hand.chance(0.002);
+  if (!moves) {
+    return height;
+  }
+  return std::clamp(height + (hand.chance(0.6) ? -1e-4 : 1e-4), -0.006, 0.01);
+}
+
+TEST(ControllerProperty, NoEventRaisesTheForceOnAToolThatDoesNotMoveFasterThanActivationDoes) {
+  static Controller controller;
+  std::vector<std::unique_ptr<Floor>> floors;
+  for (const double stiffness : {100.0, 800.0, 20'000.0}) {
+    floors.push_back(std::make_unique<Floor>(
+        rendering::Material{.stiffness_N_per_m = stiffness,
+                            .damping_Ns_per_m = 2.0,
+                            .friction = rendering::cone_friction(0.6, 0.4)}));
+  }
+  std::size_t pressed = 0;
+  const auto runs = static_cast<std::uint64_t>(std::max(4, testing::share_of(kRuns)));
+  for (std::uint64_t seed = 7000; seed < 7000 + runs; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ControllerConfig config = cartesian_config();
+    config.safety.max_force_N = seed % 2 == 0 ? 10.0 : 8.0;
+    config.safety.soft_start_s = 0.2;
+    config.safety.guards_off = kWildMotion;
+    ASSERT_TRUE(controller.configure(config));
+    ASSERT_TRUE(controller.load_scene(floors[0]->objects(), {.tool_radius_m = 0.002}));
+    RandomOperator hand(seed, controller, floors);
+    double height = 0.01;
+    bool moves = false;
+    bool followed = true;
+    double last_N = 0.0;
+    Mode last_mode = Mode::init;
+    for (int tick = 0; tick < kTicks; ++tick) {
+      const double before = height;
+      height = next_height(hand, height, moves);
+      drivers::JointSample sample;
+      sample.position = {0.01, height, 0.02};
+      sample.status = hand.chance(0.0002) ? drivers::kDeviceDriveFault : drivers::kDeviceOk;
+      controller.tick(sample, hand.act());
+      const TelemetryRecord& record = controller.record();
+      const SafetyConfig& safety = controller.config().safety;
+      const double force_N = vector_of(record.force_commanded_W).norm();
+      const double slew_N = safety.force_slew_N_per_s / config.rate_hz;
+      ASSERT_LE(force_N, last_N + slew_N + 1e-9) << "tick " << tick;
+      if (record.mode == Mode::active && last_mode != Mode::active) {
+        ASSERT_EQ(force_N, 0.0) << "tick " << tick;
+      }
+      const bool follows = (record.limits & kLimitSlew) == 0;
+      const bool settled = height == before && follows && followed;
+      followed = follows;
+      // Activation and contact gains, and a change, each move it by a share of the largest force.
+      const double law_N = configured_rise(config);
+      if (settled && (record.limits & kLimitSoftStart) == 0) {
+        ASSERT_LE(force_N, last_N + law_N + 1e-9) << "tick " << tick;
+        pressed += force_N > 0.0 ? 1U : 0U;
+      }
+      last_N = force_N;
+      last_mode = record.mode;
+    }
+  }
+  EXPECT_GT(pressed, 50 * runs);
 }
 
 TEST(ControllerProperty, RandomTicksOfACartesianDeviceStaySafeAndReplayToTheBit) {

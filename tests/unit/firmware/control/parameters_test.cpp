@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -53,20 +54,70 @@ class ParametersTest : public ::testing::Test {
   Controller controller_;
 };
 
-TEST_F(ParametersTest, ANewStiffnessIsFeltFromTheNextTickOnWithinTheSlew) {
+// 2 N at 4 mm: 10 N in the 0.5 s of the soft start are 20 mN a tick.
+TEST_F(ParametersTest, ANewStiffnessComesInUnderAPressedToolAsTheForceDoesAtActivation) {
   press();
   ASSERT_NEAR(controller_.record().force_commanded_W[1], 2.0, 1e-3);
   const auto event = controller_.set_parameter({.place = kStiffness, .value = 1000.0});
   ASSERT_TRUE(event);
-  controller_.tick(at_height(-0.004), Request::none);
-  EXPECT_EQ(controller_.record().tick, event->tick);
-  EXPECT_EQ(controller_.record().change.place, kStiffness);
-  EXPECT_EQ(controller_.record().change.value, 1000.0);
-  EXPECT_NEAR(controller_.record().force_rendered_W[1], 4.0, 2e-3);
-  EXPECT_LE(controller_.record().force_commanded_W[1],
-            4.0 + 2.0 * controller_.config().safety.force_slew_N_per_s / 1000.0);
-  controller_.tick(at_height(-0.004), Request::none);
-  EXPECT_EQ(controller_.record().change.place.parameter, Parameter::none);
+  EXPECT_EQ(controller_.parameter(kStiffness)->value, 1000.0);
+  for (int tick = 1; tick <= 110; ++tick) {
+    controller_.tick(at_height(-0.004), Request::none);
+    if (tick == 1) {
+      EXPECT_EQ(controller_.record().tick, event->tick);
+      EXPECT_EQ(controller_.record().change.place, kStiffness);
+      EXPECT_EQ(controller_.record().change.value, 1000.0);
+    } else {
+      EXPECT_EQ(controller_.record().change.place.parameter, Parameter::none);
+    }
+    EXPECT_NEAR(controller_.record().force_commanded_W[1], std::min(4.0, 2.0 + 0.02 * tick), 2e-3);
+    if (tick < 99 || tick > 101) {
+      EXPECT_EQ((controller_.record().limits & kLimitChange) != 0, tick < 99) << tick;
+    }
+  }
+}
+
+TEST_F(ParametersTest, TheStiffestSurfaceUnderAPressedToolTakesTheSoftStartToReachTheLargestForce) {
+  ControllerConfig config = cartesian_config();
+  config.safety.guards_off = kFaultTorqueWithoutMotion;  // this joint never moves
+  ASSERT_TRUE(controller_.configure(config));
+  press();
+  ASSERT_TRUE(controller_.set_parameter({.place = kStiffness, .value = 1e6}));
+  double last_N = controller_.record().force_commanded_W[1];
+  for (int tick = 0; tick < 1000; ++tick) {
+    controller_.tick(at_height(-0.004), Request::none);
+    const double force_N = controller_.record().force_commanded_W[1];
+    ASSERT_LE(force_N, last_N + 0.02 + 1e-9) << tick;
+    last_N = force_N;
+  }
+  EXPECT_NEAR(last_N, 10.0, 1e-9);
+}
+
+TEST_F(ParametersTest, AStiffnessThatIsSetOutOfContactIsThereAtTheNextTouch) {
+  press();
+  for (int tick = 0; tick < 10; ++tick) {
+    controller_.tick(at_height(0.01), Request::none);
+  }
+  ASSERT_TRUE(controller_.set_parameter({.place = kStiffness, .value = 1000.0}));
+  controller_.tick(at_height(0.01), Request::none);
+  EXPECT_EQ(controller_.record().limits & kLimitChange, 0U);
+  for (int tick = 0; tick < 10; ++tick) {
+    controller_.tick(at_height(-0.004), Request::none);
+  }
+  EXPECT_NEAR(controller_.record().force_commanded_W[1], 4.0, 2e-3);
+}
+
+TEST_F(ParametersTest, ALargestForceThatIsRaisedUnderAPressedToolComesInAsAtActivation) {
+  press();
+  ASSERT_TRUE(controller_.set_parameter({.place = kMaxForce, .value = 0.5}));
+  for (int tick = 0; tick < 10; ++tick) {
+    controller_.tick(at_height(-0.004), Request::none);
+  }
+  ASSERT_TRUE(controller_.set_parameter({.place = kMaxForce, .value = 10.0}));
+  for (int tick = 1; tick <= 200; ++tick) {
+    controller_.tick(at_height(-0.004), Request::none);
+    EXPECT_NEAR(controller_.record().force_commanded_W[1], std::min(2.0, 0.5 + 0.02 * tick), 1e-3);
+  }
 }
 
 TEST_F(ParametersTest, ALowerForceLimitHoldsWithoutAnotherSoftStart) {

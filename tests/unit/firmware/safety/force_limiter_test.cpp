@@ -19,14 +19,24 @@ ControllerConfig open_config() {
   return config;
 }
 
-ForceLimiter limiter_of(const ControllerConfig& config) {
-  ForceLimiter limiter;
+// Both stages at once, as when no motion is slowed between them.
+struct Limiter : ForceLimiter {
+  LimitedForce limit(const Vec3& force_W, bool in_contact, const Vec3& effect_W = Vec3::Zero()) {
+    const LimitedForce soft = soften(force_W, effect_W, in_contact);
+    LimitedForce limited = ForceLimiter::limit(soft.force_W);
+    limited.limits |= soft.limits;
+    return limited;
+  }
+};
+
+Limiter limiter_of(const ControllerConfig& config) {
+  Limiter limiter;
   limiter.configure(config);
   return limiter;
 }
 
 TEST(ForceLimiter, TheFirstForceAfterActivationIsZero) {
-  ForceLimiter limiter = limiter_of(open_config());
+  Limiter limiter = limiter_of(open_config());
   const LimitedForce first = limiter.limit({1.0, 2.0, 0.0}, true);
   EXPECT_EQ(first.force_W, Vec3::Zero());
   EXPECT_EQ(first.limits, kLimitSoftStart);
@@ -39,7 +49,7 @@ TEST(ForceLimiter, PressedAtActivationTheForceFollowsBothRamps) {
   ControllerConfig config = open_config();
   config.safety.soft_start_s = 0.100;
   config.safety.contact_start_s = 0.020;
-  ForceLimiter limiter = limiter_of(config);
+  Limiter limiter = limiter_of(config);
   for (int tick = 0; tick < 150; ++tick) {
     const double gain = std::min(1.0, tick / 100.0) * std::min(1.0, tick / 20.0);
     EXPECT_NEAR(limiter.limit({0.0, 4.0, 0.0}, true).force_W.y(), 4.0 * gain, 1e-12) << tick;
@@ -49,7 +59,7 @@ TEST(ForceLimiter, PressedAtActivationTheForceFollowsBothRamps) {
 TEST(ForceLimiter, OnlyTheFirstContactAfterActivationRamps) {
   ControllerConfig config = open_config();
   config.safety.contact_start_s = 0.010;
-  ForceLimiter limiter = limiter_of(config);
+  Limiter limiter = limiter_of(config);
   for (int tick = 0; tick < 50; ++tick) {
     EXPECT_EQ(limiter.limit(Vec3::Zero(), false).limits, 0U);
   }
@@ -64,8 +74,47 @@ TEST(ForceLimiter, OnlyTheFirstContactAfterActivationRamps) {
   EXPECT_EQ(limiter.limit({2.0, 0.0, 0.0}, true).force_W, Vec3::Zero());
 }
 
+// A field of 6 N without a surface: the gain of activation alone, whatever is touched and when.
+TEST(ForceLimiter, EffectsRiseWithActivationAndAFirstTouchDoesNotReleaseThem) {
+  ControllerConfig config = open_config();
+  config.safety.max_force_N = 10.0;
+  config.safety.soft_start_s = 0.100;
+  config.safety.contact_start_s = 0.020;
+  Limiter limiter = limiter_of(config);
+  const Vec3 field(6.0, 0.0, 0.0);
+  const Vec3 surface(0.0, 2.0, 0.0);
+  for (int tick = 0; tick < 300; ++tick) {
+    const bool touches = tick >= 50;
+    const Vec3 force = touches ? Vec3{field + surface} : field;
+    const Vec3 limited = limiter.limit(force, touches, field).force_W;
+    const double activation = std::min(1.0, tick / 100.0);
+    const double contact = touches ? std::min(1.0, (tick - 50) / 20.0) : 0.0;
+    EXPECT_NEAR(limited.x(), 6.0 * activation, 1e-12) << tick;
+    EXPECT_NEAR(limited.y(), 2.0 * activation * contact, 1e-12) << tick;
+  }
+}
+
+TEST(ForceLimiter, ALargestForceThatIsRaisedComesInWithinTheSoftStart) {
+  ControllerConfig config = open_config();
+  config.safety.max_force_N = 2.0;
+  config.safety.soft_start_s = 0.100;
+  Limiter limiter = limiter_of(config);
+  for (int tick = 0; tick < 200; ++tick) {
+    limiter.limit({9.0, 0.0, 0.0}, true);
+  }
+  config.safety.max_force_N = 8.0;
+  limiter.retune(config);
+  for (int tick = 1; tick <= 100; ++tick) {
+    EXPECT_NEAR(limiter.limit({9.0, 0.0, 0.0}, true).force_W.x(), std::min(8.0, 2.0 + 0.08 * tick),
+                1e-12);
+  }
+  config.safety.max_force_N = 1.0;
+  limiter.retune(config);
+  EXPECT_NEAR(limiter.limit({9.0, 0.0, 0.0}, true).force_W.x(), 1.0, 1e-12);
+}
+
 TEST(ForceLimiter, TheClampKeepsTheDirection) {
-  ForceLimiter limiter = limiter_of(open_config());
+  Limiter limiter = limiter_of(open_config());
   limiter.limit({1.0, 0.0, 0.0}, true);
   const LimitedForce limited = limiter.limit({30.0, 0.0, -40.0}, true);
   EXPECT_LT((limited.force_W - Vec3(3.0, 0.0, -4.0)).norm(), 1e-14);
@@ -73,7 +122,7 @@ TEST(ForceLimiter, TheClampKeepsTheDirection) {
 }
 
 TEST(ForceLimiter, TheClampHoldsForForcesThatWouldOverflow) {
-  ForceLimiter limiter = limiter_of(open_config());
+  Limiter limiter = limiter_of(open_config());
   limiter.limit({1.0, 0.0, 0.0}, true);
   const LimitedForce limited = limiter.limit({3e307, 0.0, 4e307}, true);
   EXPECT_LT((limited.force_W - Vec3(3.0, 0.0, 4.0)).norm(), 1e-14);
@@ -82,7 +131,7 @@ TEST(ForceLimiter, TheClampHoldsForForcesThatWouldOverflow) {
 TEST(ForceLimiter, TheSlewStepsStraightTowardTheForce) {
   ControllerConfig config = open_config();
   config.safety.force_slew_N_per_s = 1000.0;
-  ForceLimiter limiter = limiter_of(config);
+  Limiter limiter = limiter_of(config);
   limiter.limit({3.0, 0.0, 0.0}, true);
   EXPECT_EQ(limiter.limit({3.0, 0.0, 0.0}, true).force_W, Vec3(1.0, 0.0, 0.0));
   EXPECT_EQ(limiter.limit({3.0, 0.0, 0.0}, true).limits, kLimitSlew);
@@ -93,7 +142,7 @@ TEST(ForceLimiter, TheSlewStepsStraightTowardTheForce) {
 TEST(ForceLimiter, TheSlewStartsFromTheForceThatWentOut) {
   ControllerConfig config = open_config();
   config.safety.force_slew_N_per_s = 1000.0;
-  ForceLimiter limiter = limiter_of(config);
+  Limiter limiter = limiter_of(config);
   limiter.limit({5.0, 0.0, 0.0}, true);
   limiter.limit({5.0, 0.0, 0.0}, true);
   limiter.applied({0.25, 0.0, 0.0});
@@ -110,7 +159,7 @@ TEST(ForceLimiter, RandomForcesNeverExceedClampOrSlew) {
     config.safety.max_force_N = 25.0 * (1.0 + unit(generator));
     config.safety.force_slew_N_per_s = std::pow(10.0, 3.0 + 2.5 * unit(generator));
     config.safety.soft_start_s = 0.05 * (1.0 + unit(generator));
-    ForceLimiter limiter = limiter_of(config);
+    Limiter limiter = limiter_of(config);
     const double step = config.safety.force_slew_N_per_s / config.rate_hz;
     Vec3 last = Vec3::Zero();
     for (int tick = 0; tick < 500; ++tick) {
