@@ -10,7 +10,7 @@ namespace {
 
 using rendering::StateArchive;
 
-constexpr std::uint64_t kMagic = 0x3230'5355'5443'4154U;  // "TACTUS02", the last the version's
+constexpr std::uint64_t kMagic = 0x3330'5355'5443'4154U;  // "TACTUS03", the last the version's
 
 }  // namespace
 
@@ -47,10 +47,19 @@ void MotionGuard::transfer(StateArchive& archive) {
   archive(runaway_m);
 }
 
+void HeldForces::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [ring, newest, whole, share] = *this;
+  for (HeldForce& force : ring) {
+    auto& [all_W, rendered_W, effect_W] = force;
+    archive(all_W, rendered_W, effect_W);
+  }
+  archive.up_to(newest, kMost);
+}
+
 void EnergyAccount::transfer(StateArchive& archive) {
-  auto& [ledger_J, parts, rendered_W, held_W, p_W, is_placed] = *this;
+  [[maybe_unused]] auto& [tick_s, held, ledger_J, parts, rendered_W, p_W, is_placed] = *this;
   auto& [friction_W, texture_W, effect_W, driven_power] = parts;
-  archive(ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, held_W, p_W,
+  archive(held, ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, p_W,
           is_placed);
 }
 

@@ -10,7 +10,7 @@ void PassivityControl::configure(const ControllerConfig& config) {
   step_s_ = 1.0 / config.rate_hz;
   device_damping_Ns_per_m_ = config.safety.device_damping_Ns_per_m;
   max_damping_Ns_per_m_ = config.safety.passivity_damping_Ns_per_m;
-  fault_J_ = config.safety.passivity_fault_J;
+  fault_J_ = config.safety.max_force_N * config.safety.passivity_fault_travel_m;
   restart();
 }
 

@@ -32,7 +32,7 @@ class PassivityControl {
   // Activation: nobody owes anything.
   void restart() { credit_J_ = 0.0; }
 
-  // First in a tick. FaultBits: kFaultNotPassive when the debt is beyond passivity_fault_J.
+  // First in a tick. FaultBits: kFaultNotPassive when the debt is beyond max_force_N times passivity_fault_travel_m.
   std::uint64_t observe(const TickEnergy& energy, bool in_contact);
 
   // N, to be added to the force; zero out of contact and without debt. The velocity is finite.
