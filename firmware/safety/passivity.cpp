@@ -5,6 +5,11 @@
 #include "firmware/safety/faults.h"
 
 namespace tactus::firmware {
+namespace {
+
+constexpr double kForgetting_s = 1.0;
+
+}  // namespace
 
 void PassivityControl::configure(const ControllerConfig& config) {
   step_s_ = 1.0 / config.rate_hz;
@@ -15,6 +20,9 @@ void PassivityControl::configure(const ControllerConfig& config) {
 }
 
 std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
+  if (credit_J_ < 0.0) {
+    credit_J_ -= step_s_ / kForgetting_s * credit_J_;
+  }
   credit_J_ += device_damping_Ns_per_m_ * energy.way_m2 / step_s_ - energy.passive_J;
   if (!in_contact) {
     credit_J_ = std::min(credit_J_, 0.0);
