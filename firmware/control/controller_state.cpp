@@ -65,8 +65,14 @@ void EnergyAccount::transfer(StateArchive& archive) {
 
 void PassivityControl::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J,
-                          credit_J] = *this;
-  archive(credit_J);
+                          credit_J, buzz] = *this;
+  archive(credit_J, buzz);
+}
+
+void BuzzDetector::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [weakest_peak_N, first_peak_N, extreme_N, since_peak_s, peaks, is_rising] =
+      *this;
+  archive(first_peak_N, extreme_N, since_peak_s, peaks, is_rising);
 }
 
 void ForceLimiter::transfer(StateArchive& archive) {

@@ -16,6 +16,11 @@ double share_of(const Vec3& held, const Vec3& rendered) {
   return size > 0.0 ? std::clamp(held.dot(rendered) / size, 0.0, 1.0) : 1.0;
 }
 
+Vec3 contact_of(const rendering::Touch& touch) {
+  const rendering::ForceParts& parts = touch.parts;
+  return touch.force_W - parts.friction_W - parts.texture_W - parts.effect_W;
+}
+
 std::size_t ticks_of(double ticks) {
   return static_cast<std::size_t>(
       std::clamp(ticks + 0.5, 1.0, static_cast<double>(HeldForces::kMost)));
@@ -68,6 +73,8 @@ TickEnergy EnergyAccount::settle(const Vec3& p_W, const rendering::Touch& touch,
     entry(ledger_J_, safety) += tick.given_J - held_J;
     entry(ledger_J_, delay) += held_J - all_J;
   }
+  tick.contact_N = contact_of(touch).norm();
+  tick.step_s = step_s;
   parts_ = touch.parts;
   rendered_W_ = touch.force_W;
   p_W_ = p_W;
@@ -88,9 +95,8 @@ EnergySource EnergyAccount::most_giving() const {
 
 EnergySource strongest_part(const rendering::Touch& touch, const Vec3& added_W) {
   const rendering::ForceParts& parts = touch.parts;
-  const Vec3 contact_W = touch.force_W - parts.friction_W - parts.texture_W - parts.effect_W;
   // In the order of EnergySource; coupling has no force of its own.
-  const std::array<double, 6> sizes = {contact_W.squaredNorm(),
+  const std::array<double, 6> sizes = {contact_of(touch).squaredNorm(),
                                        parts.friction_W.squaredNorm(),
                                        parts.texture_W.squaredNorm(),
                                        parts.effect_W.squaredNorm(),

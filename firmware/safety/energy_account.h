@@ -27,6 +27,8 @@ struct TickEnergy {
   double given_J = 0.0;    // to the hand, of all sources
   double passive_J = 0.0;  // of it, what has to be passive: without effects and coupling
   double way_m2 = 0.0;     // |x' - x|^2
+  double contact_N = 0.0;  // rendered now, without friction, textures and effects
+  double step_s = 0.0;
 };
 
 class EnergyAccount {

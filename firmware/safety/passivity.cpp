@@ -8,6 +8,7 @@ namespace tactus::firmware {
 namespace {
 
 constexpr double kForgetting_s = 1.0;
+constexpr double kWeakestBuzz = 0.05;  // of max_force_N
 
 }  // namespace
 
@@ -16,7 +17,13 @@ void PassivityControl::configure(const ControllerConfig& config) {
   device_damping_Ns_per_m_ = config.safety.device_damping_Ns_per_m;
   max_damping_Ns_per_m_ = config.safety.passivity_damping_Ns_per_m;
   fault_J_ = config.safety.max_force_N * config.safety.passivity_fault_travel_m;
+  buzz_.configure(kWeakestBuzz * config.safety.max_force_N);
   restart();
+}
+
+void PassivityControl::restart() {
+  credit_J_ = 0.0;
+  buzz_.restart();
 }
 
 std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
@@ -27,7 +34,8 @@ std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contac
   if (!in_contact) {
     credit_J_ = std::min(credit_J_, 0.0);
   }
-  return credit_J_ < -fault_J_ ? kFaultNotPassive : kNoFault;
+  const bool buzzes = buzz_.observe(energy.contact_N, energy.step_s) && credit_J_ < 0.0;
+  return buzzes || credit_J_ < -fault_J_ ? kFaultNotPassive : kNoFault;
 }
 
 Vec3 PassivityControl::damp_W(const Vec3& v_W, bool in_contact) const {

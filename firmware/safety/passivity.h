@@ -19,6 +19,7 @@
 #include <cstdint>
 
 #include "firmware/configuration/controller_config.h"
+#include "firmware/safety/buzz_detector.h"
 #include "firmware/safety/energy_account.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/state/state_archive.h"
@@ -30,7 +31,7 @@ class PassivityControl {
   void configure(const ControllerConfig& config);
 
   // Activation: nobody owes anything.
-  void restart() { credit_J_ = 0.0; }
+  void restart();
 
   // First in a tick. FaultBits: kFaultNotPassive when the debt is beyond max_force_N times passivity_fault_travel_m.
   std::uint64_t observe(const TickEnergy& energy, bool in_contact);
@@ -50,6 +51,7 @@ class PassivityControl {
   double max_damping_Ns_per_m_ = 0.0;
   double fault_J_ = 0.0;
   double credit_J_ = 0.0;
+  BuzzDetector buzz_;
 };
 
 }  // namespace tactus::firmware
