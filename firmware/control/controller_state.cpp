@@ -64,8 +64,8 @@ void EnergyAccount::transfer(StateArchive& archive) {
 }
 
 void PassivityControl::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J,
-                          credit_J, buzz] = *this;
+  [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J, credit_J,
+                          buzz] = *this;
   archive(credit_J, buzz);
 }
 

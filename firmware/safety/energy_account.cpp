@@ -84,9 +84,8 @@ TickEnergy EnergyAccount::settle(const Vec3& p_W, const rendering::Touch& touch,
 
 void EnergyAccount::hold(const Vec3& force_W) {
   const double share = share_of(force_W, rendered_W_);
-  held_.push({.all_W = force_W,
-              .rendered_W = share * rendered_W_,
-              .effect_W = share * parts_.effect_W});
+  held_.push(
+      {.all_W = force_W, .rendered_W = share * rendered_W_, .effect_W = share * parts_.effect_W});
 }
 
 EnergySource EnergyAccount::most_giving() const {

@@ -9,11 +9,13 @@
 //
 // E_held is what the force of the past tick gave over the way of that same tick, the damper's
 // included (safety/energy_account.h). Pairing the force of this tick with that way, as a first
-// sketch would, hides just the energy that holding the force makes. b is the damping that device
-// and hand have at least: that much of the way's energy they take themselves.
+// sketch would, hides just the energy that holding the force makes. b is the damping that the
+// device has at least, without a hand: that much of the way's energy it takes itself.
 //
 // Contact begins without credit: what the hand gave in one touch does not pay for the next (the
-// paper's reset, section V). A debt stays, and is paid in contact only: nothing drags in the air.
+// paper's reset, section V). A debt is paid in contact only, for nothing drags in the air, and is
+// forgotten with a time constant of a second: an encoder's steps make a small one in every long
+// touch. A debt while the contact buzzes is a fault however small it is.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +35,8 @@ class PassivityControl {
   // Activation: nobody owes anything.
   void restart();
 
-  // First in a tick. FaultBits: kFaultNotPassive when the debt is beyond max_force_N times passivity_fault_travel_m.
+  // First in a tick. kFaultNotPassive when the contact buzzes, or the debt is
+  // beyond max_force_N times passivity_fault_travel_m.
   std::uint64_t observe(const TickEnergy& energy, bool in_contact);
 
   // N, to be added to the force; zero out of contact and without debt. The velocity is finite.
