@@ -9,7 +9,7 @@ namespace tactus::firmware {
 using rendering::FrictionKind;
 using rendering::StateArchive;
 
-inline constexpr std::uint64_t kConfigVersion = 2;
+inline constexpr std::uint64_t kConfigVersion = 3;
 
 inline void transfer(StateArchive& archive, LinkWeight& weight) {
   auto& [mass_kg, centre_m] = weight;
@@ -90,14 +90,14 @@ inline void transfer(StateArchive& archive, SafetyConfig& safety) {
          stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s, max_joint_speed, frozen_travel,
          blocked_effort_share, blocked_s, max_tool_speed_m_per_s, runaway_speed_m_per_s,
          runaway_travel_m, workspace_lower_W, workspace_upper_W, workspace_stiffness_N_per_m,
-         workspace_damping_Ns_per_m, workspace_overrun_m, device_damping_Ns_per_m,
-         passivity_damping_Ns_per_m, passivity_fault_J, guards_off] = safety;
+         workspace_damping_Ns_per_m, workspace_overrun_m, device_delay_s, device_damping_Ns_per_m,
+         passivity_damping_Ns_per_m, passivity_fault_travel_m, guards_off] = safety;
   archive(max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
           stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s, max_joint_speed, frozen_travel,
           blocked_effort_share, blocked_s, max_tool_speed_m_per_s, runaway_speed_m_per_s,
           runaway_travel_m, workspace_lower_W, workspace_upper_W, workspace_stiffness_N_per_m,
-          workspace_damping_Ns_per_m, workspace_overrun_m, device_damping_Ns_per_m,
-          passivity_damping_Ns_per_m, passivity_fault_J, guards_off);
+          workspace_damping_Ns_per_m, workspace_overrun_m, device_delay_s, device_damping_Ns_per_m,
+          passivity_damping_Ns_per_m, passivity_fault_travel_m, guards_off);
 }
 
 inline void transfer(StateArchive& archive, CertifiedPoint& point) {

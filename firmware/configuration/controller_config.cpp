@@ -68,9 +68,10 @@ void check_safety(RangeCheck& check, const SafetyConfig& safety) {
   check.in("safety.runaway_speed_m_per_s", safety.runaway_speed_m_per_s, 0.01, 1000.0);
   check.in("safety.runaway_travel_m", safety.runaway_travel_m, 0.0, kWidest);
   check_walls(check, safety);
+  check.in("safety.device_delay_s", safety.device_delay_s, 0.0, 0.1);
   check.in("safety.device_damping_Ns_per_m", safety.device_damping_Ns_per_m, 0.0, kStrongest);
   check.in("safety.passivity_damping_Ns_per_m", safety.passivity_damping_Ns_per_m, 0.0, kStrongest);
-  check.in("safety.passivity_fault_J", safety.passivity_fault_J, 0.0, kStrongest);
+  check.in("safety.passivity_fault_travel_m", safety.passivity_fault_travel_m, 0.0, kWidest);
 }
 
 void check_certificate(RangeCheck& check, const StiffnessCertificate& certificate) {

@@ -78,9 +78,10 @@ struct SafetyConfig {
   double workspace_overrun_m = 0.02;  // deeper in a wall than this is a fault
 
   // safety/passivity.h
-  double device_damping_Ns_per_m = 1.0;     // what device and hand have of their own, at least
+  double device_delay_s = 0.0015;  // from a sample to the force that answers it, half way there
+  double device_damping_Ns_per_m = 0.3;     // what the device has without a hand, at least
   double passivity_damping_Ns_per_m = 5.0;  // the most that the controller adds; 0: none
-  double passivity_fault_J = 1.0;
+  double passivity_fault_travel_m = 0.003;  // max_force_N over this way: more debt is a fault
 
   // A seam for tests: faults that are not raised. No key of a device's file reaches it, and every
   // tick says so with guards_off.

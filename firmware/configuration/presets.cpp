@@ -23,6 +23,7 @@ ControllerConfig falcon_config() {
   // what 8 N takes at the worst place and direction within 40 mm of it; the Falcon's true limit is
   // not published.
   config.joints.fill({.lower = -0.80, .upper = 1.45, .max_effort = 0.7});
+  config.safety.device_delay_s = 0.002;  // assumed: a tick, and its motors' slow amplifiers
   config.safety.max_force_N = 8.0;
   return config;
 }

@@ -35,7 +35,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   effort_guard_.configure(config);
   workspace_walls_.configure(config);
   motion_guard_.configure(config);
-  energy_.restart();
+  energy_.configure(config);
   passivity_.configure(config);
   velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
   force_limiter_.configure(config);

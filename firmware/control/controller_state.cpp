@@ -57,17 +57,32 @@ void MotionGuard::transfer(StateArchive& archive) {
   archive(runaway_m);
 }
 
+void HeldForces::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [ring, newest, whole, share] = *this;
+  for (HeldForce& force : ring) {
+    auto& [all_W, rendered_W, effect_W] = force;
+    archive(all_W, rendered_W, effect_W);
+  }
+  archive.up_to(newest, kMost);
+}
+
 void EnergyAccount::transfer(StateArchive& archive) {
-  auto& [ledger_J, parts, rendered_W, held_W, p_W, is_placed] = *this;
+  [[maybe_unused]] auto& [tick_s, held, ledger_J, parts, rendered_W, p_W, is_placed] = *this;
   auto& [friction_W, texture_W, effect_W, driven_power] = parts;
-  archive(ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, held_W, p_W,
+  archive(held, ledger_J, friction_W, texture_W, effect_W, driven_power, rendered_W, p_W,
           is_placed);
 }
 
 void PassivityControl::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J,
-                          credit_J] = *this;
-  archive(credit_J);
+  [[maybe_unused]] auto& [step_s, device_damping_Ns_per_m, max_damping_Ns_per_m, fault_J, credit_J,
+                          buzz] = *this;
+  archive(credit_J, buzz);
+}
+
+void BuzzDetector::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [weakest_peak_N, first_peak_N, extreme_N, since_peak_s, peaks, is_rising] =
+      *this;
+  archive(first_peak_N, extreme_N, since_peak_s, peaks, is_rising);
 }
 
 void ForceLimiter::transfer(StateArchive& archive) {

@@ -44,9 +44,10 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
       bind<&C::safety, &S::workspace_stiffness_N_per_m>("workspace_stiffness_N_per_m", "N_per_m"),
       bind<&C::safety, &S::workspace_damping_Ns_per_m>("workspace_damping_Ns_per_m", "Ns_per_m"),
       bind<&C::safety, &S::workspace_overrun_m>("workspace_overrun_m", "m"),
+      bind<&C::safety, &S::device_delay_s>("device_delay_s", "s"),
       bind<&C::safety, &S::device_damping_Ns_per_m>("device_damping_Ns_per_m", "Ns_per_m"),
       bind<&C::safety, &S::passivity_damping_Ns_per_m>("passivity_damping_Ns_per_m", "Ns_per_m"),
-      bind<&C::safety, &S::passivity_fault_J>("passivity_fault_J", "J"),
+      bind<&C::safety, &S::passivity_fault_travel_m>("passivity_fault_travel_m", "m"),
   };
   return kKeys;
 }

@@ -5,21 +5,37 @@
 #include "firmware/safety/faults.h"
 
 namespace tactus::firmware {
+namespace {
+
+constexpr double kForgetting_s = 1.0;
+constexpr double kWeakestBuzz = 0.05;  // of max_force_N
+
+}  // namespace
 
 void PassivityControl::configure(const ControllerConfig& config) {
   step_s_ = 1.0 / config.rate_hz;
   device_damping_Ns_per_m_ = config.safety.device_damping_Ns_per_m;
   max_damping_Ns_per_m_ = config.safety.passivity_damping_Ns_per_m;
-  fault_J_ = config.safety.passivity_fault_J;
+  fault_J_ = config.safety.max_force_N * config.safety.passivity_fault_travel_m;
+  buzz_.configure(kWeakestBuzz * config.safety.max_force_N);
   restart();
 }
 
+void PassivityControl::restart() {
+  credit_J_ = 0.0;
+  buzz_.restart();
+}
+
 std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
+  if (credit_J_ < 0.0) {
+    credit_J_ -= step_s_ / kForgetting_s * credit_J_;
+  }
   credit_J_ += device_damping_Ns_per_m_ * energy.way_m2 / step_s_ - energy.passive_J;
   if (!in_contact) {
     credit_J_ = std::min(credit_J_, 0.0);
   }
-  return credit_J_ < -fault_J_ ? kFaultNotPassive : kNoFault;
+  const bool buzzes = buzz_.observe(energy.contact_N, energy.step_s) && credit_J_ < 0.0;
+  return buzzes || credit_J_ < -fault_J_ ? kFaultNotPassive : kNoFault;
 }
 
 Vec3 PassivityControl::damp_W(const Vec3& v_W, bool in_contact) const {

@@ -9,16 +9,19 @@
 //
 // E_held is what the force of the past tick gave over the way of that same tick, the damper's
 // included (safety/energy_account.h). Pairing the force of this tick with that way, as a first
-// sketch would, hides just the energy that holding the force makes. b is the damping that device
-// and hand have at least: that much of the way's energy they take themselves.
+// sketch would, hides just the energy that holding the force makes. b is the damping that the
+// device has at least, without a hand: that much of the way's energy it takes itself.
 //
 // Contact begins without credit: what the hand gave in one touch does not pay for the next (the
-// paper's reset, section V). A debt stays, and is paid in contact only: nothing drags in the air.
+// paper's reset, section V). A debt is paid in contact only, for nothing drags in the air, and is
+// forgotten with a time constant of a second: an encoder's steps make a small one in every long
+// touch. A debt while the contact buzzes is a fault however small it is.
 #pragma once
 
 #include <cstdint>
 
 #include "firmware/configuration/controller_config.h"
+#include "firmware/safety/buzz_detector.h"
 #include "firmware/safety/energy_account.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/state/state_archive.h"
@@ -30,9 +33,10 @@ class PassivityControl {
   void configure(const ControllerConfig& config);
 
   // Activation: nobody owes anything.
-  void restart() { credit_J_ = 0.0; }
+  void restart();
 
-  // First in a tick. FaultBits: kFaultNotPassive when the debt is beyond passivity_fault_J.
+  // First in a tick. kFaultNotPassive when the contact buzzes, or the debt is
+  // beyond max_force_N times passivity_fault_travel_m.
   std::uint64_t observe(const TickEnergy& energy, bool in_contact);
 
   // N, to be added to the force; zero out of contact and without debt. The velocity is finite.
@@ -50,6 +54,7 @@ class PassivityControl {
   double max_damping_Ns_per_m_ = 0.0;
   double fault_J_ = 0.0;
   double credit_J_ = 0.0;
+  BuzzDetector buzz_;
 };
 
 }  // namespace tactus::firmware

@@ -13,6 +13,12 @@ bool due(double at_s, std::uint64_t tick, double tick_s) {
   return std::floor(at_s / tick_s + 1e-9) == static_cast<double>(tick);
 }
 
+// The motor's time constant is when it is about half way.
+double delay_of(const DeviceParameters& device, double tick_s) {
+  return 1e-6 * device.sample_age_us + tick_s * static_cast<double>(device.delay_ticks) +
+         device.motor_time_constant_s;
+}
+
 }  // namespace
 
 Simulation::Simulation(const SimulationConfig& config, std::span<const rendering::Object> objects,
@@ -27,6 +33,7 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
   firmware::ControllerConfig controller = config.controller;
   controller.rate_hz = config.rate_hz;
   controller.workspace_origin_D = origin_B_;
+  controller.safety.device_delay_s = delay_of(config.device.device, tick_s_);
   configure(*controller_, controller);
   if (!controller_->load_scene(objects,
                                {.tool_radius_m = tool_radius_m, .effects = config.effects})) {

@@ -37,7 +37,7 @@ struct RequestEvent {
 struct SimulationConfig {
   DevicePreset device = cartesian_preset();
   firmware::ControllerConfig controller =
-      firmware::cartesian_config();  // rate and origin are set here
+      firmware::cartesian_config();  // rate, origin and delay are set here
   HandParameters hand = kPenHand;
   WishPath path;
   std::uint64_t seed = 1;

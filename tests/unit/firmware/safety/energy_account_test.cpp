@@ -44,6 +44,32 @@ TEST(EnergyAccount, ASampledSpringsSurplusIsDelayAndNothingElse) {
   EXPECT_EQ(account.most_giving(), EnergySource::delay);
 }
 
+// At a steady speed a spring held for a tick and late by d gives K v^2 T (T / 2 + d) more a tick
+// than it takes.
+TEST(EnergyAccount, ADeviceThatAnswersLateGivesWhatTheDelayMakes) {
+  constexpr double kStiffness = 800.0;
+  constexpr double kWay = 1e-4;
+  for (const double delay_ticks : {0.0, 0.5, 1.0, 1.5, 4.25, 8.0}) {
+    ControllerConfig config;
+    config.safety.device_delay_s = kStep_s * delay_ticks;
+    EnergyAccount account;
+    account.configure(config);
+    double given = 0.0;
+    double instant = 0.0;
+    for (int tick = 0; tick <= 120; ++tick) {
+      const double x = kWay * tick;
+      const rendering::Touch touch = spring_at({x, 0.0, 0.0}, kStiffness);
+      const TickEnergy energy = account.settle({x, 0.0, 0.0}, touch, kStep_s);
+      account.hold(touch.force_W);
+      if (tick > 20) {
+        given += energy.given_J;
+        instant -= kStiffness * (x - 0.5 * kWay) * kWay;
+      }
+    }
+    EXPECT_NEAR(given - instant, 100.0 * kStiffness * kWay * kWay * (0.5 + delay_ticks), 1e-12);
+  }
+}
+
 TEST(EnergyAccount, TheSourcesAddUpToWhatTheHeldForceGave) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -77,11 +77,12 @@ TEST(PassivityControl, CreditOfOneTouchDoesNotPayForTheNext) {
   EXPECT_EQ(control.credit_J(), 0.0);
 }
 
+// 10 N over 3 mm.
 TEST(PassivityControl, MoreDebtThanAllowedIsAFault) {
   PassivityControl control;
   control.configure(bare_config(0.0, 0.0));
-  EXPECT_EQ(control.observe({.given_J = 0.9, .passive_J = 0.9, .way_m2 = 0.0}, true), kNoFault);
-  EXPECT_EQ(control.observe({.given_J = 0.2, .passive_J = 0.2, .way_m2 = 0.0}, true),
+  EXPECT_EQ(control.observe({.given_J = 0.028, .passive_J = 0.028, .way_m2 = 0.0}, true), kNoFault);
+  EXPECT_EQ(control.observe({.given_J = 0.005, .passive_J = 0.005, .way_m2 = 0.0}, true),
             kFaultNotPassive);
 }
 

@@ -1,0 +1,85 @@
+// The forces that went out in the last ticks, and which of them acts on the handle now: the device
+// answers a sample after a while (SafetyConfig::device_delay_s), which need not be whole ticks.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "rendering/geometry/vector.h"
+#include "rendering/state/state_archive.h"
+
+namespace tactus::firmware {
+
+// Of one tick, N.
+struct HeldForce {
+  Vec3 all_W = Vec3::Zero();       // as it went out
+  Vec3 rendered_W = Vec3::Zero();  // of it, what the surfaces and effects asked for
+  Vec3 effect_W = Vec3::Zero();    // of that, the effects
+};
+
+class HeldForces {
+ public:
+  // A longer delay counts as this many ticks.
+  static constexpr std::size_t kMost = 15;
+
+  void configure(double delay_ticks) {
+    const double ticks = std::clamp(delay_ticks, 0.0, static_cast<double>(kMost));
+    whole_ = std::min(static_cast<std::size_t>(ticks), kMost - 1);
+    share_ = ticks - static_cast<double>(whole_);
+    restart();
+  }
+
+  // Nothing went out.
+  void restart() {
+    ring_.fill({});
+    newest_ = 0;
+  }
+
+  void push(const HeldForce& force) {
+    newest_ = (newest_ + 1) % ring_.size();
+    ring_[newest_] = force;
+  }
+
+  [[nodiscard]] const HeldForce& newest() const { return ring_[newest_]; }
+
+  // Between the newest force and the next: on a straight line between the two forces that the
+  // delay lies between.
+  [[nodiscard]] HeldForce acting() const {
+    const HeldForce& late = back(whole_);
+    const HeldForce& later = back(whole_ + 1);
+    return {.all_W = late.all_W + share_ * (later.all_W - late.all_W),
+            .rendered_W = late.rendered_W + share_ * (later.rendered_W - late.rendered_W),
+            .effect_W = late.effect_W + share_ * (later.effect_W - late.effect_W)};
+  }
+
+  // The mean of `ticks` such, while the newest force stays.
+  HeldForce acting_over(std::size_t ticks) {
+    HeldForce mean = acting();
+    const std::size_t more = std::min(ticks, kMost) - 1;
+    for (std::size_t tick = 0; tick < more; ++tick) {
+      push(HeldForce(newest()));
+      const HeldForce next = acting();
+      const double weight = 1.0 / static_cast<double>(tick + 2);
+      mean.all_W += weight * (next.all_W - mean.all_W);
+      mean.rendered_W += weight * (next.rendered_W - mean.rendered_W);
+      mean.effect_W += weight * (next.effect_W - mean.effect_W);
+    }
+    return mean;
+  }
+
+  // What it remembers, to bytes or back.
+  void transfer(rendering::StateArchive& archive);
+
+ private:
+  [[nodiscard]] const HeldForce& back(std::size_t ticks) const {
+    return ring_[(newest_ + ring_.size() - ticks) % ring_.size()];
+  }
+
+  std::array<HeldForce, kMost + 1> ring_{};
+  std::size_t newest_ = 0;
+  std::size_t whole_ = 0;
+  double share_ = 0.0;
+};
+
+}  // namespace tactus::firmware
