@@ -50,7 +50,8 @@ std::string device_text(const std::string& port) {
   return "name = \"Haply\"\n[mechanism]\nkind = \"haply_pantograph\"\n[controller]\nrate_hz = 200\n"
          "[[connection]]\nname = \"usb\"\nkind = \"haply_serial\"\nport = \"" +
          port +
-         "\"\n[[axis]]\nname = \"m1\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = "
+         "\"\nunproven_watchdog = true\n[[axis]]\nname = \"m1\"\ndriver = "
+         "\"haply_serial\"\nconnection = \"usb\"\nnumber = "
          "0\n"
          "[[axis]]\nname = \"m2\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = 1\n"
          "[[joint]]\nname = \"left\"\nmotor = \"m1\"\n[[joint]]\nname = \"right\"\nmotor = "
