@@ -73,6 +73,7 @@ std::span<const Binding<FalconConnection>> falcon_keys() {
       bind<&C::falcon, &F::torque_limit_Nm>("torque_limit_Nm", "Nm"),
       bind<&C::falcon, &F::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
       bind<&C::falcon, &F::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
+      bind<&C::falcon, &F::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
@@ -87,6 +88,7 @@ std::span<const Binding<HaplyConnection>> haply_keys() {
       bind<&C::haply, &H::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
       bind<&C::haply, &H::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
       bind<&C::haply, &H::home_tolerance_rad>("home_tolerance_rad", "rad"),
+      bind<&C::haply, &H::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
