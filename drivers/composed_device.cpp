@@ -7,10 +7,12 @@ namespace tactus::drivers {
 
 namespace {
 
-constexpr std::uint32_t kLatchedStatus =
-    kDeviceEncoderFault | kDeviceDriveFault | kDeviceEmergencyStop | kDeviceLost | kDeviceTooHot;
-// After these an encoder may count from somewhere else.
-constexpr std::uint32_t kLosesReference = kDeviceEncoderFault | kDeviceLost;
+constexpr std::uint32_t kLatchedStatus = kDeviceEncoderFault | kDeviceDriveFault |
+                                         kDeviceEmergencyStop | kDeviceLost | kDeviceTooHot |
+                                         kDeviceReferenceLost;
+// After these an encoder may count from somewhere else: a device that is out of reach may have
+// restarted or been moved by then, and nobody saw it.
+constexpr std::uint32_t kLosesReference = kDeviceEncoderFault | kDeviceLost | kDeviceReferenceLost;
 
 std::uint32_t age_us(hal::TimeNs now_ns, hal::TimeNs then_ns) {
   constexpr hal::TimeNs kMost_us = 0xFFFF'FFFF;
@@ -67,6 +69,7 @@ void ComposedDevice::start() {
   }
   for (Joint& joint : std::span(joints_).first(joint_count_)) {
     joint.homing.lose();
+    joint.why_lost = {};
   }
 }
 
@@ -93,11 +96,13 @@ void ComposedDevice::read(JointSample& sample) {
 // Fills the joint's numbers; returns its DeviceStatus bits.
 std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, JointSample& sample) {
   Joint& joint = joints_[i];
-  const AxisSample& encoder = sample_at(joint.wiring.encoder);
-  std::uint32_t status = encoder.status | sample_at(joint.wiring.motor).status;
-  if ((encoder.status & kLosesReference) != 0) {
-    joint.homing.lose();
-  }
+  const AxisSample& encoder = encoder_sample(i);
+  const AxisSample& motor = sample_at(joint.wiring.motor);
+  // Only the encoder's zero matters, and only where it is no absolute one: `follow_reference`
+  // tells.
+  std::uint32_t status =
+      (encoder.status | motor.status) & ~static_cast<std::uint32_t>(kDeviceReferenceLost);
+  status |= follow_reference(i);
   if ((status & ~static_cast<std::uint32_t>(kDeviceStale)) == kDeviceOk) {
     joint.homing.advance(encoder, home_, now_ns);
   }
@@ -106,6 +111,8 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
   }
   if (!joint.homing.is_referenced()) {
     status |= home_ ? kDeviceHoming : kDeviceNotReady;
+  } else {
+    joint.why_lost = {};
   }
   if ((status & kLatchedStatus) != 0) {
     note_trouble(i);
@@ -113,11 +120,45 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
   const Transmission& transmission = joint.homing.transmission();
   sample.position[i] = joint_position(transmission, encoder.position_rad);
   sample.velocity[i] = joint_velocity(transmission, encoder.velocity_rad_per_s);
+  if (motor.has_torque) {
+    sample.effort[i] = joint_effort(transmission, motor.torque_Nm);
+    sample.effort_known |= 1U << i;
+  }
   // Before it is up and referenced a position is worth nothing, however old.
   if ((status & (kDeviceNotReady | kDeviceHoming)) == 0) {
     sample.age_us = std::max(sample.age_us, age_us(now_ns, encoder.time_ns));
   }
   return status;
+}
+
+// Takes the joint's reference away once its encoder's zero may have moved: in any mode, in any
+// order with other faults. kDeviceReferenceLost in the tick that takes it, else nothing.
+std::uint32_t ComposedDevice::follow_reference(std::size_t i) {
+  Joint& joint = joints_[i];
+  if ((encoder_sample(i).status & kLosesReference) == 0) {
+    return kDeviceOk;
+  }
+  const bool was_referenced = joint.homing.is_referenced();
+  joint.homing.lose();
+  if (!was_referenced || joint.homing.is_referenced()) {
+    return kDeviceOk;
+  }
+  const Trouble trouble = trouble_at(joint.wiring.encoder);
+  joint.why_lost = trouble ? trouble : Trouble{"its encoder was out of reach", "reset, then home"};
+  return kDeviceReferenceLost;
+}
+
+Trouble ComposedDevice::trouble_at(const AxisAddress& address) const {
+  return boards_[address.board].ref.trouble(address.axis);
+}
+
+JointTrouble ComposedDevice::lost_reference() const {
+  for (const Joint& joint : std::span(joints_).first(joint_count_)) {
+    if (joint.why_lost) {
+      return {joint.wiring.name, joint.why_lost};
+    }
+  }
+  return {};
 }
 
 // The first joint's, in its newest words: a link that goes down first shows as silent drives.
@@ -129,12 +170,9 @@ void ComposedDevice::note_trouble(std::size_t i) {
     return;
   }
   const Joint& joint = joints_[i];
-  const auto of = [this](const AxisAddress& address) {
-    return boards_[address.board].ref.trouble(address.axis);
-  };
-  Trouble trouble = of(joint.wiring.motor);
+  Trouble trouble = trouble_at(joint.wiring.motor);
   if (!trouble) {
-    trouble = of(joint.wiring.encoder);
+    trouble = trouble_at(joint.wiring.encoder);
   }
   if (!trouble) {
     trouble = joint.homing.trouble();

@@ -5,6 +5,10 @@
 // write  joint efforts -> torques at the motors' shafts, clamped -> every board
 // While the controller is homing (`command.home`) the motors follow the joints' searches instead.
 // Trouble of any axis is the whole device's: all motors lose their power.
+//
+// A joint's reference is lost for good when its encoder's axis reports kDeviceReferenceLost,
+// kDeviceEncoderFault or kDeviceLost, also beside other faults and long after them. clear_faults
+// does not bring it back, only homing does; a joint with an absolute reference keeps it.
 #pragma once
 
 #include <array>
@@ -68,6 +72,9 @@ class ComposedDevice {
   // Of the joint that was first in trouble, in its board's newest words; empty if all is well.
   // Latched until clear_faults.
   [[nodiscard]] JointTrouble trouble() const { return trouble_; }
+  // The first joint that must be homed again, and what its encoder's board said when the reference
+  // went; empty when there is none. Stays over clear_faults until that joint is homed.
+  [[nodiscard]] JointTrouble lost_reference() const;
   // The last tick's, for a log: shaft angles, and what was asked of the motors.
   [[nodiscard]] const AxisSample& encoder_sample(std::size_t joint) const;
   [[nodiscard]] double commanded_torque_Nm(std::size_t joint) const;
@@ -78,6 +85,7 @@ class ComposedDevice {
   struct Joint {
     JointWiring wiring;
     Homing homing;
+    Trouble why_lost;  // the reference; empty: it is there, or never was
   };
   struct BoardState {
     BoardRef ref;
@@ -88,6 +96,8 @@ class ComposedDevice {
   [[nodiscard]] bool exists(const AxisAddress& address) const;
   [[nodiscard]] const AxisSample& sample_at(const AxisAddress& address) const;
   std::uint32_t read_joint(std::size_t i, hal::TimeNs now_ns, JointSample& sample);
+  std::uint32_t follow_reference(std::size_t i);
+  [[nodiscard]] Trouble trouble_at(const AxisAddress& address) const;
   void note_trouble(std::size_t i);
 
   const hal::Clock* clock_;

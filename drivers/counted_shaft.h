@@ -22,7 +22,8 @@ class CountedShaft {
   // The next count is believed whatever it is, and gives the angle.
   void forget();
   // The next count is believed as long as it differs by less than half the counter's range, and the
-  // angle runs on: for a device that was out of reach while its shaft was moved.
+  // angle runs on: for a device that was out of reach while its shaft was moved. A device that may
+  // have restarted meanwhile counts from another zero: its reference is lost, whatever the angle.
   void resume() { is_near_ = false; }
 
   // False, and nothing changes, if the shaft cannot have got there since the last count. Times that

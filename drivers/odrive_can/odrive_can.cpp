@@ -21,6 +21,9 @@ constexpr double kSettleAgain_s = 0.1;
 constexpr double kArmAgain_s = 0.3;
 constexpr double kStopAgain_s = 0.01;
 constexpr double kExplainAgain_s = 0.02;
+// The questions for torque of drives with consecutive numbers fall into different ticks.
+constexpr hal::TimeNs kPollSpread_ns = 2'000'000;
+constexpr std::uint8_t kPollSpread = 5;
 
 // What is asked for in turn; the errors first, which alone matter after a fault.
 constexpr std::array kPolled_0_5 = {Command::get_motor_error, Command::get_encoder_error,
@@ -46,20 +49,32 @@ std::size_t ODriveCan::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void ODriveCan::start(hal::TimeNs now_ns) {
-  sample_ = {};
-  trouble_ = {};
-  readings_ = {};
-  generation_ = Generation::unknown;
-  last_error_ = 0;
-  wants_explanation_ = false;
-  encoder_.reset();
-  enter(Phase::listening, now_ns);
+  is_followed_ = false;
+  is_proven_ = false;
+  begin(now_ns);
 }
 
 void ODriveCan::clear_faults(hal::TimeNs now_ns) {
   if (phase_ == Phase::failed) {
-    start(now_ns);
+    begin(now_ns);
   }
+}
+
+// A position that is followed stays followed.
+void ODriveCan::begin(hal::TimeNs now_ns) {
+  if (!is_followed_) {
+    sample_ = {};
+    encoder_.reset();
+  }
+  sample_.status = kDeviceNotReady;
+  sample_.has_torque = false;
+  trouble_ = {};
+  readings_ = {};
+  generation_ = Generation::unknown;
+  last_error_ = 0;
+  proofs_ = 0;
+  wants_explanation_ = false;
+  enter(Phase::listening, now_ns);
 }
 
 void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
@@ -71,24 +86,18 @@ void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
   if (phase == Phase::up) {
     sample_.status = kDeviceOk;
     polled_ns_ = now_ns;
+    torque_polled_ns_ = now_ns + kPollSpread_ns * (config_.node_id % kPollSpread);
+    is_followed_ = true;
+  } else {
+    sample_.has_torque = false;
   }
-}
-
-void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
-  if (phase_ == Phase::failed) {
-    return;
-  }
-  phase_ = Phase::failed;
-  has_sent_ = false;
-  next_poll_ = 0;
-  sample_.status = status | heat_status(trouble);
-  trouble_ = trouble;
 }
 
 void ODriveCan::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   watch_deadlines(now_ns);
-  const bool is_there = phase_ == Phase::settling || phase_ == Phase::arming || phase_ == Phase::up;
-  if (is_there && config_.estimates == ODriveEstimates::requested) {
+  const bool is_there =
+      phase_ == Phase::settling || phase_ == Phase::arming || phase_ == Phase::up || is_followed_;
+  if (is_there && phase_ != Phase::off && config_.estimates == ODriveEstimates::requested) {
     outbox.add(
         odrive::request(config_.node_id, Command::get_estimates, config_.ask_by_remote_frame));
   }
@@ -96,7 +105,9 @@ void ODriveCan::request(hal::TimeNs now_ns, CanOutbox& outbox) {
 
 void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
   watch_deadlines(now_ns);
-  if (phase_ == Phase::off) {
+  switch_power(command.power_off, now_ns);
+  // Every frame to the node may feed its watchdog.
+  if (phase_ == Phase::off || phase_ == Phase::proving) {
     return;
   }
   // Nothing to a drive that has not been heard: what nobody acknowledges would fill the queue.
@@ -105,32 +116,51 @@ void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
     send_torque(phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F,
                 outbox);
   }
+  send_of_phase(now_ns, outbox);
+  if (!poll_torque(now_ns, outbox)) {  // one question a tick, to spare the bus
+    poll(now_ns, outbox);
+  }
+}
+
+// Without power wanted nothing goes into closed loop, nor stays there.
+void ODriveCan::switch_power(bool power_off, hal::TimeNs now_ns) {
+  const bool has_power = phase_ == Phase::arming || phase_ == Phase::proving || phase_ == Phase::up;
+  if (power_off && has_power) {
+    enter(Phase::resting, now_ns);
+  } else if (!power_off && phase_ == Phase::resting) {
+    sample_.status = kDeviceNotReady;
+    enter(Phase::settling, now_ns);
+  }
+}
+
+// Beside the torque.
+void ODriveCan::send_of_phase(hal::TimeNs now_ns, CanOutbox& outbox) {
   switch (phase_) {
     case Phase::listening:
       if (is_time_to_send(config_.bring_up_s, now_ns)) {
         send_state(AxisState::idle, outbox);
       }
-      break;
+      return;
     case Phase::probing:
       probe(now_ns, outbox);
-      break;
+      return;
     case Phase::settling:
       settle(now_ns, outbox);
-      break;
+      return;
     case Phase::arming:
       if (is_time_to_send(kArmAgain_s, now_ns)) {
         send_state(AxisState::closed_loop, outbox);
       }
-      break;
+      return;
+    case Phase::resting:
     case Phase::failed:
       if (is_time_to_send(kStopAgain_s, now_ns)) {
         send_state(AxisState::idle, outbox);
       }
-      break;
+      return;
     default:
-      break;
+      return;
   }
-  poll(now_ns, outbox);
 }
 
 void ODriveCan::shutdown(CanOutbox& outbox) {
@@ -183,6 +213,19 @@ void ODriveCan::poll(hal::TimeNs now_ns, CanOutbox& outbox) {
   ++next_poll_;
 }
 
+bool ODriveCan::poll_torque(hal::TimeNs now_ns, CanOutbox& outbox) {
+  const bool is_0_6 = generation_ == Generation::v0_6;
+  const bool is_known = is_0_6 || config_.torque_constant_Nm_per_A > 0.0;
+  if (phase_ != Phase::up || !is_known || config_.torque_period_s <= 0.0 ||
+      !has_passed(config_.torque_period_s, torque_polled_ns_, now_ns)) {
+    return false;
+  }
+  torque_polled_ns_ = now_ns;
+  return outbox.add(odrive::request(config_.node_id,
+                                    is_0_6 ? Command::get_torques : Command::get_iq,
+                                    config_.ask_by_remote_frame));
+}
+
 bool ODriveCan::is_time_to_send(double period_s, hal::TimeNs now_ns) {
   if (has_sent_ && !has_passed(period_s, last_sent_ns_, now_ns)) {
     return false;
@@ -205,52 +248,6 @@ void ODriveCan::send_torque(float torque_Nm, CanOutbox& outbox) const {
 
 void ODriveCan::send_state(AxisState state, CanOutbox& outbox) const {
   outbox.add(odrive::set_axis_state(config_.node_id, state));
-}
-
-void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {
-  if (phase_ == Phase::off || phase_ == Phase::failed) {
-    return;
-  }
-  // No frame was received in the future, whatever its stamp says.
-  phase_since_ns_ = std::min(phase_since_ns_, now_ns);
-  heartbeat_ns_ = std::min(heartbeat_ns_, now_ns);
-  estimate_ns_ = std::min(estimate_ns_, now_ns);
-  if (phase_ != Phase::listening && has_passed(config_.heartbeat_lost_s, heartbeat_ns_, now_ns)) {
-    fail(kDeviceLost,
-         {"the drive's heartbeat stopped", "check its power and the bus's cable, then reset"});
-  } else if (phase_ == Phase::up) {
-    watch_samples(now_ns);
-  } else if (has_passed(config_.bring_up_s, phase_since_ns_, now_ns)) {
-    watch_bring_up(now_ns);
-  }
-}
-
-void ODriveCan::watch_samples(hal::TimeNs now_ns) {
-  if (has_passed(config_.estimate_lost_s, estimate_ns_, now_ns)) {
-    fail(kDeviceLost, {"the drive's position estimates stopped",
-                       "check its power and the bus's cable and load, then reset"});
-  } else if (has_passed(config_.estimate_stale_s, estimate_ns_, now_ns)) {
-    sample_.status |= kDeviceStale;
-  }
-}
-
-// Which step took too long.
-void ODriveCan::watch_bring_up(hal::TimeNs now_ns) {
-  if (phase_ == Phase::listening) {
-    fail(kDeviceLost, {"no heartbeat comes from the drive",
-                       "check its power, the bus's cable, bit rate and node id, then reset"});
-  } else if (last_error_ != 0) {
-    fail_by_error(last_error_);
-  } else if (phase_ == Phase::settling) {
-    fail(kDeviceDriveFault,
-         {"the drive does not go idle", "stop its start-up sequence, then reset"});
-  } else if (!encoder_.is_trusted() || has_passed(config_.estimate_lost_s, estimate_ns_, now_ns)) {
-    fail(kDeviceLost, {"no usable position estimates come from the drive",
-                       "set its encoder message rate to 1 ms, or ask for estimates"});
-  } else {
-    fail(kDeviceDriveFault, {"the drive does not go into closed loop",
-                             "calibrate it with odrivetool, save, then reset"});
-  }
 }
 
 }  // namespace tactus::drivers

@@ -56,6 +56,15 @@ Checked check(const ODriveConfig& config) {
         FieldError{"drive_current_limit_A",
                    "must be given together with drive_speed_limit_rad_per_s: one frame sets both"});
   }
+  if (!lies_between(config.watchdog_s, 0.001, 1.0)) {
+    return std::unexpected(FieldError{"watchdog_s", "must lie between 0.001 and 1"});
+  }
+  if (!lies_between(config.torque_period_s, 0.0, 10.0)) {
+    return std::unexpected(FieldError{"torque_period_s", "must lie between 0 and 10"});
+  }
+  if (!lies_between(config.torque_constant_Nm_per_A, 0.0, 10.0)) {
+    return std::unexpected(FieldError{"torque_constant_Nm_per_A", "must lie between 0 and 10"});
+  }
   return check_deadlines(config);
 }
 

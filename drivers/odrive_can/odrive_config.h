@@ -11,7 +11,6 @@ namespace tactus::drivers {
 // and a drive's answer a tick, but gives samples of the same age.
 enum class ODriveEstimates : std::uint8_t { cyclic, requested };
 
-// The drive's watchdog is not here: CANSimple cannot set it. README.md says how.
 struct ODriveConfig {
   std::uint8_t node_id = 0;            // 0 to 62
   double max_torque_Nm = 0.2;          // clamps every command; above 0, up to 100
@@ -23,6 +22,19 @@ struct ODriveConfig {
   // max_speed_rad_per_s.
   double drive_speed_limit_rad_per_s = 0.0;  // up to 100000
   double drive_current_limit_A = 0.0;        // up to 200
+
+  // The drive's watchdog, as it is set in the drive: CANSimple cannot set it, README.md says how.
+  // The bring-up proves that it takes the torque away in that time.
+  double watchdog_s = 0.02;  // 0.001 to 1
+  // True: the owner accepts a drive whose watchdog was not proven, and with it that the motor may
+  // keep its torque for ever when the host dies.
+  bool unproven_watchdog = false;
+
+  // How often the drive's torque is asked for, where it is known; 0: never. Up to 10 s.
+  double torque_period_s = 0.01;
+  // Firmware 0.5 reports current alone: the drive's own torque_constant makes a torque of it. 0:
+  // not known, and the sample then has no torque. 0.6 reports torque. Up to 10.
+  double torque_constant_Nm_per_A = 0.0;
 
   ODriveEstimates estimates = ODriveEstimates::cyclic;
   // False for USB adapters that cannot send remote frames.

@@ -26,12 +26,27 @@ constexpr std::string_view kTune = "lower the drive's gains or bandwidth, then r
 constexpr std::uint32_t kEmergencyStop_0_5 = 0x4000;
 constexpr std::uint32_t kEmergencyStop_0_6 = 0x0200'0000;
 constexpr std::uint32_t kPartsFailed = 0x40 | 0x80 | 0x100 | 0x200;
+constexpr std::uint32_t kWatchdog_0_5 = 0x800;
+constexpr std::uint32_t kWatchdog_0_6 = 0x0100'0000;
+
+constexpr std::uint32_t kEncoderFailed = 0x100;
+constexpr std::uint32_t kUnknownPosition = 0x8'0000;
+// A supply voltage out of range shows at the motor as a fault of the whole system.
+constexpr std::uint64_t kMotorSystemLevel = 0x100'0000;
+constexpr std::uint64_t kUnknownSupply = 0x8000'0000;
+constexpr std::uint32_t kNoValidEstimate = 0x20;  // of the controller
+constexpr std::uint32_t kSpun = 0x80;             // of the controller
+constexpr std::uint32_t kInitializing = 0x1;
+constexpr std::uint32_t kSystemLevel = 0x2;
+constexpr std::uint32_t kMissingEstimate = 0x8;
+constexpr std::uint32_t kUnderVoltage = 0x200;
+constexpr std::uint32_t kSpun_0_6 = 0x0400'0000;
 
 // The most telling first.
 constexpr std::array kAxisBits = {
     BitWords{kEmergencyStop_0_5, "an emergency stop was asked of the drive",
              "find out who stopped it, then reset"},
-    BitWords{0x800, "the drive's watchdog expired: commands came too late",
+    BitWords{kWatchdog_0_5, "the drive's watchdog expired: commands came too late",
              "check the bus's cable and the host's load, then reset"},
     BitWords{0x40000, "the drive is too hot", kCoolDown},
     BitWords{0x1000, "the drive's lower end switch is pressed", "move the axis off it, then reset"},
@@ -109,7 +124,7 @@ constexpr std::array kControllerBits = {
 constexpr std::array kActiveBits = {
     BitWords{kEmergencyStop_0_6, "an emergency stop was asked of the drive",
              "find out who stopped it, then reset"},
-    BitWords{0x0100'0000, "the drive's watchdog expired: commands came too late",
+    BitWords{kWatchdog_0_6, "the drive's watchdog expired: commands came too late",
              "check the bus's cable and the host's load, then reset"},
     BitWords{0x20, "the drive's gate driver reports a fault",
              "check the phase wires for a short, power-cycle the drive"},
@@ -213,6 +228,31 @@ Trouble procedure_trouble(std::uint8_t result) {
   }
   return {"the drive did not go into closed loop, for a reason that this program does not know",
           "look the number up under procedure_result in the drive's manual", result};
+}
+
+bool loses_reference_0_5(std::uint32_t axis_error) {
+  return (axis_error & (kEncoderFailed | kUnknownPosition)) != 0;
+}
+
+bool motor_loses_reference(std::uint64_t motor_error) {
+  return (motor_error & (kMotorSystemLevel | kUnknownSupply)) != 0;
+}
+
+bool controller_loses_reference(std::uint32_t controller_error) {
+  return (controller_error & (kNoValidEstimate | kSpun)) != 0;
+}
+
+bool loses_reference_0_6(std::uint32_t error) {
+  return (error & (kInitializing | kSystemLevel | kMissingEstimate | kUnderVoltage | kSpun_0_6)) !=
+         0;
+}
+
+bool is_watchdog_0_5(std::uint32_t axis_error) {
+  return (axis_error & kWatchdog_0_5) != 0;
+}
+
+bool is_watchdog_0_6(std::uint32_t error) {
+  return (error & kWatchdog_0_6) != 0;
 }
 
 bool is_emergency_stop_0_5(std::uint32_t axis_error) {

@@ -23,6 +23,17 @@ Trouble active_trouble(std::uint32_t error);
 // Why the drive did not reach closed loop; nothing for success and busy.
 Trouble procedure_trouble(std::uint8_t result);
 
+// Whether the word tells of the supply, of a restart or of the encoder: the position may have
+// another zero afterwards.
+bool loses_reference_0_5(std::uint32_t axis_error);
+bool motor_loses_reference(std::uint64_t motor_error);
+bool controller_loses_reference(std::uint32_t controller_error);
+bool loses_reference_0_6(std::uint32_t error);
+
+// Whether the word says that the drive's watchdog expired.
+bool is_watchdog_0_5(std::uint32_t axis_error);
+bool is_watchdog_0_6(std::uint32_t error);
+
 // Whether the word says that somebody asked for an emergency stop.
 bool is_emergency_stop_0_5(std::uint32_t axis_error);
 bool is_emergency_stop_0_6(std::uint32_t error);

@@ -1,6 +1,7 @@
 // What an ODrive sends, as ODriveCan takes it.
 
 #include <cmath>
+#include <utility>
 
 #include "drivers/odrive_can/odrive_can.h"
 #include "drivers/odrive_can/odrive_errors.h"
@@ -15,6 +16,20 @@ namespace {
 constexpr double kClosedHold_s = 0.15;
 // The first heartbeat after asking may still tell of an earlier procedure.
 constexpr std::uint32_t kClosedLoopRefusals = 2;
+
+// In how many attempts the watchdog is to be proven. The other axis of a 0.5 board may clear the
+// error before the heartbeat tells it.
+constexpr std::uint32_t kMostProofs = 3;
+
+bool loses_reference(odrive::Generation generation, std::uint32_t error) {
+  return generation == odrive::Generation::v0_6 ? odrive::loses_reference_0_6(error)
+                                                : odrive::loses_reference_0_5(error);
+}
+
+bool is_watchdog(odrive::Generation generation, std::uint32_t error) {
+  return generation == odrive::Generation::v0_6 ? odrive::is_watchdog_0_6(error)
+                                                : odrive::is_watchdog_0_5(error);
+}
 
 bool is_state(const odrive::Heartbeat& heartbeat, odrive::AxisState state) {
   return heartbeat.state == static_cast<std::uint8_t>(state);
@@ -50,8 +65,12 @@ void ODriveCan::take(const hal::CanReceived& received) {
 }
 
 void ODriveCan::take_heartbeat(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
+  if (is_followed_ && has_passed(config_.heartbeat_lost_s, heartbeat_ns_, time_ns)) {
+    fail(kDeviceLost, {"the drive's heartbeat stopped for a while",
+                       "check its power and the bus's cable, then reset"});
+  }
   heartbeat_ns_ = time_ns;
-  last_error_ = heartbeat.error;
+  const std::uint32_t error_before = std::exchange(last_error_, heartbeat.error);
   switch (phase_) {
     case Phase::listening:
       enter(Phase::probing, time_ns);
@@ -72,12 +91,61 @@ void ODriveCan::take_heartbeat(const odrive::Heartbeat& heartbeat, hal::TimeNs t
         fail_by_error(heartbeat.error);
       } else if (!is_state(heartbeat, odrive::AxisState::closed_loop)) {
         wants_explanation_ = true;
-        fail(kDeviceDriveFault, {"the drive left closed loop by itself",
-                                 "see dump_errors in odrivetool, then reset", heartbeat.state});
+        fail(kDeviceDriveFault | kDeviceReferenceLost,
+             {"the drive left closed loop by itself",
+              "check its supply, see dump_errors in odrivetool, then reset", heartbeat.state});
       }
+      return;
+    case Phase::proving:
+      take_while_proving(heartbeat, time_ns);
+      return;
+    case Phase::resting:
+      take_while_resting(heartbeat, time_ns);
+      return;
+    case Phase::failed:
+      take_while_failed(heartbeat, error_before);
       return;
     default:
       return;
+  }
+}
+
+// The watchdog has stopped the motor, or something else has.
+void ODriveCan::take_while_proving(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
+  if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
+    return;
+  }
+  if (is_watchdog(generation_, heartbeat.error)) {
+    is_proven_ = true;
+    enter(Phase::settling, time_ns);
+  } else if (heartbeat.error != 0) {
+    fail_by_error(heartbeat.error);
+  } else if (proofs_ < kMostProofs) {
+    enter(Phase::settling, time_ns);
+  } else {
+    fail(kDeviceDriveFault,
+         {"the drive left closed loop while its watchdog was to be proven, and does not say why",
+          "see dump_errors in odrivetool, then reset"});
+  }
+}
+
+void ODriveCan::take_while_resting(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
+  if (heartbeat.error != 0) {
+    fail_by_error(heartbeat.error);
+  } else if (!is_state(heartbeat, odrive::AxisState::idle) && was_sent_before(time_ns) &&
+             has_passed(config_.heartbeat_lost_s, phase_since_ns_, time_ns)) {
+    fail(kDeviceDriveFault, {"the drive does not go idle", "switch its supply off, then reset"});
+  }
+}
+
+// Nobody clears a failed drive's error before clear_faults: an error that is gone is a restart.
+void ODriveCan::take_while_failed(const odrive::Heartbeat& heartbeat, std::uint32_t error_before) {
+  if (heartbeat.error == 0) {
+    if (error_before != 0) {
+      fail(kDeviceReferenceLost, {});
+    }
+  } else if (heartbeat.error != error_before) {
+    fail_by_error(heartbeat.error);
   }
 }
 
@@ -87,6 +155,11 @@ void ODriveCan::take_while_arming(const odrive::Heartbeat& heartbeat, hal::TimeN
     return;
   }
   if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
+    if (!is_proven_ && !config_.unproven_watchdog) {
+      enter(Phase::proving, time_ns);
+      ++proofs_;
+      return;
+    }
     if (!is_closed_) {
       is_closed_ = true;
       closed_since_ns_ = time_ns;
@@ -109,14 +182,19 @@ void ODriveCan::take_while_arming(const odrive::Heartbeat& heartbeat, hal::TimeN
 }
 
 void ODriveCan::take_estimates(const odrive::Estimates& estimates, hal::TimeNs time_ns) {
-  if (phase_ == Phase::failed) {
+  if (phase_ == Phase::failed && !is_followed_) {
+    return;
+  }
+  if (is_followed_ && has_passed(config_.estimate_lost_s, estimate_ns_, time_ns)) {
+    fail(kDeviceLost, {"the drive's position estimates stopped for a while",
+                       "check its power and the bus's cable and load, then reset"});
     return;
   }
   const EncoderVerdict verdict =
       encoder_.check(estimates.position_rad, estimates.velocity_rad_per_s, time_ns);
   if (verdict != EncoderVerdict::good) {
     encoder_.reset();
-    if (phase_ == Phase::up) {
+    if (is_followed_) {
       fail(kDeviceEncoderFault, trouble_of(verdict));
     }
     return;
@@ -144,7 +222,12 @@ void ODriveCan::take_reply(const hal::CanFrame& frame, hal::TimeNs time_ns) {
       readings_.bus = odrive::read_bus_power(frame).value_or(readings_.bus);
       return;
     case Command::get_iq:
-      readings_.current = odrive::read_current(frame).value_or(readings_.current);
+      if (const auto current = odrive::read_current(frame)) {
+        readings_.current = *current;
+        if (generation_ == odrive::Generation::v0_5 && config_.torque_constant_Nm_per_A > 0.0) {
+          take_torque(config_.torque_constant_Nm_per_A * current->measured_A, time_ns);
+        }
+      }
       return;
     default:
       break;
@@ -153,7 +236,15 @@ void ODriveCan::take_reply(const hal::CanFrame& frame, hal::TimeNs time_ns) {
   if (generation_ == odrive::Generation::v0_5) {
     take_reply_0_5(frame);
   } else if (generation_ == odrive::Generation::v0_6) {
-    take_reply_0_6(frame);
+    take_reply_0_6(frame, time_ns);
+  }
+}
+
+void ODriveCan::take_torque(double torque_Nm, hal::TimeNs time_ns) {
+  if (phase_ == Phase::up && std::isfinite(torque_Nm)) {
+    sample_.torque_Nm = torque_Nm;
+    sample_.has_torque = true;
+    torque_ns_ = time_ns;
   }
 }
 
@@ -162,17 +253,19 @@ void ODriveCan::take_reply_0_5(const hal::CanFrame& frame) {
   switch (odrive::command_of(frame.id)) {
     case Command::get_motor_error:
       if (const auto error = odrive::read_motor_error(frame); error && *error != 0) {
-        explain(odrive::motor_trouble(*error), true);
+        explain(odrive::motor_trouble(*error), true,
+                odrive::motor_loses_reference(*error) ? kDeviceReferenceLost : kDeviceOk);
       }
       return;
     case Command::get_encoder_error:
       if (const auto error = odrive::read_part_error(frame); error && *error != 0) {
-        explain(odrive::encoder_trouble(*error), true);
+        explain(odrive::encoder_trouble(*error), true, kDeviceReferenceLost);
       }
       return;
     case Command::get_controller_error:
       if (const auto error = odrive::read_part_error(frame); error && *error != 0) {
-        explain(odrive::controller_trouble(*error), true);
+        explain(odrive::controller_trouble(*error), true,
+                odrive::controller_loses_reference(*error) ? kDeviceReferenceLost : kDeviceOk);
       }
       return;
     default:
@@ -180,14 +273,15 @@ void ODriveCan::take_reply_0_5(const hal::CanFrame& frame) {
   }
 }
 
-void ODriveCan::take_reply_0_6(const hal::CanFrame& frame) {
+void ODriveCan::take_reply_0_6(const hal::CanFrame& frame, hal::TimeNs time_ns) {
   using odrive::Command;
   switch (odrive::command_of(frame.id)) {
     case Command::get_error:
       if (const auto errors = odrive::read_errors(frame)) {
         const std::uint32_t error = errors->active != 0 ? errors->active : errors->disarm_reason;
         if (error != 0) {
-          explain(odrive::active_trouble(error), errors->active != 0);
+          explain(odrive::active_trouble(error), errors->active != 0,
+                  odrive::loses_reference_0_6(error) ? kDeviceReferenceLost : kDeviceOk);
           if (phase_ == Phase::failed && odrive::is_emergency_stop_0_6(error)) {
             sample_.status |= kDeviceEmergencyStop;
           }
@@ -198,9 +292,8 @@ void ODriveCan::take_reply_0_6(const hal::CanFrame& frame) {
       readings_.temperature = odrive::read_temperature(frame).value_or(readings_.temperature);
       return;
     case Command::get_torques:
-      if (const auto torques = odrive::read_torques(frame);
-          torques && std::isfinite(torques->estimate_Nm)) {
-        sample_.torque_Nm = torques->estimate_Nm;
+      if (const auto torques = odrive::read_torques(frame)) {
+        take_torque(torques->estimate_Nm, time_ns);
       }
       return;
     default:
@@ -213,8 +306,13 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
   const bool is_0_6 = generation_ == odrive::Generation::v0_6;
   const bool is_emergency_stop =
       is_0_6 ? odrive::is_emergency_stop_0_6(error) : odrive::is_emergency_stop_0_5(error);
-  wants_explanation_ = !is_0_6 && odrive::is_explained_elsewhere(error);
+  if (phase_ != Phase::failed) {
+    wants_explanation_ = !is_0_6 && odrive::is_explained_elsewhere(error);
+  }
   std::uint32_t status = kDeviceDriveFault;
+  if (loses_reference(generation_, error)) {
+    status |= kDeviceReferenceLost;
+  }
   if (is_emergency_stop) {
     status |= kDeviceEmergencyStop;
   }
@@ -222,14 +320,14 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
 }
 
 // What the drive answered about its errors: the cause of a fault that is known already, or, if it
-// is an error of now, a fault.
-void ODriveCan::explain(const Trouble& trouble, bool is_error) {
+// is an error of now, a fault. `status` is what the error means beside a drive fault.
+void ODriveCan::explain(const Trouble& trouble, bool is_error, std::uint32_t status) {
   if (phase_ == Phase::failed && wants_explanation_) {
-    sample_.status |= heat_status(trouble);
     trouble_ = trouble;
     wants_explanation_ = false;
+    fail(status, trouble);
   } else if (phase_ == Phase::up && is_error) {
-    fail(kDeviceDriveFault, trouble);
+    fail(kDeviceDriveFault | status, trouble);
   }
 }
 

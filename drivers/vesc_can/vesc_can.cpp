@@ -15,6 +15,10 @@ constexpr double kCountsPerElectricalTurn = 6.0;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr double kStaleAfter_statuses = 1.5;
 constexpr std::uint32_t kUnansweredPolls = 5;
+// A VESC looks at its timeout that often.
+constexpr double kTimeoutLook_s = 0.01;
+// So many questions may be lost or under way until it has told.
+constexpr double kToldWithin_polls = 4.0;
 constexpr double kMilli = 1e3;
 constexpr double kLargestCurrent_mA = 1e9;
 
@@ -42,8 +46,8 @@ std::size_t VescCan::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void VescCan::start(hal::TimeNs now_ns) {
-  shaft_.forget();
-  sample_ = AxisSample{};
+  is_followed_ = false;
+  is_proven_ = false;
   readings_ = {};
   begin(now_ns);
 }
@@ -58,7 +62,11 @@ void VescCan::begin(hal::TimeNs now_ns) {
   now_ns_ = now_ns;
   begun_ns_ = now_ns;
   faults_.clear();
-  shaft_.resume();
+  if (!is_followed_) {
+    shaft_.forget();
+    sample_ = AxisSample{};
+  }
+  sample_.has_torque = false;
   has_status_ = false;
   has_position_ = false;
   has_polled_ = false;
@@ -73,7 +81,19 @@ void VescCan::begin(hal::TimeNs now_ns) {
 
 void VescCan::latch(DeviceStatus bit, const Trouble& trouble) {
   faults_.latch(bit, trouble);
+  if (bit == kDeviceLost || bit == kDeviceEncoderFault) {
+    may_have_restarted(trouble);
+  }
   update_status();
+}
+
+// With another zero of its tachometer, and another timeout.
+void VescCan::may_have_restarted(const Trouble& trouble) {
+  if (is_followed_) {
+    faults_.latch(kDeviceReferenceLost, trouble);
+  }
+  is_followed_ = false;
+  is_proven_ = false;
 }
 
 void VescCan::update_status() {
@@ -114,7 +134,11 @@ void VescCan::take_status(const vesc::Status& status) {
     return;
   }
   sample_.velocity_rad_per_s = velocity_rad_per_s;
-  sample_.torque_Nm = config_.torque_constant_Nm_per_A * status.current_A;
+  // The current's sign is that of the power, positive when it drives; the duty's is that of the
+  // voltage. Together they give the torque's, unless the duty is too small to tell.
+  sample_.torque_Nm =
+      config_.torque_constant_Nm_per_A * std::copysign(1.0, status.duty) * status.current_A;
+  sample_.has_torque = status.duty != 0.0 || status.current_A == 0.0;
   is_stale_ = false;
   update_status();
 }
@@ -127,6 +151,11 @@ void VescCan::take_position(const vesc::Status5& status, hal::TimeNs received_ns
   }
   const hal::TimeNs taken_ns = std::clamp(received_ns, std::min(sample_.time_ns, now_ns_),
                                           now_ns_ + ns_of(config_.status_period_s));
+  if (is_followed_ && has_passed(config_.lost_after_s, position_ns_, received_ns)) {
+    latch(kDeviceLost, {"VESC sent no position for a while",
+                        "check its power, the cable and its status rates, then reset", 0});
+    return;
+  }
   if (!shaft_.take(status.tachometer, taken_ns)) {
     latch(kDeviceEncoderFault,
           {"VESC reports a position that its shaft cannot have reached",
@@ -147,11 +176,21 @@ void VescCan::take_answer(const vesc::Answer& answer) {
   } else {
     flags_ = answer.value;
   }
-  if (phase_ != Phase::ready) {
+  if (phase_ == Phase::proving && flags_ == vesc::kTimedOut) {
+    is_proven_ = true;
+    begun_ns_ = now_ns_;
+    phase_ = Phase::looking;
+    return;
+  }
+  if (phase_ != Phase::ready && phase_ != Phase::proving) {
     return;
   }
   if (const Trouble trouble = vesc::fault_trouble(fault_.value_or(0))) {
     latch(kDeviceDriveFault, trouble);
+    if (vesc::loses_reference(*fault_)) {
+      may_have_restarted(trouble);
+      update_status();
+    }
   } else if ((flags_ & vesc::kKillSwitch) != 0) {
     latch(kDeviceEmergencyStop,
           {"VESC's kill switch is open", "make sure that all is well, close it, then reset", 0});
@@ -172,6 +211,11 @@ void VescCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox&
   }
   look();
   watch();
+  if (phase_ == Phase::proving && !faults_) {
+    watch_proof();
+    poll(outbox);
+    return;
+  }
   const bool has_power = phase_ == Phase::ready && !faults_ && command.enable;
   outbox.add(has_power ? vesc::held_current_frame(
                              config_.vesc_id, current_mA(command.torque_Nm),
@@ -186,8 +230,12 @@ void VescCan::look() {
   }
   const bool is_well =
       fault_ == 0 && flags_ == 0 && has_status_ && (has_position_ || !config_.offers_position);
-  if (is_well) {
+  if (is_well && !is_proven_ && !config_.unproven_watchdog) {
+    phase_ = Phase::proving;
+    proving_ns_ = now_ns_;
+  } else if (is_well) {
     phase_ = Phase::ready;
+    is_followed_ = config_.offers_position;
     update_status();
   } else if (has_passed_since(begun_ns_, config_.bring_up_s)) {
     const bool is_heard = has_status_ || has_position_ || fault_.has_value();
@@ -223,8 +271,30 @@ Trouble VescCan::missing() const {
           "look for another host that commands it, then reset", flags_};
 }
 
+// A VESC that goes on without commands would keep its torque when the host dies.
+void VescCan::watch_proof() {
+  const double limit_s =
+      config_.watchdog_s + kTimeoutLook_s + kToldWithin_polls * config_.poll_period_s;
+  if (has_passed_since(proving_ns_, limit_s)) {
+    latch(kDeviceDriveFault,
+          {"VESC's timeout does not stop the motor when commands stop coming",
+           "set it to watchdog_s in VESC Tool, let no other program command the VESC, then reset; "
+           "unproven_watchdog = true does without",
+           0});
+  }
+}
+
+// Also of a VESC that has failed: what falls silent may lose its position unseen.
+void VescCan::watch_position() {
+  if (is_followed_ && has_passed_since(position_ns_, config_.lost_after_s)) {
+    latch(kDeviceLost, {"VESC sends no position any more",
+                        "check its power, the cable and its status rates, then reset", 0});
+  }
+}
+
 void VescCan::watch() {
-  if (phase_ != Phase::ready || faults_) {
+  watch_position();
+  if ((phase_ != Phase::ready && phase_ != Phase::proving) || faults_) {
     return;
   }
   const hal::TimeNs heard_ns =
@@ -244,7 +314,8 @@ bool VescCan::is_poll_due() const {
   return !has_polled_ || has_passed_since(polled_ns_, config_.poll_period_s);
 }
 
-// The two fields in turn; nothing but the fault until that is known.
+// The two fields in turn; nothing but the fault until that is known, and nothing but the flags
+// while the timeout is to be proven.
 void VescCan::poll(CanOutbox& outbox) {
   if (!is_poll_due() ||
       !outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, next_query_))) {
@@ -253,8 +324,9 @@ void VescCan::poll(CanOutbox& outbox) {
   has_polled_ = true;
   ++unanswered_polls_;
   polled_ns_ = now_ns_;
-  next_query_ = fault_.has_value() && next_query_ == vesc::Query::fault ? vesc::Query::flags
-                                                                        : vesc::Query::fault;
+  const bool asks_for_flags =
+      phase_ == Phase::proving || (fault_.has_value() && next_query_ == vesc::Query::fault);
+  next_query_ = asks_for_flags ? vesc::Query::flags : vesc::Query::fault;
 }
 
 // What is no number is no torque. The limit is rounded down, so that rounding cannot pass it.

@@ -2,8 +2,10 @@
 //
 // Bring-up: wait for status 1 (and 5, if it offers a position) and for an answer to the question
 // for faults that says none; zero current all the while, so that the VESC's own timeout runs from
-// the host's commands. From a fault on the motor is let go in each tick, until clear_faults: a VESC
-// forgets its faults after half a second and would obey again.
+// the host's commands. Then no command is sent, only the question for the timeout's flag, until the
+// timeout has let the motor go; a VESC that goes on without commands is refused. Without power
+// wanted the motor is let go: that is the bridge off. From a fault on the motor is let go in each
+// tick, until clear_faults: a VESC forgets its faults after half a second and would obey again.
 //
 // Status bits:
 //   kDeviceNotReady       until the bring-up is done
@@ -13,6 +15,9 @@
 //   kDeviceTooHot         with it, if that is what the fault code says
 //   kDeviceEmergencyStop  its kill switch
 //   kDeviceEncoderFault   a speed or a position that the shaft cannot have; not reported
+//   kDeviceReferenceLost  if it offers a position: with lost and encoder fault, and with a fault
+//                         code that tells of supply, restart or sensor, also of a VESC that has
+//                         failed already
 #pragma once
 
 #include <cstddef>
@@ -54,10 +59,11 @@ class VescCan {
   [[nodiscard]] const VescReadings& readings() const { return readings_; }
 
  private:
-  enum class Phase : std::uint8_t { off, looking, ready };
+  enum class Phase : std::uint8_t { off, looking, proving, ready };
 
   void begin(hal::TimeNs now_ns);
   void latch(DeviceStatus bit, const Trouble& trouble);
+  void may_have_restarted(const Trouble& trouble);
   void update_status();
   [[nodiscard]] bool has_passed_since(hal::TimeNs since_ns, double time_s) const;
   [[nodiscard]] bool is_poll_due() const;
@@ -66,6 +72,8 @@ class VescCan {
   void take_position(const vesc::Status5& status, hal::TimeNs received_ns);
   void take_answer(const vesc::Answer& answer);
   void look();
+  void watch_proof();
+  void watch_position();
   [[nodiscard]] Trouble missing() const;
   void watch();
   void poll(CanOutbox& outbox);
@@ -80,6 +88,7 @@ class VescCan {
   Phase phase_ = Phase::off;
   hal::TimeNs now_ns_ = 0;
   hal::TimeNs begun_ns_ = 0;
+  hal::TimeNs proving_ns_ = 0;  // since when nothing is commanded
   hal::TimeNs status_ns_ = 0;
   hal::TimeNs position_ns_ = 0;
   hal::TimeNs polled_ns_ = 0;
@@ -88,6 +97,8 @@ class VescCan {
   bool has_position_ = false;
   bool has_polled_ = false;
   bool is_stale_ = false;
+  bool is_followed_ = false;  // the position, since it was ready
+  bool is_proven_ = false;    // the timeout, and the VESC has not restarted since
   vesc::Query next_query_ = vesc::Query::fault;
   std::optional<std::uint8_t> fault_;  // the last answer
   std::uint8_t flags_ = 0;

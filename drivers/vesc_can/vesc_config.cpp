@@ -25,6 +25,7 @@ Checked check(const VescConfig& config) {
       {"max_torque_Nm", config.max_torque_Nm, 1e-5, 100, "must lie between 0.00001 and 100"},
       {"pole_pairs", static_cast<double>(config.pole_pairs), 1, 60, "must lie between 1 and 60"},
       {"off_delay_s", config.off_delay_s, 0.01, 30, "must lie between 0.01 and 30"},
+      {"watchdog_s", config.watchdog_s, 0.001, 1, "must lie between 0.001 and 1"},
       {"max_speed_rad_per_s", config.max_speed_rad_per_s, 1, 100000,
        "must lie between 1 and 100000"},
       {"jump_margin_rad", config.jump_margin_rad, 0, 3, "must lie between 0 and 3"},

@@ -17,6 +17,13 @@ struct VescConfig {
   // How long current keeps being regulated around zero; 0.01..30. Released motors lag.
   double off_delay_s = 0.1;
 
+  // The VESC's timeout, as it is set in VESC Tool. The bring-up proves that it lets the motor go in
+  // that time; 0.001..1.
+  double watchdog_s = 0.02;
+  // True: the owner accepts a VESC whose timeout was not proven, and with it that the motor may
+  // keep its torque when the host dies.
+  bool unproven_watchdog = false;
+
   // Six counts an electrical turn: too coarse for touch, enough for limits and for a rough joint.
   // False: the axis is a torque amplifier, and its samples have no time.
   bool offers_position = false;

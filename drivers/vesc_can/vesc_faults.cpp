@@ -69,4 +69,14 @@ Trouble fault_trouble(std::uint8_t code) {
           "look the number up in VESC Tool, then reset", code};
 }
 
+bool loses_reference(std::uint8_t code) {
+  constexpr std::uint8_t kUnderVoltage = 2;
+  constexpr std::uint8_t kProcessorUnderVoltage = 9;
+  constexpr std::uint8_t kBootedByWatchdog = 10;
+  const bool is_sensor =
+      static_cast<std::size_t>(code) < kVescFaults.size() && kVescFaults[code].remedy == kSensor;
+  return code == kUnderVoltage || code == kProcessorUnderVoltage || code == kBootedByWatchdog ||
+         is_sensor;
+}
+
 }  // namespace tactus::drivers::vesc

@@ -9,5 +9,8 @@ namespace tactus::drivers::vesc {
 
 // Nothing for 0.
 Trouble fault_trouble(std::uint8_t code);
+// Whether the code tells of the supply, of a restart or of the sensor: the tachometer may have
+// another zero afterwards.
+bool loses_reference(std::uint8_t code);
 
 }  // namespace tactus::drivers::vesc

@@ -81,8 +81,10 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kFaultJointLimit, "joint_limit", "joint position outside its configured range", "stop",
      "move back inside by hand, reset"},
     {kFaultStaleSamples, "stale_samples", "too many samples in a row too old", "stop", "reset"},
-    {kFaultReferenceLost, "reference_lost", "device not ready or homing while active", "stop",
-     "reset"},
+    {kFaultReferenceLost, "reference_lost",
+     "joint's zero may have moved (its drive or board restarted, lost power or fell silent), or "
+     "device not ready or homing while active",
+     "stop; that joint's reference is gone", "reset, home again"},
     {kFaultEncoder, "encoder", "device reports an encoder fault", "stop", "reset"},
     {kFaultDrive, "drive", "device reports a motor drive fault", "stop", "reset"},
     {kFaultDeviceLost, "device_lost", "no way to reach the motors",

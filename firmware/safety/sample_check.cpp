@@ -7,7 +7,8 @@
 namespace tactus::firmware {
 
 bool is_referenced(std::uint32_t device_status) {
-  return (device_status & (drivers::kDeviceNotReady | drivers::kDeviceHoming)) == 0;
+  return (device_status &
+          (drivers::kDeviceNotReady | drivers::kDeviceHoming | drivers::kDeviceReferenceLost)) == 0;
 }
 
 std::uint64_t device_faults(std::uint32_t device_status) {
@@ -17,6 +18,7 @@ std::uint64_t device_faults(std::uint32_t device_status) {
   faults |= (device_status & drivers::kDeviceEmergencyStop) != 0 ? kFaultEmergencyStop : kNoFault;
   faults |= (device_status & drivers::kDeviceLost) != 0 ? kFaultDeviceLost : kNoFault;
   faults |= (device_status & drivers::kDeviceTooHot) != 0 ? kFaultOverTemperature : kNoFault;
+  faults |= (device_status & drivers::kDeviceReferenceLost) != 0 ? kFaultReferenceLost : kNoFault;
   return faults;
 }
 

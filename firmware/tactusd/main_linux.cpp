@@ -180,6 +180,13 @@ void explain_fault(const drivers::ComposedDevice& device) {
                  joint.data(), length(trouble.what), trouble.what.data(), trouble.code,
                  length(trouble.remedy), trouble.remedy.data());
   }
+  const auto [unhomed, cause] = device.lost_reference();
+  if (cause) {
+    std::fprintf(stderr,
+                 "tactusd: joint '%.*s' must be homed again because its zero may have "
+                 "moved: %.*s; reset, then home\n",
+                 length(unhomed), unhomed.data(), length(cause.what), cause.what.data());
+  }
 }
 
 // False where the loop has no right to its time and must have it.

@@ -23,6 +23,7 @@ struct CanDeviceOptions {
   std::string interface;
   std::vector<unsigned> nodes;
   std::string firmware = "0.6";
+  std::string encoder = "incremental";
   int timeout_mode = 12;
   double max_torque_Nm = 1.0;
   double counts_per_turn = 4096.0;
@@ -51,13 +52,16 @@ void emulate_can(const CanDeviceOptions& options, const std::string& kind, bool 
 void emulate_odrive(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 0, 62);
   const ODriveFirmware firmware = odrive_firmware(options.firmware);
-  emulate_can(
-      options, "ODrive", false, [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
-        return std::make_unique<ODriveEmulator>(
-            bus, seed,
-            ODriveEmulatorConfig{
-                .node_id = node, .firmware = firmware, .max_torque_Nm = options.max_torque_Nm});
-      });
+  const ODriveEncoder encoder = odrive_encoder(options.encoder);
+  emulate_can(options, "ODrive", false,
+              [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
+                return std::make_unique<ODriveEmulator>(
+                    bus, seed,
+                    ODriveEmulatorConfig{.node_id = node,
+                                         .encoder = encoder,
+                                         .firmware = firmware,
+                                         .max_torque_Nm = options.max_torque_Nm});
+              });
 }
 
 void emulate_moteus(const CanDeviceOptions& options) {
@@ -139,6 +143,12 @@ void add_emulated_can_devices(CLI::App& emulate) {
   odrive.verb
       .add_option("--firmware", odrive.options.firmware,
                   "0.5.2, 0.5.4, 0.5.6 or 0.6, as it behaves")
+      ->capture_default_str();
+  odrive.verb
+      .add_option(
+          "--encoder", odrive.options.encoder,
+          "What its position is after power-up: incremental (0), absolute (within a turn) or "
+          "multi_turn")
       ->capture_default_str();
   add_max_torque(odrive, "What the motor can do, N m at its shaft");
 

@@ -70,7 +70,7 @@ void add_machine_options(CLI::App& verb, MachineOptions& machine) {
            "Where the path's origin is in the mechanism's frame: x,y,z in m (its middle)");
   verb.add_option("--fault", machine.faults,
                   "AXIS:KIND@SECONDS, AXIS from 0 or all; none, silent, delayed, corrupted, "
-                  "erroring or unplugged, like 0:silent@3");
+                  "erroring, unplugged or power_cycled, like 0:silent@3");
   verb.add_option("--seconds", machine.run.seconds, "How long; default: until it is interrupted")
       ->check(CLI::PositiveNumber);
   verb.add_option("--truth", machine.truth,

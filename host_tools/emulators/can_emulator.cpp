@@ -10,13 +10,14 @@ namespace tactus::host {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, EmulatorFault>, 6> kFaultNames = {{
+constexpr std::array<std::pair<std::string_view, EmulatorFault>, 7> kFaultNames = {{
     {"none", EmulatorFault::none},
     {"silent", EmulatorFault::silent},
     {"delayed", EmulatorFault::delayed},
     {"corrupted", EmulatorFault::corrupted},
     {"erroring", EmulatorFault::erroring},
     {"unplugged", EmulatorFault::unplugged},
+    {"power_cycled", EmulatorFault::power_cycled},
 }};
 
 void flip_a_bit(hal::CanFrame& frame, std::mt19937& random) {
@@ -37,12 +38,13 @@ EmulatorFault emulator_fault(std::string_view name) {
     }
   }
   throw InputError("no fault '" + std::string(name) +
-                   "'; there are: none, silent, delayed, corrupted, erroring, unplugged");
+                   "'; there are: none, silent, delayed, corrupted, erroring, unplugged, "
+                   "power_cycled");
 }
 
 void CanEmulator::run(hal::TimeNs now_ns) {
   std::array<hal::CanReceived, 8> received;  // few arrive between two runs
-  const bool hears = fault_ != EmulatorFault::unplugged;
+  const bool hears = has_power(now_ns);
   while (const auto count = bus_.receive(received, hal::kNoWait)) {
     for (std::size_t i = 0; hears && i < *count; ++i) {
       if (received[i].kind == hal::CanReceived::Kind::frame) {
@@ -57,6 +59,14 @@ void CanEmulator::run(hal::TimeNs now_ns) {
   }
   advance(now_ns, fault_ == EmulatorFault::erroring);
   send_what_is_due(now_ns);
+}
+
+bool CanEmulator::has_power(hal::TimeNs now_ns) {
+  if (fault_ == EmulatorFault::power_cycled && !is_cycling_) {
+    is_cycling_ = true;
+    off_until_ns_ = now_ns + kPowerCycle_ns;
+  }
+  return fault_ != EmulatorFault::unplugged && !(is_cycling_ && now_ns < off_until_ns_);
 }
 
 void CanEmulator::send(hal::TimeNs now_ns, const hal::CanFrame& frame) {

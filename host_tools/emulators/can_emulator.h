@@ -20,14 +20,18 @@ namespace tactus::host {
 // The fault port: what may be made to go wrong at any time.
 enum class EmulatorFault : std::uint8_t {
   none,
-  silent,     // hears and obeys, but sends nothing
-  delayed,    // sends everything kFaultDelay_ns late
-  corrupted,  // flips a random bit of the payload of every frame that it sends
-  erroring,   // raises an error of its own, as the real device reports it
-  unplugged,  // neither hears nor sends; its motor has no power
+  silent,        // hears and obeys, but sends nothing
+  delayed,       // sends everything kFaultDelay_ns late
+  corrupted,     // flips a random bit of the payload of every frame that it sends
+  erroring,      // raises an error of its own, as the real device reports it
+  unplugged,     // neither hears nor sends; its motor has no power
+  power_cycled,  // as unplugged for kPowerCycle_ns, then it boots and is well
 };
 
 inline constexpr hal::TimeNs kFaultDelay_ns = 10'000'000;
+inline constexpr hal::TimeNs kPowerCycle_ns = 300'000'000;
+// A drive that has not run for so long was without power and boots.
+inline constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
 
 // "silent" and so on, as the command line takes them. Throws InputError for another.
 EmulatorFault emulator_fault(std::string_view name);
@@ -47,7 +51,10 @@ class CanEmulator {
   EmulatedShaft& shaft() { return shaft_; }
   [[nodiscard]] const EmulatedShaft& shaft() const { return shaft_; }
 
-  void set_fault(EmulatorFault fault) { fault_ = fault; }
+  void set_fault(EmulatorFault fault) {
+    fault_ = fault;
+    is_cycling_ = false;
+  }
   [[nodiscard]] EmulatorFault fault() const { return fault_; }
 
  protected:
@@ -59,6 +66,7 @@ class CanEmulator {
   virtual void advance(hal::TimeNs now_ns, bool erroring) = 0;
 
   void send_what_is_due(hal::TimeNs now_ns);
+  bool has_power(hal::TimeNs now_ns);
 
   struct Waiting {
     hal::TimeNs due_ns = 0;
@@ -68,6 +76,8 @@ class CanEmulator {
   hal::CanBus& bus_;
   EmulatedShaft shaft_;
   EmulatorFault fault_ = EmulatorFault::none;
+  bool is_cycling_ = false;
+  hal::TimeNs off_until_ns_ = 0;
   std::deque<Waiting> waiting_;
   std::mt19937 random_;
 };

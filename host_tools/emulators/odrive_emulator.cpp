@@ -96,9 +96,26 @@ ODriveFirmware odrive_firmware(std::string_view version) {
                    "'; there are: 0.5.2, 0.5.4, 0.5.6, 0.6");
 }
 
+ODriveEncoder odrive_encoder(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, ODriveEncoder>, 3> kEncoders = {{
+      {"incremental", ODriveEncoder::incremental},
+      {"absolute", ODriveEncoder::absolute},
+      {"multi_turn", ODriveEncoder::multi_turn},
+  }};
+  for (const auto& [known, encoder] : kEncoders) {
+    if (known == name) {
+      return encoder;
+    }
+  }
+  throw InputError("no ODrive encoder '" + std::string(name) +
+                   "'; there are: incremental, absolute, multi_turn");
+}
+
 ODriveEmulator::ODriveEmulator(hal::CanBus& bus, std::uint32_t seed,
                                const ODriveEmulatorConfig& config)
-    : CanEmulator(bus, seed), config_(config) {}
+    : CanEmulator(bus, seed),
+      config_(config),
+      saved_speed_limit_turn_per_s_(config.speed_limit_turn_per_s) {}
 
 void ODriveEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   if (frame.extended || frame.fd || (frame.id >> 5U) != config_.node_id) {
@@ -154,7 +171,8 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
       return;
     case 0x14:
       send_payload(now_ns, command,
-                   odrive_floats(input_torque_Nm_ / 0.055, input_torque_Nm_ / 0.055));
+                   odrive_floats(input_torque_Nm_ / config_.torque_constant_Nm_per_A,
+                                 shaft().torque_Nm / config_.torque_constant_Nm_per_A));
       return;
     case 0x15:
       send_payload(now_ns, command,
@@ -261,10 +279,11 @@ void ODriveEmulator::send_not_a_number(hal::TimeNs now_ns) {
 void ODriveEmulator::advance(hal::TimeNs now_ns, bool erroring) {
   if (!running_) {
     running_ = true;
-    fed_ns_ = now_ns;
-    next_heartbeat_ns_ = now_ns;
-    next_estimates_ns_ = now_ns;
+    start_counting(now_ns);
+  } else if (now_ns - ran_ns_ >= kPowerLoss_ns) {
+    boot(now_ns);
   }
+  ran_ns_ = now_ns;
   if (erroring && !was_erroring_) {
     if (is_0_6()) {
       raise(kODriveDriverFault_0_6);
@@ -283,6 +302,38 @@ void ODriveEmulator::advance(hal::TimeNs now_ns, bool erroring) {
     next_estimates_ns_ = next_due_ns(next_estimates_ns_, config_.encoder_ms, now_ns);
     send_estimates(now_ns);
   }
+}
+
+void ODriveEmulator::boot(hal::TimeNs now_ns) {
+  state_ = kODriveIdle;
+  control_mode_ = 3;
+  input_mode_ = 1;
+  input_torque_Nm_ = 0.0;
+  config_.speed_limit_turn_per_s = saved_speed_limit_turn_per_s_;
+  clear_errors();
+  start_counting(now_ns);
+}
+
+void ODriveEmulator::start_counting(hal::TimeNs now_ns) {
+  fed_ns_ = now_ns;
+  next_heartbeat_ns_ = now_ns;
+  next_estimates_ns_ = now_ns;
+  const double turns = kODriveTurnsPerRad * shaft().position_rad;
+  switch (config_.encoder) {
+    case ODriveEncoder::incremental:
+      zero_turns_ = turns;
+      return;
+    case ODriveEncoder::absolute:
+      zero_turns_ = std::floor(turns);
+      return;
+    case ODriveEncoder::multi_turn:
+      zero_turns_ = 0.0;
+      return;
+  }
+}
+
+double ODriveEmulator::position_turns() const {
+  return kODriveTurnsPerRad * shaft().position_rad - zero_turns_;
 }
 
 void ODriveEmulator::watch(hal::TimeNs now_ns) {
@@ -340,8 +391,7 @@ void ODriveEmulator::send_heartbeat(hal::TimeNs now_ns) {
 
 void ODriveEmulator::send_estimates(hal::TimeNs now_ns) {
   send_payload(now_ns, 0x09,
-               odrive_floats(kODriveTurnsPerRad * shaft().position_rad,
-                             kODriveTurnsPerRad * shaft().velocity_rad_per_s));
+               odrive_floats(position_turns(), kODriveTurnsPerRad * shaft().velocity_rad_per_s));
 }
 
 void ODriveEmulator::send_payload(hal::TimeNs now_ns, unsigned command, const Payload& payload,

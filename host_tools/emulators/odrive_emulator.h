@@ -1,9 +1,10 @@
 // An ODrive axis on a CAN bus, firmware 0.5.x or 0.6.x, as CANSimple shows it from outside.
 //
 // Fakes: heartbeat and encoder messages by the drive's clock, requests by remote or empty frames,
-// the axis states, torque mode with its speed limit, the watchdog, errors and their clearing.
+// the axis states, torque mode with its speed limit, the watchdog, errors and their clearing, and
+// booting after kPowerLoss_ns without a run: the position starts anew, what was not saved is gone.
 // Does not fake: calibration, the other control modes (their torque is zero), SDO, addresses,
-// firmware update, current and temperature (constant).
+// firmware update, temperature (constant).
 #pragma once
 
 #include <array>
@@ -23,8 +24,19 @@ enum class ODriveFirmware : std::uint8_t { v0_5_2, v0_5_4, v0_5_6, v0_6 };
 // another.
 ODriveFirmware odrive_firmware(std::string_view version);
 
+// What the position starts from when the drive gets its power.
+enum class ODriveEncoder : std::uint8_t {
+  incremental,  // 0, wherever the shaft stands
+  absolute,     // the angle within a turn
+  multi_turn,   // the angle with its turns: an encoder that keeps counting without power
+};
+
+// "incremental" and so on, as the command line takes them. Throws InputError for another.
+ODriveEncoder odrive_encoder(std::string_view name);
+
 struct ODriveEmulatorConfig {
   std::uint8_t node_id = 0;
+  ODriveEncoder encoder = ODriveEncoder::incremental;
   ODriveFirmware firmware = ODriveFirmware::v0_6;
   // How often it sends, in ms; 0: never.
   std::uint32_t heartbeat_ms = 100;
@@ -32,6 +44,7 @@ struct ODriveEmulatorConfig {
   // For how long it obeys a host that has fallen silent; 0: for ever, as drives come.
   double watchdog_s = 0.02;
   double max_torque_Nm = 1.0;  // current limit times torque constant
+  double torque_constant_Nm_per_A = 0.055;
   bool enable_torque_mode_speed_limit = true;
   double speed_limit_turn_per_s = 50.0;
   double speed_gain_Nm_s_per_turn = 1.0 / 6.0;
@@ -70,9 +83,14 @@ class ODriveEmulator final : public CanEmulator {
                     std::uint8_t length = 8);
   void watch(hal::TimeNs now_ns);
   void set_torque();
+  void boot(hal::TimeNs now_ns);
+  void start_counting(hal::TimeNs now_ns);
+  [[nodiscard]] double position_turns() const;
   [[nodiscard]] bool is_0_6() const { return config_.firmware == ODriveFirmware::v0_6; }
 
   ODriveEmulatorConfig config_;
+  double saved_speed_limit_turn_per_s_;
+  double zero_turns_ = 0.0;  // where the position is 0
   std::uint32_t state_ = 1;
   std::uint32_t control_mode_ = 3;
   std::uint32_t input_mode_ = 1;
@@ -83,6 +101,7 @@ class ODriveEmulator final : public CanEmulator {
   std::uint64_t motor_error_ = 0;
   std::uint32_t encoder_error_ = 0;
   std::uint32_t controller_error_ = 0;
+  hal::TimeNs ran_ns_ = 0;
   hal::TimeNs fed_ns_ = 0;
   hal::TimeNs next_heartbeat_ns_ = 0;
   hal::TimeNs next_estimates_ns_ = 0;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint8_t kAbsoluteOverCurrent = 4;
 constexpr std::uint32_t kEverybody = 255;
+constexpr double kSupply_V = 48.0;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // Most significant byte first.
@@ -128,6 +129,9 @@ void VescEmulator::advance(hal::TimeNs now_ns, bool erroring) {
   } else if (now_ns >= ignores_until_ns_) {
     fault_ = 0;
   }
+  if (lasting_fault_ != 0) {
+    fault_ = lasting_fault_;
+  }
   flowing_A_ = current_A(now_ns);
   shaft().torque_Nm = flowing_A_ * config_.torque_constant_Nm_per_A;
   send_due_status(now_ns);
@@ -160,8 +164,13 @@ void VescEmulator::send_due_status(hal::TimeNs now_ns) {
 void VescEmulator::send_status(hal::TimeNs now_ns) {
   hal::CanFrame frame = message(9, config_.vesc_id);
   append(frame, 4, std::llround(shaft().velocity_rad_per_s / kTurn * 60.0 * config_.pole_pairs));
-  append(frame, 2, std::llround(flowing_A_ * 10.0));
-  append(frame, 2, std::llround(flowing_A_ / config_.max_current_A * 1000.0));
+  // The current is positive where it drives and negative where it brakes; the duty has the sign of
+  // the voltage, which is what the resistance and the turning motor take.
+  const double voltage_V = flowing_A_ * config_.phase_resistance_ohm +
+                           shaft().velocity_rad_per_s * config_.torque_constant_Nm_per_A;
+  const double driving_A = std::copysign(flowing_A_, flowing_A_ * voltage_V);
+  append(frame, 2, std::llround(driving_A * 10.0));
+  append(frame, 2, std::llround(std::clamp(voltage_V / kSupply_V, -1.0, 1.0) * 1000.0));
   send(now_ns, frame);
 }
 

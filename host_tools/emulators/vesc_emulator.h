@@ -2,8 +2,8 @@
 //
 // Fakes: the current command with and without off-delay, the dead zone below the smallest current,
 // the command timeout, the half second after a fault in which nothing is obeyed, status 1, 4 and 5
-// at set rates, PING, and the questions for the fault code and for the flags, each alone. A gap of
-// kPowerLoss_ns between runs counts as a loss of power: the tachometer starts from zero.
+// at set rates, PING, and the questions for the fault code and for the flags, each alone. After a
+// loss of power (kPowerLoss_ns) the tachometer starts from zero.
 // Does not fake: the other ways to command a motor (they take the torque away), answers of more
 // than one frame, a brake current after the timeout.
 #pragma once
@@ -20,7 +20,10 @@ struct VescEmulatorConfig {
   std::uint8_t pole_pairs = 7;
   double max_current_A = 60.0;
   double min_current_A = 0.05;
-  hal::TimeNs timeout_ns = 1'000'000'000;  // 0: none
+  double phase_resistance_ohm = 0.1;  // with the supply's 48 V, what duty a current takes
+  // For how long it obeys a host that has fallen silent, as README.md of the driver says to set it;
+  // a second as VESCs come. 0: for ever.
+  hal::TimeNs timeout_ns = 20'000'000;
   hal::TimeNs fault_stop_ns = 500'000'000;
   hal::TimeNs status_period_ns = 5'000'000;      // of 1 and 5; 0: off
   hal::TimeNs status_4_period_ns = 200'000'000;  // 0: off
@@ -29,11 +32,11 @@ struct VescEmulatorConfig {
 
 class VescEmulator final : public CanEmulator {
  public:
-  static constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
-
   VescEmulator(hal::CanBus& bus, std::uint32_t seed, const VescEmulatorConfig& config);
 
   void set_kill_switch(bool open) { kill_switch_open_ = open; }
+  // Faults of its own that last until they are set to 0, by VESC's numbers.
+  void set_fault_code(std::uint8_t code) { lasting_fault_ = code; }
   // The tachometer slips by that much at once.
   void slip(std::int32_t counts) { offset_counts_ += counts; }
   void set_temperatures(double fet_C, double motor_C);
@@ -65,6 +68,7 @@ class VescEmulator final : public CanEmulator {
   double motor_C_ = 28.5;
   double flowing_A_ = 0.0;
   std::uint8_t fault_ = 0;
+  std::uint8_t lasting_fault_ = 0;
   bool kill_switch_open_ = false;
   bool has_run_ = false;
 };

@@ -51,8 +51,9 @@ class ODriveLife {
     return static_cast<double>(torque_Nm);
   }
 
-  static hal::CanFrame heartbeat(std::uint8_t state) {
+  static hal::CanFrame heartbeat(std::uint8_t state, std::uint32_t error = 0) {
     hal::CanFrame frame{.id = kFirstId | 0x01U, .length = 8};
+    std::memcpy(frame.data.data(), &error, sizeof error);
     frame.data[4] = std::byte{state};
     return frame;
   }
@@ -81,16 +82,23 @@ class ODriveLife {
     }
   }
 
-  // As a drive does that is well.
+  // As a drive does that is well; its watchdog trips after 20 ms of silence.
   void bring_up(bool is_0_6) {
     bool closed = false;
-    for (int tick = 0; tick < 500 && drive_.sample().status != drivers::kDeviceOk; ++tick) {
+    int silent_ms = 0;
+    std::uint32_t error = 0;
+    for (int tick = 0; tick < 800 && drive_.sample().status != drivers::kDeviceOk; ++tick) {
       now_ns_ += 1'000'000;
-      drive_.take({.time_ns = now_ns_, .frame = heartbeat(closed ? 8 : 1)});
+      if (silent_ms > 20) {
+        closed = false;
+        error = is_0_6 ? 0x0100'0000 : 0x800;
+      }
+      drive_.take({.time_ns = now_ns_, .frame = heartbeat(closed ? 8 : 1, error)});
       drive_.take({.time_ns = now_ns_, .frame = estimates(turns_, 0.0F)});
       drivers::CanOutbox outbox;
       drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
       properties_.check_outbox(drive_.sample(), outbox, torque_of);
+      silent_ms = outbox.frames().empty() ? silent_ms + 1 : 0;
       for (const hal::CanFrame& frame : outbox.frames()) {
         if (frame.id == kFirstId && is_0_6) {
           hal::CanFrame version{.id = kFirstId, .length = 8};
@@ -98,6 +106,8 @@ class ODriveLife {
           drive_.take({.time_ns = now_ns_, .frame = version});
         } else if (frame.id == (kFirstId | 0x07U)) {
           closed = frame.data[0] == std::byte{8};
+        } else if (frame.id == (kFirstId | 0x18U)) {
+          error = 0;
         }
       }
     }

@@ -71,6 +71,9 @@ class VescLife {
     return frame;
   }
 
+  static hal::CanFrame flags(std::uint32_t value) {
+    return message(0x802, {0x01, 0x01, 0x32, 0x00, 0x20, 0x00, 0x00, value});
+  }
   static hal::CanFrame no_fault() {
     return message(0x802, {0x01, 0x01, 0x32, 0x00, 0x00, 0x80, 0x00, 0x00});
   }
@@ -100,15 +103,20 @@ class VescLife {
     return frame;
   }
 
+  // As a VESC does that is well; its timeout expires after 20 ms without a current command.
   void bring_up() {
-    for (int tick = 0; tick < 5; ++tick) {
+    std::uint32_t silent_ms = 0;
+    for (int tick = 0; tick < 100 && drive_.sample().status != drivers::kDeviceOk; ++tick) {
       now_ns_ += 1'000'000;
-      for (const hal::CanFrame& frame : {message(0x901, {}), tachometer(), no_fault()}) {
+      for (const hal::CanFrame& frame :
+           {message(0x901, {}), tachometer(), no_fault(), flags(silent_ms > 20 ? 1 : 0)}) {
         drive_.take({.time_ns = now_ns_, .frame = frame});
       }
       drivers::CanOutbox outbox;
       drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
       properties_.check_outbox(drive_.sample(), outbox, torque_of);
+      const bool is_commanded = !outbox.frames().empty() && outbox.frames()[0].id == 0x101;
+      silent_ms = is_commanded ? 0 : silent_ms + 1;
     }
   }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
 # Three ODrive axes touch the bunny; then the plug.
-drive='odrive --nodes 0,1,2' device=odrive_arm
+drive='odrive --nodes 0,1,2 --encoder multi_turn' device=odrive_arm
 # shellcheck source=tests/rig/scenarios/arm_on_can.inc
 . /rig/arm_on_can.inc

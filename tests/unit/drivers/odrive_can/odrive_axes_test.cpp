@@ -74,6 +74,7 @@ TEST(ODriveAxes, WholeSessionIsTheGoldenLog) {
     CanRig<ODriveCan, host::ODriveEmulator> rig(
         {.period_ns = 10 * kMs, .patience_ns = kMs, .record = true},
         std::vector<ODriveConfig>{{.node_id = 1,
+                                   .watchdog_s = 0.1,
                                    .estimate_stale_s = 0.025,
                                    .estimate_lost_s = 0.045,
                                    .heartbeat_lost_s = 0.15}},

@@ -55,6 +55,7 @@ class ODriveMessages : public ::testing::TestWithParam<ODriveFirmware> {
   ODriveEmulator emulator_{node_,
                            1,
                            {.node_id = kNode,
+                            .encoder = host::ODriveEncoder::multi_turn,
                             .firmware = GetParam(),
                             .heartbeat_ms = 0,
                             .encoder_ms = 0,
@@ -171,7 +172,7 @@ TEST_P(ODriveBringUp, TurnsNothingBeforeItIsWell) {
 }
 
 TEST_P(ODriveBringUp, TakesOverADriveThatAnotherProgramLeftRunning) {
-  ODriveRig rig({}, std::vector<ODriveConfig>{{}},
+  ODriveRig rig({}, std::vector<ODriveConfig>{{.unproven_watchdog = true}},
                 std::vector<ODriveEmulatorConfig>{{.firmware = GetParam(), .watchdog_s = 0.0}});
   rig.start();
   rig.command_all(0.1);

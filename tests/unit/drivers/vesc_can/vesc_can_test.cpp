@@ -276,8 +276,11 @@ TEST_F(VescFaultPort, HostThatFallsSilentLeavesNoTorqueAfterTheVescsTimeout) {
 
 // The status goes on, the questions are not answered any more.
 TEST(VescCan, NoTorqueGoesOutInTheTickThatGivesTheVescUp) {
-  VescCan drive(
-      {.vesc_id = 1, .host_id = 2, .torque_constant_Nm_per_A = 0.05, .max_torque_Nm = 0.2});
+  VescCan drive({.vesc_id = 1,
+                 .host_id = 2,
+                 .torque_constant_Nm_per_A = 0.05,
+                 .max_torque_Nm = 0.2,
+                 .unproven_watchdog = true});
   hal::TimeNs now_ns = 1'000'000'000;
   drive.start(now_ns);
   const auto tick = [&](bool answers) {

@@ -18,16 +18,19 @@ namespace {
 
 struct ODriveArm : EmulatedArm<drivers::ODriveCan> {
   explicit ODriveArm(const std::vector<PlannedFault>& faults = {}, const HandParameters& hand = {})
-      : EmulatedArm({.driver =
-                         [](std::uint8_t i) {
-                           return drivers::ODriveCan({.node_id = i, .max_torque_Nm = kArmLimit_Nm});
-                         },
-                     .emulator =
-                         [](hal::CanBus& bus, std::uint8_t i) {
-                           return std::make_unique<ODriveEmulator>(
-                               bus, i + 1U, ODriveEmulatorConfig{.node_id = i, .heartbeat_ms = 10});
-                         }},
-                    faults, hand) {}
+      : EmulatedArm(
+            {.driver =
+                 [](std::uint8_t i) {
+                   return drivers::ODriveCan({.node_id = i, .max_torque_Nm = kArmLimit_Nm});
+                 },
+             .emulator =
+                 [](hal::CanBus& bus, std::uint8_t i) {
+                   return std::make_unique<ODriveEmulator>(
+                       bus, i + 1U,
+                       ODriveEmulatorConfig{
+                           .node_id = i, .encoder = ODriveEncoder::multi_turn, .heartbeat_ms = 10});
+                 }},
+            faults, hand) {}
 };
 
 TEST(EmulatedODrives, VirtualSpringsHoldTheArmAgainstItsWeight) {
@@ -135,7 +138,9 @@ INSTANTIATE_TEST_SUITE_P(
                       FaultCase{"delayed", drivers::kDeviceStale | drivers::kDeviceLost, 0.006},
                       FaultCase{"corrupted", ~0U, 0.1},
                       FaultCase{"erroring", drivers::kDeviceDriveFault, 0.02},
-                      FaultCase{"unplugged", drivers::kDeviceStale | drivers::kDeviceLost, 0.006}),
+                      FaultCase{"unplugged", drivers::kDeviceStale | drivers::kDeviceLost, 0.006},
+                      FaultCase{"power_cycled", drivers::kDeviceStale | drivers::kDeviceLost,
+                                0.006}),
     [](const auto& one) { return std::string(one.param.kind); });
 
 TEST(EmulatedODrives, SameSeedsGiveTheSameRunToTheBit) {
