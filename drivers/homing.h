@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "drivers/axis.h"
 #include "drivers/field_error.h"
@@ -28,6 +29,9 @@ struct Reference {
   double search_effort = 0.0;  // N m or N at the joint, signed: the way it searches; 0 by hand
   double search_speed = 0.5;   // rad/s or m/s, above 0, to 100: the search is slowed down to it
   double time_limit_s = 20.0;  // 0.1 to 600
+  // The joint's limits, rad or m.
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
 };
 
 Checked check(const Reference& reference);

@@ -39,6 +39,10 @@ struct FalconConfig {
   double velocity_cutoff_Hz = 100.0;
   // No hand turns an arm faster; what looks faster is a damaged packet.
   double fastest_rad_per_s = 60.0;
+
+  // True: the owner accepts that no watchdog of the device was proven, and with it that the motors
+  // may keep their torque when the host dies.
+  bool unproven_watchdog = false;
 };
 
 // Real time from the moment it is up: until then a read takes as long as a control request does,

@@ -85,6 +85,10 @@ struct GpioAxisConfig {
   std::uint32_t torque_ramp_ms = 50;             // from none to all after power-up; to 10'000
   std::uint32_t command_timeout_ms = 20;         // power off when no write comes; 1 to 1000
   std::size_t edge_buffer = 1024;                // events that the kernel keeps; 16 to 1024
+
+  // True: the owner accepts a bridge that no circuit switches off, and with it that the motor may
+  // keep its torque when the host dies.
+  bool unproven_watchdog = false;
 };
 
 // Whether all is in range and fits together; an error names the field from here:

@@ -39,6 +39,10 @@ struct HaplyConfig {
   double fastest_rad_per_s = 60.0;
   // How far from home_rad the first answer may say that an arm is.
   double home_tolerance_rad = 0.1;
+
+  // True: the owner accepts that the board has no watchdog, and with it that the motors may
+  // keep their torque when the host dies.
+  bool unproven_watchdog = false;
 };
 
 // Real time: read, write. The axes are

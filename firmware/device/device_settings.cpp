@@ -59,7 +59,11 @@ std::span<const Binding<ConnectionConfig>> connection_keys() {
 }
 
 std::span<const Binding<CanConnection>> can_keys() {
-  static constexpr std::array kKeys{bind<&CanConnection::interface>("interface")};
+  static constexpr std::array kKeys{
+      bind<&CanConnection::interface>("interface"),
+      bind<&CanConnection::bit_rate>("bit_rate"),
+      bind<&CanConnection::data_bit_rate>("data_bit_rate"),
+  };
   return kKeys;
 }
 
@@ -72,6 +76,7 @@ std::span<const Binding<FalconConnection>> falcon_keys() {
       bind<&C::falcon, &F::torque_limit_Nm>("torque_limit_Nm", "Nm"),
       bind<&C::falcon, &F::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
       bind<&C::falcon, &F::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
+      bind<&C::falcon, &F::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
@@ -86,6 +91,7 @@ std::span<const Binding<HaplyConnection>> haply_keys() {
       bind<&C::haply, &H::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
       bind<&C::haply, &H::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
       bind<&C::haply, &H::home_tolerance_rad>("home_tolerance_rad", "rad"),
+      bind<&C::haply, &H::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
