@@ -31,6 +31,7 @@ constexpr std::array kSetUpSteps = std::to_array<SdoStep>({
     {{0x6072, 0}, 2, torque_limit, 0, false, "6072:00 (torque limit) cannot be set"},
     {{0x60E0, 0}, 2, torque_limit, 0, true, "60E0:00 (positive torque limit) cannot be set"},
     {{0x60E1, 0}, 2, torque_limit, 0, true, "60E1:00 (negative torque limit) cannot be set"},
+    {{0x60B2, 0}, 2, fixed, 0, true, "60B2:00 (torque offset) cannot be set to zero"},
     {{0x60C2, 1}, 1, period, 0, true, "60C2:01 (period) cannot be set"},
     {{0x60C2, 2}, 1, period_exponent, 0, true, "60C2:02 (exponent of the period) cannot be set"},
 

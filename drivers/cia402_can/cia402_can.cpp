@@ -39,11 +39,13 @@ void Cia402Can::start(hal::TimeNs now_ns) {
   shaft_.forget();
   sample_ = AxisSample{};
   has_sent_heartbeat_ = false;
+  is_followed_ = false;
   begin(now_ns);
 }
 
+// A loss of the reference stays until a read has shown it.
 void Cia402Can::clear_faults(hal::TimeNs now_ns) {
-  if (faults_) {
+  if (faults_ && is_shown_) {
     begin(now_ns);
   }
 }
@@ -52,6 +54,9 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   now_ns_ = now_ns;
   begun_ns_ = now_ns;
   faults_.clear();
+  is_shown_ = true;
+  is_pre_operational_ = false;
+  sample_.has_torque = false;
   sdo_.reset();
   facts_ = {};
   state_ = {};
@@ -73,6 +78,7 @@ void Cia402Can::enter(Phase phase) {
   phase_ns_ = now_ns_;
   has_sent_nmt_ = false;
   step_ = 0;
+  is_followed_ = is_followed_ || phase == Phase::ready;
   update_status();
 }
 
@@ -86,6 +92,17 @@ void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
   update_status();
 }
 
+// The reference goes only where there may be one: since the drive was ready and as long as its
+// position was followed.
+void Cia402Can::lose_reference(DeviceStatus bit, const Trouble& trouble) {
+  if (is_followed_) {
+    is_followed_ = false;
+    is_shown_ = false;
+    faults_.latch(kDeviceReferenceLost, trouble);
+  }
+  latch(bit, trouble);
+}
+
 void Cia402Can::update_status() {
   sample_.status =
       faults_.status() | (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
@@ -95,6 +112,7 @@ void Cia402Can::shutdown(CanOutbox& outbox) {
   if (phase_ == Phase::off) {
     return;
   }
+  is_followed_ = false;
   // The PDO waits for a SYNC, of which there may be no more; the SDO acts by itself. Out of
   // operational the drive listens to no torque at all.
   outbox.add(cia402::command_frame(config_.node, {}));

@@ -22,6 +22,9 @@
 //                        power or operational by itself, restarts, does not switch its power on, or
 //                        refuses the set-up
 //   kDeviceTooHot        with it, if that is what the drive reports
+//   kDeviceReferenceLost with lost, encoder fault, restart and errors of supply or encoder, also
+//                        after another fault and in the bring-up after clear_faults: the drive goes
+//                        on being watched
 //   kDeviceEncoderFault  a position that the shaft cannot have reached; the last good one stays
 //   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, not up in time
 // From then on each tick sends torque zero and 'disable voltage'. What cannot be seen: samples that
@@ -79,6 +82,9 @@ class Cia402Can {
   [[nodiscard]] bool is_live() const { return phase_ >= Phase::starting; }
   [[nodiscard]] bool has_passed(hal::TimeNs since_ns, double time_s) const;
   void latch(DeviceStatus bit, const Trouble& trouble);
+  void lose_reference(DeviceStatus bit, const Trouble& trouble);
+  void latch_error(std::uint16_t code);
+  void watch_heartbeat();
   void update_status();
 
   void take_state(const cia402::DriveState& state);
@@ -96,6 +102,7 @@ class Cia402Can {
   [[nodiscard]] Trouble late_bring_up() const;
 
   void lead_bus(CanOutbox& outbox);
+  void boot(CanOutbox& outbox);
   void bring_up(CanOutbox& outbox);
   void repeat_nmt(canopen::NmtCommand command, double every_s, CanOutbox& outbox);
   void run_set_up(CanOutbox& outbox);
@@ -130,7 +137,10 @@ class Cia402Can {
   bool has_sent_nmt_ = false;
   bool has_sent_heartbeat_ = false;
   bool is_operational_ = false;
-  bool has_state_ = false;  // in this bring-up
+  bool is_pre_operational_ = false;
+  bool is_followed_ = false;  // the position, since the drive was ready
+  bool is_shown_ = true;      // the loss of the reference, by a read
+  bool has_state_ = false;    // in this bring-up
   bool mode_is_set_ = false;
   bool in_torque_mode_ = false;
   bool wants_power_ = false;

@@ -20,6 +20,13 @@ constexpr double kSecondsPerMs = 1e-3;
 constexpr Trouble kUnnamedFault{"drive is in fault, with a code that it has not told",
                                 "see the drive's own diagnosis, then reset", 0};
 
+// Codes of the supply and of the encoder: the position may count from another zero.
+bool may_move_zero(std::uint16_t code) {
+  constexpr std::uint16_t kVoltages = 0x3000;
+  constexpr std::uint16_t kEncoders = 0x7300;
+  return (code & 0xF000U) == kVoltages || (code & 0xFF00U) == kEncoders;
+}
+
 bool is_fault(PowerState state) {
   return state == PowerState::fault || state == PowerState::fault_reaction_active;
 }
@@ -54,10 +61,10 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
   state_ = state;
   has_state_ = true;
   if (!shaft_.take(state.position, sync_ns_)) {
-    latch(kDeviceEncoderFault,
-          {"drive reports a position that its shaft cannot have reached (6064:00)",
-           "check the encoder's cable and shield, and max_speed_rad_per_s, then reset",
-           static_cast<std::uint32_t>(state.position)});
+    lose_reference(kDeviceEncoderFault,
+                   {"drive reports a position that its shaft cannot have reached (6064:00)",
+                    "check the encoder's cable and shield, and max_speed_rad_per_s, then reset",
+                    static_cast<std::uint32_t>(state.position)});
     return;
   }
   is_late_ = tick_is_over_;
@@ -76,6 +83,7 @@ void Cia402Can::take_sample() {
     sample_.velocity_rad_per_s = shaft_.velocity_rad_per_s();
   }
   sample_.torque_Nm = kTorquePerUnit * facts_.rated_torque_Nm * state_.torque;
+  sample_.has_torque = true;
   unanswered_syncs_ = 0;
 }
 
@@ -96,11 +104,20 @@ void Cia402Can::check_power() {
 
 void Cia402Can::latch_drive_fault() {
   if (emergency_code_ != 0) {
-    latch(kDeviceDriveFault, cia402::error_code_trouble(emergency_code_));
+    latch_error(emergency_code_);
     return;
   }
   latch(kDeviceDriveFault, kUnnamedFault);
   reads_error_code_ = true;
+}
+
+void Cia402Can::latch_error(std::uint16_t code) {
+  const Trouble trouble = cia402::error_code_trouble(code);
+  if (may_move_zero(code)) {
+    lose_reference(kDeviceDriveFault, trouble);
+  } else {
+    latch(kDeviceDriveFault, trouble);
+  }
 }
 
 void Cia402Can::take_motion(const cia402::DriveMotion& motion) {
@@ -129,6 +146,13 @@ void Cia402Can::take_velocity(std::int32_t velocity) {
 
 void Cia402Can::take_heartbeat(NmtState state) {
   is_operational_ = state == NmtState::operational;
+  is_pre_operational_ = state == NmtState::pre_operational;
+  if (state == NmtState::boot_up && is_followed_) {
+    lose_reference(kDeviceDriveFault,
+                   {"drive restarted by itself",
+                    "check its supply, then reset and home: its position may have changed", 0});
+    return;
+  }
   if (phase_ == Phase::booting || phase_ == Phase::setting_up) {
     if (state == NmtState::boot_up && (phase_ == Phase::setting_up || has_sent_nmt_)) {
       sdo_.reset();
@@ -149,6 +173,9 @@ void Cia402Can::take_heartbeat(NmtState state) {
 // During the bring-up it is mostly what is to be cleared there.
 void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
   emergency_code_ = emergency.code;
+  if (is_followed_ && may_move_zero(emergency.code)) {
+    latch_error(emergency.code);
+  }
   if (emergency.code == 0 || phase_ != Phase::ready) {
     return;
   }
@@ -156,10 +183,11 @@ void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
     reads_error_code_ = false;
     faults_.explain(cia402::error_code_trouble(emergency.code));
   }
-  latch(kDeviceDriveFault, cia402::error_code_trouble(emergency.code));
+  latch_error(emergency.code);
 }
 
 void Cia402Can::watch() {
+  watch_heartbeat();
   if (faults_) {
     return;
   }
@@ -173,18 +201,25 @@ void Cia402Can::watch() {
   }
 }
 
+// While the position is followed: in every phase, and after a fault too. A drive that loses its
+// supply is silent first.
+void Cia402Can::watch_heartbeat() {
+  if (is_followed_ && has_passed(heard_heartbeat_ns_,
+                                 kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
+    lose_reference(kDeviceLost, {"drive sends no heartbeat any more",
+                                 "check its power and the cable, then reset", 0});
+  }
+}
+
 // A host that overslept has asked for no sample meanwhile: that is not the drive's fault.
 void Cia402Can::watch_samples() {
   if (unanswered_syncs_ > 1 && has_passed(sample_.time_ns, config_.lost_after_s)) {
-    latch(kDeviceLost,
-          is_late_ ? Trouble{"drive's samples come later than the tick waits for them",
-                             "lower the load of the bus or let the tick wait longer, then reset", 0}
-                   : Trouble{"drive sends no samples any more",
-                             "check its power and the cable, then reset", 0});
-  } else if (has_passed(heard_heartbeat_ns_,
-                        kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
-    latch(kDeviceLost,
-          {"drive sends no heartbeat any more", "check its power and the cable, then reset", 0});
+    lose_reference(
+        kDeviceLost,
+        is_late_ ? Trouble{"drive's samples come later than the tick waits for them",
+                           "lower the load of the bus or let the tick wait longer, then reset", 0}
+                 : Trouble{"drive sends no samples any more",
+                           "check its power and the cable, then reset", 0});
   }
 }
 

@@ -32,6 +32,7 @@ void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
     return;
   }
   watch();
+  is_shown_ = true;  // the sample of this read has all of the status
   tick_is_over_ = false;
   sync_ns_ = now_ns;
   ++unanswered_syncs_;
@@ -69,7 +70,7 @@ void Cia402Can::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
 void Cia402Can::bring_up(CanOutbox& outbox) {
   switch (phase_) {
     case Phase::booting:
-      repeat_nmt(NmtCommand::reset_communication, kResetEvery_s, outbox);
+      boot(outbox);
       return;
     case Phase::setting_up:
       run_set_up(outbox);
@@ -92,6 +93,17 @@ void Cia402Can::bring_up(CanOutbox& outbox) {
     case Phase::off:
     case Phase::ready:
       return;
+  }
+}
+
+// A drive whose position is followed is not reset: its boot-up would hide a restart of its own.
+void Cia402Can::boot(CanOutbox& outbox) {
+  if (!is_followed_) {
+    repeat_nmt(NmtCommand::reset_communication, kResetEvery_s, outbox);
+  } else if (is_pre_operational_) {
+    enter(Phase::setting_up);
+  } else {
+    repeat_nmt(NmtCommand::enter_pre_operational, kStartEvery_s, outbox);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "drivers/moteus_canfd/moteus_canfd.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "drivers/moteus_canfd/moteus_errors.h"
@@ -15,6 +16,20 @@ namespace {
 constexpr double kAskAgain_s = 0.02;
 // One that has been heard and is not any more, while it is brought up.
 constexpr double kSilence_s = 0.1;
+// A servo that has not stopped by so much after its watchdog's time has none.
+constexpr double kProofMargin_s = 0.05;
+
+constexpr std::uint32_t kGone = kDeviceLost | kDeviceReferenceLost;
+constexpr std::uint32_t kMoved = kDeviceEncoderFault | kDeviceReferenceLost;
+constexpr std::uint32_t kRestarted = kDeviceDriveFault | kDeviceReferenceLost;
+
+// The supply fell, or the encoder did: the position may count from another zero.
+std::uint32_t status_of_fault(std::uint8_t code) {
+  constexpr std::array<std::uint8_t, 6> kSupplyOrEncoder = {33, 35, 40, 42, 43, 44};
+  return std::ranges::find(kSupplyOrEncoder, code) != kSupplyOrEncoder.end()
+             ? kRestarted
+             : std::uint32_t{kDeviceDriveFault};
+}
 
 }  // namespace
 
@@ -39,20 +54,33 @@ std::size_t MoteusCanFd::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void MoteusCanFd::start(hal::TimeNs now_ns) {
-  sample_ = {};
+  is_followed_ = false;
+  is_proven_ = false;
+  begin(now_ns);
+}
+
+// A loss of the reference stays until a read has shown it.
+void MoteusCanFd::clear_faults(hal::TimeNs now_ns) {
+  if (phase_ == Phase::failed && is_shown_) {
+    begin(now_ns);
+  }
+}
+
+// A position that is followed stays followed, without a gap in the replies.
+void MoteusCanFd::begin(hal::TimeNs now_ns) {
+  if (!is_followed_) {
+    sample_ = {};
+    has_asked_ = false;
+    has_replied_ = false;
+    encoder_.reset();
+  }
+  sample_.status = kDeviceNotReady;
+  sample_.has_torque = false;
   trouble_ = {};
   readings_ = {};
   last_fault_ = 0;
-  has_asked_ = false;
-  has_replied_ = false;
-  encoder_.reset();
+  is_shown_ = true;
   enter(Phase::stopping, now_ns);
-}
-
-void MoteusCanFd::clear_faults(hal::TimeNs now_ns) {
-  if (phase_ == Phase::failed) {
-    start(now_ns);
-  }
 }
 
 void MoteusCanFd::enter(Phase phase, hal::TimeNs now_ns) {
@@ -60,20 +88,28 @@ void MoteusCanFd::enter(Phase phase, hal::TimeNs now_ns) {
   phase_since_ns_ = now_ns;
   if (phase == Phase::up) {
     sample_.status = kDeviceOk;
+    is_followed_ = true;
   }
 }
 
+// The first trouble stays in words; the status bits of all of them add up.
 void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
-  if (phase_ == Phase::failed) {
-    return;
+  if (phase_ != Phase::failed) {
+    phase_ = Phase::failed;
+    sample_.status = kDeviceOk;
+    trouble_ = trouble;
   }
-  phase_ = Phase::failed;
-  sample_.status = status | heat_status(trouble);
-  trouble_ = trouble;
+  sample_.status |= status | heat_status(trouble);
+  if ((status & kDeviceReferenceLost) != 0 && is_followed_) {
+    is_followed_ = false;
+    is_proven_ = false;
+    is_shown_ = false;
+  }
 }
 
 void MoteusCanFd::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   watch_deadlines(now_ns);
+  is_shown_ = true;  // the sample of this read has all of the status
   const bool is_under_torque = phase_ == Phase::starting || phase_ == Phase::up;
   if (is_under_torque && config_.query == MoteusQuery::before_command) {
     outbox.add(moteus::query(address_));
@@ -83,6 +119,7 @@ void MoteusCanFd::request(hal::TimeNs now_ns, CanOutbox& outbox) {
 void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
   watch_deadlines(now_ns);
   const bool asks_here = config_.query == MoteusQuery::with_command;
+  switch_power(command.power_off, now_ns);
   switch (phase_) {
     case Phase::off:
       return;
@@ -97,11 +134,27 @@ void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOut
           phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F;
       outbox.add(
           moteus::torque(address_, torque_Nm, static_cast<float>(config_.watchdog_s), asks_here));
+      fed_ns_ = now_ns;
       return;
     }
-    case Phase::failed:
-      outbox.add(moteus::stop(address_, false));
+    case Phase::proving:
+      outbox.add(moteus::query(address_));  // which feeds no watchdog
       return;
+    case Phase::resting:
+    case Phase::failed:
+      outbox.add(moteus::stop(address_, true));
+      return;
+  }
+}
+
+void MoteusCanFd::switch_power(bool power_off, hal::TimeNs now_ns) {
+  const bool has_power =
+      phase_ == Phase::starting || phase_ == Phase::proving || phase_ == Phase::up;
+  if (power_off && has_power) {
+    enter(Phase::resting, now_ns);
+  } else if (!power_off && phase_ == Phase::resting) {
+    sample_.status = kDeviceNotReady;
+    enter(Phase::stopping, now_ns);
   }
 }
 
@@ -122,19 +175,44 @@ bool MoteusCanFd::is_time_to_ask(hal::TimeNs now_ns) {
 }
 
 void MoteusCanFd::watch_deadlines(hal::TimeNs now_ns) {
-  if (phase_ == Phase::off || phase_ == Phase::failed) {
+  if (phase_ == Phase::off) {
     return;
   }
   // No frame was received in the future, whatever its stamp says.
   phase_since_ns_ = std::min(phase_since_ns_, now_ns);
   reply_ns_ = std::min(reply_ns_, now_ns);
-  if (phase_ != Phase::up) {
+  heard_ns_ = std::min(heard_ns_, now_ns);
+  // A servo that restarts is silent meanwhile.
+  if (is_followed_ && has_passed(config_.reply_lost_s, heard_ns_, now_ns)) {
+    fail(kGone, {"the servo's replies stopped",
+                 "check its power and the bus's cable, then reset and home"});
+  } else if (phase_ == Phase::up || (phase_ == Phase::resting && is_followed_)) {
+    watch_samples(now_ns);
+  } else if (phase_ == Phase::proving) {
+    watch_proof(now_ns);
+  } else if (phase_ != Phase::failed && phase_ != Phase::resting) {
     watch_bring_up(now_ns);
-  } else if (has_passed(config_.reply_lost_s, reply_ns_, now_ns)) {
-    fail(kDeviceLost,
-         {"the servo's replies stopped", "check its power and the bus's cable, then reset"});
+  }
+}
+
+void MoteusCanFd::watch_samples(hal::TimeNs now_ns) {
+  if (has_passed(config_.reply_lost_s, reply_ns_, now_ns)) {
+    fail(kGone, {"the servo's positions stopped",
+                 "check its power, its encoder and the bus's cable, then reset and home"});
   } else if (has_passed(config_.reply_stale_s, reply_ns_, now_ns)) {
     sample_.status |= kDeviceStale;
+  }
+}
+
+void MoteusCanFd::watch_proof(hal::TimeNs now_ns) {
+  if (has_passed(kSilence_s, heard_ns_, now_ns)) {
+    fail(kGone, {"no reply comes from the servo while its watchdog is proven",
+                 "check its power and the bus's cable, then reset"});
+  } else if (has_passed(config_.watchdog_s + kProofMargin_s, fed_ns_, now_ns)) {
+    fail(kDeviceDriveFault,
+         {"the servo's watchdog does not stop it when commands stop",
+          "see that nobody else commands it and update its firmware, or set unproven_watchdog; "
+          "then reset"});
   }
 }
 
@@ -163,7 +241,7 @@ void MoteusCanFd::watch_bring_up(hal::TimeNs now_ns) {
 void MoteusCanFd::take(const hal::CanReceived& received) {
   const hal::CanFrame& frame = received.frame;
   if (received.kind == hal::CanReceived::Kind::frame && !frame.remote &&
-      frame.id == moteus::reply_id(address_) && phase_ != Phase::off && phase_ != Phase::failed) {
+      frame.id == moteus::reply_id(address_) && phase_ != Phase::off) {
     take_reply(moteus::read_reply(frame.bytes()), received.time_ns);
   }
 }
@@ -184,15 +262,36 @@ void MoteusCanFd::take_reply(const moteus::Reply& reply, hal::TimeNs time_ns) {
   readings_.limit = moteus::is_limit(told) ? told : std::uint8_t{0};
   readings_.voltage_V = reply.voltage_V.value_or(readings_.voltage_V);
   readings_.temperature_C = reply.temperature_C.value_or(readings_.temperature_C);
+  take_home_state(reply.home_state);
   take_mode(*reply.mode, moteus::is_limit(told) ? std::uint8_t{0} : told, time_ns);
-  if (phase_ != Phase::failed) {
-    take_position(*reply.position_rad, *reply.velocity_rad_per_s, reply.torque_Nm, time_ns);
+  take_position(reply, time_ns);
+}
+
+// A servo that knows less than before has restarted.
+void MoteusCanFd::take_home_state(std::optional<std::uint8_t> home_state) {
+  if (!home_state) {
+    return;
+  }
+  if (is_followed_ && *home_state < readings_.home_state) {
+    fail(kRestarted, {"the servo restarted by itself: it knows less of its position than before",
+                      "check its supply, then reset and home", *home_state});
+  }
+  readings_.home_state = *home_state;
+  if (config_.absolute_output && *home_state != moteus::kHomeOutput) {
+    fail(kRestarted,
+         {"the servo knows no absolute position of its output, only its rotor's at most",
+          "home the joint instead of reference absolute, or fit an output encoder and set "
+          "motor_position.sources and output in tview; then reset",
+          *home_state});
   }
 }
 
 void MoteusCanFd::take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs time_ns) {
   last_fault_ = fault;
   const auto told = static_cast<moteus::Mode>(mode);
+  if (is_followed_ && fault != 0 && status_of_fault(fault) == kRestarted) {
+    fail(kRestarted, moteus::fault_trouble(fault));
+  }
   switch (phase_) {
     case Phase::stopping:
       if (told == moteus::Mode::stopped && fault == 0) {
@@ -203,6 +302,9 @@ void MoteusCanFd::take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs t
     case Phase::up:
       take_mode_under_torque(told, fault, time_ns);
       return;
+    case Phase::proving:
+      take_proof(told, fault, time_ns);
+      return;
     default:
       return;
   }
@@ -211,36 +313,57 @@ void MoteusCanFd::take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs t
 void MoteusCanFd::take_mode_under_torque(moteus::Mode mode, std::uint8_t fault,
                                          hal::TimeNs time_ns) {
   if (mode == moteus::Mode::fault || fault != 0) {
-    fail(kDeviceDriveFault, moteus::fault_trouble(fault));
+    fail(status_of_fault(fault), moteus::fault_trouble(fault));
   } else if (mode == moteus::Mode::timeout) {
     fail(kDeviceDriveFault, {"the servo's watchdog expired: commands came too late",
                              "check the bus's cable and the host's load, then reset",
                              static_cast<std::uint32_t>(mode)});
   } else if (phase_ == Phase::up && mode != moteus::Mode::position) {
-    fail(kDeviceDriveFault,
-         {"the servo left torque control by itself", "find out who else commands it, then reset",
+    fail(mode == moteus::Mode::stopped ? kRestarted : std::uint32_t{kDeviceDriveFault},
+         {"the servo left torque control by itself, as one that restarts does",
+          "check its supply and who else commands it, then reset and home",
           static_cast<std::uint32_t>(mode)});
   } else if (phase_ == Phase::starting && mode == moteus::Mode::position && encoder_.is_trusted() &&
              !has_passed(config_.reply_stale_s, reply_ns_, time_ns)) {
-    enter(Phase::up, time_ns);
+    enter(is_proven_ || config_.unproven_watchdog ? Phase::up : Phase::proving, time_ns);
   }
 }
 
-void MoteusCanFd::take_position(double position_rad, double velocity_rad_per_s,
-                                std::optional<double> torque_Nm, hal::TimeNs time_ns) {
+// The silence counts from the last torque frame.
+void MoteusCanFd::take_proof(moteus::Mode mode, std::uint8_t fault, hal::TimeNs time_ns) {
+  if (mode == moteus::Mode::fault || fault != 0) {
+    fail(status_of_fault(fault), moteus::fault_trouble(fault));
+  } else if (mode == moteus::Mode::timeout) {
+    is_proven_ = true;
+    enter(Phase::stopping, time_ns);
+  } else if (mode != moteus::Mode::position) {
+    fail(kDeviceDriveFault,
+         {"the servo left torque control while its watchdog was proven",
+          "find out who else commands it, then reset", static_cast<std::uint32_t>(mode)});
+  }
+}
+
+// The position is watched in every phase; one that jumps while it is followed is lost.
+void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns) {
+  const double position_rad = *reply.position_rad;
+  const double velocity_rad_per_s = *reply.velocity_rad_per_s;
   const EncoderVerdict verdict = encoder_.check(position_rad, velocity_rad_per_s, time_ns);
   if (verdict != EncoderVerdict::good) {
-    encoder_.reset();
-    if (phase_ == Phase::up) {
-      fail(kDeviceEncoderFault, trouble_of(verdict));
+    if (is_followed_) {
+      fail(kMoved, trouble_of(verdict));
     }
+    encoder_.reset();
     return;
   }
   reply_ns_ = time_ns;
+  if (phase_ == Phase::failed) {
+    return;
+  }
   sample_.position_rad = position_rad;
   sample_.velocity_rad_per_s = velocity_rad_per_s;
-  if (torque_Nm && std::isfinite(*torque_Nm)) {
-    sample_.torque_Nm = *torque_Nm;
+  if (reply.torque_Nm && std::isfinite(*reply.torque_Nm)) {
+    sample_.torque_Nm = *reply.torque_Nm;
+    sample_.has_torque = true;
   }
   sample_.time_ns = time_ns;
   sample_.status &= ~std::uint32_t{kDeviceStale};

@@ -3,6 +3,9 @@
 // Bring-up: stop frames until it is stopped and without fault; torque frames of zero until it is in
 // position mode, which with all gains zero is pure torque. From then on a torque goes out every
 // tick and feeds the servo's watchdog.
+// Before the first torque the watchdog is proven: in position mode at zero torque only queries go
+// out until the servo says that it timed out, then it is stopped and started again.
+// `power_off` stops the servo (bridge off); `enable` false alone is zero torque in position mode.
 // From a fault on: a stop frame every tick, which also ends a servo's own fault or time-out; the
 // fault stays latched here until clear_faults.
 #pragma once
@@ -27,6 +30,7 @@ struct MoteusReadings {
   double voltage_V = 0.0;
   double temperature_C = 0.0;
   std::uint8_t limit = 0;       // what holds the torque back: see moteus::limit_words
+  std::uint8_t home_state = 0;  // 0: relative, 1: within a turn of the rotor, 2: at the output
   std::uint32_t malformed = 0;  // replies that lacked mode, position or velocity
 };
 
@@ -37,6 +41,10 @@ struct MoteusReadings {
 //   kDeviceDriveFault    a fault code, the watchdog's time-out, a refused register, or torque mode
 //                        left
 //   kDeviceTooHot        with it, if that is what the fault code says
+//   kDeviceReferenceLost with lost and encoder fault, with a fault of supply or encoder, with
+//   torque
+//                        mode left for 'stopped', and with a home state that falls; also after
+//                        another fault, since a failed servo goes on being watched
 //   kDeviceEncoderFault  a position that is not a number or that no shaft can have reached
 // With the last four the sample keeps the last good position.
 class MoteusCanFd {
@@ -62,17 +70,24 @@ class MoteusCanFd {
     off,
     stopping,  // until it is stopped and without fault
     starting,  // until it is in position mode
+    proving,   // no torque frames, until the watchdog trips
     up,
+    resting,  // stopped, since the power is to be off
     failed,
   };
 
+  void begin(hal::TimeNs now_ns);
   void enter(Phase phase, hal::TimeNs now_ns);
+  void switch_power(bool power_off, hal::TimeNs now_ns);
   void fail(std::uint32_t status, const Trouble& trouble);
   void watch_deadlines(hal::TimeNs now_ns);
   void watch_bring_up(hal::TimeNs now_ns);
+  void watch_samples(hal::TimeNs now_ns);
+  void watch_proof(hal::TimeNs now_ns);
   void take_reply(const moteus::Reply& reply, hal::TimeNs time_ns);
-  void take_position(double position_rad, double velocity_rad_per_s,
-                     std::optional<double> torque_Nm, hal::TimeNs time_ns);
+  void take_position(const moteus::Reply& reply, hal::TimeNs time_ns);
+  void take_home_state(std::optional<std::uint8_t> home_state);
+  void take_proof(moteus::Mode mode, std::uint8_t fault, hal::TimeNs time_ns);
   void take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs time_ns);
   void take_mode_under_torque(moteus::Mode mode, std::uint8_t fault, hal::TimeNs time_ns);
   [[nodiscard]] bool is_time_to_ask(hal::TimeNs now_ns);
@@ -89,9 +104,13 @@ class MoteusCanFd {
   hal::TimeNs reply_ns_ = 0;  // the newest with a good position
   hal::TimeNs heard_ns_ = 0;  // the newest of any kind
   hal::TimeNs asked_ns_ = 0;
+  hal::TimeNs fed_ns_ = 0;  // the last torque frame
   std::uint8_t last_fault_ = 0;
   bool has_asked_ = false;    // since start
   bool has_replied_ = false;  // since start
+  bool is_followed_ = false;  // the position, since the axis was up
+  bool is_proven_ = false;    // the watchdog, and the reference has not been lost since
+  bool is_shown_ = true;      // the loss of the reference, by a read
 };
 
 static_assert(CanDrive<MoteusCanFd>);

@@ -21,6 +21,9 @@ struct MoteusConfig {
   double watchdog_s = 0.02;     // the servo times out without a command: 0.002 to 1
   double max_speed_rad_per_s = 200.0;  // faster than the shaft ever turns: 0.1 to 10000
   double jump_margin_rad = 0.05;       // on top of it, between two samples: above 0, up to 3
+  // The joint counts on an absolute position of its output: a servo that has none does not come up.
+  bool absolute_output = false;
+  bool unproven_watchdog = false;  // the owner takes the watchdog without its proof at bring-up
   MoteusQuery query = MoteusQuery::with_command;
 
   // Deadlines, 0.001 to 10 s, in this order.

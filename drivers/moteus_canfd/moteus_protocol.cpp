@@ -60,11 +60,13 @@ hal::CanFrame moteus_frame(const Address& address, bool wants_reply) {
           .bit_rate_switch = address.bit_rate_switch};
 }
 
-// Mode; position, velocity and torque as floats; voltage, temperature and fault.
+// Mode; position, velocity and torque as floats; home state, voltage, temperature and fault.
 void put_query(SubframeWriter& writer) {
   writer.header(kRead, ValueType::int8, 1, Register::mode);
   writer.header(kRead, ValueType::float32, 3, Register::position);
-  writer.header(kRead, ValueType::int8, 3, Register::voltage);
+  writer.put(static_cast<std::uint8_t>(kRead));  // int8, the count in a byte of its own
+  writer.put(std::uint8_t{4});
+  writer.put(static_cast<std::uint8_t>(Register::home_state));
 }
 
 // Takes a payload apart; once it has run out of sense it stays empty.
@@ -156,6 +158,9 @@ void note(std::uint32_t at, const SubframeReader::Value& value, Reply& reply) {
       break;
     case Register::temperature:
       reply.temperature_C = number_of(value, Quantity::temperature_C);
+      break;
+    case Register::home_state:
+      reply.home_state = code_of(value);
       break;
     case Register::fault:
       reply.fault = code_of(value);

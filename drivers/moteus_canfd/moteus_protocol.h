@@ -23,6 +23,7 @@ enum class Register : std::uint16_t {
   position = 0x001,
   velocity = 0x002,
   torque = 0x003,
+  home_state = 0x00C,
   voltage = 0x00D,
   temperature = 0x00E,
   fault = 0x00F,
@@ -60,6 +61,9 @@ enum class Quantity : std::uint8_t {
   scale,  // of a gain or of PWM
 };
 
+// The home state of a position that is referenced to the output.
+inline constexpr std::uint8_t kHomeOutput = 2;
+
 // What a servo answers to a query; NaN where it did not.
 struct Reply {
   std::optional<std::uint8_t> mode;
@@ -69,6 +73,7 @@ struct Reply {
   std::optional<double> voltage_V;
   std::optional<double> temperature_C;
   std::optional<std::uint8_t> fault;
+  std::optional<std::uint8_t> home_state;
   // The last register that it refused to write or read.
   std::optional<std::uint32_t> refused_register;
 };

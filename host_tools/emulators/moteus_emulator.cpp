@@ -263,13 +263,16 @@ bool MoteusEmulator::read_register(unsigned at, double& value) const {
       return true;
     case 0x001:
       value = position_lost_ ? std::numeric_limits<double>::quiet_NaN()
-                             : kMoteusRevPerRad * shaft().position_rad;
+                             : kMoteusRevPerRad * (shaft().position_rad - zero_rad_);
       return true;
     case 0x002:
       value = kMoteusRevPerRad * shaft().velocity_rad_per_s;
       return true;
     case 0x003:
       value = shaft().torque_Nm;
+      return true;
+    case 0x00C:
+      value = config_.output_encoder ? 2 : 1;
       return true;
     case 0x00D:
       value = kMoteusVoltage_V;
@@ -325,7 +328,22 @@ void MoteusEmulator::lose_position(bool is_lost) {
   position_lost_ = is_lost;
 }
 
+// The rotor's encoder tells the angle within a turn of the rotor, the output's within one of the
+// output; turns are forgotten.
+void MoteusEmulator::boot() {
+  mode_ = kMoteusStopped;
+  fault_ = 0;
+  command_ = {};
+  const double turn_rad = (config_.output_encoder ? 1.0 : 1.0 / config_.gear) / kMoteusRevPerRad;
+  zero_rad_ = turn_rad * std::round(shaft().position_rad / turn_rad);
+}
+
 void MoteusEmulator::advance(hal::TimeNs now_ns, bool erroring) {
+  if (has_run_ && now_ns - ran_ns_ >= kPowerLoss_ns) {
+    boot();
+  }
+  has_run_ = true;
+  ran_ns_ = now_ns;
   if (erroring && !was_erroring_) {
     raise_fault(kMotorDriverFaultCode);
   }
@@ -344,7 +362,7 @@ void MoteusEmulator::proceed(hal::TimeNs now_ns) {
   const double silent_s = 1e-9 * static_cast<double>(now_ns - commanded_ns_);
   const double timeout_s =
       command_.timeout_s == 0.0 ? config_.default_timeout_s : command_.timeout_s;
-  if (mode_ == kMoteusPosition && silent_s > timeout_s) {  // never with NaN
+  if (config_.has_watchdog && mode_ == kMoteusPosition && silent_s > timeout_s) {  // never with NaN
     mode_ = kMoteusTimeout;
   }
 }

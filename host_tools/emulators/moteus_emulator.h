@@ -28,7 +28,10 @@ struct MoteusEmulatorConfig {
   double max_torque_Nm = 1.0;
   double kp_Nm_per_rev = 4.0;  // of the servo's own position control
   double kd_Nm_s_per_rev = 0.05;
-  double start_s = 0.02;  // through modes 2, 3 and 4
+  double start_s = 0.02;        // through modes 2, 3 and 4
+  double gear = 1.0;            // turns of the rotor in one of the output
+  bool output_encoder = false;  // else it knows its rotor within a turn after power-up
+  bool has_watchdog = true;
 };
 
 class MoteusEmulator final : public CanEmulator {
@@ -65,6 +68,7 @@ class MoteusEmulator final : public CanEmulator {
   bool write_register(unsigned at, double value);
   bool read_register(unsigned at, double& value) const;
   void obey(hal::TimeNs now_ns);
+  void boot();
   void proceed(hal::TimeNs now_ns);
   void set_torque();
   void reply(hal::TimeNs now_ns, const hal::CanFrame& query);
@@ -80,6 +84,9 @@ class MoteusEmulator final : public CanEmulator {
   double held_rev_ = 0.0;  // the position to stay at
   hal::TimeNs mode_since_ns_ = 0;
   hal::TimeNs commanded_ns_ = 0;
+  hal::TimeNs ran_ns_ = 0;
+  bool has_run_ = false;
+  double zero_rad_ = 0.0;  // of the output, where the reported position is zero
   bool position_lost_ = false;
   bool was_erroring_ = false;
 };

@@ -107,6 +107,8 @@ constexpr auto kFaults = std::to_array<MatrixFault>({
     {"power stage over temperature", kFaultOverTemperature, kEvery, 1,
      report<drivers::kDeviceTooHot>},
     {"reference lost", kFaultReferenceLost, kActive, 1, report<drivers::kDeviceNotReady>},
+    {"encoder's zero may have moved", kFaultReferenceLost, kEvery, 1,
+     report<drivers::kDeviceReferenceLost>},
     {"operator stops", kFaultOperatorStop, kEvery, 1, report<drivers::kDeviceOk>, Request::estop},
     {"late ticks", kFaultLateTicks, kEvery, 3, hold_the_loop_up<kLateReport>},
     {"tick overrun", kFaultTickOverrun, kEvery, 1, hold_the_loop_up<kOverrunReport>},

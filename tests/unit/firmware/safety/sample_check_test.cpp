@@ -70,8 +70,9 @@ TEST_F(SampleCheckTest, EachDeviceTroubleIsItsOwnFault) {
   EXPECT_EQ(device_faults(drivers::kDeviceEmergencyStop), kFaultEmergencyStop);
   EXPECT_EQ(device_faults(drivers::kDeviceLost), kFaultDeviceLost);
   EXPECT_EQ(device_faults(drivers::kDeviceTooHot), kFaultOverTemperature);
-  EXPECT_EQ(device_faults(~0U), kFaultEncoder | kFaultDrive | kFaultEmergencyStop |
-                                    kFaultDeviceLost | kFaultOverTemperature);
+  EXPECT_EQ(device_faults(drivers::kDeviceReferenceLost), kFaultReferenceLost);
+  EXPECT_EQ(device_faults(~0U), kFaultReferenceLost | kFaultEncoder | kFaultDrive |
+                                    kFaultEmergencyStop | kFaultDeviceLost | kFaultOverTemperature);
 }
 
 TEST_F(SampleCheckTest, TheDifferenceOfTwoJointsMayHaveALimit) {
