@@ -30,12 +30,6 @@ struct MoteusConfig {
   double reply_stale_s = 0.0022;  // kDeviceStale
   double reply_lost_s = 0.0034;   // kDeviceLost
   double bring_up_s = 1.0;        // for each step of the bring-up
-
-  // The servo has an encoder at its output, absolute over a turn of it.
-  bool absolute_output = false;
-  // True: the owner accepts a servo whose watchdog was not proven, and with it that the motor may
-  // keep its torque when the host dies.
-  bool unproven_watchdog = false;
 };
 
 Checked check(const MoteusConfig& config);
