@@ -8,9 +8,44 @@ namespace tactus::drivers {
 namespace {
 
 // A joint that is pushed and slower than this part of its search speed stands.
-constexpr double kStandingShare = 0.05;
-// For so long, before that counts as the stop: longer than stiction or a gear's play holds it.
-constexpr hal::TimeNs kStanding_ns = 200'000'000;
+// How far a joint may move while it counts as held still: a part of its range, and where that is
+// not known a part of what it travels in a second of the search speed.
+constexpr double kStillShare = 0.01;
+constexpr double kStillSpeed_s = 0.02;
+// What an index search by motor takes for a wrong sign and for standing, in the same way.
+constexpr double kWrongWay_s = 0.02;
+constexpr double kStand_s = 0.01;
+// An index may put the joint this part of its range outside the limits.
+constexpr double kOutsideShare = 0.05;
+
+double still_band(const Reference& reference) {
+  const double range = reference.upper - reference.lower;
+  return std::isfinite(range) ? kStillShare * range : kStillSpeed_s * reference.search_speed;
+}
+
+hal::TimeNs in_ns(double seconds) {
+  return static_cast<hal::TimeNs>(seconds * 1e9);
+}
+
+HardStopLimits stop_limits(const Reference& reference) {
+  const bool is_low = reference.search_effort < 0.0;
+  return {
+      .effort = reference.search_effort,
+      .speed = reference.search_speed,
+      .range = is_low ? reference.upper - reference.position : reference.position - reference.lower,
+      .min_travel = reference.min_travel,
+      .time_ns = in_ns(reference.time_limit_s)};
+}
+
+// The stop lies on the side of the range to which the search pushes.
+bool stop_is_at_its_end(const Reference& reference) {
+  const double range = reference.upper - reference.lower;
+  if (reference.kind != ReferenceKind::hard_stop || !std::isfinite(range)) {
+    return true;
+  }
+  const double middle = reference.lower + 0.5 * range;
+  return reference.search_effort < 0.0 ? reference.position < middle : reference.position > middle;
+}
 
 }  // namespace
 
@@ -31,17 +66,36 @@ Checked check(const Reference& reference) {
   if (!lies_between(reference.time_limit_s, 0.1, 600.0)) {
     return std::unexpected(FieldError{"time_limit_s", "must lie between 0.1 and 600"});
   }
+  if (!(reference.lower < reference.upper)) {
+    return std::unexpected(FieldError{"lower", "must be below upper"});
+  }
+  if (!lies_between(reference.min_travel, 0.0, 1e6)) {
+    return std::unexpected(FieldError{"min_travel", "must be 0 or above"});
+  }
+  if (!stop_is_at_its_end(reference)) {
+    return std::unexpected(
+        FieldError{"search_effort", "pushes to one end of the range, position is at the other"});
+  }
   return {};
 }
 
 Homing::Homing(const Reference& reference, const Transmission& transmission)
-    : reference_(reference), transmission_(transmission) {
+    : reference_(reference), transmission_(transmission), stop_(stop_limits(reference)) {
   lose();
 }
 
 void Homing::lose() {
   state_ = reference_.kind == ReferenceKind::absolute ? State::referenced : State::waiting;
+  failure_ = HomingFailure::none;
   effort_ = 0.0;
+}
+
+double Homing::position(const AxisSample& sample) const {
+  return joint_position(transmission_, sample.position_rad);
+}
+
+double Homing::velocity(const AxisSample& sample) const {
+  return joint_velocity(transmission_, sample.velocity_rad_per_s);
 }
 
 void Homing::advance(const AxisSample& sample, bool home, hal::TimeNs now_ns) {
@@ -55,53 +109,109 @@ void Homing::advance(const AxisSample& sample, bool home, hal::TimeNs now_ns) {
     lose();
     return;
   }
+  if ((sample.status & kDeviceStale) != 0) {
+    still_since_ns_ = now_ns;
+    move_.skip(now_ns);
+    stop_.skip(now_ns);
+    return;
+  }
   search(sample, now_ns);
 }
 
 void Homing::begin(const AxisSample& sample, hal::TimeNs now_ns) {
   since_ns_ = now_ns;
-  moved_ns_ = now_ns;
+  still_since_ns_ = now_ns;
+  still_at_ = position(sample);
+  had_index_ = sample.index_seen;
+  old_index_rad_ = sample.index_rad;
+  state_ = State::searching;
   switch (reference_.kind) {
     case ReferenceKind::absolute:
     case ReferenceKind::board:
       state_ = State::referenced;
       return;
     case ReferenceKind::known_pose:
-      found(sample.position_rad);
       return;
     case ReferenceKind::index:
+      move_ = SearchMove({.effort = std::abs(reference_.search_effort),
+                          .speed = reference_.search_speed,
+                          .wrong_way = kWrongWay_s * reference_.search_speed,
+                          .still_band = kStand_s * reference_.search_speed,
+                          .time_ns = in_ns(reference_.time_limit_s)});
+      move_.begin(std::copysign(1.0, reference_.search_effort), position(sample), now_ns);
+      return;
     case ReferenceKind::hard_stop:
-      state_ = State::searching;
+      stop_.begin(position(sample), now_ns);
       return;
   }
 }
 
 void Homing::search(const AxisSample& sample, hal::TimeNs now_ns) {
-  const double speed = joint_velocity(transmission_, sample.velocity_rad_per_s);
-  if (reference_.kind == ReferenceKind::index && sample.index_seen) {
-    found(sample.index_rad);
-    return;
+  if (!std::isfinite(sample.position_rad) || !std::isfinite(sample.velocity_rad_per_s)) {
+    fail(HomingFailure::not_a_number);
+  } else if (reference_.kind == ReferenceKind::hard_stop) {
+    search_stop(sample, now_ns);
+  } else if (reference_.kind == ReferenceKind::index) {
+    search_index(sample, now_ns);
+  } else {
+    hold_still(sample, now_ns);
   }
-  if (reference_.kind == ReferenceKind::hard_stop && stands_at_stop(speed, now_ns)) {
-    found(sample.position_rad);
-    return;
-  }
-  if (static_cast<double>(now_ns - since_ns_) > reference_.time_limit_s * 1e9) {
-    state_ = State::failed;
-    effort_ = 0.0;
-    return;
-  }
-  // Full push when it stands, none at the search speed, as much the other way at twice that.
-  const double push = reference_.search_effort;
-  const double along = std::copysign(speed, push * speed);
-  effort_ = push * std::clamp(1.0 - along / reference_.search_speed, -1.0, 1.0);
 }
 
-bool Homing::stands_at_stop(double speed, hal::TimeNs now_ns) {
-  if (std::abs(speed) > kStandingShare * reference_.search_speed) {
-    moved_ns_ = now_ns;
+void Homing::hold_still(const AxisSample& sample, hal::TimeNs now_ns) {
+  if (std::abs(position(sample) - still_at_) > still_band(reference_)) {
+    still_at_ = position(sample);
+    still_since_ns_ = now_ns;
   }
-  return now_ns - moved_ns_ >= kStanding_ns;
+  if (now_ns - still_since_ns_ >= kStill_ns) {
+    found(sample.position_rad);
+  } else if (now_ns - since_ns_ > in_ns(reference_.time_limit_s)) {
+    fail(HomingFailure::not_still);
+  }
+}
+
+// A pulse from before the search may have been seen in a count that is worth nothing now.
+bool Homing::is_new_index(const AxisSample& sample) const {
+  return sample.index_seen && (!had_index_ || sample.index_rad != old_index_rad_);
+}
+
+void Homing::search_index(const AxisSample& sample, hal::TimeNs now_ns) {
+  if (is_new_index(sample)) {
+    found(sample.index_rad);
+    const double slack = kOutsideShare * (reference_.upper - reference_.lower);
+    const double joint = position(sample);
+    if (joint < reference_.lower - slack || joint > reference_.upper + slack) {
+      fail(HomingFailure::index_elsewhere);
+    }
+    return;
+  }
+  if (now_ns - since_ns_ > in_ns(reference_.time_limit_s)) {
+    fail(HomingFailure::no_index);
+  } else if (reference_.search_effort != 0.0) {
+    move_.advance(position(sample), velocity(sample), now_ns);
+    effort_ = move_.effort();
+    if (move_.failure() != HomingFailure::none) {
+      fail(move_.failure());
+    } else if (move_.stands()) {
+      fail(HomingFailure::no_index);
+    }
+  }
+}
+
+void Homing::search_stop(const AxisSample& sample, hal::TimeNs now_ns) {
+  stop_.advance(position(sample), velocity(sample), now_ns);
+  effort_ = stop_.effort();
+  if (stop_.failure() != HomingFailure::none) {
+    fail(stop_.failure());
+  } else if (stop_.is_done()) {
+    found(encoder_position_rad(transmission_, stop_.stop()));
+  }
+}
+
+void Homing::fail(HomingFailure failure) {
+  failure_ = failure;
+  effort_ = 0.0;
+  state_ = State::failed;
 }
 
 void Homing::found(double encoder_rad) {
@@ -111,16 +221,7 @@ void Homing::found(double encoder_rad) {
 }
 
 Trouble Homing::trouble() const {
-  if (state_ != State::failed) {
-    return {};
-  }
-  if (reference_.kind == ReferenceKind::index) {
-    return {"homing saw no index pulse in its time",
-            "move the joint over its index; check the index's wiring, then reset and home", 0};
-  }
-  return {"homing found no stop in its time",
-          "check search_effort, search_speed and that the joint moves freely, then reset and home",
-          0};
+  return state_ == State::failed ? describe(failure_) : Trouble{};
 }
 
 }  // namespace tactus::drivers

@@ -3,12 +3,14 @@
 // Until then its encoder counts from wherever it woke up. `absolute` needs nothing. The others wait
 // for the controller's `home`:
 //   board        the board finds its own reference (the Falcon's homing bits)
-//   known_pose   the user holds the joint in a known place while asking for home
+//   known_pose   the user holds the joint still in a known place for kStill_ns while asking for
+//                home
 //   index        the encoder's index pulse is at a known place; the user moves the joint over it,
-//                or the motor does, if search_torque is not 0
-//   hard_stop    the motor pushes the joint, gently, against a stop at a known place
-// A motor that searches pushes with search_torque at most, in the search direction, damped to
-// search_speed; it never pushes longer than `time_limit_s`.
+//                or the motor does, if search_effort is not 0
+//   hard_stop    the motor pushes the joint, gently, against a stop at a known place, and shows
+//                that it is the stop (drivers/hard_stop_search.h)
+// A motor that searches pushes with search_effort at most, rising slowly, damped to search_speed;
+// each of its moves takes no longer than `time_limit_s`.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +18,8 @@
 
 #include "drivers/axis.h"
 #include "drivers/field_error.h"
+#include "drivers/hard_stop_search.h"
+#include "drivers/search_move.h"
 #include "drivers/transmission.h"
 #include "hal/clock.h"
 
@@ -32,6 +36,9 @@ struct Reference {
   // The joint's limits, rad or m.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
+  // Free travel away from the hard stop that must be seen; 0: HardStopSearch::kRangeShare of the
+  // way from the stop to the other limit.
+  double min_travel = 0.0;
 };
 
 Checked check(const Reference& reference);
@@ -39,13 +46,16 @@ Checked check(const Reference& reference);
 // The reference of one joint, tick by tick.
 class Homing {
  public:
+  static constexpr hal::TimeNs kStill_ns = 500'000'000;
+
   Homing() = default;
   Homing(const Reference& reference, const Transmission& transmission);
 
   // Forgets the reference: the encoder counts from somewhere else now.
   void lose();
 
-  // One tick. `home`: the controller wants the reference. `sample` is the encoder's and good.
+  // One tick. `home`: the controller wants the reference. `sample` is the encoder's and has no
+  // fault; a stale one shows no standing still.
   void advance(const AxisSample& sample, bool home, hal::TimeNs now_ns);
 
   [[nodiscard]] bool is_referenced() const { return state_ == State::referenced; }
@@ -61,15 +71,29 @@ class Homing {
 
   void begin(const AxisSample& sample, hal::TimeNs now_ns);
   void search(const AxisSample& sample, hal::TimeNs now_ns);
+  void hold_still(const AxisSample& sample, hal::TimeNs now_ns);
+  void search_index(const AxisSample& sample, hal::TimeNs now_ns);
+  void search_stop(const AxisSample& sample, hal::TimeNs now_ns);
   void found(double encoder_rad);
-  [[nodiscard]] bool stands_at_stop(double speed, hal::TimeNs now_ns);
+  void fail(HomingFailure failure);
+  [[nodiscard]] double position(const AxisSample& sample) const;
+  [[nodiscard]] double velocity(const AxisSample& sample) const;
+  [[nodiscard]] bool is_new_index(const AxisSample& sample) const;
 
   Reference reference_;
   Transmission transmission_;
   State state_ = State::waiting;
+  HomingFailure failure_ = HomingFailure::none;
   double effort_ = 0.0;
   hal::TimeNs since_ns_ = 0;
-  hal::TimeNs moved_ns_ = 0;  // when it last moved
+  // known_pose: around here it has stood since then.
+  double still_at_ = 0.0;
+  hal::TimeNs still_since_ns_ = 0;
+  // index: the pulse that had been seen before the search began.
+  bool had_index_ = false;
+  double old_index_rad_ = 0.0;
+  SearchMove move_;
+  HardStopSearch stop_;
 };
 
 }  // namespace tactus::drivers

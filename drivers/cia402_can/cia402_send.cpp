@@ -192,6 +192,7 @@ void Cia402Can::read_error_code(CanOutbox& outbox) {
   }
   const auto code = static_cast<std::uint16_t>(sdo_.value() & 0xFFFFU);
   if (sdo_.state() == SdoClient::State::done && code != 0) {
+    latch_error(code);
     faults_.explain(cia402::error_code_trouble(code));
   }
   reads_error_code_ = false;

@@ -177,6 +177,10 @@ void CommandClerk::hand_scene_over(CommandClient& client, const Answer& answer) 
     refuse(client, "scene", "the mode is active; send disable first");
     return;
   }
+  if (answer.after == Mode::homing) {
+    refuse(client, "scene", "homing is under way; wait until the mode is ready");
+    return;
+  }
   if (scene_ticket_ != 0) {
     refuse(client, "scene", "another scene is on its way to the loop; send it again");
     return;

@@ -59,6 +59,8 @@ std::optional<Answer> CommandDesk::next_answer() {
   return answer;
 }
 
+static_assert(std::atomic<Mode>::is_always_lock_free);
+
 Request CommandDesk::before_tick(Controller& controller) {
   before_ = controller.mode();
   if (const Command* const front = commands_.front(); front != nullptr) {
@@ -68,15 +70,42 @@ Request CommandDesk::before_tick(Controller& controller) {
     carry_out(command, controller);
   }
   pending_ = requests_.take();
-  is_operated_ = is_operated_ || pending_.request != Request::none;
-  return pending_.request;
+  const std::uint32_t stops = stops_posted_.load(std::memory_order_acquire);
+  const bool is_stop = stops != stops_seen_;
+  stops_seen_ = stops;
+  is_operated_ = is_operated_ || is_stop || pending_.request != Request::none;
+  return is_stop ? Request::estop : pending_.request;
 }
 
+std::optional<StopTaken> CommandDesk::stop_taken(std::uint32_t stop) const {
+  // Numbers go round.
+  const auto ahead =
+      static_cast<std::int32_t>(stops_answered_.load(std::memory_order_acquire) - stop);
+  if (ahead < 0) {
+    return std::nullopt;
+  }
+  return StopTaken{.tick = stop_tick_.load(std::memory_order_relaxed),
+                   .after = stop_mode_.load(std::memory_order_relaxed)};
+}
+
+void CommandDesk::answer_stop(const TelemetryRecord& record) {
+  if (stops_seen_ == stops_answered_.load(std::memory_order_relaxed)) {
+    return;
+  }
+  stop_tick_.store(record.tick, std::memory_order_relaxed);
+  stop_mode_.store(record.mode, std::memory_order_relaxed);
+  stops_answered_.store(stops_seen_, std::memory_order_release);
+  tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(Request::estop)],
+       0.0);
+}
+
+// A request in the tick of a stop has had none of its effect.
 void CommandDesk::after_tick(const Controller& controller) {
+  const TelemetryRecord& record = controller.record();
+  answer_stop(record);
   if (pending_.request == Request::none) {
     return;
   }
-  const TelemetryRecord& record = controller.record();
   tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(pending_.request)],
        0.0);
   answers_.push(

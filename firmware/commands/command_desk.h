@@ -4,12 +4,15 @@
 // and neither side ever waits for the other. Requests go through a slot where the newest wins and
 // an estop stays; everything else keeps its order, one a tick.
 //
+// A stop has a way of its own, which any thread may take.
+//
 // Nothing is lost as long as the one thread takes the answers often: at most kMaxRequests between
 // two times that it has taken them all.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -33,8 +36,22 @@ struct EventSink {
   void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
 };
 
+// The tick that had a stop.
+struct StopTaken {
+  std::uint64_t tick = 0;
+  Mode after = Mode::init;
+};
+
 class CommandDesk {
  public:
+  // Any thread's side, beside the command thread's.
+
+  // An estop for the next tick, whatever else waits for it. The stop's number.
+  std::uint32_t post_stop() { return stops_posted_.fetch_add(1, std::memory_order_acq_rel) + 1; }
+
+  // The tick that had the stop of that number, or nothing yet.
+  [[nodiscard]] std::optional<StopTaken> stop_taken(std::uint32_t stop) const;
+
   // The command thread's side.
 
   // Whether there is room for one more command; a request needs none.
@@ -65,6 +82,7 @@ class CommandDesk {
   void set_events(const EventSink& events) { events_ = events; }
 
  private:
+  void answer_stop(const TelemetryRecord& record);
   void carry_out(const Command& command, Controller& controller);
   void set(const Command& command, Controller& controller, Answer& answer);
   void set_scene(const Command& command, Controller& controller, Answer& answer);
@@ -75,6 +93,11 @@ class CommandDesk {
   Ring<Answer, kMaxWaiting + kMaxRequests> answers_;
   std::size_t waiting_ = 0;  // commands whose answers have not been taken; the command thread's
   TicketedRequest pending_;  // the loop's, from before_tick to after_tick
+  std::atomic<std::uint32_t> stops_posted_{0};
+  std::uint32_t stops_seen_ = 0;                  // the loop's
+  std::atomic<std::uint32_t> stops_answered_{0};  // up to this number; the two below are of it
+  std::atomic<std::uint64_t> stop_tick_{0};
+  std::atomic<Mode> stop_mode_{Mode::init};
   Mode before_ = Mode::init;
   bool is_operated_ = false;
   Injector injector_;

@@ -28,10 +28,20 @@ std::expected<void, ListenError> CommandServer::start(const CommandServerConfig&
   if (auto open = socket_.open(config.socket_path, config.group); !open) {
     return open;
   }
+  if (config.stop_socket_path != nullptr) {
+    const StopListenerConfig stop{.socket_path = config.stop_socket_path,
+                                  .group = config.group,
+                                  .priority = config.stop_priority};
+    if (auto started = stop_listener_.start(stop); !started) {
+      socket_.close();
+      return started;
+    }
+  }
   const int error = thread_.start(
       "tactus-commands", [](void* server) { static_cast<CommandServer*>(server)->run(); }, this,
       kThreadStack_bytes);
   if (error != 0) {
+    stop_listener_.stop();
     socket_.close();
     return std::unexpected(ListenError{.what = "the system gives no thread", .errno_value = error});
   }
@@ -39,15 +49,19 @@ std::expected<void, ListenError> CommandServer::start(const CommandServerConfig&
   return {};
 }
 
-void CommandServer::stop() {
+bool CommandServer::stop() {
   if (!is_running_) {
-    return;
+    return true;
   }
+  stop_listener_.stop();
   is_ending_.store(true, std::memory_order_relaxed);
-  thread_.join();
+  const bool has_ended = thread_.join_within(kMostEnd_ns);
   is_running_ = false;
-  is_ending_.store(false, std::memory_order_relaxed);
+  if (has_ended) {
+    is_ending_.store(false, std::memory_order_relaxed);
+  }
   socket_.close();
+  return has_ended;
 }
 
 void CommandServer::run() {

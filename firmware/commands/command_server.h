@@ -15,6 +15,7 @@
 #include "firmware/commands/command_desk.h"
 #include "firmware/commands/listening_socket.h"
 #include "firmware/commands/scene_store.h"
+#include "firmware/commands/stop_listener.h"
 #include "firmware/realtime/helper_thread.h"
 
 namespace tactus::firmware {
@@ -27,14 +28,17 @@ static_assert(2 * kMaxCommandClients + 1 <= kMaxRequests);
 
 struct CommandServerConfig {
   const char* socket_path = nullptr;
-  const char* group = nullptr;  // of the socket's file; null: the program's
+  const char* stop_socket_path = nullptr;  // of StopListener; null: there is none
+  const char* group = nullptr;             // of the sockets' files; null: the program's
+  int stop_priority = 0;                   // of the stop's thread: StopListenerConfig::priority
   bool allow_inject = false;
   RunHooks hooks;
 };
 
 class CommandServer {
  public:
-  CommandServer(CommandDesk& desk, SceneStore& scenes) : clerk_(desk, scenes, clients_) {}
+  CommandServer(CommandDesk& desk, SceneStore& scenes)
+      : stop_listener_(desk), clerk_(desk, scenes, clients_) {}
   CommandServer(const CommandServer&) = delete;
   CommandServer& operator=(const CommandServer&) = delete;
   ~CommandServer() { stop(); }
@@ -43,9 +47,11 @@ class CommandServer {
   // gives no thread.
   std::expected<void, ListenError> start(const CommandServerConfig& config);
 
-  // Ends the thread, within 0.1 s, and removes the socket's file. What was asked and has not been
-  // answered is told that the program ends.
-  void stop();
+  // Ends the threads and removes the sockets' files. What was asked and has not been answered is
+  // told that the program ends. False: the thread hangs in a file system that does not answer, and
+  // is left alone after kMostEnd_ns; the program has to end without running destructors.
+  bool stop();
+  static constexpr hal::TimeNs kMostEnd_ns = hal::kNsPerSecond;
 
   [[nodiscard]] bool is_running() const { return is_running_; }
 
@@ -60,6 +66,7 @@ class CommandServer {
   void listen_to(CommandClient& client);
   void serve(CommandClient& client);
 
+  StopListener stop_listener_;
   ListeningSocket socket_;
   std::array<CommandClient, kMaxCommandClients> clients_;
   CommandClerk clerk_;

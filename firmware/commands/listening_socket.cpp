@@ -33,20 +33,30 @@ const sockaddr* general(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
-bool somebody_listens(const sockaddr_un& address) {
-  const hal::FileDescriptor probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+bool somebody_listens(const sockaddr_un& address, int type) {
+  const hal::FileDescriptor probe(::socket(AF_UNIX, type | SOCK_CLOEXEC, 0));
   return probe.is_open() && ::connect(probe.get(), general(address), sizeof address) == 0;
 }
 
 }  // namespace
 
 std::expected<void, ListenError> ListeningSocket::open(const char* path, const char* group) {
+  return open(path, group, SOCK_STREAM);
+}
+
+std::expected<void, ListenError> ListeningSocket::open_datagrams(const char* path,
+                                                                 const char* group) {
+  return open(path, group, SOCK_DGRAM);
+}
+
+std::expected<void, ListenError> ListeningSocket::open(const char* path, const char* group,
+                                                       int type) {
   const std::string_view name = path;
   if (name.empty() || name.size() >= path_.size()) {
     return listen_error("the socket's path is empty or longer than 107 characters", ENAMETOOLONG);
   }
   const sockaddr_un address = address_of(name);
-  if (somebody_listens(address)) {
+  if (somebody_listens(address, type)) {
     return listen_error("another program listens there; end it, or give another --run-dir",
                         EADDRINUSE);
   }
@@ -59,15 +69,15 @@ std::expected<void, ListenError> ListeningSocket::open(const char* path, const c
   }
   path_.fill('\0');
   std::ranges::copy(name, path_.begin());
-  auto bound = bind_and_listen(group);
+  auto bound = bind_and_listen(group, type);
   if (!bound) {
     close();
   }
   return bound;
 }
 
-std::expected<void, ListenError> ListeningSocket::bind_and_listen(const char* group) {
-  socket_ = hal::FileDescriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+std::expected<void, ListenError> ListeningSocket::bind_and_listen(const char* group, int type) {
+  socket_ = hal::FileDescriptor(::socket(AF_UNIX, type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (!socket_.is_open()) {
     path_.fill('\0');
     return listen_error("the system gives no socket", errno);
@@ -92,7 +102,7 @@ std::expected<void, ListenError> ListeningSocket::bind_and_listen(const char* gr
                           errno);
     }
   }
-  if (::listen(socket_.get(), kQueue) != 0) {
+  if (type == SOCK_STREAM && ::listen(socket_.get(), kQueue) != 0) {
     return listen_error("nobody can connect to the socket", errno);
   }
   return {};

@@ -1,5 +1,5 @@
-// A Unix stream socket in the file system, with file permissions as its door: mode 0660, and a
-// group if one is named. Whoever may write to the file may connect.
+// A Unix socket, of streams or datagrams, in the file system, with file permissions as its door:
+// mode 0660, and a group if one is named. Whoever may write to the file may connect.
 //
 // At the start; not for a tick.
 #pragma once
@@ -29,6 +29,8 @@ class ListeningSocket {
   // `group` nullptr or empty leaves the group of the program. A file that nobody listens behind any
   // more is replaced. Only before other threads are started: it sets the file mode mask meanwhile.
   std::expected<void, ListenError> open(const char* path, const char* group);
+  // The same, for datagrams: nobody connects.
+  std::expected<void, ListenError> open_datagrams(const char* path, const char* group);
   void close();
 
   [[nodiscard]] int descriptor() const { return socket_.get(); }
@@ -37,7 +39,8 @@ class ListeningSocket {
   [[nodiscard]] hal::FileDescriptor accept() const;
 
  private:
-  std::expected<void, ListenError> bind_and_listen(const char* group);
+  std::expected<void, ListenError> open(const char* path, const char* group, int type);
+  std::expected<void, ListenError> bind_and_listen(const char* group, int type);
 
   hal::FileDescriptor socket_;
   std::array<char, 108> path_{};  // as long as a socket's address may be

@@ -6,7 +6,7 @@ namespace tactus::firmware {
 
 void SceneStore::Place::clear() {
   image.reset();
-  file.reset();
+  file.clear();
   path.fill('\0');
 }
 
@@ -18,11 +18,17 @@ std::expected<const rendering::SceneImage*, SceneStoreError> SceneStore::open_ne
     return std::unexpected(SceneStoreError{.what = "the path is too long"});
   }
   std::ranges::copy(path, place.path.begin());
-  if (const int error = place.file.emplace().open(place.path.data()); error != 0) {
-    place.clear();
-    return std::unexpected(SceneStoreError{.what = "cannot be read", .errno_value = error});
+  if (place.file.capacity() == 0) {
+    if (const int error = place.file.reserve(room_bytes_); error != 0) {
+      place.clear();
+      return std::unexpected(SceneStoreError{.what = "no memory for scenes", .errno_value = error});
+    }
   }
-  const auto image = rendering::SceneImage::open(place.file->bytes());
+  if (const hal::FileError error = place.file.read(place.path.data()); error.is_error()) {
+    place.clear();
+    return std::unexpected(SceneStoreError{.what = error.what, .errno_value = error.errno_value});
+  }
+  const auto image = rendering::SceneImage::open(place.file.bytes());
   if (!image) {
     place.clear();
     return std::unexpected(SceneStoreError{.what = rendering::describe(image.error().fault)});

@@ -1,5 +1,5 @@
-// The scene in use, and the next one while the loop decides whether to take it: mapped files,
-// checked views, nothing on the heap. Static storage: a megabyte.
+// The scene in use, and the next one while the loop decides whether to take it: copies of files in
+// two rooms of fixed size, checked views, nothing on the heap. Static storage: a megabyte.
 //
 // One thread: the one that starts the program, then the command thread. The loop only reads what it
 // was handed.
@@ -13,7 +13,7 @@
 #include <span>
 #include <string_view>
 
-#include "hal/linux/mapped_file.h"
+#include "hal/linux/image_slot.h"
 #include "rendering/scene/scene_image.h"
 
 namespace tactus::firmware {
@@ -27,12 +27,17 @@ struct SceneStoreError {
 class SceneStore {
  public:
   static constexpr std::size_t kMaxPath = 512;
+  static constexpr std::size_t kMaxScene_bytes = std::size_t{256} << 20;
 
-  // Maps and checks a file beside the scene in use, which stays. Time grows with the image: 25 ms
+  // The room of each of the two, in place of kMaxScene_bytes. Before the first open_next; pages are
+  // had for as much as a scene needs.
+  void set_room(std::size_t bytes) { room_bytes_ = bytes; }
+
+  // Copies and checks a file beside the scene in use, which stays. Time grows with the image: 25 ms
   // for 871,200 triangles. Give it up or make it the one in use before the next.
   std::expected<const rendering::SceneImage*, SceneStoreError> open_next(std::string_view path);
 
-  // The loop has taken it: the one before is unmapped.
+  // The loop has taken it: the memory of the one before is given back.
   void use_next();
   // The loop has refused it.
   void drop_next();
@@ -55,7 +60,7 @@ class SceneStore {
 
  private:
   struct Place {
-    std::optional<hal::MappedFile> file;
+    hal::ImageSlot file;
     std::optional<rendering::SceneImage> image;
     std::array<char, kMaxPath> path{};
 
@@ -65,13 +70,12 @@ class SceneStore {
   static const rendering::SceneImage* scene_of(const Place& place) {
     return place.image ? &*place.image : nullptr;
   }
-  static std::span<const std::byte> bytes_of(const Place& place) {
-    return place.file ? place.file->bytes() : std::span<const std::byte>{};
-  }
+  static std::span<const std::byte> bytes_of(const Place& place) { return place.file.bytes(); }
   [[nodiscard]] Place& next() { return places_[1 - used_]; }
 
   std::array<Place, 2> places_;
   std::size_t used_ = 0;
+  std::size_t room_bytes_ = kMaxScene_bytes;
 };
 
 }  // namespace tactus::firmware

@@ -1,9 +1,8 @@
 #include "firmware/commands/telemetry_hooks.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 
 #include "firmware/flight/attachments.h"
@@ -30,11 +29,10 @@ std::string_view start_recording(void* run, std::string_view name) {
            "folder";
   }
   std::ranges::copy(name, path.begin());
-  struct stat status{};
-  if (::lstat(path.data(), &status) == 0) {
+  const int failed = writer_of(run).record(path.data(), IfThere::refuse);
+  if (failed == EEXIST) {
     return "there is a file of that name; give another";
   }
-  const int failed = writer_of(run).record(path.data());
   return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
 }
 

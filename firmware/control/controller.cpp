@@ -21,6 +21,8 @@ void forget_beyond(std::size_t joint_count, drivers::JointSample& sample) {
   for (std::size_t joint = joint_count; joint < drivers::kMaxJoints; ++joint) {
     sample.position[joint] = 0.0;
     sample.velocity[joint] = 0.0;
+    sample.effort[joint] = 0.0;
+    sample.effort_known &= ~(1U << joint);
   }
 }
 
@@ -90,6 +92,7 @@ void Controller::step_mode(Event event) {
   switch (mode_) {
     case Mode::init:
       faults_ = kNoFault;
+      fault_joint_ = 0;
       break;
     case Mode::homing:
       break;
@@ -155,8 +158,26 @@ void Controller::check_encoders(const drivers::JointSample& sample) {
   } else if ((raised_ & (kLimitStaleSample | kFaultJointNotFinite)) != 0) {
     encoder_guard_.pass();
   } else {
-    raise(encoder_guard_.check(sample, held_effort_, record_.missed_ticks));
+    raise(encoder_guard_.check(sample, held_effort_, record_.missed_ticks) &
+          ~(mode_ == Mode::active ? kNoFault : kFaultTorqueWithoutMotion));
   }
+}
+
+// While the motors have power; the first joint that is found keeps its name until a reset.
+void Controller::check_efforts(const drivers::JointSample& sample) {
+  if (mode_ != Mode::active || pose_.status != kPoseGood) {
+    effort_guard_.rest();
+    return;
+  }
+  if ((raised_ & kLimitStaleSample) != 0) {
+    return;
+  }
+  const EffortFinding found = effort_guard_.check(sample, pose_, held_effort_);
+  const std::uint64_t faults = found.faults & ~config_.safety.guards_off;
+  if (faults != kNoFault && fault_joint_ == 0) {
+    fault_joint_ = found.joint;
+  }
+  raise(faults);
 }
 
 // Finds the tool. False when the joints mean nothing yet or the tool cannot be found: it then stays
@@ -182,6 +203,7 @@ bool Controller::locate(const drivers::JointSample& sample) {
   tool_.p_W = pose_.p_D - config_.workspace_origin_D;
   tool_.v_W = velocity;
   raise(workspace_walls_.check(tool_.p_W) | motion_guard_.check(velocity, energy_.held_W()));
+  check_efforts(sample);
   return pose_.status == kPoseGood;
 }
 
@@ -324,10 +346,12 @@ void Controller::open_record(const drivers::JointSample& sample, Request request
   record_.sample_age_us = sample.age_us;
   record_.loop_status = loop_report_.status;
   record_.missed_ticks = loop_report_.missed_ticks;
+  record_.effort_known = sample.effort_known;
   record_.time_s = static_cast<double>(record_.tick) / config_.rate_hz;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     record_.joint_position[joint] = sample.position[joint];
     record_.joint_velocity[joint] = sample.velocity[joint];
+    record_.joint_measured[joint] = sample.effort[joint];
   }
 }
 
@@ -348,6 +372,7 @@ void Controller::record_touch(const rendering::Touch& touch) {
 void Controller::close_record(const drivers::JointCommand& command) {
   record_.mode = mode_;
   record_.faults = faults_;
+  record_.fault_joint = fault_joint_;
   record_.limits = raised_ & kLimitMask;
   record_.energy_J = energy_.ledger_J();
   record_.passivity_J = passivity_.credit_J();

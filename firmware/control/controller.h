@@ -19,6 +19,7 @@
 #include "firmware/control/parameters.h"
 #include "firmware/control/velocity_filter.h"
 #include "firmware/kinematics/mechanism.h"
+#include "firmware/safety/effort_guard.h"
 #include "firmware/safety/encoder_guard.h"
 #include "firmware/safety/energy_account.h"
 #include "firmware/safety/force_limiter.h"
@@ -105,6 +106,7 @@ class Controller {
   void step_mode(Event event);
   void advance_mode(std::uint32_t status, Request request);
   void check_encoders(const drivers::JointSample& sample);
+  void check_efforts(const drivers::JointSample& sample);
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
   Vec3 limit_force(const rendering::Touch& touch);
@@ -130,6 +132,7 @@ class Controller {
   SampleCheck sample_check_;
   LoopCheck loop_check_;
   EncoderGuard encoder_guard_;
+  EffortGuard effort_guard_;
   WorkspaceWalls workspace_walls_;
   MotionGuard motion_guard_;
   EnergyAccount energy_;
@@ -144,6 +147,7 @@ class Controller {
 
   Mode mode_ = Mode::init;
   std::uint64_t faults_ = 0;        // latched
+  std::uint32_t fault_joint_ = 0;   // that a latched fault of effort_guard_ is about
   std::uint64_t raised_ = 0;        // faults and limits of this tick
   std::uint32_t write_status_ = 0;  // of the last write
   LoopReport loop_report_;          // for the next tick

@@ -32,6 +32,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   sample_check_.configure(config);
   loop_check_.configure(config);
   encoder_guard_.configure(config);
+  effort_guard_.configure(config);
   workspace_walls_.configure(config);
   motion_guard_.configure(config);
   energy_.restart();
@@ -46,6 +47,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
 
   mode_ = Mode::init;
   faults_ = kNoFault;
+  fault_joint_ = 0;
   raised_ = kNoFault;
   write_status_ = drivers::kDeviceOk;
   loop_report_ = {};

@@ -10,7 +10,7 @@ namespace {
 
 using rendering::StateArchive;
 
-constexpr std::uint64_t kMagic = 0x3230'5355'5443'4154U;  // "TACTUS02", the last the version's
+constexpr std::uint64_t kMagic = 0x3330'5355'5443'4154U;  // "TACTUS03", the last the version's
 
 }  // namespace
 
@@ -39,6 +39,16 @@ void EncoderGuard::transfer(StateArchive& archive) {
     archive(position, travel, effort, blocked_ticks);
   }
   archive(passed_ticks, is_placed);
+}
+
+void EffortGuard::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [joints, joint_count, step_s, motion_share, effort_share,
+                          wrong_ticks_to_fault] = *this;
+  for (Joint& joint : joints) {
+    [[maybe_unused]] auto& [force_N, speed_m_per_s, growth, commanded, measured, largest,
+                            wrong_ticks] = joint;
+    archive(force_N, speed_m_per_s, growth, commanded, measured, wrong_ticks);
+  }
 }
 
 void MotionGuard::transfer(StateArchive& archive) {
@@ -82,11 +92,11 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 
 void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
-                          loop_check, encoder_guard, workspace_walls, motion_guard, energy,
-                          passivity, velocity_filter, force_limiter, gravity_compensation,
-                          friction_compensation, world, objects, effects, mode, faults, raised,
-                          write_status, loop_report, held_effort, pose, tool, record, next_tick,
-                          now_ns] = *this;
+                          loop_check, encoder_guard, effort_guard, workspace_walls, motion_guard,
+                          energy, passivity, velocity_filter, force_limiter, gravity_compensation,
+                          friction_compensation, world, objects, effects, mode, faults, fault_joint,
+                          raised, write_status, loop_report, held_effort, pose, tool, record,
+                          next_tick, now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
@@ -94,7 +104,7 @@ void Controller::transfer(StateArchive& archive) {
   archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
           force_limiter, gravity_compensation, friction_compensation);
   archive.choice(mode, Mode::fault);
-  archive(faults, write_status, tool, next_tick);
+  archive(faults, fault_joint, write_status, tool, next_tick);
   transfer_guards(archive);
   transfer_parameters(archive);
   transfer_pose(archive);
@@ -103,7 +113,7 @@ void Controller::transfer(StateArchive& archive) {
 }
 
 void Controller::transfer_guards(StateArchive& archive) {
-  archive(encoder_guard_, motion_guard_, energy_, passivity_, held_effort_);
+  archive(encoder_guard_, effort_guard_, motion_guard_, energy_, passivity_, held_effort_);
 }
 
 // What set_parameter may have changed.

@@ -17,6 +17,8 @@ inline void repeat_tick(Controller& controller, const TelemetryRecord& recorded)
   drivers::JointSample sample;
   sample.position = recorded.joint_position;
   sample.velocity = recorded.joint_velocity;
+  sample.effort = recorded.joint_measured;
+  sample.effort_known = recorded.effort_known;
   sample.age_us = recorded.sample_age_us;
   sample.status = recorded.device_status;
   controller.note_loop({.status = recorded.loop_status, .missed_ticks = recorded.missed_ticks});

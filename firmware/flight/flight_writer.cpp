@@ -129,8 +129,8 @@ void FlightWriter::name_file(std::uint64_t tick) {
 // Ticks `first` to one before `end` are in the file. 0, or errno.
 int FlightWriter::write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end) {
   name_file(window.end_tick);
-  if (const int failed =
-          file_.open(path_.data(), plan_.run.clock_offset_ns, std::span(info_).first(info_count_));
+  if (const int failed = file_.open(path_.data(), plan_.run.clock_offset_ns,
+                                    std::span(info_).first(info_count_), IfThere::refuse);
       failed != 0) {
     return failed;
   }

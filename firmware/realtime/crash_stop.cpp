@@ -9,7 +9,6 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 // Of stopping the motors from a handler. An alarm nobody catches ends the program.
 constexpr unsigned kMostStop_s = 1;
 // A loop that has not stopped the motors by then has itself died.
@@ -26,12 +25,24 @@ int set_handler(void (*handler)(int)) {
   struct sigaction action{};
   action.sa_handler = handler;
   action.sa_flags = SA_ONSTACK;
-  for (const int crash : kCrashes) {
+  for (const int crash : kCrashSignals) {
     if (sigaction(crash, &action, nullptr) != 0) {
       return errno;
     }
   }
   return 0;
+}
+
+// An alarm ends the program, whatever it did before: it would only tell the loop to end.
+void set_alarm() {
+  sigset_t alarm_only;
+  sigemptyset(&alarm_only);
+  sigaddset(&alarm_only, SIGALRM);
+  struct sigaction action{};
+  action.sa_handler = SIG_DFL;
+  sigaction(SIGALRM, &action, nullptr);
+  pthread_sigmask(SIG_UNBLOCK, &alarm_only, nullptr);
+  alarm(kMostStop_s);
 }
 
 void wait_for_the_loop() {
@@ -47,7 +58,7 @@ void wait_for_the_loop() {
 void on_crash(int crash) {
   if (gettid() == loop_thread) {
     set_handler(SIG_DFL);
-    alarm(kMostStop_s);
+    set_alarm();
     stop_motors();
   } else {
     wait_for_the_loop();
@@ -72,7 +83,7 @@ UseCrashStack::~UseCrashStack() {
 sigset_t all_signals_but_crashes() {
   sigset_t signals;
   sigfillset(&signals);
-  for (const int crash : kCrashes) {
+  for (const int crash : kCrashSignals) {
     sigdelset(&signals, crash);
   }
   return signals;

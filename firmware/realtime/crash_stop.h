@@ -31,10 +31,15 @@ class UseCrashStack {
   int error_ = 0;
 };
 
+// Signals that a thread's own instructions raise. A system call that a sandbox forbids is SIGSYS, a
+// breakpoint SIGTRAP.
+inline constexpr std::array kCrashSignals{SIGSEGV, SIGBUS,  SIGILL, SIGFPE,
+                                          SIGABRT, SIGTRAP, SIGSYS};
+
 // What a thread may block.
 sigset_t all_signals_but_crashes();
 
-// Catches SIGSEGV, SIGBUS, SIGILL, SIGFPE and SIGABRT of every thread. From the loop's thread.
+// Catches kCrashSignals of every thread. From the loop's thread.
 // `stop_motors` may be called at any point of a tick; should it hang, the program ends after a
 // second all the same. 0, or errno.
 int catch_crashes(void (*stop_motors)());

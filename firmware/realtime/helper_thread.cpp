@@ -44,4 +44,17 @@ void HelperThread::join() {
   }
 }
 
+bool HelperThread::join_within(hal::TimeNs limit_ns) {
+  if (!started_) {
+    return true;
+  }
+  const timespec deadline = hal::to_timespec(hal::monotonic_now_ns() + limit_ns);
+  const bool has_ended = pthread_clockjoin_np(thread_, nullptr, CLOCK_MONOTONIC, &deadline) == 0;
+  if (!has_ended) {
+    pthread_detach(thread_);
+  }
+  started_ = false;
+  return has_ended;
+}
+
 }  // namespace tactus::firmware

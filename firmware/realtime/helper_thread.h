@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "firmware/realtime/crash_stop.h"
+#include "hal/clock.h"
 
 namespace tactus::firmware {
 
@@ -29,6 +30,10 @@ class HelperThread {
 
   // Waits until the body has returned; at once if none was started.
   void join();
+
+  // Waits so long at most. False: the body hangs in a call of the system; the thread is left alone
+  // for good, and the program has to end without running destructors.
+  bool join_within(hal::TimeNs limit_ns);
 
  private:
   Body body_ = nullptr;

@@ -1,6 +1,8 @@
 #include "firmware/safety/certificate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace tactus::firmware {
@@ -22,7 +24,23 @@ CertifiedPoint snap_of(const rendering::SnapLaw& law) {
   return {.damping_Ns_per_m = law.damping_Ns_per_m, .stiffness_N_per_m = law.stiffness_N_per_m};
 }
 
-// Of an effect without a spring both are 0.
+// The steepest slope of the magnet's pull, S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2). A pole that pulls
+// is a spring of S / c^3 at its middle. One that pushes away is steepest at d^2 = 3 c^2 / 2, with
+// -2 S / (5/2)^(5/2) / c^3.
+CertifiedPoint core_of(const rendering::Magnet& magnet) {
+  const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
+  const double away = -2.0 / (2.5 * 2.5 * std::sqrt(2.5));
+  return {.stiffness_N_per_m = middle >= 0.0 ? middle : away * middle};
+}
+
+// The slope of the drag at the speed at which it reaches its largest force: it is steepest there.
+CertifiedPoint drag_of(const rendering::FluidDrag& drag, double max_force_N) {
+  const double linear = drag.linear_Ns_per_m;
+  return {.damping_Ns_per_m =
+              std::sqrt(linear * linear + 4.0 * drag.quadratic_Ns2_per_m2 * max_force_N)};
+}
+
+// Both are 0 for an effect whose force changes neither with place nor with speed.
 CertifiedPoint felt_at_most(const rendering::Effect& effect) {
   const rendering::EffectLaw& law = effect.law;
   if (const auto* spring = std::get_if<rendering::Spring>(&law)) {
@@ -31,6 +49,12 @@ CertifiedPoint felt_at_most(const rendering::Effect& effect) {
   if (const auto* damped = std::get_if<rendering::SpringDamper>(&law)) {
     return {.damping_Ns_per_m = damped->damping_Ns_per_m,
             .stiffness_N_per_m = damped->spring.stiffness_N_per_m};
+  }
+  if (const auto* magnet = std::get_if<rendering::Magnet>(&law)) {
+    return core_of(*magnet);
+  }
+  if (const auto* drag = std::get_if<rendering::FluidDrag>(&law)) {
+    return drag_of(*drag, effect.max_force_N);
   }
   if (const auto* stick = std::get_if<rendering::StickSlip>(&law)) {
     return {.stiffness_N_per_m = stick->stiffness_N_per_m};

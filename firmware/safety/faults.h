@@ -53,6 +53,8 @@ enum FaultBits : std::uint64_t {
   kFaultOverTemperature = 1ULL << 40,
   kFaultNotPassive = 1ULL << 41,
   kFaultHelperCrashed = 1ULL << 42,
+  kFaultMotorReversed = 1ULL << 43,
+  kFaultEffortMismatch = 1ULL << 44,
 
   kLimitLateTick = 1ULL << 48,
   kLimitWorkspace = 1ULL << 49,
@@ -146,6 +148,15 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
      "reset; less stiffness, or more damping in the device"},
     {kFaultHelperCrashed, "helper_crashed", "a thread beside the loop crashed", "stop",
      "the program ends; start it again"},
+    {kFaultMotorReversed, "motor_reversed",
+     "a joint speeds up against its effort, and both grow together: `fault_joint` says which",
+     "stop",
+     "check that joint's motor wires and encoder direction, their `direction` keys, ratio and "
+     "torque "
+     "constant; `tactus commission`; reset"},
+    {kFaultEffortMismatch, "effort_mismatch",
+     "a drive measures another torque than commanded: `fault_joint` says the joint", "stop",
+     "check that joint's torque constant, ratio, current limit and motor wires; reset"},
     {kLimitLateTick, "late_tick", "tick began too late", "none but the count", "by itself"},
     {kLimitWorkspace, "workspace_wall", "tool is in a wall of the workspace", "wall pushes back",
      "by itself"},

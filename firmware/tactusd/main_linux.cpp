@@ -1,5 +1,6 @@
 // tactusd: the controller on a Linux board. Reads the images, opens the boards, then ticks: read ->
 // controller -> write, at the device's rate, until told to stop or a fault has stopped the motors.
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -16,11 +18,13 @@
 #include "firmware/commands/command_server.h"
 #include "firmware/commands/telemetry_hooks.h"
 #include "firmware/realtime/crash_stop.h"
+#include "firmware/realtime/end_signals.h"
 #include "firmware/realtime/real_time.h"
 #include "firmware/realtime/service_notice.h"
 #include "firmware/realtime/timing_report.h"
 #include "firmware/realtime/watchdog_output.h"
 #include "firmware/safety/faults.h"
+#include "firmware/tactusd/exclusive_use.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/options.h"
@@ -43,7 +47,12 @@ constexpr double kAfterFault_s = 0.2;
 std::atomic<bool> told_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void on_signal(int /*signal*/) {
+// The signal that told it; 0: none.
+std::atomic<int> end_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void on_end_signal(int signal) {
+  end_signal.store(signal, std::memory_order_relaxed);
   told_to_stop.store(true, std::memory_order_relaxed);
 }
 
@@ -53,6 +62,7 @@ std::uint64_t now_ns() {
 
 // Everything that lives as long as the program; none of it on the heap.
 struct Program {
+  ExclusiveUse exclusive_use;
   RunInputs inputs;
   LinuxBoards boards;
   std::optional<drivers::ComposedDevice> device;
@@ -222,16 +232,42 @@ bool start_telling() {
   return failed == 0;
 }
 
-// Opens the command socket. Without the service's folder it goes on without commands.
+const char* run_folder(const Options& options) {
+  return options.run_dir != nullptr ? options.run_dir : kRunFolder;
+}
+
+// False: told. The default folder is made where it can be: nobody must run without a stop.
+bool take_run_folder(const Options& options) {
+  constexpr mode_t kOwnerAndGroup = 0750;
+  const char* const folder = run_folder(options);
+  if (options.run_dir == nullptr) {
+    (void)::mkdir(folder, kOwnerAndGroup);
+  }
+  struct stat status{};
+  if (::stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)) {
+    std::fprintf(stderr,
+                 "tactusd: %s: there is no such folder for its sockets; make it, or name another "
+                 "with --run-dir\n",
+                 folder);
+    return false;
+  }
+  return program.exclusive_use.of_run_folder(folder);
+}
+
+// Opens the sockets of commands and of the stop. False: told.
 bool start_commands(const Options& options) {
-  const char* const folder = options.run_dir != nullptr ? options.run_dir : kRunFolder;
+  const char* const folder = run_folder(options);
   std::array<char, kMostWords> path{};
+  std::array<char, kMostWords> stop_path{};
   std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
+  std::snprintf(stop_path.data(), stop_path.size(), "%s/stop.sock", folder);
   program.desk.set_events(telemetry_events(program.telemetry.sinks()));
   RunHooks hooks = telemetry_hooks(program.telemetry.sinks());
   hooks.enable_refusal = program.inputs.enable_refusal();
   const auto started = program.commands.start({.socket_path = path.data(),
+                                               .stop_socket_path = stop_path.data(),
                                                .group = options.group,
+                                               .stop_priority = options.priority - 1,
                                                .allow_inject = options.allow_inject,
                                                .hooks = hooks});
   if (!started) {
@@ -239,7 +275,7 @@ bool start_commands(const Options& options) {
     std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),
                  error.what.data(), std::strerror(error.errno_value));
   }
-  return started.has_value() || (options.run_dir == nullptr && options.group == nullptr);
+  return started.has_value();
 }
 
 void write_timing(const char* path) {
@@ -248,11 +284,36 @@ void write_timing(const char* path) {
   }
 }
 
+// Every one that would end or stop the program, before there is torque. False: told.
+bool catch_signals() {
+  int failed = catch_end_signals(on_end_signal, on_flight_signal);
+  failed = failed != 0 ? failed : catch_crashes(stop_motors);
+  if (failed != 0) {
+    std::fprintf(stderr, "tactusd: a signal would not stop the motors: %s\n",
+                 std::strerror(failed));
+  }
+  return failed == 0;
+}
+
+// After the motors have been stopped.
+void tell_end_signal() {
+  release_end_signals();
+  if (const int signal = end_signal.load(std::memory_order_relaxed); signal != 0) {
+    std::fprintf(stderr, "tactusd: ends at signal %d (%s)\n", signal, strsignal(signal));
+  }
+}
+
 int start_and_run(const Options& options) {
   program.controller.set_clock(now_ns);
+  if (!take_run_folder(options)) {
+    return kCouldNotStart;
+  }
   RunInputs& inputs = program.inputs;
   if (!inputs.load_device(options, program.controller) ||
       !inputs.load_scene(options, program.controller) || !inputs.load_falcon_firmware()) {
+    return kCouldNotStart;
+  }
+  if (!program.exclusive_use.of_boards(inputs.config())) {
     return kCouldNotStart;
   }
   drivers::ComposedDevice* const device = open_boards();
@@ -269,25 +330,17 @@ int start_and_run(const Options& options) {
   if (!start_commands(options) || !take_time(options) || !start_telling()) {
     return kCouldNotStart;
   }
-  struct sigaction action{};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_handler = on_flight_signal;
-  sigaction(SIGUSR1, &action, nullptr);
-
-  if (const int failed = catch_crashes(stop_motors); failed != 0) {
-    std::fprintf(stderr, "tactusd: a crash would not stop the motors: %s\n", std::strerror(failed));
+  if (!catch_signals()) {
     return kCouldNotStart;
   }
-
   device->start();
   const int code = run(*device, options);
+  tell_end_signal();
   if (has_helper_crashed()) {
     explain_fault(*device);
     end_in_crash();
   }
-  program.commands.stop();
+  const bool has_ended = program.commands.stop();
   program.supervisor.stop();
   program.telemetry.stop(options);
   if (code == kFaulted) {
@@ -298,6 +351,12 @@ int start_and_run(const Options& options) {
                program.controller.record().state_hash);
   if (options.histogram != nullptr) {
     write_timing(options.histogram);
+  }
+  if (!has_ended) {
+    std::fputs("tactusd: a file system has not answered the command thread; ends without it\n",
+               stderr);
+    std::fflush(nullptr);
+    std::_Exit(code);
   }
   return code;
 }

@@ -74,6 +74,14 @@ bool read_value(std::string_view option, const char* value, Options& options) {
     options.priority = static_cast<int>(number);
     return true;
   }
+  if (option == "--scene-memory") {
+    constexpr double kMostMebibytes = 65536.0;
+    if (!read_number(value, 1.0, kMostMebibytes, number)) {
+      return complain("give 1 to 65536 mebibytes after", option);
+    }
+    options.scene_memory_bytes = static_cast<std::size_t>(number) << 20U;
+    return true;
+  }
   return complain("unknown option", option);
 }
 
@@ -87,7 +95,8 @@ void print_usage(std::FILE* file) {
       "Both images come from `tactus bake`; without a scene the tool moves in free space.\n"
       "\n"
       "  --enable              home and enable as soon as the device is ready\n"
-      "  --seconds S           end after S seconds; default: at SIGINT or SIGTERM\n"
+      "  --seconds S           end after S seconds; default: at Ctrl-C, or when its\n              "
+      "          terminal goes\n"
       "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
       ".csv\n"
       "  --flight-dir DIR      after a fault, and at SIGUSR1, write the last seconds there; "
@@ -98,6 +107,11 @@ void print_usage(std::FILE* file) {
       "  --udp-json PORT       send ticks as JSON to this UDP port of this machine, 100 a second;\n"
       "                        PlotJuggler listens at 9870\n"
       "  --rate HZ             ticks a second in place of the device's own\n"
+      "  --scene-memory MIB    take scene images of up to so many MiB; default 256. What the scene "
+      "in\n"
+      "                        use needs is locked in memory, and while `tactus scene` reads "
+      "another\n"
+      "                        what that one needs, too\n"
       "  --histogram FILE      write how long wake-up, tick and stages took to a CSV file at the "
       "end\n"
       "  --priority P          SCHED_FIFO priority of the loop, 1 to 98; default 80\n"

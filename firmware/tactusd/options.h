@@ -1,9 +1,12 @@
 // The command line of tactusd.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+
+#include "firmware/commands/scene_store.h"
 
 namespace tactus::firmware {
 
@@ -26,8 +29,9 @@ struct Options {
   bool allow_uncommissioned = false;  // force on a device whose motors nobody has checked
   bool allow_uncertified = false;     // a scene stiffer than the device's certificate
   int priority = 80;
-  std::optional<int> cpu;  // the loop's processor; none: any
-  double rate_hz = 0.0;    // 0: the device's own
+  std::optional<int> cpu;                                        // the loop's processor; none: any
+  std::size_t scene_memory_bytes = SceneStore::kMaxScene_bytes;  // the largest scene image
+  double rate_hz = 0.0;                                          // 0: the device's own
   bool help = false;
 };
 

@@ -17,12 +17,19 @@ namespace {
 
 constexpr std::size_t kMostPath = 512;
 
-bool map(hal::MappedFile& file, const char* path) {
-  const int error = file.open(path);
-  if (error != 0) {
-    std::fprintf(stderr, "tactusd: %s: cannot read: %s\n", path, std::strerror(error));
+// Far more than a device's settings with its certificate, or the Falcon's firmware.
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
+bool copy(hal::ImageSlot& slot, const char* path) {
+  const int no_room = slot.reserve(kMostBytes);
+  const hal::FileError error =
+      no_room == 0 ? slot.read(path) : hal::FileError{.what = "no memory", .errno_value = no_room};
+  if (error.is_error()) {
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", path, length(error.what), error.what.data(),
+                 error.errno_value != 0 ? ": " : "",
+                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
   }
-  return error == 0;
+  return !error.is_error();
 }
 
 void tell_refusal(const char* path, const rendering::SceneImage& scene,
@@ -36,10 +43,18 @@ void tell_refusal(const char* path, const rendering::SceneImage& scene,
   std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
 
+// The certificate was measured at the device's own rate, which its checksum covers. A wall that is
+// held at that rate may not be held at a slower one; at a faster one it is held at least as well,
+// because each force is held for less time and the delay, in ticks, is shorter.
+bool is_slower_than_certified(const Options& options, const DeviceConfig& config) {
+  return config.certification.limits.exists() && !options.allow_uncertified &&
+         options.rate_hz > 0.0 && options.rate_hz < config.controller.rate_hz;
+}
+
 }  // namespace
 
 bool RunInputs::load_device(const Options& options, Controller& controller) {
-  if (!map(device_file_, options.device)) {
+  if (!copy(device_file_, options.device)) {
     return false;
   }
   auto outcome = open_device_image(device_file_.bytes(), sections_);
@@ -51,6 +66,14 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
     std::fprintf(stderr, "tactusd: %s: %.*s%s%.*s\n", options.device, length(error.key),
                  error.key.data(), error.key.empty() ? "" : " ", length(error.what),
                  error.what.data());
+    return false;
+  }
+  if (is_slower_than_certified(options, config_)) {
+    std::fprintf(stderr,
+                 "tactusd: %s: the device is certified at %g Hz, and --rate %g is slower; leave "
+                 "--rate out, or set rate_hz = %g under [controller], then tactus certify and "
+                 "tactus bake, or take the risk with --allow-uncertified\n",
+                 options.device, config_.controller.rate_hz, options.rate_hz, options.rate_hz);
     return false;
   }
   if (options.rate_hz > 0.0) {
@@ -85,6 +108,7 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
 }
 
 bool RunInputs::load_scene(const Options& options, Controller& controller) {
+  scenes_.set_room(options.scene_memory_bytes);
   if (options.scene == nullptr) {
     return true;
   }
@@ -114,7 +138,7 @@ bool RunInputs::load_falcon_firmware() {
       std::array<char, kMostPath> path{};
       const std::size_t size = std::min(falcon->firmware_file.size(), path.size() - 1);
       std::memcpy(path.data(), falcon->firmware_file.data(), size);
-      return map(falcon_file_, path.data());
+      return copy(falcon_file_, path.data());
     }
   }
   return true;

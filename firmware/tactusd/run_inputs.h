@@ -1,5 +1,6 @@
 // The files that a run of tactusd starts from: the device's image, the scene's, the Falcon's
-// firmware. Mapped and checked before the loop; nothing on the heap. What is wrong with one is told
+// firmware. Copied into memory and checked there before the loop: no later write
+// reaches them. Nothing on the heap. What is wrong with one is told
 // on stderr, with its name.
 #pragma once
 
@@ -11,7 +12,7 @@
 #include "firmware/control/controller.h"
 #include "firmware/device/device_image.h"
 #include "firmware/tactusd/options.h"
-#include "hal/linux/mapped_file.h"
+#include "hal/linux/image_slot.h"
 
 namespace tactus::firmware {
 
@@ -34,8 +35,8 @@ class RunInputs {
   [[nodiscard]] SceneStore& scenes() { return scenes_; }
 
  private:
-  hal::MappedFile device_file_;
-  hal::MappedFile falcon_file_;
+  hal::ImageSlot device_file_;
+  hal::ImageSlot falcon_file_;
   DeviceSections sections_;
   DeviceConfig config_;
   std::string_view enable_refusal_;

@@ -68,6 +68,10 @@ std::uint64_t state_hash(const TelemetryRecord& record, std::uint64_t previous) 
   hash.add(record.counters.limited_ticks);
   hash.add(record.counters.touch_flagged);
   hash.add(record.counters.late_ticks);
+  if (record.effort_known != 0) {
+    hash.add_reals(record.joint_measured);
+    hash.add(record.effort_known);
+  }
   return hash.value();
 }
 

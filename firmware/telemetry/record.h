@@ -86,6 +86,12 @@ struct TelemetryRecord {
   EnergySource limited_source = EnergySource::contact;
   // The parameter that this tick is the first to have changed; not hashed, what it does is.
   ParameterChange change;
+  // What the drives measured, and a bit for each joint of which they did; hashed where any did.
+  std::array<double, drivers::kMaxJoints> joint_measured{};
+  std::uint32_t effort_known = 0;
+  // The joint that the latched motor_reversed or effort_mismatch is about, 1 for the first; 0 is
+  // none. Not hashed, `faults` is.
+  std::uint32_t fault_joint = 0;
   StageTimes stage_ns;  // not hashed
 };
 static_assert(std::is_trivially_copyable_v<TelemetryRecord>);

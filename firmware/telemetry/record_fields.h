@@ -62,6 +62,9 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"change.parameter", "changed_parameter", ""}, record.change.place.parameter);
   visit(FieldName{"change.object", "changed_object", ""}, record.change.place.object);
   visit(FieldName{"change.value", "changed_value", ""}, record.change.value);
+  visit(FieldName{"joint_measured", "measured", ""}, record.joint_measured);
+  visit(FieldName{"effort_known", "effort_known", ""}, record.effort_known);
+  visit(FieldName{"fault_joint", "fault_joint", ""}, record.fault_joint);
   visit(FieldName{"stage_ns.read", "read", "ns"}, record.stage_ns.read);
   visit(FieldName{"stage_ns.check", "check", "ns"}, record.stage_ns.check);
   visit(FieldName{"stage_ns.kinematics", "kinematics", "ns"}, record.stage_ns.kinematics);

@@ -1,11 +1,10 @@
 #include "hal/linux/mapped_file.h"
 
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 
 #include <cerrno>
 
+#include "hal/linux/image_slot.h"
 #include "hal/linux/system.h"
 
 namespace tactus::hal {
@@ -19,15 +18,11 @@ MappedFile::~MappedFile() {
 }
 
 int MappedFile::open(const char* path) {
-  const FileDescriptor file(::open(path, O_RDONLY | O_CLOEXEC));
-  struct stat status{};
-  if (!file.is_open() || fstat(file.get(), &status) != 0) {
-    return errno;
+  FileDescriptor file;
+  std::size_t size = 0;
+  if (const FileError error = open_regular_file(path, file, size); error.is_error()) {
+    return error.errno_value != 0 ? error.errno_value : EINVAL;
   }
-  if (!S_ISREG(status.st_mode) || status.st_size == 0) {
-    return EINVAL;
-  }
-  const auto size = static_cast<std::size_t>(status.st_size);
   void* mapped = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file.get(), 0);
   if (mapped == MAP_FAILED) {
     return errno;

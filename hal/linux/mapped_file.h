@@ -1,5 +1,6 @@
 // A file mapped whole, for images that are used in place. The bytes stay where they are when it is
-// moved.
+// moved. For tools that run once: the
+// file must not be written to meanwhile. The controller copies what it uses (image_slot.h).
 #pragma once
 
 #include <cstddef>

@@ -95,14 +95,21 @@ void add_requests(CLI::App& app) {
        "Force comes back only through home and enable.\n\nExample:\n  tactus reset && tactus home "
        "--wait && tactus enable"},
       {"estop", "Stop at once: no force, brakes, mode `fault`",
-       "It goes before whatever else waits. Not instead of an emergency stop that cuts the "
+       "It has a socket and a thread of its own: nothing else delays it. Not instead of an "
+       "emergency stop that cuts the "
        "power.\n\nExample:\n  tactus estop"},
       {"status", "Say the mode, the faults and the scene of the running controller",
        "Example:\n  tactus status"},
   });
   for (const VerbText& text : kRequests) {
     auto [verb, options] = add_verb(app, text);
-    verb->callback([options, name = std::string(text.name)] { tell(*options, name); });
+    verb->callback([options, name = std::string(text.name)] {
+      if (name == "estop") {
+        tell(send_stop(options->run_dir));
+      } else {
+        tell(*options, name);
+      }
+    });
   }
   auto [verb, options] = add_verb(app, {"home", "Let the device find its reference",
                                         "Example:\n  tactus home --wait && tactus enable"});

@@ -123,8 +123,10 @@ class ServedSimulation {
 
   void start_commands() {
     const std::string socket = (options_.run_dir / kCommandSocket).string();
+    const std::string stop_socket = (options_.run_dir / kStopSocket).string();
     desk_->set_events(firmware::telemetry_events(sinks_));
     const auto started = server_->start({.socket_path = socket.c_str(),
+                                         .stop_socket_path = stop_socket.c_str(),
                                          .allow_inject = options_.allow_inject,
                                          .hooks = firmware::telemetry_hooks(sinks_)});
     if (!started) {

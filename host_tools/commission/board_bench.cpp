@@ -8,12 +8,13 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <optional>
 
 #include "firmware/realtime/crash_stop.h"
+#include "firmware/realtime/end_signals.h"
 #include "firmware/realtime/real_time.h"
+#include "firmware/tactusd/exclusive_use.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
 #include "host_tools/input_error.h"
@@ -31,14 +32,6 @@ void on_signal(int signal) {
 void stop_in_a_crash() {
   if (stopped_in_a_crash != nullptr) {
     stopped_in_a_crash->stop();
-  }
-}
-
-void catch_signals() {
-  struct sigaction action{};
-  action.sa_handler = on_signal;
-  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGPIPE, SIGALRM}) {
-    sigaction(signal, &action, nullptr);
   }
 }
 
@@ -71,13 +64,16 @@ class BoardBench final : public Bench {
       : options_(options),
         phase_(firmware::loop_phase(config.controller.rate_hz)),
         device_(boards_.clock(), read_limit_ns(config)) {
+    if (!exclusive_use_.of_boards(config)) {
+      throw InputError("the device is in use; end that program first");
+    }
     if (const auto opened = boards_.open(config, falcon_firmware, device_); !opened) {
       const firmware::OpenError& error = opened.error();
       throw InputError(fmt::format("connection '{}': {} ({}, {})", error.connection, error.what,
                                    hal::words(error.error.code),
                                    std::strerror(error.error.errno_value)));
     }
-    catch_signals();
+    (void)firmware::catch_end_signals(on_signal, on_signal);
     stopped_in_a_crash = &device_;
     (void)firmware::catch_crashes(stop_in_a_crash);
     firmware::RealTimeError error;
@@ -138,6 +134,7 @@ class BoardBench final : public Bench {
 
   BoardBenchOptions options_;
   hal::Phase phase_;
+  firmware::ExclusiveUse exclusive_use_;
   firmware::LinuxBoards boards_;
   drivers::ComposedDevice device_;
   hal::Wake wake_;

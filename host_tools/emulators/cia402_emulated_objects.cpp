@@ -171,7 +171,8 @@ double Cia402Emulator::torque_units() const {
   if (nmt_ != Nmt::operational || power_ != Power::operation_enabled || object(0x6061, 0) != 10) {
     return 0.0;
   }
-  const double wanted = static_cast<std::int16_t>(object(0x6071, 0));
+  const double wanted = static_cast<double>(static_cast<std::int16_t>(object(0x6071, 0))) +
+                        static_cast<double>(static_cast<std::int16_t>(object(0x60B2, 0)));
   const double most = object(0x6072, 0);
   return std::clamp(wanted, -std::min<double>(most, object(0x60E1, 0)),
                     std::min<double>(most, object(0x60E0, 0)));

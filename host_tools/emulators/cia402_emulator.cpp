@@ -91,6 +91,7 @@ void Cia402Emulator::define_profile() {
   objects_[{0x6072, 0}] = {1000, 2, true};
   objects_[{0x60E0, 0}] = {1000, 2, true};
   objects_[{0x60E1, 0}] = {1000, 2, true};
+  objects_[{0x60B2, 0}] = {static_cast<std::uint16_t>(config_.torque_offset), 2, true};
   objects_[{0x60C2, 0}] = {2, 1, false};
   objects_[{0x60C2, 1}] = {1, 1, true};
   objects_[{0x60C2, 2}] = {0xFD, 1, true};

@@ -26,6 +26,7 @@ struct Cia402EmulatorConfig {
   std::int64_t first_count = 0;       // 6064:00 where the shaft is at 0 rad
   double rated_torque_Nm = 1.0;       // what the motor does
   std::uint32_t rated_torque = 1000;  // what 6076:00 says, in the drive's own unit
+  std::int16_t torque_offset = 0;     // 60B2:00 as the drive has it saved
   hal::TimeNs boot_time_ns = 20'000'000;
 };
 

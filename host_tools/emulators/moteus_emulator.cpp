@@ -24,6 +24,8 @@ constexpr int kMoteusZeroVelocity = 12;
 constexpr int kMoteusLastMode = 15;
 constexpr int kMotorDriverFaultCode = 33;
 constexpr unsigned kFloatType = 3;
+// It has not run for so long: it was without power.
+constexpr hal::TimeNs kMoteusPowerLoss_ns = 200'000'000;
 constexpr double kMoteusVoltage_V = 24.0;
 constexpr double kMoteusTemperature_C = 31.0;
 
@@ -339,7 +341,7 @@ void MoteusEmulator::boot() {
 }
 
 void MoteusEmulator::advance(hal::TimeNs now_ns, bool erroring) {
-  if (has_run_ && now_ns - ran_ns_ >= kPowerLoss_ns) {
+  if (has_run_ && now_ns - ran_ns_ >= kMoteusPowerLoss_ns) {
     boot();
   }
   has_run_ = true;

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "host_tools/input_error.h"
@@ -127,7 +128,8 @@ class Session {
 
   [[nodiscard]] std::string ask(const char* command) const {
     try {
-      return Remote(run_dir_).send(command, kPatience).text;
+      return std::string_view(command) == "estop" ? send_stop(run_dir_, kPatience).text
+                                                  : Remote(run_dir_).send(command, kPatience).text;
     } catch (const UnreachableError& error) {
       return error.what();
     }

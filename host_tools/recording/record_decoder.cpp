@@ -59,6 +59,8 @@ void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.passivity_J = stored.passivity_j();
   record.limited_source = static_cast<firmware::EnergySource>(stored.limited_source());
   record.state_hash = stored.state_hash();
+  record.effort_known = stored.effort_known();
+  record.fault_joint = stored.fault_joint();
 }
 
 void read_vectors(const telemetry::Record& stored, TelemetryRecord& record) {
@@ -93,6 +95,22 @@ void read_counts(const telemetry::Record& stored, TelemetryRecord& record) {
                      .write = stages.write()};
 }
 
+// Older recordings have none.
+bool read_measured(const telemetry::Record& stored, RecordedTick& tick) {
+  const auto* const measured = stored.measured();
+  if (measured == nullptr) {
+    return true;
+  }
+  const bool is_aligned = reinterpret_cast<std::uintptr_t>(measured->Data()) % alignof(double) == 0;
+  if (!is_aligned || measured->size() != tick.joint_count) {
+    return false;
+  }
+  for (std::uint32_t i = 0; i < measured->size(); ++i) {
+    tick.record.joint_measured[i] = measured->Get(i);
+  }
+  return true;
+}
+
 bool read_joints(const telemetry::Record& stored, RecordedTick& tick) {
   const auto& joints = *stored.joints();
   // The verifier sees to where a vector begins, not to where its first element lies.
@@ -112,7 +130,7 @@ bool read_joints(const telemetry::Record& stored, RecordedTick& tick) {
     tick.shaft_rad[i] = joint.shaft_rad();
     tick.torque_Nm[i] = joint.torque_nm();
   }
-  return true;
+  return read_measured(stored, tick);
 }
 
 }  // namespace

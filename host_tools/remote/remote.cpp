@@ -43,6 +43,28 @@ std::string remedy(const std::string& path, int error) {
   }
 }
 
+hal::FileDescriptor connect_to(const std::string& path, int type) {
+  hal::FileDescriptor socket(::socket(AF_UNIX, type | SOCK_CLOEXEC, 0));
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::span<char> room(address.sun_path);
+  if (path.size() >= room.size()) {
+    throw UnreachableError(path + ": a socket's path has at most 107 characters");
+  }
+  std::ranges::copy(path, room.begin());
+  // The interface of sockets takes every address as the general one.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
+  const auto* const general = reinterpret_cast<const sockaddr*>(&address);
+  // Without a name of its own a datagram's sender gets no reply; the system chooses one.
+  if (type == SOCK_DGRAM && ::bind(socket.get(), general, sizeof address.sun_family) != 0) {
+    throw UnreachableError(fmt::format("{}: {}", path, std::strerror(errno)));
+  }
+  if (::connect(socket.get(), general, sizeof address) != 0) {
+    throw UnreachableError(fmt::format("{}: {}", path, remedy(path, errno)));
+  }
+  return socket;
+}
+
 }  // namespace
 
 std::optional<std::string> field_of(std::string_view line, std::string_view name) {
@@ -56,22 +78,7 @@ std::optional<std::string> field_of(std::string_view line, std::string_view name
 }
 
 Remote::Remote(const std::filesystem::path& run_dir)
-    : path_((run_dir / kCommandSocket).string()),
-      socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  const std::span<char> room(address.sun_path);
-  if (path_.size() >= room.size()) {
-    throw UnreachableError(path_ + ": a socket's path has at most 107 characters");
-  }
-  std::ranges::copy(path_, room.begin());
-  // The interface of sockets takes every address as the general one.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
-  const auto* const general = reinterpret_cast<const sockaddr*>(&address);
-  if (::connect(socket_.get(), general, sizeof address) != 0) {
-    throw UnreachableError(fmt::format("{}: {}", path_, remedy(path_, errno)));
-  }
-}
+    : path_((run_dir / kCommandSocket).string()), socket_(connect_to(path_, SOCK_STREAM)) {}
 
 void Remote::lost(std::string_view why) const {
   throw UnreachableError(fmt::format("{}: {}", path_, why));
@@ -115,6 +122,31 @@ std::string Remote::receive_line(std::chrono::steady_clock::time_point deadline)
     }
     received_.append(buffer.data(), static_cast<std::size_t>(got));
   }
+}
+
+Reply send_stop(const std::filesystem::path& run_dir, std::chrono::milliseconds patience) {
+  const std::string path = (run_dir / kStopSocket).string();
+  const hal::FileDescriptor socket = connect_to(path, SOCK_DGRAM);
+  constexpr std::string_view kStop = "estop";
+  // A full queue is full of stops: the controller has this one all the same.
+  if (::send(socket.get(), kStop.data(), kStop.size(), MSG_NOSIGNAL | MSG_DONTWAIT) < 0 &&
+      errno != EAGAIN) {
+    throw UnreachableError(fmt::format("{}: {}", path, remedy(path, errno)));
+  }
+  const auto patience_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(patience).count();
+  std::array<char, 1024> buffer{};
+  ssize_t got = -1;
+  if (hal::wait_readable(socket.get(), hal::monotonic_now_ns() + patience_ns)) {
+    got = ::recv(socket.get(), buffer.data(), buffer.size(), MSG_DONTWAIT);
+  }
+  if (got <= 0) {
+    throw UnreachableError(path + ": no reply to the stop; cut the power of the motors");
+  }
+  Reply reply;
+  reply.text = std::string(buffer.data(), static_cast<std::size_t>(got));
+  reply.text.erase(reply.text.find_last_not_of('\n') + 1);
+  reply.is_ok = reply.text.starts_with("ok ");
+  return reply;
 }
 
 }  // namespace tactus::host

@@ -17,6 +17,7 @@ namespace tactus::host {
 
 inline constexpr std::string_view kDefaultRunDir = "/run/tactus";
 inline constexpr std::string_view kCommandSocket = "command.sock";
+inline constexpr std::string_view kStopSocket = "stop.sock";
 
 // Nobody could be asked; the text names the socket and the remedy.
 class UnreachableError : public std::runtime_error {
@@ -51,5 +52,10 @@ class Remote {
   hal::FileDescriptor socket_;
   std::string received_;
 };
+
+// The emergency stop, by the socket that no other command can delay. The reply says which tick had
+// it. Throws UnreachableError, also where no reply comes within the time.
+Reply send_stop(const std::filesystem::path& run_dir,
+                std::chrono::milliseconds patience = std::chrono::milliseconds(1000));
 
 }  // namespace tactus::host

@@ -88,18 +88,24 @@ class MoteusLife {
     }
   }
 
-  // As a servo does that is well.
+  // As a servo does that is well; its watchdog trips after 20 ms without a torque.
   void bring_up() {
     std::uint8_t mode = 0;
+    int silent_ms = 0;
     for (int tick = 0; tick < 500 && drive_.sample().status != drivers::kDeviceOk; ++tick) {
       now_ns_ += 1'000'000;
       drive_.take({.time_ns = now_ns_, .frame = reply(mode, turns_, 0.0F)});
       drivers::CanOutbox outbox;
       drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
       properties_.check_outbox(drive_.sample(), outbox, torque_of);
+      ++silent_ms;
       for (const hal::CanFrame& frame : outbox.frames()) {
-        mode = std::to_integer<std::uint8_t>(frame.data[2]);
+        if (frame.data[0] == std::byte{0x01}) {  // it writes the mode
+          mode = std::to_integer<std::uint8_t>(frame.data[2]);
+          silent_ms = 0;
+        }
       }
+      mode = mode == 10 && silent_ms > 20 ? std::uint8_t{11} : mode;
     }
   }
 

@@ -92,10 +92,10 @@ class ColumnValues {
 
 }  // namespace
 
-int CsvWriter::open(const char* path, std::size_t joints) {
+int CsvWriter::open(const char* path, std::size_t joints, IfThere if_there) {
   joints_ = std::min(joints, drivers::kMaxJoints);
   text_.clear();
-  if (const int error = sink_.open(path); error != 0) {
+  if (const int error = sink_.open(path, if_there); error != 0) {
     return error;
   }
   const RecordedTick any;

@@ -19,7 +19,7 @@ class CsvWriter {
   ~CsvWriter() = default;
 
   // Columns for so many joints. 0, or errno.
-  int open(const char* path, std::size_t joints);
+  int open(const char* path, std::size_t joints, IfThere if_there = IfThere::replace);
   // Numbers read back as they were; a mode and a request are words, the state hash hexadecimal.
   void add(const RecordedTick& tick);
   // Puts what there is into the file.

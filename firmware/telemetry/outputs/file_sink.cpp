@@ -1,17 +1,40 @@
 #include "firmware/telemetry/outputs/file_sink.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 
 namespace tactus::firmware {
 
-int FileSink::open(const char* path) {
+namespace {
+
+// -1, with errno, if it is something that must not be emptied.
+int make_file(const char* path, IfThere if_there) {
   constexpr mode_t kReadableByAll = 0644;
-  // The variadic interface of open has no other form.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
-  file_ = hal::FileDescriptor(::open(path, O_CREAT | O_TRUNC | O_RDWR | O_CLOEXEC, kReadableByAll));
+  const int exclusive = if_there == IfThere::refuse ? O_EXCL : 0;
+  // The variadic interface of open has no other form. A pipe is not waited for.
+  hal::FileDescriptor file(
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
+      ::open(path, O_CREAT | exclusive | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_RDWR | O_CLOEXEC,
+             kReadableByAll));
+  struct stat status{};
+  if (!file.is_open() || ::fstat(file.get(), &status) != 0) {
+    return -1;
+  }
+  const bool is_file = S_ISREG(status.st_mode);
+  if (!is_file && !S_ISCHR(status.st_mode)) {
+    errno = EEXIST;
+    return -1;
+  }
+  return !is_file || ::ftruncate(file.get(), 0) == 0 ? ::fcntl(file.get(), F_DUPFD_CLOEXEC, 0) : -1;
+}
+
+}  // namespace
+
+int FileSink::open(const char* path, IfThere if_there) {
+  file_ = hal::FileDescriptor(make_file(path, if_there));
   crc_ = {};
   size_ = 0;
   error_ = file_.is_open() ? 0 : errno;

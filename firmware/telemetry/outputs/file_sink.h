@@ -11,10 +11,17 @@
 
 namespace tactus::firmware {
 
+// A file of that name that is there already. Links are never followed.
+enum class IfThere : std::uint8_t {
+  replace,  // a file is emptied, a character device written to
+  refuse,   // EEXIST
+};
+
 class FileSink {
  public:
-  // Makes the file, or empties the one that is there. 0, or errno.
-  int open(const char* path);
+  // Makes the file. 0, or errno: EEXIST too for a pipe, a socket or a disk, ELOOP
+  // where it is a link.
+  int open(const char* path, IfThere if_there = IfThere::replace);
 
   // All of it or, where there is no more room, nothing: then `error` is set and everything after is
   // left out, so that the file ends where it was still whole.

@@ -21,8 +21,8 @@ std::uint16_t id_of(auto channel) {
 }  // namespace
 
 int McapWriter::open(const char* path, std::int64_t clock_offset_ns,
-                     std::span<const MetadataEntry> run_info) {
-  if (const int error = sink_.open(path); error != 0) {
+                     std::span<const MetadataEntry> run_info, IfThere if_there) {
+  if (const int error = sink_.open(path, if_there); error != 0) {
     return error;
   }
   clock_offset_ns_ = clock_offset_ns;

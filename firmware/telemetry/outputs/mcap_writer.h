@@ -26,7 +26,8 @@ class McapWriter {
  public:
   // Begins the file. `clock_offset_ns` is added to LoopTimes::scheduled_ns to give the messages'
   // log time, ns since 1970. 0, or errno.
-  int open(const char* path, std::int64_t clock_offset_ns, std::span<const MetadataEntry> run_info);
+  int open(const char* path, std::int64_t clock_offset_ns, std::span<const MetadataEntry> run_info,
+           IfThere if_there = IfThere::replace);
   void attach(const Attachment& attachment);
 
   void add(const RecordedTick& tick) { add(tick, encoder_.encode(tick)); }

@@ -57,6 +57,8 @@ void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_passivity_j(record.passivity_J);
   table.add_limited_source(stored_enum<telemetry::EnergySource>(record.limited_source));
   table.add_state_hash(record.state_hash);
+  table.add_effort_known(record.effort_known);
+  table.add_fault_joint(record.fault_joint);
 }
 
 }  // namespace
@@ -83,6 +85,7 @@ std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
     joints[i] = stored_joint(tick, i);
   }
   const auto stored_joints = builder_.CreateVectorOfStructs(joints.data(), count);
+  const auto measured = builder_.CreateVector(record.joint_measured.data(), count);
   const telemetry::Vector3 tool_p = stored(record.tool_p_W);
   const telemetry::Vector3 tool_v = stored(record.tool_v_W);
   const telemetry::Vector3 proxy = stored(record.proxy_W);
@@ -116,6 +119,7 @@ std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
   table.add_stage_ns(&stage_ns);
   table.add_loop(&loop);
   table.add_dropped(tick.dropped);
+  table.add_measured(measured);
   builder_.Finish(table.Finish(), telemetry::RecordIdentifier());
   return message();
 }

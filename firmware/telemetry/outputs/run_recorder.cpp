@@ -12,11 +12,11 @@ bool RunRecorder::attach(const Attachment& attachment) {
   return known;
 }
 
-int RunRecorder::open(const char* path) {
+int RunRecorder::open(const char* path, IfThere if_there) {
   close();
   if (std::string_view(path).ends_with(".csv")) {
-    csv_.open(path, run_.joints);
-  } else if (mcap_.open(path, run_.clock_offset_ns, run_.info) == 0) {
+    csv_.open(path, run_.joints, if_there);
+  } else if (mcap_.open(path, run_.clock_offset_ns, run_.info, if_there) == 0) {
     for (const Attachment& attachment : attachments_.all()) {
       mcap_.attach(attachment);
     }

@@ -29,7 +29,7 @@ class RunRecorder {
   bool attach(const Attachment& attachment);
 
   // Ends the recording before, if there is one. 0, or errno.
-  int open(const char* path);
+  int open(const char* path, IfThere if_there = IfThere::replace);
   void add(const RecordedTick& tick, std::span<const std::byte> message);
   void add(const TelemetryEvent& event, std::span<const std::byte> message);
   // Puts what there is into the file.

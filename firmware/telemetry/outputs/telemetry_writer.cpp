@@ -48,8 +48,9 @@ int TelemetryWriter::stop() {
   return recording_error();
 }
 
-int TelemetryWriter::record(const char* path) {
+int TelemetryWriter::record(const char* path, IfThere if_there) {
   path_ = path;
+  if_there_ = if_there;
   return obey(Order::record);
 }
 
@@ -77,7 +78,7 @@ int TelemetryWriter::carry_out(Order order) {
   switch (order) {
     case Order::record:
       error_.store(0, std::memory_order_relaxed);
-      return recorder_.open(path_);
+      return recorder_.open(path_, if_there_);
     case Order::end:
       return recorder_.is_open() ? recorder_.close() : recording_error();
     case Order::attach:

@@ -44,8 +44,8 @@ class TelemetryWriter {
   // From one other thread, before `start` or after, while nobody else calls these; waits for the
   // writer's thread, which is as long as the file takes. `path`, names and bytes stay where they
   // are: `path` for the call, the others for good.
-  int record(const char* path);  // 0, or errno
-  int end_recording();           // 0, or the errno that had ended it early
+  int record(const char* path, IfThere if_there = IfThere::replace);  // 0, or errno
+  int end_recording();  // 0, or the errno that had ended it early
   bool attach(const Attachment& attachment);
 
   // After the loop's last tick: writes what is left, closes everything. What end_recording says.
@@ -79,6 +79,7 @@ class TelemetryWriter {
   // Another thread's order to this one; `path_` and `attachment_` belong to who has it.
   std::atomic<Order> order_{Order::none};
   const char* path_ = nullptr;
+  IfThere if_there_ = IfThere::replace;
   Attachment attachment_;
   int answer_ = 0;
 

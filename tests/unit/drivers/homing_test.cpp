@@ -2,40 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace tactus::drivers {
 namespace {
 
 constexpr hal::TimeNs kMillisecond_ns = 1'000'000;
 constexpr Transmission kGeared{.motor_ratio = 10.0, .encoder_ratio = 10.0};
-
-// A joint of its own mass and friction between two stops, its encoder ten times as fast and
-// counting from anywhere.
-class SlidingJoint {
- public:
-  explicit SlidingJoint(double position) : position_(position) {}
-
-  AxisSample sample() const {
-    return {.position_rad = 10.0 * (position_ - 0.3),
-            .velocity_rad_per_s = 10.0 * speed_,
-            .status = kDeviceOk};
-  }
-  void push(double effort, double seconds) {
-    speed_ += seconds / 0.05 * (effort - 0.2 * speed_);
-    position_ += seconds * speed_;
-    if (position_ <= -0.5 || position_ >= 0.5) {
-      position_ = std::clamp(position_, -0.5, 0.5);
-      speed_ = 0.0;
-    }
-  }
-  [[nodiscard]] double position() const { return position_; }
-  [[nodiscard]] double speed() const { return speed_; }
-
- private:
-  double position_;
-  double speed_ = 0.0;
-};
 
 TEST(Homing, AbsoluteEncoderIsReferencedAtOnceAndForGood) {
   Homing homing({.kind = ReferenceKind::absolute}, {.offset = 0.25});
@@ -45,15 +16,34 @@ TEST(Homing, AbsoluteEncoderIsReferencedAtOnceAndForGood) {
   EXPECT_EQ(joint_position(homing.transmission(), 1.0), 1.25);
 }
 
-TEST(Homing, KnownPoseIsTakenWhenHomeIsAskedFor) {
+TEST(Homing, KnownPoseIsTakenAfterHalfASecondOfStandingStill) {
   Homing homing({.kind = ReferenceKind::known_pose, .position = 0.1}, kGeared);
   const AxisSample sample{.position_rad = 7.0, .status = kDeviceOk};
   homing.advance(sample, false, 0);
   EXPECT_FALSE(homing.is_referenced());
-  homing.advance(sample, true, kMillisecond_ns);
+  for (int ms = 1; ms < 501; ++ms) {
+    homing.advance(sample, true, ms * kMillisecond_ns);
+    ASSERT_FALSE(homing.is_referenced()) << ms;
+    ASSERT_EQ(homing.effort(), 0.0);
+  }
+  homing.advance(sample, true, 501 * kMillisecond_ns);
   ASSERT_TRUE(homing.is_referenced());
   EXPECT_DOUBLE_EQ(joint_position(homing.transmission(), 7.0), 0.1);
   EXPECT_DOUBLE_EQ(joint_position(homing.transmission(), 8.0), 0.2);
+}
+
+TEST(Homing, MovingJointIsNoKnownPoseAndAStaleOneShowsNothing) {
+  const Reference pose{
+      .kind = ReferenceKind::known_pose, .time_limit_s = 3.0, .lower = -1.0, .upper = 1.0};
+  Homing moving(pose, {});
+  Homing stale(pose, {});
+  for (int ms = 0; ms <= 3001; ++ms) {
+    moving.advance({.position_rad = 1e-4 * ms, .status = kDeviceOk}, true, ms * kMillisecond_ns);
+    stale.advance({.status = kDeviceStale}, true, ms * kMillisecond_ns);
+    ASSERT_FALSE(moving.is_referenced());
+    ASSERT_FALSE(stale.is_referenced());
+  }
+  EXPECT_EQ(moving.trouble().what, "homing: the joint was not held still in its known pose");
 }
 
 TEST(Homing, IndexThatTheUserPassesOverIsTheReference) {
@@ -70,28 +60,26 @@ TEST(Homing, IndexThatTheUserPassesOverIsTheReference) {
   EXPECT_NEAR(joint_position(homing.transmission(), 5.0), -0.1, 1e-15);
 }
 
-TEST(Homing, MotorFindsTheHardStopAndNeverPushesHarderThanAllowed) {
-  for (const double way : {-1.0, 1.0}) {
-    SlidingJoint joint(0.1);
-    Homing homing({.kind = ReferenceKind::hard_stop,
-                   .position = way * 0.5,
-                   .search_effort = way * 0.04,
-                   .search_speed = 0.3},
-                  kGeared);
-    hal::TimeNs now_ns = 0;
-    while (!homing.is_referenced() && now_ns < 10'000 * kMillisecond_ns) {
-      homing.advance(joint.sample(), true, now_ns);
-      EXPECT_LE(std::abs(homing.effort()), 0.04);
-      EXPECT_LE(std::abs(joint.speed()), 0.31);
-      joint.push(homing.effort(), 1e-3);
-      now_ns += kMillisecond_ns;
-    }
-    ASSERT_TRUE(homing.is_referenced());
-    EXPECT_EQ(homing.effort(), 0.0);
-    EXPECT_NEAR(joint_position(homing.transmission(), joint.sample().position_rad),
-                joint.position(), 1e-12);
-    EXPECT_NEAR(joint.position(), way * 0.5, 1e-12);
+TEST(Homing, IndexFromBeforeTheSearchIsNotTaken) {
+  Homing homing({.kind = ReferenceKind::index, .position = -0.2}, kGeared);
+  AxisSample sample{.position_rad = 3.0, .status = kDeviceOk, .index_rad = 4.0, .index_seen = true};
+  for (int ms = 0; ms < 100; ++ms) {
+    homing.advance(sample, true, ms * kMillisecond_ns);
+    ASSERT_FALSE(homing.is_referenced());
   }
+  sample.index_rad = 10.0;
+  homing.advance(sample, true, 100 * kMillisecond_ns);
+  ASSERT_TRUE(homing.is_referenced());
+  EXPECT_NEAR(joint_position(homing.transmission(), 10.0), -0.2, 1e-12);
+}
+
+TEST(Homing, IndexThatPutsTheJointOutsideItsLimitsIsRefused) {
+  Homing homing({.kind = ReferenceKind::index, .lower = -1.0, .upper = 1.0}, {});
+  homing.advance({.status = kDeviceOk}, true, 0);
+  homing.advance({.position_rad = 3.0, .status = kDeviceOk, .index_rad = 0.5, .index_seen = true},
+                 true, kMillisecond_ns);
+  EXPECT_FALSE(homing.is_referenced());
+  EXPECT_EQ(homing.trouble().what, "homing: the index would put the joint outside its limits");
 }
 
 TEST(Homing, SearchThatFindsNothingEndsWithAReason) {
@@ -108,7 +96,12 @@ TEST(Homing, SearchThatFindsNothingEndsWithAReason) {
 }
 
 TEST(Homing, SearchThatIsWithdrawnLetsGo) {
-  Homing homing({.kind = ReferenceKind::hard_stop, .search_effort = 0.1}, kGeared);
+  Homing homing({.kind = ReferenceKind::hard_stop,
+                 .position = 1.0,
+                 .search_effort = 0.1,
+                 .lower = -1.0,
+                 .upper = 1.0},
+                kGeared);
   homing.advance({.status = kDeviceOk}, true, 0);
   homing.advance({.status = kDeviceOk}, true, kMillisecond_ns);
   EXPECT_GT(homing.effort(), 0.0);
@@ -121,6 +114,16 @@ TEST(Homing, CheckNamesTheField) {
   EXPECT_EQ(check(Reference{.kind = ReferenceKind::hard_stop}).error().field, "search_effort");
   EXPECT_EQ(check(Reference{.search_speed = 0.0}).error().field, "search_speed");
   EXPECT_EQ(check(Reference{.time_limit_s = 1e9}).error().field, "time_limit_s");
+  EXPECT_EQ(check(Reference{.lower = 1.0, .upper = 1.0}).error().field, "lower");
+  EXPECT_EQ(check(Reference{.min_travel = -1.0}).error().field, "min_travel");
+  EXPECT_EQ(check(Reference{.kind = ReferenceKind::hard_stop,
+                            .position = -1.0,
+                            .search_effort = 0.1,
+                            .lower = -1.0,
+                            .upper = 1.0})
+                .error()
+                .field,
+            "search_effort");
   EXPECT_TRUE(check(Reference{}));
 }
 

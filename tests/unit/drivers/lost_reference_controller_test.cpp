@@ -40,7 +40,7 @@ class PaddleOnODrive : public ::testing::Test {
     device_.start();
     run(1500);
     ask(Request::home);
-    run(50);
+    run(600);
     ask(Request::enable);
     run(100);
     EXPECT_EQ(controller_->mode(), Mode::active);
@@ -97,7 +97,7 @@ class PaddleOnODrive : public ::testing::Test {
     run(800);
     reset();
     ask(Request::home);
-    run(50);
+    run(600);
     ask(Request::enable);
     run(100);
     EXPECT_EQ(controller_->mode(), Mode::active)

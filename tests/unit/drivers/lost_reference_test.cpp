@@ -68,7 +68,7 @@ class OneJoint final : private hal::SimulatedEventSource {
   }
   void home() {
     command_ = {.home = true};
-    ticks(2);
+    ticks(510);  // it must stand still for half a second
     command_ = {};
     ticks(5);
   }
@@ -81,10 +81,10 @@ class OneJoint final : private hal::SimulatedEventSource {
 
   Emulator& emulator() { return emulator_; }
   hal::SimulatedCanBus& host() { return host_; }
+  hal::SimulatedCanNetwork& network() { return network_; }
   ComposedDevice& device() { return device_; }
   [[nodiscard]] const JointSample& sample() const { return sample_; }
   JointCommand& command() { return command_; }
-  hal::SimulatedClock& clock() { return clock_; }
 
  private:
   hal::TimeNs next_event_ns() const override { return next_ns_; }
@@ -321,8 +321,20 @@ TEST(ODriveWatchdog, DriveWhoseWatchdogIsOffIsRefusedUnlessItsOwnerAcceptsIt) {
   }
 }
 
-// Another program polls the drive: on 0.5 every frame feeds the watchdog, and a dead host's torque
+// On 0.5 every frame feeds the watchdog: beside another program's questions a dead host's torque
 // would stay.
+TEST(ODriveWatchdog, WatchdogThatAnotherProgramFeedsIsRefused) {
+  const auto joint = odrive_joint(host::ODriveFirmware::v0_5_6);
+  hal::SimulatedCanBus stranger(joint->network());
+  for (int i = 0; i < 150; ++i) {
+    (void)stranger.send({.id = 0x17, .remote = true});
+    joint->ticks(10);
+  }
+  EXPECT_NE(joint->sample().status & kDeviceDriveFault, 0U);
+  EXPECT_NE(joint->device().trouble().trouble.remedy.find("no other program"),
+            std::string_view::npos);
+}
+
 TEST(ODriveWatchdog, SlowWatchdogIsRefusedToo) {
   ODriveJoint joint(ODriveConfig{.heartbeat_lost_s = 0.035},
                     host::ODriveEmulatorConfig{.heartbeat_ms = 10, .watchdog_s = 0.2});

@@ -150,6 +150,21 @@ TEST_F(RunLoop, TakesThePowerAwayAndEndsInTheTickThatSeesACrashBesideIt) {
   EXPECT_FALSE(device_.powered);
 }
 
+TEST_F(RunLoop, TellsTheControllerOfManySkippedTicksAtOnceWhichIsAFault) {
+  testing::EnablingDoors open(
+      [this](std::size_t tick) { device_.read_ns = tick == 20 ? 20'000'000 : 100'000; });
+  EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks = 30}, open), LoopEnd::faulted);
+  EXPECT_NE(controller_.record().faults & kFaultTickOverrun, 0U);
+}
+
+TEST(LoopReportTest, SaysWhatTheTickKnowsOfItself) {
+  EXPECT_EQ(loop_report({}, true, false).status, kLoopOnTime);
+  EXPECT_EQ(loop_report({.late = true}, true, false).status, kLoopLate);
+  EXPECT_EQ(loop_report({}, false, false).status, kLoopWatchdogLost);
+  EXPECT_EQ(loop_report({}, true, true).status, kLoopHelperCrashed);
+  EXPECT_EQ(loop_report({.skipped = 7}, true, false).missed_ticks, 7U);
+}
+
 TEST_F(RunLoop, GivesTheWatchdogNoEdgeForALateTick) {
   std::vector<bool> levels;
   testing::EnablingDoors open([&](std::size_t tick) {

@@ -65,8 +65,8 @@ TEST(MoteusProtocol, SendsTheTorqueFrameByteForByte) {
             "0E230000000000000000"
             "0D270AD7A33C"
             "0D2B00000000"
-            "11001F01130D"
-            "505050");
+            "11001F0110040C"
+            "5050");
 }
 
 TEST(MoteusProtocol, ReadsTheMatchingReplyInFloats) {
@@ -82,8 +82,8 @@ TEST(MoteusProtocol, ReadsTheMatchingReplyInFloats) {
 
 TEST(MoteusProtocol, StopFrameIsTheModeAloneOrWithTheQuery) {
   EXPECT_EQ(text_of(stop({.servo = 2}, false)), "002##1010000");
-  EXPECT_EQ(text_of(stop({.servo = 2}, true)), "00008002##101000011001F01130D505050");
-  EXPECT_EQ(text_of(query({.servo = 2, .bit_rate_switch = false})), "00008002##011001F01130D");
+  EXPECT_EQ(text_of(stop({.servo = 2}, true)), "00008002##101000011001F0110040C5050");
+  EXPECT_EQ(text_of(query({.servo = 2, .bit_rate_switch = false})), "00008002##011001F0110040C");
 }
 
 // A varuint may take more bytes than it needs, and counts may stand in one.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -87,6 +88,19 @@ void pump(FaultyRig& rig, int tick) {
   rig.device.sample.position[1] = tick % 10 < 5 ? -0.03 : 0.001;
 }
 
+// The depth and so the floor's force grow by a twentieth each tick, as behind a reversed motor.
+void feed(FaultyRig& rig, int tick) {
+  const double depth_m = 0.002 * std::pow(1.06, tick);
+  rig.device.sample.position[1] = -depth_m;
+  rig.device.sample.velocity[1] = -0.06 * depth_m * 1000.0;
+}
+
+// The drive of the joint that holds the floor's 1 N measures the reverse of it, twice as much.
+void measure_another_effort(FaultyRig& rig, int /*tick*/) {
+  rig.device.sample.effort[1] = -2.0;
+  rig.device.sample.effort_known = 0b010;
+}
+
 constexpr LoopReport kLateReport{.status = kLoopLate, .missed_ticks = 0};
 constexpr LoopReport kOverrunReport{.status = kLoopOnTime, .missed_ticks = 10};
 constexpr LoopReport kWatchdogReport{.status = kLoopWatchdogLost, .missed_ticks = 0};
@@ -124,6 +138,8 @@ constexpr auto kFaults = std::to_array<MatrixFault>({
     {"through a wall", kFaultWorkspace, kLocated, 21, go_through_the_wall},
     {"overspeed", kFaultOverspeed, kLocated, 1, race},
     {"motor or joint blocked", kFaultTorqueWithoutMotion, kActive, 510, block},
+    {"motor reversed", kFaultMotorReversed, kActive, 40, feed},
+    {"drive measures another torque", kFaultEffortMismatch, kActive, 40, measure_another_effort},
     {"surface gives energy", kFaultNotPassive, kActive, 400, pump},
 });
 static_assert(kFaults.size() >= 20);
@@ -174,6 +190,39 @@ TEST(FaultMatrix, WithoutAGuardExactlyItsCellsFail) {
             << fault_name(static_cast<FaultBits>(off));
       }
     }
+  }
+}
+
+// The arm stands where it was under torque, to the count: its effort is gone because of the stop.
+TEST(FaultMatrix, AnArmThatStandsStillAfterAStopUnderTorqueCanBeReset) {
+  static FaultyRig rig;
+  ASSERT_TRUE(rig.enter(Mode::active, kNoFault));
+  rig.heal();
+  rig.tick();
+  rig.tick(Request::estop);
+  for (int tick = 0; tick < 2000; ++tick) {
+    rig.tick();
+    ASSERT_EQ(rig.record().faults, kFaultOperatorStop) << tick;
+  }
+  rig.tick(Request::reset);
+  EXPECT_EQ(rig.record().mode, Mode::init);
+}
+
+TEST(FaultMatrix, AFaultOfOneMotorNamesItsJointUntilTheReset) {
+  static FaultyRig rig;
+  for (auto* const inject : {feed, measure_another_effort}) {
+    ASSERT_TRUE(rig.enter(Mode::active, kNoFault));
+    rig.heal();
+    for (int tick = 0; tick <= 40; ++tick) {
+      inject(rig, tick);
+      rig.tick();
+    }
+    EXPECT_EQ(rig.record().fault_joint, 2U);
+    rig.heal();
+    rig.tick();
+    EXPECT_EQ(rig.record().fault_joint, 2U);
+    rig.tick(Request::reset);
+    EXPECT_EQ(rig.record().fault_joint, 0U);
   }
 }
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 
 #include "firmware/control/controller.h"
@@ -61,6 +64,53 @@ TEST(Certificate, CountsTheSpringsOfEffects) {
   ASSERT_TRUE(part);
   EXPECT_EQ(part->kind, UncertifiedPart::Kind::effect);
   EXPECT_EQ(part->index, 1U);
+}
+
+// The slope of the pull by differences: the largest over distances up to ten cores.
+double steepest_by_differences(double strength_N, double core_m) {
+  const double c2 = core_m * core_m;
+  const auto shape = [&](double d) { return d / std::pow(d * d + c2, 1.5); };
+  const double scale = strength_N / shape(core_m / std::sqrt(2.0));
+  const double step = 1e-4 * core_m;
+  double steepest = 0.0;
+  for (double d = -10.0 * core_m; d < 10.0 * core_m; d += step) {
+    steepest = std::max(steepest, scale * (shape(d + step) - shape(d)) / step);
+  }
+  return steepest;
+}
+
+TEST(Certificate, CountsAMagnetsCoreAsTheSpringThatItIs) {
+  for (const double strength_N : {2.0, -2.0}) {
+    const std::array<rendering::Effect, 1> effects{rendering::Effect{
+        .law = rendering::Magnet{.strength_N = strength_N, .core_m = 0.0002}, .max_force_N = 8.0}};
+    const auto part = first_uncertified(two_points(), {}, effects);
+    ASSERT_TRUE(part);
+    const double slope = steepest_by_differences(strength_N, 0.0002);
+    EXPECT_NEAR(part->stiffness_N_per_m, slope, 1e-3 * slope);
+  }
+}
+
+TEST(Certificate, LetsAWideMagnetPass) {
+  const std::array<rendering::Effect, 1> effects{rendering::Effect{
+      .law = rendering::Magnet{.strength_N = 2.0, .core_m = 0.01}, .max_force_N = 8.0}};
+  EXPECT_FALSE(first_uncertified(two_points(), {}, effects));
+}
+
+TEST(Certificate, CountsTheDragOfAFluidAtItsLargestForce) {
+  rendering::FluidDrag drag{.linear_Ns_per_m = 3.9};
+  const auto check = [&] {
+    const std::array<rendering::Effect, 1> effects{
+        rendering::Effect{.law = drag, .max_force_N = 8.0}};
+    return first_uncertified(two_points(), {}, effects);
+  };
+  EXPECT_FALSE(check());
+  drag.linear_Ns_per_m = 500.0;
+  ASSERT_TRUE(check());
+  EXPECT_EQ(check()->damping_Ns_per_m, 500.0);
+  // 2 v^2 is 8 N at 2 m/s, and its slope there is 8 N s/m.
+  drag = {.quadratic_Ns2_per_m2 = 2.0};
+  ASSERT_TRUE(check());
+  EXPECT_DOUBLE_EQ(check()->damping_Ns_per_m, 8.0);
 }
 
 TEST(Certificate, KeepsAStifferSceneOutOfTheControllerUnlessTold) {

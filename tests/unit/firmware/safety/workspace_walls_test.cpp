@@ -33,6 +33,8 @@ TEST_F(WorkspaceWallsTest, AWallPushesBackAndThenIsAFault) {
 TEST_F(WorkspaceWallsTest, AWallDampsAndNeverPulls) {
   EXPECT_NEAR(walls_.push_W({.p_W = {0.11, 0.0, 0.0}, .v_W = {2.0, 0.0, 0.0}}).x(), -7.0, 1e-9);
   EXPECT_EQ(walls_.push_W({.p_W = {0.11, 0.0, 0.0}, .v_W = {-9.0, 0.0, 0.0}}).x(), 0.0);
+  EXPECT_NEAR(walls_.push_W({.p_W = {0.0, -0.21, 0.0}, .v_W = {0.0, -2.0, 0.0}}).y(), 7.0, 1e-9);
+  EXPECT_EQ(walls_.push_W({.p_W = {0.0, -0.21, 0.0}, .v_W = {0.0, 9.0, 0.0}}).y(), 0.0);
 }
 
 }  // namespace

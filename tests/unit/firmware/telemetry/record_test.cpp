@@ -71,6 +71,17 @@ TEST(StateHash, ChangesWithEveryFieldButTheStageTimes) {
   EXPECT_EQ(state_hash(timed, 0), seen.front());
 }
 
+TEST(StateHash, TakesMeasuredEffortsOnceADriveMeasures) {
+  TelemetryRecord record;
+  record.joint_measured[1] = 1.0;
+  EXPECT_EQ(state_hash(record, 0), state_hash(TelemetryRecord{}, 0));
+  record.effort_known = 0b010;
+  const std::uint64_t known = state_hash(record, 0);
+  EXPECT_NE(known, state_hash(TelemetryRecord{}, 0));
+  record.joint_measured[1] = 2.0;
+  EXPECT_NE(state_hash(record, 0), known);
+}
+
 TEST(StateHash, ChainsFromTheTickBefore) {
   EXPECT_NE(state_hash(TelemetryRecord{}, 1), state_hash(TelemetryRecord{}, 2));
 }

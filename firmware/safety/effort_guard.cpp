@@ -1,0 +1,101 @@
+#include "firmware/safety/effort_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/safety/faults.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr double kLeast_N = 0.8;
+constexpr double kLeast_m_per_s = 0.01;
+constexpr double kMass_kg = 0.3;  // of a device's handle and a hand
+constexpr double kShare = 0.3;
+constexpr double kGrowth = 1.3;
+constexpr double kForgotten = 0.8;  // of the growth, in a tick without
+constexpr double kMotionSmoothing_s = 0.004;
+
+constexpr double kTolerance = 0.25;
+constexpr double kLeastShare = 0.1;
+constexpr double kEffortSmoothing_s = 0.02;
+constexpr double kMismatch_s = 0.01;
+
+constexpr double kLeastLever = 1e-6;  // a joint that moves the tool less than this does not count
+
+double share_a_tick(double step_s, double smoothing_s) {
+  return step_s / (step_s + smoothing_s);
+}
+
+}  // namespace
+
+void EffortGuard::configure(const ControllerConfig& config) {
+  joint_count_ = joint_count(config.mechanism);
+  step_s_ = 1.0 / config.rate_hz;
+  motion_share_ = share_a_tick(step_s_, kMotionSmoothing_s);
+  effort_share_ = share_a_tick(step_s_, kEffortSmoothing_s);
+  wrong_ticks_to_fault_ =
+      static_cast<std::uint32_t>(std::max(1.0, std::ceil(kMismatch_s * config.rate_hz)));
+  for (std::size_t i = 0; i < kJointCount; ++i) {
+    joints_[i].largest = config.joints[i].max_effort;
+  }
+  rest();
+}
+
+void EffortGuard::rest() {
+  for (Joint& joint : joints_) {
+    joint = Joint{.largest = joint.largest};
+  }
+}
+
+EffortFinding EffortGuard::check(const drivers::JointSample& sample, const Pose& pose,
+                                 const JointEfforts& held) {
+  EffortFinding found;
+  for (std::size_t i = 0; i < joint_count_; ++i) {
+    std::uint64_t faults = kNoFault;
+    const double lever = pose.jacobian_D.col(static_cast<Eigen::Index>(i)).norm();
+    if (lever > kLeastLever &&
+        is_driven_against(joints_[i], held[i] / lever, sample.velocity[i] * lever)) {
+      faults |= kFaultMotorReversed;
+    }
+    const bool is_known = (sample.effort_known >> i & 1U) != 0;
+    if (is_mismatched(joints_[i], held[i], is_known ? sample.effort[i] : held[i])) {
+      faults |= kFaultEffortMismatch;
+    }
+    if (faults != kNoFault && found.joint == 0) {
+      found.joint = static_cast<std::uint32_t>(i + 1);
+    }
+    found.faults |= faults;
+  }
+  return found;
+}
+
+bool EffortGuard::is_driven_against(Joint& joint, double force_N, double speed_m_per_s) const {
+  const double force_step = motion_share_ * (force_N - joint.force_N);
+  const double speed_step = motion_share_ * (speed_m_per_s - joint.speed_m_per_s);
+  joint.force_N += force_step;
+  joint.speed_m_per_s += speed_step;
+  const double way = joint.force_N < 0.0 ? -1.0 : 1.0;
+  const double force = way * joint.force_N;
+  const double speed = -way * joint.speed_m_per_s;
+  const double force_rise = way * force_step;
+  const double speed_rise = -way * speed_step;
+  const bool is_fed = force > kLeast_N && speed > kLeast_m_per_s && force_rise > 0.0 &&
+                      speed_rise > 0.0 && kMass_kg * speed_rise > kShare * force * step_s_;
+  joint.growth = is_fed ? joint.growth + std::min(force_rise / force, speed_rise / speed)
+                        : kForgotten * joint.growth;
+  return joint.growth > kGrowth;
+}
+
+// A measurement that is not a number is none that agrees.
+bool EffortGuard::is_mismatched(Joint& joint, double commanded, double measured) const {
+  const double finite = std::isfinite(measured) ? measured : -commanded;
+  joint.commanded += effort_share_ * (commanded - joint.commanded);
+  joint.measured += effort_share_ * (finite - joint.measured);
+  const bool is_wrong = std::abs(joint.measured - joint.commanded) >
+                        kTolerance * std::abs(joint.commanded) + kLeastShare * joint.largest;
+  joint.wrong_ticks = is_wrong ? std::min(joint.wrong_ticks + 1, wrong_ticks_to_fault_) : 0;
+  return joint.wrong_ticks >= wrong_ticks_to_fault_;
+}
+
+}  // namespace tactus::firmware
