@@ -36,6 +36,7 @@ void Falcon::start() {
   payload_bytes_ = 0;
   samples_ = {};
   homed_ = false;
+  reference_lost_ = false;
   homed_in_a_row_ = 0;
   bad_score_ = 0;
   blocked_in_a_row_ = 0;
@@ -43,6 +44,11 @@ void Falcon::start() {
   motors_ = {};
   latched_ = kDeviceOk;
   trouble_ = {};
+  if (!config_.unproven_watchdog) {
+    latch(kDeviceDriveFault, kFalconNoWatchdog);
+    state_ = State::stopped;
+    return;
+  }
   state_ = State::coming_up;
   bring_up_.start(clock_->now_ns());
   for (Read& read : reads_) {
@@ -51,10 +57,15 @@ void Falcon::start() {
 }
 
 void Falcon::clear_faults() {
+  if (latched_ == kDeviceOk && state_ != State::stopped) {
+    return;
+  }
+  const bool was_homed = homed_ || reference_lost_;
   if (endpoint_->state() == hal::UsbState::returned) {
     (void)endpoint_->reopen();  // if it fails, starting says so
   }
   start();
+  reference_lost_ = was_homed;
 }
 
 void Falcon::stop() {
@@ -100,10 +111,12 @@ void Falcon::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
 }
 
 std::uint32_t Falcon::status() const {
+  const std::uint32_t lost = reference_lost_ ? kDeviceReferenceLost : kDeviceOk;
   if (state_ != State::running) {
-    return latched_ | kDeviceNotReady;
+    return latched_ | lost | kDeviceNotReady;
   }
-  return latched_ | (homed_ ? kDeviceOk : kDeviceHoming) | (fresh_ ? kDeviceOk : kDeviceStale);
+  return latched_ | lost | (homed_ ? kDeviceOk : kDeviceHoming) |
+         (fresh_ ? kDeviceOk : kDeviceStale);
 }
 
 Trouble Falcon::trouble(std::size_t /*axis*/) const {
@@ -111,7 +124,7 @@ Trouble Falcon::trouble(std::size_t /*axis*/) const {
 }
 
 void Falcon::latch(std::uint32_t status, const Trouble& trouble) {
-  latched_ |= status;
+  latched_ |= status | (homed_ ? kDeviceReferenceLost : kDeviceOk);
   if (!trouble_) {
     trouble_ = trouble;
   }

@@ -54,7 +54,9 @@ struct FalconConfig {
 //   then kDeviceStale         when no answer came before the deadline, or one that cannot be true
 //   kDeviceLost          latched: unplugged, a transfer failed, or three answers in a row are
 //   missing kDeviceEncoderFault  latched: three in a row that cannot be true, or a reference lost
-//   kDeviceDriveFault    latched: it could not be brought up
+//   kDeviceDriveFault    latched: it could not be brought up, or unproven_watchdog is not said
+//   kDeviceReferenceLost latched with every fault of a device that was homed, and until its own
+//   homing bits are all there again
 // From a latched fault on every packet carries zero torque, as long as packets can be sent.
 class Falcon {
  public:
@@ -69,6 +71,7 @@ class Falcon {
   void start();
   void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns);
   void write(std::span<const AxisCommand> commands);
+  // Does nothing to a device that is well. After a fault it brings the device up anew.
   void clear_faults();
   void stop();
   [[nodiscard]] Trouble trouble(std::size_t axis) const;
@@ -152,6 +155,7 @@ class Falcon {
   Believed reference_;         // the newest of an older packet: what a jump is measured from
   hal::TimeNs answer_ns_ = 0;  // when the packet was sent that the last answer belongs to
   bool homed_ = false;
+  bool reference_lost_ = false;  // it was homed before the fault that was cleared
   std::uint32_t homed_in_a_row_ = 0;
   std::uint8_t buttons_ = 0;
   std::array<std::int16_t, kFalconArms> motors_{};

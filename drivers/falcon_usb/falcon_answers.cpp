@@ -116,6 +116,7 @@ void Falcon::home_with(const FalconReply& reply) {
   const bool steady = homed_in_a_row_ == 0 || moved_plausibly(reply);
   homed_in_a_row_ = reply.all_homed() && steady ? homed_in_a_row_ + 1 : 0;
   homed_ = homed_in_a_row_ >= kFalconHomedToBelieve;
+  reference_lost_ = reference_lost_ && !homed_;
   believe(reply);
 }
 

@@ -26,6 +26,12 @@ inline constexpr Trouble kFalconReferenceLost{
     .what = "the Falcon lost its reference",
     .remedy = "check its power supply; reset, pull the grip out and push it in"};
 
+inline constexpr Trouble kFalconNoWatchdog{
+    .what = "nobody has shown that the Falcon's motors stop when the host dies",
+    .remedy =
+        "keep its power switch within reach and say unproven_watchdog = true at its "
+        "connection"};
+
 // Nothing while it is under way, and when it is up.
 Trouble trouble_of(FalconBringUp::Outcome outcome);
 

@@ -18,27 +18,37 @@ constexpr hal::TimeNs kHaplyLongestGap_ns = 10'000'000;
 constexpr hal::TimeNs kHaplySettling_ns = 20'000'000;
 constexpr hal::TimeNs kHaplyWritePatience_ns = 20'000'000;
 constexpr std::size_t kHaplyAnswersATick = 16;
+// The angles that a board is asked to show differ from home_rad by so many tolerances at least, and
+// from each other and from start to start by parts of one.
+constexpr double kHaplyAskedTolerances = 5.0;
+constexpr std::uint32_t kHaplyAskedSteps = 11;
 
-constexpr Trouble kHaplyUnplugged{.what = "the Haply board is unplugged",
-                                  .remedy = "plug it in, put the arms in their home pose, reset"};
+constexpr Trouble kHaplyUnplugged{
+    .what = "the Haply board is unplugged",
+    .remedy = "plug it in, reset, put the arms in their home pose and home"};
 constexpr Trouble kHaplyTransferFailed{
     .what = "a transfer to the Haply board failed",
-    .remedy = "check the cable, put the arms in their home pose, reset"};
+    .remedy = "check the cable, reset, put the arms in their home pose and home"};
 constexpr Trouble kHaplyNotTaking{
     .what = "the Haply board takes no more commands",
-    .remedy = "unplug it and plug it in, put the arms in their home pose, reset"};
+    .remedy = "unplug it and plug it in, reset, put the arms in their home pose and home"};
 constexpr Trouble kHaplySilent{
     .what = "the Haply board does not answer",
-    .remedy = "check its power supply, put the arms in their home pose, reset"};
+    .remedy = "check its power supply, reset, put the arms in their home pose and home"};
 constexpr Trouble kHaplyGarbled{
     .what = "the Haply board's answers make no sense",
-    .remedy = "check the device id and the cable, put the arms in their home pose, reset"};
+    .remedy = "check the device id and the cable, reset, put the arms in their home pose and home"};
 constexpr Trouble kHaplyJumped{
     .what = "the Haply's arms seem to jump",
-    .remedy = "check the encoders' cables, put the arms in their home pose, reset"};
+    .remedy = "check the encoders' cables, reset, put the arms in their home pose and home"};
 constexpr Trouble kHaplySetupWrong{
     .what = "the Haply board did not take its setup",
-    .remedy = "put the arms in their home pose, keep them there and reset"};
+    .remedy = "check that the port and the device id are the board's, keep the arms still, reset"};
+constexpr Trouble kHaplyNoWatchdog{
+    .what = "the Haply board keeps its torque when the host dies: it has no watchdog",
+    .remedy =
+        "put a switch within reach that cuts its motor supply, and say unproven_watchdog = "
+        "true at its connection"};
 
 }  // namespace
 
@@ -52,30 +62,52 @@ Haply::Haply(hal::SerialPort& port, const hal::Clock& clock, const HaplyConfig& 
 }
 
 void Haply::start() {
+  ++starts_;
+  samples_ = {};
+  bad_score_ = 0;
+  latched_ = kDeviceOk;
+  trouble_ = {};
+  set_up_ = false;
+  reference_lost_ = false;
+  identity_ = Identity::asked;
+  if (!config_.unproven_watchdog) {
+    latch(kDeviceDriveFault, kHaplyNoWatchdog);
+    state_ = State::stopped;
+    return;
+  }
+  set_up();
+}
+
+void Haply::forget_answers() {
   reply_size_ = 0;
   reply_late_ = 0;
   sent_ = 0;
   answered_ = 0;
-  samples_ = {};
   believed_ = {};
   reference_ = {};
   at_home_in_a_row_ = 0;
-  set_up_ = false;
-  bad_score_ = 0;
-  latched_ = kDeviceOk;
-  trouble_ = {};
-  state_ = State::settling;
-  set_up();
+}
+
+// What the setup tells the axis to count from.
+double Haply::told_rad(std::size_t axis) const {
+  const double home_rad = config_.axis[axis].home_rad;
+  if (identity_ == Identity::shown) {
+    return home_rad;
+  }
+  const auto step = static_cast<double>((starts_ * 7 + axis * 3) % kHaplyAskedSteps);
+  return home_rad + (kHaplyAskedTolerances + step) * config_.home_tolerance_rad;
 }
 
 void Haply::set_up() {
+  forget_answers();
+  state_ = State::settling;
   std::array<HaplyAxisSetup, kHaplyMaxAxes> axes;
   for (std::size_t i = 0; i < config_.axes; ++i) {
     const HaplyAxisConfig& axis = config_.axis[i];
     axes[i] = {.motor_counter_clockwise = axis.motor_counter_clockwise,
                .encoder_counter_clockwise = axis.encoder_counter_clockwise,
                .counts_per_turn = axis.counts_per_turn,
-               .angle_now_rad = axis.home_rad};
+               .angle_now_rad = told_rad(i)};
     rates_[i].restart();
   }
   const std::uint8_t id = config_.device_id;
@@ -89,10 +121,15 @@ void Haply::set_up() {
 }
 
 void Haply::clear_faults() {
+  if (latched_ == kDeviceOk && state_ != State::stopped) {
+    return;
+  }
+  const bool was_set_up = set_up_ || reference_lost_;
   if ((latched_ & kDeviceLost) != 0) {
     (void)port_->reopen();  // if it fails, starting says so
   }
   start();
+  reference_lost_ = was_set_up;
 }
 
 void Haply::stop() {
@@ -107,6 +144,7 @@ void Haply::stop() {
 
 void Haply::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
   fresh_ = false;
+  unasked_ = false;
   doubt_ = {};
   if (state_ == State::settling && clock_->now_ns() >= settled_ns_) {
     if (const auto discarded = port_->discard_input(); !discarded) {
@@ -125,7 +163,7 @@ void Haply::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
 
 std::uint32_t Haply::status() const {
   if (state_ != State::running || !set_up_) {
-    return latched_ | kDeviceNotReady;
+    return latched_ | kDeviceNotReady | (reference_lost_ ? kDeviceReferenceLost : kDeviceOk);
   }
   return latched_ | (fresh_ ? kDeviceOk : kDeviceStale);
 }
@@ -135,7 +173,7 @@ Trouble Haply::trouble(std::size_t /*axis*/) const {
 }
 
 void Haply::latch(std::uint32_t status, const Trouble& trouble) {
-  latched_ |= status;
+  latched_ |= status | (set_up_ ? kDeviceReferenceLost : kDeviceOk);
   if (!trouble_) {
     trouble_ = trouble;
   }
@@ -184,10 +222,13 @@ bool Haply::receive(hal::TimeNs deadline_ns) {
   }
   reply_size_ = 0;
   reply_late_ = 0;
-  if (answered_ != sent_) {
-    answer_ns_ = sent_ns_[answered_ % kRemembered];
-    ++answered_;
+  if (answered_ == sent_) {
+    unasked_ = true;
+    doubt_ = kHaplyGarbled;
+    return true;
   }
+  answer_ns_ = sent_ns_[answered_ % kRemembered];
+  ++answered_;
   if (const auto angles =
           decode_haply_reply(std::span(reply_).first(whole), config_.device_id, config_.axes)) {
     accept(*angles);
@@ -227,20 +268,31 @@ void Haply::accept(const HaplyAngles& angles) {
   }
 }
 
+// Answers that follow what the setup told, twice with other angles, are a board's. A line that says
+// the same for ever, or what it hears, says the one or the other at most.
 void Haply::find_home(const HaplyAngles& angles) {
-  if (!is_at_home(angles) || (at_home_in_a_row_ > 0 && !moved_plausibly(angles))) {
+  if (!says_what_it_was_told(angles) || (at_home_in_a_row_ > 0 && !moved_plausibly(angles))) {
     at_home_in_a_row_ = 0;
     doubt_ = kHaplySetupWrong;
     return;
   }
   ++at_home_in_a_row_;
-  set_up_ = at_home_in_a_row_ >= kHaplyAnswersToBelieve;
   believe(angles);
+  if (at_home_in_a_row_ < kHaplyAnswersToBelieve) {
+    return;
+  }
+  if (identity_ == Identity::asked) {
+    identity_ = Identity::shown;
+    set_up();
+    return;
+  }
+  set_up_ = true;
+  reference_lost_ = false;
 }
 
-bool Haply::is_at_home(const HaplyAngles& angles) const {
+bool Haply::says_what_it_was_told(const HaplyAngles& angles) const {
   for (std::size_t i = 0; i < config_.axes; ++i) {
-    if (std::abs(angles[i] - config_.axis[i].home_rad) > config_.home_tolerance_rad) {
+    if (std::abs(angles[i] - told_rad(i)) > config_.home_tolerance_rad) {
       return false;
     }
   }
@@ -277,7 +329,7 @@ void Haply::believe(const HaplyAngles& angles) {
 }
 
 void Haply::judge() {
-  if (fresh_) {
+  if (fresh_ && !unasked_) {
     bad_score_ -= bad_score_ > 0 ? 1 : 0;
     return;
   }

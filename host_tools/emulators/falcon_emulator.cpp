@@ -58,11 +58,12 @@ FalconEmulator::FalconEmulator(const FalconEmulatorConfig& config, std::uint32_t
 
 void FalconEmulator::set_fault(EmulatorFault fault) {
   fault_ = fault;
+  off_until_ns_ = 0;
   if (fault == EmulatorFault::erroring) {
     homed_ = 0;
     was_out_ = {};
   }
-  if (fault == EmulatorFault::unplugged) {
+  if (fault == EmulatorFault::unplugged || fault == EmulatorFault::power_cycled) {
     cut_power();
   }
 }
@@ -122,8 +123,16 @@ void FalconEmulator::set_baud(std::uint16_t code) {
   }
 }
 
+bool FalconEmulator::has_power(hal::TimeNs now_ns) {
+  if (fault_ == EmulatorFault::power_cycled && off_until_ns_ == 0) {
+    off_until_ns_ = now_ns + kPowerCycle_ns;
+  }
+  return fault_ != EmulatorFault::unplugged &&
+         (fault_ != EmulatorFault::power_cycled || now_ns >= off_until_ns_);
+}
+
 void FalconEmulator::receive(hal::TimeNs now_ns, std::span<const std::byte> bytes) {
-  if (fault_ == EmulatorFault::unplugged) {
+  if (!has_power(now_ns)) {
     return;
   }
   for (const std::byte byte : bytes) {

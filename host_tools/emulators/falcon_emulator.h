@@ -66,8 +66,9 @@ class FalconEmulator {
   [[nodiscard]] const std::array<std::int16_t, kArms>& motors() const { return motors_; }
   [[nodiscard]] const std::vector<std::byte>& image() const { return image_; }
 
-  // Erroring: it loses its reference, as after a dip of its supply. The owner of the plug sees to
-  // it that `unplugged` looks so to the host too.
+  // Erroring: it loses its reference, as after a dip of its supply. Power_cycled: it is without
+  // power for kPowerCycle_ns; then its firmware and its reference are gone. The owner of the plug
+  // sees to it that `unplugged` looks so to the host too.
   void set_fault(EmulatorFault fault);
   [[nodiscard]] EmulatorFault fault() const { return fault_; }
 
@@ -86,10 +87,12 @@ class FalconEmulator {
   void send(hal::TimeNs due_ns, std::span<const std::byte> bytes);
   void set_baud(std::uint16_t code);
   void cut_power();
+  bool has_power(hal::TimeNs now_ns);
 
   FalconEmulatorConfig config_;
   std::mt19937 random_;
   EmulatorFault fault_ = EmulatorFault::none;
+  hal::TimeNs off_until_ns_ = 0;  // in power_cycled; 0: not begun
   std::array<EmulatedShaft, kArms> shafts_{};
   std::array<double, kArms> origin_rad_{};
   std::array<bool, kArms> was_out_{};

@@ -38,6 +38,7 @@ void GpioAxisEmulator::set_fault(EmulatorFault fault) {
     show(count_);
   }
   fault_ = fault;
+  off_until_ns_ = 0;
   drive(axis_.pins.fault, fault == EmulatorFault::erroring);
   if (fault == EmulatorFault::unplugged) {
     pins_.unplug();
@@ -66,11 +67,24 @@ void GpioAxisEmulator::run(hal::TimeNs now_ns) {
     shaft_.torque_Nm = 0.0;
     return;
   }
-  if (fault_ != EmulatorFault::silent) {
+  follow_power(now_ns);
+  if (fault_ != EmulatorFault::silent && !is_off_) {
     move_encoder();
   }
   watch_heartbeat(now_ns);
-  shaft_.torque_Nm = motor_torque(now_ns);
+  shaft_.torque_Nm = is_off_ ? 0.0 : motor_torque(now_ns);
+}
+
+void GpioAxisEmulator::follow_power(hal::TimeNs now_ns) {
+  if (fault_ == EmulatorFault::power_cycled && off_until_ns_ == 0) {
+    off_until_ns_ = now_ns + kPowerCycle_ns;
+  }
+  const bool was_off = is_off_;
+  is_off_ = fault_ == EmulatorFault::power_cycled && now_ns < off_until_ns_;
+  if (was_off && !is_off_) {
+    count_ = wanted_count();
+    show(count_);
+  }
 }
 
 std::int64_t GpioAxisEmulator::wanted_count() const {

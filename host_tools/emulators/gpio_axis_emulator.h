@@ -30,6 +30,9 @@ namespace tactus::host {
 //              from a late hand: this one is not detected
 //   corrupted  now and then both channels change at once
 //   erroring   the bridge reports a fault, if the line is wired, and gives no torque
+//   power_cycled  encoder and bridge are without power for kPowerCycle_ns: the encoder's lines
+//   stay,
+//              then they jump to where the shaft is by then
 //   unplugged  the GPIO chip is gone; no torque. Stays so
 class GpioAxisEmulator {
  public:
@@ -67,6 +70,7 @@ class GpioAxisEmulator {
   void move_encoder();
   void show(std::int64_t count);
   void watch_heartbeat(hal::TimeNs now_ns);
+  void follow_power(hal::TimeNs now_ns);
   [[nodiscard]] double motor_torque(hal::TimeNs now_ns);
 
   drivers::GpioAxisConfig axis_;
@@ -84,6 +88,8 @@ class GpioAxisEmulator {
   hal::TimeNs beat_ns_ = 0;
   bool beat_level_ = false;
   bool chain_open_ = false;
+  hal::TimeNs off_until_ns_ = 0;  // in power_cycled; 0: not begun
+  bool is_off_ = false;
 };
 
 }  // namespace tactus::host

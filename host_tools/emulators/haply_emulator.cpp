@@ -22,7 +22,9 @@ void append_float(std::vector<std::byte>& bytes, double value) {
 
 void HaplyEmulator::set_fault(EmulatorFault fault) {
   fault_ = fault;
-  if (fault == EmulatorFault::erroring || fault == EmulatorFault::unplugged) {
+  off_until_ns_ = 0;
+  if (fault == EmulatorFault::erroring || fault == EmulatorFault::unplugged ||
+      fault == EmulatorFault::power_cycled) {
     restart();
   }
 }
@@ -40,9 +42,17 @@ void HaplyEmulator::restart() {
   }
 }
 
+bool HaplyEmulator::has_power(hal::TimeNs now_ns) {
+  if (fault_ == EmulatorFault::power_cycled && off_until_ns_ == 0) {
+    off_until_ns_ = now_ns + kPowerCycle_ns;
+  }
+  return fault_ != EmulatorFault::unplugged &&
+         (fault_ != EmulatorFault::power_cycled || now_ns >= off_until_ns_);
+}
+
 void HaplyEmulator::run(hal::TimeNs now_ns) {
   hear();
-  if (fault_ == EmulatorFault::unplugged) {
+  if (!has_power(now_ns)) {
     heard_.clear();
     return;
   }

@@ -37,6 +37,7 @@ class HaplyEmulator {
   [[nodiscard]] std::array<EmulatedShaft, kPorts>& shafts() { return shafts_; }
 
   // Erroring: it restarts by itself, as after a dip of its supply, and knows no setup any more.
+  // Power_cycled: the same after kPowerCycle_ns without power.
   void set_fault(EmulatorFault fault);
   [[nodiscard]] EmulatorFault fault() const { return fault_; }
 
@@ -72,6 +73,7 @@ class HaplyEmulator {
   void obey(hal::TimeNs now_ns);
   void answer(hal::TimeNs now_ns);
   void restart();
+  bool has_power(hal::TimeNs now_ns);
 
   std::uint8_t byte_if_there();
   [[nodiscard]] bool floats_are_there(std::size_t count) const {
@@ -82,6 +84,7 @@ class HaplyEmulator {
   hal::SerialPort& port_;
   std::mt19937 random_;
   EmulatorFault fault_ = EmulatorFault::none;
+  hal::TimeNs off_until_ns_ = 0;  // in power_cycled; 0: not begun
   std::array<EmulatedShaft, kPorts> shafts_{};
 
   std::deque<std::byte> heard_;

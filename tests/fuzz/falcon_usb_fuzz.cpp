@@ -14,7 +14,7 @@
 namespace tactus::fuzz {
 namespace {
 
-constexpr drivers::FalconConfig kConfig{.torque_limit_Nm = 0.1};
+constexpr drivers::FalconConfig kConfig{.torque_limit_Nm = 0.1, .unproven_watchdog = true};
 constexpr int kLargestMotor = 1000;
 constexpr hal::TimeNs kMs = 1'000'000;
 

@@ -19,6 +19,14 @@ namespace {
 constexpr hal::TimeNs kMs = 1'000'000;
 constexpr std::size_t kTorqueCommandBytes = 10;
 
+constexpr std::size_t kSetupBytes = 26;
+
+drivers::HaplyConfig accepted_config() {
+  drivers::HaplyConfig config;
+  config.unproven_watchdog = true;
+  return config;
+}
+
 struct Bench {
   Bench() { host.connect(board); }
 
@@ -37,7 +45,12 @@ struct Bench {
   void check_command() {
     std::array<std::byte, 4096> heard{};
     const auto got = board.read(heard, hal::kNoWait);
-    if (!got || *got != kTorqueCommandBytes || heard[0] != std::byte{2}) {
+    if (got && *got >= kSetupBytes) {  // the angles that the board is to count from
+      std::memcpy(&told_deg[0], heard.data() + *got - 16, 4);
+      std::memcpy(&told_deg[1], heard.data() + *got - 8, 4);
+    }
+    driver_asked = got && *got == kTorqueCommandBytes && heard[0] == std::byte{2};
+    if (!driver_asked) {
       return;
     }
     for (std::size_t axis = 0; axis < config.axes; ++axis) {
@@ -58,17 +71,21 @@ struct Bench {
   }
 
   void bring_up() {
-    clock.advance_by(30 * kMs);
-    for (int i = 0; i < 10 && samples[0].status != drivers::kDeviceOk; ++i) {
+    check_command();
+    for (int i = 0; i < 200 && samples[0].status != drivers::kDeviceOk; ++i) {
       tick(0.0);
-      say(0.0F, 0.0F);
+      if (driver_asked) {
+        say(told_deg[0], told_deg[1]);
+      }
     }
   }
 
+  std::array<float, 2> told_deg{};
+  bool driver_asked = false;  // a command of torques went out in the last tick
   hal::SimulatedClock clock;
   hal::SimulatedSerialPort host{clock};
   hal::SimulatedSerialPort board{clock};
-  drivers::HaplyConfig config;
+  drivers::HaplyConfig config = accepted_config();
   drivers::Haply driver{host, clock, config};
   std::array<drivers::AxisSample, drivers::kHaplyMaxAxes> samples{};
   BoardProperties properties{{.fastest_rad_per_s = config.fastest_rad_per_s, .slack_rad = 0.005}};

@@ -56,7 +56,7 @@ TEST(NoHeapBoards, FalconComesUpTicksAndFailsWithoutTheHeap) {
   StillFalcon device;
   hal::SimulatedUsbEndpoint endpoint(clock, device);
   device.connect(endpoint);
-  drivers::Falcon driver(endpoint, clock, {});
+  drivers::Falcon driver(endpoint, clock, {.unproven_watchdog = true});
   std::array<drivers::AxisSample, 3> samples{};
   const HeapTrap trap;
   driver.start();
@@ -73,14 +73,18 @@ TEST(NoHeapBoards, FalconComesUpTicksAndFailsWithoutTheHeap) {
   EXPECT_EQ(trap.calls(), 0U);
 }
 
+constexpr std::size_t kSetupBytes = 26;  // of two axes
+
 TEST(NoHeapBoards, HaplyComesUpTicksAndFailsWithoutTheHeap) {
   hal::SimulatedClock clock;
   hal::SimulatedSerialPort host(clock);
   hal::SimulatedSerialPort board(clock);
   host.connect(board);
-  drivers::Haply driver(host, clock, {});
+  drivers::HaplyConfig config;
+  config.unproven_watchdog = true;
+  drivers::Haply driver(host, clock, config);
   std::array<drivers::AxisSample, drivers::kHaplyMaxAxes> samples{};
-  const std::array<std::byte, 9> answer = {std::byte{5}};
+  std::array<std::byte, 9> answer = {std::byte{5}};
   std::array<std::byte, 256> heard{};
   const HeapTrap trap;
   driver.start();
@@ -89,6 +93,9 @@ TEST(NoHeapBoards, HaplyComesUpTicksAndFailsWithoutTheHeap) {
     const auto got = board.read(heard, hal::kNoWait);
     if (got && heard[0] == std::byte{2} && *got == 10) {
       (void)board.write(answer, hal::kNoWait);
+    } else if (got && *got >= kSetupBytes) {  // the angles that it is to count from
+      std::copy_n(heard.data() + *got - 16, 4, answer.data() + 1);
+      std::copy_n(heard.data() + *got - 8, 4, answer.data() + 5);
     }
   }
   EXPECT_EQ(samples[0].status, drivers::kDeviceOk);

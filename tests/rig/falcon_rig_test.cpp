@@ -88,7 +88,7 @@ class FalconOnTheBus : public ::testing::Test {
       1,
       {.function_fs = "/dev/ffs/falcon", .gadget = "/sys/kernel/config/usb_gadget/falcon"}};
   hal::LinuxUsbEndpoint endpoint_;
-  Falcon driver_{endpoint_, clock_, {.firmware = image_}};
+  Falcon driver_{endpoint_, clock_, {.firmware = image_, .unproven_watchdog = true}};
   std::array<AxisSample, kFalconArms> samples_{};
   std::array<AxisCommand, kFalconArms> commands_{};
   hal::TimeNs slowest_read_ns_ = 0;

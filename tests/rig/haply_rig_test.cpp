@@ -65,6 +65,7 @@ class BoardThread {
 
 HaplyConfig rig_config() {
   HaplyConfig config;
+  config.unproven_watchdog = true;
   config.axis[0].home_rad = std::numbers::pi;
   return config;
 }

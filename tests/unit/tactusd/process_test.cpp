@@ -53,7 +53,8 @@ std::string device_text(const std::string& port) {
          "200\nmax_sample_age_us = 200000\n"
          "[[connection]]\nname = \"usb\"\nkind = \"haply_serial\"\nport = \"" +
          port +
-         "\"\n[[axis]]\nname = \"m1\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = "
+         "\"\nunproven_watchdog = true\n[[axis]]\nname = \"m1\"\ndriver = "
+         "\"haply_serial\"\nconnection = \"usb\"\nnumber = "
          "0\n"
          "[[axis]]\nname = \"m2\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = 1\n"
          "[[joint]]\nname = \"left\"\nmotor = \"m1\"\nreference = \"known_pose\"\nreference_rad = "

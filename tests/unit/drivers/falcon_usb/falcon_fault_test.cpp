@@ -97,7 +97,7 @@ TEST(FalconFault, LostReferenceIsAFaultThatAsksForHoming) {
   EXPECT_NE(rig.driver.trouble(2).remedy.find("pull the grip out"), std::string_view::npos);
   rig.emulator.set_fault(EmulatorFault::none);
   rig.driver.clear_faults();
-  EXPECT_TRUE(rig.tick_until(kDeviceHoming, 50));
+  EXPECT_TRUE(rig.tick_until(kDeviceHoming | kDeviceReferenceLost, 50));
 }
 
 TEST(FalconFault, UnpluggedDeviceIsLostFromTheFirstFailureOn) {
@@ -123,7 +123,8 @@ TEST(FalconFault, DeviceThatCameBackIsOpenedWhenFaultsAreCleared) {
   rig.ticks(10);
   EXPECT_EQ(rig.latched(), kDeviceLost);
   rig.driver.clear_faults();
-  ASSERT_TRUE(rig.tick_until(kDeviceDriveFault | kDeviceNotReady, 5000));  // its firmware is gone
+  ASSERT_TRUE(rig.tick_until(kDeviceDriveFault | kDeviceNotReady | kDeviceReferenceLost,
+                             5000));  // its firmware is gone
   EXPECT_EQ(rig.driver.trouble(0).what, "the Falcon has no firmware");
   EXPECT_NE(rig.driver.trouble(0).remedy.find("firmware file"), std::string_view::npos);
 }
@@ -139,9 +140,9 @@ TEST(FalconFault, DeviceThatCameBackIsLoadedAndHomedAnew) {
   rig.ticks(10);
   rig.peer.plug_in();
   rig.driver.clear_faults();
-  EXPECT_TRUE(rig.tick_until(kDeviceHoming, 5000));
+  EXPECT_TRUE(rig.tick_until(kDeviceHoming | kDeviceReferenceLost, 5000));
   rig.ticks(100);
-  EXPECT_EQ(rig.samples[0].status, kDeviceHoming);
+  EXPECT_EQ(rig.samples[0].status, kDeviceHoming | kDeviceReferenceLost);
 }
 
 TEST(FalconFault, StoppedDeviceIsLost) {
@@ -200,6 +201,46 @@ TEST(FalconFault, FastestHandIsNoJump) {
     rig.tick();
     ASSERT_EQ(rig.samples[0].status, kDeviceOk);
   }
+}
+
+TEST(FalconFault, ClearingNothingLeavesAWellDeviceAlone) {
+  WorkingFalcon rig;
+  rig.driver.clear_faults();
+  rig.tick();
+  EXPECT_EQ(rig.samples[0].status, kDeviceOk);
+}
+
+TEST(FalconFault, EveryLossOfAHomedDeviceIsALostReference) {
+  for (const EmulatorFault fault :
+       {EmulatorFault::silent, EmulatorFault::erroring, EmulatorFault::power_cycled}) {
+    SCOPED_TRACE(static_cast<int>(fault));
+    WorkingFalcon rig;
+    rig.emulator.set_fault(fault);
+    rig.ticks(20);
+    EXPECT_NE(rig.samples[0].status & kDeviceReferenceLost, 0U);
+    rig.driver.clear_faults();
+    rig.tick();
+    EXPECT_NE(rig.samples[0].status & kDeviceReferenceLost, 0U);
+    rig.ticks(500);
+    EXPECT_NE(rig.samples[0].status & kDeviceReferenceLost, 0U);
+  }
+}
+
+TEST(FalconFault, WithoutTheOverrideTheDeviceIsRefused) {
+  hal::SimulatedClock clock;
+  host::FalconEmulator emulator({.homed = true}, 1);
+  host::FalconUsbPeer peer(emulator, clock);
+  Falcon driver(peer.endpoint(), clock, {});
+  driver.start();
+  std::array<AxisSample, kFalconArms> samples{};
+  for (int i = 0; i < 100; ++i) {
+    driver.read(samples, clock.now_ns() + 500'000);
+    driver.write(std::array<AxisCommand, kFalconArms>{});
+    clock.advance_by(1'000'000);
+  }
+  EXPECT_EQ(samples[0].status, kDeviceDriveFault | kDeviceNotReady);
+  EXPECT_NE(driver.trouble(0).remedy.find("unproven_watchdog = true"), std::string_view::npos);
+  EXPECT_EQ(emulator.commands(), 0U);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(FalconRandom, NoBytesMakeAJumpOrTorqueBeyondTheLimit) {
     hal::SimulatedClock clock;
     AnyDevice device;
     hal::SimulatedUsbEndpoint endpoint(clock, device);
-    const FalconConfig config{.torque_limit_Nm = 0.1};
+    const FalconConfig config{.torque_limit_Nm = 0.1, .unproven_watchdog = true};
     Falcon driver(endpoint, clock, config);
     driver.start();
     std::array<AxisSample, kFalconArms> samples{};

@@ -16,9 +16,15 @@ struct FalconRig {
   static constexpr hal::TimeNs kTick_ns = 1'000'000;
   static constexpr hal::TimeNs kReadPatience_ns = 600'000;
 
+  static FalconConfig accepted(FalconConfig config) {
+    config.unproven_watchdog = true;
+    return config;
+  }
   explicit FalconRig(const host::FalconEmulatorConfig& device = {.homed = true},
                      const FalconConfig& config = {}, std::uint32_t seed = 1)
-      : emulator(device, seed), peer(emulator, clock), driver(peer.endpoint(), clock, config) {
+      : emulator(device, seed),
+        peer(emulator, clock),
+        driver(peer.endpoint(), clock, accepted(config)) {
     for (host::EmulatedShaft& shaft : emulator.shafts()) {
       shaft.position_rad = 0.5;
     }

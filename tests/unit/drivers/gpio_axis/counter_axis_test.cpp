@@ -73,20 +73,20 @@ TEST_F(CounterAxis, FollowsTheCounterOverItsWrap) {
 TEST_F(CounterAxis, AJumpIsAFaultAndNoPosition) {
   const double before_rad = sample_.position_rad;
   tick(500);
-  expect_fault(kDeviceEncoderFault, GpioAxisTrouble::jump);
+  expect_fault(kDeviceEncoderFault | kDeviceReferenceLost, GpioAxisTrouble::jump);
   EXPECT_EQ(sample_.position_rad, before_rad);
 }
 
 TEST_F(CounterAxis, NoiseIsAFault) {
   counter_.set_noisy(true);
   tick();
-  expect_fault(kDeviceEncoderFault, GpioAxisTrouble::noise);
+  expect_fault(kDeviceEncoderFault | kDeviceReferenceLost, GpioAxisTrouble::noise);
 }
 
 TEST_F(CounterAxis, AMissingCounterIsALostDeviceAndComesBackWithAReset) {
   counter_.remove();
   tick();
-  expect_fault(kDeviceLost, GpioAxisTrouble::counter_gone);
+  expect_fault(kDeviceLost | kDeviceReferenceLost, GpioAxisTrouble::counter_gone);
   counter_.plug_in();
   axis_.clear_faults();
   ticks(2);

@@ -79,7 +79,7 @@ TEST_F(GpioAxisFault, BothLimitSwitchesAreABrokenWire) {
 TEST_F(GpioAxisFault, LostEdgesAreAnEncoderFaultAndNeverAPosition) {
   bench_.lines.lose_next_edges(3);
   bench_.ticks(8, kPush, motion_);
-  expect_latched(kDeviceEncoderFault, GpioAxisTrouble::edges_lost);
+  expect_latched(kDeviceEncoderFault | kDeviceReferenceLost, GpioAxisTrouble::edges_lost);
   EXPECT_EQ(bench_.axis.edges_lost(), 3U);
   expect_well_after_reset();
 }
@@ -87,7 +87,7 @@ TEST_F(GpioAxisFault, LostEdgesAreAnEncoderFaultAndNeverAPosition) {
 TEST_F(GpioAxisFault, CorruptedEncoderIsAnEncoderFault) {
   bench_.emulator.set_fault(host::EmulatorFault::corrupted);
   bench_.ticks(3, kPush, motion_);
-  expect_latched(kDeviceEncoderFault, GpioAxisTrouble::illegal_transition);
+  expect_latched(kDeviceEncoderFault | kDeviceReferenceLost, GpioAxisTrouble::illegal_transition);
   EXPECT_GT(bench_.axis.illegal_transitions(), 0U);
 }
 
@@ -99,7 +99,7 @@ TEST_F(GpioAxisFault, SilentEncoderUnderTorqueIsAFaultWithinItsTime) {
     ++ticks;
   }
   EXPECT_LE(ticks, 1002);
-  expect_latched(kDeviceEncoderFault, GpioAxisTrouble::silent);
+  expect_latched(kDeviceEncoderFault | kDeviceReferenceLost, GpioAxisTrouble::silent);
 }
 
 TEST_F(GpioAxisFault, AHandThatHoldsStillWithoutTorqueIsNoFault) {
@@ -118,7 +118,7 @@ TEST_F(GpioAxisFault, ALateEncoderCannotBeToldFromALateHand) {
 TEST_F(GpioAxisFault, UnpluggedChipIsALostDevice) {
   bench_.emulator.set_fault(host::EmulatorFault::unplugged);
   bench_.tick(kPush, motion_);
-  expect_latched(kDeviceLost, GpioAxisTrouble::lines_gone);
+  expect_latched(kDeviceLost | kDeviceReferenceLost, GpioAxisTrouble::lines_gone);
   EXPECT_EQ(bench_.pwm.settings().duty_ns, 0) << "what can still be reached is off";
   EXPECT_EQ(bench_.axis.error().code, hal::ErrorCode::disconnected);
 }
@@ -227,7 +227,7 @@ TEST(GpioAxisFlood, EndsEveryReadAndIsAFault) {
   axis.start();
   AxisSample sample;
   axis.read(std::span(&sample, 1), hal::kNoWait);
-  EXPECT_EQ(sample.status, kDeviceStale | kDeviceEncoderFault);
+  EXPECT_EQ(sample.status, kDeviceStale | kDeviceEncoderFault | kDeviceReferenceLost);
   EXPECT_EQ(axis.trouble(0).code, code_of(GpioAxisTrouble::illegal_transition));
 }
 

@@ -13,13 +13,13 @@ namespace tactus::drivers {
 namespace {
 
 // Rubbish, pieces, answers with wild or with tame angles.
-std::vector<std::byte> some_answer(std::mt19937& random) {
+std::vector<std::byte> some_answer(std::mt19937& random, const std::array<float, 2>& told_deg) {
   const auto number = [&random](int from, int to) {
     return std::uniform_int_distribution(from, to)(random);
   };
   std::vector<std::byte> bytes = {std::byte{5}};
   const int kind = number(0, 30);
-  for (const float home : {180.0F, 0.0F}) {
+  for (const float home : told_deg) {
     const float angle = home + (kind == 0 ? static_cast<float>(number(-400, 400))
                                           : 0.1F * static_cast<float>(number(-10, 10)));
     std::array<std::byte, 4> part;
@@ -50,7 +50,12 @@ TEST(HaplyRandom, NoBytesMakeAJumpOrTorqueBeyondTheLimit) {
     driver.start();
     clock.advance_by(30'000'000);
     std::array<std::byte, 256> heard;
-    (void)board.read(heard, hal::kNoWait);
+    std::array<float, 2> told_deg{};
+    const auto hear_setup = [&](std::size_t size) {
+      std::memcpy(&told_deg[0], heard.data() + size - 16, 4);
+      std::memcpy(&told_deg[1], heard.data() + size - 8, 4);
+    };
+    hear_setup(board.read(heard, hal::kNoWait).value_or(16));
     std::array<AxisSample, kHaplyMaxAxes> samples{};
     std::array<AxisSample, kHaplyMaxAxes> last{};
     bool had_one = false;
@@ -70,7 +75,11 @@ TEST(HaplyRandom, NoBytesMakeAJumpOrTorqueBeyondTheLimit) {
       std::array<AxisCommand, kHaplyMaxAxes> commands;
       commands.fill({.torque_Nm = 0.2, .enable = true});
       driver.write(commands);
-      if (const auto got = board.read(heard, hal::kNoWait); got && *got == 10) {
+      const auto got = board.read(heard, hal::kNoWait);
+      if (got && *got >= 26) {
+        hear_setup(*got);
+      }
+      if (got && *got == 10) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
           float torque = 0.0F;
           std::memcpy(&torque, heard.data() + 2 + 4 * axis, sizeof torque);
@@ -80,7 +89,7 @@ TEST(HaplyRandom, NoBytesMakeAJumpOrTorqueBeyondTheLimit) {
           }
         }
       }
-      const auto answer = some_answer(random);
+      const auto answer = some_answer(random, told_deg);
       (void)board.write(answer, hal::kNoWait);
       clock.advance_by(1'000'000);
     }

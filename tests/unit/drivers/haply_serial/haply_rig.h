@@ -16,6 +16,7 @@ inline HaplyConfig pantograph_config() {
   HaplyConfig config;
   config.axis[0].home_rad = std::numbers::pi;
   config.axis[1].home_rad = 0.0;
+  config.unproven_watchdog = true;
   return config;
 }
 

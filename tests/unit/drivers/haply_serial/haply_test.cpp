@@ -119,6 +119,7 @@ TEST(Haply, ConfiguredLimitHoldsBelowTheBoards) {
 
 TEST(Haply, ServesFourAxesEachWithItsSenseOfTurning) {
   HaplyConfig config;
+  config.unproven_watchdog = true;
   config.axes = 4;
   config.axis[2] = {.motor_counter_clockwise = true, .encoder_counter_clockwise = true};
   config.axis[3].counts_per_turn = 1000.0;
@@ -148,8 +149,9 @@ TEST(Haply, StartsCleanWhateverTheBoardWasDoing) {
   rig.driver.start();  // as a new program would, with torque on the motors
   rig.clock.advance_by(100'000);
   EXPECT_TRUE(rig.arms_feel_nothing());
+  rig.tick();
   ASSERT_TRUE(rig.tick_until(kDeviceOk, 100));
-  EXPECT_EQ(rig.board().setups(), 2U);
+  EXPECT_EQ(rig.board().setups(), 4U);  // two at each start
   EXPECT_EQ(rig.board().unknown_commands(), 0U);
 }
 

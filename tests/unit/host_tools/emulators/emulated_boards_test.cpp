@@ -28,6 +28,7 @@ struct PantographOnALine {
     MechanismPose pose;
     solve_mechanism(MechanismKind::haply_pantograph, config.device.centre_B, pose);
     drivers::HaplyConfig driver_config;
+    driver_config.unproven_watchdog = true;
     for (std::size_t i = 0; i < 2; ++i) {
       home_rad[i] = joint_position(MechanismKind::haply_pantograph, i, pose.coordinate[i]);
       driver_config.axis[i].home_rad = home_rad[i];
