@@ -304,11 +304,12 @@ Outcome DeviceReader::read_joint(std::size_t i) {
                   "ratios must be above 0 (a turned direction is written as motor_direction = -1), "
                   "directions 1 or -1");
   }
+  joint.reference.lower = joint.limits.lower;
+  joint.reference.upper = joint.limits.upper;
   if (const auto checked = as_outcome(i, check(joint.reference)); !checked) {
     return checked;
   }
-  joint.reference.lower = joint.limits.lower;
-  joint.reference.upper = joint.limits.upper;
+
   config_.controller.joints[config_.joint_count] = joint.limits;
   ++config_.joint_count;
   return {};

@@ -7,6 +7,8 @@ namespace tactus::host {
 
 namespace {
 
+constexpr const char* kTry =
+    "sudo kill -STOP $(pidof tactusd)   # while it pushes: the motor must let go";
 constexpr const char* kAcceptedRemedy =
     "remove unproven_watchdog once something stops it; until then keep its supply within reach";
 
@@ -33,15 +35,22 @@ Finding judge(const MotorNeed& motor) {
   switch (motor.stop) {
     case firmware::MotorStop::drive_watchdog:
       return judge_drive(check, motor);
+    case firmware::MotorStop::set_watchdog:
+      return {
+          check, FindingState::advice,
+          fmt::format("its drive's watchdog of {:.0f} ms may stop it: it is set at each bring-up, "
+                      "but trusted by unproven_watchdog = true, not proven",
+                      1e3 * motor.watchdog_s),
+          kTry};
     case firmware::MotorStop::heartbeat_line:
       return {check, FindingState::advice,
               "a circuit on its heartbeat line stops it, if it is wired: the program cannot see it",
-              "sudo kill -STOP $(pidof tactusd)   # while it pushes: the motor must let go"};
+              kTry};
     case firmware::MotorStop::watchdog_line:
       return {check, FindingState::advice,
               "a circuit on the device's watchdog_line stops it, if it is wired: the program "
               "cannot see it",
-              "sudo kill -STOP $(pidof tactusd)   # while it pushes: the motor must let go"};
+              kTry};
     case firmware::MotorStop::nothing:
       break;
   }
