@@ -47,6 +47,10 @@ struct Cia402Config {
   double sdo_timeout_s = 0.5;             // 0.01..5
   double bring_up_timeout_s = 5.0;        // from reset to ready; 0.1..60
   double enable_timeout_s = 1.0;          // from power wanted to power on; 0.01..10
+
+  // True: the owner accepts a drive whose watchdog was not proven, and with it that the motor may
+  // keep its torque when the host dies.
+  bool unproven_watchdog = false;
 };
 
 Checked check(const Cia402Config& config);

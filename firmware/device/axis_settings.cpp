@@ -47,12 +47,23 @@ template <>
 inline constexpr std::string_view kWordList<drivers::RatedTorque> =
     R"(must be "drive_mNm", "drive_uNm" or "configured")";
 
+template <>
+inline constexpr auto kWords<EncoderKind> =
+    std::to_array<Word<EncoderKind>>({{"incremental", EncoderKind::incremental},
+                                      {"absolute_turn", EncoderKind::absolute_turn},
+                                      {"absolute", EncoderKind::absolute}});
+template <>
+inline constexpr std::string_view kWordList<EncoderKind> =
+    R"(must be "incremental", "absolute_turn" or "absolute")";
+
 // ---- axes
 
 std::span<const Binding<AxisConfig>> axis_keys() {
   static constexpr std::array kKeys{
       bind<&AxisConfig::name>("name"),
       bind<&AxisConfig::connection_name>("connection"),
+      bind<&AxisConfig::encoder>("encoder"),
+      bind<&AxisConfig::encoder_turn_begins_rad>("encoder_turn_begins_rad", "rad"),
   };
   return kKeys;
 }
@@ -81,6 +92,7 @@ std::span<const Binding<drivers::ODriveConfig>> odrive_keys() {
       bind<&C::heartbeat_lost_s>("heartbeat_lost_s", "s"),
       bind<&C::bring_up_s>("bring_up_s", "s"),
       bind<&C::poll_period_s>("poll_period_s", "s"),
+      bind<&C::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
@@ -100,6 +112,7 @@ std::span<const Binding<drivers::MoteusConfig>> moteus_keys() {
       bind<&C::reply_stale_s>("reply_stale_s", "s"),
       bind<&C::reply_lost_s>("reply_lost_s", "s"),
       bind<&C::bring_up_s>("bring_up_s", "s"),
+      bind<&C::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
@@ -126,6 +139,7 @@ std::span<const Binding<drivers::Cia402Config>> cia402_keys() {
       bind<&C::sdo_timeout_s>("sdo_timeout_s", "s"),
       bind<&C::bring_up_timeout_s>("bring_up_timeout_s", "s"),
       bind<&C::enable_timeout_s>("enable_timeout_s", "s"),
+      bind<&C::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
@@ -147,6 +161,7 @@ std::span<const Binding<drivers::VescConfig>> vesc_keys() {
       bind<&C::lost_after_s>("lost_after_s", "s"),
       bind<&C::poll_period_s>("poll_period_s", "s"),
       bind<&C::bring_up_s>("bring_up_s", "s"),
+      bind<&C::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }
@@ -190,6 +205,7 @@ std::span<const Binding<drivers::GpioAxisConfig>> gpio_axis_keys() {
       bind<&C::emergency_stop_release_ms>("emergency_stop_release_ms", "ms"),
       bind<&C::torque_ramp_ms>("torque_ramp_ms", "ms"),
       bind<&C::command_timeout_ms>("command_timeout_ms", "ms"),
+      bind<&C::unproven_watchdog>("unproven_watchdog"),
   };
   return kKeys;
 }

@@ -6,6 +6,8 @@
 #include <span>
 #include <variant>
 
+#include "firmware/device/motor_stop.h"
+
 namespace tactus::firmware {
 namespace {
 
@@ -57,6 +59,13 @@ Checked check(const PlantConfig& plant) {
 }
 
 Checked check_drive(const AxisConfig& axis, const DeviceConfig& device) {
+  const bool may_be_absolute = std::holds_alternative<drivers::ODriveConfig>(axis.drive) ||
+                               std::holds_alternative<drivers::MoteusConfig>(axis.drive) ||
+                               std::holds_alternative<drivers::Cia402Config>(axis.drive);
+  if (axis.encoder != EncoderKind::incremental && !may_be_absolute) {
+    return std::unexpected(FieldError{
+        "encoder", "must be \"incremental\" with this driver: it counts from where it wakes up"});
+  }
   if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
     return check(*odrive);
   }
@@ -89,6 +98,57 @@ Checked check(const DeviceConfig& device) {
   }
   if (const auto valid = validate(device.controller); !valid) {
     return std::unexpected(FieldError{valid.error().field, "is out of the controller's range"});
+  }
+  return {};
+}
+
+Verdict check_motor_stops(const DeviceConfig& device, Words& words) {
+  for (std::size_t i = 0; i < device.joint_count; ++i) {
+    const std::size_t motor = device.joints[i].motor;
+    const MotorStop stop = motor_stop(device, motor);
+    if ((stop != MotorStop::nothing && stop != MotorStop::set_watchdog) ||
+        accepts_unproven_watchdog(device, motor)) {
+      continue;
+    }
+    if (stop == MotorStop::set_watchdog) {
+      return std::unexpected(Refusal{
+          Place::axis,
+          motor,
+          {},
+          "the drive's watchdog is set at each bring-up, but not proven: nothing shows that "
+          "it takes the torque away when the host dies. Try it: kill -STOP of tactusd while "
+          "the motor pushes. Then write unproven_watchdog = true here, or wire a circuit "
+          "that cuts the motors' supply: watchdog_chip and watchdog_line at the top of the "
+          "file"});
+    }
+    const AxisConfig& axis = device.axes[motor];
+    const bool is_gpio = std::holds_alternative<drivers::GpioAxisConfig>(axis.drive);
+    words.clear();
+    words
+        .add(is_gpio ? "needs a heartbeat line: nothing stops the motor of axis \""
+                     : "needs a watchdog_line: nothing stops the motor of axis \"")
+        .add(axis.name)
+        .add("\" when the host dies, which would then keep its torque. ")
+        .add(is_gpio ? "Wire a monostable or charge pump that gates the bridge to a line and write "
+                       "heartbeat = \"LINE\" at the axis, or wire a circuit that cuts the motors' "
+                       "supply"
+                     : "Wire a circuit that cuts the motors' supply to a GPIO line")
+        .add(
+            " and write watchdog_chip and watchdog_line at the top of the file; or accept the "
+            "danger with "
+            "unproven_watchdog = true at the ")
+        .add(is_gpio ? "axis" : "connection");
+    return std::unexpected(is_gpio ? Refusal{Place::axis, motor, {}, words.view()}
+                                   : Refusal{Place::connection, axis.connection, {}, words.view()});
+  }
+  return {};
+}
+
+Verdict check_whole(const DeviceConfig& device, Words& words) {
+  for (const auto look : {check_sharing, check_rates, check_references, check_motor_stops}) {
+    if (const Verdict verdict = look(device, words); !verdict) {
+      return verdict;
+    }
   }
   return {};
 }

@@ -22,6 +22,7 @@
 #include "drivers/transmission.h"
 #include "drivers/vesc_can/vesc_config.h"
 #include "firmware/configuration/controller_config.h"
+#include "firmware/device/words.h"
 
 namespace tactus::firmware {
 
@@ -31,6 +32,8 @@ inline constexpr std::uint32_t kMaxPlantDelay = 8;
 
 struct CanConnection {
   std::string_view interface;  // "can0"
+  double bit_rate = 1e6;       // bit/s, 10'000 to 1'000'000
+  double data_bit_rate = 5e6;  // of CAN FD payloads, bit/s, bit_rate to 8'000'000
 };
 struct FalconConnection {
   std::string_view firmware_file;  // uploaded when the device has none; empty: none
@@ -60,6 +63,13 @@ struct BoardAxis {
   std::uint8_t number = 0;
 };
 
+// How far the encoder of an axis knows its position after power-up.
+enum class EncoderKind : std::uint8_t {
+  incremental,    // not at all: it counts from wherever it was
+  absolute_turn,  // within one turn of its shaft
+  absolute,       // over all turns; a moteus: within one turn of the output's own encoder
+};
+
 struct AxisConfig {
   std::string_view name;
   std::string_view connection_name;
@@ -67,6 +77,10 @@ struct AxisConfig {
   std::variant<BoardAxis, drivers::ODriveConfig, drivers::MoteusConfig, drivers::Cia402Config,
                drivers::VescConfig, drivers::GpioAxisConfig>
       drive;
+  EncoderKind encoder = EncoderKind::incremental;
+  // The turn that an absolute encoder reads after power-up begins here and ends 2 pi later, rad at
+  // its shaft. Without it 0, or -pi for a moteus.
+  std::optional<double> encoder_turn_begins_rad;
 };
 
 struct JointConfig {
@@ -77,6 +91,7 @@ struct JointConfig {
   std::size_t encoder = 0;
   drivers::Transmission transmission;
   drivers::Reference reference;
+  bool has_reference = false;  // the file says it
   JointLimits limits;
 };
 
@@ -127,6 +142,7 @@ struct DeviceConfig {
   std::size_t connection_count = 0;
   std::size_t axis_count = 0;
   std::size_t joint_count = 0;
+  Words refusal;  // why read_device has refused it
 };
 
 }  // namespace tactus::firmware

@@ -17,7 +17,7 @@
 namespace tactus::firmware {
 
 inline constexpr std::array<char, 8> kDeviceMagic{'T', 'A', 'C', 'D', 'E', 'V', '\r', '\n'};
-inline constexpr std::uint32_t kDeviceFormatVersion = 1;
+inline constexpr std::uint32_t kDeviceFormatVersion = 2;
 inline constexpr std::size_t kMaxSections = 24;
 inline constexpr std::size_t kMaxSettings = 64;  // of one section
 
@@ -37,7 +37,8 @@ struct DeviceSections {
   [[nodiscard]] std::span<const DeviceSection> all() const { return {sections.data(), count}; }
 };
 
-// Why an image or what it says was refused. Texts live as long as the program or the image.
+// Why an image or its content was refused. Texts live as long as the program, the image and the
+// configuration that was read into.
 struct DeviceError {
   std::string_view what;
   std::size_t section = 0;  // index into DeviceSections

@@ -1,6 +1,8 @@
 // From sections to a configuration: a section's own kind or driver chooses the tables of keys,
 // every setting finds its field, and then the parts check themselves and each other.
 #include <algorithm>
+#include <span>
+#include <variant>
 
 #include "firmware/device/device_certificate.h"
 #include "firmware/device/device_checks.h"
@@ -30,6 +32,10 @@ std::string_view text_of(const DeviceSection& section, std::string_view key) {
     }
   }
   return {};
+}
+
+bool has_setting(const DeviceSection& section, std::string_view key) {
+  return std::ranges::find(section.all(), key, &Setting::key) != section.all().end();
 }
 
 class DeviceReader {
@@ -74,8 +80,15 @@ class DeviceReader {
                : turning_plant_keys();
   }
 
+  [[nodiscard]] std::size_t section_of(const Refusal& refusal) const;
+  void place_haply_arms();
+
   const DeviceSections& sections_;
   DeviceConfig& config_;
+  // The sections of the connections, axes and joints, in the configuration's order.
+  std::array<std::size_t, kMaxConnections> connection_sections_{};
+  std::array<std::size_t, kMaxAxes> axis_sections_{};
+  std::array<std::size_t, kJointCount> joint_sections_{};
 };
 
 template <class VisitTables>
@@ -166,6 +179,7 @@ Outcome DeviceReader::read_connection(std::size_t i) {
     return refuse(i, {}, "too many connections: there is room for 4");
   }
   ConnectionConfig& connection = config_.connections[config_.connection_count];
+  connection_sections_[config_.connection_count] = i;
   ++config_.connection_count;
   if (const auto chosen = choose_connection(i, connection); !chosen) {
     return chosen;
@@ -194,6 +208,7 @@ Outcome DeviceReader::read_axis(std::size_t i) {
     return refuse(i, {}, "too many axes: there is room for 6");
   }
   AxisConfig& axis = config_.axes[config_.axis_count];
+  axis_sections_[config_.axis_count] = i;
   ++config_.axis_count;
   if (const auto chosen = choose_drive(i, axis); !chosen) {
     return chosen;
@@ -204,6 +219,9 @@ Outcome DeviceReader::read_axis(std::size_t i) {
   }
   if (const auto found = find_connection(i, axis); !found) {
     return found;
+  }
+  if (auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
+    moteus->absolute_output = axis.encoder == EncoderKind::absolute;
   }
   return as_outcome(i, check_drive(axis, config_));
 }
@@ -265,11 +283,13 @@ Outcome DeviceReader::read_joint(std::size_t i) {
     return refuse(i, {}, "the mechanism has fewer joints than there are [[joint]] tables");
   }
   JointConfig& joint = config_.joints[config_.joint_count];
+  joint_sections_[config_.joint_count] = i;
   joint.limits = config_.controller.joints[config_.joint_count];
   if (const auto read = assign_all(i, {}, [&](auto& visit) { visit(joint, joint_keys()); });
       !read) {
     return read;
   }
+  joint.has_reference = has_setting(sections_.sections[i], "reference");
   if (joint.encoder_name.empty()) {
     joint.encoder_name = joint.motor_name;
   }
@@ -284,9 +304,12 @@ Outcome DeviceReader::read_joint(std::size_t i) {
                   "ratios must be above 0 (a turned direction is written as motor_direction = -1), "
                   "directions 1 or -1");
   }
+  joint.reference.lower = joint.limits.lower;
+  joint.reference.upper = joint.limits.upper;
   if (const auto checked = as_outcome(i, check(joint.reference)); !checked) {
     return checked;
   }
+
   config_.controller.joints[config_.joint_count] = joint.limits;
   ++config_.joint_count;
   return {};
@@ -321,7 +344,37 @@ Outcome DeviceReader::finish() {
   if (config_.joint_count != joint_count(config_.controller.mechanism)) {
     return refuse(0, {}, "the mechanism has more joints than there are [[joint]] tables");
   }
+  if (const Verdict verdict = check_whole(config_, config_.refusal); !verdict) {
+    return refuse(section_of(verdict.error()), verdict.error().key, verdict.error().rule);
+  }
+  place_haply_arms();
   return as_outcome(0, check(config_));
+}
+
+std::size_t DeviceReader::section_of(const Refusal& refusal) const {
+  switch (refusal.place) {
+    case Place::connection:
+      return connection_sections_[refusal.index];
+    case Place::axis:
+      return axis_sections_[refusal.index];
+    case Place::joint:
+      return joint_sections_[refusal.index];
+    case Place::device:
+      break;
+  }
+  return 0;
+}
+
+// The board counts from where it is told that its arms are: their known pose.
+void DeviceReader::place_haply_arms() {
+  for (const JointConfig& joint : std::span(config_.joints).first(config_.joint_count)) {
+    const AxisConfig& axis = config_.axes[joint.encoder];
+    auto* haply = std::get_if<HaplyConnection>(&config_.connections[axis.connection].line);
+    if (haply != nullptr && joint.reference.kind == drivers::ReferenceKind::known_pose) {
+      haply->haply.axis[std::get<BoardAxis>(axis.drive).number].home_rad =
+          drivers::encoder_position_rad(joint.transmission, joint.reference.position);
+    }
+  }
 }
 
 std::size_t DeviceReader::list_keys(std::size_t section, std::span<KnownKey> keys) {

@@ -60,7 +60,11 @@ std::span<const Binding<ConnectionConfig>> connection_keys() {
 }
 
 std::span<const Binding<CanConnection>> can_keys() {
-  static constexpr std::array kKeys{bind<&CanConnection::interface>("interface")};
+  static constexpr std::array kKeys{
+      bind<&CanConnection::interface>("interface"),
+      bind<&CanConnection::bit_rate>("bit_rate"),
+      bind<&CanConnection::data_bit_rate>("data_bit_rate"),
+  };
   return kKeys;
 }
 

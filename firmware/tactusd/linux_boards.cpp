@@ -90,6 +90,7 @@ LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::s
                   opened.error());
   }
   falcon.firmware = firmware;
+  falcon.unproven_watchdog = falcon.unproven_watchdog || config.watchdog_line.has_value();
   falcon_.emplace(usb_, clock_, falcon);
   boards_[connection] = drivers::BoardRef(*falcon_);
   return {};
@@ -106,7 +107,9 @@ LinuxBoards::Outcome LinuxBoards::open_haply(const DeviceConfig& config, std::si
                   "the serial port cannot be opened; plug the board in, and see ls /dev/tty*",
                   opened.error());
   }
-  haply_.emplace(serial_, clock_, haply.haply);
+  drivers::HaplyConfig board = haply.haply;
+  board.unproven_watchdog = board.unproven_watchdog || config.watchdog_line.has_value();
+  haply_.emplace(serial_, clock_, board);
   boards_[connection] = drivers::BoardRef(*haply_);
   return {};
 }

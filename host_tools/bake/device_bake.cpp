@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "firmware/device/bus_load.h"
 #include "firmware/device/device_certificate.h"
 #include "firmware/device/device_commissioning.h"
 #include "firmware/device/device_generated.h"
@@ -228,6 +229,22 @@ std::optional<WrittenSection> read_found_out(const std::filesystem::path& file,
   return std::move(written[1]);
 }
 
+const char* reference_words(drivers::ReferenceKind kind) {
+  switch (kind) {
+    case drivers::ReferenceKind::absolute:
+      return "absolute";
+    case drivers::ReferenceKind::board:
+      return "referenced by its board";
+    case drivers::ReferenceKind::known_pose:
+      return "referenced in a known pose";
+    case drivers::ReferenceKind::index:
+      return "referenced by its index";
+    case drivers::ReferenceKind::hard_stop:
+      return "referenced at a hard stop";
+  }
+  return "";
+}
+
 bool is_for_these_settings(const LoadedDevice& device, std::string_view kind) {
   return kind == firmware::kCertificateKind ? device.config().certification.is_for_these_settings
                                             : device.config().commissioning.is_for_these_settings;
@@ -291,8 +308,15 @@ std::string in_words(const firmware::DeviceConfig& config) {
                   config.connection_count == 1 ? "" : "s", config.controller.rate_hz);
   for (std::size_t i = 0; i < config.joint_count; ++i) {
     const firmware::JointConfig& joint = config.joints[i];
-    text += fmt::format("\n  {}: motor {}, encoder {}", joint.name, joint.motor_name,
-                        joint.encoder_name);
+    text += fmt::format("\n  {}: motor {}, encoder {}, {}", joint.name, joint.motor_name,
+                        joint.encoder_name, reference_words(joint.reference.kind));
+  }
+  for (std::size_t i = 0; i < config.connection_count; ++i) {
+    constexpr double kPercent = 100.0;
+    if (const double load = firmware::bus_load(config, i); load > 0.0) {
+      text += fmt::format("\n  {}: the bus is at most {:.0f} % full", config.connections[i].name,
+                          kPercent * load);
+    }
   }
   const firmware::StiffnessCertificate& limits = config.certification.limits;
   if (limits.exists()) {

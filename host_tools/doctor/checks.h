@@ -26,6 +26,9 @@ void check_huge_pages(Machine& machine, Findings& findings);
 void check_compaction(Machine& machine, Findings& findings);
 void check_swap(Machine& machine, Findings& findings);
 
+// motor_checks.cpp: what stops a motor when the host dies. Looks at the device alone.
+void check_motors(Machine& machine, const Needs& needs, Findings& findings);
+
 // can_checks.cpp, board_checks.cpp: what devices hang on.
 void check_can(Machine& machine, const Needs& needs, Findings& findings);
 void check_falcon(Machine& machine, const Needs& needs, Findings& findings);

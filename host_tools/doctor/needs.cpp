@@ -1,17 +1,41 @@
 #include "host_tools/doctor/needs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
+#include <string>
 #include <variant>
 
 namespace tactus::host {
 
 namespace {
 
-// What the drivers' README files ask for: three axes at 1 kHz fill most of 1 Mbit/s.
-constexpr const char* kClassic = "bitrate 1000000";
-constexpr const char* kFd =
-    "bitrate 1000000 dbitrate 5000000 sample-point 0.666 dsample-point 0.666 fd on";
+std::string set_up_words(const firmware::CanConnection& can, bool fd) {
+  return fd ? fmt::format(
+                  "bitrate {:.0f} dbitrate {:.0f} sample-point 0.666 dsample-point 0.666 "
+                  "fd on",
+                  can.bit_rate, can.data_bit_rate)
+            : fmt::format("bitrate {:.0f}", can.bit_rate);
+}
+
+struct WatchdogOf {
+  double operator()(const drivers::ODriveConfig& drive) const { return drive.watchdog_s; }
+  double operator()(const drivers::MoteusConfig& drive) const { return drive.watchdog_s; }
+  double operator()(const drivers::VescConfig& drive) const { return drive.watchdog_s; }
+  double operator()(const drivers::Cia402Config& drive) const { return 1e-3 * drive.watchdog_ms; }
+  double operator()(const drivers::GpioAxisConfig& /*axis*/) const { return 0.0; }
+  double operator()(const firmware::BoardAxis& /*axis*/) const { return 0.0; }
+};
+
+MotorNeed motor_of(const firmware::DeviceConfig& config, std::size_t axis) {
+  const auto& drive = config.axes[axis].drive;
+  return {.axis = std::string(config.axes[axis].name),
+          .stop = firmware::motor_stop(config, axis),
+          .is_accepted = firmware::accepts_unproven_watchdog(config, axis),
+          .is_odrive = std::holds_alternative<drivers::ODriveConfig>(drive),
+          .watchdog_s = std::visit(WatchdogOf{}, drive)};
+}
 
 CanNeed need_of(const firmware::DeviceConfig& config, std::size_t connection,
                 const firmware::CanConnection& can) {
@@ -20,13 +44,16 @@ CanNeed need_of(const firmware::DeviceConfig& config, std::size_t connection,
     return axis.connection == connection &&
            std::get_if<drivers::MoteusConfig>(&axis.drive) != nullptr;
   });
-  return {.interface = std::string(can.interface), .fd = fd, .set_up = fd ? kFd : kClassic};
+  return {.interface = std::string(can.interface), .fd = fd, .set_up = set_up_words(can, fd)};
 }
 
 }  // namespace
 
 Needs needs_of(const firmware::DeviceConfig& config) {
   Needs needs;
+  for (const firmware::JointConfig& joint : std::span(config.joints).first(config.joint_count)) {
+    needs.motors.push_back(motor_of(config, joint.motor));
+  }
   for (std::size_t i = 0; i < config.connection_count; ++i) {
     const auto& line = config.connections[i].line;
     if (const auto* can = std::get_if<firmware::CanConnection>(&line)) {

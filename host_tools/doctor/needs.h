@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/device/device_config.h"
+#include "firmware/device/motor_stop.h"
 
 namespace tactus::host {
 
@@ -21,7 +22,17 @@ struct GpioNeed {
   std::string counter;  // empty: none
 };
 
+// A motor, and what takes its torque away when the host dies.
+struct MotorNeed {
+  std::string axis;
+  firmware::MotorStop stop = firmware::MotorStop::nothing;
+  bool is_accepted = false;  // by unproven_watchdog = true
+  bool is_odrive = false;    // which any frame from anyone keeps awake
+  double watchdog_s = 0.0;   // of a drive
+};
+
 struct Needs {
+  std::vector<MotorNeed> motors;
   std::vector<CanNeed> can;
   std::vector<GpioNeed> gpio;
   std::vector<std::string> serial_ports;

@@ -69,10 +69,21 @@ t_s,x_m,y_m,z_m
 END
 for device in host_tools/examples/devices/*.toml; do
   cp "$device" "$images/"
-  "$build/bin/tactus" bake --quiet "$device" -o "$images/$(basename "$device" .toml).tactus"
+done
+# The emulated ODrives and CiA 402 drives count all turns (--encoder multi_turn): these arms need no pose to be held in. The
+# emulated moteus servos do not: the hand holds the arm where its path begins, at these angles, until it has been homed.
+for arm in odrive_arm cia402_arm; do
+  sed -i -e 's/^driver = .*/&\nencoder = "absolute"/' -e 's/^reference = .*/reference = "absolute"/' -e '/^reference_rad/d' "$images/$arm.toml"
+done
+awk '/^reference_rad/ { split("-0.02272 1.24935 0.68650", angle, " "); $3 = angle[++joint] } { print }' \
+  host_tools/examples/devices/moteus_arm.toml >"$images/moteus_arm.toml"
+awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wish.csv" >"$images/wish_later.csv"
+awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wall_wish.csv" >"$images/wall_wish_later.csv"
+for device in "$images"/*_arm.toml "$images"/{falcon,hapkit}.toml; do
+  "$build/bin/tactus" bake --quiet "$device" -o "${device%.toml}.tactus"
 done
 # At 4 kHz the drives' messages come with every fourth tick: the others do not wait for one.
-sed '0,/^name = .*/s//&\nread_limit_s = 0.00005/' host_tools/examples/devices/odrive_arm.toml >"$images/odrive_loop.toml"
+sed '0,/^name = .*/s//&\nread_limit_s = 0.00005/' "$images/odrive_arm.toml" >"$images/odrive_loop.toml"
 "$build/bin/tactus" bake --quiet "$images/odrive_loop.toml" -o "$images/odrive_loop.tactus"
 # Under a tracer the drives' messages come late, which is no fault there.
 sed -e 's/^driver = .*/&\nestimate_stale_s = 0.1\nestimate_lost_s = 0.2/' -e '/^\[controller\]/a max_sample_age_us = 200000' \

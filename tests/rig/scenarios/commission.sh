@@ -29,7 +29,7 @@ commission() { # NAME DEVICE EXPECTED_CODE EMULATED_WORDS...
 commission falcon falcon 0 falcon --homed --origin 0,0,0.12
 commission falcon_reversed falcon 1 falcon --homed --origin 0,0,0.12 --motor-direction 1,-1,1
 grep -q 'FAILED: moves against its effort' /results/falcon_reversed.txt || fail "the reversed motor was not named"
-arm='odrive --nodes 0,1,2 --can can0 --mechanism woodenhaptics --ratio 16,12,12'
+arm='odrive --nodes 0,1,2 --encoder multi_turn --can can0 --mechanism woodenhaptics --ratio 16,12,12'
 # shellcheck disable=SC2086  # they are words
 commission arm odrive_arm 0 $arm
 # shellcheck disable=SC2086

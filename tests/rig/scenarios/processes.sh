@@ -4,7 +4,7 @@
 modprobe -a vcan can-raw
 ip link add dev can0 type vcan && ip link set can0 mtu 72 up
 mkdir -p /run && mount -t tmpfs run /run
-emulated='odrive --nodes 0,1,2 --can can0 --mechanism woodenhaptics --ratio 16,12,12 --hand pen --path /images/wish.csv --origin 0.0,-0.01,0.23'
+emulated='odrive --nodes 0,1,2 --encoder multi_turn --can can0 --mechanism woodenhaptics --ratio 16,12,12 --hand pen --path /images/wish.csv --origin 0.0,-0.01,0.23'
 device=odrive_arm scene=bunny
 # shellcheck source=tests/rig/scenarios/bus_touch.inc
 . /rig/bus_touch.inc

@@ -59,7 +59,7 @@ std::string device_text(const std::string& port) {
          "[[axis]]\nname = \"m2\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = 1\n"
          "[[joint]]\nname = \"left\"\nmotor = \"m1\"\nreference = \"known_pose\"\nreference_rad = "
          "2.55406\n[[joint]]\nname = \"right\"\nmotor = "
-         "\"m2\"\n";
+         "\"m2\"\nreference = \"known_pose\"\nreference_rad = 0\n";
 }
 
 std::string text_of(const fs::path& path) {

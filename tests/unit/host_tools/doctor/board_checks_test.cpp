@@ -32,6 +32,33 @@ TEST(DoctorOfDevices, TheExamplesNeedWhatTheirFilesName) {
   EXPECT_NE(hapkit.gpio[0].chip, "");
 }
 
+TEST(DoctorOfDevices, EachMotorTellsWhatStopsItWhenTheHostDies) {
+  const RecordedMachine board;
+  const Finding proven = board.finding("motor servo 1", needs_of_example("moteus_arm"));
+  EXPECT_EQ(proven.state, FindingState::well);
+  EXPECT_EQ(proven.found, "its drive's watchdog of 20 ms stops it, proven at each bring-up");
+  const Finding fed = board.finding("motor drive 0", needs_of_example("odrive_arm"));
+  EXPECT_EQ(fed.state, FindingState::advice);
+  EXPECT_TRUE(fed.found.contains("any frame to its node feeds it")) << fed.found;
+  const Finding nothing = board.finding("motor top", needs_of_example("falcon"));
+  EXPECT_EQ(nothing.state, FindingState::advice);
+  EXPECT_TRUE(nothing.found.contains("NOTHING stops it")) << nothing.found;
+  const Finding set = board.finding("motor drive 1", needs_of_example("cia402_arm"));
+  EXPECT_TRUE(set.found.contains("not proven")) << set.found;
+  const Finding circuit = board.finding("motor motor", needs_of_example("hapkit"));
+  EXPECT_TRUE(circuit.found.contains("heartbeat line")) << circuit.found;
+  EXPECT_TRUE(circuit.remedy.contains("kill -STOP")) << circuit.remedy;
+}
+
+TEST(DoctorOfDevices, AWatchdogThatIsTrustedInPlaceOfProvenIsSaidToBe) {
+  const RecordedMachine board;
+  Needs needs = needs_of_example("moteus_arm");
+  needs.motors[1].is_accepted = true;
+  const Finding finding = board.finding("motor servo 2", needs);
+  EXPECT_EQ(finding.state, FindingState::advice);
+  EXPECT_TRUE(finding.found.contains("without proof")) << finding.found;
+}
+
 TEST(DoctorOfDevices, ACanInterfaceThatIsUpTellsItsRate) {
   const RecordedMachine board;
   EXPECT_EQ(board.finding("CAN can0").found, "up, 1000 kbit/s, ERROR-ACTIVE");
