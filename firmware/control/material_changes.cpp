@@ -98,7 +98,7 @@ void MaterialChanges::transfer(rendering::StateArchive& archive, const rendering
             wanted.friction.coulomb, wanted.friction.viscous_s_per_m);
     archive.require(rendering::sound(wanted));
   }
-  if (!archive.good()) {
+  if (archive.is_reading() && !archive.good()) {
     clear();
   }
 }

@@ -94,7 +94,8 @@ void require_verb(const CLI::App& app, std::span<char*> arguments) {
 
 // A full disk or a closed pipe shows when the last bytes of standard output are written.
 int with_output_written(const CLI::App& app, int code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+  // A reader that has seen enough, such as head, closes the pipe: no error of anybody's.
+  if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || errno == EPIPE) {
     return code;
   }
   return report(app,

@@ -7,6 +7,7 @@ tactus="$1" tactusd="$2" examples="$3"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
+mkdir "$work/run"
 cp "$examples/devices/hapkit.toml" "$work/device.toml"
 "$tactus" certify "$work/device.toml" >"$work/certified"
 "$tactus" bake --quiet "$work/device.toml" -o "$work/device.tactus"

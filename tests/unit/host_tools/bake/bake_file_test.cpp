@@ -78,7 +78,7 @@ TEST(BakeFile, NamesAnOutputThatCannotBeWritten) {
                        "no/scene.tactus: cannot write: No such file"));
   std::filesystem::create_directory(folder.path() / "taken");
   EXPECT_TRUE(contains(input_error([&] { bake_file(scene, folder.path() / "taken"); }),
-                       "taken: cannot write: Is a directory"));
+                       "taken: is a folder; name a file in it"));
   EXPECT_EQ(count_files(folder), 3U) << "no partial file is left";
 }
 

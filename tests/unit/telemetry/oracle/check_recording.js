@@ -45,7 +45,7 @@ function columnsOf(message) {
   for (const name of [
     "tick", "time_s", "faults", "limits", "device_status", "sample_age_us", "loop_status",
     "missed_ticks", "touch_flags", "object", "sub_goals", "planes", "contact", "friction",
-    "depth_m", "state_hash", "dropped", "limited_source",
+    "depth_m", "state_hash", "dropped", "limited_source", "effort_known", "fault_joint",
   ]) {
     put(name, message[name]);
   }
@@ -70,6 +70,7 @@ function columnsOf(message) {
       put(`${column}${i + 1}${unit}`, one[field]);
     }
   });
+  message.measured.forEach((effort, i) => put(`measured${i + 1}`, effort));
   for (const source of kSources) {
     put(`energy_${source}_J`, message.energy_j[source]);
   }
