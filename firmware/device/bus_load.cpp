@@ -14,7 +14,8 @@ enum class Identifier : bool { standard, extended };
 double classic_bits(Identifier identifier, int bytes) {
   const int stuffed = (identifier == Identifier::standard ? 34 : 54) + 8 * bytes;
   constexpr int kNeverStuffed = 13;
-  return stuffed + kNeverStuffed + (stuffed - 1) / 4;
+  const int stuff_bits = (stuffed - 1) / 4;
+  return stuffed + kNeverStuffed + stuff_bits;
 }
 
 // A CAN FD frame has its identifier at the nominal rate and its payload at the data rate. Both
@@ -25,8 +26,10 @@ double fd_seconds(const CanConnection& can, bool switches_rate, Identifier ident
   constexpr int kLongestShortPayload = 16;
   const int payload = 5 + 8 * bytes;
   const int checksum = bytes <= kLongestShortPayload ? 27 : 32;
-  const double nominal = head + head / 4 + kTail;
-  const double fast = payload + payload / 4 + checksum;
+  const int head_stuff_bits = head / 4;
+  const int payload_stuff_bits = payload / 4;
+  const double nominal = head + head_stuff_bits + kTail;
+  const double fast = payload + payload_stuff_bits + checksum;
   return nominal / can.bit_rate + fast / (switches_rate ? can.data_bit_rate : can.bit_rate);
 }
 

@@ -36,14 +36,15 @@ void collect(const drivers::ODriveConfig& drive, Identifiers& ids) {
 
 // NMT, SYNC and the host's heartbeat belong to all drives of the bus.
 void collect(const drivers::Cia402Config& drive, Identifiers& ids) {
-  using namespace drivers::canopen;
-  for (const std::uint32_t service : {kEmergency, kTransmitPdo1, kReceivePdo1, kTransmitPdo2,
-                                      kSdoAnswer, kSdoRequest, kHeartbeat}) {
+  namespace canopen = drivers::canopen;
+  for (const std::uint32_t service :
+       {canopen::kEmergency, canopen::kTransmitPdo1, canopen::kReceivePdo1, canopen::kTransmitPdo2,
+        canopen::kSdoAnswer, canopen::kSdoRequest, canopen::kHeartbeat}) {
     ids.add(service + drive.node, false);
   }
-  ids.add(kNmt, false);
-  ids.add(kSync, false);
-  ids.add(kHeartbeat + drive.host_node, false);
+  ids.add(canopen::kNmt, false);
+  ids.add(canopen::kSync, false);
+  ids.add(canopen::kHeartbeat + drive.host_node, false);
 }
 
 void collect(const drivers::VescConfig& drive, Identifiers& ids) {

@@ -38,6 +38,9 @@ Verdict check_whole(const DeviceConfig& device, Words& words);
 // ports, chips, pins, motors, encoders, numbers of drives, and identifiers on a CAN bus.
 Verdict check_sharing(const DeviceConfig& device, Words& words);
 
+// pin_checks.cpp, called by check_sharing.
+Verdict check_pins(const DeviceConfig& device, Words& words);
+
 // rate_checks.cpp: every drive can be as fast as the controller, and every bus can carry it.
 Verdict check_rates(const DeviceConfig& device, Words& words);
 

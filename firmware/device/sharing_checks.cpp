@@ -1,9 +1,7 @@
 // Nothing of a device is used twice, and every name is one that the system can have.
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <span>
-#include <utility>
 #include <variant>
 
 #include "firmware/device/can_identifiers.h"
@@ -171,91 +169,6 @@ Verdict check_board_numbers(const DeviceConfig& device, Words& words) {
         also_of(words, "axis", other.name).add("each of a board's axes has a number of its own");
         return refuse(Place::axis, i, "number", words.view());
       }
-    }
-  }
-  return {};
-}
-
-struct UsedPin {
-  std::string_view key;
-  std::optional<std::uint32_t> offset;
-};
-
-std::array<UsedPin, 11> pins_of(const drivers::AxisPins& pins) {
-  const auto used = [](std::string_view key, const auto& pin) {
-    return UsedPin{key, pin ? std::optional(pin->offset) : std::nullopt};
-  };
-  return {{used("encoder_a", pins.encoder_a), used("encoder_b", pins.encoder_b),
-           used("encoder_index", pins.encoder_index), used("fault", pins.fault),
-           used("emergency_stop", pins.emergency_stop), used("limit_low", pins.limit_low),
-           used("limit_high", pins.limit_high), used("direction", pins.direction),
-           used("enable", pins.enable), used("brake_release", pins.brake_release),
-           used("heartbeat", pins.heartbeat)}};
-}
-
-// The key of the first pin of `pins` that is the line `offset`, or none.
-std::string_view key_at(std::span<const UsedPin> pins, std::uint32_t offset) {
-  const auto found = std::ranges::find(pins, std::optional(offset), &UsedPin::offset);
-  return found == pins.end() ? std::string_view{} : found->key;
-}
-
-const drivers::GpioAxisConfig* gpio_axis(const AxisConfig& axis) {
-  return std::get_if<drivers::GpioAxisConfig>(&axis.drive);
-}
-
-std::string_view chip_of(const DeviceConfig& device, const AxisConfig& axis) {
-  return std::get<GpioConnection>(device.connections[axis.connection].line).chip;
-}
-
-// The pins of axis i against those before it, of its own and of other axes on the same chip.
-Verdict check_axis_pins(const DeviceConfig& device, std::size_t i, Words& words) {
-  const AxisConfig& axis = device.axes[i];
-  const auto pins = pins_of(gpio_axis(axis)->pins);
-  for (std::size_t p = 0; p < pins.size(); ++p) {
-    if (!pins[p].offset) {
-      continue;
-    }
-    words.clear();
-    words.add("is line ").add(*pins[p].offset).add(", which is also ");
-    if (const auto key = key_at(std::span(pins).first(p), *pins[p].offset); !key.empty()) {
-      words.add(key).add("; give each a line of its own");
-      return refuse(Place::axis, i, pins[p].key, words.view());
-    }
-    for (const AxisConfig& other : std::span(device.axes).first(i)) {
-      if (gpio_axis(other) == nullptr || chip_of(device, other) != chip_of(device, axis)) {
-        continue;
-      }
-      const auto taken = pins_of(gpio_axis(other)->pins);
-      if (const auto key = key_at(taken, *pins[p].offset); !key.empty()) {
-        words.add(key).add(" of axis \"").add(other.name).add("\"; give each a line of its own");
-        return refuse(Place::axis, i, pins[p].key, words.view());
-      }
-    }
-    if (device.watchdog_line && device.watchdog_line->offset == *pins[p].offset &&
-        device.watchdog_chip == chip_of(device, axis)) {
-      words.add("the device's watchdog_line; give each a line of its own");
-      return refuse(Place::axis, i, pins[p].key, words.view());
-    }
-  }
-  return {};
-}
-
-// Two axes on one gpio connection would share its PWM channel.
-Verdict check_pins(const DeviceConfig& device, Words& words) {
-  for (std::size_t i = 0; i < device.axis_count; ++i) {
-    const AxisConfig& axis = device.axes[i];
-    if (gpio_axis(axis) == nullptr) {
-      continue;
-    }
-    for (const AxisConfig& other : std::span(device.axes).first(i)) {
-      if (other.connection == axis.connection) {
-        also_of(words, "axis", other.name)
-            .add("a gpio connection carries one axis: give each its own");
-        return refuse(Place::axis, i, "connection", words.view());
-      }
-    }
-    if (const Verdict verdict = check_axis_pins(device, i, words); !verdict) {
-      return verdict;
     }
   }
   return {};

@@ -306,6 +306,20 @@ TEST_F(DeviceRefusals, ALineOfAChipIsUsedOnce) {
       "watchdog_chip = \"header\"\nwatchdog_line = \"1\"\n" + bridge("heartbeat = \"4\"\n");
   expect_words(watched, {"encoder_b is line 1, which is also the device's watchdog_line"});
   expect_bakes(replaced(watched, "watchdog_chip = \"header\"", "watchdog_chip = \"other\""));
+  const std::string second = replaced(replaced(kGpio, "\"board\"", "\"board 2\""), "pwmchip0\"",
+                                      "pwmchip0\"\npwm_channel = 1");
+  const std::string two =
+      bridge("heartbeat = \"4\"\n") + second +
+      axis("second", "gpio_axis",
+           replaced(replaced(replaced(kBridge, "\"0\"", "\"6\""), "\"1\"", "\"7\""), "\"2\"",
+                    "\"4\""),
+           "board 2");
+  expect_words(two, {"[[axis]] 2: direction is line 4, which is also heartbeat of axis \"motor\""});
+  expect_bakes(replaced(two, "direction = \"4\"", "direction = \"8\""));
+  expect_words(replaced(two, "pwm_channel = 1", "pwm_channel = 0"),
+               {"[[connection]] 2: pwm_channel is also that of connection \"board\""});
+  expect_words(replaced(two, "connection = \"board 2\"", "connection = \"board\""),
+               {"[[axis]] 2: connection is also that of axis \"motor\"", "carries one axis"});
 }
 
 TEST_F(DeviceRefusals, SomethingStopsEveryMotorWhenTheHostDies) {
