@@ -101,9 +101,8 @@ bool read_measured(const telemetry::Record& stored, RecordedTick& tick) {
   if (measured == nullptr) {
     return true;
   }
-  const bool is_aligned =
-      measured->size() == 0 ||
-      reinterpret_cast<std::uintptr_t>(measured->Data()) % alignof(double) == 0;
+  const bool is_aligned = measured->size() == 0 ||
+                          reinterpret_cast<std::uintptr_t>(measured->Data()) % alignof(double) == 0;
   if (!is_aligned || measured->size() != tick.joint_count) {
     return false;
   }
