@@ -94,7 +94,7 @@ double Haply::told_rad(std::size_t axis) const {
   if (identity_ == Identity::shown) {
     return home_rad;
   }
-  const auto step = static_cast<double>((starts_ * 7 + axis * 3) % kHaplyAskedSteps);
+  const auto step = static_cast<double>((std::size_t{starts_} * 7 + axis * 3) % kHaplyAskedSteps);
   return home_rad + (kHaplyAskedTolerances + step) * config_.home_tolerance_rad;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "drivers/moteus_canfd/moteus_errors.h"
 #include "drivers/seconds.h"
@@ -11,6 +12,9 @@
 namespace tactus::drivers {
 
 namespace {
+
+// An answer without a number is as wrong as one with none: encoder_check refuses both.
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // A servo that has not been heard is asked so often: what nobody acknowledges would fill the queue.
 constexpr double kAskAgain_s = 0.02;
@@ -345,8 +349,8 @@ void MoteusCanFd::take_proof(moteus::Mode mode, std::uint8_t fault, hal::TimeNs 
 
 // The position is watched in every phase; one that jumps while it is followed is lost.
 void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns) {
-  const double position_rad = *reply.position_rad;
-  const double velocity_rad_per_s = *reply.velocity_rad_per_s;
+  const double position_rad = reply.position_rad.value_or(kNotANumber);
+  const double velocity_rad_per_s = reply.velocity_rad_per_s.value_or(kNotANumber);
   const EncoderVerdict verdict = encoder_.check(position_rad, velocity_rad_per_s, time_ns);
   if (verdict != EncoderVerdict::good) {
     if (is_followed_) {

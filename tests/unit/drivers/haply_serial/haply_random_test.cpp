@@ -52,7 +52,7 @@ TEST(HaplyRandom, NoBytesMakeAJumpOrTorqueBeyondTheLimit) {
     std::array<std::byte, 256> heard;
     std::array<float, 2> told_deg{};
     const auto hear_setup = [&](std::size_t size) {
-      std::memcpy(&told_deg[0], heard.data() + size - 16, 4);
+      std::memcpy(told_deg.data(), heard.data() + size - 16, 4);
       std::memcpy(&told_deg[1], heard.data() + size - 8, 4);
     };
     hear_setup(board.read(heard, hal::kNoWait).value_or(16));
