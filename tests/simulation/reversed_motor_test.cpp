@@ -108,8 +108,9 @@ void print(const Press& press, const Felt& felt) {
     }
   }
   std::printf("%-16s motors %u %-6s: %5.2f N, above 2 N for %4.0f ms, %4.1f mm, %s, joint %u\n",
-              press.preset.data(), press.reversed, press.hand.data(), felt.peak_N,
-              1000.0 * felt.above_2_N_s, 1000.0 * felt.displaced_m, fault.c_str(), felt.joint);
+              std::string(press.preset).c_str(), press.reversed, std::string(press.hand).c_str(),
+              felt.peak_N, 1000.0 * felt.above_2_N_s, 1000.0 * felt.displaced_m, fault.c_str(),
+              felt.joint);
 }
 
 TEST(ReversedMotor, TheTableOfPresetsMotorsAndHands) {
