@@ -34,8 +34,8 @@ Name file_claim(std::string_view kind, std::string_view path, unsigned channel =
     return name;
   }
   const bool is_device = S_ISCHR(status.st_mode);
-  std::snprintf(name.data(), name.size(), "%.*s/%" PRIuMAX ":%" PRIuMAX "/%u", length(kind),
-                kind.data(),
+  std::snprintf(name.data(), name.size(), "%s/%" PRIuMAX ":%" PRIuMAX "/%u",
+                terminated(kind).data(),
                 static_cast<std::uintmax_t>(is_device ? status.st_rdev : status.st_dev),
                 static_cast<std::uintmax_t>(is_device ? 0 : status.st_ino), channel);
   return name;

@@ -143,6 +143,23 @@ ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPa
   return rest;
 }
 
+// True if objects that the proxy overlaps by more than it may be pushed out are left out now.
+bool SphereProxy::leaves_out_overlapped(const Scenery& scenery, ProxyRest& rest) {
+  if (!neighbourhood_.left_out().add_overlapped(scenery, shells_, p_, kMostPushOut_m)) {
+    return false;
+  }
+  forget_left_out(rest);
+  return true;
+}
+
+void SphereProxy::go_straight_if_it_may(const Scenery& scenery, const Vec3& h_W, ProxyRest& rest,
+                                        ProxyPath* path) {
+  if (rest.sub_goals < kMaxSubGoals) {
+    go_straight(scenery, h_W);
+    add_point(path, ++rest.sub_goals, p_);
+  }
+}
+
 ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
   slipped_ = false;
   last_crease_move_ = Vec3::Zero();
@@ -167,14 +184,10 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
     if (gathering != Gathering::complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (gathering == Gathering::too_many) {
-        if (neighbourhood_.left_out().add_overlapped(scenery, shells_, p_, kMostPushOut_m)) {
-          forget_left_out(rest);
+        if (leaves_out_overlapped(scenery, rest)) {
           continue;
         }
-        if (rest.sub_goals < kMaxSubGoals) {
-          go_straight(scenery, h_W);
-          add_point(path, ++rest.sub_goals, p_);
-        }
+        go_straight_if_it_may(scenery, h_W, rest, path);
         return rest;
       }
     }

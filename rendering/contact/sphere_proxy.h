@@ -175,6 +175,9 @@ class SphereProxy {
   // Which objects are felt in this tick.
   void choose_felt(const Scenery& scenery);
   // Starts the tick's search again without the objects that were left out in it.
+  bool leaves_out_overlapped(const Scenery& scenery, ProxyRest& rest);
+  void go_straight_if_it_may(const Scenery& scenery, const Vec3& h_W, ProxyRest& rest,
+                             ProxyPath* path);
   void forget_left_out(ProxyRest& rest);
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;
   // Where more planes hold the sphere than are kept, and none of its moves is free: straight to
