@@ -59,6 +59,7 @@ void append_numbers(std::string& text, const JointReport& joint) {
 
 std::vector<double> each(const CommissionReport& report, double (*number)(const JointReport&)) {
   std::vector<double> numbers;
+  numbers.reserve(report.joints.size());
   for (const JointReport& joint : report.joints) {
     numbers.push_back(number(joint));
   }

@@ -66,7 +66,7 @@ bool CanEmulator::has_power(hal::TimeNs now_ns) {
     is_cycling_ = true;
     off_until_ns_ = now_ns + kPowerCycle_ns;
   }
-  return fault_ != EmulatorFault::unplugged && !(is_cycling_ && now_ns < off_until_ns_);
+  return fault_ != EmulatorFault::unplugged && (!is_cycling_ || now_ns >= off_until_ns_);
 }
 
 void CanEmulator::send(hal::TimeNs now_ns, const hal::CanFrame& frame) {

@@ -395,8 +395,9 @@ TEST_F(DeviceRefusals, AnImageIsHeldToTheSameAsAFile) {
   const auto file = folder.write("device.toml", paddle("", kKnownPose));
   std::vector<std::byte> image = bake_device(file).image();
   const std::string pose = "known_pose";
-  const auto at = std::search(image.begin(), image.end(), pose.begin(), pose.end(),
-                              [](std::byte b, char c) { return static_cast<char>(b) == c; });
+  const auto at = std::ranges::search(image, pose, [](std::byte b, char c) {
+                    return static_cast<char>(b) == c;
+                  }).begin();
   ASSERT_NE(at, image.end());
   // The text's length stands before it.
   std::memcpy(&*at, "absolute\0\0", pose.size());
