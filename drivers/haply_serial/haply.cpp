@@ -88,7 +88,7 @@ void Haply::forget_answers() {
   at_home_in_a_row_ = 0;
 }
 
-// What the setup tells the axis to count from.
+// Returns the angle that the setup tells the axis to count from, rad.
 double Haply::told_rad(std::size_t axis) const {
   const double home_rad = config_.axis[axis].home_rad;
   if (identity_ == Identity::shown) {
