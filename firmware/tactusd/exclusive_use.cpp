@@ -27,15 +27,14 @@ std::array<char, kMostWords> terminated(std::string_view text) {
 }
 
 // By what it is, not by its path: a link names the same thing. Empty: it is not there.
-Name file_claim(std::string_view kind, std::string_view path, unsigned channel = 0) {
+Name file_claim(const char* kind, std::string_view path, unsigned channel = 0) {
   Name name{};
   struct stat status{};
   if (::stat(terminated(path).data(), &status) != 0) {
     return name;
   }
   const bool is_device = S_ISCHR(status.st_mode);
-  std::snprintf(name.data(), name.size(), "%s/%" PRIuMAX ":%" PRIuMAX "/%u",
-                terminated(kind).data(),
+  std::snprintf(name.data(), name.size(), "%s/%" PRIuMAX ":%" PRIuMAX "/%u", kind,
                 static_cast<std::uintmax_t>(is_device ? status.st_rdev : status.st_dev),
                 static_cast<std::uintmax_t>(is_device ? 0 : status.st_ino), channel);
   return name;
