@@ -48,8 +48,13 @@ bool HelperThread::join_within(hal::TimeNs limit_ns) {
   if (!started_) {
     return true;
   }
-  const timespec deadline = hal::to_timespec(hal::monotonic_now_ns() + limit_ns);
-  const bool has_ended = pthread_clockjoin_np(thread_, nullptr, CLOCK_MONOTONIC, &deadline) == 0;
+  const hal::TimeNs deadline_ns = hal::monotonic_now_ns() + limit_ns;
+  bool has_ended = pthread_tryjoin_np(thread_, nullptr) == 0;
+  while (!has_ended && hal::monotonic_now_ns() < deadline_ns) {
+    constexpr timespec kPause{.tv_sec = 0, .tv_nsec = 1'000'000};
+    ::nanosleep(&kPause, nullptr);
+    has_ended = pthread_tryjoin_np(thread_, nullptr) == 0;
+  }
   if (!has_ended) {
     pthread_detach(thread_);
   }
