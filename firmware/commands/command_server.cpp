@@ -59,8 +59,10 @@ bool CommandServer::stop() {
   is_running_ = false;
   if (has_ended) {
     is_ending_.store(false, std::memory_order_relaxed);
+    socket_.close();
+  } else {
+    socket_.remove_file();  // the thread may still use the socket
   }
-  socket_.close();
   return has_ended;
 }
 

@@ -110,6 +110,10 @@ std::expected<void, ListenError> ListeningSocket::bind_and_listen(const char* gr
 
 void ListeningSocket::close() {
   socket_.reset();
+  remove_file();
+}
+
+void ListeningSocket::remove_file() {
   if (path_[0] != '\0') {
     ::unlink(path_.data());
     path_.fill('\0');

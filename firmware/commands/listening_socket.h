@@ -32,6 +32,8 @@ class ListeningSocket {
   // The same, for datagrams: nobody connects.
   std::expected<void, ListenError> open_datagrams(const char* path, const char* group);
   void close();
+  // Closes nothing: another thread may still use the descriptor.
+  void remove_file();
 
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 

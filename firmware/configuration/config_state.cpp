@@ -88,16 +88,18 @@ inline void transfer(StateArchive& archive, JointFriction& friction) {
 inline void transfer(StateArchive& archive, SafetyConfig& safety) {
   auto& [max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
          stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s, max_joint_speed, frozen_travel,
-         blocked_effort_share, blocked_s, max_tool_speed_m_per_s, runaway_speed_m_per_s,
-         runaway_travel_m, workspace_lower_W, workspace_upper_W, workspace_stiffness_N_per_m,
-         workspace_damping_Ns_per_m, workspace_overrun_m, device_delay_s, device_damping_Ns_per_m,
-         passivity_damping_Ns_per_m, passivity_fault_travel_m, guards_off] = safety;
+         blocked_effort_share, blocked_s, sign_check_N, moving_mass_kg, max_tool_speed_m_per_s,
+         runaway_speed_m_per_s, runaway_travel_m, workspace_lower_W, workspace_upper_W,
+         workspace_stiffness_N_per_m, workspace_damping_Ns_per_m, workspace_overrun_m,
+         device_delay_s, device_damping_Ns_per_m, passivity_damping_Ns_per_m,
+         passivity_fault_travel_m, guards_off] = safety;
   archive(max_force_N, force_slew_N_per_s, soft_start_s, contact_start_s, max_sample_age_us,
           stale_ticks_to_fault, late_ticks_to_fault, max_tick_gap_s, max_joint_speed, frozen_travel,
-          blocked_effort_share, blocked_s, max_tool_speed_m_per_s, runaway_speed_m_per_s,
-          runaway_travel_m, workspace_lower_W, workspace_upper_W, workspace_stiffness_N_per_m,
-          workspace_damping_Ns_per_m, workspace_overrun_m, device_delay_s, device_damping_Ns_per_m,
-          passivity_damping_Ns_per_m, passivity_fault_travel_m, guards_off);
+          blocked_effort_share, blocked_s, sign_check_N, moving_mass_kg, max_tool_speed_m_per_s,
+          runaway_speed_m_per_s, runaway_travel_m, workspace_lower_W, workspace_upper_W,
+          workspace_stiffness_N_per_m, workspace_damping_Ns_per_m, workspace_overrun_m,
+          device_delay_s, device_damping_Ns_per_m, passivity_damping_Ns_per_m,
+          passivity_fault_travel_m, guards_off);
 }
 
 inline void transfer(StateArchive& archive, CertifiedPoint& point) {

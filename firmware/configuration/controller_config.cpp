@@ -12,6 +12,7 @@ namespace {
 // A device on a desk, in any unit that a joint has: metres, radians, newtons, newton metres.
 constexpr double kWidest = 10.0;
 constexpr double kStrongest = 1000.0;
+constexpr double kMostSignCheck_N = 1.5;  // of the 2 N that a hand may feel unchecked
 constexpr double kLeastEffort = 1e-6;
 constexpr double kStiffest = 1e12;
 constexpr double kMostMargin = 100.0;
@@ -64,6 +65,8 @@ void check_safety(RangeCheck& check, const SafetyConfig& safety) {
   check.in("safety.frozen_travel", safety.frozen_travel, 0.0, kWidest);
   check.in("safety.blocked_effort_share", safety.blocked_effort_share, 0.0, 2.0);
   check.in("safety.blocked_s", safety.blocked_s, 0.0, 60.0);
+  check.in("safety.sign_check_N", safety.sign_check_N, 0.0, kMostSignCheck_N);
+  check.in("safety.moving_mass_kg", safety.moving_mass_kg, 0.0, kWidest);
   check.in("safety.max_tool_speed_m_per_s", safety.max_tool_speed_m_per_s, 0.01, 1000.0);
   check.in("safety.runaway_speed_m_per_s", safety.runaway_speed_m_per_s, 0.01, 1000.0);
   check.in("safety.runaway_travel_m", safety.runaway_travel_m, 0.0, kWidest);

@@ -65,6 +65,13 @@ struct SafetyConfig {
   double blocked_effort_share = 0.5;  // of its largest: so much a change of effort has to move it
   double blocked_s = 0.5;             // within this time
 
+  // safety/motor_sign_check.h: the largest push at the handle that asks a motor for its direction
+  // after activation; 0 asks none, for a device whose joints cannot answer, as in a replay.
+  double sign_check_N = 1.0;
+  // What the hand feels of the device at the handle: no joint may answer more strongly than twice
+  // what this allows. 0: not known.
+  double moving_mass_kg = 0.0;
+
   // safety/motion_guard.h
   double max_tool_speed_m_per_s = 5.0;
   double runaway_speed_m_per_s = 2.5;

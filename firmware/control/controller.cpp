@@ -105,6 +105,7 @@ void Controller::step_mode(Event event) {
       break;
     case Mode::active:
       force_limiter_.restart();
+      sign_check_.restart();
       energy_.restart();
       passivity_.restart();
       break;
@@ -167,12 +168,23 @@ void Controller::check_encoders(const drivers::JointSample& sample) {
 void Controller::check_efforts(const drivers::JointSample& sample) {
   if (mode_ != Mode::active || pose_.status != kPoseGood) {
     effort_guard_.rest();
+    sign_check_.pass();
     return;
   }
   if ((raised_ & kLimitStaleSample) != 0) {
+    sign_check_.pass();
     return;
   }
-  const EffortFinding found = effort_guard_.check(sample, pose_, held_effort_);
+  blame(effort_guard_.check(sample, pose_, held_effort_));
+  if (record_.missed_ticks != 0) {
+    sign_check_.pass();
+  }
+  blame(sign_check_.step(sample, pose_, held_effort_));
+  raise(sign_check_.is_done() ? kNoFault : kLimitSignCheck);
+}
+
+// Raises what was found of a joint.
+void Controller::blame(const EffortFinding& found) {
   const std::uint64_t faults = found.faults & ~config_.safety.guards_off;
   if (faults != kNoFault && fault_joint_ == 0) {
     fault_joint_ = found.joint;
@@ -256,6 +268,9 @@ Vec3 Controller::limit_force(const rendering::Touch& touch) {
   const Vec3 added_W = add_safety(pushes);
   const LimitedForce soft =
       force_limiter_.soften(touch.force_W + added_W, touch.parts.effect_W, pushes);
+  if (!sign_check_.is_done()) {
+    force_limiter_.hold_below(sign_check_.force_limit_N());
+  }
   const SlowedForce slowed = motion_guard_.slow(soft.force_W, tool_.v_W);
   const LimitedForce limited = force_limiter_.limit(slowed.force_W);
   raise(soft.limits | slowed.limits | limited.limits);
@@ -306,9 +321,11 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
     }
   }
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    // Scaled down to the largest already, but for what that rounds.
+    // Scaled down to the largest already, but for what that rounds and the push of the sign check.
     const double most = config_.joints[joint].max_effort;
-    command.effort[joint] = std::clamp(effort[static_cast<Eigen::Index>(joint)], -most, most);
+    const double push = sign_check_.push()[joint];
+    command.effort[joint] =
+        std::clamp(effort[static_cast<Eigen::Index>(joint)] + push, -most, most);
   }
   command.enable = true;
   return command;

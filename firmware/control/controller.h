@@ -26,6 +26,7 @@
 #include "firmware/safety/force_limiter.h"
 #include "firmware/safety/loop_check.h"
 #include "firmware/safety/motion_guard.h"
+#include "firmware/safety/motor_sign_check.h"
 #include "firmware/safety/passivity.h"
 #include "firmware/safety/sample_check.h"
 #include "firmware/safety/workspace_walls.h"
@@ -108,6 +109,7 @@ class Controller {
   void advance_mode(std::uint32_t status, Request request);
   void check_encoders(const drivers::JointSample& sample);
   void check_efforts(const drivers::JointSample& sample);
+  void blame(const EffortFinding& found);
   bool locate(const drivers::JointSample& sample);
   rendering::Touch touch(bool located);
   void bring_changes_in();
@@ -135,6 +137,7 @@ class Controller {
   LoopCheck loop_check_;
   EncoderGuard encoder_guard_;
   EffortGuard effort_guard_;
+  MotorSignCheck sign_check_;
   WorkspaceWalls workspace_walls_;
   MotionGuard motion_guard_;
   EnergyAccount energy_;

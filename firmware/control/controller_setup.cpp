@@ -33,6 +33,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   loop_check_.configure(config);
   encoder_guard_.configure(config);
   effort_guard_.configure(config);
+  sign_check_.configure(config);
   workspace_walls_.configure(config);
   motion_guard_.configure(config);
   energy_.configure(config);

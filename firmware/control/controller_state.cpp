@@ -51,6 +51,20 @@ void EffortGuard::transfer(StateArchive& archive) {
   }
 }
 
+void MotorSignCheck::transfer(StateArchive& archive) {
+  for (Joint& joint : joints_) {
+    auto& [force_N, right, wrong, strong, unclear] = joint;
+    archive(force_N, right, wrong, strong, unclear);
+  }
+  archive(unanswered_);
+  archive.up_to(asked_, joint_count_ - 1);
+  archive(is_pulsing_, ticks_to_wait_);
+  archive.up_to(ticks_, static_cast<std::uint32_t>((samples_ - 1) * ticks_a_unit_ - 1));
+  auto& [y_powers, r_powers, z_y, z_r, y_y, y_r, r_r] = sums_;
+  archive(start_, effort_sum_, efforts_, effort_integral_, effort_double_integral_, amplitude_,
+          most_gain_, y_powers, r_powers, z_y, z_r, y_y, y_r, r_r, push_);
+}
+
 void MotionGuard::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [step_s, max_speed_m_per_s, runaway_speed_m_per_s, runaway_travel_m,
                           runaway_m] = *this;
@@ -108,11 +122,11 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 
 void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
-                          loop_check, encoder_guard, effort_guard, workspace_walls, motion_guard,
-                          energy, passivity, velocity_filter, force_limiter, gravity_compensation,
-                          friction_compensation, world, material_changes, objects, effects, mode,
-                          faults, fault_joint, raised, write_status, loop_report, held_effort, pose,
-                          tool, record, next_tick, now_ns] = *this;
+                          loop_check, encoder_guard, effort_guard, sign_check, workspace_walls,
+                          motion_guard, energy, passivity, velocity_filter, force_limiter,
+                          gravity_compensation, friction_compensation, world, material_changes,
+                          objects, effects, mode, faults, fault_joint, raised, write_status,
+                          loop_report, held_effort, pose, tool, record, next_tick, now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
@@ -130,7 +144,8 @@ void Controller::transfer(StateArchive& archive) {
 }
 
 void Controller::transfer_guards(StateArchive& archive) {
-  archive(encoder_guard_, effort_guard_, motion_guard_, energy_, passivity_, held_effort_);
+  archive(encoder_guard_, effort_guard_, sign_check_, motion_guard_, energy_, passivity_,
+          held_effort_);
 }
 
 // What set_parameter may have changed.

@@ -15,7 +15,8 @@ inline constexpr std::string_view kCommissioningKind = "commissioning";
 
 // The keys of the section.
 inline constexpr std::string_view kCommissioningPassed = "passed";
-inline constexpr std::string_view kCommissioningInertia = "inertia";  // by joint
+inline constexpr std::string_view kCommissioningInertia = "inertia";      // by joint
+inline constexpr std::string_view kCommissioningMass = "moving_mass_kg";  // that it agreed with
 inline constexpr std::string_view kCommissioningFriction = "friction";
 inline constexpr std::string_view kCommissioningDelay = "delay_ticks";
 inline constexpr std::string_view kCommissioningMethod = "measured_with";

@@ -122,6 +122,7 @@ struct Commissioning {
   bool is_there = false;
   bool is_for_these_settings = false;  // false: something has been changed since
   bool passed = false;                 // every joint answered its motor as it should
+  double moving_mass_kg = 0.0;         // at the handle, that the answers agreed with
   std::string_view measured_with;
 };
 

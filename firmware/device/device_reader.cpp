@@ -68,6 +68,7 @@ class DeviceReader {
   Outcome choose_drive(std::size_t i, AxisConfig& axis);
   Outcome find_connection(std::size_t i, AxisConfig& axis);
   Outcome find_axis(std::size_t i, std::string_view key, std::string_view name, std::size_t& found);
+  void choose_moving_mass();
   Outcome finish();
   [[nodiscard]] std::span<const Binding<JointConfig>> joint_keys() const {
     return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
@@ -340,7 +341,17 @@ Outcome DeviceReader::take_commissioning(std::size_t i) {
   return {};
 }
 
+// The mass that the tick holds the joints' answers against: as given, or as it was commissioned.
+void DeviceReader::choose_moving_mass() {
+  const Commissioning& commissioning = config_.commissioning;
+  const double commissioned = commissioning.is_for_these_settings && commissioning.passed
+                                  ? commissioning.moving_mass_kg
+                                  : 0.0;
+  config_.controller.safety.moving_mass_kg = config_.plant.moving_mass_kg.value_or(commissioned);
+}
+
 Outcome DeviceReader::finish() {
+  choose_moving_mass();
   if (config_.joint_count != joint_count(config_.controller.mechanism)) {
     return refuse(0, {}, "the mechanism has more joints than there are [[joint]] tables");
   }

@@ -36,6 +36,7 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
       bind<&C::safety, &S::frozen_travel>("frozen_travel"),
       bind<&C::safety, &S::blocked_effort_share>("blocked_effort_share"),
       bind<&C::safety, &S::blocked_s>("blocked_s", "s"),
+      bind<&C::safety, &S::sign_check_N>("sign_check_N", "N"),
       bind<&C::safety, &S::max_tool_speed_m_per_s>("max_tool_speed_m_per_s", "m_per_s"),
       bind<&C::safety, &S::runaway_speed_m_per_s>("runaway_speed_m_per_s", "m_per_s"),
       bind<&C::safety, &S::runaway_travel_m>("runaway_travel_m", "m"),

@@ -62,6 +62,7 @@ enum FaultBits : std::uint64_t {
   kLimitPassivity = 1ULL << 51,
   kLimitGuardsOff = 1ULL << 52,
   kLimitChange = 1ULL << 53,
+  kLimitSignCheck = 1ULL << 54,
 };
 
 inline constexpr std::uint64_t kFaultMask = 0x0000'FFFF'0000'FFFFULL;
@@ -150,14 +151,18 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kFaultHelperCrashed, "helper_crashed", "a thread beside the loop crashed", "stop",
      "the program ends; start it again"},
     {kFaultMotorReversed, "motor_reversed",
-     "a joint speeds up against its effort, and both grow together: `fault_joint` says which",
+     "a joint answers a push, or its rising effort, the wrong way: `fault_joint` says which",
      "stop",
      "check that joint's motor wires and encoder direction, their `direction` keys, ratio and "
      "torque "
      "constant; `tactus commission`; reset"},
     {kFaultEffortMismatch, "effort_mismatch",
-     "a drive measures another torque than commanded: `fault_joint` says the joint", "stop",
-     "check that joint's torque constant, ratio, current limit and motor wires; reset"},
+     "a drive measures another torque than commanded, or a joint answers a push more strongly than "
+     "the device's mass allows: `fault_joint` says the joint",
+     "stop",
+     "check that joint's torque constant, ratio, encoder counts, current limit and motor wires, "
+     "and "
+     "`moving_mass_kg`; `tactus commission`; reset"},
     {kLimitLateTick, "late_tick", "tick began too late", "none but the count", "by itself"},
     {kLimitWorkspace, "workspace_wall", "tool is in a wall of the workspace", "wall pushes back",
      "by itself"},
@@ -169,6 +174,8 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
      "configure without"},
     {kLimitChange, "limiting_change", "a changed parameter is still coming in",
      "force follows it gradually", "by itself"},
+    {kLimitSignCheck, "sign_check", "a motor has not answered yet which way it turns",
+     "force stays within 2 N; small pushes", "by itself; hold the handle loosely if it stays"},
 });
 
 // The stable code of a single bit, 0 to 63.

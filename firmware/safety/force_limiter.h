@@ -14,6 +14,7 @@
 // through here.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "firmware/configuration/controller_config.h"
@@ -37,6 +38,9 @@ class ForceLimiter {
 
   // Activation: both ramps and the slew start again from zero force.
   void restart();
+
+  // The largest force is no more than this now, and rises again from there, N.
+  void hold_below(double force_N) { max_force_N_ = std::min(max_force_N_, force_N); }
 
   // Soft start, the first stage: `force_W` is all of the force and `effect_W` the effects' part of
   // it, both finite.

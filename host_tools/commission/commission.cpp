@@ -46,6 +46,7 @@ class Session {
   CommissionReport run() {
     const PowerOff at_the_end(*bench_);
     home();
+    report_.moving_mass_kg = plan_->moving_mass_kg;
     report_.joints.resize(joints_);
     for (std::size_t i = 0; i < joints_; ++i) {
       report_.joints[i] = {.name = plan_->joints[i],

@@ -41,7 +41,8 @@ struct JointReport {
 
 struct CommissionReport {
   std::vector<JointReport> joints;
-  std::string trouble;  // of the device, if that ended it
+  std::string trouble;          // of the device, if that ended it
+  double moving_mass_kg = 0.0;  // of the plan
   [[nodiscard]] bool has_passed() const;
 };
 

@@ -116,10 +116,10 @@ void write_commissioning(const std::filesystem::path& file, const CommissionRepo
   const std::string text = fmt::format(
       "# Written by tactus commission, for tactus bake: how each joint answered its motor.\n"
       "[commissioning]\n"
-      "{} = {}\n{} = {}\n{} = {}\n{} = {}\n{} = \"{}\"\n{} = \"{}\"\n",
+      "{} = {}\n{} = {}\n{} = {}\n{} = {}\n{} = {}\n{} = \"{}\"\n{} = \"{}\"\n",
       firmware::kCommissioningPassed, report.has_passed(), firmware::kCommissioningInertia,
       list([](const JointReport& joint) { return joint.fit.inertia; }),
-      firmware::kCommissioningFriction,
+      firmware::kCommissioningMass, report.moving_mass_kg, firmware::kCommissioningFriction,
       list([](const JointReport& joint) { return joint.fit.friction; }),
       firmware::kCommissioningDelay,
       list([](const JointReport& joint) { return static_cast<double>(joint.fit.delay_ticks); }),

@@ -125,6 +125,7 @@ RunPlan plan_run(const RunOptions& options, std::span<const rendering::Object> o
                           .faults = {},
                           .requests = {}},
                .warnings = {}};
+  plan.config.controller.safety.moving_mass_kg = device->device.plant.moving_mass_kg;
   compensate_friction(options.compensated_share, plan.config);
   for (const std::string& fault : options.faults) {
     plan.config.faults.push_back(parse_fault(fault));

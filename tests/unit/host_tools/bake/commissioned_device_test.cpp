@@ -26,7 +26,8 @@ class CommissionedDevice : public ::testing::Test {
     (void)folder.write(
         "arm.commissioning.toml",
         "[commissioning]\npassed = " + std::string(passed ? "true" : "false") +
-            "\ninertia = [1.0]\nfriction = [0.1]\ndelay_ticks = [1]\nmeasured_with = \"test\"\n"
+            "\ninertia = [1.0]\nmoving_mass_kg = 0.2\nfriction = [0.1]\ndelay_ticks = "
+            "[1]\nmeasured_with = \"test\"\n"
             "settings = \"" +
             std::string(firmware::checksum_text(device.all_settings_checksum()).view()) + "\"\n");
   }
@@ -51,6 +52,7 @@ TEST_F(CommissionedDevice, MayBeEnabledOnceItHasPassed) {
   commission(true);
   EXPECT_EQ(refusal(), "");
   EXPECT_EQ(bake_device(file).config().commissioning.measured_with, "test");
+  EXPECT_EQ(bake_device(file).config().controller.safety.moving_mass_kg, 0.2);
 }
 
 TEST_F(CommissionedDevice, MayNotIfItFailed) {
