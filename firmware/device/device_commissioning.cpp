@@ -19,7 +19,7 @@ std::expected<void, DeviceError> check_types(const DeviceSection& section, std::
   using Key = std::pair<std::string_view, SettingType>;
   constexpr std::array<Key, 7> kKeys = {{{kCommissioningPassed, SettingType::flag},
                                          {kCommissioningInertia, SettingType::numbers},
-                                         {kCommissioningMass, SettingType::numbers},
+                                         {kCommissioningMass, SettingType::number},
                                          {kCommissioningFriction, SettingType::numbers},
                                          {kCommissioningDelay, SettingType::numbers},
                                          {kCommissioningMethod, SettingType::text},
@@ -47,14 +47,13 @@ std::expected<Commissioning, DeviceError> read_commissioning(const DeviceSection
   if (const auto checked = check_types(section, index); !checked) {
     return std::unexpected(checked.error());
   }
-  const auto mass = setting_of(section, kCommissioningMass)->numbers;
   const auto passed = setting_of(section, kCommissioningPassed)->numbers;
   return Commissioning{
       .is_there = true,
       .is_for_these_settings = setting_of(section, kCommissioningSettings)->text ==
                                checksum_text(all_settings_checksum(sections)).view(),
       .passed = !passed.empty() && passed[0] != 0.0,
-      .moving_mass_kg = mass.empty() ? 0.0 : mass[0],
+      .moving_mass_kg = setting_of(section, kCommissioningMass)->numbers[0],
       .measured_with = setting_of(section, kCommissioningMethod)->text};
 }
 

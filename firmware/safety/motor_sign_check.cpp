@@ -12,7 +12,7 @@ namespace {
 constexpr double kUnit_s = 0.001;
 constexpr double kQuarter_s = 0.006;
 constexpr std::size_t kQuarters = 8;
-constexpr double kFirstShare = 0.6;  // of the largest push
+constexpr double kFirstShare = 0.5;  // of the largest push
 constexpr double kStronger = 1.3;
 constexpr double kMostOfEffort = 0.5;  // of the joint's largest
 constexpr double kExplained = 0.5;

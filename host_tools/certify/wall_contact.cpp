@@ -88,6 +88,7 @@ void prepare(firmware::Controller& controller, const WallContact& contact,
   firmware::ControllerConfig config = contact.controller;
   config.workspace_origin_D = contact.point_B;
   config.safety.soft_start_s = 0.0;
+  config.safety.sign_check_N = 0.0;  // the wall alone pushes
   config.safety.contact_start_s = 0.0;
   // What the bare wall does is looked at: nothing damps it, and the verdict on it is the trial's.
   config.safety.passivity_damping_Ns_per_m = 0.0;

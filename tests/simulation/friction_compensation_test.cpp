@@ -13,6 +13,7 @@
 #include "host_tools/simulation/hand.h"
 #include "host_tools/simulation/random.h"
 #include "host_tools/simulation/simulated_device.h"
+#include "tests/support/without_sign_check.h"
 
 namespace tactus::testing {
 namespace {
@@ -44,10 +45,11 @@ Rig rig(host::DevicePreset device, firmware::ControllerConfig controller, double
 }
 
 Rig cartesian(double share) {
-  return rig(host::cartesian_preset(), firmware::cartesian_config(), 0.5, share);
+  return rig(host::cartesian_preset(), without_sign_check(firmware::cartesian_config()), 0.5,
+             share);
 }
 Rig falcon(double share) {
-  return rig(host::falcon_preset(), firmware::falcon_config(), 0.001, share);
+  return rig(host::falcon_preset(), without_sign_check(firmware::falcon_config()), 0.001, share);
 }
 
 // Less than the model says: 20 percent.

@@ -69,6 +69,7 @@ struct Felt {
   double displaced_m = 0.0;  // from where the hand wants to be, in contact
   std::uint64_t faults = 0;
   std::uint32_t joint = 0;
+  double unchecked_s = 0.0;  // with power, before all motors had answered
 };
 
 // A direction in which the preset's handle can move.
@@ -117,6 +118,7 @@ Felt felt_in(const Press& press) {
       felt.displaced_m =
           std::max(felt.displaced_m, (simulation.handle_W() - simulation.wish_W()).norm());
     }
+    felt.unchecked_s += (simulation.record().limits & firmware::kLimitSignCheck) != 0 ? 0.001 : 0.0;
     felt.faults = simulation.record().faults;
     felt.joint = simulation.record().fault_joint;
   }
@@ -240,6 +242,20 @@ TEST(WrongJoint, AThirdOfTheTorqueHurtsNobody) {
   for_every_press(Wrong{.torque = 1.0 / 3.0}, [](const Press& press, const Felt& felt) {
     EXPECT_EQ(felt.faults & firmware::kFaultMotorReversed, 0U) << felt.joint << press.hand;
   });
+}
+
+// In a hand, so that nobody notices that the force was held back: it is still rising then.
+TEST(WrongJoint, RightMotorsAnswerWithinTheSoftStart) {
+  for (const std::string_view preset : firmware::kPresetNames) {
+    for (const std::string_view hand : {"finger", "pen", "firm"}) {
+      for (const bool begins_in_touch : {false, true}) {
+        const Press press{.preset = preset, .hand = hand, .begins_in_touch = begins_in_touch};
+        const double unchecked_s = felt_in(press).unchecked_s;
+        EXPECT_LE(unchecked_s, firmware::SafetyConfig{}.soft_start_s) << named(press);
+        std::printf("%-40s: %3.0f ms\n", named(press).c_str(), 1000.0 * unchecked_s);
+      }
+    }
+  }
 }
 
 TEST(WrongJoint, NoneIsSeenWhereAllAreRight) {

@@ -11,6 +11,7 @@
 #include "firmware/control/controller.h"
 #include "firmware/safety/faults.h"
 #include "tests/support/share.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -275,7 +276,7 @@ TEST(ControllerProperty, NoEventRaisesTheForceOnAToolThatDoesNotMoveFasterThanAc
   const auto runs = static_cast<std::uint64_t>(std::max(4, testing::share_of(kRuns)));
   for (std::uint64_t seed = 7000; seed < 7000 + runs; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    ControllerConfig config = cartesian_config();
+    ControllerConfig config = testing::without_sign_check(cartesian_config());
     config.safety.max_force_N = seed % 2 == 0 ? 10.0 : 8.0;
     config.safety.soft_start_s = 0.2;
     config.safety.guards_off = kWildMotion;
@@ -319,22 +320,22 @@ TEST(ControllerProperty, NoEventRaisesTheForceOnAToolThatDoesNotMoveFasterThanAc
 }
 
 TEST(ControllerProperty, RandomTicksOfACartesianDeviceStaySafeAndReplayToTheBit) {
-  run_random_ticks(cartesian_config(), 1000);
+  run_random_ticks(testing::without_sign_check(cartesian_config()), 1000);
 }
 
 TEST(ControllerProperty, RandomTicksOfAFalconStaySafeAndReplayToTheBit) {
-  run_random_ticks(falcon_config(), 2000);
+  run_random_ticks(testing::without_sign_check(falcon_config()), 2000);
 }
 
 // The handle begins 5 mm over the floor, and goes lower on its arc.
 TEST(ControllerProperty, RandomTicksOfAHapkitStaySafeAndReplayToTheBit) {
-  ControllerConfig config = hapkit_config();
+  ControllerConfig config = testing::without_sign_check(hapkit_config());
   config.workspace_origin_D.y() -= 0.005;
   run_random_ticks(config, 4000);
 }
 
 TEST(ControllerProperty, RandomTicksOfAPhantomStaySafeAndReplayToTheBit) {
-  ControllerConfig config = phantom_premium_config();
+  ControllerConfig config = testing::without_sign_check(phantom_premium_config());
   for (JointLimits& joint : config.joints) {  // about the pose with the tool at the floor
     joint.lower = -1.0;
     joint.upper = 1.0;
@@ -343,11 +344,11 @@ TEST(ControllerProperty, RandomTicksOfAPhantomStaySafeAndReplayToTheBit) {
 }
 
 TEST(ControllerProperty, RandomTicksOfAWeightedArmStaySafeAndReplayToTheBit) {
-  run_random_ticks(woodenhaptics_config(), 6000);
+  run_random_ticks(testing::without_sign_check(woodenhaptics_config()), 6000);
 }
 
 TEST(ControllerProperty, RandomTicksWithFrictionCompensationStaySafeAndReplayToTheBit) {
-  ControllerConfig config = falcon_config();
+  ControllerConfig config = testing::without_sign_check(falcon_config());
   config.friction.fill({.model = {.kind = rendering::FrictionKind::coulomb_viscous,
                                   .coulomb = 0.006,
                                   .viscous_s_per_m = 0.001},

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/control/controller_fixture.h"
 
 namespace tactus::firmware {
@@ -81,7 +82,7 @@ TEST_F(ControllerTest, ActivationWhilePressedStartsFromZeroAndFollowsTheRamps) {
 }
 
 TEST_F(ControllerTest, AJumpOfTheToolGivesNoMoreThanTheClamp) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   for (JointLimits& joint : config.joints) {
     joint.lower = -10.0;
     joint.upper = 10.0;
@@ -99,7 +100,7 @@ TEST_F(ControllerTest, AJumpOfTheToolGivesNoMoreThanTheClamp) {
 }
 
 TEST_F(ControllerTest, TheEffortLimitScalesTheWholeForce) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.joints[1].max_effort = 0.5;
   config.safety.blocked_s = 60.0;
   ASSERT_TRUE(controller_.configure(config));
@@ -113,7 +114,7 @@ TEST_F(ControllerTest, TheEffortLimitScalesTheWholeForce) {
 }
 
 TEST_F(ControllerTest, TheFalconsWorldOriginIsTheMiddleOfItsWorkspace) {
-  ASSERT_TRUE(controller_.configure(falcon_config()));
+  ASSERT_TRUE(controller_.configure(testing::without_sign_check(falcon_config())));
   const Vec3 joints = *Delta{DeltaGeometry{}}.inverse({0.01, -0.015, 0.12});
   const drivers::JointSample sample = at(joints.x(), joints.y(), joints.z());
   controller_.tick(sample, Request::home);
@@ -125,7 +126,7 @@ TEST_F(ControllerTest, TheFalconsWorldOriginIsTheMiddleOfItsWorkspace) {
 
 TEST_F(ControllerTest, AnInvalidConfigurationChangesNothing) {
   press_until_steady();
-  ControllerConfig bad = cartesian_config();
+  ControllerConfig bad = testing::without_sign_check(cartesian_config());
   bad.rate_hz = 0.0;
   const auto result = controller_.configure(bad);
   ASSERT_FALSE(result);
@@ -144,7 +145,7 @@ TEST_F(ControllerTest, ASceneIsNotSwappedWhileActive) {
 
 TEST_F(ControllerTest, StageTimesComeFromTheClockAndStayOutOfTheHash) {
   static Controller timed;
-  ASSERT_TRUE(timed.configure(cartesian_config()));
+  ASSERT_TRUE(timed.configure(testing::without_sign_check(cartesian_config())));
   ASSERT_TRUE(timed.load_scene(floor_.objects(), {.tool_radius_m = 0.0}));
   timed.set_clock(ticking_clock);
   for (int tick = 0; tick < 50; ++tick) {

@@ -9,6 +9,7 @@
 
 #include "firmware/control/controller.h"
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -43,7 +44,7 @@ class FewJoints : public ::testing::Test {
 };
 
 TEST_F(FewJoints, JointsBeyondTheMechanismsAreNeitherReadNorRecordedNorDriven) {
-  const auto controller = active_paddle(hapkit_config());
+  const auto controller = active_paddle(testing::without_sign_check(hapkit_config()));
   const double angle = 0.5;  // 8 mm lower: 3 mm below the floor
   drivers::JointCommand command;
   for (double joint = 0.0; joint < angle; joint += 0.001) {
@@ -62,7 +63,7 @@ TEST_F(FewJoints, JointsBeyondTheMechanismsAreNeitherReadNorRecordedNorDriven) {
 }
 
 TEST_F(FewJoints, FrictionIsCompensatedInTheJointsThatThereAre) {
-  ControllerConfig config = hapkit_config();
+  ControllerConfig config = testing::without_sign_check(hapkit_config());
   config.friction.fill({.model = {.kind = rendering::FrictionKind::coulomb_viscous,
                                   .coulomb = 0.006,
                                   .viscous_s_per_m = 0.001},
@@ -82,7 +83,7 @@ TEST_F(FewJoints, FrictionIsCompensatedInTheJointsThatThereAre) {
 
 TEST_F(FewJoints, APantographNearASingularityStops) {
   const auto controller = std::make_unique<Controller>();
-  ControllerConfig config = haply_pantograph_config();
+  ControllerConfig config = testing::without_sign_check(haply_pantograph_config());
   config.joints[0].lower = config.joints[1].lower = -3.2;
   config.joints[0].upper = config.joints[1].upper = 3.2;
   config.safety.guards_off = kFaultEncoderJump | kFaultOverspeed;
@@ -104,7 +105,7 @@ TEST_F(FewJoints, APantographNearASingularityStops) {
 // not.
 TEST_F(FewJoints, TwoLinksOfAParallelogramThatMeetAreAJointLimit) {
   const auto controller = std::make_unique<Controller>();
-  ControllerConfig config = phantom_premium_config();
+  ControllerConfig config = testing::without_sign_check(phantom_premium_config());
   config.safety.guards_off = kFaultEncoderJump | kFaultOverspeed;
   ASSERT_TRUE(controller->configure(config));
   drivers::JointSample sample;

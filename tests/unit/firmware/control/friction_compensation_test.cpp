@@ -8,6 +8,7 @@
 
 #include "firmware/control/controller.h"
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -28,7 +29,7 @@ constexpr double kLevel_N = kShare * 0.04;
 constexpr double kLength_m = 25e-6;
 
 ControllerConfig compensating(double share = kShare) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.friction.fill({.model = kModel, .compensated_share = share});
   config.safety.soft_start_s = 0.0;
   return config;
@@ -111,7 +112,7 @@ TEST_F(FrictionCompensationTest, TakesTheLongerOfTheTwoLengths) {
 
 // A rigid model has no length of its own.
 TEST_F(FrictionCompensationTest, TurnsRoundOverTheGivenLengthWhereTheModelIsRigid) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.safety.soft_start_s = 0.0;
   config.friction[0] = {.model = {.kind = FrictionKind::coulomb_viscous, .coulomb = 0.04},
                         .compensated_share = kShare,
@@ -194,8 +195,8 @@ class CompensatingController : public ::testing::Test {
 };
 
 TEST_F(CompensatingController, IsTheSameToTheBitWithoutAShare) {
-  const auto plain = active(cartesian_config(), floor_);
-  ControllerConfig config = cartesian_config();
+  const auto plain = active(testing::without_sign_check(cartesian_config()), floor_);
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.friction.fill({.model = kModel, .compensated_share = 0.0, .turn_length = 1e-3});
   const auto off = active(config, floor_);
   for (int tick = 1; tick < 3000; ++tick) {

@@ -8,6 +8,7 @@
 
 #include "firmware/control/controller.h"
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -17,7 +18,7 @@ constexpr double kG = kStandardGravity_m_per_s2;
 
 // Cartesian axes that carry 0.1, 0.2 and 0.3 kg: only y is held up, with 0.2 g.
 ControllerConfig carrying() {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.mechanism = CartesianGeometry{.carried_kg = {0.1, 0.2, 0.3}};
   return config;
 }
@@ -110,7 +111,7 @@ class WeightedController : public ::testing::Test {
 
 TEST_F(WeightedController, AddsTheHoldToTheEffortsAndNothingElse) {
   const auto with = active(carrying(), floor_);
-  const auto without = active(cartesian_config(), floor_);
+  const auto without = active(testing::without_sign_check(cartesian_config()), floor_);
   double most_N = 0.0;
   for (int tick = 1; tick < 3000; ++tick) {
     const drivers::JointCommand command = with->tick(dipping(tick), Request::none);

@@ -9,6 +9,7 @@
 #include "firmware/control/controller.h"
 #include "firmware/control/parameter_name.h"
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -30,7 +31,7 @@ drivers::JointSample at_height(double y) {
 class ParametersTest : public ::testing::Test {
  protected:
   ParametersTest() {
-    EXPECT_TRUE(controller_.configure(cartesian_config()));
+    EXPECT_TRUE(controller_.configure(testing::without_sign_check(cartesian_config())));
     EXPECT_TRUE(controller_.load_scene(floor_.objects(), {.tool_radius_m = 0.0}));
   }
 
@@ -78,7 +79,7 @@ TEST_F(ParametersTest, ANewStiffnessComesInUnderAPressedToolAsTheForceDoesAtActi
 }
 
 TEST_F(ParametersTest, TheStiffestSurfaceUnderAPressedToolTakesTheSoftStartToReachTheLargestForce) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.safety.guards_off = kFaultTorqueWithoutMotion;  // this joint never moves
   ASSERT_TRUE(controller_.configure(config));
   press();
@@ -179,7 +180,7 @@ TEST_F(ParametersTest, ANewSceneHasItsOwnMaterials) {
 
 TEST_F(ParametersTest, TheSameChangesAtTheSameTicksGiveTheSameHashes) {
   const auto run = [](Controller& controller, const Floor& floor) {
-    EXPECT_TRUE(controller.configure(cartesian_config()));
+    EXPECT_TRUE(controller.configure(testing::without_sign_check(cartesian_config())));
     EXPECT_TRUE(controller.load_scene(floor.objects(), {.tool_radius_m = 0.0}));
     for (int tick = 0; tick < 2000; ++tick) {
       if (tick == 700) {

@@ -1,4 +1,5 @@
 #include "tests/unit/firmware/fault_matrix/faulty_rig.h"
+#include "tests/support/without_sign_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ constexpr double kPressed_m = -0.002;
 constexpr int kRiseTicks = 600;  // more than both ramps of the soft start
 
 ControllerConfig wide_config(std::uint64_t guards_off) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   for (JointLimits& joint : config.joints) {
     joint.lower = -2.0;
     joint.upper = 2.0;
