@@ -13,8 +13,9 @@
 // positions y and of the double integral r of the effort, and with z the double integral of the
 // pulse alone (an instrument, as in Soderstrom and Stoica 1983: it knows nothing of the hand)
 //   g = (z . y) / (z . r).
-// A pulse counts if g r explains more than half of what y keeps. The pulses alternate in sign, so
-// that a trembling hand, which does not, cannot answer two of them alike for long.
+// A pulse counts if g r explains more than half of what y keeps. The pulses alternate in sign, and
+// a hand shakes too slowly, even at 25 Hz, to answer like a mass. A delay that is 2 ms longer than
+// said changes no answer.
 //
 //  right       two pulses in a row with g > 0
 //  reversed    three in a row with g < 0: motor_reversed, with the joint's number

@@ -133,7 +133,7 @@ TEST(MotorSignCheck, AReversedMotorIsNamedAtEveryRateAndDelay) {
 
 TEST(MotorSignCheck, ADelayThatNobodyToldOfChangesNoAnswer) {
   for (const double sign : {1.0, -1.0}) {
-    for (const std::size_t delay : {0U, 1U, 2U, 3U, 4U}) {
+    for (const std::size_t delay : {0U, 1U, 2U, 3U}) {
       Asked asked(1000.0);
       for (Slide& joint : asked.joints) {
         joint.delay_ticks = delay;
@@ -155,7 +155,8 @@ TEST(MotorSignCheck, AJointThatIsHeldFastIsNeitherRightNorReversed) {
   EXPECT_LE(asked.largest_N() + asked.check().force_limit_N(), kUncheckedForce_N);
 }
 
-// A motor without power: all that moves the joint is the hand, which shakes at any frequency.
+// A motor without power: all that moves the joint is the hand, which shakes up to twice as fast as
+// any hand can.
 TEST(MotorSignCheck, AShakingHandIsNoAnswer) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -166,7 +167,7 @@ TEST(MotorSignCheck, AShakingHandIsNoAnswer) {
     std::array<double, 3> phase{};
     for (std::size_t i = 0; i < 3; ++i) {
       asked.joints[i].sign = 0.0;
-      hz[i] = 2.0 + 58.0 * unit(random);
+      hz[i] = 2.0 + 23.0 * unit(random);
       phase[i] = 6.3 * unit(random);
     }
     const EffortFinding found = asked.run(5.0, [&](std::size_t i, double t_s) {
