@@ -10,9 +10,9 @@ namespace tactus::firmware {
 namespace {
 
 constexpr double kUnit_s = 0.001;
-constexpr double kQuarter_s = 0.006;
-constexpr std::size_t kQuarters = 8;
-constexpr double kFirstShare = 0.5;  // of the largest push
+constexpr double kQuarter_s = 0.005;
+constexpr std::size_t kQuarters = 12;
+constexpr double kFirstShare = 0.6;  // of the largest push
 constexpr double kStronger = 1.3;
 constexpr double kMostOfEffort = 0.5;  // of the joint's largest
 constexpr double kExplained = 0.5;
@@ -25,10 +25,14 @@ constexpr double kPause_s = 0.3;
 constexpr double kStrong = 2.0;  // times the gain of the device without a hand
 constexpr double kLeastLever = 1e-6;
 
-using Powers = std::array<double, 4>;
+constexpr std::size_t kCubic = 4;  // powers
 
-double dot(const Powers& a, const Powers& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+// Of the first `count` powers' parts.
+template <std::size_t kSize>
+double dot(const std::array<double, kSize>& a, const std::array<double, kSize>& b,
+           std::size_t count) {
+  return std::inner_product(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(count), b.begin(),
+                            0.0);
 }
 
 }  // namespace
@@ -61,7 +65,10 @@ void MotorSignCheck::prepare_tables() {
   double double_integral = 0.0;
   for (std::size_t n = 0; n < samples_; ++n) {
     const double t = 2.0 * static_cast<double>(n) / static_cast<double>(samples_ - 1) - 1.0;
-    powers_[n] = {1.0, t, t * t, t * t * t};
+    powers_[n][0] = 1.0;
+    for (std::size_t power = 1; power < kPowers; ++power) {
+      powers_[n][power] = t * powers_[n][power - 1];
+    }
     if (n > delay_) {
       const double effort = pattern(n - 1 - delay_);
       double_integral += integral + 0.5 * effort;
@@ -215,9 +222,9 @@ void MotorSignCheck::take_sample(double position, double mean_effort) {
 }
 
 EffortFinding MotorSignCheck::judge() {
-  const double y_y = sums_.y_y - dot(sums_.y_powers, sums_.y_powers);
-  const double y_r = sums_.y_r - dot(sums_.y_powers, sums_.r_powers);
-  const double r_r = sums_.r_r - dot(sums_.r_powers, sums_.r_powers);
+  const double y_y = sums_.y_y - dot(sums_.y_powers, sums_.y_powers, kCubic);
+  const double y_r = sums_.y_r - dot(sums_.y_powers, sums_.r_powers, kCubic);
+  const double r_r = sums_.r_r - dot(sums_.r_powers, sums_.r_powers, kCubic);
   const double gain = sums_.z_y / sums_.z_r;
   const double left = y_y - 2.0 * gain * y_r + gain * gain * r_r;
   const bool is_clear = y_y > 0.0 && left < (1.0 - kExplained) * y_y &&

@@ -4,18 +4,18 @@
 // A push that the controller knows and the hand does not is the only evidence that cannot be
 // mistaken for the hand: the motion behind a reversed motor is, without it, that of a hand that
 // presses. A pulse on one joint takes the effort
-//   +a for T, -a for 2 T, +a for T, and all of it once more, with T = 6 ms,
+//   +a for T, -a for 2 T, +a for T, three times over, with T = 5 ms,
 // which is too fast for the hand's spring and damper: the joint answers with its mass, so
 //   q'' = g u(t - d) + h
 // with u all of the joint's commanded effort, d the configured delay, g = 1 / mass, below 0 behind
-// a reversed motor or encoder, and h all that the hand and friction add. Over the 48 ms of a pulse,
-// h moves the joint by a cubic in time and little more. The cubic is projected out of the
-// positions y and of the double integral r of the effort, and with z the double integral of the
-// pulse alone (an instrument, as in Soderstrom and Stoica 1983: it knows nothing of the hand)
+// a reversed motor or encoder, and h all that the hand and friction add. Over the 60 ms of a pulse,
+// h moves the joint by a polynomial of time of the fifth degree and little more. With y the
+// positions, r the double integral of the effort, and z that of the pulse alone less its polynomial
+// (an instrument, as in Soderstrom and Stoica 1983: it knows nothing of the hand),
 //   g = (z . y) / (z . r).
-// A pulse counts if g r explains more than half of what y keeps. The pulses alternate in sign, and
-// a hand shakes too slowly, even at 25 Hz, to answer like a mass. A delay that is 2 ms longer than
-// said changes no answer.
+// A pulse counts if g r explains more than half of what a cubic leaves of y: where a hand shakes,
+// even at 25 Hz, the fourth and fifth degree are most of that. The pulses alternate in sign. A
+// delay that is 1 ms longer than said changes no answer.
 //
 //  right       two pulses in a row with g > 0
 //  reversed    three in a row with g < 0: motor_reversed, with the joint's number
@@ -76,8 +76,8 @@ class MotorSignCheck {
   void transfer(rendering::StateArchive& archive);
 
  private:
-  static constexpr std::size_t kMaxSamples = 64;
-  static constexpr std::size_t kPowers = 4;  // of time that are projected out
+  static constexpr std::size_t kMaxSamples = 72;
+  static constexpr std::size_t kPowers = 6;  // of time that are projected out
   static constexpr std::size_t kMaxDelay = 7;
 
   struct Joint {
@@ -114,7 +114,7 @@ class MotorSignCheck {
   double moving_mass_kg_ = 0.0;
   double unit_s_ = 0.001;
   std::uint32_t ticks_a_unit_ = 1;
-  std::size_t quarter_ = 6;  // units: the T above
+  std::size_t quarter_ = 5;  // units: the T above
   std::size_t delay_ = 0;    // units
   std::size_t samples_ = 0;  // of a pulse
   std::uint32_t pause_ticks_ = 0;
