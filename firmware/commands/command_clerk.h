@@ -82,7 +82,7 @@ class CommandClerk {
   hal::TimeNs now_ns_ = 0;
   Ticket last_ticket_ = 0;
   PartNames refused_names_{};  // of the scene that was refused last
-  Ticket scene_ticket_ = 0;  // of the scene that the loop has not answered yet; 0: none
+  Ticket scene_ticket_ = 0;    // of the scene that the loop has not answered yet; 0: none
 };
 
 }  // namespace tactus::firmware

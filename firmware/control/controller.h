@@ -56,7 +56,8 @@ class Controller {
 
   // Gives the world a scene; the memory behind the objects must outlive it. Refused while active
   // and when a part of it, or parts that push together, are stiffer than the configuration's
-  // certificate allows, unless `allow_uncertified`: both keep the world as it is. When the world refuses it, it is empty.
+  // certificate allows, unless `allow_uncertified`: both keep the world as it is. When the world
+  // refuses it, it is empty.
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);
 

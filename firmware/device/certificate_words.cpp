@@ -99,9 +99,10 @@ std::string_view uncertified_words(const UncertifiedPart& part, const PartNames&
     sentence.add(" a damping of %g N s/m, and the device is certified up to %g N s/m",
                  part.damping_Ns_per_m, part.most_damping_Ns_per_m);
   } else {
-    sentence.add(" a stiffness of %g N/m, and the device is certified up to %.0f N/m with a "
-                 "damping of %g N s/m",
-                 part.stiffness_N_per_m, part.limit_N_per_m, part.damping_Ns_per_m);
+    sentence.add(
+        " a stiffness of %g N/m, and the device is certified up to %.0f N/m with a "
+        "damping of %g N s/m",
+        part.stiffness_N_per_m, part.limit_N_per_m, part.damping_Ns_per_m);
   }
   sentence.add(
       "; %s, certify a stiffer device with tactus certify, or take the risk with "

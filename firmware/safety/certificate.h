@@ -51,8 +51,8 @@ struct UncertifiedPart {
   double damping_Ns_per_m = 0.0;   // of all together
   double limit_N_per_m = 0.0;      // with that damping
   double most_damping_Ns_per_m = 0.0;
-  std::size_t other_count = 0;     // parts that push there too
-  std::size_t listed = 0;          // of these, the first in `others`
+  std::size_t other_count = 0;  // parts that push there too
+  std::size_t listed = 0;       // of these, the first in `others`
   std::array<Other, kMostOthers> others{};
 };
 

@@ -35,12 +35,11 @@ class Search {
   }
 
   [[nodiscard]] UncertifiedPart found() const {
-    UncertifiedPart part{
-        .stiffness_N_per_m = felt_.stiffness_N_per_m,
-        .damping_Ns_per_m = felt_.damping_Ns_per_m,
-        .limit_N_per_m = certified_stiffness(certificate_, felt_.damping_Ns_per_m),
-        .most_damping_Ns_per_m = certificate_.all().back().damping_Ns_per_m,
-        .other_count = count_ + unlisted_ - 1};
+    UncertifiedPart part{.stiffness_N_per_m = felt_.stiffness_N_per_m,
+                         .damping_Ns_per_m = felt_.damping_Ns_per_m,
+                         .limit_N_per_m = certified_stiffness(certificate_, felt_.damping_Ns_per_m),
+                         .most_damping_Ns_per_m = certificate_.all().back().damping_Ns_per_m,
+                         .other_count = count_ + unlisted_ - 1};
     const UncertifiedPart::Other first = name_of(numbers_[0]);
     part.kind = first.kind;
     part.index = first.index;

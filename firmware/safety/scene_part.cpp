@@ -168,8 +168,7 @@ ScenePart part_of_snap(const rendering::SnapToPlane& plane) {
   return {.felt = snap_of(plane.law),
           .directions = SpringDirections::along_axis,
           .axis_W = plane.normal_W,
-          .region =
-              slab(plane.point_W, plane.normal_W, plane.law.capture_m, plane.law.capture_m)};
+          .region = slab(plane.point_W, plane.normal_W, plane.law.capture_m, plane.law.capture_m)};
 }
 
 // The sides along one axis that are in contact with the tool at the same place of its centre.
@@ -220,8 +219,8 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
     part.region = slab(object.primitive.X_WO.translation, part.axis_W, kBoundless_m,
                        part.contact_m + kSamePlace_m);
     part.surface = half_space(object.primitive);
-    part.directions = is_smooth(object, material) ? SpringDirections::along_axis
-                                                  : SpringDirections::all;
+    part.directions =
+        is_smooth(object, material) ? SpringDirections::along_axis : SpringDirections::all;
   } else {
     part.surface = rendering::bounds_of(object);
     part.region.box = grown(part.surface, part.contact_m + kSamePlace_m +
@@ -273,8 +272,8 @@ ScenePart part_of(const FeltScene& scene, std::size_t number) {
   const SceneFeel& feel = scene.feel;
   return feel.material == nullptr
              ? part_of_object(object, object.material, feel)
-             : part_of_object(object,
-                              feel.material(feel.context, static_cast<std::uint32_t>(number)), feel);
+             : part_of_object(
+                   object, feel.material(feel.context, static_cast<std::uint32_t>(number)), feel);
 }
 
 bool coincide(const ScenePart& a, const ScenePart& b) {
