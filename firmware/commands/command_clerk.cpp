@@ -95,8 +95,6 @@ void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) 
       ask(client, {.kind = CommandKind::request, .request = command.request});
       break;
     case Verb::set:
-      reply_set(client, answer);
-      break;
     case Verb::get:
       ask_parameter(client, command);
       break;

@@ -8,24 +8,23 @@ namespace tactus::firmware {
 
 namespace {
 
-[[gnu::format(printf, 2, 3)]] std::string_view write_words(std::span<char> room, const char* format,
-                                                           ...) {
-  std::va_list values;
-  va_start(values, format);
-  const int wanted = std::vsnprintf(room.data(), room.size(), format, values);
-  va_end(values);
-  const std::size_t most = room.empty() ? 0 : room.size() - 1;
-  return {room.data(), std::min(static_cast<std::size_t>(std::max(wanted, 0)), most)};
-}
-
-// Puts words one after another into a room.
+// Words one after another in a room, cut at its end.
 class Sentence {
  public:
   explicit Sentence(std::span<char> room) : room_(room) {}
 
-  template <class... Values>
-  void add(const char* format, const Values&... values) {
-    size_ += write_words(room_.subspan(size_), format, values...).size();
+  [[gnu::format(printf, 2, 0)]] void add_values(const char* format, std::va_list values) {
+    const std::span<char> rest = room_.subspan(size_);
+    const int wanted = std::vsnprintf(rest.data(), rest.size(), format, values);
+    const std::size_t most = rest.empty() ? 0 : rest.size() - 1;
+    size_ += std::min(static_cast<std::size_t>(std::max(wanted, 0)), most);
+  }
+
+  [[gnu::format(printf, 2, 3)]] void add(const char* format, ...) {
+    std::va_list values;
+    va_start(values, format);
+    add_values(format, values);
+    va_end(values);
   }
 
   [[nodiscard]] std::string_view words() const { return {room_.data(), size_}; }
@@ -34,6 +33,16 @@ class Sentence {
   std::span<char> room_;
   std::size_t size_ = 0;
 };
+
+[[gnu::format(printf, 2, 3)]] std::string_view write_words(std::span<char> room, const char* format,
+                                                           ...) {
+  Sentence sentence(room);
+  std::va_list values;
+  va_start(values, format);
+  sentence.add_values(format, values);
+  va_end(values);
+  return sentence.words();
+}
 
 using Kind = UncertifiedPart::Kind;
 
@@ -47,7 +56,7 @@ void add_part(Sentence& sentence, Kind kind, std::size_t index, const std::array
 
 void add_parts(Sentence& sentence, const UncertifiedPart& part, const PartNames& names) {
   add_part(sentence, part.kind, part.index, names[0]);
-  const std::size_t listed = std::min(part.other_count, part.listed);
+  const std::size_t listed = std::min(part.listed, part.others.size());
   const std::size_t unlisted = part.other_count - listed;
   for (std::size_t i = 0; i < listed; ++i) {
     sentence.add("%s", i + 1 == listed && unlisted == 0 ? " and " : ", ");
@@ -83,7 +92,7 @@ PartNames names_of(const UncertifiedPart& part, const rendering::SceneImage& sce
     }
   };
   put(0, part.kind, part.index);
-  for (std::size_t i = 0; i < part.listed; ++i) {
+  for (std::size_t i = 0; i < std::min(part.listed, part.others.size()); ++i) {
     put(i + 1, part.others[i].kind, part.others[i].index);
   }
   return names;

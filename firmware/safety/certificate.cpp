@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/safety/pushing_together.h"
+#include "rendering/limits.h"
 
 namespace tactus::firmware {
 namespace {
@@ -76,7 +77,9 @@ std::optional<UncertifiedPart> first_uncertified(const StiffnessCertificate& cer
       return part;
     }
   }
-  return first_uncertified_together(certificate, scene);
+  const bool fits_world =
+      objects.size() <= rendering::kMaxObjects && effects.size() <= rendering::kMaxEffects;
+  return fits_world ? first_uncertified_together(certificate, scene) : std::nullopt;
 }
 
 std::optional<UncertifiedPart> uncertified_with(const StiffnessCertificate& certificate,

@@ -21,7 +21,7 @@
 namespace tactus::firmware {
 
 // What is beyond the certificate where two parts or more are felt together; nothing if all of it is
-// within. Parts by themselves are not looked at.
+// within. Parts by themselves are not looked at. The scene has at most kMaxObjects and kMaxEffects.
 std::optional<UncertifiedPart> first_uncertified_together(const StiffnessCertificate& certificate,
                                                           const FeltScene& scene);
 
