@@ -141,9 +141,9 @@ class Search {
 
   [[nodiscard]] std::span<const ScenePart> members() const { return {members_.data(), count_}; }
 
-  // The set's own.
-  [[nodiscard]] CertifiedPoint felt() const {
-    CertifiedPoint sum{.stiffness_N_per_m = (1.0 - kRounding) * stiffness_together(members())};
+  // The set's own in the box.
+  [[nodiscard]] CertifiedPoint felt_in(const Bounds& box) const {
+    CertifiedPoint sum{.stiffness_N_per_m = (1.0 - kRounding) * stiffness_together(box, members())};
     for (const ScenePart& member : members()) {
       sum.damping_Ns_per_m += member.felt.damping_Ns_per_m;
     }
@@ -172,7 +172,7 @@ class Search {
     ScenePart part;
     for (std::size_t place = next; place < near_count_; ++place) {
       if (take(place, box, part)) {
-        rest.felt.stiffness_N_per_m += part.felt.stiffness_N_per_m;
+        rest.felt.stiffness_N_per_m += stiffness_in(common_box(box, part.region.box), part);
         rest.felt.damping_Ns_per_m += part.felt.damping_Ns_per_m;
         ++rest.count;
       }
@@ -189,7 +189,7 @@ class Search {
 
   // Adds parts near the first, from place `next` on, to the set, which is felt in the box.
   bool grow(std::size_t next, const Bounds& box) {
-    const CertifiedPoint own = felt();
+    const CertifiedPoint own = felt_in(box);
     const Rest rest = rest_of(next, box);
     if (rest.count == 0 || is_within(own, rest.felt)) {
       return false;
@@ -205,9 +205,9 @@ class Search {
         continue;
       }
       numbers_[count_++] = near_[place];
-      felt_ = felt();
-      if (is_beyond(certificate_, felt_) ||
-          grow(place + 1, common_box(box, members_[count_ - 1].region.box))) {
+      const Bounds common = common_box(box, members_[count_ - 1].region.box);
+      felt_ = felt_in(common);
+      if (is_beyond(certificate_, felt_) || grow(place + 1, common)) {
         return true;
       }
       --count_;

@@ -33,13 +33,29 @@ StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Ma
           .most_N_per_m = high * material.stiffness_N_per_m};
 }
 
-// The steepest slope of the magnet's pull, S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2). A pole that pulls
-// is a spring of S / c^3 at its middle. One that pushes away is steepest at d^2 = 3 c^2 / 2, with
-// -2 S / (5/2)^(5/2) / c^3.
+// The slope of the magnet's pull is S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2) along the way to the pole,
+// and S / (d^2 + c^2)^(3/2) across it. A pole that pulls is a spring of S / c^3 at its middle, and
+// across the way elsewhere. One that pushes away is a spring along it, steepest at d^2 = 3 c^2 / 2,
+// with -2 S / (5/2)^(5/2) / c^3, and of less than -2 S / (d^2 + c^2)^(3/2) at every distance.
 CertifiedPoint core_of(const rendering::Magnet& magnet) {
   const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
   const double away = -2.0 / (2.5 * 2.5 * std::sqrt(2.5));
   return {.stiffness_N_per_m = middle >= 0.0 ? middle : away * middle};
+}
+
+Falloff falloff_of(const rendering::Magnet& magnet) {
+  const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
+  return {.kind = Falloff::Kind::pole,
+          .middle_W = magnet.pole_W,
+          .core_m = magnet.core_m,
+          .steepness = middle >= 0.0 ? middle : -2.0 * middle};
+}
+
+// Beyond the distance at which the spring pulls with its largest force it only turns.
+Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
+  return {.kind = Falloff::Kind::bounded_spring,
+          .middle_W = spring.anchor_W,
+          .largest_force_N = largest_force_N};
 }
 
 // The slope of the drag at the speed at which it reaches its largest force: it is steepest there.
@@ -116,6 +132,18 @@ double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
   }
   return stiffness_N_per_m > 0.0 ? std::min(feel.max_force_N / stiffness_N_per_m, kBoundless_m)
                                  : kBoundless_m;
+}
+
+// The tool is in contact with a smooth box along the axes only if it has come in through a side, so
+// that it goes out at the other with less depth left.
+rendering::Bounds felt_box(const rendering::Object& object, const rendering::Material& material,
+                           const ScenePart& part, double beyond_m) {
+  Vec3 beyond = Vec3::Constant(beyond_m);
+  if (is_box_along_axes(object) && is_smooth(object, material)) {
+    beyond = (beyond - (part.surface.upper_W - part.surface.lower_W)).cwiseMax(0.0);
+  }
+  const rendering::Bounds contact = grown(part.surface, part.contact_m + kSamePlace_m);
+  return {.lower_W = contact.lower_W - beyond, .upper_W = contact.upper_W + beyond};
 }
 
 FeltRegion slab(const Vec3& point_W, const Vec3& normal_W, double below_m, double above_m) {
@@ -223,8 +251,8 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
         is_smooth(object, material) ? SpringDirections::along_axis : SpringDirections::all;
   } else {
     part.surface = rendering::bounds_of(object);
-    part.region.box = grown(part.surface, part.contact_m + kSamePlace_m +
-                                              felt_beyond_m(object, stiffness.least_N_per_m, feel));
+    part.region.box =
+        felt_box(object, material, part, felt_beyond_m(object, stiffness.least_N_per_m, feel));
   }
   part.has_flat_sides = is_plane(object) || is_box_along_axes(object);
   return part;
@@ -233,14 +261,16 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
 ScenePart part_of_effect(const rendering::Effect& effect) {
   const rendering::EffectLaw& law = effect.law;
   if (const auto* spring = std::get_if<rendering::Spring>(&law)) {
-    return {.felt = {.stiffness_N_per_m = spring->stiffness_N_per_m}};
+    return {.felt = {.stiffness_N_per_m = spring->stiffness_N_per_m},
+            .falloff = falloff_of(*spring, effect.max_force_N)};
   }
   if (const auto* damped = std::get_if<rendering::SpringDamper>(&law)) {
     return {.felt = {.damping_Ns_per_m = damped->damping_Ns_per_m,
-                     .stiffness_N_per_m = damped->spring.stiffness_N_per_m}};
+                     .stiffness_N_per_m = damped->spring.stiffness_N_per_m},
+            .falloff = falloff_of(damped->spring, effect.max_force_N)};
   }
   if (const auto* magnet = std::get_if<rendering::Magnet>(&law)) {
-    ScenePart part{.felt = core_of(*magnet)};
+    ScenePart part{.felt = core_of(*magnet), .falloff = falloff_of(*magnet)};
     part.region.box = around(magnet->pole_W, kCoresFelt * magnet->core_m);
     return part;
   }
@@ -308,12 +338,26 @@ bool has_point_in(const rendering::Bounds& box, const FeltRegion& region) {
          height + spread >= region.lowest_m;
 }
 
-double stiffness_together(std::span<const ScenePart> parts) {
+double stiffness_in(const rendering::Bounds& box, const ScenePart& part) {
+  const double most = part.felt.stiffness_N_per_m;
+  if (part.falloff.kind == Falloff::Kind::none) {
+    return most;
+  }
+  const double away_m = box.distance(part.falloff.middle_W);
+  if (part.falloff.kind == Falloff::Kind::bounded_spring) {
+    return away_m > 0.0 ? std::min(most, part.falloff.largest_force_N / away_m) : most;
+  }
+  const double cores = away_m / part.falloff.core_m;
+  const double spread = 1.0 + cores * cores;
+  return std::min(most, part.falloff.steepness / (spread * std::sqrt(spread)));
+}
+
+double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts) {
   Mat3 sum = Mat3::Zero();
   double alike = 0.0;
   bool directed = false;
   for (const ScenePart& part : parts) {
-    const double stiffness = part.felt.stiffness_N_per_m;
+    const double stiffness = stiffness_in(box, part);
     const Mat3 along = stiffness * part.axis_W * part.axis_W.transpose();
     switch (part.directions) {
       case SpringDirections::along_axis:

@@ -56,8 +56,19 @@ struct FeltRegion {
 // Which moves of the tool a spring answers.
 enum class SpringDirections : std::uint8_t { all, along_axis, across_axis };
 
+// How the stiffness of an effect falls with the distance from its middle.
+struct Falloff {
+  enum class Kind : std::uint8_t { none, pole, bounded_spring };
+  Kind kind = Kind::none;
+  Vec3 middle_W = Vec3::Zero();
+  double core_m = 0.0;         // of a pole
+  double steepness = 0.0;      // of a pole, N/m: times (1 + (d / core)^2)^(-3/2)
+  double largest_force_N = 0;  // of a bounded spring: over d
+};
+
 struct ScenePart {
   CertifiedPoint felt;  // the most
+  Falloff falloff;
   SpringDirections directions = SpringDirections::all;
   Vec3 axis_W = Vec3::Zero();  // unit, of along_axis and across_axis
   FeltRegion region;
@@ -82,7 +93,10 @@ rendering::Bounds common_box(const rendering::Bounds& a, const rendering::Bounds
 // Whether some point of the box is in the region. The box lies in the region's box.
 bool has_point_in(const rendering::Bounds& box, const FeltRegion& region);
 
-// The largest stiffness that the parts have together in any direction, N/m.
-double stiffness_together(std::span<const ScenePart> parts);
+// The largest stiffness that the part has in the box, N/m.
+double stiffness_in(const rendering::Bounds& box, const ScenePart& part);
+
+// The largest stiffness that the parts have together in any direction somewhere in the box, N/m.
+double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts);
 
 }  // namespace tactus::firmware

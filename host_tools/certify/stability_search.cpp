@@ -59,6 +59,27 @@ double end_below(double most, bool most_is_bad, double precision, const Predicat
   return end_of_first_stretch(range, precision, holds);
 }
 
+// The largest damping with which the contacts hold a wall of that stiffness, or 0.
+double largest_damping_of(ContactTrial& trial, std::span<const WallContact> contacts,
+                          double stiffness_N_per_m) {
+  constexpr double kPrecision = 0.05;
+  Range range{.first = 0.1, .last = 1000.0, .step = 1.3};
+  for (const WallContact& contact : contacts) {
+    const auto holds = [&](double damping) {
+      return is_stable(trial.run(contact, {stiffness_N_per_m, damping}));
+    };
+    if (range.last_is_bad && holds(range.last)) {
+      continue;
+    }
+    range.last = end_of_first_stretch(range, kPrecision, holds);
+    range.last_is_bad = true;
+    if (range.last == 0.0) {
+      break;
+    }
+  }
+  return range.last;
+}
+
 }  // namespace
 
 StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact> contacts,
@@ -81,22 +102,8 @@ StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact
 }
 
 double largest_stable_damping(ContactTrial& trial, std::span<const WallContact> contacts) {
-  constexpr double kPrecision = 0.05;
-  Range range{.first = 0.1, .last = 1000.0, .step = 1.3};
-  for (const WallContact& contact : contacts) {
-    const auto holds = [&](double damping) {
-      return is_stable(trial.run(contact, {kSoftestWall_N_per_m, damping}));
-    };
-    if (range.last_is_bad && holds(range.last)) {
-      continue;
-    }
-    range.last = end_of_first_stretch(range, kPrecision, holds);
-    range.last_is_bad = true;
-    if (range.last == 0.0) {
-      break;
-    }
-  }
-  return range.last;
+  const double largest = largest_damping_of(trial, contacts, kSoftestWall_N_per_m);
+  return largest > 0.0 ? largest : largest_damping_of(trial, contacts, kFaintestWall_N_per_m);
 }
 
 }  // namespace tactus::host

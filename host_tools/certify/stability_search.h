@@ -23,7 +23,8 @@ struct StableStiffness {
 StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact> contacts,
                                 double damping_Ns_per_m, double precision);
 
-// The largest B for which all of them hold the softest wall, to within five percent; 0 if none.
+// The largest B for which all of them hold the softest wall, or else the faintest, to within five
+// percent; 0 if none.
 double largest_stable_damping(ContactTrial& trial, std::span<const WallContact> contacts);
 
 }  // namespace tactus::host

@@ -67,7 +67,7 @@ Object field(Object object) {
 Effect spring(double stiffness_N_per_m, double damping_Ns_per_m = 0.0) {
   return {.law = rendering::SpringDamper{.spring = {.stiffness_N_per_m = stiffness_N_per_m},
                                          .damping_Ns_per_m = damping_Ns_per_m},
-          .max_force_N = 2.0};
+          .max_force_N = 20.0};
 }
 
 Effect snap(const Vec3& place_W, double stiffness_N_per_m) {
@@ -173,11 +173,39 @@ TEST(PushingTogether, EffectsCountWithTheWallsWhereTheyAreFelt) {
   EXPECT_TRUE(refused(wall, std::array{spring(200.0)}));
   EXPECT_FALSE(refused(wall, std::array{spring(100.0)}));
   EXPECT_TRUE(refused(wall, std::array{snap({0.01, 0.0, 0.0}, 200.0)}));
-  // The wall is felt to a depth of 8 N / 900 N/m, the snap to 5 mm.
-  EXPECT_TRUE(refused(wall, std::array{snap({0.025, 0.0, 0.0}, 200.0)}));
-  EXPECT_FALSE(refused(wall, std::array{snap({0.027, 0.0, 0.0}, 200.0)}));
+  // The wall is felt from 12 mm on, the snap to 5 mm.
+  EXPECT_TRUE(refused(wall, std::array{snap({0.0165, 0.0, 0.0}, 200.0)}));
+  EXPECT_FALSE(refused(wall, std::array{snap({0.0175, 0.0, 0.0}, 200.0)}));
   EXPECT_TRUE(refused({}, std::array{spring(600.0), snap(Vec3::Zero(), 600.0)}));
   EXPECT_FALSE(refused({}, std::array{snap({0.02, 0.0, 0.0}, 600.0), snap(Vec3::Zero(), 600.0)}));
+}
+
+// A plate of 2 mm is felt to a depth of 8 N / 900 N/m from either side, 9 mm from its middle.
+TEST(PushingTogether, AThinPlateIsFeltBehindIt) {
+  const std::array plate{solid(PrimitiveKind::box, Vec3::Zero(), {0.001, 0.1, 0.1}, 900.0)};
+  EXPECT_TRUE(refused(plate, std::array{snap({0.0145, 0.0, 0.0}, 200.0)}));
+  EXPECT_FALSE(refused(plate, std::array{snap({0.0155, 0.0, 0.0}, 200.0)}));
+}
+
+TEST(PushingTogether, MagnetsAndBoundedSpringsCountByTheirDistance) {
+  const std::array wall{cube(Vec3::Zero(), 900.0)};
+  const auto magnet = [](double away_m) {
+    return std::array{Effect{.law = rendering::Magnet{.pole_W = {0.012 + away_m, 0.0, 0.0},
+                                                      .strength_N = 2.0,
+                                                      .core_m = 0.01},
+                             .max_force_N = 8.0}};
+  };
+  // 519.6 N/m in the middle, and 100 N/m across the way at 14.1 mm: (1 + 2)^(-3/2) is 0.1925.
+  EXPECT_TRUE(refused(wall, magnet(0.0140)));
+  EXPECT_FALSE(refused(wall, magnet(0.0145)));
+  const auto bounded = [](double away_m) {
+    return std::array{Effect{.law = rendering::Spring{.anchor_W = {0.012 + away_m, 0.0, 0.0},
+                                                      .stiffness_N_per_m = 500.0},
+                             .max_force_N = 2.0}};
+  };
+  // 2 N over 20 mm are 100 N/m.
+  EXPECT_TRUE(refused(wall, bounded(0.0195)));
+  EXPECT_FALSE(refused(wall, bounded(0.0205)));
 }
 
 TEST(PushingTogether, DampingsAddUp) {
@@ -307,7 +335,10 @@ TEST(PushingTogether, NoPlaceOfASceneIsStifferThanTheCheckSays) {
     const std::array effects{
         snap(place(), uniform(10.0, 300.0)),
         Effect{.law = rendering::Magnet{.pole_W = place(), .strength_N = uniform(-1.0, 1.0)},
-               .max_force_N = 5.0}};
+               .max_force_N = 5.0},
+        Effect{.law = rendering::Spring{.anchor_W = place(),
+                                        .stiffness_N_per_m = uniform(10.0, 300.0)},
+               .max_force_N = 1.0}};
     ASSERT_TRUE(world->set_scene(objects, {.tool_radius_m = kRadius_m, .effects = effects}));
     double stiffest = 0.0;
     for (int i = 0; i < 30; ++i) {

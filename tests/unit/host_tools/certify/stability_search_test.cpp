@@ -48,6 +48,16 @@ TEST(StabilitySearch, FindsTheExactLimitOfADeviceThatHoldsLittle) {
   }
 }
 
+TEST(StabilitySearch, FindsADampingForADeviceThatHoldsLittle) {
+  WallContact light = testing::ideal_contact(0.02, 0.02, 1000.0);
+  light.device.delay_ticks = 1;
+  ASSERT_LT(limit(light), kSoftestWall_N_per_m);
+  ContactTrial trial;
+  const double largest = largest_stable_damping(trial, {&light, 1});
+  EXPECT_GT(largest, 1.0);
+  EXPECT_GT(limit(light, 0.5 * largest), 2.0 * limit(light));
+}
+
 TEST(StabilitySearch, HoldsStifferWallsAtAHigherRate) {
   EXPECT_GT(limit(testing::ideal_contact(0.1, 1.0, 2000.0)), 1.5 * limit(plain()));
 }
