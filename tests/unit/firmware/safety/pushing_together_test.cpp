@@ -241,7 +241,7 @@ TEST(PushingTogether, AnObjectThatMovesMayComeAnywhere) {
   EXPECT_TRUE(refused(objects));
 }
 
-TEST(PushingTogether, MoreSetsThanAreLookedAtAreRefused) {
+TEST(PushingTogether, AllEffectsOfASceneCountTogether) {
   std::vector<Effect> effects(rendering::kMaxEffects, spring(62.6, 0.01));
   const auto part = refused({}, effects);
   ASSERT_TRUE(part);
@@ -250,6 +250,18 @@ TEST(PushingTogether, MoreSetsThanAreLookedAtAreRefused) {
   EXPECT_EQ(part->listed, 3U);
   effects.assign(rendering::kMaxEffects, spring(62.4, 0.01));
   EXPECT_FALSE(refused({}, effects));
+}
+
+// Sixteen have 992 N/m; what may come on top of them counts, one by one or not.
+TEST(PushingTogether, MorePartsThanASetHoldsCountTogether) {
+  std::vector<Object> objects(20, field(cube(Vec3::Zero(), 62.0)));
+  const auto part = refused(objects);
+  ASSERT_TRUE(part);
+  EXPECT_NEAR(part->stiffness_N_per_m, 1240.0, 1e-3);
+  EXPECT_EQ(part->other_count, 19U);
+  EXPECT_EQ(part->listed, 3U);
+  objects.assign(20, field(cube(Vec3::Zero(), 49.0)));
+  EXPECT_FALSE(refused(objects));
 }
 
 TEST(PushingTogether, ASetIsHeldAgainstWhatIsFeltThereToo) {
