@@ -44,8 +44,8 @@ struct Answer {
   ParameterRefusal refusal = ParameterRefusal::no_such_parameter;
   std::uint64_t tick = 0;  // that was the first to have it
   std::uint64_t faults = 0;
-  ParameterValue value;  // of `get` and `set`
-  SceneRefusal scene_refusal;
+  ParameterValue value;        // of `get` and `set`
+  SceneRefusal scene_refusal;  // its part is of `set` too, if that was uncertified
 };
 static_assert(std::is_trivially_copyable_v<Command> && std::is_trivially_copyable_v<Answer>);
 

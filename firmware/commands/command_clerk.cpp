@@ -284,7 +284,9 @@ void CommandClerk::take_over_scene(const Answer& answer) {
   }
   scene_ticket_ = 0;
   if (answer.outcome != Outcome::done) {
-    remember_refused_object(answer.scene_refusal);
+    if (const rendering::SceneImage* const next = scenes_.next_scene(); next != nullptr) {
+      refused_names_ = names_of(answer.scene_refusal.part, *next);
+    }
     scenes_.drop_next();
     return;
   }
@@ -292,18 +294,6 @@ void CommandClerk::take_over_scene(const Answer& answer) {
     hooks_.scene_changed(hooks_.run, scenes_.next_bytes());
   }
   scenes_.use_next();
-}
-
-// Its name, which goes with the image.
-void CommandClerk::remember_refused_object(const SceneRefusal& refusal) {
-  refused_object_.fill('\0');
-  const bool is_object = refusal.fault == SceneFault::uncertified &&
-                         refusal.part.kind == UncertifiedPart::Kind::object;
-  if (const rendering::SceneImage* const next = scenes_.next_scene();
-      is_object && next != nullptr) {
-    const std::string_view name = next->object_name(refusal.part.index);
-    std::ranges::copy(name.substr(0, refused_object_.size() - 1), refused_object_.begin());
-  }
 }
 
 void CommandClerk::reply(CommandClient& client, const Answer& answer) {
@@ -314,6 +304,8 @@ void CommandClerk::reply(CommandClient& client, const Answer& answer) {
       write_request_reply(out, answer);
       break;
     case Verb::set:
+      reply_set(client, answer);
+      break;
     case Verb::get:
       write_parameter_reply(out, word_of(client.waiting), client.waiting.command.change.place,
                             answer);
@@ -338,6 +330,19 @@ void CommandClerk::reply(CommandClient& client, const Answer& answer) {
   }
 }
 
+void CommandClerk::reply_set(CommandClient& client, const Answer& answer) {
+  const rendering::SceneImage* const scene = scenes_.scene();
+  if (answer.outcome == Outcome::parameter && answer.refusal == ParameterRefusal::uncertified &&
+      scene != nullptr) {
+    const UncertifiedPart& part = answer.scene_refusal.part;
+    std::array<char, kMaxCommandLine> room{};
+    refuse(client, "set", uncertified_words(part, names_of(part, *scene), room));
+    return;
+  }
+  write_parameter_reply(client.out(), word_of(client.waiting), client.waiting.command.change.place,
+                        answer);
+}
+
 void CommandClerk::reply_scene(CommandClient& client, const Answer& answer) {
   if (client.waiting.is_asking) {
     client.waiting.is_under_way = true;
@@ -346,7 +351,7 @@ void CommandClerk::reply_scene(CommandClient& client, const Answer& answer) {
   }
   if (answer.outcome == Outcome::scene) {
     std::array<char, kMaxCommandLine> room{};
-    refuse(client, "scene", refusal_words(answer.scene_refusal, refused_object_.data(), room));
+    refuse(client, "scene", refusal_words(answer.scene_refusal, refused_names_, room));
     return;
   }
   TextLine& out = client.out();

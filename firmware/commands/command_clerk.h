@@ -13,6 +13,7 @@
 #include "firmware/commands/command_client.h"
 #include "firmware/commands/command_desk.h"
 #include "firmware/commands/scene_store.h"
+#include "firmware/device/certificate_words.h"
 
 namespace tactus::firmware {
 
@@ -67,8 +68,8 @@ class CommandClerk {
 
   void deliver(const Answer& answer);
   void take_over_scene(const Answer& answer);
-  void remember_refused_object(const SceneRefusal& refusal);
   void reply(CommandClient& client, const Answer& answer);
+  void reply_set(CommandClient& client, const Answer& answer);
   void reply_scene(CommandClient& client, const Answer& answer);
   void reply_status(CommandClient& client, const Answer& answer);
   void reply_list(CommandClient& client, const Answer& answer);
@@ -80,8 +81,8 @@ class CommandClerk {
   bool allow_inject_ = false;
   hal::TimeNs now_ns_ = 0;
   Ticket last_ticket_ = 0;
-  std::array<char, 64> refused_object_{};
-  Ticket scene_ticket_ = 0;  // of the scene that the loop has not answered yet; 0: none
+  PartNames refused_names_{};  // of the scene that was refused last
+  Ticket scene_ticket_ = 0;    // of the scene that the loop has not answered yet; 0: none
 };
 
 }  // namespace tactus::firmware

@@ -161,6 +161,7 @@ void CommandDesk::set(const Command& command, Controller& controller, Answer& an
   if (!done) {
     answer.outcome = Outcome::parameter;
     answer.refusal = done.error();
+    answer.scene_refusal.part = controller.uncertified_part();
   } else {
     std::array<char, kMaxParameterName> name{};
     tell(EventKind::parameter, answer.tick, write_parameter_name(command.change.place, name),

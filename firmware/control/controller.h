@@ -56,8 +56,9 @@ class Controller {
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
   // Gives the world a scene; the memory behind the objects must outlive it. Refused while active
-  // and when a part of it is stiffer than the configuration's certificate allows, unless
-  // `allow_uncertified`: both keep the world as it is. When the world refuses it, it is empty.
+  // and when a part of it, or parts that push together, are stiffer than the configuration's
+  // certificate allows, unless `allow_uncertified`: both keep the world as it is. When the world
+  // refuses it, it is empty.
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);
 
@@ -66,6 +67,8 @@ class Controller {
   std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
   [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
       const ParameterPlace& place) const;
+  // What would have been beyond the certificate at the last set_parameter that was `uncertified`.
+  [[nodiscard]] const UncertifiedPart& uncertified_part() const { return uncertified_part_; }
 
   // One tick: the same state and inputs give the same command and the same record, to the bit.
   // Whatever comes in, the command is finite and within its limits.
@@ -125,7 +128,14 @@ class Controller {
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
-  [[nodiscard]] bool is_certified(std::uint32_t object, const rendering::Material& material) const;
+  // The loaded scene as it comes to feel, with one object's material in place of its own, if any.
+  struct WantedMaterials {
+    const Controller* controller = nullptr;
+    const rendering::Material* changed = nullptr;
+    std::uint32_t object = 0;
+  };
+  [[nodiscard]] static FeltScene felt_scene(const WantedMaterials& materials, double max_force_N);
+  bool is_certified(std::uint32_t object, const rendering::Material& material);
   void retune();
 
   ControllerConfig config_;         // with what set_parameter has changed
@@ -150,6 +160,8 @@ class Controller {
   MaterialChanges material_changes_;
   std::span<const rendering::Object> objects_;  // of the world's scene
   std::span<const rendering::Effect> effects_;
+  double tool_radius_m_ = 0.0;
+  UncertifiedPart uncertified_part_;  // for people alone
 
   Mode mode_ = Mode::init;
   std::uint64_t faults_ = 0;        // latched

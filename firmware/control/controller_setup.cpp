@@ -9,10 +9,10 @@ namespace {
 
 // What of a scene this configuration does not allow.
 std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
-                                            std::span<const rendering::Object> objects,
-                                            std::span<const rendering::Effect> effects) {
-  return config.allow_uncertified ? std::nullopt
-                                  : first_uncertified(config.certificate, objects, effects);
+                                            const FeltScene& scene) {
+  return config.allow_uncertified
+             ? std::nullopt
+             : first_uncertified(config.certificate, scene.objects, scene.effects, scene.feel);
 }
 
 }  // namespace
@@ -21,7 +21,8 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   if (const auto valid = validate(config); !valid) {
     return valid;
   }
-  if (const auto part = refused_part(config, objects_, effects_)) {
+  const WantedMaterials materials{.controller = this};
+  if (const auto part = refused_part(config, felt_scene(materials, config.safety.max_force_N))) {
     return std::unexpected(
         ConfigError{"certificate", part->stiffness_N_per_m, 0.0, part->limit_N_per_m});
   }
@@ -66,13 +67,18 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
   if (mode_ == Mode::active) {
     return std::unexpected(SceneRefusal{SceneFault::active, {}});
   }
-  if (const auto part = refused_part(config_, objects, config.effects)) {
+  const FeltScene scene{.objects = objects,
+                        .effects = config.effects,
+                        .feel = {.tool_radius_m = config.tool_radius_m,
+                                 .max_force_N = configured_safety_.max_force_N}};
+  if (const auto part = refused_part(config_, scene)) {
     return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
   }
   material_changes_.clear();
   const bool taken = world_.set_scene(objects, config);
   objects_ = taken ? objects : std::span<const rendering::Object>{};
   effects_ = taken ? config.effects : std::span<const rendering::Effect>{};
+  tool_radius_m_ = config.tool_radius_m;
   if (!taken) {
     return std::unexpected(SceneRefusal{SceneFault::world, {}});
   }

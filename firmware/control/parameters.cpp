@@ -133,13 +133,31 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   return ParameterEvent{.tick = next_tick_, .change = change};
 }
 
-bool Controller::is_certified(std::uint32_t object, const rendering::Material& material) const {
+FeltScene Controller::felt_scene(const WantedMaterials& materials, double max_force_N) {
+  const Controller& controller = *materials.controller;
+  const auto wanted = [](const void* context, std::uint32_t object) {
+    const auto& [of, changed, number] = *static_cast<const WantedMaterials*>(context);
+    return changed != nullptr && object == number
+               ? *changed
+               : of->material_changes_.wanted(of->world_, object);
+  };
+  return {.objects = controller.objects_,
+          .effects = controller.effects_,
+          .feel = {.tool_radius_m = controller.tool_radius_m_,
+                   .max_force_N = max_force_N,
+                   .material = wanted,
+                   .context = &materials}};
+}
+
+bool Controller::is_certified(std::uint32_t object, const rendering::Material& material) {
   if (config_.allow_uncertified) {
     return true;
   }
-  rendering::Object changed = objects_[object];
-  changed.material = material;
-  return !first_uncertified(config_.certificate, {&changed, 1}, {});
+  const WantedMaterials materials{.controller = this, .changed = &material, .object = object};
+  const FeltScene scene = felt_scene(materials, configured_safety_.max_force_N);
+  const auto part = uncertified_with(config_.certificate, scene, object);
+  uncertified_part_ = part.value_or(uncertified_part_);
+  return !part;
 }
 
 // One of the controller's own, within its range.

@@ -109,7 +109,7 @@ enum class ParameterRefusal : std::uint8_t {
   not_while_active,   // disable first
   too_many_changed,   // kMaxChangedMaterials objects have been changed since the scene was loaded
   not_of_this_model,  // the object's friction model has no such term
-  uncertified,        // stiffer than the device's certificate allows with that damping
+  uncertified,        // beyond the device's certificate, alone or with what pushes there too
 };
 
 // For people, with what to do.
@@ -130,8 +130,9 @@ constexpr std::string_view describe(ParameterRefusal refusal) {
     case ParameterRefusal::not_of_this_model:
       return "the object's friction model has no such term";
     case ParameterRefusal::uncertified:
-      return "the device is not certified for so much; certify a stiffer device with tactus "
-             "certify, or start with --allow-uncertified";
+      return "the device is not certified for so much, by itself or with what else is felt in that "
+             "place; certify a stiffer device with tactus certify, or start with "
+             "--allow-uncertified";
   }
   return {};
 }

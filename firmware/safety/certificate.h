@@ -11,18 +11,11 @@
 #include <optional>
 #include <span>
 
-#include "rendering/effects/effect.h"
-#include "rendering/world/object.h"
+#include "firmware/safety/scene_part.h"
 
 namespace tactus::firmware {
 
 inline constexpr std::size_t kMaxCertifiedPoints = 16;
-
-// The largest safe stiffness of a surface with that damping.
-struct CertifiedPoint {
-  double damping_Ns_per_m = 0.0;
-  double stiffness_N_per_m = 0.0;
-};
 
 struct StiffnessCertificate {
   std::array<CertifiedPoint, kMaxCertifiedPoints> points{};  // dampings rise
@@ -36,21 +29,43 @@ struct StiffnessCertificate {
 // N/m: on straight lines between the points; 0 outside of the dampings that were measured.
 double certified_stiffness(const StiffnessCertificate& certificate, double damping_Ns_per_m);
 
-// What of a scene is stiffer than certified.
+// The smallest of those between two dampings.
+double least_certified_stiffness(const StiffnessCertificate& certificate, double from_Ns_per_m,
+                                 double to_Ns_per_m);
+
+// Whether a part of that stiffness and damping is beyond the certificate.
+bool is_beyond(const StiffnessCertificate& certificate, const CertifiedPoint& felt);
+
+// What of a scene is stiffer than certified: one part, or several that push at one place together.
 struct UncertifiedPart {
   enum class Kind : std::uint8_t { object, effect };
+  struct Other {
+    Kind kind = Kind::object;
+    std::size_t index = 0;
+  };
+  static constexpr std::size_t kMostOthers = 3;
+
   Kind kind = Kind::object;
   std::size_t index = 0;           // of the objects or of the effects
-  double stiffness_N_per_m = 0.0;  // where a texture makes it stiffest
-  double damping_Ns_per_m = 0.0;
-  double limit_N_per_m = 0.0;  // with that damping
+  double stiffness_N_per_m = 0.0;  // where a texture makes it stiffest; of all together
+  double damping_Ns_per_m = 0.0;   // of all together
+  double limit_N_per_m = 0.0;      // with that damping
   double most_damping_Ns_per_m = 0.0;
+  std::size_t other_count = 0;  // parts that push there too
+  std::size_t listed = 0;       // of these, the first in `others`
+  std::array<Other, kMostOthers> others{};
 };
 
-// The first object, or else the first effect with a spring, that is beyond the certificate; nothing
-// without one. Each is taken by itself: surfaces that overlap and push together are not added up.
+// The first object, or else the first effect with a spring, that is beyond the certificate by
+// itself; or else the first parts that are beyond it where they push together
+// (safety/pushing_together.h); nothing without a certificate.
 std::optional<UncertifiedPart> first_uncertified(const StiffnessCertificate& certificate,
                                                  std::span<const rendering::Object> objects,
-                                                 std::span<const rendering::Effect> effects);
+                                                 std::span<const rendering::Effect> effects,
+                                                 const SceneFeel& feel = {});
+
+// The same of one object, and of what pushes together with it.
+std::optional<UncertifiedPart> uncertified_with(const StiffnessCertificate& certificate,
+                                                const FeltScene& scene, std::uint32_t object);
 
 }  // namespace tactus::firmware

@@ -34,12 +34,8 @@ bool copy(hal::ImageSlot& slot, const char* path) {
 
 void tell_refusal(const char* path, const rendering::SceneImage& scene,
                   const SceneRefusal& refusal) {
-  const bool is_object = refusal.fault == SceneFault::uncertified &&
-                         refusal.part.kind == UncertifiedPart::Kind::object;
-  const std::string_view name =
-      is_object ? scene.object_name(refusal.part.index) : std::string_view{};
   std::array<char, kMostWords> room{};
-  const std::string_view words = refusal_words(refusal, name, room);
+  const std::string_view words = refusal_words(refusal, names_of(refusal.part, scene), room);
   std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
 

@@ -41,6 +41,45 @@ double end_of_first_stretch(const Range& range, double precision, const Predicat
   return good;
 }
 
+// The stiffest wall up to `most`. A contact that does not hold the softest wall is looked at from
+// the faintest one on: a light device with little damping holds less than that by itself, and much
+// more in a hand.
+template <class Predicate>
+double end_below(double most, bool most_is_bad, double precision, const Predicate& holds) {
+  Range range{.first = kSoftestWall_N_per_m, .last = most, .last_is_bad = most_is_bad};
+  if (most > range.first) {
+    const double end = end_of_first_stretch(range, precision, holds);
+    if (end > 0.0) {
+      return end;
+    }
+    range.last = range.first;
+    range.last_is_bad = true;
+  }
+  range.first = kFaintestWall_N_per_m;
+  return end_of_first_stretch(range, precision, holds);
+}
+
+// The largest damping with which the contacts hold a wall of that stiffness, or 0.
+double largest_damping_of(ContactTrial& trial, std::span<const WallContact> contacts,
+                          double stiffness_N_per_m) {
+  constexpr double kPrecision = 0.05;
+  Range range{.first = 0.1, .last = 1000.0, .step = 1.3};
+  for (const WallContact& contact : contacts) {
+    const auto holds = [&](double damping) {
+      return is_stable(trial.run(contact, {stiffness_N_per_m, damping}));
+    };
+    if (range.last_is_bad && holds(range.last)) {
+      continue;
+    }
+    range.last = end_of_first_stretch(range, kPrecision, holds);
+    range.last_is_bad = true;
+    if (range.last == 0.0) {
+      break;
+    }
+  }
+  return range.last;
+}
+
 }  // namespace
 
 StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact> contacts,
@@ -54,8 +93,7 @@ StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact
     if (i > 0 && holds(most)) {
       continue;
     }
-    const Range range{.first = kSoftestWall_N_per_m, .last = most, .last_is_bad = i > 0};
-    found = {.stiffness_N_per_m = end_of_first_stretch(range, precision, holds), .worst = i};
+    found = {.stiffness_N_per_m = end_below(most, i > 0, precision, holds), .worst = i};
     if (found.stiffness_N_per_m == 0.0) {
       break;
     }
@@ -64,22 +102,8 @@ StableStiffness stiffest_stable(ContactTrial& trial, std::span<const WallContact
 }
 
 double largest_stable_damping(ContactTrial& trial, std::span<const WallContact> contacts) {
-  constexpr double kPrecision = 0.05;
-  Range range{.first = 0.1, .last = 1000.0, .step = 1.3};
-  for (const WallContact& contact : contacts) {
-    const auto holds = [&](double damping) {
-      return is_stable(trial.run(contact, {kSoftestWall_N_per_m, damping}));
-    };
-    if (range.last_is_bad && holds(range.last)) {
-      continue;
-    }
-    range.last = end_of_first_stretch(range, kPrecision, holds);
-    range.last_is_bad = true;
-    if (range.last == 0.0) {
-      break;
-    }
-  }
-  return range.last;
+  const double largest = largest_damping_of(trial, contacts, kSoftestWall_N_per_m);
+  return largest > 0.0 ? largest : largest_damping_of(trial, contacts, kFaintestWall_N_per_m);
 }
 
 }  // namespace tactus::host

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# rate_of_a_certificate.sh TACTUS TACTUSD EXAMPLES: tactusd refuses a certified device at a slower rate, and the scenes of
-# a magnet and a drag that are beyond the certificate. The Hapkit has no board here, so a run that passes the check ends
-# at its connection.
+# rate_of_a_certificate.sh TACTUS TACTUSD EXAMPLES: tactusd refuses a certified device at a slower rate, the scenes of a
+# magnet and a drag that are beyond the certificate, and walls that are so together. The Hapkit has no board here, so a run
+# that passes the check ends at its connection.
 set -euo pipefail
 tactus="$1" tactusd="$2" examples="$3"
 work="$(mktemp -d)"
@@ -48,3 +48,36 @@ effect $'law = "magnet"\nstrength_N = 2.0\ncore_m = 0.02'
 passes "$work/effect.tactus"
 effect $'law = "fluid_drag"\nprimitive = "box"\nsize_m = [0.2, 0.2, 0.2]\ndamping_Ns_per_m = 500.0\nrim_m = 0.001'
 run "effect 1 has a damping of 500 N s/m" "$work/effect.tactus"
+
+# walls CONTACT X1 X2: two walls of 200 N/m at those places along x; the Hapkit holds 341 N/m.
+walls() {
+  cat >"$work/walls.toml" <<END
+[tool]
+radius_m = 0.002
+[[object]]
+name = "wall"
+primitive = "box"
+size_m = [0.02, 0.1, 0.1]
+position_m = [$2, 0.0, 0.0]
+contact = "$1"
+stiffness_N_per_m = 200.0
+[[object]]
+name = "wall2"
+primitive = "box"
+size_m = [0.02, 0.1, 0.1]
+position_m = [$3, 0.0, 0.0]
+contact = "$1"
+stiffness_N_per_m = 200.0
+END
+  "$tactus" bake --quiet "$work/walls.toml" -o "$work/walls.tactus"
+}
+for contact in sphere_proxy potential_field; do
+  walls "$contact" 0.015 0.015
+  run "object 'wall' and object 'wall2' are felt in one place and together have a stiffness of 400 N/m" \
+    "$work/walls.tactus"
+  passes --allow-uncertified "$work/walls.tactus"
+  walls "$contact" 0.015 -0.055
+  passes "$work/walls.tactus"
+done
+walls sphere_proxy 0.015 0.035
+passes "$work/walls.tactus"

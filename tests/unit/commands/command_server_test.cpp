@@ -181,6 +181,38 @@ TEST_F(CommandServerTest, AnObjectsParameterIsSetByName) {
   EXPECT_EQ(say("set max_force_N 11"), "refused set: the value is out of its range, 0 to 10");
 }
 
+// Two potential fields in one place, whose forces add up.
+host::BakedScene fields_in_one_place(double left_N_per_m, double right_N_per_m) {
+  host::BakedScene scene = testing::small_scene();
+  for (host::BakedObject& object : scene.objects) {
+    object.contact = rendering::ContactMethod::potential_field;
+    object.material = {};
+  }
+  scene.objects[0].material.stiffness_N_per_m = left_N_per_m;
+  scene.objects[1].material.stiffness_N_per_m = right_N_per_m;
+  return scene;
+}
+
+TEST_F(CommandServerTest, ARefusalByTheCertificateNamesWhatAddsUp) {
+  ControllerConfig config = cartesian_config();
+  config.certificate.count = 2;
+  config.certificate.points[0] = {.stiffness_N_per_m = 1000.0};
+  config.certificate.points[1] = {.damping_Ns_per_m = 4.0, .stiffness_N_per_m = 1000.0};
+  ASSERT_TRUE(controller_->configure(config));
+  start();
+  write_scene("fields.tactus", fields_in_one_place(500.0, 300.0));
+  write_scene("stiff.tactus", fields_in_one_place(500.0, 501.0));
+  ASSERT_TRUE(begins(say("scene " + (folder_ / "fields.tactus").string()), "ok scene"));
+  const std::string words =
+      " are felt in one place and together have a stiffness of 1001 N/m, and the device is "
+      "certified up to 1000 N/m with a damping of 0 N s/m; soften one of them or move them apart, "
+      "certify a stiffer device with tactus certify, or take the risk with --allow-uncertified";
+  EXPECT_EQ(say("set object.right.stiffness_N_per_m 501"),
+            "refused set: object 'right' and object 'left'" + words);
+  EXPECT_EQ(say("scene " + (folder_ / "stiff.tactus").string()),
+            "refused scene: object 'left' and object 'right'" + words);
+}
+
 TEST_F(CommandServerTest, TheListHasEveryParameterWithItsRangeAndUnit) {
   start();
   const Reply list = Remote(folder_).send("list");

@@ -38,6 +38,26 @@ TEST(StabilitySearch, FindsTheExactLimitAtOtherRatesAndDelays) {
   }
 }
 
+TEST(StabilitySearch, FindsTheExactLimitOfADeviceThatHoldsLittle) {
+  for (const double damping : {0.005, 0.02, 0.04}) {
+    const double exact = rendering::largest_stable_stiffness(
+        {.mass_kg = 0.1, .damping_Ns_per_m = damping, .step_s = 1e-3, .delay_ticks = 0}, 0.0);
+    ASSERT_LT(exact, kSoftestWall_N_per_m);
+    EXPECT_NEAR(limit(testing::ideal_contact(0.1, damping, 1000.0)), exact, 0.02 * exact)
+        << damping << " N s/m";
+  }
+}
+
+TEST(StabilitySearch, FindsADampingForADeviceThatHoldsLittle) {
+  WallContact light = testing::ideal_contact(0.02, 0.02, 1000.0);
+  light.device.delay_ticks = 1;
+  ASSERT_LT(limit(light), kSoftestWall_N_per_m);
+  ContactTrial trial;
+  const double largest = largest_stable_damping(trial, {&light, 1});
+  EXPECT_GT(largest, 1.0);
+  EXPECT_GT(limit(light, 0.5 * largest), 2.0 * limit(light));
+}
+
 TEST(StabilitySearch, HoldsStifferWallsAtAHigherRate) {
   EXPECT_GT(limit(testing::ideal_contact(0.1, 1.0, 2000.0)), 1.5 * limit(plain()));
 }

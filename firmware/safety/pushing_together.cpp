@@ -1,0 +1,251 @@
+#include "firmware/safety/pushing_together.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "rendering/limits.h"
+
+namespace tactus::firmware {
+namespace {
+
+using rendering::Bounds;
+
+// Parts in one set, and parts that a search looks at. Beyond: all that may be felt with the set
+// counts as felt with it. A look takes some 60 ns, and all of a scene of 1,024 objects 2 ms more.
+constexpr std::size_t kMostTogether = 16;
+constexpr std::size_t kMostLooks = std::size_t{1} << 16U;       // while a scene is loaded
+constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;  // at the edge of an active tick
+
+constexpr std::size_t kMostParts = rendering::kMaxObjects + rendering::kMaxEffects;
+
+// Sums of several stiffnesses differ from the certified one by rounding.
+constexpr double kRounding = 1e-9;
+
+// Single precision at the ends of the world.
+constexpr float kSlack_m = 2e-5F;
+
+// As much of a part as tells most pairs apart.
+struct Outline {
+  std::array<float, 3> lower{};  // of the surface; of an effect, of its region
+  std::array<float, 3> upper{};
+  float reach_m = 0.0F;    // how far from there it is felt
+  float contact_m = 0.0F;  // of the shared proxy's centre
+  bool shares_proxy = false;
+};
+
+Outline outline_of(const ScenePart& part) {
+  Outline outline{.contact_m = static_cast<float>(part.contact_m),
+                  .shares_proxy = part.shares_proxy};
+  const Bounds& region = part.region.box;
+  const Bounds& box = part.shares_proxy ? part.surface : region;
+  if (part.shares_proxy) {
+    outline.reach_m = static_cast<float>((region.upper_W - box.upper_W).maxCoeff());
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    outline.lower[axis] = static_cast<float>(box.lower_W[static_cast<Eigen::Index>(axis)]);
+    outline.upper[axis] = static_cast<float>(box.upper_W[static_cast<Eigen::Index>(axis)]);
+  }
+  return outline;
+}
+
+// False only for a pair that is never felt together.
+bool may_meet(const Outline& a, const Outline& b) {
+  const bool one_proxy = a.shares_proxy && b.shares_proxy;
+  const float reach = one_proxy ? static_cast<float>(kSamePlace_m) : a.reach_m + b.reach_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (a.lower[axis] > b.upper[axis] + reach + kSlack_m ||
+        b.lower[axis] > a.upper[axis] + reach + kSlack_m) {
+      return false;
+    }
+  }
+  if (!one_proxy) {
+    return true;
+  }
+  // Only where a side coincides.
+  const float contact = a.contact_m - b.contact_m;
+  constexpr float kNear_m = static_cast<float>(kSamePlace_m) + kSlack_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::abs(a.lower[axis] - b.lower[axis] - contact) < kNear_m ||
+        std::abs(a.upper[axis] - b.upper[axis] + contact) < kNear_m) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Goes through the sets of parts that can be felt together, each once, in order of their numbers.
+class Search {
+ public:
+  // A scene of at most kMostParts.
+  Search(const StiffnessCertificate& certificate, const FeltScene& scene, std::size_t most_looks)
+      : certificate_(certificate), scene_(scene), looks_left_(most_looks) {
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+      outlines_[i] = outline_of(part_of(scene, i));
+    }
+  }
+
+  // Of the sets of part `first` and parts from `next` on; true if one is beyond the certificate.
+  bool finds(std::size_t first, std::size_t next) {
+    near_count_ = 0;
+    for (std::size_t i = next; i < scene_.size(); ++i) {
+      if (i != first && may_meet(outlines_[first], outlines_[i])) {
+        near_[near_count_++] = static_cast<std::uint16_t>(i);
+      }
+    }
+    if (near_count_ == 0) {
+      return false;
+    }
+    members_[0] = part_of(scene_, first);
+    numbers_[0] = first;
+    count_ = 1;
+    return is_felt(members_[0]) && grow(0, members_[0].region.box);
+  }
+
+  [[nodiscard]] UncertifiedPart found() const {
+    UncertifiedPart part{.stiffness_N_per_m = felt_.stiffness_N_per_m,
+                         .damping_Ns_per_m = felt_.damping_Ns_per_m,
+                         .limit_N_per_m = certified_stiffness(certificate_, felt_.damping_Ns_per_m),
+                         .most_damping_Ns_per_m = certificate_.all().back().damping_Ns_per_m,
+                         .other_count = count_ + unlisted_ - 1};
+    const UncertifiedPart::Other first = name_of(numbers_[0]);
+    part.kind = first.kind;
+    part.index = first.index;
+    part.listed = std::min(count_ - 1, part.others.size());
+    for (std::size_t i = 0; i < part.listed; ++i) {
+      part.others[i] = name_of(numbers_[i + 1]);
+    }
+    return part;
+  }
+
+ private:
+  // What can be felt with the set.
+  struct Rest {
+    CertifiedPoint felt;
+    std::size_t count = 0;
+  };
+
+  static bool is_felt(const ScenePart& part) {
+    return part.felt.stiffness_N_per_m > 0.0 || part.felt.damping_Ns_per_m > 0.0;
+  }
+
+  [[nodiscard]] UncertifiedPart::Other name_of(std::size_t number) const {
+    const std::size_t objects = scene_.objects.size();
+    if (number < objects) {
+      return {UncertifiedPart::Kind::object, number};
+    }
+    return {UncertifiedPart::Kind::effect, number - objects};
+  }
+
+  [[nodiscard]] std::span<const ScenePart> members() const { return {members_.data(), count_}; }
+
+  // The set's own in the box.
+  [[nodiscard]] CertifiedPoint felt_in(const Bounds& box) const {
+    CertifiedPoint sum{.stiffness_N_per_m = (1.0 - kRounding) * stiffness_together(box, members())};
+    for (const ScenePart& member : members()) {
+      sum.damping_Ns_per_m += member.felt.damping_Ns_per_m;
+    }
+    return sum;
+  }
+
+  // Whether the part is felt somewhere in the box, together with all of the set.
+  [[nodiscard]] bool fits(const ScenePart& part, const Bounds& box) const {
+    const Bounds common = common_box(box, part.region.box);
+    return is_felt(part) && has_point_in(common, part.region) &&
+           std::ranges::all_of(members(), [&](const ScenePart& member) {
+             return has_point_in(common, member.region) &&
+                    (!member.shares_proxy || !part.shares_proxy || coincide(member, part));
+           });
+  }
+
+  // The part at `place` of those near the first, if it can be felt with the set.
+  bool take(std::size_t place, const Bounds& box, ScenePart& part) {
+    looks_left_ -= looks_left_ > 0 ? 1 : 0;
+    part = part_of(scene_, near_[place]);
+    return fits(part, box);
+  }
+
+  Rest rest_of(std::size_t next, const Bounds& box) {
+    Rest rest;
+    ScenePart part;
+    for (std::size_t place = next; place < near_count_; ++place) {
+      if (take(place, box, part)) {
+        rest.felt.stiffness_N_per_m += stiffness_in(common_box(box, part.region.box), part);
+        rest.felt.damping_Ns_per_m += part.felt.damping_Ns_per_m;
+        ++rest.count;
+      }
+    }
+    return rest;
+  }
+
+  // Whether no set of these parts and some of the rest can be beyond the certificate.
+  [[nodiscard]] bool is_within(const CertifiedPoint& own, const CertifiedPoint& rest) const {
+    return own.stiffness_N_per_m + rest.stiffness_N_per_m <=
+           least_certified_stiffness(certificate_, own.damping_Ns_per_m,
+                                     own.damping_Ns_per_m + rest.damping_Ns_per_m);
+  }
+
+  // Adds parts near the first, from place `next` on, to the set, which is felt in the box.
+  bool grow(std::size_t next, const Bounds& box) {
+    const CertifiedPoint own = felt_in(box);
+    const Rest rest = rest_of(next, box);
+    if (rest.count == 0 || is_within(own, rest.felt)) {
+      return false;
+    }
+    if (looks_left_ == 0 || count_ == kMostTogether) {
+      unlisted_ = rest.count;
+      felt_ = {.damping_Ns_per_m = own.damping_Ns_per_m + rest.felt.damping_Ns_per_m,
+               .stiffness_N_per_m = own.stiffness_N_per_m + rest.felt.stiffness_N_per_m};
+      return true;
+    }
+    for (std::size_t place = next; place < near_count_; ++place) {
+      if (!take(place, box, members_[count_])) {
+        continue;
+      }
+      numbers_[count_++] = near_[place];
+      const Bounds common = common_box(box, members_[count_ - 1].region.box);
+      felt_ = felt_in(common);
+      if (is_beyond(certificate_, felt_) || grow(place + 1, common)) {
+        return true;
+      }
+      --count_;
+    }
+    return false;
+  }
+
+  const StiffnessCertificate& certificate_;
+  const FeltScene& scene_;
+  std::array<ScenePart, kMostTogether> members_{};
+  std::array<std::size_t, kMostTogether> numbers_{};
+  std::size_t count_ = 0;
+  std::array<Outline, kMostParts> outlines_{};
+  std::array<std::uint16_t, kMostParts> near_{};  // parts that may be felt with the first
+  std::size_t near_count_ = 0;
+  std::size_t looks_left_ = 0;
+  std::size_t unlisted_ = 0;  // parts that count in `felt_` without being members
+  CertifiedPoint felt_;       // of the set that was found
+};
+
+}  // namespace
+
+std::optional<UncertifiedPart> first_uncertified_together(const StiffnessCertificate& certificate,
+                                                          const FeltScene& scene) {
+  Search search(certificate, scene, kMostLooks);
+  for (std::size_t first = 0; first < scene.size(); ++first) {
+    if (search.finds(first, first + 1)) {
+      return search.found();
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<UncertifiedPart> first_uncertified_with(const StiffnessCertificate& certificate,
+                                                      const FeltScene& scene,
+                                                      std::uint32_t object) {
+  Search search(certificate, scene, kMostLooksOfSet);
+  return search.finds(object, 0) ? std::optional(search.found()) : std::nullopt;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,383 @@
+#include "firmware/safety/scene_part.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "rendering/limits.h"
+
+namespace tactus::firmware {
+namespace {
+
+// A direction is an axis of the world, and two planes are parallel, to within this.
+constexpr double kSameDirection = 1e-9;
+
+// A stiffness and the one that a texture makes of it.
+struct StiffnessRange {
+  double least_N_per_m = 0.0;
+  double most_N_per_m = 0.0;
+};
+
+StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Material& material) {
+  double low = 1.0;
+  double high = 1.0;
+  for (const rendering::TextureLayer& layer : object.detail.layers) {
+    if (layer.use == rendering::TextureUse::stiffness) {
+      low = std::min(layer.low, layer.high);
+      high = std::max(layer.low, layer.high);
+    }
+  }
+  return {.least_N_per_m = low * material.stiffness_N_per_m,
+          .most_N_per_m = high * material.stiffness_N_per_m};
+}
+
+// The slope of the magnet's pull is S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2) along the way to the pole,
+// and S / (d^2 + c^2)^(3/2) across it. A pole that pulls is a spring of S / c^3 at its middle, and
+// across the way elsewhere. One that pushes away is a spring along it, steepest at d^2 = 3 c^2 / 2,
+// with -2 S / (5/2)^(5/2) / c^3, and of less than -2 S / (d^2 + c^2)^(3/2) at every distance.
+CertifiedPoint core_of(const rendering::Magnet& magnet) {
+  const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
+  const double away = -2.0 / (2.5 * 2.5 * std::sqrt(2.5));
+  return {.stiffness_N_per_m = middle >= 0.0 ? middle : away * middle};
+}
+
+Falloff falloff_of(const rendering::Magnet& magnet) {
+  const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
+  return {.kind = Falloff::Kind::pole,
+          .middle_W = magnet.pole_W,
+          .core_m = magnet.core_m,
+          .steepness = middle >= 0.0 ? middle : -2.0 * middle};
+}
+
+// Beyond the distance at which the spring pulls with its largest force it only turns.
+Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
+  return {.kind = Falloff::Kind::bounded_spring,
+          .middle_W = spring.anchor_W,
+          .largest_force_N = largest_force_N};
+}
+
+// The slope of the drag at the speed at which it reaches its largest force: it is steepest there.
+CertifiedPoint drag_of(const rendering::FluidDrag& drag, double max_force_N) {
+  const double linear = drag.linear_Ns_per_m;
+  return {.damping_Ns_per_m =
+              std::sqrt(linear * linear + 4.0 * drag.quadratic_Ns2_per_m2 * max_force_N)};
+}
+
+CertifiedPoint snap_of(const rendering::SnapLaw& law) {
+  return {.damping_Ns_per_m = law.damping_Ns_per_m, .stiffness_N_per_m = law.stiffness_N_per_m};
+}
+
+bool along_world_axis(const Vec3& direction_W) {
+  return direction_W.cwiseAbs().maxCoeff() > 1.0 - kSameDirection;
+}
+
+rendering::Bounds grown(const rendering::Bounds& box, double by_m) {
+  return {.lower_W = box.lower_W - Vec3::Constant(by_m),
+          .upper_W = box.upper_W + Vec3::Constant(by_m)};
+}
+
+rendering::Bounds around(const Vec3& p_W, double by_m) {
+  return grown({.lower_W = p_W, .upper_W = p_W}, by_m);
+}
+
+// A plane's box ends at the plane where that is along an axis of the world.
+rendering::Bounds half_space(const rendering::Primitive& plane) {
+  rendering::Bounds box = FeltRegion{}.box;
+  const Vec3 normal_W = plane.X_WO.rotation.col(1);
+  if (along_world_axis(normal_W)) {
+    Eigen::Index axis = 0;
+    normal_W.cwiseAbs().maxCoeff(&axis);
+    (normal_W[axis] > 0.0 ? box.upper_W : box.lower_W)[axis] = plane.X_WO.translation[axis];
+  }
+  return box;
+}
+
+bool is_plane(const rendering::Object& object) {
+  return object.surface == rendering::SurfaceKind::primitive &&
+         object.primitive.kind == rendering::PrimitiveKind::plane;
+}
+
+bool is_box_along_axes(const rendering::Object& object) {
+  const Mat3& rotation = object.primitive.X_WO.rotation;
+  return object.surface == rendering::SurfaceKind::primitive &&
+         object.primitive.kind == rendering::PrimitiveKind::box &&
+         along_world_axis(rotation.col(0)) && along_world_axis(rotation.col(1));
+}
+
+// The stretch of the proxy is along the normal alone.
+bool is_smooth(const rendering::Object& object, const rendering::Material& material) {
+  const rendering::FrictionParameters& friction = material.friction;
+  return friction.coulomb == 0.0 && friction.static_level == 0.0 &&
+         friction.viscous_s_per_m == 0.0 && object.detail.empty();
+}
+
+bool has_bounds(const rendering::Object& object) {
+  return object.surface != rendering::SurfaceKind::mesh || !object.mesh.nodes.empty();
+}
+
+// Whether it is touched by the tool's sphere, and not by its centre.
+bool is_sphere_to(const rendering::Object& object) {
+  return object.method == rendering::ContactMethod::sphere_proxy ||
+         object.method == rendering::ContactMethod::potential_field;
+}
+
+// How far beyond its surface the tool can be and still feel it more the deeper it goes. A potential
+// field knows no past: there it is the tool's radius alone.
+double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
+                     const SceneFeel& feel) {
+  if (object.method == rendering::ContactMethod::potential_field) {
+    return 0.0;
+  }
+  return stiffness_N_per_m > 0.0 ? std::min(feel.max_force_N / stiffness_N_per_m, kBoundless_m)
+                                 : kBoundless_m;
+}
+
+// The tool is in contact with a smooth box along the axes only if it has come in through a side, so
+// that it goes out at the other with less depth left.
+rendering::Bounds felt_box(const rendering::Object& object, const rendering::Material& material,
+                           const ScenePart& part, double beyond_m) {
+  Vec3 beyond = Vec3::Constant(beyond_m);
+  if (is_box_along_axes(object) && is_smooth(object, material)) {
+    beyond = (beyond - (part.surface.upper_W - part.surface.lower_W)).cwiseMax(0.0);
+  }
+  const rendering::Bounds contact = grown(part.surface, part.contact_m + kSamePlace_m);
+  return {.lower_W = contact.lower_W - beyond, .upper_W = contact.upper_W + beyond};
+}
+
+FeltRegion slab(const Vec3& point_W, const Vec3& normal_W, double below_m, double above_m) {
+  const double height = normal_W.dot(point_W);
+  return {.normal_W = normal_W, .lowest_m = height - below_m, .highest_m = height + above_m};
+}
+
+// The line goes on for ever: its region is a box where it is along an axis of the world.
+FeltRegion region_of(const rendering::SnapToLine& line) {
+  FeltRegion region;
+  const rendering::Bounds near = around(line.point_W, line.law.capture_m);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (std::abs(line.direction_W[axis]) < kSameDirection) {
+      region.box.lower_W[axis] = near.lower_W[axis];
+      region.box.upper_W[axis] = near.upper_W[axis];
+    }
+  }
+  return region;
+}
+
+// At this many cores from the pole the pull's slope is a hundredth of what it is in the middle.
+constexpr double kCoresFelt = 4.6;
+
+ScenePart part_of_drag(const rendering::FluidDrag& drag, double max_force_N) {
+  ScenePart part{.felt = drag_of(drag, max_force_N)};
+  if (drag.volume.kind == rendering::PrimitiveKind::plane) {
+    part.region =
+        slab(drag.volume.X_WO.translation, drag.volume.X_WO.rotation.col(1), kBoundless_m, 0.0);
+  } else {
+    part.region.box = rendering::bounds(drag.volume);
+  }
+  return part;
+}
+
+ScenePart part_of_snap(const rendering::SnapToPoint& point) {
+  ScenePart part{.felt = snap_of(point.law)};
+  part.region.box = around(point.point_W, point.law.capture_m);
+  return part;
+}
+
+// A stiffness of I - d d^T: none along the line.
+ScenePart part_of_snap(const rendering::SnapToLine& line) {
+  return {.felt = snap_of(line.law),
+          .directions = SpringDirections::across_axis,
+          .axis_W = line.direction_W,
+          .region = region_of(line)};
+}
+
+ScenePart part_of_snap(const rendering::SnapToPlane& plane) {
+  return {.felt = snap_of(plane.law),
+          .directions = SpringDirections::along_axis,
+          .axis_W = plane.normal_W,
+          .region = slab(plane.point_W, plane.normal_W, plane.law.capture_m, plane.law.capture_m)};
+}
+
+// The sides along one axis that are in contact with the tool at the same place of its centre.
+bool common_side(const ScenePart& a, const ScenePart& b, Eigen::Index axis) {
+  const auto same = [](double one, double other) {
+    return std::abs(one) < rendering::kWorldBound_m && std::abs(one - other) < kSamePlace_m;
+  };
+  return same(a.surface.lower_W[axis] - a.contact_m, b.surface.lower_W[axis] - b.contact_m) ||
+         same(a.surface.upper_W[axis] + a.contact_m, b.surface.upper_W[axis] + b.contact_m);
+}
+
+// Sides that only meet at an edge, as those of tiles do, have no area in common.
+bool common_area(const rendering::Bounds& common, Eigen::Index across) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (axis != across && common.upper_W[axis] - common.lower_W[axis] < kSamePlace_m) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool same_box(const ScenePart& a, const ScenePart& b) {
+  const auto far = [](const Vec3& p, const Vec3& q) { return (p - q).cwiseAbs().maxCoeff(); };
+  return std::max(far(a.surface.lower_W, b.surface.lower_W),
+                  far(a.surface.upper_W, b.surface.upper_W)) < kSamePlace_m &&
+         std::abs(a.contact_m - b.contact_m) < kSamePlace_m &&
+         a.surface.upper_W.maxCoeff() < kBoundless_m;
+}
+
+bool same_plane(const FeltRegion& a, const FeltRegion& b) {
+  return a.normal_W.dot(b.normal_W) > 1.0 - kSameDirection &&
+         std::abs(a.highest_m - b.highest_m) < kSamePlace_m;
+}
+
+ScenePart part_of_object(const rendering::Object& object, const rendering::Material& material,
+                         const SceneFeel& feel) {
+  const StiffnessRange stiffness = stiffness_of(object, material);
+  ScenePart part{.felt = {.damping_Ns_per_m = material.damping_Ns_per_m,
+                          .stiffness_N_per_m = stiffness.most_N_per_m},
+                 .shares_proxy = rendering::meets_proxy(object),
+                 .surface = FeltRegion{}.box};
+  if (rendering::is_mover(object) || !has_bounds(object)) {
+    return part;  // it may come anywhere
+  }
+  part.contact_m = is_sphere_to(object) ? feel.tool_radius_m : 0.0;
+  if (is_plane(object)) {
+    part.axis_W = object.primitive.X_WO.rotation.col(1);
+    part.region = slab(object.primitive.X_WO.translation, part.axis_W, kBoundless_m,
+                       part.contact_m + kSamePlace_m);
+    part.surface = half_space(object.primitive);
+    part.directions =
+        is_smooth(object, material) ? SpringDirections::along_axis : SpringDirections::all;
+  } else {
+    part.surface = rendering::bounds_of(object);
+    part.region.box =
+        felt_box(object, material, part, felt_beyond_m(object, stiffness.least_N_per_m, feel));
+  }
+  part.has_flat_sides = is_plane(object) || is_box_along_axes(object);
+  return part;
+}
+
+ScenePart part_of_effect(const rendering::Effect& effect) {
+  const rendering::EffectLaw& law = effect.law;
+  if (const auto* spring = std::get_if<rendering::Spring>(&law)) {
+    return {.felt = {.stiffness_N_per_m = spring->stiffness_N_per_m},
+            .falloff = falloff_of(*spring, effect.max_force_N)};
+  }
+  if (const auto* damped = std::get_if<rendering::SpringDamper>(&law)) {
+    return {.felt = {.damping_Ns_per_m = damped->damping_Ns_per_m,
+                     .stiffness_N_per_m = damped->spring.stiffness_N_per_m},
+            .falloff = falloff_of(damped->spring, effect.max_force_N)};
+  }
+  if (const auto* magnet = std::get_if<rendering::Magnet>(&law)) {
+    ScenePart part{.felt = core_of(*magnet), .falloff = falloff_of(*magnet)};
+    part.region.box = around(magnet->pole_W, kCoresFelt * magnet->core_m);
+    return part;
+  }
+  if (const auto* drag = std::get_if<rendering::FluidDrag>(&law)) {
+    return part_of_drag(*drag, effect.max_force_N);
+  }
+  if (const auto* stick = std::get_if<rendering::StickSlip>(&law)) {
+    return {.felt = {.stiffness_N_per_m = stick->stiffness_N_per_m}};
+  }
+  if (const auto* point = std::get_if<rendering::SnapToPoint>(&law)) {
+    return part_of_snap(*point);
+  }
+  if (const auto* line = std::get_if<rendering::SnapToLine>(&law)) {
+    return part_of_snap(*line);
+  }
+  if (const auto* plane = std::get_if<rendering::SnapToPlane>(&law)) {
+    return part_of_snap(*plane);
+  }
+  return {};  // its force changes neither with place nor with speed
+}
+
+}  // namespace
+
+ScenePart part_of(const FeltScene& scene, std::size_t number) {
+  if (number >= scene.objects.size()) {
+    return part_of_effect(scene.effects[number - scene.objects.size()]);
+  }
+  const rendering::Object& object = scene.objects[number];
+  const SceneFeel& feel = scene.feel;
+  return feel.material == nullptr
+             ? part_of_object(object, object.material, feel)
+             : part_of_object(
+                   object, feel.material(feel.context, static_cast<std::uint32_t>(number)), feel);
+}
+
+bool coincide(const ScenePart& a, const ScenePart& b) {
+  if (!a.shares_proxy || !b.shares_proxy) {
+    return false;
+  }
+  if (!a.has_flat_sides || !b.has_flat_sides) {
+    return same_box(a, b);
+  }
+  if (!a.region.normal_W.isZero() && !b.region.normal_W.isZero()) {
+    return same_plane(a.region, b.region);
+  }
+  const rendering::Bounds common = common_box(a.surface, b.surface);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (common_side(a, b, axis) && common_area(common, axis)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+rendering::Bounds common_box(const rendering::Bounds& a, const rendering::Bounds& b) {
+  return {.lower_W = a.lower_W.cwiseMax(b.lower_W), .upper_W = a.upper_W.cwiseMin(b.upper_W)};
+}
+
+bool has_point_in(const rendering::Bounds& box, const FeltRegion& region) {
+  const Vec3 middle_W = 0.5 * (box.lower_W + box.upper_W);
+  const Vec3 half_W = 0.5 * (box.upper_W - box.lower_W);
+  const double height = region.normal_W.dot(middle_W);
+  const double spread = region.normal_W.cwiseAbs().dot(half_W);
+  return half_W.minCoeff() >= 0.0 && height - spread <= region.highest_m &&
+         height + spread >= region.lowest_m;
+}
+
+double stiffness_in(const rendering::Bounds& box, const ScenePart& part) {
+  const double most = part.felt.stiffness_N_per_m;
+  if (part.falloff.kind == Falloff::Kind::none) {
+    return most;
+  }
+  const double away_m = box.distance(part.falloff.middle_W);
+  if (part.falloff.kind == Falloff::Kind::bounded_spring) {
+    return away_m > 0.0 ? std::min(most, part.falloff.largest_force_N / away_m) : most;
+  }
+  const double cores = away_m / part.falloff.core_m;
+  const double spread = 1.0 + cores * cores;
+  return std::min(most, part.falloff.steepness / (spread * std::sqrt(spread)));
+}
+
+double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts) {
+  Mat3 sum = Mat3::Zero();
+  double alike = 0.0;
+  bool directed = false;
+  for (const ScenePart& part : parts) {
+    const double stiffness = stiffness_in(box, part);
+    const Mat3 along = stiffness * part.axis_W * part.axis_W.transpose();
+    switch (part.directions) {
+      case SpringDirections::along_axis:
+        sum += along;
+        break;
+      case SpringDirections::across_axis:
+        sum -= along;
+        alike += stiffness;
+        break;
+      default:
+        alike += stiffness;
+        continue;
+    }
+    directed = true;
+  }
+  if (!directed) {
+    return alike;
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(sum, Eigen::EigenvaluesOnly);
+  return alike + solver.eigenvalues()[2];
+}
+
+}  // namespace tactus::firmware
