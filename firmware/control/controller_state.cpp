@@ -122,20 +122,12 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 
 void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
-<<<<<<< HEAD
                           loop_check, encoder_guard, effort_guard, sign_check, workspace_walls,
                           motion_guard, energy, passivity, velocity_filter, force_limiter,
                           gravity_compensation, friction_compensation, world, material_changes,
-                          objects, effects, mode, faults, fault_joint, raised, write_status,
-                          loop_report, held_effort, pose, tool, record, next_tick, now_ns] = *this;
-=======
-                          loop_check, encoder_guard, effort_guard, workspace_walls, motion_guard,
-                          energy, passivity, velocity_filter, force_limiter, gravity_compensation,
-                          friction_compensation, world, material_changes, objects, effects,
-                          tool_radius_m, uncertified_part, mode, faults, fault_joint, raised,
-                          write_status, loop_report, held_effort, pose, tool, record, next_tick,
-                          now_ns] = *this;
->>>>>>> 07de8d57773d623124bf8a403afa34a30a349581
+                          objects, effects, tool_radius_m, uncertified_part, mode, faults,
+                          fault_joint, raised, write_status, loop_report, held_effort, pose, tool,
+                          record, next_tick, now_ns] = *this;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
