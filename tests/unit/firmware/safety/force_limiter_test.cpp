@@ -149,6 +149,21 @@ TEST(ForceLimiter, TheSlewStartsFromTheForceThatWentOut) {
   EXPECT_EQ(limiter.limit({5.0, 0.0, 0.0}, true).force_W, Vec3(1.25, 0.0, 0.0));
 }
 
+TEST(ForceLimiter, ARestartForgetsTheForceAndTheTouchBeforeIt) {
+  ControllerConfig config = open_config();
+  config.safety.force_slew_N_per_s = 1000.0;
+  config.safety.contact_start_s = 0.010;
+  Limiter limiter = limiter_of(config);
+  for (int tick = 0; tick < 50; ++tick) {
+    limiter.limit({3.0, 0.0, 0.0}, true);
+  }
+  limiter.restart();
+  for (int tick = 0; tick < 50; ++tick) {
+    EXPECT_EQ(limiter.limit(Vec3::Zero(), false).force_W, Vec3::Zero()) << tick;
+  }
+  EXPECT_EQ(limiter.limit({3.0, 0.0, 0.0}, true).force_W, Vec3::Zero());
+}
+
 TEST(ForceLimiter, RandomForcesNeverExceedClampOrSlew) {
   constexpr std::uint64_t kSeed = 20261121;
   std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));
