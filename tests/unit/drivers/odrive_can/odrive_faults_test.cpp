@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "drivers/odrive_can/odrive_can.h"
 #include "host_tools/emulators/odrive_emulator.h"
@@ -179,6 +181,39 @@ TEST_F(ODriveFaults, ForeignTrafficAndAFloodedBusDoNoHarm) {
     ASSERT_TRUE(stranger.send({.id = 0x7F0, .length = 8}));
   });
   EXPECT_EQ(status(), kDeviceOk) << trouble().what;
+}
+
+// The drive alone would not obey them either: two things keep the torque away.
+TEST(ODriveFrames, CarryNoTorqueBeforeTheDriveIsUpNorAfterAFault) {
+  CanRig<ODriveCan, host::ODriveEmulator> rig(
+      {.record = true}, std::vector<ODriveConfig>{{.node_id = 1}},
+      std::vector<host::ODriveEmulatorConfig>{{.node_id = 1}});
+  std::size_t seen = 0;
+  const auto torques = [&rig, &seen] {
+    std::pair<int, int> none_and_some;
+    for (; seen < rig.log().size(); ++seen) {
+      const std::string& line = rig.log()[seen];
+      if (line.find(" 02E#") != std::string::npos) {
+        ++(line.ends_with("#00000000") ? none_and_some.first : none_and_some.second);
+      }
+    }
+    return none_and_some;
+  };
+  rig.start();
+  rig.command_all(0.1);
+  ASSERT_GT(rig.run_until(1500 * kMs, [&rig] { return rig.emulator(0).axis_state() == 8; }), 0);
+  const auto [none_before, some_before] = torques();
+  EXPECT_GT(none_before, 10);
+  EXPECT_EQ(some_before, 0);
+  ASSERT_GT(rig.run_until_well(1500 * kMs), 0) << rig.board().trouble(0).what;
+  rig.run(20 * kMs);
+  EXPECT_GE(torques().second, 20);
+  rig.emulator(0).set_fault(EmulatorFault::silent);
+  rig.run(10 * kMs);
+  ASSERT_NE(rig.sample(0).status & kDeviceLost, 0U);
+  torques();
+  rig.run(50 * kMs);
+  EXPECT_EQ(torques(), std::pair(50, 0));
 }
 
 TEST(ODriveDeadlines, LateEstimateIsStaleUntilItComes) {

@@ -64,7 +64,7 @@ TEST_F(ControllerTest, OnlyHomingHomesAndOnlyAFaultTakesThePower) {
 }
 
 // The hand presses deeper, and so gives energy.
-TEST_F(ControllerTest, AnActivationBeginsWithoutTheEnergyOfTheLast) {
+TEST_F(ControllerTest, AnActivationBeginsWithoutTheForceAndTheEnergyOfTheLast) {
   press_until_steady();
   for (int tick = 0; tick < 20; ++tick) {
     controller_.tick(at(0.01, -0.004 - 5e-5 * tick, 0.02), Request::none);
@@ -72,7 +72,7 @@ TEST_F(ControllerTest, AnActivationBeginsWithoutTheEnergyOfTheLast) {
   EXPECT_GT(controller_.record().passivity_J, 0.001);
   const drivers::JointSample deeper = at(0.01, -0.005, 0.02);
   controller_.tick(deeper, Request::disable);
-  controller_.tick(deeper, Request::enable);
+  EXPECT_EQ(controller_.tick(deeper, Request::enable).effort[1], 0.0);
   EXPECT_EQ(controller_.record().passivity_J, 0.0);
   EXPECT_EQ(controller_.record().energy_J, EnergyLedger{});
 }
