@@ -229,6 +229,22 @@ TEST(ODriveDeadlines, LateEstimateIsStaleUntilItComes) {
   EXPECT_EQ(rig.sample(0).status, kDeviceOk) << rig.board().trouble(0).what;
 }
 
+TEST(ODriveDeadlines, HeartbeatThatStopsIsALostDriveThoughEstimatesGoOn) {
+  ODriveCan drive({.node_id = 1, .heartbeat_lost_s = 0.035});
+  CanOutbox outbox;
+  drive.start(0);
+  for (hal::TimeNs now_ns = kMs; now_ns < 50 * kMs; now_ns += kMs) {
+    hal::CanReceived received;
+    received.time_ns = now_ns;
+    received.frame = frame_of(now_ns == kMs ? "021#0000000001000000" : "029#0000000000000000");
+    drive.take(received);
+    outbox.clear();
+    drive.command(now_ns, {}, outbox);
+    EXPECT_EQ((drive.sample().status & kDeviceLost) != 0, now_ns >= 36 * kMs) << now_ns;
+  }
+  EXPECT_EQ(drive.trouble().what, "the drive's heartbeat stopped");
+}
+
 TEST(ODriveRefusals, DriveThatIsNotCalibratedSaysSo) {
   for (const auto firmware : {host::ODriveFirmware::v0_5_6, host::ODriveFirmware::v0_6}) {
     CanRig<ODriveCan, host::ODriveEmulator> rig(
