@@ -38,7 +38,7 @@ export -f run try_fault
 echo "without a fault:"
 status=0
 while IFS=$'\t' read -r program filter; do
-  if ! output="$(run 0 "$program" "$filter" 2>&1)" || grep -q "0 tests ran" <<<"$output"; then
+  if ! output="$(run 0 "$program" "$filter" 2>&1)" || grep -q " 0 tests from" <<<"$output"; then
     echo "FAILS     $program --gtest_filter='$filter'" && tail -n 20 <<<"$output" && status=1
   fi
 done < <(cut -f2,3 <<<"$faults" | sort -u)
