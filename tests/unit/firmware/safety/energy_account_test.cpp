@@ -137,7 +137,7 @@ TEST(EnergyAccount, ARestartForgetsWhereTheToolWasAndWhatStillActs) {
   account.configure(config);
   rendering::Touch touch;
   touch.force_W = {4.0, 0.0, 0.0};
-  for (int tick = 0; tick < 10; ++tick) {
+  for (int tick = 0; tick < 20; ++tick) {
     account.settle({0.001 * tick, 0.0, 0.0}, touch, kStep_s);
     account.hold(touch.force_W);
   }
