@@ -18,7 +18,14 @@ TEST(CanWire, FramesComeBackAsTheyWent) {
   for (const CanFrame& frame : {classic, remote, fast}) {
     const CanWireFrame wire = to_wire(frame);
     EXPECT_EQ(wire.bytes, frame.fd ? CANFD_MTU : CAN_MTU);
-    EXPECT_EQ(from_wire(wire.frame, frame.fd), frame);
+    const CanFrame back = from_wire(wire.frame, frame.fd);
+    EXPECT_EQ(back.id, frame.id);
+    EXPECT_EQ(back.extended, frame.extended);
+    EXPECT_EQ(back.remote, frame.remote);
+    EXPECT_EQ(back.fd, frame.fd);
+    EXPECT_EQ(back.bit_rate_switch, frame.bit_rate_switch);
+    EXPECT_EQ(back.length, frame.length);
+    EXPECT_EQ(back.data, frame.data);
   }
 }
 
