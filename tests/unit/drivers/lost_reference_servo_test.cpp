@@ -80,7 +80,7 @@ TEST(LostMoteus, ServoThatKnowsLessOfItsPositionThanBeforeHasRestarted) {
   ASSERT_NEAR(rig.sample(0).position_rad, 0.0, 1e-9);
   hal::SimulatedCanBus restarted(rig.network());
   ASSERT_TRUE(
-      restarted.send(frame_of("00000100##1 24 04 00 0A 00 00 00 00 00 00 21 0C 00 50 50 50")));
+      restarted.send(frame_of("00000100##1 24 04 00 0A 00 00 00 00 00 00 00 21 0C 00 50 50")));
   EXPECT_TRUE(says_lost(rig, 2 * kMs));
 }
 
