@@ -5,7 +5,7 @@ set -euo pipefail
 list=tests/mutation/faults.txt
 tree=build/mutation/tree
 build=build/mutation/build
-export TACTUS_MUTANT_LIMIT_S=20 # a test that a fault keeps from ending has found it
+export TACTUS_MUTANT_LIMIT_S=60 # a test that a fault keeps from ending has found it
 export TACTUS_PROPERTY_TICKS=20000 GTEST_FAIL_FAST=1
 
 tests/checks/build.sh release plant_faults

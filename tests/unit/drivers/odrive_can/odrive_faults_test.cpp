@@ -174,6 +174,18 @@ TEST_F(ODriveFaults, LinkThatGoesDownIsLostAtOnce) {
   EXPECT_GT(rig_.run_until_well(1500 * kMs), 0) << trouble().what;
 }
 
+// So soon that neither a heartbeat nor an estimate is missing.
+TEST_F(ODriveFaults, ErrorThatIsGoneByItselfIsARestart) {
+  rig_.emulator(0).raise(0x20);
+  react(20 * kMs);
+  expect_latched(kDeviceDriveFault);
+  EXPECT_EQ(status() & kDeviceReferenceLost, 0U);
+  hal::SimulatedCanBus restarted(rig_.network());
+  ASSERT_TRUE(restarted.send(frame_of("021#0000000001000000")));
+  rig_.run(2 * kMs);
+  EXPECT_NE(status() & kDeviceReferenceLost, 0U);
+}
+
 TEST_F(ODriveFaults, ForeignTrafficAndAFloodedBusDoNoHarm) {
   hal::SimulatedCanBus stranger(rig_.network());
   rig_.run(300 * kMs, [&](auto&, auto&) {
