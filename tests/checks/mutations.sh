@@ -9,13 +9,7 @@ export TACTUS_MUTANT_LIMIT_S=60 # a test that a fault keeps from ending has foun
 export TACTUS_PROPERTY_TICKS=20000 GTEST_FAIL_FAST=1
 
 tests/checks/build.sh release plant_faults
-# A file that is as it was keeps its time, so that only what has changed is compiled again.
-files="$(git ls-files --cached --others --exclude-standard)"
-(mkdir -p "$tree" && cd "$tree" && sed -n 's#/[^/]*$##p' <<<"$files" | sort -u | xargs -d '\n' mkdir -p)
-grep -vxFf <(sed -n 's/^file  *//p' "$list") <<<"$files" | while IFS= read -r file; do
-  cmp -s "$file" "$tree/$file" || cp "$file" "$tree/$file"
-done
-faults="$(build/release/tests/plant_faults "$list" . "$tree")"
+faults="$(git ls-files --cached --others --exclude-standard | build/release/tests/plant_faults "$list" . "$tree")"
 
 root="$PWD/$tree"
 CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
@@ -44,7 +38,7 @@ export -f run try_fault
 echo "without a fault:"
 status=0
 while IFS=$'\t' read -r program filter; do
-  if ! output="$(run 0 "$program" "$filter" 2>&1)" || grep -q "0 tests ran" <<<"$output"; then
+  if ! output="$(run 0 "$program" "$filter" 2>&1)" || grep -q " 0 tests from" <<<"$output"; then
     echo "FAILS     $program --gtest_filter='$filter'" && tail -n 20 <<<"$output" && status=1
   fi
 done < <(cut -f2,3 <<<"$faults" | sort -u)

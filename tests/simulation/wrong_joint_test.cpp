@@ -69,6 +69,7 @@ struct Felt {
   double displaced_m = 0.0;  // from where the hand wants to be, in contact
   std::uint64_t faults = 0;
   std::uint32_t joint = 0;
+  double commanded_N = 0.0;  // the largest that was rendered
   double unchecked_s = 0.0;  // with power, before all motors had answered
 };
 
@@ -118,6 +119,8 @@ Felt felt_in(const Press& press) {
       felt.displaced_m =
           std::max(felt.displaced_m, (simulation.handle_W() - simulation.wish_W()).norm());
     }
+    felt.commanded_N = std::max(felt.commanded_N,
+                                firmware::vector_of(simulation.record().force_commanded_W).norm());
     felt.unchecked_s += (simulation.record().limits & firmware::kLimitSignCheck) != 0 ? 0.001 : 0.0;
     felt.faults = simulation.record().faults;
     felt.joint = simulation.record().fault_joint;
@@ -242,6 +245,21 @@ TEST(WrongJoint, AThirdOfTheTorqueHurtsNobody) {
   for_every_press(Wrong{.torque = 1.0 / 3.0}, [](const Press& press, const Felt& felt) {
     EXPECT_EQ(felt.faults & firmware::kFaultMotorReversed, 0U) << felt.joint << press.hand;
   });
+}
+
+// A motor without power answers nothing, however hard the hand presses.
+TEST(WrongJoint, TheForceIsSmallUntilAllHaveAnswered) {
+  for (const std::string_view preset : {"cartesian", "falcon", "phantom_premium"}) {
+    const Press press{.preset = preset,
+                      .hand = "firm",
+                      .joints = 1,
+                      .wrong = {.torque = 0.0},
+                      .stiffness_N_per_m = 2000.0,
+                      .depth_m = 0.008};
+    const Felt felt = felt_in(press);
+    EXPECT_EQ(felt.faults, firmware::kNoFault) << preset;
+    EXPECT_LE(felt.commanded_N, 1.05) << preset;
+  }
 }
 
 // In a hand, so that nobody notices that the force was held back: it is still rising then.

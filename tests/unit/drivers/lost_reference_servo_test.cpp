@@ -72,6 +72,18 @@ TEST(LostMoteus, LossBetweenTheFaultAndTheEndOfTheBringUpIsTold) {
   EXPECT_TRUE(says_lost(rig, 10 * kMs));
 }
 
+// In mode position, at rest at zero, with home state 0: so soon that no reply is missing.
+TEST(LostMoteus, ServoThatKnowsLessOfItsPositionThanBeforeHasRestarted) {
+  LostMoteusRig rig = lost_moteus();
+  rig.start();
+  ASSERT_GT(rig.run_until_well(1000 * kMs), 0);
+  ASSERT_NEAR(rig.sample(0).position_rad, 0.0, 1e-9);
+  hal::SimulatedCanBus restarted(rig.network());
+  ASSERT_TRUE(
+      restarted.send(frame_of("00000100##1 24 04 00 0A 00 00 00 00 00 00 00 21 0C 00 50 50")));
+  EXPECT_TRUE(says_lost(rig, 2 * kMs));
+}
+
 TEST(LostMoteus, AbsoluteJointWithoutAnOutputEncoderDoesNotComeUp) {
   LostMoteusRig rig = lost_moteus({.absolute_output = true});
   rig.start();
@@ -124,6 +136,17 @@ TEST(LostCia402, EveryLossIsToldAlsoAfterAnotherFault) {
       EXPECT_TRUE(says_lost(rig, 70 * kMs)) << static_cast<int>(fault) << ' ' << has_failed;
     }
   }
+}
+
+// So soon that neither a heartbeat nor a sample is missing.
+TEST(LostCia402, BootUpMessageAloneLosesTheReference) {
+  LostCia402Rig rig({}, std::vector<Cia402Config>{{.max_torque_Nm = 0.5}},
+                    std::vector<host::Cia402EmulatorConfig>{{}});
+  rig.start();
+  ASSERT_GT(rig.run_until_well(1000 * kMs), 0);
+  hal::SimulatedCanBus restarted(rig.network());
+  ASSERT_TRUE(restarted.send(frame_of("701#00")));
+  EXPECT_TRUE(says_lost(rig, 2 * kMs));
 }
 
 TEST(LostCia402, ErrorsOfSupplyAndEncoderLoseTheReferenceAndOthersDoNot) {

@@ -95,7 +95,8 @@ TEST_F(RunLoop, GoesOnForAWhileAfterAFaultThenSaysSo) {
   testing::EnablingDoors open([this](std::size_t tick) {
     device_.next.status = tick == 20 ? drivers::kDeviceDriveFault : drivers::kDeviceOk;
   });
-  EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks_after_fault = 10}, open), LoopEnd::faulted);
+  const LoopConfig config{.phase = loop_phase(1000.0), .ticks = 1000, .ticks_after_fault = 10};
+  EXPECT_EQ(run(config, open), LoopEnd::faulted);
   EXPECT_EQ(open.seen.size(), 31U);
   EXPECT_FALSE(device_.powered);
 }

@@ -107,13 +107,16 @@ TEST(Cia402Can, DriveThatCountsMicroNewtonMetresIsReadSo) {
 }
 
 TEST(Cia402Can, RatedTorqueInTheWrongUnitIsFoundOut) {
-  Cia402Rig rig = one_drive({.max_torque_Nm = 0.05, .rated_torque_Nm = 0.1},
-                            {.rated_torque_Nm = 0.1, .rated_torque = 100'000});
-  rig.start();
-  EXPECT_LT(rig.run_until_well(200 * kMs), 0);
-  EXPECT_EQ(rig.sample(0).status, kDeviceDriveFault);
-  EXPECT_EQ(rig.board().trouble(0).code, 100'000U);
-  EXPECT_NE(rig.board().trouble(0).remedy.find("unit"), std::string_view::npos);
+  // 0.1 N m in uN m, and another motor's 0.2 N m.
+  for (const std::uint32_t rated : {100'000U, 200U}) {
+    Cia402Rig rig = one_drive({.max_torque_Nm = 0.05, .rated_torque_Nm = 0.1},
+                              {.rated_torque_Nm = 0.1, .rated_torque = rated});
+    rig.start();
+    EXPECT_LT(rig.run_until_well(200 * kMs), 0) << rated;
+    EXPECT_EQ(rig.sample(0).status, kDeviceDriveFault) << rated;
+    EXPECT_EQ(rig.board().trouble(0).code, rated);
+    EXPECT_NE(rig.board().trouble(0).remedy.find("unit"), std::string_view::npos) << rated;
+  }
 }
 
 TEST(Cia402Can, ConfiguredRatedTorqueStandsWhateverTheDriveSays) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "drivers/odrive_can/odrive_can.h"
 #include "host_tools/emulators/odrive_emulator.h"
@@ -172,6 +174,18 @@ TEST_F(ODriveFaults, LinkThatGoesDownIsLostAtOnce) {
   EXPECT_GT(rig_.run_until_well(1500 * kMs), 0) << trouble().what;
 }
 
+// So soon that neither a heartbeat nor an estimate is missing.
+TEST_F(ODriveFaults, ErrorThatIsGoneByItselfIsARestart) {
+  rig_.emulator(0).raise(0x20);
+  react(20 * kMs);
+  expect_latched(kDeviceDriveFault);
+  EXPECT_EQ(status() & kDeviceReferenceLost, 0U);
+  hal::SimulatedCanBus restarted(rig_.network());
+  ASSERT_TRUE(restarted.send(frame_of("021#0000000001000000")));
+  rig_.run(2 * kMs);
+  EXPECT_NE(status() & kDeviceReferenceLost, 0U);
+}
+
 TEST_F(ODriveFaults, ForeignTrafficAndAFloodedBusDoNoHarm) {
   hal::SimulatedCanBus stranger(rig_.network());
   rig_.run(300 * kMs, [&](auto&, auto&) {
@@ -179,6 +193,39 @@ TEST_F(ODriveFaults, ForeignTrafficAndAFloodedBusDoNoHarm) {
     ASSERT_TRUE(stranger.send({.id = 0x7F0, .length = 8}));
   });
   EXPECT_EQ(status(), kDeviceOk) << trouble().what;
+}
+
+// The drive alone would not obey them either: two things keep the torque away.
+TEST(ODriveFrames, CarryNoTorqueBeforeTheDriveIsUpNorAfterAFault) {
+  CanRig<ODriveCan, host::ODriveEmulator> rig(
+      {.record = true}, std::vector<ODriveConfig>{{.node_id = 1}},
+      std::vector<host::ODriveEmulatorConfig>{{.node_id = 1}});
+  std::size_t seen = 0;
+  const auto torques = [&rig, &seen] {
+    std::pair<int, int> none_and_some;
+    for (; seen < rig.log().size(); ++seen) {
+      const std::string& line = rig.log()[seen];
+      if (line.find(" 02E#") != std::string::npos) {
+        ++(line.ends_with("#00000000") ? none_and_some.first : none_and_some.second);
+      }
+    }
+    return none_and_some;
+  };
+  rig.start();
+  rig.command_all(0.1);
+  ASSERT_GT(rig.run_until(1500 * kMs, [&rig] { return rig.emulator(0).axis_state() == 8; }), 0);
+  const auto [none_before, some_before] = torques();
+  EXPECT_GT(none_before, 10);
+  EXPECT_EQ(some_before, 0);
+  ASSERT_GT(rig.run_until_well(1500 * kMs), 0) << rig.board().trouble(0).what;
+  rig.run(20 * kMs);
+  EXPECT_GE(torques().second, 20);
+  rig.emulator(0).set_fault(EmulatorFault::silent);
+  rig.run(10 * kMs);
+  ASSERT_NE(rig.sample(0).status & kDeviceLost, 0U);
+  torques();
+  rig.run(50 * kMs);
+  EXPECT_EQ(torques(), std::pair(50, 0));
 }
 
 TEST(ODriveDeadlines, LateEstimateIsStaleUntilItComes) {
@@ -192,6 +239,22 @@ TEST(ODriveDeadlines, LateEstimateIsStaleUntilItComes) {
   rig.run(20 * kMs, [&](auto& samples, auto&) { was_stale |= samples[0].status == kDeviceStale; });
   EXPECT_TRUE(was_stale);
   EXPECT_EQ(rig.sample(0).status, kDeviceOk) << rig.board().trouble(0).what;
+}
+
+TEST(ODriveDeadlines, HeartbeatThatStopsIsALostDriveThoughEstimatesGoOn) {
+  ODriveCan drive({.node_id = 1, .heartbeat_lost_s = 0.035});
+  CanOutbox outbox;
+  drive.start(0);
+  for (hal::TimeNs now_ns = kMs; now_ns < 50 * kMs; now_ns += kMs) {
+    hal::CanReceived received;
+    received.time_ns = now_ns;
+    received.frame = frame_of(now_ns == kMs ? "021#0000000001000000" : "029#0000000000000000");
+    drive.take(received);
+    outbox.clear();
+    drive.command(now_ns, {}, outbox);
+    EXPECT_EQ((drive.sample().status & kDeviceLost) != 0, now_ns >= 36 * kMs) << now_ns;
+  }
+  EXPECT_EQ(drive.trouble().what, "the drive's heartbeat stopped");
 }
 
 TEST(ODriveRefusals, DriveThatIsNotCalibratedSaysSo) {

@@ -48,6 +48,36 @@ TEST_F(ControllerTest, OnlyActiveEnablesTheMotors) {
   EXPECT_EQ(controller_.mode(), Mode::ready);
 }
 
+TEST_F(ControllerTest, OnlyHomingHomesAndOnlyAFaultTakesThePower) {
+  struct Step {
+    Request request;
+    Mode mode;
+  };
+  for (const Step& step : {Step{Request::none, Mode::init}, Step{Request::home, Mode::homing},
+                           Step{Request::none, Mode::ready}, Step{Request::enable, Mode::active},
+                           Step{Request::disable, Mode::ready}, Step{Request::estop, Mode::fault},
+                           Step{Request::none, Mode::fault}, Step{Request::reset, Mode::init}}) {
+    const drivers::JointCommand command = controller_.tick(kAbove, step.request);
+    ASSERT_EQ(controller_.mode(), step.mode);
+    EXPECT_EQ(command.home, step.mode == Mode::homing) << mode_name(step.mode);
+    EXPECT_EQ(command.power_off, step.mode == Mode::fault) << mode_name(step.mode);
+  }
+}
+
+// The hand presses deeper, and so gives energy.
+TEST_F(ControllerTest, AnActivationBeginsWithoutTheForceAndTheEnergyOfTheLast) {
+  press_until_steady();
+  for (int tick = 0; tick < 20; ++tick) {
+    controller_.tick(at(0.01, -0.004 - 5e-5 * tick, 0.02), Request::none);
+  }
+  EXPECT_GT(controller_.record().passivity_J, 0.001);
+  const drivers::JointSample deeper = at(0.01, -0.005, 0.02);
+  controller_.tick(deeper, Request::disable);
+  EXPECT_EQ(controller_.tick(deeper, Request::enable).effort[1], 0.0);
+  EXPECT_EQ(controller_.record().passivity_J, 0.0);
+  EXPECT_EQ(controller_.record().energy_J, EnergyLedger{});
+}
+
 TEST_F(ControllerTest, HomingWaitsForTheDevice) {
   drivers::JointSample homing = at(7.0, 7.0, 7.0);
   homing.status = drivers::kDeviceHoming;

@@ -129,6 +129,28 @@ TEST(EnergyAccount, WhatLimitsTakeAwayScalesTheSourcesAndWhatIsAddedIsSafety) {
   EXPECT_NEAR(of(account, EnergySource::safety), 0.03, 1e-15);
 }
 
+// 4 N that act three ticks late, then an activation 20 mm away.
+TEST(EnergyAccount, ARestartForgetsWhereTheToolWasAndWhatStillActs) {
+  ControllerConfig config;
+  config.safety.device_delay_s = 3.0 * kStep_s;
+  EnergyAccount account;
+  account.configure(config);
+  rendering::Touch touch;
+  touch.force_W = {4.0, 0.0, 0.0};
+  for (int tick = 0; tick < 20; ++tick) {
+    account.settle({0.001 * tick, 0.0, 0.0}, touch, kStep_s);
+    account.hold(touch.force_W);
+  }
+  account.restart();
+  touch.force_W.setZero();
+  for (int tick = 0; tick < 10; ++tick) {
+    const TickEnergy energy = account.settle({0.03 + 0.001 * tick, 0.0, 0.0}, touch, kStep_s);
+    EXPECT_EQ(energy.given_J, 0.0) << tick;
+    EXPECT_NEAR(energy.way_m2, tick == 0 ? 0.0 : 1e-6, 1e-15) << tick;
+    account.hold(Vec3::Zero());
+  }
+}
+
 TEST(StrongestPart, IsTheLargestForceOfAllSources) {
   rendering::Touch touch;
   touch.force_W = {0.0, 3.0, 0.0};

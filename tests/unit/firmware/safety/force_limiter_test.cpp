@@ -149,6 +149,25 @@ TEST(ForceLimiter, TheSlewStartsFromTheForceThatWentOut) {
   EXPECT_EQ(limiter.limit({5.0, 0.0, 0.0}, true).force_W, Vec3(1.25, 0.0, 0.0));
 }
 
+TEST(ForceLimiter, ARestartForgetsTheForceTheRampsAndTheTouchBeforeIt) {
+  ControllerConfig config = open_config();
+  config.safety.force_slew_N_per_s = 1000.0;
+  config.safety.soft_start_s = 0.100;
+  config.safety.contact_start_s = 0.010;
+  Limiter limiter = limiter_of(config);
+  for (int tick = 0; tick < 200; ++tick) {
+    limiter.limit({3.0, 0.0, 0.0}, true);
+  }
+  limiter.restart();
+  const Vec3 field(0.0, 2.0, 0.0);
+  for (int tick = 0; tick < 50; ++tick) {
+    const Vec3 limited = limiter.limit(field, false, field).force_W;
+    EXPECT_EQ(limited.x(), 0.0) << tick;
+    EXPECT_NEAR(limited.y(), 2.0 * tick / 100.0, 1e-12) << tick;
+  }
+  EXPECT_EQ(limiter.limit({3.0, 2.0, 0.0}, true, field).force_W.x(), 0.0);
+}
+
 TEST(ForceLimiter, RandomForcesNeverExceedClampOrSlew) {
   constexpr std::uint64_t kSeed = 20261121;
   std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed));

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "firmware/safety/faults.h"
 
 namespace tactus::firmware {
@@ -84,6 +87,32 @@ TEST(PassivityControl, MoreDebtThanAllowedIsAFault) {
   EXPECT_EQ(control.observe({.given_J = 0.028, .passive_J = 0.028, .way_m2 = 0.0}, true), kNoFault);
   EXPECT_EQ(control.observe({.given_J = 0.005, .passive_J = 0.005, .way_m2 = 0.0}, true),
             kFaultNotPassive);
+}
+
+// The first tick of 1 ms in which a surface's force of 1 N in half sine waves of 20 Hz is a fault,
+// while the contact gives `given_J` in each; or -1 within half a second.
+int buzz_found_at(double given_J) {
+  PassivityControl control;
+  control.configure(bare_config(0.0, 0.0));
+  for (int tick = 0; tick < 500; ++tick) {
+    const double turns = 20.0 * 0.001 * tick;
+    const TickEnergy energy{.given_J = given_J,
+                            .passive_J = given_J,
+                            .way_m2 = 0.0,
+                            .contact_N = std::max(0.0, std::sin(2.0 * M_PI * turns)),
+                            .step_s = 0.001};
+    if (control.observe(energy, true) != kNoFault) {
+      return tick;
+    }
+  }
+  return -1;
+}
+
+// Far below the energy that is a fault by itself.
+TEST(PassivityControl, AContactThatBuzzesIsAFaultWhileItGivesEnergy) {
+  EXPECT_GT(buzz_found_at(1e-7), 200);
+  EXPECT_LT(buzz_found_at(1e-7), 250);
+  EXPECT_EQ(buzz_found_at(-1e-7), -1);
 }
 
 }  // namespace

@@ -61,6 +61,9 @@ TEST_F(SampleCheckTest, LimitsMeanNothingBeforeTheDeviceIsReferenced) {
     EXPECT_EQ(check_.check(sample_), kNoFault);
     EXPECT_FALSE(is_referenced(status));
   }
+  sample_.status = drivers::kDeviceReferenceLost;
+  EXPECT_EQ(check_.check(sample_), kFaultReferenceLost) << "and no limit beside it";
+  EXPECT_FALSE(is_referenced(sample_.status));
 }
 
 TEST_F(SampleCheckTest, EachDeviceTroubleIsItsOwnFault) {

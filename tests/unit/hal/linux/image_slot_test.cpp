@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -53,6 +54,16 @@ TEST_F(ImageSlotTest, KeepsWhatItReadWhateverHappensToTheFile) {
   ASSERT_EQ(::truncate(path.c_str(), 0), 0);
   EXPECT_EQ(read(), "first bytes");
   ASSERT_EQ(::unlink(path.c_str()), 0);
+  EXPECT_EQ(read(), "first bytes");
+}
+
+// The kernel itself may not write there.
+TEST_F(ImageSlotTest, IsReadOnlyOnceItWasRead) {
+  ASSERT_FALSE(slot_.read(write("image", "first bytes").c_str()).is_error());
+  const FileDescriptor zeros(::open("/dev/zero", O_RDONLY | O_CLOEXEC));
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the write is refused
+  EXPECT_EQ(::read(zeros.get(), const_cast<std::byte*>(slot_.bytes().data()), 1), -1);
+  EXPECT_EQ(errno, EFAULT);
   EXPECT_EQ(read(), "first bytes");
 }
 
