@@ -119,8 +119,8 @@ Felt felt_in(const Press& press) {
       felt.displaced_m =
           std::max(felt.displaced_m, (simulation.handle_W() - simulation.wish_W()).norm());
     }
-    felt.commanded_N = std::max(felt.commanded_N,
-                                firmware::vector_of(simulation.record().force_commanded_W).norm());
+    felt.commanded_N =
+        std::max(felt.commanded_N, Vec3(simulation.record().force_commanded_W.data()).norm());
     felt.unchecked_s += (simulation.record().limits & firmware::kLimitSignCheck) != 0 ? 0.001 : 0.0;
     felt.faults = simulation.record().faults;
     felt.joint = simulation.record().fault_joint;
