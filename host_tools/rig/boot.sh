@@ -3,7 +3,7 @@
 # repeats whatever else this machine does.
 #   host_tools/rig/boot.sh KERNEL_FOLDER INITRAMFS.gz SCENARIO RESULTS_FOLDER [QEMU_OPTION]...
 # The console goes to RESULTS_FOLDER/console.log, the machine's /results beside it. Exit code 0: the scenario passed; 1: it
-# failed; 2: the machine did not come to an end (limit: TACTUS_RIG_LIMIT_S seconds, 300;
+# failed; 2: the machine did not come to an end (limit: TACTUS_RIG_LIMIT_S seconds, 900;
 # 7200 with TACTUS_SOAK, which the scenario finds in its environment).
 set -euo pipefail
 usage="usage: boot.sh KERNEL_FOLDER INITRAMFS.gz SCENARIO RESULTS_FOLDER [QEMU_OPTION]..."
@@ -13,7 +13,7 @@ rm -rf "$results"
 mkdir -p "$results"
 truncate -s 64M "$results/results.tar"
 
-code=0 limit_s=300
+code=0 limit_s=900
 if [[ -n "${TACTUS_SOAK:-}" ]]; then limit_s=7200; fi
 timeout "${TACTUS_RIG_LIMIT_S:-$limit_s}" qemu-system-x86_64 -accel tcg -cpu qemu64 -smp 1 -m 768 \
   -icount shift=1,sleep=off -rtc base=2026-01-01,clock=vm -nographic -no-reboot -nodefaults -M q35 \
