@@ -121,7 +121,7 @@ class QuadratureRate : public ::testing::Test {
       EXPECT_EQ(std::lround(sample_.position_rad / kCount_rad), edges) << "and said to be well";
       return false;
     }
-    EXPECT_EQ(sample_.status, kDeviceEncoderFault) << axis_.trouble(0).what;
+    EXPECT_EQ(sample_.status, kDeviceEncoderFault | kDeviceReferenceLost) << axis_.trouble(0).what;
     EXPECT_TRUE(axis_.trouble(0));
     return true;
   }
