@@ -10,7 +10,7 @@ namespace tactus::firmware {
 namespace {
 
 constexpr double kUnit_s = 0.001;
-constexpr double kQuarter_s = 0.005;
+constexpr double kQuarter_s = 0.006;
 constexpr std::size_t kQuarters = 12;
 constexpr double kFirstShare = 0.6;  // of the largest push
 constexpr double kStronger = 1.3;

@@ -4,11 +4,11 @@
 // A push that the controller knows and the hand does not is the only evidence that cannot be
 // mistaken for the hand: the motion behind a reversed motor is, without it, that of a hand that
 // presses. A pulse on one joint takes the effort
-//   +a for T, -a for 2 T, +a for T, three times over, with T = 5 ms,
+//   +a for T, -a for 2 T, +a for T, three times over, with T = 6 ms,
 // which is too fast for the hand's spring and damper: the joint answers with its mass, so
 //   q'' = g u(t - d) + h
 // with u all of the joint's commanded effort, d the configured delay, g = 1 / mass, below 0 behind
-// a reversed motor or encoder, and h all that the hand and friction add. Over the 60 ms of a pulse,
+// a reversed motor or encoder, and h all that the hand and friction add. Over the 72 ms of a pulse,
 // h moves the joint by a polynomial of time of the fifth degree and little more. With y the
 // positions, r the double integral of the effort, and z that of the pulse alone less its polynomial
 // (an instrument, as in Soderstrom and Stoica 1983: it knows nothing of the hand),
@@ -76,7 +76,7 @@ class MotorSignCheck {
   void transfer(rendering::StateArchive& archive);
 
  private:
-  static constexpr std::size_t kMaxSamples = 72;
+  static constexpr std::size_t kMaxSamples = 80;
   static constexpr std::size_t kPowers = 6;  // of time that are projected out
   static constexpr std::size_t kMaxDelay = 7;
 
@@ -114,7 +114,7 @@ class MotorSignCheck {
   double moving_mass_kg_ = 0.0;
   double unit_s_ = 0.001;
   std::uint32_t ticks_a_unit_ = 1;
-  std::size_t quarter_ = 5;  // units: the T above
+  std::size_t quarter_ = 6;  // units: the T above
   std::size_t delay_ = 0;    // units
   std::size_t samples_ = 0;  // of a pulse
   std::uint32_t pause_ticks_ = 0;

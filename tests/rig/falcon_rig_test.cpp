@@ -160,7 +160,8 @@ TEST_F(FalconOnTheBus, PulledPlugEndsInZeroTorqueAndALatchedFault) {
   EXPECT_NE(samples_[0].status & kDeviceLost, 0U);  // latched
   EXPECT_EQ(motors(), (std::array<std::int16_t, 3>{}));
   driver_.clear_faults();
-  EXPECT_TRUE(tick_until(kDeviceHoming, 20'000)) << driver_.trouble(0).what;
+  EXPECT_TRUE(tick_until(kDeviceHoming | kDeviceReferenceLost, 20'000))
+      << driver_.trouble(0).what << ", status " << samples_[0].status;
 }
 
 TEST_F(FalconOnTheBus, SilentDeviceIsLost) {

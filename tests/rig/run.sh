@@ -71,11 +71,11 @@ for device in host_tools/examples/devices/*.toml; do
   cp "$device" "$images/"
 done
 # The emulated ODrives and CiA 402 drives count all turns (--encoder multi_turn): these arms need no pose to be held in. The
-# emulated moteus servos do not: the hand holds the arm where its path begins, at these angles, until it has been homed.
+# emulated moteus servos do not: the hand holds the arm where its path begins, sagging by its weight, at these angles, until it has been homed.
 for arm in odrive_arm cia402_arm; do
   sed -i -e 's/^driver = .*/&\nencoder = "absolute"/' -e 's/^reference = .*/reference = "absolute"/' -e '/^reference_rad/d' "$images/$arm.toml"
 done
-awk '/^reference_rad/ { split("-0.02272 1.24935 0.68650", angle, " "); $3 = angle[++joint] } { print }' \
+awk '/^reference_rad/ { split("-0.02275 1.23480 0.67660", angle, " "); $3 = angle[++joint] } { print }' \
   host_tools/examples/devices/moteus_arm.toml >"$images/moteus_arm.toml"
 awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wish.csv" >"$images/wish_later.csv"
 awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wall_wish.csv" >"$images/wall_wish_later.csv"

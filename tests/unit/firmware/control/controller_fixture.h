@@ -6,6 +6,7 @@
 #include <array>
 
 #include "firmware/control/controller.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -32,7 +33,7 @@ inline bool is_zero(const drivers::JointCommand& command) {
 
 // The samples of these tests are where they are needed, without a way between them.
 inline ControllerConfig teleporting_config() {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.safety.max_joint_speed = 1e6;
   return config;
 }
