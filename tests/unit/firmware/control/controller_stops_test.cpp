@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/control/controller_fixture.h"
 
 namespace tactus::firmware {
@@ -20,7 +21,7 @@ TEST_F(ControllerTest, EveryDeviceTroubleStopsInTheSameTick) {
                                  Trouble{drivers::kDeviceDriveFault, kFaultDrive},
                                  Trouble{drivers::kDeviceEmergencyStop, kFaultEmergencyStop},
                                  Trouble{drivers::kDeviceLost, kFaultDeviceLost}}) {
-    ASSERT_TRUE(controller_.configure(cartesian_config()));
+    ASSERT_TRUE(controller_.configure(testing::without_sign_check(cartesian_config())));
     press_until_steady();
     drivers::JointSample sample = kPressed;
     sample.status = trouble.status;
@@ -55,7 +56,7 @@ TEST_F(ControllerTest, TroubleReportedByTheWriteStopsTheNextTick) {
 
 TEST_F(ControllerTest, AnEmergencyStopRequestStopsInEveryMode) {
   for (const Mode mode : {Mode::init, Mode::homing, Mode::ready, Mode::active, Mode::fault}) {
-    ASSERT_TRUE(controller_.configure(cartesian_config()));
+    ASSERT_TRUE(controller_.configure(testing::without_sign_check(cartesian_config())));
     drivers::JointSample homing = kAbove;
     homing.status = drivers::kDeviceHoming;
     if (mode == Mode::homing) {
@@ -118,7 +119,7 @@ TEST_F(ControllerTest, ANonFiniteJointStopsAndTheToolStaysWhereItWas) {
 }
 
 TEST_F(ControllerTest, AVelocityThatOverflowsInTheFilterStops) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.velocity_cutoff_hz = 1000.0;
   config.safety.guards_off = kFaultOverspeed | kFaultMotionWithoutTorque | kFaultEncoderFrozen;
   ASSERT_TRUE(controller_.configure(config));
@@ -134,7 +135,7 @@ TEST_F(ControllerTest, AVelocityThatOverflowsInTheFilterStops) {
 }
 
 TEST_F(ControllerTest, AForceThatOverflowsStops) {
-  ControllerConfig config = cartesian_config();
+  ControllerConfig config = testing::without_sign_check(cartesian_config());
   config.safety.guards_off = kFaultOverspeed;
   ASSERT_TRUE(controller_.configure(config));
   Floor hard({.stiffness_N_per_m = 1000.0, .damping_Ns_per_m = 1e308, .friction = {}});
@@ -148,7 +149,7 @@ TEST_F(ControllerTest, AForceThatOverflowsStops) {
 }
 
 TEST_F(ControllerTest, AFalconPoseNearASingularityStops) {
-  ControllerConfig config = falcon_config();
+  ControllerConfig config = testing::without_sign_check(falcon_config());
   for (JointLimits& joint : config.joints) {
     joint.lower = -3.2;
     joint.upper = 3.2;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "firmware/safety/faults.h"
+#include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/test_scene.h"
 
 namespace tactus::firmware {
@@ -42,7 +43,7 @@ std::uint64_t clock_by_sevens() {
 
 class RunTick : public ::testing::Test {
  protected:
-  RunTick() { EXPECT_TRUE(controller_.configure(cartesian_config())); }
+  RunTick() { EXPECT_TRUE(controller_.configure(testing::without_sign_check(cartesian_config()))); }
 
   std::string calls_of(Request request) {
     device_.calls.clear();
