@@ -160,6 +160,7 @@ void print(const Press& press, const Felt& felt) {
 std::vector<unsigned> joint_sets(std::string_view preset) {
   const std::size_t count = firmware::joint_count(firmware::preset_config(preset)->mechanism);
   std::vector<unsigned> sets;
+  sets.reserve(count + 1);
   for (std::size_t joint = 0; joint < count; ++joint) {
     sets.push_back(1U << joint);
   }
