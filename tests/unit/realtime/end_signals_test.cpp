@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <string_view>
 
 #include "firmware/realtime/crash_stop.h"
@@ -44,10 +45,32 @@ void meet_signal(int signal) {
   loop_until_asked(reaction_to(signal) == SignalReaction::end ? 5000 : 20);
 }
 
+// An emulator keeps some real-time signals for itself: nobody can send them there.
+bool can_be_sent(int signal) {
+  sigset_t one;
+  sigset_t before;
+  sigemptyset(&one);
+  sigaddset(&one, signal);
+  pthread_sigmask(SIG_BLOCK, &one, &before);
+  const bool is_sent = kill(getpid(), signal) == 0;
+  if (is_sent) {
+    const timespec at_once{};
+    sigtimedwait(&one, nullptr, &at_once);
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return is_sent;
+}
+
 TEST(EndSignals, EachOneThatWouldEndOrStopTheProgramTakesTheTorqueAwayFirst) {
   int ends = 0;
+  int unsent = 0;
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     SCOPED_TRACE(signal);
+    if (signal >= SIGRTMIN && !can_be_sent(signal)) {
+      std::printf("signal %d cannot be sent here\n", signal);
+      ++unsent;
+      continue;
+    }
     switch (reaction_to(signal)) {
       case SignalReaction::end:
         EXPECT_EXIT(meet_signal(signal), ::testing::ExitedWithCode(kEndedByLoop),
@@ -70,7 +93,8 @@ TEST(EndSignals, EachOneThatWouldEndOrStopTheProgramTakesTheTorqueAwayFirst) {
   }
   // Hang-up, interrupt, quit, user 2, alarm, termination, stack fault, three of terminals, two of
   // limits, two of timers, I/O, power, and all real-time signals.
-  EXPECT_EQ(ends, 16 + SIGRTMAX - SIGRTMIN + 1);
+  EXPECT_EQ(ends + unsent, 16 + SIGRTMAX - SIGRTMIN + 1);
+  EXPECT_LE(unsent, 2);
 }
 
 TEST(EndSignals, OneThatWasBlockedByWhoeverStartedTheProgramIsHeard) {
