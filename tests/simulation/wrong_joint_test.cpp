@@ -12,6 +12,7 @@
 
 #include "firmware/safety/faults.h"
 #include "host_tools/simulation/simulation.h"
+#include "tests/support/share.h"
 #include "tests/support/solid.h"
 
 namespace tactus::testing {
@@ -170,12 +171,22 @@ std::vector<unsigned> joint_sets(std::string_view preset) {
   return sets;
 }
 
+// Every press of a table, or one in eight where a sanitizer or emulation makes them slow.
+bool is_taken() {
+  constexpr int kMost = 8;
+  static int count = 0;
+  return count++ % (kMost / part_of(kMost)) == 0;
+}
+
 template <class Check>
 void for_every_press(const Wrong& wrong, const Check& check) {
   for (const std::string_view preset : firmware::kPresetNames) {
     for (const unsigned joints : joint_sets(preset)) {
       for (const std::string_view hand : kHands) {
         for (const bool begins_in_touch : {false, true}) {
+          if (!is_taken()) {
+            continue;
+          }
           const Press press{.preset = preset,
                             .hand = hand,
                             .joints = joints,
@@ -284,6 +295,9 @@ TEST(WrongJoint, NoneIsSeenWhereAllAreRight) {
       for (const double stiffness_N_per_m : {300.0, 1000.0, 4000.0}) {
         for (const double press_s : {0.15, 0.4, 1.0}) {
           for (const bool begins_in_touch : {false, true}) {
+            if (!is_taken()) {
+              continue;
+            }
             const Press press{.preset = preset,
                               .hand = hand,
                               .joints = 0,
