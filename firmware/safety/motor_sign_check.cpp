@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "firmware/kinematics/mobility.h"
 #include "firmware/safety/faults.h"
 
 namespace tactus::firmware {
@@ -27,7 +28,7 @@ constexpr double kLeastLever = 1e-6;
 
 constexpr std::size_t kCubic = 4;  // powers
 
-// Of the first `count` powers' parts.
+// The scalar product of the first `count` entries.
 template <std::size_t kSize>
 double dot(const std::array<double, kSize>& a, const std::array<double, kSize>& b,
            std::size_t count) {
@@ -190,12 +191,8 @@ double MotorSignCheck::free_gain(const Pose& pose) const {
   if (moving_mass_kg_ <= 0.0) {
     return 0.0;
   }
-  Mat3 inertia = moving_mass_kg_ * pose.jacobian_D.transpose() * pose.jacobian_D;
-  for (auto i = static_cast<Eigen::Index>(joint_count_); i < inertia.rows(); ++i) {
-    inertia(i, i) = 1.0;  // a joint that the mechanism does not have
-  }
-  const auto joint = static_cast<Eigen::Index>(asked_);
-  const double gain = inertia.inverse()(joint, joint);
+  const double gain =
+      joint_mobility(pose, joint_count_, moving_mass_kg_)[static_cast<Eigen::Index>(asked_)];
   return std::isfinite(gain) ? gain : 0.0;
 }
 

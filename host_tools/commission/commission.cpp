@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/kinematics/mobility.h"
 #include "firmware/safety/sample_check.h"
 #include "host_tools/input_error.h"
 
@@ -189,15 +190,11 @@ std::array<double, firmware::kJointCount> apparent_inertia(const ControllerConfi
   const Vec3 joints(sample.position[0], sample.position[1], sample.position[2]);
   const firmware::Pose pose =
       firmware::Mechanism(config.mechanism).forward(joints, config.workspace_origin_D);
-  const auto n = static_cast<Eigen::Index>(firmware::joint_count(config.mechanism));
-  Mat3 inertia = mass_kg * pose.jacobian_D.transpose() * pose.jacobian_D;
-  for (Eigen::Index i = n; i < inertia.rows(); ++i) {
-    inertia(i, i) = 1.0;  // a joint that the mechanism does not have
-  }
-  const Mat3 mobility = inertia.inverse();
+  const std::size_t count = firmware::joint_count(config.mechanism);
+  const Vec3 mobility = firmware::joint_mobility(pose, count, mass_kg);
   std::array<double, firmware::kJointCount> apparent{};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    apparent[static_cast<std::size_t>(i)] = 1.0 / mobility(i, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    apparent[i] = 1.0 / mobility[static_cast<Eigen::Index>(i)];
   }
   return apparent;
 }

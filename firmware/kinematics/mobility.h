@@ -1,0 +1,21 @@
+// How strongly each joint answers an effort when a mass hangs at the tool.
+#pragma once
+
+#include <cstddef>
+
+#include "firmware/kinematics/pose.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::firmware {
+
+// The diagonal of (m J^T J)^-1: the acceleration of each of the first `joint_count` joints for one
+// unit of its own effort, the other joints free. Not finite in a singular pose.
+inline Vec3 joint_mobility(const Pose& pose, std::size_t joint_count, double mass_kg) {
+  Mat3 inertia = mass_kg * pose.jacobian_D.transpose() * pose.jacobian_D;
+  for (auto i = static_cast<Eigen::Index>(joint_count); i < inertia.rows(); ++i) {
+    inertia(i, i) = 1.0;  // a joint that the mechanism does not have
+  }
+  return inertia.inverse().diagonal();
+}
+
+}  // namespace tactus::firmware
