@@ -66,10 +66,10 @@ struct SafetyConfig {
   double blocked_s = 0.5;             // within this time
 
   // safety/motor_sign_check.h: the largest push at the handle that asks a motor for its direction
-  // after activation; 0 asks none, for a device whose joints cannot answer, as in a replay.
+  // after activation; 0 asks none, for samples that a test makes up and no effort moves.
   double sign_check_N = 1.0;
-  // What the hand feels of the device at the handle: no joint may answer more strongly than twice
-  // what this allows. 0: not known.
+  // The device's mass as the hand feels it at the handle. A joint that answers a push more than
+  // twice as strongly as this mass allows is a fault. 0: the mass is not known, nothing is checked.
   double moving_mass_kg = 0.0;
 
   // safety/motion_guard.h

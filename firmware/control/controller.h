@@ -67,7 +67,7 @@ class Controller {
   std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
   [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
       const ParameterPlace& place) const;
-  // What would have been beyond the certificate at the last set_parameter that was `uncertified`.
+  // Names what the last set_parameter that was `uncertified` would have put beyond the certificate.
   [[nodiscard]] const UncertifiedPart& uncertified_part() const { return uncertified_part_; }
 
   // One tick: the same state and inputs give the same command and the same record, to the bit.

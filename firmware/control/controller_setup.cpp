@@ -7,7 +7,7 @@
 namespace tactus::firmware {
 namespace {
 
-// What of a scene this configuration does not allow.
+// Finds a part of a scene that this configuration does not allow.
 std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
                                             const FeltScene& scene) {
   return config.allow_uncertified

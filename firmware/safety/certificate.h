@@ -33,10 +33,10 @@ double certified_stiffness(const StiffnessCertificate& certificate, double dampi
 double least_certified_stiffness(const StiffnessCertificate& certificate, double from_Ns_per_m,
                                  double to_Ns_per_m);
 
-// Whether a part of that stiffness and damping is beyond the certificate.
+// True if that stiffness and damping is beyond the certificate.
 bool is_beyond(const StiffnessCertificate& certificate, const CertifiedPoint& felt);
 
-// What of a scene is stiffer than certified: one part, or several that push at one place together.
+// Names what is stiffer than certified in a scene: one part, or several that push at one place.
 struct UncertifiedPart {
   enum class Kind : std::uint8_t { object, effect };
   struct Other {

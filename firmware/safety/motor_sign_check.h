@@ -64,7 +64,7 @@ class MotorSignCheck {
   // A tick whose sample says nothing: the pulse under way is given up.
   void pass();
 
-  // What is added to the joints' efforts in this tick, N or N m.
+  // The pulse's part of this tick's efforts, N or N m; the caller adds it to the others.
   [[nodiscard]] const JointEfforts& push() const { return push_; }
 
   [[nodiscard]] bool is_done() const { return unanswered_ == 0; }
@@ -72,7 +72,7 @@ class MotorSignCheck {
   // The largest rendered force while it is not done, N.
   [[nodiscard]] double force_limit_N() const { return kUncheckedForce_N - most_N_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to bytes, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
@@ -88,7 +88,7 @@ class MotorSignCheck {
     std::uint32_t unclear = 0;
   };
 
-  // What the samples of a pulse add up to.
+  // Sums over the samples of a pulse.
   struct Sums {
     std::array<double, kPowers> y_powers{};
     std::array<double, kPowers> r_powers{};

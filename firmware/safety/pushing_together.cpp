@@ -27,7 +27,7 @@ constexpr double kRounding = 1e-9;
 // Single precision at the ends of the world.
 constexpr float kSlack_m = 2e-5F;
 
-// As much of a part as tells most pairs apart.
+// A rough shape of a part, enough to tell most pairs apart.
 struct Outline {
   std::array<float, 3> lower{};  // of the surface; of an effect, of its region
   std::array<float, 3> upper{};
