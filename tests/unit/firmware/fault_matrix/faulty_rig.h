@@ -16,7 +16,13 @@ namespace tactus::firmware {
 class ScriptedDevice {
  public:
   [[nodiscard]] static std::size_t joint_count() { return kJointCount; }
-  void read(drivers::JointSample& out) const { out = sample; }
+  void read(drivers::JointSample& out) const {
+    out = sample;
+    if (measures_effort && sample.effort_known == 0) {
+      out.effort = written.effort;
+      out.effort_known = 0b111;
+    }
+  }
   std::uint32_t write(const drivers::JointCommand& command) {
     written = command;
     return write_status;
@@ -24,6 +30,7 @@ class ScriptedDevice {
   void clear_faults() {}
 
   drivers::JointSample sample;
+  bool measures_effort = false;  // its drives report the effort that they were commanded
   std::uint32_t write_status = drivers::kDeviceOk;
   drivers::JointCommand written;
 };
