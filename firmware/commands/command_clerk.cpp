@@ -301,7 +301,7 @@ void CommandClerk::reply(CommandClient& client, const Answer& answer) {
   client.waiting.is_under_way = false;
   switch (client.waiting.verb) {
     case Verb::request:
-      write_request_reply(out, answer);
+      write_request_reply(out, answer, hooks_.homing_hint);
       break;
     case Verb::set:
       reply_set(client, answer);

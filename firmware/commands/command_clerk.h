@@ -27,6 +27,8 @@ struct RunHooks {
   void (*scene_changed)(void* run, std::span<const std::byte> image) = nullptr;
   // Why nobody may enable this device, and what to do; empty if they may. Outlives the server.
   std::string_view enable_refusal;
+  // What the user does while the device is homed; empty: nothing. Outlives the server.
+  std::string_view homing_hint;
 };
 
 class CommandClerk {

@@ -47,12 +47,15 @@ void write_faults(TextLine& line, std::uint64_t faults) {
   line.add(first ? "none" : "");
 }
 
-void write_request_reply(TextLine& line, const Answer& answer) {
+void write_request_reply(TextLine& line, const Answer& answer, std::string_view homing_hint) {
   const std::string_view name = kRequestNames[static_cast<std::size_t>(answer.request)];
   switch (answer.outcome) {
     case Outcome::done:
       line.add("ok ").add(name);
       write_tick(line, answer);
+      if (answer.after == Mode::homing && !homing_hint.empty()) {
+        line.add(" hint=\"").add(homing_hint).add("\"");
+      }
       line.end();
       return;
     case Outcome::superseded:

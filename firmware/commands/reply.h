@@ -12,8 +12,9 @@ namespace tactus::firmware {
 // "refused enable: why", where no tick was asked.
 void write_refusal(TextLine& line, std::string_view command, std::string_view why);
 
-// "ok enable tick=7 mode=active", or the refusal in words.
-void write_request_reply(TextLine& line, const Answer& answer);
+// "ok enable tick=7 mode=active", or the refusal in words. While homing, the hint is added in
+// quotes as hint="...", if there is one.
+void write_request_reply(TextLine& line, const Answer& answer, std::string_view homing_hint);
 
 // "ok set tick=7 max_force_N=4 least=0 greatest=8 unit=N". Of `get` and `set`.
 void write_parameter_reply(TextLine& line, std::string_view command, const ParameterPlace& place,

@@ -264,6 +264,7 @@ bool start_commands(const Options& options) {
   program.desk.set_events(telemetry_events(program.telemetry.sinks()));
   RunHooks hooks = telemetry_hooks(program.telemetry.sinks());
   hooks.enable_refusal = program.inputs.enable_refusal();
+  hooks.homing_hint = program.inputs.homing_hint();
   const auto started = program.commands.start({.socket_path = path.data(),
                                                .stop_socket_path = stop_path.data(),
                                                .group = options.group,

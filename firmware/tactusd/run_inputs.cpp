@@ -9,7 +9,7 @@
 
 #include "firmware/device/certificate_words.h"
 #include "firmware/device/device_commissioning.h"
-#include "firmware/tactusd/told.h"
+#include "firmware/device/homing_words.h"
 #include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
@@ -91,6 +91,7 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
       return false;
     }
   }
+  homing_hint_ = homing_words(config_, homing_room_);
   config_.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = controller.configure(config_.controller);
   if (!valid) {

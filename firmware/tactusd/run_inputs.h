@@ -4,6 +4,7 @@
 // on stderr, with its name.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "firmware/control/controller.h"
 #include "firmware/device/device_image.h"
 #include "firmware/tactusd/options.h"
+#include "firmware/tactusd/told.h"
 #include "hal/linux/image_slot.h"
 
 namespace tactus::firmware {
@@ -28,6 +30,8 @@ class RunInputs {
 
   // Why this device may not be enabled, and what to do; empty if it may.
   [[nodiscard]] std::string_view enable_refusal() const { return enable_refusal_; }
+  // What the user does while the device is homed; empty: nothing.
+  [[nodiscard]] std::string_view homing_hint() const { return homing_hint_; }
   [[nodiscard]] const DeviceConfig& config() const { return config_; }
   [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
   [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
@@ -40,6 +44,8 @@ class RunInputs {
   DeviceSections sections_;
   DeviceConfig config_;
   std::string_view enable_refusal_;
+  std::array<char, kMostWords> homing_room_{};
+  std::string_view homing_hint_;
   SceneStore scenes_;
 };
 

@@ -9,35 +9,15 @@ device=odrive_arm scene=bunny
 # shellcheck source=tests/rig/scenarios/bus_touch.inc
 . /rig/bus_touch.inc
 
-start() { # NAME SECONDS
-  emulate "$1" "$(($2 + 1))"
-  # shellcheck disable=SC2154  # bus_touch.inc sets it
-  tactusd "/images/$device.tactus" "/images/$scene.tactus" --enable --allow-uncommissioned --seconds "$2" --run-dir /run --record "/results/$1.mcap" \
-    2>"/results/$1.log" &
-  controller=$!
-  sleep 2
-}
+# shellcheck source=tests/rig/scenarios/signalled.inc
+. /rig/signalled.inc
 
-# signalled NAME THREAD SIGNAL EXIT_CODE LIMIT_MS
-signalled() {
-  start "$1" 4
-  at_ns="$(signal_thread $controller "$2" "$3")" || fail "$1: no signal was sent"
-  wait $controller
-  code=$?
-  cat "/results/$1.log"
-  [ $code -eq "$4" ] || fail "$1: tactusd ended with $code, not $4"
-  # shellcheck disable=SC2154
-  wait $emulator
-  echo "measured: $1:"
-  bus_touch_check killed "/results/$1.truth.csv" 3 "$at_ns" "$5" || exit 1
-}
-
-signalled sigterm tactusd 15 0 5
-signalled sigsegv_in_writer telemetry 11 139 5
+signalled sigterm tactusd 15 0 5 || exit 1
+signalled sigsegv_in_writer telemetry 11 139 5 || exit 1
 grep -q helper_crashed /results/sigsegv_in_writer.log || fail 'the fault has not been told'
-signalled sigsegv_in_loop tactusd 11 139 5
+signalled sigsegv_in_loop tactusd 11 139 5 || exit 1
 # Nobody is left: the drives' own watchdog of 20 ms.
-signalled sigkill tactusd 9 137 25
+signalled sigkill tactusd 9 137 25 || exit 1
 
 # Neither disturbs the loop. In real life the device has a processor of its own: here it has what the loop leaves.
 # shellcheck disable=SC2034  # bus_touch.inc reads it
@@ -53,9 +33,9 @@ for _ in 1 2 3 4 5; do
   kill -KILL $!
 done
 answer="$(tactus get max_force_N --run-dir /run)" || fail 'the controller no longer answers'
-wait $controller
+wait "$controller"
 code=$?
-kill -KILL $reader
+kill -KILL "$reader"
 cat /results/peers.log
 [ $code -eq 0 ] || fail "peers: tactusd ended with $code"
 grep -q ' 0 missed' /results/peers.log || fail 'peers: missed ticks'

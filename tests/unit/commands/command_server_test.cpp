@@ -358,6 +358,15 @@ TEST_F(CommandServerTest, ADeviceThatMayNotBeEnabledSaysWhyAndStaysReady) {
   EXPECT_EQ(say("status").find("mode=active"), std::string::npos);
 }
 
+TEST_F(CommandServerTest, HomingSaysWhatTheUserDoes) {
+  serve({.hooks = {.homing_hint = "hold 'left' still at 180 deg"}});
+  start_loop();
+  const std::string reply = say("home");
+  EXPECT_TRUE(begins(reply, "ok home"));
+  EXPECT_NE(reply.find(" mode=homing hint=\"hold 'left' still at 180 deg\""), std::string::npos)
+      << reply;
+}
+
 TEST_F(CommandServerTest, AProgramThatGoesMidwayHurtsNobody) {
   start();
   ask_and_go(20);

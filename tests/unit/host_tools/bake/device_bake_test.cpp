@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "firmware/device/homing_words.h"
 #include "host_tools/input_error.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -81,6 +83,20 @@ TEST_F(DeviceBake, SaysWhatTheFileSays) {
   EXPECT_EQ(config.joints[0].reference.kind, drivers::ReferenceKind::known_pose);
   EXPECT_EQ(config.joints[0].reference.position, 0.1);
   EXPECT_EQ(config.joints[0].encoder, config.joints[0].motor);
+}
+
+TEST_F(DeviceBake, AnExampleSaysWhatHomingAsksOfTheUser) {
+  const auto words_for = [](const std::string& device) {
+    const LoadedDevice loaded = bake_device(TACTUS_EXAMPLE_DEVICES "/" + device + ".toml");
+    std::array<char, 512> room{};
+    return std::string(firmware::homing_words(loaded.config(), room));
+  };
+  EXPECT_EQ(words_for("haply"),
+            "hold 'left arm' still at 180 deg, hold 'right arm' still at 0 deg");
+  EXPECT_EQ(words_for("vesc_paddle"), "let 'paddle' move by itself");
+  EXPECT_EQ(words_for("falcon"),
+            "home 'top arm' at the device, home 'right arm' at the device, home 'left arm' at the "
+            "device");
 }
 
 TEST_F(DeviceBake, ImageGivesTheSameDeviceAgain) {
