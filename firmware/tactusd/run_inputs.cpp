@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "firmware/device/certificate_words.h"
+#include "firmware/device/device_checks.h"
 #include "firmware/device/device_commissioning.h"
 #include "firmware/device/homing_words.h"
 #include "rendering/scene/scene_world.h"
@@ -47,6 +48,23 @@ bool is_slower_than_certified(const Options& options, const DeviceConfig& config
          options.rate_hz > 0.0 && options.rate_hz < config.controller.rate_hz;
 }
 
+// Baking has checked the device's own rate; --rate is another one. False: told.
+bool can_keep_rate(const Options& options, const DeviceConfig& config) {
+  Words words;
+  const Verdict verdict = check_rates(config, words);
+  if (!verdict) {
+    const Refusal& refusal = verdict.error();
+    const std::string_view name = refusal.place == Place::axis
+                                      ? config.axes[refusal.index].name
+                                      : config.connections[refusal.index].name;
+    std::fprintf(stderr, "tactusd: %s: --rate %g: '%.*s': %.*s%s%.*s\n", options.device,
+                 options.rate_hz, length(name), name.data(), length(refusal.key),
+                 refusal.key.data(), refusal.key.empty() ? "" : " ", length(refusal.rule),
+                 refusal.rule.data());
+  }
+  return verdict.has_value();
+}
+
 }  // namespace
 
 bool RunInputs::load_device(const Options& options, Controller& controller) {
@@ -74,6 +92,9 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
   }
   if (options.rate_hz > 0.0) {
     config_.controller.rate_hz = options.rate_hz;
+    if (!can_keep_rate(options, config_)) {
+      return false;
+    }
   }
   std::array<char, kMostWords> words{};
   if (const auto warning = certificate_warning(config_.certification, words); !warning.empty()) {

@@ -82,7 +82,7 @@ awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wall_wish.csv
 for device in "$images"/*_arm.toml "$images"/{falcon,hapkit}.toml; do
   "$build/bin/tactus" bake --quiet "$device" -o "${device%.toml}.tactus"
 done
-# At 2 kHz the drives' messages come with every second tick: the others do not wait for one.
+# The loop that is measured does not wait long for a drive's message.
 sed '0,/^name = .*/s//&\nread_limit_s = 0.00005/' "$images/odrive_arm.toml" >"$images/odrive_loop.toml"
 "$build/bin/tactus" bake --quiet "$images/odrive_loop.toml" -o "$images/odrive_loop.tactus"
 # Under a tracer the drives' messages come late, which is no fault there.

@@ -27,6 +27,19 @@ passes --rate 250 --allow-uncertified
 passes --rate 1000
 passes --rate 2000
 
+# A rate that baking would refuse is refused here too: the bus cannot carry it, or a drive has its own period.
+# refuses DEVICE RATE WORDS
+refuses() {
+  "$tactus" bake --quiet "$examples/devices/$1.toml" -o "$work/other.tactus"
+  local code=0
+  "$tactusd" "$work/other.tactus" --run-dir "$work/run" --rate "$2" --seconds 0.1 >"$work/said" 2>&1 || code=$?
+  cat "$work/said"
+  [[ $code -eq 2 ]] && grep -qF -- "$3" "$work/said"
+}
+refuses odrive_arm 2000 "--rate 2000: 'drive 0': estimates come every 0.001 s"
+refuses moteus_arm 2000 "--rate 2000: 'bus': the bus would be 175 % full"
+refuses cia402_arm 500 "period_s is 0.001 s"
+
 effect() {
   cat >"$work/effect.toml" <<END
 [tool]
