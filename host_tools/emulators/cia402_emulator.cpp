@@ -301,6 +301,10 @@ void Cia402Emulator::abort_connection(hal::TimeNs now_ns) {
       power_ = Power::switch_on_disabled;
       send_emergency(now_ns, kHeartbeatError);
       break;
+    case 3:
+      power_ = power_ == Power::operation_enabled ? Power::quick_stop : power_;
+      send_emergency(now_ns, kHeartbeatError);
+      break;
     default:
       send_emergency(now_ns, kHeartbeatError);
       break;
