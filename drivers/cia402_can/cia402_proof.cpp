@@ -15,7 +15,6 @@ namespace {
 using canopen::SdoClient;
 
 constexpr canopen::ObjectAddress kStatuswordObject{0x6041, 0};
-constexpr canopen::ObjectAddress kErrorCodeInProof{0x603F, 0};
 
 // Drives look at their watchdogs every few milliseconds, and then let go.
 constexpr double kDriveLooks_s = 0.02;
@@ -45,7 +44,7 @@ void Cia402Can::prove(CanOutbox& outbox) {
     is_proven_ = true;
     start_again();
   } else if (cia402::power_state(state_.statusword) == cia402::PowerState::fault) {
-    if (const auto code = read_object(kErrorCodeInProof, outbox)) {
+    if (const auto code = read_object(cia402::kErrorCodeObject, outbox)) {
       judge_reason(static_cast<std::uint16_t>(*code & 0xFFFFU));
     }
   }
@@ -89,7 +88,9 @@ void Cia402Can::watch_proof() {
   if (!has_passed(phase_ns_, limit_s)) {
     return;
   }
-  if (has_let_go_) {
+  if (has_let_go_ && emergency_code_ != 0) {
+    judge_reason(emergency_code_);
+  } else if (has_let_go_) {
     latch(kDeviceDriveFault,
           {"drive let the motor go while its watchdog was to be proven, and does not say why",
            "check motor power and safe torque off, then reset; unproven_watchdog = true does "

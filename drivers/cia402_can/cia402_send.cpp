@@ -22,8 +22,6 @@ constexpr double kFaultResetEdge_s = 0.02;  // the fault reset bit stays so long
 constexpr double kPowerSettles_s = 0.01;
 constexpr double kUnitsPerTorque = 1e3;  // of the rated torque
 
-constexpr canopen::ObjectAddress kErrorCodeObject{0x603F, 0};
-
 }  // namespace
 
 void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
@@ -219,7 +217,7 @@ void Cia402Can::read_error_code(CanOutbox& outbox) {
     return;
   }
   if (sdo_.state() == SdoClient::State::idle) {
-    sdo_.read(kErrorCodeObject);
+    sdo_.read(cia402::kErrorCodeObject);
   }
   sdo_.run(now_ns_, outbox);
   if (sdo_.state() == SdoClient::State::asking) {

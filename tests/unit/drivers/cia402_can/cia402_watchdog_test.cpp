@@ -58,7 +58,7 @@ void run_into_the_proof(WatchdogRig& rig) {
 
 void expect_refused(WatchdogRig& rig, std::string_view words) {
   EXPECT_LT(rig.run_until_well(kUp_ns), 0);
-  EXPECT_EQ(rig.sample(0).status, kDeviceDriveFault);
+  EXPECT_EQ(rig.sample(0).status & ~std::uint32_t{kDeviceTooHot}, kDeviceDriveFault);
   EXPECT_NE(rig.board().trouble(0).what.find(words), std::string_view::npos)
       << rig.board().trouble(0).what;
   EXPECT_NE(rig.board().trouble(0).remedy.find("reset"), std::string_view::npos);
@@ -195,6 +195,16 @@ TEST(Cia402Watchdog, PowerThatGoesWithoutAReasonProvesNothing) {
   rig.emulator(0).set_object(0x603F, 0, 0x8130);
   rig.emulator(0).drop_power();
   expect_refused(rig, "does not say why");
+}
+
+TEST(Cia402Watchdog, PowerThatGoesWithAnotherMessageIsToldByIt) {
+  WatchdogRig rig = one_watched({.has_watchdog = false});
+  hal::SimulatedCanBus drive(rig.network());
+  rig.start();
+  run_into_the_proof(rig);
+  ASSERT_TRUE(drive.send(frame_of("081#1043010000000000")));
+  rig.emulator(0).drop_power();
+  expect_refused(rig, "over-temperature");
 }
 
 TEST(Cia402Watchdog, DriveThatIsUnpluggedInTheProofIsLost) {
