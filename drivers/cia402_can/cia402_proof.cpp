@@ -4,6 +4,9 @@
 // nothing else. It must leave every state that may have torque, and say that the reason is the
 // silence: with an emergency message, or in 603F:00. A drive that stops for another reason, an
 // emergency stop for example, proves nothing.
+#include <cstdint>
+#include <optional>
+
 #include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
 #include "drivers/seconds.h"
