@@ -9,13 +9,13 @@ namespace {
 
 // Lengths in times of the search speed: what a joint travels in them.
 constexpr double kBackOff_s = 0.2;
-constexpr double kWrongWay_s = 0.02;
+constexpr double kBackOffWrongWay_s = 0.02;
 constexpr double kStillBand_s = 0.01;  // in kStanding_ns: a twentieth of the search speed
 // Parts of the way that it backs off.
 constexpr double kBackOffShare = 0.1;  // of the free travel, at most
 constexpr double kSamePlaceShare = 0.2;
 constexpr double kWrongWayShare = 0.25;
-constexpr double kStillShare = 0.1;
+constexpr double kBackOffStillShare = 0.1;
 
 }  // namespace
 
@@ -27,8 +27,8 @@ HardStopSearch::HardStopSearch(const HardStopLimits& limits)
       same_place_(kSamePlaceShare * back_off_),
       move_({.effort = std::abs(limits.effort),
              .speed = limits.speed,
-             .wrong_way = std::min(kWrongWay_s * limits.speed, kWrongWayShare * back_off_),
-             .still_band = std::min(kStillBand_s * limits.speed, kStillShare * back_off_),
+             .wrong_way = std::min(kBackOffWrongWay_s * limits.speed, kWrongWayShare * back_off_),
+             .still_band = std::min(kStillBand_s * limits.speed, kBackOffStillShare * back_off_),
              .time_ns = limits.time_ns}) {}
 
 void HardStopSearch::begin(double position, hal::TimeNs now_ns) {

@@ -26,6 +26,12 @@ constexpr std::array kSetUpSteps = std::to_array<SdoStep>({
 
     {{0x1016, 1}, 4, watchdog, 0, false, "1016:01 (watchdog on the host) cannot be set"},
     {{0x1017, 0}, 2, heartbeat_period, 0, false, "1017:00 (heartbeat) cannot be set"},
+    {{0x1029, 1},
+     1,
+     fixed,
+     0,
+     true,
+     "1029:01 (not operational when the host is gone) cannot be set"},
     {{0x6007, 0}, 2, fixed, 1, true, "6007:00 (fault when the host is gone) cannot be set"},
     {{0x605E, 0}, 2, fixed, 0, true, "605E:00 (no torque in a fault) cannot be set"},
     {{0x6072, 0}, 2, torque_limit, 0, false, "6072:00 (torque limit) cannot be set"},
@@ -147,7 +153,7 @@ std::uint32_t value_to_write(const SdoStep& step, const Cia402Config& config,
     case plus_node:
       return step.value + config.node;
     case watchdog:
-      return static_cast<std::uint32_t>(config.host_node) << 16U | config.watchdog_ms;
+      return static_cast<std::uint32_t>(heartbeat_node(config)) << 16U | config.watchdog_ms;
     case heartbeat_period:
       return config.drive_heartbeat_ms;
     case torque_limit:

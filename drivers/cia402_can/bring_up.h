@@ -38,6 +38,9 @@ struct SdoStep {
   std::string_view what;        // for a Trouble, if the drive refuses or keeps silent
 };
 
+// The code of the drive's last fault.
+inline constexpr canopen::ObjectAddress kErrorCodeObject{0x603F, 0};
+
 // Before the drive is operational.
 std::span<const SdoStep> set_up_steps();
 // After that.

@@ -10,8 +10,6 @@ namespace tactus::drivers {
 
 namespace {
 
-constexpr canopen::ObjectAddress kControlwordObject{0x6040, 0};
-
 CountedShaftConfig cia402_shaft(const Cia402Config& config) {
   return {.rad_per_count = 2.0 * std::numbers::pi / config.counts_per_turn,
           .max_speed_rad_per_s = config.max_speed_rad_per_s,
@@ -54,6 +52,7 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   now_ns_ = now_ns;
   begun_ns_ = now_ns;
   faults_.clear();
+  is_proven_ = is_proven_ && is_followed_;
   is_shown_ = true;
   is_pre_operational_ = false;
   sample_.has_torque = false;
@@ -63,11 +62,13 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   emergency_code_ = 0;
   unanswered_syncs_ = 0;
   is_late_ = false;
+  is_cut_off_ = false;
   is_operational_ = false;
   has_state_ = false;
   mode_is_set_ = false;
   in_torque_mode_ = false;
   wants_power_ = false;
+  had_power_ = false;
   tick_is_over_ = false;
   reads_error_code_ = false;
   enter(Phase::booting);
@@ -77,6 +78,8 @@ void Cia402Can::enter(Phase phase) {
   phase_ = phase;
   phase_ns_ = now_ns_;
   has_sent_nmt_ = false;
+  has_let_go_ = false;
+  was_told_why_ = false;
   step_ = 0;
   is_followed_ = is_followed_ || phase == Phase::ready;
   update_status();
@@ -116,7 +119,7 @@ void Cia402Can::shutdown(CanOutbox& outbox) {
   // The PDO waits for a SYNC, of which there may be no more; the SDO acts by itself. Out of
   // operational the drive listens to no torque at all.
   outbox.add(cia402::command_frame(config_.node, {}));
-  outbox.add(canopen::sdo_write(config_.node, kControlwordObject, cia402::kDisableVoltage, 2));
+  outbox.add(cia402::disable_voltage_frame(config_.node));
   outbox.add(canopen::nmt_frame(canopen::NmtCommand::enter_pre_operational, config_.node));
   if (config_.leads_bus) {
     outbox.add(canopen::sync_frame());

@@ -14,17 +14,24 @@
 // kDeviceOk, and the power follows the command: up to a second may pass between `enable` and
 // torque.
 //
+// Before the first 'ready' the drive's watchdog is proven. With power on and at zero torque nothing
+// is sent to the drive but the SYNC, until it says that it has let the motor go because the host is
+// silent; then it is started again. The proof holds as long as the position is followed: after a
+// fault that leaves it, the drive is brought up without another. `power_off` puts it off.
+//
 // A sample that did not come in time shows by its time alone, without kDeviceStale: the board does
 // not wait for a stale axis, and the next SYNC is answered again.
 //
 // Latched, until clear_faults:
 //   kDeviceDriveFault    the drive reports a fault (EMCY, statusword), leaves torque mode, its
-//                        power or operational by itself, restarts, does not switch its power on, or
-//                        refuses the set-up
+//                        power or operational by itself, restarts, does not switch its power on,
+//                        refuses the set-up, or does not stop when the host is silent
 //   kDeviceTooHot        with it, if that is what the drive reports
-//   kDeviceReferenceLost with lost, encoder fault, restart and errors of supply or encoder, also
-//                        after another fault and in the bring-up after clear_faults: the drive goes
-//                        on being watched
+//   kDeviceReferenceLost with lost, encoder fault, restart ('not ready to switch on' and an
+//                        operational that was left without an error are one) and errors of supply
+//                        or encoder, also after another fault and in the bring-up after
+//                        clear_faults: the drive goes on being watched. A motor that lost its
+//                        supply alone keeps its reference
 //   kDeviceEncoderFault  a position that the shaft cannot have reached; the last good one stays
 //   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, not up in time
 // From then on each tick sends torque zero and 'disable voltage'. What cannot be seen: samples that
@@ -33,6 +40,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "drivers/axis.h"
@@ -74,6 +82,8 @@ class Cia402Can {
     starting,       // until it is operational and sends samples
     choosing_mode,  // until it says that it is in torque mode
     clearing,       // until it is out of fault and ready to switch on
+    powering,       // until it has power, at zero torque
+    proving,        // nothing but SYNC, until its watchdog trips; then starting again
     ready,
   };
 
@@ -95,21 +105,33 @@ class Cia402Can {
   void take_emergency(const canopen::Emergency& emergency);
   void check_power();
   void latch_drive_fault();
+  void latch_missing_supply();
+  void leave_operational(canopen::NmtState state);
 
   void watch();
   void watch_bring_up();
   void watch_samples();
   [[nodiscard]] Trouble late_bring_up() const;
 
-  void lead_bus(CanOutbox& outbox);
+  void feed_watchdog(CanOutbox& outbox);
+  void cut_power(CanOutbox& outbox);
   void boot(CanOutbox& outbox);
-  void bring_up(CanOutbox& outbox);
+  void bring_up(const AxisCommand& command, CanOutbox& outbox);
+  void clear_drive(const AxisCommand& command);
   void repeat_nmt(canopen::NmtCommand command, double every_s, CanOutbox& outbox);
   void run_set_up(CanOutbox& outbox);
   void choose_mode(CanOutbox& outbox);
   bool run_step(const cia402::SdoStep& step, CanOutbox& outbox);
   void refuse(const cia402::SdoStep& step);
   void read_error_code(CanOutbox& outbox);
+
+  [[nodiscard]] bool is_silent() const { return phase_ == Phase::proving && !faults_; }
+  void prove(CanOutbox& outbox);
+  void take_power_in_proof(std::uint16_t statusword);
+  void judge_reason(std::uint16_t code);
+  void watch_proof();
+  void start_again();
+  std::optional<std::uint32_t> read_object(canopen::ObjectAddress object, CanOutbox& outbox);
 
   [[nodiscard]] cia402::TorqueCommand next_command(const AxisCommand& command);
   [[nodiscard]] cia402::TorqueCommand powered_command(const AxisCommand& command);
@@ -145,8 +167,13 @@ class Cia402Can {
   bool in_torque_mode_ = false;
   bool wants_power_ = false;
   bool had_power_ = false;     // since it was wanted, long enough to be sure
+  bool had_supply_ = false;    // of the motor, since then
+  bool is_proven_ = false;     // the watchdog, and the drive has not restarted since
+  bool has_let_go_ = false;    // of the motor, in the proof
+  bool was_told_why_ = false;  // in the proof: because the host is silent
   bool is_late_ = false;       // the last sample
   bool tick_is_over_ = false;  // its command has been sent, the next SYNC has not
+  bool is_cut_off_ = false;    // by an SDO, since the fault
   bool reads_error_code_ = false;
   cia402::DriveState state_;
   std::uint16_t emergency_code_ = 0;

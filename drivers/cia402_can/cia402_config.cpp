@@ -52,10 +52,17 @@ Checked check(const Cia402Config& config) {
       return refused(range.field, range.rule);
     }
   }
-  if (config.host_node == config.node) {
-    return refused("host_node", "must not be the drive's");
+  if (heartbeat_node(config) < 1) {
+    return refused("host_node", "must not be below node: drive n watches host_node + 1 - n");
+  }
+  if (heartbeat_node(config) == config.node) {
+    return refused("host_node", "gives the drive's own number: drive n watches host_node + 1 - n");
   }
   return {};
+}
+
+int heartbeat_node(const Cia402Config& config) {
+  return config.host_node + 1 - config.node;
 }
 
 Checked check_bus(std::span<const Cia402Config> configs) {
@@ -75,8 +82,11 @@ Checked check_bus(std::span<const Cia402Config> configs) {
       return refused("period_s", "must be the same for all drives of a bus");
     }
   }
-  if (!configs.empty() && taken[configs[0].host_node]) {
-    return refused("host_node", "must not be a drive's");
+  const auto is_a_drives = [&taken](const Cia402Config& config) {
+    return taken[static_cast<std::size_t>(heartbeat_node(config))];
+  };
+  if (std::ranges::any_of(configs, is_a_drives)) {
+    return refused("host_node", "gives a drive's number: drive n watches host_node + 1 - n");
   }
   if (!configs.empty() && std::ranges::count(configs, true, &Cia402Config::leads_bus) != 1) {
     return refused("leads_bus", "must be set for exactly one drive of a bus");

@@ -16,9 +16,11 @@ enum class RatedTorque : std::uint8_t {
 };
 
 struct Cia402Config {
-  std::uint8_t node = 1;         // 1..127
-  std::uint8_t host_node = 127;  // of the host's heartbeat; 1..127 and no drive's
-  // Exactly one drive of a bus leads it: sends the SYNC and the host's heartbeat. See check_bus.
+  std::uint8_t node = 1;  // 1..127
+  // The host sends each drive a heartbeat of its own, so that the watchdog of one can be proven
+  // while another pushes. Their numbers count down from here, see heartbeat_node. 1..127.
+  std::uint8_t host_node = 127;
+  // Exactly one drive of a bus leads it: sends the SYNC. See check_bus.
   bool leads_bus = true;
 
   double period_s = 0.001;          // of the ticks, so of the SYNC; 0.0005..0.02
@@ -48,15 +50,19 @@ struct Cia402Config {
   double bring_up_timeout_s = 5.0;        // from reset to ready; 0.1..60
   double enable_timeout_s = 1.0;          // from power wanted to power on; 0.01..10
 
-  // True: the owner accepts a drive whose watchdog was not proven, and with it that the motor may
-  // keep its torque when the host dies.
+  // True: the bring-up leaves out the proof of the drive's watchdog. The owner accepts that the
+  // motor may keep its torque when the host dies.
   bool unproven_watchdog = false;
 };
 
 Checked check(const Cia402Config& config);
 
-// Drives that share a bus: besides each by itself, that their nodes differ, exactly one leads, and
-// they agree on the host's node and the period.
+// The node number under which the host sends the heartbeat that this drive watches:
+// host_node + 1 - node. Below 1 for a configuration that `check` refuses.
+int heartbeat_node(const Cia402Config& config);
+
+// Drives that share a bus: besides each by itself, that their nodes differ and are not the
+// host's, exactly one leads, and they agree on host_node and the period.
 Checked check_bus(std::span<const Cia402Config> configs);
 
 }  // namespace tactus::drivers

@@ -1,4 +1,4 @@
-// What a Cia402Can makes of the frames that it takes, and of those that do not come.
+// How a Cia402Can takes the drive's frames, and notices those that do not come.
 #include <algorithm>
 #include <cmath>
 
@@ -20,12 +20,9 @@ constexpr double kSecondsPerMs = 1e-3;
 constexpr Trouble kUnnamedFault{"drive is in fault, with a code that it has not told",
                                 "see the drive's own diagnosis, then reset", 0};
 
-// Codes of the supply and of the encoder: the position may count from another zero.
-bool may_move_zero(std::uint16_t code) {
-  constexpr std::uint16_t kVoltages = 0x3000;
-  constexpr std::uint16_t kEncoders = 0x7300;
-  return (code & 0xF000U) == kVoltages || (code & 0xFF00U) == kEncoders;
-}
+constexpr Trouble kRestarted{"drive restarted by itself",
+                             "check its supply, then reset and home: its position may have changed",
+                             0};
 
 bool is_fault(PowerState state) {
   return state == PowerState::fault || state == PowerState::fault_reaction_active;
@@ -71,6 +68,10 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
   if (!is_late_ || phase_ != Phase::ready) {
     take_sample();
   }
+  const PowerState power = cia402::power_state(state.statusword);
+  if (is_followed_ && power == PowerState::not_ready_to_switch_on) {  // so it is after a boot alone
+    lose_reference(kDeviceDriveFault, kRestarted);
+  }
   check_power();
   update_status();
 }
@@ -89,17 +90,25 @@ void Cia402Can::take_sample() {
 
 void Cia402Can::check_power() {
   const PowerState power = cia402::power_state(state_.statusword);
-  if (phase_ != Phase::ready || faults_) {
+  if (is_silent()) {
+    take_power_in_proof(state_.statusword);
     return;
   }
+  if ((phase_ != Phase::ready && phase_ != Phase::powering) || faults_) {
+    return;
+  }
+  const bool has_supply = (state_.statusword & cia402::kVoltageEnabled) != 0;
   if (is_fault(power)) {
     latch_drive_fault();
+  } else if (wants_power_ && had_supply_ && !has_supply) {
+    latch_missing_supply();
   } else if (wants_power_ && had_power_ && power != PowerState::operation_enabled) {
     latch(kDeviceDriveFault,
           {cia402::power_state_words(power),
            "check motor power, safe torque off and the drive's inputs, then reset",
            state_.statusword});
   }
+  had_supply_ = had_supply_ || (power == PowerState::operation_enabled && has_supply);
 }
 
 void Cia402Can::latch_drive_fault() {
@@ -111,9 +120,15 @@ void Cia402Can::latch_drive_fault() {
   reads_error_code_ = true;
 }
 
+void Cia402Can::latch_missing_supply() {
+  latch(kDeviceDriveFault,
+        {"the motor's supply is gone (6041:00, voltage enabled)",
+         "check motor power and the emergency stop, then reset", state_.statusword});
+}
+
 void Cia402Can::latch_error(std::uint16_t code) {
   const Trouble trouble = cia402::error_code_trouble(code);
-  if (may_move_zero(code)) {
+  if (cia402::may_move_zero(code)) {
     lose_reference(kDeviceDriveFault, trouble);
   } else {
     latch(kDeviceDriveFault, trouble);
@@ -148,9 +163,7 @@ void Cia402Can::take_heartbeat(NmtState state) {
   is_operational_ = state == NmtState::operational;
   is_pre_operational_ = state == NmtState::pre_operational;
   if (state == NmtState::boot_up && is_followed_) {
-    lose_reference(kDeviceDriveFault,
-                   {"drive restarted by itself",
-                    "check its supply, then reset and home: its position may have changed", 0});
+    lose_reference(kDeviceDriveFault, kRestarted);
     return;
   }
   if (phase_ == Phase::booting || phase_ == Phase::setting_up) {
@@ -161,19 +174,32 @@ void Cia402Can::take_heartbeat(NmtState state) {
     return;
   }
   if (state == NmtState::boot_up) {
-    latch(kDeviceDriveFault, {"drive restarted by itself",
-                              "check its supply, then reset; its position may have changed", 0});
-  } else if (!is_operational_ && phase_ > Phase::starting) {
-    latch(kDeviceDriveFault, {"drive left the state 'operational' by itself",
-                              "look for a second master on the bus and for bus errors, then reset",
-                              static_cast<std::uint32_t>(state)});
+    latch(kDeviceDriveFault, kRestarted);
+  } else if (!is_operational_ && phase_ > Phase::starting && !is_silent()) {
+    leave_operational(state);
+  }
+}
+
+// Without an error before, it is what a restart looks like whose boot-up message got lost.
+void Cia402Can::leave_operational(NmtState state) {
+  const Trouble trouble{"drive left the state 'operational' by itself",
+                        "look for a second master on the bus and for bus errors, then reset",
+                        static_cast<std::uint32_t>(state)};
+  if (faults_ || emergency_code_ != 0) {
+    latch(kDeviceDriveFault, trouble);
+  } else {
+    lose_reference(kDeviceDriveFault, trouble);
   }
 }
 
 // During the bring-up it is mostly what is to be cleared there.
 void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
   emergency_code_ = emergency.code;
-  if (is_followed_ && may_move_zero(emergency.code)) {
+  if (is_silent()) {
+    was_told_why_ = was_told_why_ || cia402::is_host_silent(emergency.code);
+    return;
+  }
+  if (is_followed_ && cia402::may_move_zero(emergency.code)) {
     latch_error(emergency.code);
   }
   if (emergency.code == 0 || phase_ != Phase::ready) {
@@ -198,6 +224,8 @@ void Cia402Can::watch() {
                         is_fault(cia402::power_state(state_.statusword));
   } else if (phase_ == Phase::ready) {
     watch_samples();
+  } else if (phase_ == Phase::proving) {
+    watch_proof();
   }
 }
 

@@ -1,4 +1,4 @@
-// What a Cia402Can sends: SYNC and heartbeat for the bus, the bring-up, the torque.
+// The frames that a Cia402Can sends: SYNC, heartbeat, the bring-up, the torque.
 #include <algorithm>
 #include <cmath>
 
@@ -22,8 +22,6 @@ constexpr double kFaultResetEdge_s = 0.02;  // the fault reset bit stays so long
 constexpr double kPowerSettles_s = 0.01;
 constexpr double kUnitsPerTorque = 1e3;  // of the rated torque
 
-constexpr canopen::ObjectAddress kErrorCodeObject{0x603F, 0};
-
 }  // namespace
 
 void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
@@ -37,17 +35,7 @@ void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   sync_ns_ = now_ns;
   ++unanswered_syncs_;
   if (config_.leads_bus) {
-    lead_bus(outbox);
-  }
-}
-
-void Cia402Can::lead_bus(CanOutbox& outbox) {
-  outbox.add(canopen::sync_frame());
-  if (!has_sent_heartbeat_ ||
-      has_passed(sent_heartbeat_ns_, 1e-3 * config_.watchdog_ms / kHeartbeatsPerWatchdog)) {
-    outbox.add(canopen::heartbeat_frame(config_.host_node, canopen::NmtState::operational));
-    has_sent_heartbeat_ = true;
-    sent_heartbeat_ns_ = now_ns_;
+    outbox.add(canopen::sync_frame());
   }
 }
 
@@ -57,17 +45,41 @@ void Cia402Can::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
     return;
   }
   watch();
+  if (command.power_off && (phase_ == Phase::powering || is_silent())) {
+    start_again();
+  }
   if (!faults_) {
-    bring_up(outbox);
+    bring_up(command, outbox);
   }
-  if (is_live()) {
-    outbox.add(cia402::command_frame(config_.node, next_command(command)));
+  if (!is_silent()) {
+    if (is_live()) {
+      outbox.add(cia402::command_frame(config_.node, next_command(command)));
+    }
+    feed_watchdog(outbox);
   }
+  cut_power(outbox);
   read_error_code(outbox);
   tick_is_over_ = true;
 }
 
-void Cia402Can::bring_up(CanOutbox& outbox) {
+// A drive that is no more operational takes no PDO; if it has kept its power, this takes it away.
+void Cia402Can::cut_power(CanOutbox& outbox) {
+  if (faults_ && is_live() && is_pre_operational_ && !is_cut_off_) {
+    is_cut_off_ = outbox.add(cia402::disable_voltage_frame(config_.node));
+  }
+}
+
+// Behind the torque: it tells that a whole tick was done.
+void Cia402Can::feed_watchdog(CanOutbox& outbox) {
+  if (!has_sent_heartbeat_ ||
+      has_passed(sent_heartbeat_ns_, 1e-3 * config_.watchdog_ms / kHeartbeatsPerWatchdog)) {
+    has_sent_heartbeat_ = outbox.add(canopen::heartbeat_frame(
+        static_cast<std::uint8_t>(heartbeat_node(config_)), canopen::NmtState::operational));
+    sent_heartbeat_ns_ = now_ns_;
+  }
+}
+
+void Cia402Can::bring_up(const AxisCommand& command, CanOutbox& outbox) {
   switch (phase_) {
     case Phase::booting:
       boot(outbox);
@@ -85,14 +97,35 @@ void Cia402Can::bring_up(CanOutbox& outbox) {
       choose_mode(outbox);
       return;
     case Phase::clearing:
-      if (cia402::power_state(state_.statusword) == PowerState::ready_to_switch_on) {
-        emergency_code_ = 0;
-        enter(Phase::ready);
+      clear_drive(command);
+      return;
+    case Phase::powering:
+      if (had_power_) {
+        enter(Phase::proving);
       }
+      return;
+    case Phase::proving:
+      prove(outbox);
       return;
     case Phase::off:
     case Phase::ready:
       return;
+  }
+}
+
+// Nothing gets power for the proof while it is to have none, however long that lasts.
+void Cia402Can::clear_drive(const AxisCommand& command) {
+  if (cia402::power_state(state_.statusword) != PowerState::ready_to_switch_on) {
+    return;
+  }
+  emergency_code_ = 0;
+  if (is_proven_ || config_.unproven_watchdog) {
+    enter(Phase::ready);
+  } else if (command.power_off) {
+    begun_ns_ = now_ns_;
+  } else {
+    has_sent_heartbeat_ = false;  // the drive watches from the first on that it hears
+    enter(Phase::powering);
   }
 }
 
@@ -184,7 +217,7 @@ void Cia402Can::read_error_code(CanOutbox& outbox) {
     return;
   }
   if (sdo_.state() == SdoClient::State::idle) {
-    sdo_.read(kErrorCodeObject);
+    sdo_.read(cia402::kErrorCodeObject);
   }
   sdo_.run(now_ns_, outbox);
   if (sdo_.state() == SdoClient::State::asking) {
@@ -206,6 +239,8 @@ cia402::TorqueCommand Cia402Can::next_command(const AxisCommand& command) {
   switch (phase_) {
     case Phase::clearing:
       return {clearing_controlword(), 0};
+    case Phase::powering:
+      return powered_command({.torque_Nm = 0.0, .enable = true});
     case Phase::ready:
       return powered_command(command);
     default:
@@ -232,6 +267,7 @@ cia402::TorqueCommand Cia402Can::powered_command(const AxisCommand& command) {
     wants_power_ = true;
     wants_power_ns_ = now_ns_;
     had_power_ = false;
+    had_supply_ = false;
   }
   if (power == PowerState::operation_enabled) {
     had_power_ = had_power_ || has_passed(wants_power_ns_, kPowerSettles_s);

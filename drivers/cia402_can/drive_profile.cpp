@@ -3,6 +3,7 @@
 #include <array>
 
 #include "drivers/cia402_can/canopen.h"
+#include "drivers/cia402_can/sdo.h"
 #include "drivers/little_endian.h"
 
 namespace tactus::drivers::cia402 {
@@ -35,6 +36,11 @@ PowerState power_state(std::uint16_t statusword) {
     }
   }
   return PowerState::unknown;
+}
+
+bool may_have_torque(PowerState state) {
+  return state == PowerState::operation_enabled || state == PowerState::quick_stop_active ||
+         state == PowerState::fault_reaction_active || state == PowerState::unknown;
 }
 
 std::string_view power_state_words(PowerState state) {
@@ -84,6 +90,11 @@ hal::CanFrame command_frame(std::uint8_t node, const TorqueCommand& command) {
   store_little_endian(command.controlword, frame.data, 0);
   store_little_endian(command.torque, frame.data, 2);
   return frame;
+}
+
+hal::CanFrame disable_voltage_frame(std::uint8_t node) {
+  constexpr canopen::ObjectAddress kControlword{0x6040, 0};
+  return canopen::sdo_write(node, kControlword, kDisableVoltage, 2);
 }
 
 std::optional<DriveState> drive_state_of(const hal::CanFrame& frame, std::uint8_t node) {

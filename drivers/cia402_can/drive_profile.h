@@ -33,7 +33,14 @@ inline constexpr std::uint16_t kSwitchOn = 0x0007;
 inline constexpr std::uint16_t kEnableOperation = 0x000F;
 inline constexpr std::uint16_t kFaultReset = 0x0080;  // at its rising edge
 
+// 6041:00 beside the state: the motor's supply is there.
+inline constexpr std::uint16_t kVoltageEnabled = 0x0010;
+
 PowerState power_state(std::uint16_t statusword);
+
+// True where the motor may have torque: also while a quick stop or the reaction to a fault brakes,
+// and in a state that the profile does not have.
+bool may_have_torque(PowerState state);
 
 // What is wrong with a drive that stays in that state or goes there unasked; for a Trouble.
 std::string_view power_state_words(PowerState state);
@@ -48,6 +55,9 @@ struct TorqueCommand {
   std::int16_t torque = 0;
 };
 hal::CanFrame command_frame(std::uint8_t node, const TorqueCommand& command);
+
+// 'Disable voltage' as an SDO, which acts by itself: also out of operational, and without a SYNC.
+hal::CanFrame disable_voltage_frame(std::uint8_t node);
 
 // TPDO1: statusword 6041:00, position 6064:00 in counts, torque 6077:00 in 0.1 % of the rated one.
 struct DriveState {

@@ -17,7 +17,7 @@ struct ErrorWords {
 
 constexpr std::uint16_t kTemperatures = 0x4000;  // the class of 0x4xxx
 
-constexpr std::array<ErrorWords, 24> kErrorWords = {{
+constexpr std::array<ErrorWords, 26> kErrorWords = {{
     {0xFFFF, 0x2310, "drive reports over-current at its output",
      "lower max_torque_Nm or the drive's current gains, check the motor's phases, then reset"},
     {0xFFFF, 0x3210, "drive reports too high a voltage of its DC link",
@@ -48,8 +48,12 @@ constexpr std::array<ErrorWords, 24> kErrorWords = {{
     {0xF000, 0x3000, "drive reports a fault of a voltage", "check the supply, then reset"},
     {0xF000, kTemperatures, "drive reports a fault of a temperature",
      "let it cool down and check its cooling, then reset"},
+    {0xFF00, 0x5100, "drive reports a fault of the supply of its electronics",
+     "check its supply, then reset and home"},
     {0xF000, 0x5000, "drive reports a hardware fault",
      "see the drive's own diagnosis; switch it off and on"},
+    {0xFFFF, 0x6010, "drive's program was restarted by its own watchdog",
+     "see the drive's own diagnosis, then reset and home"},
     {0xF000, 0x6000, "drive reports a fault of its software or parameters",
      "see the drive's own diagnosis; restore its parameters"},
     {0xF000, 0x7000, "drive reports a fault of an attached part: encoder, brake or motor",
@@ -76,6 +80,21 @@ Trouble error_code_trouble(std::uint16_t code) {
   }
   return {"drive reports an error with a code that CiA does not define",
           "look the code up in the drive's manual, then reset", code};
+}
+
+bool may_move_zero(std::uint16_t code) {
+  constexpr std::uint16_t kVoltages = 0x3000;
+  constexpr std::uint16_t kSuppliesOfElectronics = 0x5100;
+  constexpr std::uint16_t kSoftwareReset = 0x6010;
+  constexpr std::uint16_t kEncoders = 0x7300;
+  return (code & 0xF000U) == kVoltages || (code & 0xFF00U) == kSuppliesOfElectronics ||
+         (code & 0xFF00U) == kEncoders || code == kSoftwareReset;
+}
+
+bool is_host_silent(std::uint16_t code) {
+  constexpr std::uint16_t kHeartbeat = 0x8130;
+  constexpr std::uint16_t kPdoTimeouts = 0x8250;
+  return code == kHeartbeat || (code & 0xFFF0U) == kPdoTimeouts;
 }
 
 }  // namespace tactus::drivers::cia402

@@ -11,4 +11,11 @@ namespace tactus::drivers::cia402 {
 // define for themselves give the class that the code belongs to.
 Trouble error_code_trouble(std::uint16_t code);
 
+// True for codes of a supply, of the encoder and of a restarted program: the position may count
+// from another zero.
+bool may_move_zero(std::uint16_t code);
+
+// True for codes by which a drive says that the host fell silent.
+bool is_host_silent(std::uint16_t code);
+
 }  // namespace tactus::drivers::cia402

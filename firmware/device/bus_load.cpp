@@ -57,7 +57,7 @@ double vesc_bits(const drivers::VescConfig& drive, double rate_hz) {
 }
 
 // PDOs with each SYNC: controlword and torque; statusword, position and torque; and, where asked
-// for, velocity and mode.
+// for, velocity and mode. Heartbeats of the drive and, for it alone, of the host.
 double cia402_bits(const drivers::Cia402Config& drive, double rate_hz) {
   constexpr double kMilliseconds = 1000.0;
   constexpr double kHeartbeatsPerWatchdog = 4.0;
@@ -65,8 +65,7 @@ double cia402_bits(const drivers::Cia402Config& drive, double rate_hz) {
   double tick = classic_bits(Identifier::standard, 4) + classic_bits(Identifier::standard, 8);
   tick += drive.velocity_unit_rad_per_s > 0.0 ? classic_bits(Identifier::standard, 5) : 0.0;
   tick += drive.leads_bus ? classic_bits(Identifier::standard, 0) : 0.0;
-  const double host =
-      drive.leads_bus ? kHeartbeatsPerWatchdog * kMilliseconds / drive.watchdog_ms : 0.0;
+  const double host = kHeartbeatsPerWatchdog * kMilliseconds / drive.watchdog_ms;
   return rate_hz * tick + heartbeat * (kMilliseconds / drive.drive_heartbeat_ms + host);
 }
 

@@ -34,7 +34,7 @@ void collect(const drivers::ODriveConfig& drive, Identifiers& ids) {
   }
 }
 
-// NMT, SYNC and the host's heartbeat belong to all drives of the bus.
+// NMT and SYNC belong to all drives of the bus.
 void collect(const drivers::Cia402Config& drive, Identifiers& ids) {
   namespace canopen = drivers::canopen;
   for (const std::uint32_t service :
@@ -44,7 +44,7 @@ void collect(const drivers::Cia402Config& drive, Identifiers& ids) {
   }
   ids.add(canopen::kNmt, false);
   ids.add(canopen::kSync, false);
-  ids.add(canopen::kHeartbeat + drive.host_node, false);
+  ids.add(canopen::kHeartbeat + static_cast<std::uint32_t>(drivers::heartbeat_node(drive)), false);
 }
 
 void collect(const drivers::VescConfig& drive, Identifiers& ids) {

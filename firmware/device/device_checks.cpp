@@ -105,21 +105,9 @@ Checked check(const DeviceConfig& device) {
 Verdict check_motor_stops(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.joint_count; ++i) {
     const std::size_t motor = device.joints[i].motor;
-    const MotorStop stop = motor_stop(device, motor);
-    if ((stop != MotorStop::nothing && stop != MotorStop::set_watchdog) ||
+    if (motor_stop(device, motor) != MotorStop::nothing ||
         accepts_unproven_watchdog(device, motor)) {
       continue;
-    }
-    if (stop == MotorStop::set_watchdog) {
-      return std::unexpected(Refusal{
-          Place::axis,
-          motor,
-          {},
-          "the drive's watchdog is set at each bring-up, but not proven: nothing shows that "
-          "it takes the torque away when the host dies. Try it: kill -STOP of tactusd while "
-          "the motor pushes. Then write unproven_watchdog = true here, or wire a circuit "
-          "that cuts the motors' supply: watchdog_chip and watchdog_line at the top of the "
-          "file"});
     }
     const AxisConfig& axis = device.axes[motor];
     const bool is_gpio = std::holds_alternative<drivers::GpioAxisConfig>(axis.drive);

@@ -10,15 +10,11 @@ MotorStop motor_stop(const DeviceConfig& config, std::size_t axis) {
       gpio != nullptr && gpio->pins.heartbeat) {
     return MotorStop::heartbeat_line;
   }
-  const bool is_cia402 = std::holds_alternative<drivers::Cia402Config>(drive);
-  if (!is_cia402 && !std::holds_alternative<BoardAxis>(drive) &&
+  if (!std::holds_alternative<BoardAxis>(drive) &&
       !std::holds_alternative<drivers::GpioAxisConfig>(drive)) {
     return MotorStop::drive_watchdog;
   }
-  if (config.watchdog_line) {
-    return MotorStop::watchdog_line;
-  }
-  return is_cia402 ? MotorStop::set_watchdog : MotorStop::nothing;
+  return config.watchdog_line ? MotorStop::watchdog_line : MotorStop::nothing;
 }
 
 bool accepts_unproven_watchdog(const DeviceConfig& config, std::size_t axis) {

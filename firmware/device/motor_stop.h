@@ -11,7 +11,6 @@ namespace tactus::firmware {
 
 enum class MotorStop : std::uint8_t {
   drive_watchdog,  // the drive's own, which the bring-up proves
-  set_watchdog,    // the drive's own, which the bring-up sets but does not prove
   heartbeat_line,  // a circuit on the axis' heartbeat line
   watchdog_line,   // a circuit on the device's watchdog line
   nothing,

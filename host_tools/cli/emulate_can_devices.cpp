@@ -31,6 +31,7 @@ struct CanDeviceOptions {
   double max_current_A = 60.0;
   unsigned pole_pairs = 7;
   double status_ms = 5.0;
+  bool no_watchdog = false;
 };
 
 void emulate_can(const CanDeviceOptions& options, const std::string& kind, bool needs_fd,
@@ -52,7 +53,7 @@ void emulate_can(const CanDeviceOptions& options, const std::string& kind, bool 
 void emulate_odrive(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 0, 62);
   const ODriveFirmware firmware = odrive_firmware(options.firmware);
-  const ODriveEncoder encoder = odrive_encoder(options.encoder);
+  const EmulatedEncoder encoder = emulated_encoder(options.encoder);
   emulate_can(options, "ODrive", false,
               [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
                 return std::make_unique<ODriveEmulator>(
@@ -78,15 +79,18 @@ void emulate_moteus(const CanDeviceOptions& options) {
 
 void emulate_cia402(const CanDeviceOptions& options) {
   check_emulated_nodes(options.nodes, 1, 127);
+  const EmulatedEncoder encoder = emulated_encoder(options.encoder);
   emulate_can(options, "CiA 402", false,
               [&](hal::CanBus& bus, std::uint32_t seed, std::uint8_t node) {
                 return std::make_unique<Cia402Emulator>(
                     bus, seed,
                     Cia402EmulatorConfig{
                         .node = node,
+                        .encoder = encoder,
                         .counts_per_turn = options.counts_per_turn,
                         .rated_torque_Nm = options.max_torque_Nm,
-                        .rated_torque = static_cast<std::uint32_t>(1e3 * options.max_torque_Nm)});
+                        .rated_torque = static_cast<std::uint32_t>(1e3 * options.max_torque_Nm),
+                        .has_watchdog = !options.no_watchdog});
               });
 }
 
@@ -135,6 +139,15 @@ void add_max_torque(const Device& device, const char* text) {
   add_positive(device.verb, "--max-torque", device.options.max_torque_Nm, text);
 }
 
+void add_encoder(const Device& device) {
+  device.verb
+      .add_option(
+          "--encoder", device.options.encoder,
+          "What its position is after power-up: incremental (0), absolute (within a turn) or "
+          "multi_turn")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_emulated_can_devices(CLI::App& emulate) {
@@ -144,12 +157,7 @@ void add_emulated_can_devices(CLI::App& emulate) {
       .add_option("--firmware", odrive.options.firmware,
                   "0.5.2, 0.5.4, 0.5.6 or 0.6, as it behaves")
       ->capture_default_str();
-  odrive.verb
-      .add_option(
-          "--encoder", odrive.options.encoder,
-          "What its position is after power-up: incremental (0), absolute (within a turn) or "
-          "multi_turn")
-      ->capture_default_str();
+  add_encoder(odrive);
   add_max_torque(odrive, "What the motor can do, N m at its shaft");
 
   const Device moteus = add_can_device(emulate, "moteus", "moteus servos (CAN FD, registers)",
@@ -166,6 +174,9 @@ void add_emulated_can_devices(CLI::App& emulate) {
   add_max_torque(cia402, "The rated torque, N m; object 6076:00 has it in mN m");
   add_positive(cia402.verb, "--counts", cia402.options.counts_per_turn,
                "Encoder counts a turn of the shaft");
+  add_encoder(cia402);
+  cia402.verb.add_flag("--no-watchdog", cia402.options.no_watchdog,
+                       "Takes object 1016 and does not heed it");
 
   const Device vesc =
       add_can_device(emulate, "vesc", "VESC motor controllers", {0, 1, 2}, emulate_vesc);

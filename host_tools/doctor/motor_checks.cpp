@@ -35,13 +35,6 @@ Finding judge(const MotorNeed& motor) {
   switch (motor.stop) {
     case firmware::MotorStop::drive_watchdog:
       return judge_drive(check, motor);
-    case firmware::MotorStop::set_watchdog:
-      return {
-          check, FindingState::advice,
-          fmt::format("its drive's watchdog of {:.0f} ms may stop it: it is set at each bring-up, "
-                      "but trusted by unproven_watchdog = true, not proven",
-                      1e3 * motor.watchdog_s),
-          kTry};
     case firmware::MotorStop::heartbeat_line:
       return {check, FindingState::advice,
               "a circuit on its heartbeat line stops it, if it is wired: the program cannot see it",

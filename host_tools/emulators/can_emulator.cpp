@@ -1,6 +1,7 @@
 #include "host_tools/emulators/can_emulator.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -40,6 +41,33 @@ EmulatorFault emulator_fault(std::string_view name) {
   throw InputError("no fault '" + std::string(name) +
                    "'; there are: none, silent, delayed, corrupted, erroring, unplugged, "
                    "power_cycled");
+}
+
+EmulatedEncoder emulated_encoder(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, EmulatedEncoder>, 3> kEncoders = {{
+      {"incremental", EmulatedEncoder::incremental},
+      {"absolute", EmulatedEncoder::absolute},
+      {"multi_turn", EmulatedEncoder::multi_turn},
+  }};
+  for (const auto& [known, encoder] : kEncoders) {
+    if (known == name) {
+      return encoder;
+    }
+  }
+  throw InputError("no encoder '" + std::string(name) +
+                   "'; there are: incremental, absolute, multi_turn");
+}
+
+double turns_forgotten(EmulatedEncoder encoder, double turns) {
+  switch (encoder) {
+    case EmulatedEncoder::incremental:
+      return turns;
+    case EmulatedEncoder::absolute:
+      return std::floor(turns);
+    case EmulatedEncoder::multi_turn:
+      break;
+  }
+  return 0.0;
 }
 
 void CanEmulator::run(hal::TimeNs now_ns) {

@@ -36,6 +36,19 @@ inline constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
 // "silent" and so on, as the command line takes them. Throws InputError for another.
 EmulatorFault emulator_fault(std::string_view name);
 
+// Where a drive's position starts from when it gets its power.
+enum class EmulatedEncoder : std::uint8_t {
+  incremental,  // 0, wherever the shaft stands
+  absolute,     // the angle within a turn
+  multi_turn,   // the angle with its turns: an encoder that keeps counting without power
+};
+
+// "incremental" and so on, as the command line takes them. Throws InputError for another.
+EmulatedEncoder emulated_encoder(std::string_view name);
+
+// The shaft's turns that the encoder does not know of when it gets its power at `turns`.
+double turns_forgotten(EmulatedEncoder encoder, double turns);
+
 class CanEmulator {
  public:
   // The bus must outlive the emulator. Every frame on it is offered to `take`.

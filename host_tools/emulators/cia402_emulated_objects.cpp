@@ -113,6 +113,8 @@ std::uint32_t Cia402Emulator::write_object(Key key, std::uint32_t value, std::ui
     step_power(static_cast<std::uint16_t>(value));
   } else if (key == Key{0x6060, 0}) {
     set_object(0x6061, 0, value);
+  } else if (key == Key{0x1016, 1}) {
+    heard_master_ns_.reset();  // it watches from the next heartbeat on
   }
   return 0;
 }
@@ -130,7 +132,7 @@ void Cia402Emulator::step_power(std::uint16_t controlword) {
     return;
   }
   const std::uint32_t low = controlword & 0x0FU;
-  if ((low & 0x02U) == 0 || !motor_power_) {
+  if ((low & 0x02U) == 0 || lacks_supply()) {
     power_ = Power::switch_on_disabled;
   } else if ((low & 0x04U) == 0) {
     power_ = power_ == Power::operation_enabled ? Power::quick_stop : Power::switch_on_disabled;
@@ -154,12 +156,17 @@ std::uint16_t Cia402Emulator::statusword() const {
   return static_cast<std::uint16_t>(word);
 }
 
+bool Cia402Emulator::lacks_supply() const {
+  return !motor_power_ && !config_.stays_enabled_unsupplied;
+}
+
 void Cia402Emulator::refresh_measured() {
-  if (!motor_power_ && power_ != Power::fault) {
+  if (lacks_supply() && power_ != Power::fault) {
     power_ = Power::switch_on_disabled;
   }
   const double counts_per_rad = config_.counts_per_turn / (2.0 * std::numbers::pi);
-  const auto count = first_count_ + std::llround(counts_per_rad * shaft().position_rad);
+  const auto count = first_count_ + std::llround(counts_per_rad * shaft().position_rad) -
+                     std::llround(config_.counts_per_turn * forgotten_turns_);
   const auto speed = std::llround(counts_per_rad * shaft().velocity_rad_per_s);
   set_object(0x6064, 0, static_cast<std::uint32_t>(count));
   set_object(0x606C, 0, static_cast<std::uint32_t>(speed));
@@ -168,7 +175,8 @@ void Cia402Emulator::refresh_measured() {
 }
 
 double Cia402Emulator::torque_units() const {
-  if (nmt_ != Nmt::operational || power_ != Power::operation_enabled || object(0x6061, 0) != 10) {
+  const bool is_heard = nmt_ == Nmt::operational || config_.keeps_power_unheard;
+  if (!is_heard || !motor_power_ || power_ != Power::operation_enabled || object(0x6061, 0) != 10) {
     return 0.0;
   }
   const double wanted = static_cast<double>(static_cast<std::int16_t>(object(0x6071, 0))) +

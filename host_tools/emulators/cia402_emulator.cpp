@@ -2,6 +2,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <numbers>
 
 namespace tactus::host {
 
@@ -56,6 +57,8 @@ void Cia402Emulator::define_communication() {
   objects_[{0x1016, 1}] = {0, 4, true};
   objects_[{0x1017, 0}] = {0, 2, true};
   objects_[{0x1018, 0}] = {4, 1, false};
+  objects_[{0x1029, 0}] = {1, 1, false};
+  objects_[{0x1029, 1}] = {config_.error_behaviour.value_or(0), 1, !config_.error_behaviour};
   objects_[{0x1018, 1}] = {0x0000'5441, 4, false};
   constexpr std::array<std::uint32_t, 4> kReceiveIds = {0x200, 0x300, 0x400, 0x500};
   constexpr std::array<std::uint32_t, 4> kTransmitIds = {0x180, 0x280, 0x380, 0x480};
@@ -112,6 +115,20 @@ std::uint32_t Cia402Emulator::object(std::uint16_t index, std::uint8_t sub) cons
   return found == objects_.end() ? 0 : found->second.value;
 }
 
+// Nothing that happened before is remembered, but what the maker's tool has saved.
+void Cia402Emulator::get_power(hal::TimeNs now_ns) {
+  power_ = Power::switch_on_disabled;
+  controlword_ = 0;
+  for (const std::uint16_t index :
+       std::to_array<std::uint16_t>({0x1001, 0x603F, 0x6040, 0x6060, 0x6061, 0x6071})) {
+    set_object(index, 0, 0);
+  }
+  first_count_ = config_.first_count;
+  forgotten_turns_ =
+      turns_forgotten(config_.encoder, shaft().position_rad / (2.0 * std::numbers::pi));
+  reset(now_ns);
+}
+
 void Cia402Emulator::reset(hal::TimeNs now_ns) {
   leave_operational();
   define_communication();
@@ -124,7 +141,7 @@ void Cia402Emulator::reset(hal::TimeNs now_ns) {
 
 void Cia402Emulator::leave_operational() {
   nmt_ = Nmt::pre_operational;
-  if (power_ != Power::fault) {
+  if (power_ != Power::fault && !config_.keeps_power_unheard) {
     power_ = Power::switch_on_disabled;
   }
 }
@@ -174,6 +191,8 @@ void Cia402Emulator::take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame) {
       leave_operational();
       return;
     case 0x81:
+      get_power(now_ns);
+      return;
     case 0x82:
       reset(now_ns);
       return;
@@ -244,8 +263,7 @@ void Cia402Emulator::send_pdo(hal::TimeNs now_ns, std::size_t pdo) {
 void Cia402Emulator::advance(hal::TimeNs now_ns, bool erroring) {
   if (!has_run_ || now_ns - ran_ns_ >= kPowerLoss_ns) {
     has_run_ = true;
-    power_ = Power::switch_on_disabled;
-    reset(now_ns);
+    get_power(now_ns);
   }
   ran_ns_ = now_ns;
   if (nmt_ == Nmt::booting && now_ns >= boots_ns_) {
@@ -266,14 +284,35 @@ void Cia402Emulator::advance(hal::TimeNs now_ns, bool erroring) {
 
 void Cia402Emulator::watch_master(hal::TimeNs now_ns) {
   const hal::TimeNs limit_ns = (object(0x1016, 1) & 0xFFFFU) * kMs;
-  if (!heard_master_ns_ || limit_ns == 0 || now_ns - *heard_master_ns_ <= limit_ns) {
+  if (!config_.has_watchdog || !heard_master_ns_ || limit_ns == 0 ||
+      now_ns - *heard_master_ns_ <= limit_ns + config_.watchdog_lag_ns) {
     return;
   }
   heard_master_ns_.reset();
-  if (object(0x6007, 0) == 1) {
-    raise_fault(now_ns, kHeartbeatError);
-  } else {
-    send_emergency(now_ns, kHeartbeatError);
+  abort_connection(now_ns);
+}
+
+void Cia402Emulator::abort_connection(hal::TimeNs now_ns) {
+  switch (object(0x6007, 0)) {
+    case 1:
+      raise_fault(now_ns, kHeartbeatError);
+      break;
+    case 2:
+      power_ = Power::switch_on_disabled;
+      send_emergency(now_ns, kHeartbeatError);
+      break;
+    case 3:
+      power_ = power_ == Power::operation_enabled ? Power::quick_stop : power_;
+      send_emergency(now_ns, kHeartbeatError);
+      break;
+    default:
+      send_emergency(now_ns, kHeartbeatError);
+      break;
+  }
+  const std::uint32_t behaviour = object(0x1029, 1);
+  if (nmt_ == Nmt::operational && behaviour != 1) {
+    leave_operational();
+    nmt_ = behaviour == 2 ? Nmt::stopped : Nmt::pre_operational;
   }
 }
 

@@ -3,8 +3,9 @@
 // Fakes: boot-up, NMT, heartbeats either way, emergencies, an SDO server for expedited transfers
 // over the objects that a torque mode needs, PDOs as mapped and typed by the master (cyclic at
 // SYNC, or on receipt), the profile's state machine with its illegal transitions refused, torque
-// limits, and the fault when the master's heartbeat stops. A gap of kPowerLoss_ns between runs
-// counts as a loss of power: it boots again.
+// limits, and the end of its power when the master's heartbeat stops, as objects 6007 and 1029 have
+// it. A gap of kPowerLoss_ns between runs counts as a loss of power: it boots again, in no fault,
+// and counts from where its encoder starts.
 // Does not fake: segmented transfers, node guarding, remote requests, other modes than cyclic
 // synchronous torque, the time that a real drive takes to change state.
 #pragma once
@@ -22,12 +23,24 @@ namespace tactus::host {
 
 struct Cia402EmulatorConfig {
   std::uint8_t node = 1;
+  EmulatedEncoder encoder = EmulatedEncoder::incremental;
   double counts_per_turn = 4096.0;
-  std::int64_t first_count = 0;       // 6064:00 where the shaft is at 0 rad
+  std::int64_t first_count = 0;       // 6064:00 where the encoder says 0
   double rated_torque_Nm = 1.0;       // what the motor does
   std::uint32_t rated_torque = 1000;  // what 6076:00 says, in the drive's own unit
   std::int16_t torque_offset = 0;     // 60B2:00 as the drive has it saved
   hal::TimeNs boot_time_ns = 20'000'000;
+  // How it takes the silence of a host. A drive without a watchdog takes object 1016 and does not
+  // heed it; a slow one lets that much more time pass.
+  bool has_watchdog = true;
+  hal::TimeNs watchdog_lag_ns = 0;
+  // 1029:01 as the drive has it for good; nothing: 0, and it can be written. 0 leaves operational,
+  // 1 does nothing, 2 stops.
+  std::optional<std::uint8_t> error_behaviour;
+  // A drive that goes on with its last torque when it is no more operational.
+  bool keeps_power_unheard = false;
+  // A drive that stays in 'operation enabled' when its motor's supply is gone.
+  bool stays_enabled_unsupplied = false;
 };
 
 class Cia402Emulator final : public CanEmulator {
@@ -36,9 +49,11 @@ class Cia402Emulator final : public CanEmulator {
 
   Cia402Emulator(hal::CanBus& bus, std::uint32_t seed, const Cia402EmulatorConfig& config);
 
-  // What the drive has at its terminals. Without motor power it does not leave 'switch on
-  // disabled'.
+  // The motor's supply; the drive's own is a matter of the fault port. Without it the drive does
+  // not leave 'switch on disabled'.
   void set_motor_power(bool on) { motor_power_ = on; }
+  // As a safe torque off does that closes again at once, without a word.
+  void drop_power() { power_ = Power::switch_on_disabled; }
   // Its encoder slips by that much at once.
   void slip(std::int64_t counts) { first_count_ += counts; }
   // A fault of its own, with its code in 603F and, if it tells, an emergency message.
@@ -73,6 +88,7 @@ class Cia402Emulator final : public CanEmulator {
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
   void advance(hal::TimeNs now_ns, bool erroring) override;
 
+  void get_power(hal::TimeNs now_ns);
   void reset(hal::TimeNs now_ns);
   void define_communication();
   void define_profile();
@@ -93,14 +109,17 @@ class Cia402Emulator final : public CanEmulator {
   void refresh_measured();
   void step_power(std::uint16_t controlword);
   void watch_master(hal::TimeNs now_ns);
+  void abort_connection(hal::TimeNs now_ns);
   void beat(hal::TimeNs now_ns);
   void send_emergency(hal::TimeNs now_ns, std::uint16_t code);
   [[nodiscard]] std::uint32_t object(std::uint16_t index, std::uint8_t sub) const;
+  [[nodiscard]] bool lacks_supply() const;
   [[nodiscard]] double torque_units() const;
   [[nodiscard]] bool is_limited() const;
 
   Cia402EmulatorConfig config_;
   std::int64_t first_count_;
+  double forgotten_turns_ = 0.0;  // of the shaft, by the encoder, when it got its power
   std::map<Key, Object> objects_;
   std::array<ReceivedPdo, 4> received_;
   std::array<std::uint32_t, 4> syncs_{};  // since the last sending, for each transmit PDO

@@ -96,21 +96,6 @@ ODriveFirmware odrive_firmware(std::string_view version) {
                    "'; there are: 0.5.2, 0.5.4, 0.5.6, 0.6");
 }
 
-ODriveEncoder odrive_encoder(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, ODriveEncoder>, 3> kEncoders = {{
-      {"incremental", ODriveEncoder::incremental},
-      {"absolute", ODriveEncoder::absolute},
-      {"multi_turn", ODriveEncoder::multi_turn},
-  }};
-  for (const auto& [known, encoder] : kEncoders) {
-    if (known == name) {
-      return encoder;
-    }
-  }
-  throw InputError("no ODrive encoder '" + std::string(name) +
-                   "'; there are: incremental, absolute, multi_turn");
-}
-
 ODriveEmulator::ODriveEmulator(hal::CanBus& bus, std::uint32_t seed,
                                const ODriveEmulatorConfig& config)
     : CanEmulator(bus, seed),
@@ -318,18 +303,7 @@ void ODriveEmulator::start_counting(hal::TimeNs now_ns) {
   fed_ns_ = now_ns;
   next_heartbeat_ns_ = now_ns;
   next_estimates_ns_ = now_ns;
-  const double turns = kODriveTurnsPerRad * shaft().position_rad;
-  switch (config_.encoder) {
-    case ODriveEncoder::incremental:
-      zero_turns_ = turns;
-      return;
-    case ODriveEncoder::absolute:
-      zero_turns_ = std::floor(turns);
-      return;
-    case ODriveEncoder::multi_turn:
-      zero_turns_ = 0.0;
-      return;
-  }
+  zero_turns_ = turns_forgotten(config_.encoder, kODriveTurnsPerRad * shaft().position_rad);
 }
 
 double ODriveEmulator::position_turns() const {

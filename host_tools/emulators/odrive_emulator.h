@@ -24,19 +24,9 @@ enum class ODriveFirmware : std::uint8_t { v0_5_2, v0_5_4, v0_5_6, v0_6 };
 // another.
 ODriveFirmware odrive_firmware(std::string_view version);
 
-// What the position starts from when the drive gets its power.
-enum class ODriveEncoder : std::uint8_t {
-  incremental,  // 0, wherever the shaft stands
-  absolute,     // the angle within a turn
-  multi_turn,   // the angle with its turns: an encoder that keeps counting without power
-};
-
-// "incremental" and so on, as the command line takes them. Throws InputError for another.
-ODriveEncoder odrive_encoder(std::string_view name);
-
 struct ODriveEmulatorConfig {
   std::uint8_t node_id = 0;
-  ODriveEncoder encoder = ODriveEncoder::incremental;
+  EmulatedEncoder encoder = EmulatedEncoder::incremental;
   ODriveFirmware firmware = ODriveFirmware::v0_6;
   // How often it sends, in ms; 0: never.
   std::uint32_t heartbeat_ms = 100;

@@ -73,7 +73,8 @@ class Cia402Life {
   // As the controlword wants it.
   [[nodiscard]] hal::CanFrame state() const {
     hal::CanFrame frame{.id = 0x181, .length = 8};
-    frame.data[0] = controlword_ == std::byte{0x0F}   ? std::byte{0x37}
+    frame.data[0] = has_tripped_                      ? std::byte{0x18}
+                    : controlword_ == std::byte{0x0F} ? std::byte{0x37}
                     : controlword_ == std::byte{0x07} ? std::byte{0x33}
                     : controlword_ == std::byte{0x06} ? std::byte{0x31}
                                                       : std::byte{0x50};
@@ -113,8 +114,24 @@ class Cia402Life {
     } else if (frame.id == 0x601) {
       say(answer_to(frame));
     } else if (frame.id == 0x201) {
+      has_tripped_ = has_tripped_ && frame.data[0] != std::byte{0x80};
       controlword_ = frame.data[0];
+    } else if (frame.id == 0x77F) {
+      host_ns_ = now_ns_;
     }
+  }
+
+  // The watchdog of 20 ms: an emergency message, and a fault until it is reset.
+  void watch_host() {
+    if (host_ns_ == 0 || now_ns_ - host_ns_ < 20'000'000) {
+      return;
+    }
+    host_ns_ = 0;
+    has_tripped_ = true;
+    hal::CanFrame frame{.id = 0x081, .length = 8};
+    frame.data[0] = std::byte{0x30};
+    frame.data[1] = std::byte{0x81};
+    say(frame);
   }
 
   static hal::CanFrame answer_to(const hal::CanFrame& question) {
@@ -134,8 +151,9 @@ class Cia402Life {
   void say(const hal::CanFrame& frame) { drive_.take({.time_ns = now_ns_, .frame = frame}); }
 
   void bring_up() {
-    for (int tick = 0; tick < 100; ++tick) {
+    for (int tick = 0; tick < 200; ++tick) {
       now_ns_ += 1'000'000;
+      watch_host();
       drivers::CanOutbox outbox;
       drive_.request(now_ns_, outbox);
       if (heartbeat_ == std::byte{0x05}) {
@@ -157,6 +175,8 @@ class Cia402Life {
   hal::TimeNs now_ns_ = 1'000'000'000;
   std::byte heartbeat_{0x7F};
   std::byte controlword_{0};
+  hal::TimeNs host_ns_ = 0;  // when the host's heartbeat was heard last; 0: not since a trip
+  bool has_tripped_ = false;
   std::uint32_t count_ = 0x7FFF'FF00;  // close to where it wraps
 };
 

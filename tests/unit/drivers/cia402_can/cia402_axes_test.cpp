@@ -106,7 +106,9 @@ TEST(Cia402Axes, LostSyncCostsOneTickAndLeavesNoneBehind) {
   std::vector<host::Cia402EmulatorConfig> drives;
   for (std::uint8_t i = 0; i < 3; ++i) {
     const auto node = static_cast<std::uint8_t>(i + 1);
-    drivers.push_back({.node = node, .leads_bus = i == 2, .max_torque_Nm = 0.2});
+    // No heartbeat is among the frames that get lost.
+    drivers.push_back(
+        {.node = node, .leads_bus = i == 2, .max_torque_Nm = 0.2, .watchdog_ms = 400});
     drives.push_back({.node = node});
   }
   CanRig<Cia402Can, host::Cia402Emulator> rig({}, drivers, drives);

@@ -148,6 +148,15 @@ TEST_F(Cia402Faults, PowerThatGoesIsLatched) {
   expect_recovery();
 }
 
+// The voltage stays on.
+TEST_F(Cia402Faults, PowerThatTheDriveDropsWithoutAWordIsLatched) {
+  rig_.emulator(0).drop_power();
+  expect_stopped_within(2 * kMs, kDeviceDriveFault);
+  EXPECT_EQ(status() & kDeviceReferenceLost, 0U);
+  EXPECT_TRUE(says("switch on disabled"));
+  expect_recovery();
+}
+
 TEST_F(Cia402Faults, PositionThatJumpsIsNeverReported) {
   const double before_rad = rig_.sample(0).position_rad;
   rig_.emulator(0).slip(1000);

@@ -55,7 +55,7 @@ class ODriveMessages : public ::testing::TestWithParam<ODriveFirmware> {
   ODriveEmulator emulator_{node_,
                            1,
                            {.node_id = kNode,
-                            .encoder = host::ODriveEncoder::multi_turn,
+                            .encoder = host::EmulatedEncoder::multi_turn,
                             .firmware = GetParam(),
                             .heartbeat_ms = 0,
                             .encoder_ms = 0,

@@ -64,7 +64,7 @@ std::string cia402(const std::string& name, int node, bool leads, const std::str
   return axis(name, "cia402_can",
               "max_torque_Nm = 0.2\nnode = " + std::to_string(node) +
                   "\nleads_bus = " + (leads ? "true" : "false") + "\nperiod_s = " + period_s +
-                  "\nlost_after_s = 0.01\nunproven_watchdog = true\n");
+                  "\nlost_after_s = 0.01\n");
 }
 
 constexpr const char* kGpio =
@@ -332,11 +332,9 @@ TEST_F(DeviceRefusals, SomethingStopsEveryMotorWhenTheHostDies) {
   expect_words(haply("", kKnownPose),
                {"[[connection]] 1: needs a watchdog_line", "at the connection"});
   expect_bakes("watchdog_chip = \"header\"\nwatchdog_line = \"9\"\n" + haply("", kKnownPose));
-  const std::string set = device("hapkit", 1000.0) + kBus +
-                          axis("drive", "cia402_can", "max_torque_Nm = 0.2\n") +
-                          joint("paddle", "drive", kKnownPose);
-  expect_words(set, {"[[axis]] 1: the drive's watchdog is set at each bring-up, but not proven"});
-  expect_bakes(replaced(set, "max_torque_Nm", "unproven_watchdog = true\nmax_torque_Nm"));
+  expect_bakes(device("hapkit", 1000.0) + kBus +
+               axis("drive", "cia402_can", "max_torque_Nm = 0.2\n") +
+               joint("paddle", "drive", kKnownPose));
   const auto file = folder.write("device.toml", paddle("unproven_watchdog = true\n", kKnownPose));
   EXPECT_TRUE(
       std::get<drivers::ODriveConfig>(bake_device(file).config().axes[0].drive).unproven_watchdog);

@@ -43,8 +43,9 @@ TEST(DoctorOfDevices, EachMotorTellsWhatStopsItWhenTheHostDies) {
   const Finding nothing = board.finding("motor top", needs_of_example("falcon"));
   EXPECT_EQ(nothing.state, FindingState::advice);
   EXPECT_TRUE(nothing.found.contains("NOTHING stops it")) << nothing.found;
-  const Finding set = board.finding("motor drive 1", needs_of_example("cia402_arm"));
-  EXPECT_TRUE(set.found.contains("not proven")) << set.found;
+  const Finding heard = board.finding("motor drive 1", needs_of_example("cia402_arm"));
+  EXPECT_EQ(heard.state, FindingState::well);
+  EXPECT_EQ(heard.found, "its drive's watchdog of 20 ms stops it, proven at each bring-up");
   const Finding circuit = board.finding("motor motor", needs_of_example("hapkit"));
   EXPECT_TRUE(circuit.found.contains("heartbeat line")) << circuit.found;
   EXPECT_TRUE(circuit.remedy.contains("kill -STOP")) << circuit.remedy;

@@ -45,6 +45,7 @@ TEST_F(EmulateProgram, SaysWhatIsWrongInOneLine) {
   expect_refused("haply --tty /nowhere", "/nowhere: no such device");
   expect_refused("moteus --can nocan7 --nodes 0", "--nodes: 0 is no address");
   expect_refused("cia402 --can nocan7 --nodes 128", "--nodes: 128 is no address");
+  expect_refused("cia402 --can nocan7 --encoder magnetic --no-watchdog", "no encoder 'magnetic'");
   expect_refused("vesc --can nocan7 --nodes 255", "--nodes: 255 is no address");
   expect_refused("vesc --can nocan7 --pole-pairs 0", "--pole-pairs");
   expect_refused("falcon --function-fs /nowhere", "/nowhere/ep0");

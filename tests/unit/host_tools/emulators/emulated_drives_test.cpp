@@ -43,6 +43,7 @@ ArmDrives<drivers::Cia402Can> cia402_drives() {
                 return std::make_unique<Cia402Emulator>(
                     bus, i + 1U,
                     Cia402EmulatorConfig{.node = static_cast<std::uint8_t>(i + 1),
+                                         .encoder = EmulatedEncoder::multi_turn,
                                          .counts_per_turn = 65536.0,
                                          .rated_torque_Nm = 0.5,
                                          .rated_torque = 500});

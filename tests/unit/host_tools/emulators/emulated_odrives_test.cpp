@@ -18,19 +18,19 @@ namespace {
 
 struct ODriveArm : EmulatedArm<drivers::ODriveCan> {
   explicit ODriveArm(const std::vector<PlannedFault>& faults = {}, const HandParameters& hand = {})
-      : EmulatedArm(
-            {.driver =
-                 [](std::uint8_t i) {
-                   return drivers::ODriveCan({.node_id = i, .max_torque_Nm = kArmLimit_Nm});
-                 },
-             .emulator =
-                 [](hal::CanBus& bus, std::uint8_t i) {
-                   return std::make_unique<ODriveEmulator>(
-                       bus, i + 1U,
-                       ODriveEmulatorConfig{
-                           .node_id = i, .encoder = ODriveEncoder::multi_turn, .heartbeat_ms = 10});
-                 }},
-            faults, hand) {}
+      : EmulatedArm({.driver =
+                         [](std::uint8_t i) {
+                           return drivers::ODriveCan({.node_id = i, .max_torque_Nm = kArmLimit_Nm});
+                         },
+                     .emulator =
+                         [](hal::CanBus& bus, std::uint8_t i) {
+                           return std::make_unique<ODriveEmulator>(
+                               bus, i + 1U,
+                               ODriveEmulatorConfig{.node_id = i,
+                                                    .encoder = EmulatedEncoder::multi_turn,
+                                                    .heartbeat_ms = 10});
+                         }},
+                    faults, hand) {}
 };
 
 TEST(EmulatedODrives, VirtualSpringsHoldTheArmAgainstItsWeight) {

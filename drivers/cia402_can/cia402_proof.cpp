@@ -1,0 +1,138 @@
+// How a Cia402Can proves that the drive takes the torque away when the host falls silent.
+//
+// The drive has power and zero torque; it hears the SYNC, by which the other drives live, and
+// nothing else. It must leave every state that may have torque, and say that the reason is the
+// silence: with an emergency message, or in 603F:00. A drive that stops for another reason, an
+// emergency stop for example, proves nothing.
+#include <cstdint>
+#include <optional>
+
+#include "drivers/cia402_can/cia402_can.h"
+#include "drivers/cia402_can/error_codes.h"
+#include "drivers/seconds.h"
+
+namespace tactus::drivers {
+
+namespace {
+
+using canopen::SdoClient;
+
+constexpr canopen::ObjectAddress kStatuswordObject{0x6041, 0};
+
+// Drives look at their watchdogs every few milliseconds, and then let go.
+constexpr double kDriveLooks_s = 0.02;
+// Ticks until the drive's states and reasons have been asked for and answered.
+constexpr double kTicksToTell = 8.0;
+// A drive that leaves operational sends no more PDOs: after so many SYNCs it is asked.
+constexpr std::uint32_t kSilentSyncs = 3;
+
+constexpr Trouble kNoWatchdog{
+    "drive's watchdog does not take the torque away when the host falls silent (1016:01)",
+    "check 1016, 1029 and 6007 in its manual, let no other program send the host's heartbeat, "
+    "then reset; unproven_watchdog = true does without",
+    0};
+
+}  // namespace
+
+// First the motor must be let go, then the reason must be known. An error code that is read counts
+// in a fault alone: else it may be that of an earlier one.
+void Cia402Can::prove(CanOutbox& outbox) {
+  if (!has_let_go_) {
+    if (unanswered_syncs_ >= kSilentSyncs) {
+      if (const auto statusword = read_object(kStatuswordObject, outbox)) {
+        take_power_in_proof(static_cast<std::uint16_t>(*statusword & 0xFFFFU));
+      }
+    }
+  } else if (was_told_why_) {
+    is_proven_ = true;
+    start_again();
+  } else if (cia402::power_state(state_.statusword) == cia402::PowerState::fault) {
+    if (const auto code = read_object(cia402::kErrorCodeObject, outbox)) {
+      judge_reason(static_cast<std::uint16_t>(*code & 0xFFFFU));
+    }
+  }
+}
+
+void Cia402Can::take_power_in_proof(std::uint16_t statusword) {
+  state_.statusword = statusword;
+  const cia402::PowerState power = cia402::power_state(statusword);
+  if (has_let_go_ || cia402::may_have_torque(power)) {
+    return;
+  }
+  sdo_.reset();
+  const bool has_supply = (statusword & cia402::kVoltageEnabled) != 0;
+  if (power != cia402::PowerState::fault && had_supply_ && !has_supply) {
+    latch_missing_supply();
+  } else {
+    has_let_go_ = true;
+  }
+}
+
+void Cia402Can::judge_reason(std::uint16_t code) {
+  const std::uint16_t told = emergency_code_ != 0 ? emergency_code_ : code;
+  constexpr std::uint16_t kMakersOwn = 0xF000;
+  if (cia402::is_host_silent(code)) {
+    was_told_why_ = true;
+  } else if ((told & kMakersOwn) == kMakersOwn) {
+    latch(
+        kDeviceDriveFault,
+        {"drive stopped with an error code of its maker's own while its watchdog was to be proven",
+         "look the code up in its manual and reset; if it means the host's heartbeat, "
+         "unproven_watchdog = true does without the proof",
+         told});
+  } else if (told != 0) {
+    latch_error(told);
+  }
+}
+
+void Cia402Can::watch_proof() {
+  const double limit_s =
+      1e-3 * config_.watchdog_ms + kDriveLooks_s + kTicksToTell * config_.period_s;
+  if (!has_passed(phase_ns_, limit_s)) {
+    return;
+  }
+  if (has_let_go_ && emergency_code_ != 0) {
+    judge_reason(emergency_code_);
+  } else if (has_let_go_) {
+    latch(kDeviceDriveFault,
+          {"drive let the motor go while its watchdog was to be proven, and does not say why",
+           "check motor power and safe torque off, then reset; unproven_watchdog = true does "
+           "without the proof",
+           state_.statusword});
+  } else if (unanswered_syncs_ >= kSilentSyncs && sdo_.state() == SdoClient::State::asking) {
+    latch(kDeviceLost, {"drive does not answer while its watchdog is proven",
+                        "check its power and the cable, then reset", 0});
+  } else {
+    latch(kDeviceDriveFault, kNoWatchdog);
+  }
+  sdo_.reset();
+}
+
+// The drive may have left operational, and is in a fault.
+void Cia402Can::start_again() {
+  sdo_.reset();
+  is_operational_ = false;
+  has_state_ = false;
+  mode_is_set_ = false;
+  in_torque_mode_ = false;
+  wants_power_ = false;
+  had_power_ = false;
+  enter(Phase::starting);
+}
+
+// Its value once it has been read. Until then nothing: asks, and asks again after a refusal.
+std::optional<std::uint32_t> Cia402Can::read_object(canopen::ObjectAddress object,
+                                                    CanOutbox& outbox) {
+  if (sdo_.state() == SdoClient::State::idle) {
+    sdo_.read(object);
+  }
+  sdo_.run(now_ns_, outbox);
+  if (sdo_.state() == SdoClient::State::asking) {
+    return std::nullopt;
+  }
+  const bool is_done = sdo_.state() == SdoClient::State::done;
+  sdo_.reset();
+  return is_done ? std::optional(sdo_.value()) : std::nullopt;
+}
+
+}  // namespace tactus::drivers
