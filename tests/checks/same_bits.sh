@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# A simulated run gives the same state hash at every tick: twice from the optimised build, once from the unoptimised one.
+# A simulated run gives the same state hash at every tick: twice from the optimised build, and once from what another compiler made at
+# another level, under the sanitizers.
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
 "$here/build.sh" release tactus
-"$here/build.sh" debug tactus
+"$here/build.sh" asan-ubsan tactus
 
 devices=(cartesian falcon woodenhaptics)
 
@@ -31,8 +32,8 @@ compare() {
 
 run release first
 run release second
-run debug unoptimised
+run asan-ubsan sanitized
 compare second
-compare unoptimised
+compare sanitized
 [[ "$(wc -l <"$work/first.falcon")" -ge 4000 ]]
 grep -h . "$work"/first.*.summary
