@@ -10,7 +10,7 @@ namespace {
 
 using rendering::StateArchive;
 
-constexpr std::uint64_t kMagic = 0x3330'5355'5443'4154U;  // "TACTUS03", the last the version's
+constexpr std::uint64_t kMagic = 0x3430'5355'5443'4154U;  // "TACTUS04", the last the version's
 
 }  // namespace
 

@@ -2,11 +2,14 @@
 // nothing else. It is the oldest way to render a solid and the baseline of the others. Its faults
 // are part of it:
 //
-// - it knows no past, so past the middle of a thin object the nearest surface is the far one, and
+// - it keeps no place, so past the middle of a thin object the nearest surface is the far one, and
 //   the tool pops through; an object of thickness t resists with at most K t / 2;
 // - a tool that is beyond the object in one tick was never in it;
 // - where the nearest point jumps (near corners, deep inside) the force jumps;
 // - overlapping objects push each for itself.
+//
+// A tool that begins in it is the one thing that is remembered: LoneTouch leaves the field out
+// until the tool has been clear of it in a tick.
 #pragma once
 
 #include "rendering/surface/connected_mesh.h"

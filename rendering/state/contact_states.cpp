@@ -37,11 +37,12 @@ void ImplicitTracker::transfer(StateArchive& archive) {
 
 void LoneTouch::transfer(StateArchive& archive, const Scenery& scenery) {
   [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, awake, trackers, walkers,
-                          details] = *this;
+                          details, left_out] = *this;
   archive(tool_radius_m, last_tool_W);
   for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
     auto& [shading, point_O, touched, friction_factor] = details[k];
-    archive(awake[k], trackers[k], walkers[k], shading, point_O, touched, friction_factor);
+    archive(awake[k], left_out[k], trackers[k], walkers[k], shading, point_O, touched,
+            friction_factor);
     const std::size_t triangles = scenery[scenery.lone_objects()[k]].mesh.triangles.size();
     const std::uint32_t triangle = walkers[k].feature().triangle;
     archive.require(triangle == 0 || triangle < triangles);

@@ -14,6 +14,16 @@ ToolState in_frame(const Scenery& scenery, std::uint32_t number, const ToolState
           .v_W = direction_in(mover, tool.v_W - scenery.velocity_W(number, tool.p_W))};
 }
 
+ConnectedMesh mesh_of(const Object& object) {
+  return {object.mesh, object.neighbours, object.vertex_normals};
+}
+
+FieldPush field_push(const Object& object, const Vec3& tool_O, double tool_radius_m) {
+  return object.surface == SurfaceKind::primitive
+             ? potential_field(object.primitive, tool_O, tool_radius_m)
+             : potential_field(mesh_of(object), tool_O, tool_radius_m);
+}
+
 void to_world(const Mover* mover, Touch& touch) {
   touch.proxy_W = point_from(mover, touch.proxy_W);
   touch.normal_W = direction_from(mover, touch.normal_W);
@@ -68,6 +78,7 @@ void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radiu
     walkers_[k].place(p_O);
     details_[k] = {};
     awake_[k] = true;
+    left_out_[k] = scenery[scenery.lone_objects()[k]].method == ContactMethod::potential_field;
   }
 }
 
@@ -122,12 +133,7 @@ double LoneTouch::stretch_m(const Scenery& scenery, std::uint32_t object) const 
   if (lone.method != ContactMethod::potential_field) {
     return (last_proxy_O(k, lone) - tool_O).norm();
   }
-  const FieldPush push =
-      lone.surface == SurfaceKind::primitive
-          ? potential_field(lone.primitive, tool_O, tool_radius_m_)
-          : potential_field(ConnectedMesh{lone.mesh, lone.neighbours, lone.vertex_normals}, tool_O,
-                            tool_radius_m_);
-  return std::max(0.0, push.depth_m);
+  return left_out_[k] ? 0.0 : std::max(0.0, field_push(lone, tool_O, tool_radius_m_).depth_m);
 }
 
 void LoneTouch::hold(const Scenery& scenery) {
@@ -164,18 +170,24 @@ Touch LoneTouch::rest_in_frame(const Lone& lone, const Vec3& goal_O) {
   const auto& [k, object, own] = lone;
   Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
-  const ConnectedMesh mesh{object.mesh, object.neighbours, object.vertex_normals};
   switch (object.method) {
     case ContactMethod::tracking:
       return touch_of(trackers_[k].advance(object.implicit, material, goal_O));
     case ContactMethod::feature_walk:
-      return touch_of(walkers_[k].advance(mesh, object.sides, material, goal_O));
+      return touch_of(walkers_[k].advance(mesh_of(object), object.sides, material, goal_O));
     default:
-      return touch_of(object.surface == SurfaceKind::primitive
-                          ? potential_field(object.primitive, goal_O, tool_radius_m_)
-                          : potential_field(mesh, goal_O, tool_radius_m_),
-                      goal_O);
+      return touch_of_field(k, object, goal_O);
   }
+}
+
+// A field that the tool began in is felt from the tick on in which the tool is clear of it.
+Touch LoneTouch::touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O) {
+  const FieldPush push = field_push(object, tool_O, tool_radius_m_);
+  left_out_[k] = left_out_[k] && push.depth_m > 0.0;
+  if (left_out_[k]) {
+    return {.proxy_W = tool_O, .flags = kTouchOverlap};
+  }
+  return touch_of(push, tool_O);
 }
 
 Touch LoneTouch::touch_in_frame(const Lone& lone, const ToolState& tool_O) {

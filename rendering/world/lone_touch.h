@@ -54,6 +54,7 @@ class LoneTouch {
 
   // Of one object, everything in its own frame.
   Touch rest_in_frame(const Lone& lone, const Vec3& goal_O);
+  Touch touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O);
   [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
   void shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch& touch);
   Touch touch_in_frame(const Lone& lone, const ToolState& tool_O);
@@ -67,6 +68,8 @@ class LoneTouch {
   std::array<ImplicitTracker, kMaxLoneObjects> trackers_;
   std::array<FeatureWalker, kMaxLoneObjects> walkers_;
   std::array<DetailState, kMaxLoneObjects> details_;
+  // Potential fields that have overlapped the tool in every tick since it began there.
+  std::array<bool, kMaxLoneObjects> left_out_{};
 };
 
 }  // namespace tactus::rendering
