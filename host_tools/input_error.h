@@ -1,4 +1,4 @@
-// What a host tool throws when the user's input is at fault.
+// The exception of host tools for an error in the user's input.
 #pragma once
 
 #include <stdexcept>

@@ -162,7 +162,7 @@ rendering::Object counted(rendering::ContactMethod method, const MotionDescripti
   return object;
 }
 
-// Of the controller's fixed memory.
+// Throws InputError if the scene needs more than the controller's fixed memory.
 void require_room(const rendering::SceneryNeeds& needs, const std::string& file) {
   if (!needs.fit()) {
     throw InputError(fmt::format(

@@ -139,7 +139,7 @@ std::vector<std::byte> write_device(std::span<const WrittenSection> sections) {
   return bytes;
 }
 
-// What to do about a key that the section does not have.
+// Returns the advice for a key that the section does not have.
 std::string advice_on(const firmware::DeviceSections& sections, std::size_t section,
                       const WrittenSetting& setting) {
   std::array<firmware::KnownKey, firmware::kMaxSettings> known{};
@@ -186,7 +186,7 @@ std::vector<std::byte> write_checked(std::span<const WrittenSection> written) {
   return bytes;
 }
 
-// What tools find out about a device and leave in a file beside it.
+// A result that a tool measured on a device and wrote into a file beside the device's.
 struct FoundOut {
   std::string_view kind;
   std::string_view verb;

@@ -1,5 +1,5 @@
-// From device.toml to the image that the controller reads at its start: host_tools/bake/README.md
-// has the keys.
+// Makes the image that the controller reads at its start from device.toml, whose keys are listed in
+// host_tools/bake/README.md.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +36,8 @@ class LoadedDevice {
   std::vector<std::string> warnings_;
 };
 
-// Whether the file describes a device, not a scene: it has a mechanism. Throws InputError if it
-// cannot be read or is no TOML.
+// Returns true if the file describes a device, that is, has a mechanism, and false for a scene.
+// Throws InputError if it cannot be read or is no TOML.
 bool describes_device(const std::filesystem::path& file);
 
 // Checks everything. Takes in what tactus certify and tactus commission left beside the file

@@ -37,13 +37,15 @@ class FormulaBuilder {
   Value power_norm(Value a, Value b, double p);
   Value minimum(Value a, Value b);
   Value maximum(Value a, Value b);
-  // Of the one-operand functions: square_root, sine, cosine, exponential, logarithm, magnitude.
+  // Applies a function of one operand: square_root, sine, cosine, exponential, logarithm,
+  // magnitude.
   Value function(rendering::Opcode opcode, Value a);
 
   // The value if it depends on nothing. Not finite after a division by zero or an overflow.
   [[nodiscard]] std::optional<double> known(Value a) const;
 
-  // What `result` needs, in order, renumbered. May be longer than instructions are allowed to be.
+  // Returns the instructions that compute `result`, in order and renumbered. The list may be longer
+  // than the format allows.
   [[nodiscard]] std::vector<rendering::Instruction> list(Value result) const;
 
  private:

@@ -11,8 +11,8 @@
 
 namespace tactus::host {
 
-// What x, y and z stand for where the function is called: inside of translate() and its like, the
-// moved ones.
+// The coordinates at which a function is evaluated. Inside translate() and similar functions they
+// are the moved ones.
 struct FormulaCoordinates {
   FormulaBuilder::Value x = 0;
   FormulaBuilder::Value y = 0;

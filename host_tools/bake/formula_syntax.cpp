@@ -57,7 +57,7 @@ class Reader {
     return there;
   }
 
-  // What stands here fits nowhere.
+  // Throws the error for a character that fits nowhere.
   [[noreturn]] void fail_here() {
     const char c = peek();
     const auto what = [&]() -> std::string {

@@ -1,5 +1,4 @@
-// What baking makes sure of about friction: that a device can hold it, and that it gives out no
-// energy.
+// Checks that a device can hold a surface's friction, and that the friction gives out no energy.
 #pragma once
 
 #include <string>

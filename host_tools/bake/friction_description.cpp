@@ -26,7 +26,7 @@ KeySpec key_spec(std::string_view key) {
   return {key, unit == kUnits.end() ? std::string_view{} : *unit};
 }
 
-// Of all models.
+// Returns the keys of all friction models.
 std::vector<KeySpec> friction_keys() {
   std::vector<KeySpec> keys{{"model", ""}};
   std::ranges::transform(friction_parameter_names(), std::back_inserter(keys),
@@ -108,7 +108,8 @@ void settle_levels(const TomlSection& section, bool has_static, FrictionParamete
   }
 }
 
-// Of the last three models.
+// Sets the bristle stiffness of dahl, lugre and elasto_plastic to the contact's unless it is given.
+// Throws InputError if it is not above 0.
 void settle_bristles(const TomlSection& section, double contact_stiffness_N_per_m,
                      FrictionParameters& friction) {
   if (!section.has("stiffness_N_per_m")) {

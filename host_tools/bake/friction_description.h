@@ -12,7 +12,7 @@
 
 namespace tactus::host {
 
-// What a surface takes that does not say it.
+// The friction parameters of a surface whose TOML does not give them.
 inline constexpr rendering::FrictionParameters kSurfaceFriction{
     .stribeck_velocity_m_per_s = 0.01,
     .stribeck_exponent = 2.0,

@@ -40,7 +40,7 @@ struct BakedScene {
   std::vector<rendering::Effect> effects;
 };
 
-// What an object's arrays take in the image.
+// Returns the bytes that an object's arrays take in the image.
 std::uint64_t image_bytes(const BakedMesh& mesh);
 
 // The whole image, ready for SceneImage::open; the same scene gives the same bytes. Throws

@@ -150,7 +150,7 @@ std::optional<std::string> advise_on_unit(std::string_view unknown, std::span<co
   return std::nullopt;
 }
 
-// From the whole name or from the name without its unit, whichever is nearer.
+// Returns the edit distance to the whole name or to the name without its unit, whichever is less.
 std::size_t distance_to(const KeySpec& key, std::string_view unknown) {
   const std::string text = lower(unknown);
   return std::min(edit_distance(text, lower(key.name)), edit_distance(text, lower(key.base())));

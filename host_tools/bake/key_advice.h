@@ -1,4 +1,4 @@
-// What to tell someone who wrote a key that does not exist.
+// Suggests the right key to a user who wrote one that does not exist.
 #pragma once
 
 #include <optional>

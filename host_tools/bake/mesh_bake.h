@@ -1,4 +1,4 @@
-// From triangles to what the controller touches, in memory alone: for baking files, and for tests
+// Makes the controller's form of a mesh from triangles, in memory: for baking files, and for tests
 // and benchmarks that make their own meshes.
 #pragma once
 

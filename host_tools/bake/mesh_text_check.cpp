@@ -17,7 +17,7 @@
 namespace tactus::host {
 namespace {
 
-// What Assimp's OFF reader takes; it leaves out larger faces without a word.
+// The most corners of a face that Assimp's OFF reader takes; it leaves out larger faces silently.
 constexpr std::int64_t kMaxOffCorners = 9;
 constexpr std::int64_t kAnyCorners = std::numeric_limits<std::int64_t>::max();
 

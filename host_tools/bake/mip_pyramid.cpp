@@ -36,7 +36,7 @@ struct Tap {
   float weight;
 };
 
-// What the new texel `to` takes from the old ones; weights sum up to 1.
+// Returns the old texels that contribute to the new texel `to`, with weights that sum to 1.
 std::vector<Tap> taps_of(std::uint32_t to, std::uint32_t old_count, std::uint32_t new_count) {
   const double ratio = static_cast<double>(old_count) / new_count;
   const double centre = (to + 0.5) * ratio - 0.5;

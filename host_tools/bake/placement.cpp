@@ -7,7 +7,8 @@
 namespace tactus::host {
 namespace {
 
-// Of the vertices that triangles use: a stray point must not move or shrink the mesh.
+// Returns the box of the vertices that triangles use: a stray point must not move or shrink the
+// mesh.
 Eigen::AlignedBox3d used_box(const ImportedMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {

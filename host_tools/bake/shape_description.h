@@ -36,7 +36,7 @@ rendering::Primitive read_primitive(const TomlSection& section, const std::strin
 // Throws InputError when the method does not go with the shape.
 rendering::ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape);
 
-// What the shape looks like: a mesh for pictures. Throws InputError, without a file name, when the
+// Returns a mesh of the shape for pictures. Throws InputError, without a file name, when the
 // formula has no surface within its bounds.
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement);
 

@@ -64,7 +64,7 @@ class TextLines {
     return std::nullopt;
   }
 
-  // Of the line given last, from 1.
+  // Returns the number of the line given last; the first is 1.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:

@@ -1,4 +1,4 @@
-// From pictures to what the controller looks up.
+// Makes the tables that the controller looks up from pictures.
 #pragma once
 
 #include <string>

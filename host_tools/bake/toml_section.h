@@ -39,7 +39,7 @@ class TomlSection {
               std::span<const KeySpec> keys);
 
   [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range) const;
-  // From `least` to `most`.
+  // Returns a whole number from `least` to `most`; nothing if the key is absent.
   [[nodiscard]] std::optional<std::size_t> count(std::string_view key, std::size_t most,
                                                  std::size_t least = 1) const;
   [[nodiscard]] std::optional<bool> flag(std::string_view key) const;
@@ -49,11 +49,11 @@ class TomlSection {
   [[nodiscard]] const toml::table* table(std::string_view key) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
-  // Of the key's value, or of the section when the key is absent.
+  // Returns the line of the key's value, or of the section when the key is absent.
   [[nodiscard]] std::size_t line(std::string_view key) const;
   [[nodiscard]] const std::string& title() const { return title_; }
 
-  // "file:line: title: what".
+  // Throws InputError "file:line: title: what".
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 
  private:

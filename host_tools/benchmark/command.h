@@ -9,7 +9,7 @@ namespace tactus::host {
 // Runs it in a shell, silently; whether it ended with 0.
 bool command_succeeds(const std::string& command);
 
-// As one word of a shell command, whatever characters it has.
+// Quotes the path so that a shell takes it as one word, whatever characters it has.
 std::string shell_quoted(const std::filesystem::path& path);
 
 // A folder of one's own, made now and gone, with all that is in it, at the end of the scope. Throws

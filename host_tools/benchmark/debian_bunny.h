@@ -1,4 +1,4 @@
-// Where the benchmark's real mesh comes from.
+// Finds the benchmark's real mesh, the Stanford bunny of Debian's package.
 #pragma once
 
 #include <filesystem>

@@ -1,10 +1,10 @@
 #include "host_tools/benchmark/figures_file.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
-#include <chrono>
+#include <array>
+#include <ctime>
 #include <fstream>
 #include <thread>
 #include <utility>
@@ -32,6 +32,15 @@ std::string processor(const utsname& system) {
   return system.machine;
 }
 
+// Returns the date in UTC as YYYY-MM-DD.
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm date{};
+  ::gmtime_r(&now, &date);
+  std::array<char, sizeof "YYYY-MM-DD"> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%F", &date)};
+}
+
 std::string instructions_row(const std::optional<InstructionCount>& count) {
   return count ? fmt::format("{:.0f},{:.0f},{:.0f},{:.0f},{:.0f}", count->mean, count->median,
                              count->p99, count->p999, count->max)
@@ -43,9 +52,9 @@ std::string instructions_row(const std::optional<InstructionCount>& count) {
 std::string describe_machine() {
   utsname system{};
   ::uname(&system);
-  return fmt::format("{}, {} cores, {} {}; {}; {:%Y-%m-%d}", processor(system),
+  return fmt::format("{}, {} cores, {} {}; {}; {}", processor(system),
                      std::thread::hardware_concurrency(), system.sysname, system.release,
-                     TACTUS_BUILD, fmt::gmtime(std::chrono::system_clock::now()));
+                     TACTUS_BUILD, today());
 }
 
 FiguresFile::FiguresFile(std::filesystem::path path) : path_(std::move(path)) {

@@ -26,8 +26,8 @@ struct InstructionCount {
 InstructionCount count_instructions(const BenchmarkMesh& mesh, bool friction, double tool_radius_m,
                                     std::span<const Vec3> path);
 
-// What the program does when it was started so: touches the scene in `folder` along the path
-// there.
+// Runs in the program that count_instructions has started: touches the scene in `folder` along the
+// path there.
 void touch_to_be_counted(const std::filesystem::path& folder);
 
 // The total of every part of callgrind's output that counted anything, in its order.

@@ -1,4 +1,4 @@
-// Where the benchmark's large mesh comes from.
+// Finds the benchmark's large mesh, the Stanford dragon.
 #pragma once
 
 #include <filesystem>

@@ -82,7 +82,7 @@ std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, st
     const Vec3 inward = -u;
     RayCast ray{.mesh = mesh, .from = from, .direction = inward, .nearest = outside};
     rendering::visit_along(mesh.nodes, from, inward, 0.0, ray);
-    // Where the ray meets nothing before the middle, the last height is kept.
+    // If the ray meets nothing before the middle, the last height is kept.
     height = ray.nearest < outside ? outside - ray.nearest : height;
     surface = k == 0 ? height : std::clamp(height, surface - most_rise, surface + most_rise);
     const double depth = 0.002 + 0.001 * wave(1.7, t);

@@ -1,4 +1,4 @@
-// What the benchmark's tool does: a path over any mesh that presses, strokes and leaves.
+// The path of the benchmark's tool over any mesh: it presses, strokes and leaves.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,8 @@
 namespace tactus::host {
 namespace {
 
-// Where `holds` ends between `good`, at which it does, and `bad`, at which it does not.
+// Returns the end of the stretch in which `holds` is true, between `good`, where it is true, and
+// `bad`, where it is false. The result is at most a factor 1 + `precision` below the true end.
 template <class Predicate>
 double end_of(double good, double bad, double precision, const Predicate& holds) {
   while (bad > (1.0 + precision) * good) {

@@ -81,8 +81,8 @@ DeviceParameters ready_at_once(DeviceParameters device) {
   return device;
 }
 
-// As it is, but with its full force at once, and without the passivity control: the certificate is
-// for what the wall does by itself, and that control is there for what nobody certified.
+// Prepares the controller with its full force at once and without passivity control: the
+// certificate is for the wall alone, and that control is there for walls without a certificate.
 void prepare(firmware::Controller& controller, const WallContact& contact,
              std::span<const rendering::Object> wall) {
   firmware::ControllerConfig config = contact.controller;
@@ -90,7 +90,7 @@ void prepare(firmware::Controller& controller, const WallContact& contact,
   config.safety.soft_start_s = 0.0;
   config.safety.sign_check_N = 0.0;  // the wall alone pushes
   config.safety.contact_start_s = 0.0;
-  // What the bare wall does is looked at: nothing damps it, and the verdict on it is the trial's.
+  // The trial looks at the bare wall: nothing damps it, and the verdict on it is the trial's.
   config.safety.passivity_damping_Ns_per_m = 0.0;
   config.safety.guards_off = firmware::kFaultNotPassive;
   config.allow_uncertified = true;

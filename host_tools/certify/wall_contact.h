@@ -1,5 +1,5 @@
-// Whether a hand pressed against a virtual wall comes to rest: one contact of the simulated device,
-// with the real controller, and the verdict on it.
+// Decides whether a hand pressed against a virtual wall comes to rest: one contact of the simulated
+// device with the real controller, and the verdict on it.
 //
 // The trial. A guide takes the handle at a steady speed onto the wall and into it, to the depth
 // where the wall carries the press F, and lets go there. What holds it from then on is the hand,
@@ -32,7 +32,7 @@ namespace tactus::host {
 
 inline constexpr double kQuietSpeed_m_per_s = 1e-3;
 
-// Where and by whom the wall is touched.
+// The hand, the device and the place at which the wall is touched.
 struct WallContact {
   DeviceParameters device;
   firmware::ControllerConfig controller;  // its origin is moved to the contact

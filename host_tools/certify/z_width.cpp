@@ -180,7 +180,7 @@ class Sweep {
     }
   }
 
-  // Of the checks that hang on untried points, those that fail: their points.
+  // Returns which points belong to a failed check. Only checks that depend on an untried point run.
   std::vector<bool> bad_points(const std::vector<bool>& untried) {
     std::vector<Check> checks = checks_of(result_.certificate);
     std::erase_if(checks, [&](const Check& check) {

@@ -11,7 +11,7 @@
 namespace tactus::host {
 namespace {
 
-// Of the hand that bears least with that damping.
+// Returns the lowest limit of all hands at that damping.
 const StableStiffness& least_limit(const ZWidth& z_width, std::size_t damping) {
   return std::ranges::min_element(
              z_width.curves, {},

@@ -1,4 +1,4 @@
-// What a Z-width comes to: a table for programs, lines and a picture for people.
+// Reports a Z-width as a table for programs, and as lines and a picture for people.
 #pragma once
 
 #include <filesystem>

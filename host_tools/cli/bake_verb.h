@@ -1,7 +1,9 @@
 // `tactus bake`: from scene.toml and meshes to a scene image.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -43,7 +43,7 @@ void print(std::string_view what, const LoopBenchOptions& options, const Jitter&
   std::fflush(stdout);
 }
 
-// Of the bins that are not empty, by the logarithm: one in a million is to be seen.
+// Returns a curve of the bins that are not empty, logarithmic so that one in a million can be seen.
 Curve curve_of(const char* name, const Jitter& jitter, CurveStyle style) {
   Curve curve{.name = name, .x = {}, .y = {}, .style = style};
   for (std::size_t i = 0; i < kJitterBins; ++i) {

@@ -1,7 +1,9 @@
 // `tactus bench`: how long a tick takes.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

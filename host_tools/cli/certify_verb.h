@@ -1,7 +1,9 @@
 // `tactus certify`: how stiff a surface a device can render and stay stable.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -1,7 +1,9 @@
 // `tactus commission`: the guided check of a device before its first force.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -1,7 +1,9 @@
 // `tactus doctor`: whether this machine can run the controller on time.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

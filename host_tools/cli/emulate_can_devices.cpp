@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -17,7 +18,7 @@
 namespace tactus::host {
 namespace {
 
-// Of one kind of drive; what the others need stays as it is.
+// The options of every kind of drive; each kind reads its own and ignores the others.
 struct CanDeviceOptions {
   MachineOptions machine;
   std::string interface;

@@ -1,7 +1,9 @@
 // The devices of `tactus emulate`, each a verb of its own below it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

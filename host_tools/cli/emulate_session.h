@@ -1,7 +1,7 @@
-// What all devices of `tactus emulate` share: options about what is behind the bus, and the run.
+// Parts that all devices of `tactus emulate` share: the options about the machine behind the bus,
+// and the run.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <span>
 #include <string>
@@ -10,12 +10,16 @@
 #include "drivers/transmission.h"
 #include "host_tools/emulators/machine_options.h"
 
+namespace CLI {
+class App;
+}
+
 namespace tactus::host {
 
-// The options live as long as the command line.
+// Adds the options of the machine. `machine` must outlive the command line.
 void add_machine_options(CLI::App& verb, MachineOptions& machine);
 
-// As --realtime asks; before the device starts threads of its own.
+// Takes the priority that --realtime asks for. Call it before the device starts threads.
 void take_emulator_priority(const MachineOptions& machine);
 
 void check_emulated_nodes(const std::vector<unsigned>& nodes, unsigned lowest, unsigned highest);
@@ -23,7 +27,8 @@ void check_emulated_nodes(const std::vector<unsigned>& nodes, unsigned lowest, u
 using ConnectDevice =
     std::function<void(EmulatedMachine& machine, std::span<const drivers::Transmission>)>;
 
-// From the first line to the last. `what` is emulated where, "3 ODrive axes on can0".
+// Runs the emulator from its first line of output to its last. `what` names the devices and the
+// bus, such as "3 ODrive axes on can0".
 void emulate(const MachineOptions& options, const std::string& what, const ConnectDevice& connect);
 
 }  // namespace tactus::host

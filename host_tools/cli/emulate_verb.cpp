@@ -1,5 +1,7 @@
 #include "host_tools/cli/emulate_verb.h"
 
+#include <CLI/CLI.hpp>
+
 #include "host_tools/cli/emulate_devices.h"
 #include "host_tools/input_error.h"
 

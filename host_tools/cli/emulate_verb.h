@@ -1,7 +1,9 @@
 // `tactus emulate`: plays a whole haptic device from the other side of its bus.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -1,7 +1,9 @@
 // `tactus faults`: every fault and limit, its trigger, reaction and recovery.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

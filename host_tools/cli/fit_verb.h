@@ -1,7 +1,9 @@
 // `tactus fit`: the parameters of friction models from a measured record.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -1,7 +1,9 @@
 // `tactus friction`: a friction model on a motion, on a mass, or in an experiment.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

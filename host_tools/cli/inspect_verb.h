@@ -1,7 +1,9 @@
 // `tactus inspect`: what is in a scene image.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

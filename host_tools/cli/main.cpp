@@ -65,7 +65,7 @@ std::string name_of_run(const CLI::App& app) {
 }
 
 int report(const CLI::App& app, std::string_view message, ExitCode code) {
-  // Where stderr cannot be written either, the exit code is all that is left to say.
+  // If stderr cannot be written either, only the exit code is left to report the failure.
   std::fputs(fmt::format("{}: {}\n", name_of_run(app), message).c_str(), stderr);
   return code;
 }
@@ -127,7 +127,7 @@ int run(CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
-// What CLI11 throws while verbs are added is an error of ours.
+// An exception that CLI11 throws while verbs are added is a mistake of this program.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   CLI::App app{"Bakes, runs and measures scenes for the Tactus haptic controller.", "tactus"};

@@ -3,6 +3,7 @@
 #include "host_tools/monitor/session.h"
 #include "host_tools/remote/remote.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 

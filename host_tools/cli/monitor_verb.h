@@ -1,7 +1,9 @@
 // `tactus monitor` and `tactus watch`: a running controller on a terminal, and as lines of text.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

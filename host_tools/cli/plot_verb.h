@@ -1,7 +1,9 @@
 // `tactus plot`: figures of a run.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -22,7 +22,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // What is being done from now on. Any thread.
+  // Sets the text of the step that begins now. Any thread may call it.
   void step(std::string_view what);
 
  private:

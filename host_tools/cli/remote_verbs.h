@@ -1,7 +1,9 @@
 // The verbs that speak with a running controller: `tactus enable`, `tactus set` and their like.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +52,7 @@ struct ReplayOptions {
   std::string picture;
 };
 
-// Whether every tick is equal.
+// Returns true if every replayed tick equals the recorded one.
 bool compare(RecordedRun& run, const std::string& name) {
   const double rate_hz = run.setup().config.rate_hz;
   std::optional<ProgressLine> progress;

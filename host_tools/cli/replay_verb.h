@@ -1,7 +1,9 @@
 // tactus replay: a recording lived once more, tick by tick, to the bit.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -52,7 +53,7 @@ struct SimOptions {
   RunOptions run;
 };
 
-// What happens beside the run, after each tick.
+// Writes the outputs and shows the progress after each tick.
 class Recorder {
  public:
   Recorder(const SimOptions& options, double seconds, const Simulation& simulation,

@@ -1,7 +1,9 @@
 // `tactus sim`: a simulated hand and device touch a scene through the real controller.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

@@ -1,7 +1,9 @@
 // `tactus touch`: a tool path against a scene, without dynamics.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tactus::host {
 

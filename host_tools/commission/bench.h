@@ -1,4 +1,4 @@
-// What commissioning needs of a device and of the person beside it.
+// The device under commissioning and the person beside it, as the checks see them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tactus::host {
 
-// What the person does meanwhile.
+// A task for the person beside the device.
 enum class HandTask : std::uint8_t {
   hold_for_homing,  // brings the joints to where their references are, and lets them find these
   move_everywhere,  // moves the handle to every end of its travel, without motor power
@@ -26,7 +26,7 @@ class Bench {
 
   virtual void read(drivers::JointSample& sample) = 0;
   virtual void write(const drivers::JointCommand& command) = 0;
-  // To the next tick.
+  // Waits for the next tick.
   virtual void wait() = 0;
   // Asks the person for it; returns once it is begun.
   virtual void ask(HandTask task) = 0;

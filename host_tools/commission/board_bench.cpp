@@ -126,7 +126,8 @@ class BoardBench final : public Bench {
   }
 
  private:
-  // As in tactusd: half of every period stays for the rest of the tick.
+  // Returns how long a read may wait. As in tactusd, half of every period stays for the rest of the
+  // tick.
   static hal::TimeNs read_limit_ns(const firmware::DeviceConfig& config) {
     const double half_period_s = 0.5 / config.controller.rate_hz;
     return static_cast<hal::TimeNs>(1e9 * std::min(config.read_limit_s, half_period_s));

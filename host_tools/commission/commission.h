@@ -19,9 +19,9 @@ namespace tactus::host {
 struct CommissionPlan {
   const firmware::ControllerConfig& controller;
   std::vector<std::string> joints;  // their names
-  // What the hand feels of the device at the handle, kg: gives each joint's expected inertia.
+  // The device's mass as felt at the handle, kg: it gives each joint's expected inertia.
   double moving_mass_kg = 0.0;
-  // Shares of a joint's largest effort: of the first pulse and of the strongest.
+  // The first and the strongest pulse, as shares of a joint's largest effort.
   double first_effort_share = 0.02;
   double most_effort_share = 0.5;
   double homing_limit_s = 120.0;

@@ -1,4 +1,4 @@
-// What commissioning found, for people and for the image.
+// Reports the result of commissioning for people and for the image.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 
 namespace tactus::host {
 
-// What is wired or scaled otherwise than device.toml says, by joint.
+// Differences between the device's wiring or scales and device.toml, by joint.
 struct WiringMistake {
   std::array<double, kPlantJoints> torque_scale{1.0, 1.0, 1.0};    // -1: the motor is reversed
   std::array<double, kPlantJoints> position_scale{1.0, 1.0, 1.0};  // -1: the encoder is

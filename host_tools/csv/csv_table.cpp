@@ -77,7 +77,7 @@ std::optional<double> finite_number(std::string_view field) {
   return value;
 }
 
-// Where the wanted columns stand in a row.
+// The place of a wanted column in a row.
 struct Place {
   std::size_t field = 0;
   std::vector<double>* values = nullptr;

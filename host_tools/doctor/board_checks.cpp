@@ -34,7 +34,7 @@ Finding judge_access(Machine& machine, const std::string& check, const std::stri
   return well(check, found);
 }
 
-// Of the device's file, "/dev/bus/usb/001/005".
+// Returns the device files of the Falcons that are plugged in, such as "/dev/bus/usb/001/005".
 std::vector<std::string> falcon_files(Machine& machine) {
   const std::string vendor = fmt::format("{:04x}", drivers::kFalconVendor);
   const std::string product = fmt::format("{:04x}", drivers::kFalconProduct);

@@ -79,7 +79,7 @@ std::string in_words(const CanLink& link) {
   return text + (link.state.empty() ? "" : ", " + link.state);
 }
 
-// Of an interface that is up.
+// Judges the settings of an interface that is up.
 Finding judge(const CanNeed& need, const CanLink& link, const std::string& mtu) {
   const std::string check = "CAN " + need.interface;
   if (need.fd && mtu != kFdMtu) {

@@ -1,4 +1,4 @@
-// Whether a machine can run the controller on time, and what to mend where it cannot.
+// Checks that a machine can run the controller on time, and says how to mend what prevents it.
 #pragma once
 
 #include <string>

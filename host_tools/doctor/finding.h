@@ -1,4 +1,4 @@
-// What a check of the doctor has to say.
+// The result of one check of the doctor.
 #pragma once
 
 #include <string>

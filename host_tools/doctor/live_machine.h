@@ -1,4 +1,4 @@
-// What this machine says beside its files.
+// Facts about this machine that are not in its files.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace tactus::host {
 
-// By access(2), so that groups, capabilities and access lists count.
+// Returns whether the user may write to `path`, by access(2), so that groups, capabilities and access lists count.
 std::optional<bool> live_writable(std::string_view path);
 
 // "gpiochip0" -> "pinctrl-bcm2711".

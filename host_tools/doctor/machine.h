@@ -25,13 +25,14 @@ class Machine {
 
   // The file without the white space at its end; nothing if it cannot be read.
   std::optional<std::string> text(std::string_view path);
-  // What lies in the folder, sorted by name; empty if there is none.
+  // Returns the names in the folder, sorted; empty if there is no such folder.
   std::vector<std::string> names(std::string_view folder);
-  // Whether the user may write to a file or device; nothing if there is none.
+  // Returns whether the user may write to a file or device; nothing if there is none.
   std::optional<bool> writable(std::string_view path);
   // The label that a GPIO chip's driver gives it; nothing if the chip may not be opened.
   std::optional<std::string> gpio_label(std::string_view chip);
-  // What `ip` says of a network interface, JSON; nothing without `ip` or the interface.
+  // Returns the JSON that `ip` prints for a network interface; nothing without `ip` or the
+  // interface.
   std::optional<std::string> ip_link(std::string_view interface);
 
   // Writes what was looked at so far as a recorded machine. Throws InputError.

@@ -1,4 +1,4 @@
-// What stops each motor when the host dies.
+// Checks for each motor what stops it when the host fails.
 #include <fmt/format.h>
 
 #include "host_tools/doctor/checks.h"

@@ -1,4 +1,4 @@
-// What a device needs of the machine it hangs on.
+// The interfaces, permissions and settings that a device needs on its machine.
 #pragma once
 
 #include <optional>

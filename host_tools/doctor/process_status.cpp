@@ -20,7 +20,7 @@ std::string_view without_blanks(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-// What stands behind the name that a line of the file begins with.
+// Returns the rest of the file's line that begins with `name`.
 std::optional<std::string> line_of(Machine& machine, const char* path, std::string_view name) {
   std::istringstream lines(machine.text(path).value_or(""));
   for (std::string line; std::getline(lines, line);) {

@@ -1,4 +1,4 @@
-// What /proc says of the process that asks: its limits, groups and capabilities.
+// The limits, groups and capabilities of this process, read from /proc.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,11 @@ namespace tactus::host {
 inline constexpr unsigned kCapabilityIpcLock = 14;  // linux/capability.h
 inline constexpr unsigned kCapabilitySysNice = 23;
 
-// Of /proc/self/limits, soft; "unlimited" is the largest number. Nothing if it does not say.
+// Returns a soft limit of /proc/self/limits, the largest number for "unlimited"; nothing if the
+// file does not list it.
 std::optional<std::uint64_t> soft_limit(Machine& machine, std::string_view name);
 
-// Of /proc/self/status.
+// The next three functions read /proc/self/status.
 bool has_capability(Machine& machine, unsigned capability);
 bool is_root(Machine& machine);
 std::vector<std::string> group_numbers(Machine& machine);

@@ -36,7 +36,7 @@ inline constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
 // "silent" and so on, as the command line takes them. Throws InputError for another.
 EmulatorFault emulator_fault(std::string_view name);
 
-// Where a drive's position starts from when it gets its power.
+// The position of a drive's encoder when it gets its power.
 enum class EmulatedEncoder : std::uint8_t {
   incremental,  // 0, wherever the shaft stands
   absolute,     // the angle within a turn

@@ -74,7 +74,7 @@ void Cia402Emulator::define_communication() {
       objects_[{at(0x1A00), sub}] = {0, size, true};
     }
   }
-  // As delivered: controlword and statusword alone.
+  // A drive is delivered with the controlword and the statusword mapped, and nothing else.
   objects_[{0x1600, 0}].value = 1;
   objects_[{0x1600, 1}].value = 0x6040'0010;
   objects_[{0x1A00, 0}].value = 1;
@@ -201,7 +201,7 @@ void Cia402Emulator::take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   }
 }
 
-// What waited for the SYNC takes effect, then the samples are taken.
+// Applies the objects that waited for the SYNC, then takes the samples.
 void Cia402Emulator::take_sync(hal::TimeNs now_ns) {
   for (std::size_t pdo = 0; pdo < received_.size(); ++pdo) {
     if (received_[pdo].waits) {

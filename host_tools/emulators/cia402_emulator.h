@@ -52,7 +52,7 @@ class Cia402Emulator final : public CanEmulator {
   // The motor's supply; the drive's own is a matter of the fault port. Without it the drive does
   // not leave 'switch on disabled'.
   void set_motor_power(bool on) { motor_power_ = on; }
-  // As a safe torque off does that closes again at once, without a word.
+  // Acts like a safe torque off that closes again at once and is not reported.
   void drop_power() { power_ = Power::switch_on_disabled; }
   // Its encoder slips by that much at once.
   void slip(std::int64_t counts) { first_count_ += counts; }

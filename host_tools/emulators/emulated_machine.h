@@ -35,7 +35,7 @@ struct EmulatedMachineConfig {
   Vec3 origin_B = Vec3::Zero();                        // m: the wish path's origin
   std::uint64_t seed = 1;                              // of the hand's tremor
   hal::TimeNs step_ns = kLongestMachineStep_ns;
-  // From the machine's start on: then the hand leaves the handle for good.
+  // The time after the machine's start at which the hand leaves the handle for good, s.
   double let_go_s = std::numeric_limits<double>::infinity();
 };
 
@@ -46,7 +46,8 @@ struct EmulatedAxis {
   std::function<void(EmulatorFault)> set_fault;
 };
 
-// What nobody on the bus can know, at one instant. Joints: rad, or m where they slide.
+// The true state of the machine at one instant, which the bus does not show. Joints are in rad, or
+// m if they slide.
 struct MachineTruth {
   hal::TimeNs time_ns = 0;
   std::array<double, kPlantJoints> joint_position{};
@@ -61,32 +62,34 @@ struct MachineTruth {
 
 class EmulatedMachine {
  public:
-  // At rest at `start_ns` where the hand wants the handle, or in the middle of the workspace.
-  // Throws InputError on a step that is not positive or too long.
+  // The machine begins at rest at `start_ns` where the hand wants the handle, or in the middle of
+  // the workspace. Throws InputError on a step that is not positive or too long.
   EmulatedMachine(const EmulatedMachineConfig& config, hal::TimeNs start_ns);
 
-  // The next joint's axis, from joint 0 on. Throws InputError when all joints have one, and on a
-  // transmission that is not valid.
+  // Connects the next joint's axis, beginning with joint 0. Throws InputError when all joints have
+  // one, and on a transmission that is not valid.
   void connect(EmulatedAxis axis);
-  // The device's own program; called with the time of each step, after its shafts have been turned.
+  // Adds the device's own program. It is called with the time of each step, after the step has
+  // turned its shafts.
   void add_device(std::function<void(hal::TimeNs)> run) { devices_.push_back(std::move(run)); }
 
   [[nodiscard]] std::size_t joints() const { return joints_of(plant_parameters_.mechanism); }
   [[nodiscard]] hal::TimeNs start_ns() const { return start_ns_; }
 
-  // When the next step begins; until then plant and shafts stand.
+  // Returns when the next step begins; plant and shafts stand still until then.
   [[nodiscard]] hal::TimeNs next_step_ns() const { return next_step_ns_; }
-  // Shafts to where the joints are, the devices' turn, and the plant one step on.
+  // Turns the shafts to the joints' positions, runs the devices, and advances the plant by one
+  // step.
   void step();
-  // Every step that begins by `now_ns`.
+  // Makes every step that begins at `now_ns` or earlier.
   void run(hal::TimeNs now_ns);
   // Leaves out the steps that begin before `now_ns`: the machine stood still meanwhile.
   void skip_to(hal::TimeNs now_ns);
 
-  // Of the axis of that joint.
+  // Sets the fault of that joint's axis.
   void set_fault(std::size_t joint, EmulatorFault fault);
 
-  // As the last step found it.
+  // Returns the state after the last step.
   [[nodiscard]] const MachineTruth& truth() const { return truth_; }
   [[nodiscard]] const Plant& plant() const { return plant_; }
 

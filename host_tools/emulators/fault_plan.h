@@ -1,4 +1,4 @@
-// What is to go wrong, where and when, in a user's words.
+// A plan of faults: which axis fails, how and when, in a user's words.
 #pragma once
 
 #include <cstddef>

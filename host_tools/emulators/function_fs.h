@@ -28,7 +28,7 @@
 
 namespace tactus::host {
 
-// What the device does. Called by the threads of FunctionFs, one at a time.
+// The behaviour of a USB device. The threads of FunctionFs call it, one at a time.
 class GadgetDevice {
  public:
   GadgetDevice(const GadgetDevice&) = delete;

@@ -22,18 +22,16 @@
 
 namespace tactus::host {
 
-// What EmulatorFault means here:
+// The meaning of each EmulatorFault here:
 //   silent     the encoder's plug is out: its lines stay as they are. When it is plugged in again
 //              the lines jump to where the shaft is by then
 //   delayed    the encoder's lines follow kFaultDelay_ns late. The driver cannot tell a late
-//   encoder
-//              from a late hand: this one is not detected
+//              encoder from a late hand: this fault is not detected
 //   corrupted  now and then both channels change at once
 //   erroring   the bridge reports a fault, if the line is wired, and gives no torque
 //   power_cycled  encoder and bridge are without power for kPowerCycle_ns: the encoder's lines
-//   stay,
-//              then they jump to where the shaft is by then
-//   unplugged  the GPIO chip is gone; no torque. Stays so
+//              stay, then they jump to where the shaft is by then
+//   unplugged  the GPIO chip is gone, for good; no torque
 class GpioAxisEmulator {
  public:
   static constexpr hal::TimeNs kHeartbeat_ns = 10'000'000;
@@ -60,7 +58,7 @@ class GpioAxisEmulator {
   void open_limit_high(bool open);
 
   [[nodiscard]] bool brake_is_closed();
-  // What the encoder's lines stand for, in counts.
+  // Returns the position that the encoder's lines show, in counts.
   [[nodiscard]] std::int64_t count() const { return count_; }
 
  private:

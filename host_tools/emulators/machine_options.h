@@ -1,4 +1,4 @@
-// What `tactus emulate` is told about the device behind the bus, whatever the bus, in the user's
+// The options of `tactus emulate` about the device behind the bus, for any bus, in the user's
 // words.
 #pragma once
 

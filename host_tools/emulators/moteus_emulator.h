@@ -40,13 +40,13 @@ class MoteusEmulator final : public CanEmulator {
 
   [[nodiscard]] int mode() const { return mode_; }
 
-  // What goes wrong inside a servo, beside the fault port.
+  // Faults inside a servo, which the fault port does not offer.
   void raise_fault(int code);        // 32 to 50
   void limit(int code);              // 96 to 103, or 0: what holds the torque back
   void lose_position(bool is_lost);  // positions are NaN from now on
 
  private:
-  // What the host writes; a write of the mode sets it to these values.
+  // The registers that the host writes; a write of the mode resets them to these values.
   struct Command {
     int mode = 0;
     double position_rev = 0.0;

@@ -72,7 +72,8 @@ std::array<std::uint8_t, 8> odrive_words(std::uint32_t first, std::uint32_t seco
   return bytes;
 }
 
-// What fell due while it was not run, without power for example, is not made up for.
+// Returns when the next message is due. Messages that fell due while the drive was not run, for
+// example without power, are not sent later.
 hal::TimeNs next_due_ns(hal::TimeNs due_ns, std::uint32_t period_ms, hal::TimeNs now_ns) {
   const hal::TimeNs period_ns = period_ms * kODriveNsPerMs;
   return due_ns + ((now_ns - due_ns) / period_ns + 1) * period_ns;

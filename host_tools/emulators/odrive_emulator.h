@@ -49,7 +49,7 @@ class ODriveEmulator final : public CanEmulator {
   [[nodiscard]] std::uint32_t axis_state() const { return state_; }
   [[nodiscard]] double speed_limit_turn_per_s() const { return config_.speed_limit_turn_per_s; }
 
-  // What goes wrong inside a drive, beside the fault port.
+  // Faults inside a drive, which the fault port does not offer.
   void raise(std::uint32_t axis_error);  // of the firmware's own numbers; disarms
   // 0.5 only: an error of the motor, told by the axis error too; disarms.
   void raise_motor_error(std::uint64_t error);

@@ -1,4 +1,4 @@
-// Where an emulated paddle's lines are, in a user's words.
+// The lines of an emulated paddle, in a user's words.
 #pragma once
 
 #include <span>

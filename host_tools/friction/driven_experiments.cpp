@@ -19,7 +19,8 @@ std::size_t ticks(double duration_s, double rate_hz) {
   return static_cast<std::size_t>(std::lround(duration_s * rate_hz));
 }
 
-// Where the samples first pass `v`, rising or falling; by a straight line between two of them.
+// Returns the force where the velocity first passes `v`, rising or falling, by linear interpolation
+// between two samples.
 double force_at(std::span<const FrictionSample> samples, double v, bool rising) {
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const FrictionSample& a = samples[k - 1];

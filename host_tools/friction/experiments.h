@@ -44,11 +44,11 @@ struct ExperimentRun {
   double rate_hz = 1000.0;
   Setup setup;
 
-  // What holds the mass at most, N: Fs, or Fc of the models that have no Fs.
+  // Returns the largest force at which the mass stays at rest, N: Fs, or Fc for models without Fs.
   [[nodiscard]] double holding_force_N() const;
 };
 
-// What was measured: a row for each speed, rate, slip or loop. Not a number where there is none.
+// The measurements: a row for each speed, rate, slip or loop. A value that does not exist is NaN.
 struct FindingsTable {
   std::vector<std::string> columns;  // with units
   std::vector<std::vector<double>> rows;

@@ -20,7 +20,7 @@ using rendering::FrictionKind;
 constexpr std::array kFittedKinds{FrictionKind::coulomb_viscous, FrictionKind::stribeck,
                                   FrictionKind::dahl, FrictionKind::lugre};
 
-// From that standard error of a logarithm on, plus and minus two of it reach 0.
+// A logarithm with this standard error or more is unknown: plus and minus two of it reach 0.
 constexpr double kUnknownFrom = 0.5;
 constexpr double kTwoSided95 = 1.96;
 

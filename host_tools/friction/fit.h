@@ -33,7 +33,7 @@ enum class Knowledge {
 struct FittedParameter {
   std::string_view symbol;  // of parameter_names.h
   Knowledge knowledge = Knowledge::fitted;
-  // Where it is not fitted: what the fit was made with.
+  // The fitted value, or the value that the fit used if the parameter was not fitted.
   double value = 0.0;
   double low = 0.0;  // of the interval of 95 %
   double high = 0.0;

@@ -23,7 +23,8 @@ std::vector<double> copy(std::span<const double> values) {
   return {values.begin(), values.end()};
 }
 
-// Of the velocities of the ticks, m/s: root mean square of the second differences.
+// Returns the roughness of the ticks' velocities, m/s: the root mean square of their second
+// differences.
 double roughness(const std::vector<double>& displacement_m, const std::vector<double>& step_s) {
   double sum = 0.0;
   for (std::size_t k = 3; k < step_s.size(); ++k) {

@@ -1,4 +1,4 @@
-// What a fit found, in words, in TOML and as a figure.
+// Reports the result of a fit in words, in TOML and as a figure.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@ namespace tactus::host {
 
 ForceScale scale_of(const FrictionRecord& record);
 
-// A line on the record.
+// Returns one line that describes the record.
 std::string record_text(const std::string& name, const FrictionRecord& record);
 
-// Where it is too rough for a velocity; else empty.
+// Returns a warning if the record is too rough to compute a velocity from; else empty.
 std::string record_warning(const FrictionRecord& record);
 
 // The model, its residual and AIC, and a line a parameter: value, interval and unit, or why the

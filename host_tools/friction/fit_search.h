@@ -15,7 +15,7 @@ struct Solution {
   LeastSquares squares;  // of the steps from where the search began, in the order of the free
 };
 
-// From `start` to the least sum of squares near it.
+// Returns the least sum of squares near `start`.
 Solution solve(const FitPoint& start, const FrictionRecord& record);
 
 // Points from which a search should find the least of all, one at least. All quantities of the

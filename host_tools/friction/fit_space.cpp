@@ -9,7 +9,8 @@ using rendering::FrictionParameters;
 
 namespace {
 
-// Of the first row, before which there is no tick: the bristle and the viscous part.
+// Returns the force of the first row, which has no tick before it: the bristle's and the viscous
+// part.
 double start_force_N(const FitPoint& point, const FrictionParameters& friction,
                      const FrictionRecord& record) {
   const double v = record.displacement_m[1] / record.step_s[1];

@@ -25,10 +25,12 @@ enum class Quantity : std::size_t {
 };
 inline constexpr std::size_t kQuantities = 8;
 
-// Of parameter_names.h; empty for the start force. That of the excess is Fs.
+// Returns the symbol of parameter_names.h, which is Fs for the excess and empty for the start
+// force.
 std::string_view symbol_of(Quantity quantity);
 
-// What depends on the velocity, which is known by its mean over a tick, is in a row of the record
+// The time to which the velocity-dependent part of a row's force belongs. The velocity itself is
+// known as its mean over a tick.
 enum class RowTime {
   instant,  // that of the moment, as sensors give it: the mean of the ticks before and after
   tick,     // that of the tick before, as `tactus friction` and a controller give it
@@ -60,7 +62,7 @@ struct FitPoint {
 // it is the measured one unless the start force is searched.
 void model_forces(const FitPoint& point, const FrictionRecord& record, Eigen::VectorXd& out);
 
-// Of model less measurement, over all rows.
+// Returns the sum over all rows of the squared difference between model and measurement, N^2.
 double sum_of_squares(const FitPoint& point, const FrictionRecord& record);
 
 }  // namespace tactus::host

@@ -22,8 +22,8 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-// Of the rows in which the force opposes the motion with half its typical size or more: the others
-// are on their way there.
+// Sorts rows into bins of speed. Only rows whose force opposes the motion with at least half its
+// typical size count: in the others the force is still building up.
 std::vector<Bin> bins_of(const FrictionRecord& record, const RecordTraits& traits) {
   constexpr std::size_t kBins = 40;
   constexpr double kHalf = 0.5;

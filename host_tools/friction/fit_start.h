@@ -1,4 +1,4 @@
-// Where a fit starts: numbers of the right size, seen in the record without a search.
+// The start of a fit: values of the right size, read from the record without a search.
 #pragma once
 
 #include "host_tools/friction/fit_record.h"

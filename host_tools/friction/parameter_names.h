@@ -1,5 +1,5 @@
-// What the friction models and their parameters are called: by the papers, which the command line
-// follows, and in TOML files. One table for `tactus friction`, `tactus fit` and baking.
+// The names of the friction models and their parameters: those of the papers, which the command
+// line uses, and those of TOML files. `tactus friction`, `tactus fit` and baking share the table.
 #pragma once
 
 #include <span>

@@ -16,8 +16,8 @@ double SlidingMass::energy_J() const {
          rendering::stored_J(parameters_.friction, bristle_);
 }
 
-// What the forces lack to stop the mass at d, by the equation of the header: its root is the
-// displacement. `supply_N` is 2 m v0 / T + u + k (y - x0).
+// Returns by how much the forces fall short of stopping the mass at d, N, by the equation of the
+// header: its root is the displacement. `supply_N` is 2 m v0 / T + u + k (y - x0).
 double SlidingMass::excess_N(double displacement_m, double supply_N, double step_s) const {
   rendering::FrictionMemory<double> trial = bristle_;
   const double friction_N = rendering::update_friction(parameters_.friction, trial, displacement_m,

@@ -21,7 +21,7 @@ struct SlidingMassParameters {
   double normal_force_N = 1.0;             // >= 0
 };
 
-// What acts on the mass during a step, by its value in the step's middle.
+// The load on the mass during a step: its value in the middle of the step.
 struct Drive {
   double push_N = 0.0;
   double spring_end_m = 0.0;  // y
@@ -45,7 +45,7 @@ class SlidingMass {
   const SlidingMassState& step(const Drive& drive, double step_s);
 
   [[nodiscard]] const SlidingMassState& state() const { return state_; }
-  // Of the mass and the bristle; not of the spring.
+  // Returns the energy of the mass and the bristle, J, without that of the spring.
   [[nodiscard]] double energy_J() const;
 
  private:

@@ -16,8 +16,8 @@ using rendering::TriangleIndices;
 
 constexpr std::uint32_t kLeafTriangles = 4;
 constexpr std::size_t kBins = 16;
-// From this level on ranges are halved, which bounds the depth: 2^(64-40) triangles still fit below
-// it.
+// Ranges at this level and deeper are halved, which bounds the depth: 2^(64-40) triangles still fit
+// below it.
 constexpr std::uint32_t kBalancedFromLevel = 40;
 
 using Point = std::array<float, 3>;

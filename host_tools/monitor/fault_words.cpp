@@ -5,7 +5,7 @@ namespace tactus::host {
 
 namespace {
 
-// What the fault table's one word stands for.
+// Returns the remedy in full: the table's "reset" stands for several steps.
 std::string remedy_of(const firmware::FaultText& text) {
   return text.recovery == "reset" ? "remove the cause, then reset, home, enable"
                                   : std::string(text.recovery);

@@ -1,4 +1,4 @@
-// What the monitor knows of a run: the newest tick, and what only shows over many.
+// The monitor's view of a run: the newest tick, and statistics over many ticks.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ class RunView {
   void take(const RunInfo& info);
   void take(const firmware::RecordedTick& tick);
 
-  // What the last key did, or what happened: one line.
+  // Sets the line that says what the last key did or what happened.
   void say(std::string text) { said_ = std::move(text); }
-  // The controller has gone; until the next tick.
+  // Marks the controller as gone until the next tick.
   void lose() { lost_ = true; }
 
   [[nodiscard]] const std::optional<firmware::RecordedTick>& newest() const { return newest_; }
@@ -29,9 +29,9 @@ class RunView {
   [[nodiscard]] const std::string& said() const { return said_; }
   [[nodiscard]] bool lost() const { return lost_; }
 
-  // Over the last ticks that came, a second or so; 0 before there are two.
+  // Returns the rate of the ticks received in about the last second; 0 before there are two.
   [[nodiscard]] double rate_hz() const;
-  // Since the monitor began; empty in a simulation, which has no wake-ups.
+  // The histogram since the monitor began; empty in a simulation, which has no wake-ups.
   [[nodiscard]] const firmware::TimeHistogram& wake_up() const { return wake_up_; }
   [[nodiscard]] const firmware::TimeHistogram& tick_time() const { return tick_time_; }
   // Ticks that the controller published and the monitor did not get.

@@ -84,7 +84,8 @@ void draw_head(Canvas& canvas, const RunView& view) {
   canvas.put(0, kScreenColumns - std::min(when.size(), kScreenColumns), when);
 }
 
-// As many faults as fit with their remedies, then how many more; limits in the last row.
+// Draws as many faults as fit with their remedies, and how many more there are. Limits stand in the
+// last row.
 void draw_faults(Canvas& canvas, const RecordedTick& tick) {
   const FaultWords words = fault_words(tick.record.faults, tick.record.limits);
   const std::size_t room = (words.limits.empty() ? kFaultRows : kFaultRows - 1) / 2;

@@ -19,7 +19,8 @@ constexpr double kPanelHeight = 430;
 constexpr std::array<std::string_view, 5> kColours{"#17406d", "#d0421b", "#4c9a78", "#8e6bb3",
                                                    "#b8860b"};
 
-// Of every stretch the first point, the lowest and the highest: more than the pixels can show.
+// Returns the indices of the first, the lowest and the highest point of each of about 3000
+// stretches, and of the last point: more than the pixels show.
 std::vector<std::size_t> thinned_curve(const Curve& curve) {
   constexpr std::size_t kStretches = 3000;
   const std::size_t size = curve.x.size();

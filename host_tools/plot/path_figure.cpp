@@ -107,7 +107,7 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
   return touching.append(off_sheet) + free.append(off_sheet);
 }
 
-// Where the drawn path begins and ends.
+// Returns gnuplot's data block of the labels at the two ends of the drawn path.
 std::string ends_block(const RunData& run, View view, const Window& window_mm,
                        std::string_view suffix) {
   constexpr double kTogether = 0.08;  // of the panel's width: closer, two labels would overlap

@@ -44,7 +44,8 @@ struct Stretch {
   double to_s = 0.0;
 };
 
-// Where the friction was in that state. A stretch reaches to the time of the row after it.
+// Returns the stretches of time in which friction was in that state. A stretch ends at the time of
+// the row after it.
 std::vector<Stretch> stretches(const std::vector<RunRow>& rows, rendering::FrictionState state);
 
 }  // namespace tactus::host

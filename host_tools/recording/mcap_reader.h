@@ -20,7 +20,7 @@ struct McapMessage {
   std::span<const std::byte> data;
 };
 
-// What it gives points into the file's bytes, which outlive it.
+// Reads an MCAP file. All returned views point into `file`, which must outlive them.
 class McapReader {
  public:
   // Throws InputError if it is no MCAP file.

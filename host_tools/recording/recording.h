@@ -33,7 +33,8 @@ class Recording {
   // All events of the run, by tick.
   [[nodiscard]] const std::vector<firmware::TelemetryEvent>& events() const { return events_; }
 
-  // What was noted about the run under a key of firmware/telemetry/README.md; empty if nothing.
+  // Returns the run's information under a key of firmware/telemetry/README.md; empty if there is
+  // none.
   [[nodiscard]] std::string_view info(std::string_view key) const;
   [[nodiscard]] const McapReader::Texts& info() const { return info_; }
 

@@ -42,7 +42,8 @@ RecordedRun::Image RecordedRun::read(const std::string& file) {
   return copy(std::as_bytes(std::span(text)));
 }
 
-// From the user's file, else out of the recording; empty if there is neither.
+// Returns the image of the user's file, else the one inside the recording; empty if there is
+// neither.
 RecordedRun::Image RecordedRun::image(const std::string& file, const Wanted& wanted) const {
   Image found = file.empty() ? copy(wanted.inside) : read(file);
   const std::string known(recording_.info(wanted.checksum_key));

@@ -32,8 +32,8 @@ class RecordedRun {
   // Its spans live as long as this.
   [[nodiscard]] const ReplaySetup& setup() const { return setup_; }
   [[nodiscard]] const rendering::SceneImage* scene() const { return first_.scene.get(); }
-  // What the run changed its scene to before this tick; nullptr if it did not. Throws InputError if
-  // that image is not in the recording.
+  // Returns the scene that the run changed to before this tick, or nullptr if it did not. Throws
+  // InputError if that image is not in the recording.
   [[nodiscard]] const rendering::SceneImage* changed_scene(std::uint64_t tick) const;
   // Empty if the recording begins with tick 0.
   [[nodiscard]] std::span<const std::byte> state() const;
@@ -59,7 +59,7 @@ class RecordedRun {
     std::uint64_t tick = 0;  // the first with this scene
     Scene to;                // none: its image is not in the recording
   };
-  // What the checksum under this key is of; `inside` is the recording's.
+  // An image that the run needs: its attachment, the key of its checksum, and the recording's copy.
   struct Wanted {
     std::string_view attachment;
     std::string_view checksum_key;

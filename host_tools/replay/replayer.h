@@ -20,7 +20,7 @@ struct ReplaySetup {
   rendering::WorldConfig world;
 };
 
-// Where a replayed tick is not the recorded one.
+// A field in which a replayed tick differs from the recorded one.
 struct Difference {
   std::uint64_t tick = 0;
   std::string field;  // as in TelemetryRecord, with its element: tool_p_W.y, joint_effort[2]
@@ -53,7 +53,7 @@ class Replayer {
 
   // The number of the tick to come.
   [[nodiscard]] std::uint64_t next_tick() const { return controller_->next_tick(); }
-  // Of the last tick.
+  // Returns the record of the last tick.
   [[nodiscard]] const firmware::TelemetryRecord& record() const { return controller_->record(); }
   [[nodiscard]] firmware::Controller& controller() { return *controller_; }
 

@@ -1,5 +1,5 @@
-// What the hand would have felt with other parameters: the recorded motion, and the force that the
-// controller would have given to it. The hand is not simulated; it would have moved otherwise.
+// Computes the force that the hand would have felt with other parameters during the recorded
+// motion. The hand is not simulated; it would have moved otherwise.
 #pragma once
 
 #include <cstdint>
@@ -38,9 +38,9 @@ struct WhatIfSummary {
 
 using WhatIfSink = std::function<void(const WhatIfTick&)>;
 
-// From the recording's start, or the state in it, to its end or to where its scene changed; what
-// the run itself changed of the same parameters is left out. Throws InputError if the controller
-// refuses a change.
+// Replays from the recording's start, or from the state in it, to its end or to its first change of
+// scene. The run's own changes of the same parameters are left out. Throws InputError if the
+// controller refuses a change.
 WhatIfSummary what_if(RecordedRun& run, std::span<const firmware::ParameterChange> changes,
                       const WhatIfSink& sink);
 

@@ -16,7 +16,7 @@ struct DevicePreset {
 // "cartesian": a fast desktop device with three orthogonal linear axes, 0.24 m of travel each.
 DevicePreset cartesian_preset();
 
-// Of the devices below lengths, encoders and motors are published; moving mass, damping and
+// Lengths, encoders and motors of the devices below are published; moving mass, damping and
 // friction are assumptions.
 
 // "falcon": Novint Falcon.

@@ -1,4 +1,4 @@
-// What stands between a joint and the controller's numbers: an encoder with its velocity estimate,
+// The parts between a joint and the controller's numbers: an encoder with its velocity estimate,
 // and a motor.
 #pragma once
 

@@ -49,9 +49,9 @@ double joint_position(MechanismKind kind, std::size_t joint, double coordinate);
 Vec3 on_manifold(MechanismKind kind, const Vec3& p_B);
 Vec3 along_manifold(MechanismKind kind, const Vec3& p_B, const Vec3& v_B);
 
-// Of a mass of 1 kg at every elbow (the joint between the base's link and the tool's; none for
-// Cartesian and the paddle): the sum of the elbows' positions, and the force on the handle that
-// gravity (m/s^2) pulls on them with.
+// These are for a mass of 1 kg at every elbow, the joint between the base's link and the tool's
+// (Cartesian and the paddle have none). They return the sum of the elbows' positions, m, and the
+// force on the handle, N, from gravity (m/s^2) on the elbows.
 Vec3 elbow_sum(MechanismKind kind, const MechanismPose& pose);
 Vec3 elbow_pull(MechanismKind kind, const MechanismPose& pose, const Vec3& gravity_B);
 

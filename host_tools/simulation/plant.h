@@ -33,7 +33,7 @@ struct PlantParameters {
   Vec3 stop_upper_B = Vec3::Constant(0.1);   // m
   double stop_stiffness_N_per_m = 20e3;
   double stop_damping_Ns_per_m = 20.0;
-  // What hangs on the mechanism. A link of mass m whose centre lies at the share s of its length
+  // The weights on the mechanism. A link of mass m whose centre lies at the share s of its length
   // puts m (1 - s) on its inner end and m s on its outer one. All zero: as if balanced.
   double elbow_kg = 0.0;                  // at each elbow
   double handle_kg = 0.0;                 // at the handle
@@ -70,9 +70,9 @@ class Plant {
   [[nodiscard]] const Vec3& v_B() const { return v_B_; }
   [[nodiscard]] const MechanismPose& pose() const { return pose_; }
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
-  // Joint friction's bristles and the end stops' springs.
+  // Returns the energy in joint friction's bristles and the end stops' springs, J.
   [[nodiscard]] double stored_energy_J() const;
-  // Of the weights, up to a constant.
+  // Returns the potential energy of the weights, J, up to a constant.
   [[nodiscard]] double potential_J() const;
 
  private:

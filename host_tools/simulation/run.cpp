@@ -53,7 +53,8 @@ WishPath choose_path(const RunOptions& options, const DevicePreset& device,
   return default_wish_path(objects, tool_radius_m, kPress_m, 0.8 * travel(device).x());
 }
 
-// As if the device's friction had been measured and found exactly.
+// Sets friction compensation as if the device's friction had been measured exactly. `share` is the
+// compensated share, 0 to kMaxCompensatedShare; throws InputError outside.
 void compensate_friction(double share, SimulationConfig& config) {
   const bool is_share = share >= 0.0 && share <= firmware::kMaxCompensatedShare;
   if (!is_share) {

@@ -17,7 +17,7 @@ class LogFile {
  public:
   LogFile(const std::filesystem::path& path, std::string_view header);
 
-  // Where the next line is to be appended; call `flush_if_full` after it.
+  // Returns the buffer to append the next line to; call `flush_if_full` afterwards.
   std::string& buffer() { return buffer_; }
   void flush_if_full();
   void close();

@@ -1,4 +1,4 @@
-// What a run came to: gathered tick by tick, told to people and to programs.
+// The summary of a run: collected tick by tick, printed for people and for programs.
 #pragma once
 
 #include <array>

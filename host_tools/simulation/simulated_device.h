@@ -33,7 +33,7 @@ struct DeviceParameters {
   int substeps = 10;      // of the plant a tick, >= 10
 };
 
-// What may go wrong on demand.
+// The faults that can be injected.
 enum class DeviceFault : std::uint8_t {
   stale_sample,    // the last sample again, growing old, kDeviceStale
   encoder_nan,     // joint 0 reads NaN, and no status bit says so
@@ -57,12 +57,12 @@ class SimulatedDevice {
   // points.
   void advance(const HandParameters& hand, const Vec3& wish_B, const Vec3& next_wish_B);
 
-  // From the next tick on, for that many ticks.
+  // Injects a fault that begins with the next tick and lasts `ticks` ticks.
   void inject(DeviceFault fault, std::uint32_t ticks);
 
   [[nodiscard]] const Plant& plant() const { return plant_; }
   [[nodiscard]] std::array<double, kPlantJoints> motor_effort() const;
-  // What the motors' efforts mean at the handle now, N.
+  // Returns the force of the motors at the handle now, N.
   [[nodiscard]] Vec3 motor_force_B() const;
 
  private:

@@ -28,7 +28,7 @@ struct FaultEvent {
   std::uint32_t ticks = 1;
 };
 
-// What the operator asks at a time of the run, besides homing and enabling at the start.
+// A request of the operator at a time of the run, besides homing and enabling at the start.
 struct RequestEvent {
   double at_s = 0.0;
   firmware::Request request = firmware::Request::none;
@@ -56,11 +56,11 @@ class Simulation {
   Simulation(const SimulationConfig& config, std::span<const rendering::Object> objects,
              double tool_radius_m);
 
-  // read -> controller -> write, then device and hand until the next tick.
+  // Makes one tick: read, controller, write; then advances device and hand until the next tick.
   void tick();
 
-  // The same for whoever operates it: with that request alone, and `between(device)` in the
-  // device's place before the controller. What was planned for the run does not happen.
+  // Makes one tick with that request alone and with `between(device)` in the device's place. The
+  // faults and requests planned for the run do not happen.
   template <class Between>
   void tick(firmware::Request request, Between&& between) {
     wish_W_ = hand_.wish_W();
@@ -69,10 +69,10 @@ class Simulation {
     advance();
   }
 
-  // Of the tick that `tick` has just made.
+  // Returns the record of the last tick.
   [[nodiscard]] const firmware::TelemetryRecord& record() const { return controller_->record(); }
   [[nodiscard]] const Vec3& wish_W() const { return wish_W_; }  // m
-  // After it, at the start of the next.
+  // Returns the device after the last tick, that is, at the start of the next.
   [[nodiscard]] const SimulatedDevice& device() const { return device_; }
   [[nodiscard]] Vec3 handle_W() const {
     return device_.plant().p_B() - origin_B_;

@@ -1,4 +1,4 @@
-// Where the hand wants to be: waypoints with times, joined smoothly.
+// The path that the hand wants to follow: waypoints with times, joined smoothly.
 #pragma once
 
 #include <cstddef>

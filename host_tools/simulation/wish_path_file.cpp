@@ -177,7 +177,7 @@ WishPath default_wish_path(std::span<const rendering::Object> objects, double to
       {.t_s = 2.0, .p_W = pressed(kMiddleStation) + (press_m + 0.002) * towards_user},
       {.t_s = kPressed_s, .p_W = pressed(kMiddleStation)},
   };
-  // From the middle to the right end, to the left end and back, one station after the other.
+  // The path goes from the middle to the right end, to the left end and back, station by station.
   constexpr std::size_t kMoves = 2 * (kStations - 1);
   for (std::size_t move = 0; move <= kMoves; ++move) {
     const std::size_t phase = (kMiddleStation + move) % kMoves;
