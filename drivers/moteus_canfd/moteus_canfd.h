@@ -25,11 +25,11 @@
 
 namespace tactus::drivers {
 
-// What the servo told besides; zero where it did not.
+// Further values of the servo's replies; zero if it has not sent them.
 struct MoteusReadings {
   double voltage_V = 0.0;
   double temperature_C = 0.0;
-  std::uint8_t limit = 0;       // what holds the torque back: see moteus::limit_words
+  std::uint8_t limit = 0;       // 96 to 103: a limit on the torque, moteus::is_limit; else 0
   std::uint8_t home_state = 0;  // 0: relative, 1: within a turn of the rotor, 2: at the output
   std::uint32_t malformed = 0;  // replies that lacked mode, position or velocity
 };

@@ -57,14 +57,4 @@ Trouble fault_trouble(std::uint8_t code) {
           "look the number up in the moteus manual, then reset", code};
 }
 
-std::string_view limit_words(std::uint8_t code) {
-  constexpr std::uint8_t kFirst = 96;
-  constexpr std::array<std::string_view, 8> kWords = {
-      "the velocity limit",           "the power limit",
-      "the supply voltage",           "the current limit",
-      "the board's temperature",      "the motor's temperature",
-      "the commanded maximum torque", "the position limits"};
-  return is_limit(code) ? kWords[code - kFirst] : std::string_view{};
-}
-
 }  // namespace tactus::drivers::moteus

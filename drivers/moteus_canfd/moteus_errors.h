@@ -2,23 +2,21 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "drivers/axis.h"
 
 namespace tactus::drivers::moteus {
 
-// Codes that say what holds the torque back now, without being faults.
+// Returns true for the codes that name a limit on the torque and are no faults: 96 velocity, 97
+// power, 98 supply voltage, 99 current, 100 board temperature, 101 motor temperature, 102 commanded
+// maximum torque, 103 position.
 constexpr bool is_limit(std::uint8_t code) {
   constexpr std::uint8_t kFirst = 96;
   constexpr std::uint8_t kLast = 103;
   return code >= kFirst && code <= kLast;
 }
 
-// For a code that is neither 0 nor a limit.
+// Returns the words and the remedy of a code that is neither 0 nor a limit.
 Trouble fault_trouble(std::uint8_t code);
-
-// "the motor's temperature", for a limit; otherwise nothing.
-std::string_view limit_words(std::uint8_t code);
 
 }  // namespace tactus::drivers::moteus

@@ -20,11 +20,13 @@ class LoadedDevice {
 
   [[nodiscard]] const firmware::DeviceConfig& config() const { return *config_; }
   [[nodiscard]] const std::vector<std::byte>& image() const { return image_; }
-  // Over the settings, for the certificate.
+  // Returns the checksum of the settings that the stability of a contact depends on, for the
+  // certificate.
   [[nodiscard]] std::uint64_t settings_checksum() const { return settings_checksum_; }
-  // Over all of them, for the commissioning.
+  // Returns the checksum of all settings but the device's name and the results of tools, for the
+  // commissioning.
   [[nodiscard]] std::uint64_t all_settings_checksum() const { return all_settings_checksum_; }
-  // For the user, from baking: one line each.
+  // Returns baking's warnings for the user, one line each.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   void warn(std::string warning) { warnings_.push_back(std::move(warning)); }
 

@@ -18,7 +18,8 @@ struct DeviceDescription {
   double max_normal_force_N = 10.0;
 };
 
-// Without the table the default. Throws InputError with the file and the line.
+// Reads the table of the scene's device; without it the result is the default. Throws InputError
+// with the file and the line.
 DeviceDescription read_device(const TomlSection& scene, std::string_view file);
 
 // "0.1 kg, 4.5 N s/m, 1000 Hz and a delay of 1 tick".

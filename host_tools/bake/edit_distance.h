@@ -1,4 +1,4 @@
-// How far a written name is from a known one.
+// The edit distance between a written name and a known one.
 #pragma once
 
 #include <algorithm>

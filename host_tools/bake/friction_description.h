@@ -23,13 +23,14 @@ inline constexpr rendering::FrictionParameters kSurfaceFriction{
 // The parameters that a model has on a surface, with their keys in TOML: surface_key.
 std::vector<FrictionParameterName> surface_parameters(rendering::FrictionKind kind);
 
-// Without the key no friction. `contact_stiffness_N_per_m` is the object's: the bristles of dahl,
-// lugre and elasto_plastic are as stiff unless the scene says otherwise. Throws InputError with
-// the file and the line.
+// Reads the key `friction` of an object; without it the surface has no friction.
+// `contact_stiffness_N_per_m` is the object's: it is the default for the bristles of dahl, lugre
+// and elasto_plastic. Throws InputError with the file and the line.
 rendering::FrictionParameters read_friction(const TomlSection& object, std::string_view file,
                                             double contact_stiffness_N_per_m);
 
-// Without the key the same in all directions. Throws InputError with the file and the line.
+// Reads the directions of the friction; without the key it is the same in all directions. Throws
+// InputError with the file and the line.
 rendering::MaterialGrain read_grain(const TomlSection& object, std::string_view file,
                                     rendering::ContactMethod contact);
 

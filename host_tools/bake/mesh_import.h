@@ -9,7 +9,7 @@
 
 namespace tactus::host {
 
-// In the file's own frame and unit.
+// A mesh in the frame and the unit of its file.
 struct ImportedMesh {
   std::vector<Vec3> vertices;
   std::vector<rendering::TriangleIndices> triangles;
@@ -18,10 +18,11 @@ struct ImportedMesh {
   std::uint32_t lines_and_points = 0;                  // primitives that have no surface, left out
 };
 
-// All meshes of the file, at the places that the file's nodes give them, with polygons cut into
-// triangles. Nothing is merged, mended or left out beside lines and points. Throws InputError that
-// names the file, and the line in text formats: missing or unreadable file, unknown format, damaged
-// content, vertex not finite, index out of range, polygon that cannot be cut, no triangle at all.
+// Returns all meshes of the file, at the places that the file's nodes give them, with polygons cut
+// into triangles. Nothing is merged, mended or left out beside lines and points. Throws InputError
+// that names the file, and the line in text formats: missing or unreadable file, unknown format,
+// damaged content, vertex not finite, index out of range, polygon that cannot be cut, no triangle
+// at all.
 ImportedMesh import_mesh(const std::filesystem::path& path);
 
 }  // namespace tactus::host

@@ -1,4 +1,4 @@
-// How an object of a scene moves: its keys moves, deforms and motion.
+// The motion of a scene's object: its keys moves, deforms and motion.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,7 @@
 
 namespace tactus::host {
 
-// Without the hand.
+// A place of the device at which walls are touched. The hand in `contact` is not set.
 struct ContactPlace {
   WallContact contact;
   std::string where;  // "wall across x at the middle"

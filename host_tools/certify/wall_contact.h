@@ -16,8 +16,8 @@
 // percent: growth, a limit cycle, or chatter that the hand feels. A fault of the controller is
 // unstable too.
 //
-// Why the speed: the skin's thresholds for vibration, some 10 um at 40 Hz, 1 um at 100 Hz and 0.2
-// um at 250 Hz, all are a few tenths of a millimetre a second to a few.
+// The limit of 1 mm/s has this reason: the skin's thresholds for vibration, some 10 um at 40 Hz, 1
+// um at 100 Hz and 0.2 um at 250 Hz, all are a few tenths of a millimetre a second to a few.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct WallContact {
   double press_N = 2.0;
 };
 
-// K and B of the wall.
+// The stiffness K and the damping B of the wall.
 struct WallStiffness {
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;

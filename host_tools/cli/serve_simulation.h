@@ -15,8 +15,8 @@ struct ServeOptions {
   std::string record;  // this file, from the first tick; empty: none
 };
 
-// Until SIGINT or SIGTERM, or for as long as the run says. The hand goes its way to and fro; the
-// operator homes and enables. Throws InputError, text for a user.
+// Serves a simulation until SIGINT or SIGTERM, or for as long as `run` says. The hand repeats its
+// path to and fro; the operator homes and enables. Throws InputError, text for a user.
 void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
                       const ServeOptions& options);
 

@@ -20,7 +20,7 @@ struct WiringMistake {
 
 class SimulatedBench final : public Bench {
  public:
-  // At rest at `middle_B`, m.
+  // The device begins at rest at `middle_B`, m.
   SimulatedBench(const DeviceParameters& parameters, double rate_hz, const Vec3& middle_B,
                  const WiringMistake& mistake = {});
 

@@ -25,7 +25,7 @@ class CsvTable {
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] bool has(std::string_view column) const { return columns_.contains(column); }
-  // Empty for a column that is not there.
+  // Returns the values of a column; empty if there is no such column.
   [[nodiscard]] std::span<const double> column(std::string_view name) const;
   // The line of the file that row came from, from 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }

@@ -30,8 +30,8 @@ struct Cia402EmulatorConfig {
   std::uint32_t rated_torque = 1000;  // what 6076:00 says, in the drive's own unit
   std::int16_t torque_offset = 0;     // 60B2:00 as the drive has it saved
   hal::TimeNs boot_time_ns = 20'000'000;
-  // How it takes the silence of a host. A drive without a watchdog takes object 1016 and does not
-  // heed it; a slow one lets that much more time pass.
+  // Its reaction to the silence of a host. A drive without a watchdog accepts object 1016 and
+  // ignores it; a slow one lets `watchdog_lag_ns` more time pass.
   bool has_watchdog = true;
   hal::TimeNs watchdog_lag_ns = 0;
   // 1029:01 as the drive has it for good; nothing: 0, and it can be written. 0 leaves operational,
@@ -54,11 +54,11 @@ class Cia402Emulator final : public CanEmulator {
   void set_motor_power(bool on) { motor_power_ = on; }
   // Acts like a safe torque off that closes again at once and is not reported.
   void drop_power() { power_ = Power::switch_on_disabled; }
-  // Its encoder slips by that much at once.
+  // Lets its encoder slip by that many counts at once.
   void slip(std::int64_t counts) { first_count_ += counts; }
   // A fault of its own, with its code in 603F and, if it tells, an emergency message.
   void raise_fault(hal::TimeNs now_ns, std::uint16_t code, bool tells = true);
-  // For tests: an object as a drive of another make would have it, or none at all.
+  // Sets an object as a drive of another make would have it, or removes it. For tests.
   void set_object(std::uint16_t index, std::uint8_t sub, std::uint32_t value);
   void remove_object(std::uint16_t index, std::uint8_t sub);
 

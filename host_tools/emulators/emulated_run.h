@@ -21,21 +21,22 @@ struct EmulatedRunConfig {
 
 class EmulatedRun {
  public:
-  // A run that is late by more leaves time out instead of making up for it.
+  // A run that is later than this skips the time instead of catching up.
   static constexpr hal::TimeNs kLongestDelay_ns = 50'000'000;
 
   // Throws InputError on a fault of a joint that the machine has not. The machine has its axes, and
   // outlives the run.
   EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config);
 
-  // Every step that begins by `now_ns`, each after the faults that are due by then.
+  // Makes every step that begins by `now_ns`, each after the faults that are due by then.
   void run(hal::TimeNs now_ns);
 
   [[nodiscard]] hal::TimeNs next_step_ns() const { return machine_.next_step_ns(); }
   [[nodiscard]] const EmulatedMachine& machine() const { return machine_; }
   [[nodiscard]] std::span<const MachineTruth> truth() const { return truth_; }
 
-  // How late a step ever was, and what was left out for being later than kLongestDelay_ns.
+  // Returns the largest delay of a step, and the time that was left out because a delay was longer
+  // than kLongestDelay_ns.
   [[nodiscard]] hal::TimeNs longest_delay_ns() const { return longest_delay_ns_; }
   [[nodiscard]] hal::TimeNs left_out_ns() const { return left_out_ns_; }
 

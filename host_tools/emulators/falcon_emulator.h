@@ -43,14 +43,14 @@ class FalconEmulator {
 
   FalconEmulator(const FalconEmulatorConfig& config, std::uint32_t seed);
 
-  // The host's control request without data; false: stall.
+  // Takes the host's control request without data. Returns false for a stall.
   bool control(std::uint8_t request_type, std::uint8_t request, std::uint16_t value);
-  // Bytes that the host sent by bulk-out.
+  // Takes bytes that the host sent by bulk-out.
   void receive(hal::TimeNs now_ns, std::span<const std::byte> bytes);
-  // When `packet` next has something.
+  // Returns when `packet` next has something.
   [[nodiscard]] hal::TimeNs next_packet_ns() const;
-  // The next bulk-in packet: status and payload, or status alone when the latency timer has run
-  // out. Empty: nothing yet.
+  // Returns the next bulk-in packet: status and payload, or the status alone when the latency timer
+  // has run out. It is empty if there is nothing yet.
   std::vector<std::byte> packet(hal::TimeNs now_ns);
 
   // Arm i's angle from the base plane; the plant writes the angle and reads the torque. Top, right,

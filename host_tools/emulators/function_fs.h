@@ -35,13 +35,14 @@ class GadgetDevice {
   GadgetDevice& operator=(const GadgetDevice&) = delete;
   virtual ~GadgetDevice() = default;
 
-  // A request without data; false: stall.
+  // Takes a request without data. Returns false for a stall.
   virtual bool control_out(const hal::UsbSetup& setup) = 0;
-  // The answer; nothing: stall.
+  // Returns the answer to a request, or nothing for a stall.
   virtual std::optional<std::vector<std::byte>> control_in(const hal::UsbSetup& setup) = 0;
-  // One packet.
+  // Takes one packet of the host.
   virtual void bulk_out(hal::TimeNs now_ns, std::span<const std::byte> bytes) = 0;
-  // When there will be something for the host, and what; kForever and an empty one: nothing.
+  // Return when there will be a packet for the host, and the packet; kForever and an empty one if
+  // there is none.
   virtual hal::TimeNs next_packet_ns() = 0;
   virtual std::vector<std::byte> packet(hal::TimeNs now_ns) = 0;
 
@@ -68,9 +69,10 @@ class FunctionFs {
   void plug_in();
   void unplug();
 
-  // Held while the device is called; whoever changes the device from outside holds it too.
+  // Returns the mutex that is held while the device is called. Whoever changes the device from
+  // outside holds it too.
   std::mutex& mutex() { return mutex_; }
-  // After a change that lets the device send earlier than it said.
+  // Call it after a change that lets the device send earlier than it said.
   void wake() { changed_.notify_all(); }
 
  private:

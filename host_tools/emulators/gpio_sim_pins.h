@@ -34,7 +34,7 @@ class GpioSimPins final : public BoardPins {
   bool level(std::uint32_t offset) override;
   double pwm_level() override;
   void unplug() override;
-  // After unplug: the chip is back, its pins pulled low.
+  // Brings the chip back after unplug, with its pins pulled low.
   void plug_in();
 
  private:

@@ -33,9 +33,9 @@ struct MachineOptions {
   RealTimeOptions run;
 };
 
-// All throw InputError on names, numbers and files that cannot be used.
+// The following functions throw InputError on names, numbers and files that cannot be used.
 EmulatedMachineConfig machine_config(const MachineOptions& options);
-// One for each joint.
+// Returns a transmission for each joint.
 std::vector<drivers::Transmission> transmissions(const MachineOptions& options, std::size_t joints);
 EmulatedRunConfig run_config(const MachineOptions& options);
 

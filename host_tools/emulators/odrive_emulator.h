@@ -28,10 +28,10 @@ struct ODriveEmulatorConfig {
   std::uint8_t node_id = 0;
   EmulatedEncoder encoder = EmulatedEncoder::incremental;
   ODriveFirmware firmware = ODriveFirmware::v0_6;
-  // How often it sends, in ms; 0: never.
+  // The periods of its messages, ms; 0: never.
   std::uint32_t heartbeat_ms = 100;
   std::uint32_t encoder_ms = 1;
-  // For how long it obeys a host that has fallen silent; 0: for ever, as drives come.
+  // The time for which it obeys a host that has fallen silent; 0, the drive's default: for ever.
   double watchdog_s = 0.02;
   double max_torque_Nm = 1.0;  // current limit times torque constant
   double torque_constant_Nm_per_A = 0.055;

@@ -18,7 +18,7 @@ struct RealTimeOptions {
 // Throws InputError, text for a user, where the system refuses.
 void take_realtime_priority(int priority);
 
-// When a machine that is about to be made should start: at an instant of the loop's phase.
+// Returns when a machine that is about to be made should start: an instant of the loop's phase.
 hal::TimeNs start_of_run_ns(const RealTimeOptions& options);
 
 // Called once a second of the run.

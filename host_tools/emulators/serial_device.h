@@ -21,9 +21,10 @@ class SerialDevice final : public hal::SerialPort {
   SerialDevice& operator=(const SerialDevice&) = delete;
   ~SerialDevice();
 
-  // Both throw InputError, text for a user, when there is none.
+  // Opens a tty. Throws InputError, text for a user, if it cannot be opened.
   void open(const std::string& tty);
-  // Makes one; the path is the host's end, to be opened like any tty.
+  // Makes a pseudo-terminal and returns the path of the host's end, which opens like any tty.
+  // Throws InputError too.
   std::string open_pseudo_terminal();
 
  private:

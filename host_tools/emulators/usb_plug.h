@@ -15,7 +15,7 @@ class UsbPlug {
   UsbPlug& operator=(const UsbPlug&) = delete;
   ~UsbPlug();
 
-  // Nothing where it is so already.
+  // Plugs in or out; does nothing if the plug is there already.
   void set_plugged_in(bool in);
 
  private:

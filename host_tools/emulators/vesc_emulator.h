@@ -21,8 +21,8 @@ struct VescEmulatorConfig {
   double max_current_A = 60.0;
   double min_current_A = 0.05;
   double phase_resistance_ohm = 0.1;  // with the supply's 48 V, what duty a current takes
-  // For how long it obeys a host that has fallen silent, as README.md of the driver says to set it;
-  // a second as VESCs come. 0: for ever.
+  // The time for which it obeys a host that has fallen silent, as README.md of the driver says to
+  // set it. A VESC's default is a second. 0: for ever.
   hal::TimeNs timeout_ns = 20'000'000;
   hal::TimeNs fault_stop_ns = 500'000'000;
   hal::TimeNs status_period_ns = 5'000'000;      // of 1 and 5; 0: off
@@ -37,7 +37,7 @@ class VescEmulator final : public CanEmulator {
   void set_kill_switch(bool open) { kill_switch_open_ = open; }
   // Faults of its own that last until they are set to 0, by VESC's numbers.
   void set_fault_code(std::uint8_t code) { lasting_fault_ = code; }
-  // The tachometer slips by that much at once.
+  // Lets the tachometer slip by that many counts at once.
   void slip(std::int32_t counts) { offset_counts_ += counts; }
   void set_temperatures(double fet_C, double motor_C);
 

@@ -26,8 +26,9 @@ std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits
 // A bristle with which presliding is over within a tenth of the shortest steps of the record.
 double stiffest(const FitPoint& point, const RecordTraits& traits);
 
-// Goes a short way from each start, and from others that know the fall with speed less well; from
-// the best to the end, under both meanings of a row.
+// Returns the best solution. It takes a few steps from each start, and from two more with a
+// smaller and a larger Stribeck velocity, and goes on from the best to the end, under both meanings
+// of a row.
 Solution best_solution(std::span<const FitPoint> starts, const FrictionRecord& record);
 
 }  // namespace tactus::host

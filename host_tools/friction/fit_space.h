@@ -12,7 +12,7 @@
 
 namespace tactus::host {
 
-// All but the last enter by their logarithm.
+// The quantities of the search. All but the last enter by their logarithm.
 enum class Quantity : std::size_t {
   coulomb,
   excess,  // Fs - Fc

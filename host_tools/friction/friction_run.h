@@ -28,16 +28,17 @@ struct FrictionTrack {
   std::vector<FrictionSample> samples;
   std::vector<NamedColumn> more;
 
-  // nullptr if there is none.
+  // Returns the column of that name, or nullptr if there is none.
   [[nodiscard]] const NamedColumn* column(std::string_view name) const;
 };
 
-// Something over time, from a file.
+// A quantity over time, from a file.
 struct TimeSeries {
   std::vector<double> t_s;
   std::vector<double> value;
 
-  // By straight lines between the rows; the ends' values beyond them.
+  // Returns the value at a time, by linear interpolation between the rows; beyond the ends it is
+  // the end's value.
   [[nodiscard]] double at(double time_s) const;
 };
 
@@ -45,7 +46,7 @@ struct TimeSeries {
 // finds, time that does not grow, fewer than two rows.
 TimeSeries read_time_series(const std::filesystem::path& file, std::string_view column);
 
-// At `rate_hz`, by straight lines between the rows.
+// Returns the series at `rate_hz`, by linear interpolation between the rows.
 TimeSeries resampled(const TimeSeries& series, double rate_hz);
 
 struct MotionRun {

@@ -17,7 +17,7 @@ struct FrictionKindName {
   std::string_view title;  // in a heading
 };
 
-// In the order of FrictionKind.
+// Returns the names of all models, in the order of FrictionKind.
 std::span<const FrictionKindName> friction_kind_names();
 const FrictionKindName& name_of(rendering::FrictionKind kind);
 
@@ -25,8 +25,8 @@ const FrictionKindName& name_of(rendering::FrictionKind kind);
 // model.
 rendering::FrictionKind friction_kind(std::string_view name);
 
-// Forces are N where no normal force is given, as in a joint, and else per newton of it, as on a
-// surface.
+// The unit of a model's forces: N where no normal force is given, as in a joint, and else per
+// newton of the normal force, as on a surface.
 enum class ForceScale { newton, per_newton };
 
 enum class ParameterRange { zero_or_more, above_zero, share };
@@ -53,7 +53,7 @@ struct FrictionParameterName {
   }
 };
 
-// All of them.
+// Returns the names of the parameters of all models.
 std::span<const FrictionParameterName> friction_parameter_names();
 const FrictionParameterName& parameter_name(std::string_view symbol);
 std::vector<FrictionParameterName> parameters_of(rendering::FrictionKind kind);

@@ -11,8 +11,8 @@ namespace tactus::host {
 Setup presliding_setup();
 ExperimentResult run_presliding(const ExperimentRun& run);
 
-// For every rate one sample, the moment of break-away: the first maximum of the friction force, or
-// where there is none, the moment at which the mass has the speed `sliding_m_per_s`. Columns
+// Returns one sample for every rate, the moment of break-away: the first maximum of the friction
+// force, or if there is none, the moment at which the mass has the speed `sliding_m_per_s`. Columns
 // rate_N_per_s, and is_maximum (1 or 0).
 Setup break_away_setup();
 ExperimentResult run_break_away(const ExperimentRun& run);

@@ -40,7 +40,6 @@ class SlidingMass {
 
   // Starts over at time 0, with new contact.
   void place(double x_m, double v_m_per_s);
-  void set_normal_force(double force_N) { parameters_.normal_force_N = force_N; }
   // The drive must be finite, step_s > 0.
   const SlidingMassState& step(const Drive& drive, double step_s);
 

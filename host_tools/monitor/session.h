@@ -5,8 +5,8 @@
 
 namespace tactus::host {
 
-// Until q, SIGINT or SIGTERM. A controller that goes is waited for. Throws InputError if none runs
-// at the start, or if this is no terminal.
+// Runs the monitor until q, SIGINT or SIGTERM. It waits for a controller that has gone. Throws
+// InputError if none runs at the start, or if this is no terminal.
 void run_monitor(const std::filesystem::path& run_dir);
 
 }  // namespace tactus::host

@@ -28,9 +28,10 @@ class LiveReader {
   // this version does not know is left out. Throws InputError if it is no stream of messages.
   std::optional<LiveMessage> next(std::chrono::milliseconds patience);
 
-  // The other side has closed, and everything that came has been given out.
+  // Returns true if the other side has closed and `next` has given out everything that came.
   [[nodiscard]] bool ended() const { return ended_; }
-  // For a poll of one's own; `next` may have messages though there is nothing to read.
+  // Returns the socket's descriptor for a poll by the caller. `next` may still have messages when
+  // there is nothing to read.
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
  private:

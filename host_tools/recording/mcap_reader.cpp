@@ -31,7 +31,6 @@ McapReader::McapReader(std::span<const std::byte> file) {
     const std::size_t offset = file.size() - rest.size();
     const auto record = take_record(rest);
     if (!record) {
-      left_out_ = before.size();
       return;
     }
     if (record->opcode == static_cast<std::uint8_t>(Opcode::data_end) ||

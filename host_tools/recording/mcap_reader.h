@@ -31,17 +31,15 @@ class McapReader {
   std::optional<McapMessage> next();
   void rewind();
 
-  // The file ends before its end is told: what is behind the last whole record is left out.
+  // Returns true if the file ends without its end record. A part of a record at the end is ignored.
   [[nodiscard]] bool cut() const { return cut_; }
-  // How many bytes that is.
-  [[nodiscard]] std::size_t bytes_left_out() const { return left_out_; }
 
-  // By the name of the metadata record, then by key.
+  // The metadata: by the name of its record, then by key.
   using Texts = std::map<std::string, std::string, std::less<>>;
   [[nodiscard]] const std::map<std::string, Texts, std::less<>>& metadata() const {
     return metadata_;
   }
-  // Checked; those of a name in the order of the file.
+  // The attachments by name, checked, those of the same name in the order of the file.
   using Attachments = std::map<std::string, std::vector<std::span<const std::byte>>, std::less<>>;
   [[nodiscard]] const Attachments& attachments() const { return attachments_; }
 
@@ -79,7 +77,6 @@ class McapReader {
   std::map<std::string, Texts, std::less<>> metadata_;
   Attachments attachments_;
   bool cut_ = true;
-  std::size_t left_out_ = 0;
 };
 
 }  // namespace tactus::host

@@ -27,10 +27,10 @@ class Recording {
   // The next tick in the order of the run; empty at the end. Throws InputError where the file is
   // damaged.
   std::optional<firmware::RecordedTick> next();
-  // Back to the first.
+  // Goes back to the first tick.
   void rewind() { reader_->rewind(); }
 
-  // All events of the run, by tick.
+  // Returns all events of the run, sorted by tick.
   [[nodiscard]] const std::vector<firmware::TelemetryEvent>& events() const { return events_; }
 
   // Returns the run's information under a key of firmware/telemetry/README.md; empty if there is

@@ -29,17 +29,17 @@ class RecordedRun {
   RecordedRun(const std::string& file, const RunImages& images);
 
   [[nodiscard]] Recording& ticks() { return recording_; }
-  // Its spans live as long as this.
+  // Returns the run's setup. Its spans are valid as long as this object.
   [[nodiscard]] const ReplaySetup& setup() const { return setup_; }
   [[nodiscard]] const rendering::SceneImage* scene() const { return first_.scene.get(); }
   // Returns the scene that the run changed to before this tick, or nullptr if it did not. Throws
   // InputError if that image is not in the recording.
   [[nodiscard]] const rendering::SceneImage* changed_scene(std::uint64_t tick) const;
-  // Empty if the recording begins with tick 0.
+  // Returns the state with which the recording begins; empty if it begins with tick 0.
   [[nodiscard]] std::span<const std::byte> state() const;
 
  private:
-  // Aligned as images must be.
+  // A piece of memory that is aligned as images must be.
   struct alignas(rendering::kCacheLine) Line {
     std::array<std::byte, rendering::kCacheLine> bytes;
   };

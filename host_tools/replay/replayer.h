@@ -28,16 +28,16 @@ struct Difference {
   std::string replayed;
 };
 
-// The first of the fields that differs, in their order, bit by bit; stage times may. `state_hash`
-// when all others are equal: an earlier tick was another one, or the record was changed.
+// Returns the first field that differs, in their order, bit by bit; stage times may differ. It is
+// `state_hash` if all others are equal: then an earlier tick differed, or the record was changed.
 std::optional<Difference> first_difference(const firmware::TelemetryRecord& recorded,
                                            const firmware::TelemetryRecord& replayed);
 
 // One thread.
 class Replayer {
  public:
-  // At the moment before tick 0. Throws InputError if the controller refuses configuration or
-  // scene.
+  // The replayer begins at the moment before tick 0. Throws InputError if the controller refuses
+  // configuration or scene.
   explicit Replayer(const ReplaySetup& setup);
 
   // Takes another scene, which outlives the replay, before the next tick. Throws InputError if the
@@ -48,7 +48,7 @@ class Replayer {
   // not of this configuration and scene.
   void go_to(std::span<const std::byte> state);
 
-  // The recorded tick once more; what differs, if its hash does.
+  // Repeats the recorded tick. Returns the difference if the hashes differ.
   std::optional<Difference> repeat(const firmware::TelemetryRecord& recorded);
 
   // The number of the tick to come.

@@ -34,7 +34,7 @@ DevicePreset phantom_premium_preset();
 // "woodenhaptics": WoodenHaptics of 2015, with the weight of its links.
 DevicePreset woodenhaptics_preset();
 
-// By the names of firmware::kPresetNames.
+// Returns a preset by its name in firmware::kPresetNames; nothing for another name.
 std::optional<DevicePreset> device_preset(std::string_view name);
 
 }  // namespace tactus::host

@@ -41,11 +41,11 @@ struct MechanismPose {
 // No transcendental functions: it runs at every sub-step.
 void solve_mechanism(MechanismKind kind, const Vec3& p_B, MechanismPose& pose);
 
-// rad, m for Cartesian; of joint 0, 1 or 2.
+// Returns the position of joint 0, 1 or 2, rad, or m for Cartesian.
 double joint_position(MechanismKind kind, std::size_t joint, double coordinate);
 
-// With fewer than three joints the handle can only move on an arc or a plane: the nearest point of
-// it, and what of a velocity or a force is along it there.
+// With fewer than three joints the handle can only move on an arc or a plane, the manifold. They
+// return the manifold's point nearest to p_B, and the part of a velocity or force along it there.
 Vec3 on_manifold(MechanismKind kind, const Vec3& p_B);
 Vec3 along_manifold(MechanismKind kind, const Vec3& p_B, const Vec3& v_B);
 

@@ -62,7 +62,7 @@ class Plant {
  public:
   explicit Plant(const PlantParameters& parameters);
 
-  // At rest at p_B, bristles relaxed, ledger cleared.
+  // Puts the handle at rest at p_B, m, with relaxed bristles, and clears the ledger.
   void place(const Vec3& p_B);
   void step(const JointEfforts& effort, const Grip& grip, double dt_s);
 

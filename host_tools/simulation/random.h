@@ -20,7 +20,7 @@ class SplitMix64 {
     return z ^ (z >> 31U);
   }
 
-  // In [lower, upper), from the 53 high bits.
+  // Returns a number in [lower, upper), made from the 53 high bits.
   double uniform(double lower, double upper) {
     constexpr double kTwoToMinus53 = 0x1.0p-53;
     return lower + (upper - lower) * (static_cast<double>(next() >> 11U) * kTwoToMinus53);

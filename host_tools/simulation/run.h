@@ -14,7 +14,7 @@
 
 namespace tactus::host {
 
-// In the user's words, with the defaults of `tactus sim`.
+// The options of a run in the user's words, with the defaults of `tactus sim`.
 struct RunOptions {
   std::string device = "cartesian";  // of firmware::kPresetNames
   std::string hand = "pen";          // or finger, firm

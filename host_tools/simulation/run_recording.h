@@ -14,12 +14,12 @@ namespace tactus::host {
 
 class RunRecording {
  public:
-  // To be begun before the first tick. `scene` is the scene's image. Throws InputError, text for a
+  // Begin it before the first tick. `scene` is the scene's image. Throws InputError, text for a
   // user, when the file cannot be written.
   RunRecording(const std::filesystem::path& path, const Simulation& simulation,
                std::span<const std::byte> scene);
 
-  // After each tick.
+  // Adds a tick; call it after each.
   void add(const Simulation& simulation);
   // Puts the recording in its place. Throws InputError if anything could not be written.
   void close();

@@ -43,7 +43,7 @@ enum class DeviceFault : std::uint8_t {
 
 class SimulatedDevice {
  public:
-  // Powered up with the handle at rest at p_B. Throws InputError, text for a user, on
+  // The device is powered up with the handle at rest at p_B. Throws InputError, text for a user, on
   // parameters out of range.
   SimulatedDevice(const DeviceParameters& parameters, double tick_s, const Vec3& p_B);
 
@@ -53,8 +53,7 @@ class SimulatedDevice {
   std::uint32_t write(const drivers::JointCommand& command);
   void clear_faults() { latched_status_ = drivers::kDeviceOk; }
 
-  // The plant from this tick to the next, held by a hand whose wish moves evenly between the two
-  // points.
+  // Advances the plant by one tick, held by a hand whose wish moves evenly between the two points.
   void advance(const HandParameters& hand, const Vec3& wish_B, const Vec3& next_wish_B);
 
   // Injects a fault that begins with the next tick and lasts `ticks` ticks.

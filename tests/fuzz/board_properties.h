@@ -1,4 +1,4 @@
-// What must hold of every board of several axes, whatever comes over its cable and whenever.
+// Properties of every board of several axes, whatever arrives over its cable and whenever.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class BoardProperties {
  public:
   explicit BoardProperties(const BoardLimits& limits) : limits_(limits) {}
 
-  // After a bring-up the position may be another.
+  // Forgets the last sample: after a bring-up the position may be another.
   void forget() { has_last_ = false; }
 
   void check(std::span<const drivers::AxisSample> samples, const drivers::Trouble& trouble) {

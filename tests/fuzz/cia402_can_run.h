@@ -1,4 +1,4 @@
-// One random life of a CiA 402 drive.
+// The CiA 402 drive of a random life: DriveLife of drive_life.h.
 #pragma once
 
 #include <array>
@@ -6,34 +6,19 @@
 #include <cstring>
 
 #include "drivers/cia402_can/cia402_can.h"
-#include "tests/fuzz/drive_properties.h"
+#include "tests/fuzz/drive_life.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace tactus::fuzz {
 
-class Cia402Life {
+class Cia402Peer {
  public:
-  // Ends the program if a property breaks.
-  void run(FuzzInput input) {
-    drive_.start(now_ns_);
-    if ((input.take<std::uint8_t>() & 1U) != 0) {
-      bring_up();
-    }
-    fuzz_drive(drive_, properties_, now_ns_, input, torque_of,
-               [this](FuzzInput& bytes) { return random_frame(bytes); });
-  }
+  using Drive = drivers::Cia402Can;
+  static constexpr int kMostTicks = 200;
 
-  // Whether the bring-up works: else nothing worth the while is tested.
-  [[nodiscard]] bool comes_up() {
-    drive_.start(now_ns_);
-    bring_up();
-    return drive_.sample().status == drivers::kDeviceOk;
-  }
-
- private:
   // The rated torque stands as configured, so that the torque on the wire can be told without the
   // driver: 0.1 % of 1 N m.
-  static constexpr drivers::Cia402Config kAxis{
+  static constexpr drivers::Cia402Config kConfig{
       .node = 1,
       .max_torque_Nm = 0.1,
       .rated_torque_from = drivers::RatedTorque::configured,
@@ -42,11 +27,11 @@ class Cia402Life {
       .jump_margin_rad = 0.05,
       .sdo_timeout_s = 0.05};
 
-  // Samples of one SYNC may lie a margin apart from the first of them, which one knows only who
-  // sees them all.
-  static constexpr DriveLimits kLimits{.max_torque_Nm = kAxis.max_torque_Nm,
-                                       .max_speed_rad_per_s = kAxis.max_speed_rad_per_s,
-                                       .jump_margin_rad = 2.0 * kAxis.jump_margin_rad};
+  // Samples of one SYNC may lie a margin apart from the first of them, which is not always seen
+  // here.
+  static constexpr DriveLimits kLimits{.max_torque_Nm = kConfig.max_torque_Nm,
+                                       .max_speed_rad_per_s = kConfig.max_speed_rad_per_s,
+                                       .jump_margin_rad = 2.0 * kConfig.jump_margin_rad};
 
   // Decoded by hand: the torque of RPDO1.
   static double torque_of(const hal::CanFrame& frame) {
@@ -58,30 +43,7 @@ class Cia402Life {
     return 1e-3 * units;
   }
 
-  static hal::CanFrame heartbeat(std::byte state) {
-    hal::CanFrame frame{.id = 0x701, .length = 1};
-    frame.data[0] = state;
-    return frame;
-  }
-
-  static hal::CanFrame motion() {
-    hal::CanFrame frame{.id = 0x281, .length = 5};
-    frame.data[4] = std::byte{10};
-    return frame;
-  }
-
-  // As the controlword wants it.
-  [[nodiscard]] hal::CanFrame state() const {
-    hal::CanFrame frame{.id = 0x181, .length = 8};
-    frame.data[0] = has_tripped_                      ? std::byte{0x18}
-                    : controlword_ == std::byte{0x0F} ? std::byte{0x37}
-                    : controlword_ == std::byte{0x07} ? std::byte{0x33}
-                    : controlword_ == std::byte{0x06} ? std::byte{0x31}
-                                                      : std::byte{0x50};
-    frame.data[1] = std::byte{0x02};
-    std::memcpy(&frame.data[2], &count_, sizeof count_);
-    return frame;
-  }
+  explicit Cia402Peer(std::uint8_t /*how*/) {}
 
   // Some frames make sense, or the axis would never be well for long.
   hal::CanFrame random_frame(FuzzInput& bytes) {
@@ -106,24 +68,61 @@ class Cia402Life {
     }
   }
 
-  // What a healthy drive says to a frame of the host.
-  void hear(const hal::CanFrame& frame) {
+  template <class Send>
+  void speak(hal::TimeNs now_ns, Send send) {
+    watch_host(now_ns, send);
+    if (heartbeat_ == std::byte{0x05}) {
+      send(state());
+      send(motion());
+      send(heartbeat(heartbeat_));
+    }
+  }
+
+  template <class Send>
+  void hear(const hal::CanFrame& frame, hal::TimeNs now_ns, Send send) {
     if (frame.id == 0x000) {
       heartbeat_ = frame.data[0] == std::byte{0x01} ? std::byte{0x05} : std::byte{0x00};
-      say(heartbeat(heartbeat_));
+      send(heartbeat(heartbeat_));
     } else if (frame.id == 0x601) {
-      say(answer_to(frame));
+      send(answer_to(frame));
     } else if (frame.id == 0x201) {
       has_tripped_ = has_tripped_ && frame.data[0] != std::byte{0x80};
       controlword_ = frame.data[0];
     } else if (frame.id == 0x77F) {
-      host_ns_ = now_ns_;
+      host_ns_ = now_ns;
     }
   }
 
+ private:
+  static hal::CanFrame heartbeat(std::byte state) {
+    hal::CanFrame frame{.id = 0x701, .length = 1};
+    frame.data[0] = state;
+    return frame;
+  }
+
+  static hal::CanFrame motion() {
+    hal::CanFrame frame{.id = 0x281, .length = 5};
+    frame.data[4] = std::byte{10};
+    return frame;
+  }
+
+  // Returns TPDO1 with the statusword that the controlword asks for.
+  [[nodiscard]] hal::CanFrame state() const {
+    hal::CanFrame frame{.id = 0x181, .length = 8};
+    frame.data[0] = has_tripped_                      ? std::byte{0x18}
+                    : controlword_ == std::byte{0x0F} ? std::byte{0x37}
+                    : controlword_ == std::byte{0x07} ? std::byte{0x33}
+                    : controlword_ == std::byte{0x06} ? std::byte{0x31}
+                                                      : std::byte{0x50};
+    frame.data[1] = std::byte{0x02};
+    std::memcpy(&frame.data[2], &count_, sizeof count_);
+    return frame;
+  }
+
   // The watchdog of 20 ms: an emergency message, and a fault until it is reset.
-  void watch_host() {
-    if (host_ns_ == 0 || now_ns_ - host_ns_ < 20'000'000) {
+  template <class Send>
+  void watch_host(hal::TimeNs now_ns, Send send) {
+    if (host_ns_ == 0 || now_ns - host_ns_ < 20'000'000) {
       return;
     }
     host_ns_ = 0;
@@ -131,7 +130,7 @@ class Cia402Life {
     hal::CanFrame frame{.id = 0x081, .length = 8};
     frame.data[0] = std::byte{0x30};
     frame.data[1] = std::byte{0x81};
-    say(frame);
+    send(frame);
   }
 
   static hal::CanFrame answer_to(const hal::CanFrame& question) {
@@ -148,36 +147,13 @@ class Cia402Life {
     return answer;
   }
 
-  void say(const hal::CanFrame& frame) { drive_.take({.time_ns = now_ns_, .frame = frame}); }
-
-  void bring_up() {
-    for (int tick = 0; tick < 200; ++tick) {
-      now_ns_ += 1'000'000;
-      watch_host();
-      drivers::CanOutbox outbox;
-      drive_.request(now_ns_, outbox);
-      if (heartbeat_ == std::byte{0x05}) {
-        say(state());
-        say(motion());
-        say(heartbeat(heartbeat_));
-      }
-      outbox.clear();
-      drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
-      properties_.check_outbox(drive_.sample(), outbox, torque_of);
-      for (const hal::CanFrame& frame : outbox.frames()) {
-        hear(frame);
-      }
-    }
-  }
-
-  drivers::Cia402Can drive_{kAxis};
-  DriveProperties properties_{kLimits};
-  hal::TimeNs now_ns_ = 1'000'000'000;
   std::byte heartbeat_{0x7F};
   std::byte controlword_{0};
-  hal::TimeNs host_ns_ = 0;  // when the host's heartbeat was heard last; 0: not since a trip
+  hal::TimeNs host_ns_ = 0;  // when the host's heartbeat was last heard; 0: not since a trip
   bool has_tripped_ = false;
   std::uint32_t count_ = 0x7FFF'FF00;  // close to where it wraps
 };
+
+using Cia402Life = DriveLife<Cia402Peer>;
 
 }  // namespace tactus::fuzz

@@ -1,4 +1,4 @@
-// What must hold of every drive on a CAN bus, whatever comes off the bus and whenever.
+// Properties of every drive on a CAN bus, whatever arrives from the bus and whenever.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ class DriveProperties {
  public:
   explicit DriveProperties(const DriveLimits& limits) : limits_(limits) {}
 
-  // After a bring-up the position may be another.
+  // Forgets the last sample: after a bring-up the position may be another.
   void forget() { has_last_ = false; }
 
   // A sample that is reported as valid is a number, in reach of the one before, and a fault has

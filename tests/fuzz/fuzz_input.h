@@ -39,10 +39,10 @@ class FuzzInput {
     return value;
   }
 
-  // From 0 to count - 1.
+  // Returns a number from 0 to count - 1.
   std::uint32_t below(std::uint32_t count) { return take<std::uint16_t>() % count; }
 
-  // As many bytes as there are, the others left as they are.
+  // Copies as many bytes as are left; the others stay as they are.
   void fill(std::span<std::byte> bytes) {
     const std::size_t count = std::min(bytes.size(), rest_.size());
     if (count > 0) {

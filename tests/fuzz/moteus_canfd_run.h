@@ -1,44 +1,25 @@
-// One random life of a moteus servo.
+// The moteus servo of a random life: DriveLife of drive_life.h.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
-#include <vector>
 
 #include "drivers/moteus_canfd/moteus_canfd.h"
-#include "tests/fuzz/drive_properties.h"
+#include "tests/fuzz/drive_life.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace tactus::fuzz {
 
-class MoteusLife {
+class MoteusPeer {
  public:
-  // Ends the program if a property breaks.
-  void run(FuzzInput input) {
-    drive_.start(now_ns_);
-    const auto how = input.take<std::uint8_t>();
-    if ((how & 1U) != 0) {
-      bring_up();
-    }
-    fuzz_drive(drive_, properties_, now_ns_, input, torque_of,
-               [this](FuzzInput& bytes) { return random_frame(bytes); });
-  }
-
-  // Whether the bring-up of `how` bit 0 works: else nothing worth the while is tested.
-  [[nodiscard]] bool comes_up() {
-    drive_.start(now_ns_);
-    bring_up();
-    return drive_.sample().status == drivers::kDeviceOk;
-  }
-
- private:
-  static constexpr std::uint32_t kReplyId = 0x100;
-  static constexpr drivers::MoteusConfig kServo{
+  using Drive = drivers::MoteusCanFd;
+  static constexpr int kMostTicks = 500;
+  static constexpr drivers::MoteusConfig kConfig{
       .max_torque_Nm = 0.1, .max_speed_rad_per_s = 100.0, .jump_margin_rad = 0.05};
 
-  static constexpr DriveLimits kLimits{.max_torque_Nm = kServo.max_torque_Nm,
-                                       .max_speed_rad_per_s = kServo.max_speed_rad_per_s,
-                                       .jump_margin_rad = kServo.jump_margin_rad};
+  static constexpr DriveLimits kLimits{.max_torque_Nm = kConfig.max_torque_Nm,
+                                       .max_speed_rad_per_s = kConfig.max_speed_rad_per_s,
+                                       .jump_margin_rad = kConfig.jump_margin_rad};
 
   // Decoded by hand: the torque of a frame that writes mode 10 and then three floats from 0x20 on.
   static double torque_of(const hal::CanFrame& frame) {
@@ -53,18 +34,7 @@ class MoteusLife {
     return static_cast<double>(torque_Nm);
   }
 
-  static hal::CanFrame reply(std::uint8_t mode, float turns, float turns_per_s) {
-    hal::CanFrame frame{.id = kReplyId, .fd = true, .bit_rate_switch = true, .length = 24};
-    frame.data.fill(std::byte{0x50});
-    frame.data[0] = std::byte{0x21};
-    frame.data[1] = std::byte{0x00};
-    frame.data[2] = std::byte{mode};
-    frame.data[3] = std::byte{0x2E};
-    frame.data[4] = std::byte{0x01};
-    std::memcpy(&frame.data[5], &turns, sizeof turns);
-    std::memcpy(&frame.data[9], &turns_per_s, sizeof turns_per_s);
-    return frame;
-  }
+  explicit MoteusPeer(std::uint8_t /*how*/) {}
 
   // Some frames make sense, or the servo would never be well for long.
   hal::CanFrame random_frame(FuzzInput& bytes) {
@@ -88,31 +58,43 @@ class MoteusLife {
     }
   }
 
-  // As a servo does that is well; its watchdog trips after 20 ms without a torque.
-  void bring_up() {
-    std::uint8_t mode = 0;
-    int silent_ms = 0;
-    for (int tick = 0; tick < 500 && drive_.sample().status != drivers::kDeviceOk; ++tick) {
-      now_ns_ += 1'000'000;
-      drive_.take({.time_ns = now_ns_, .frame = reply(mode, turns_, 0.0F)});
-      drivers::CanOutbox outbox;
-      drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
-      properties_.check_outbox(drive_.sample(), outbox, torque_of);
-      ++silent_ms;
-      for (const hal::CanFrame& frame : outbox.frames()) {
-        if (frame.data[0] == std::byte{0x01}) {  // it writes the mode
-          mode = std::to_integer<std::uint8_t>(frame.data[2]);
-          silent_ms = 0;
-        }
-      }
-      mode = mode == 10 && silent_ms > 20 ? std::uint8_t{11} : mode;
+  // The watchdog trips after 20 ms without a torque.
+  template <class Send>
+  void speak(hal::TimeNs /*now_ns*/, Send send) {
+    mode_ = mode_ == 10 && silent_ms_ > 20 ? std::uint8_t{11} : mode_;
+    ++silent_ms_;
+    send(reply(mode_, turns_, 0.0F));
+  }
+
+  template <class Send>
+  void hear(const hal::CanFrame& frame, hal::TimeNs /*now_ns*/, Send /*send*/) {
+    if (frame.data[0] == std::byte{0x01}) {  // it writes the mode
+      mode_ = std::to_integer<std::uint8_t>(frame.data[2]);
+      silent_ms_ = 0;
     }
   }
 
-  drivers::MoteusCanFd drive_{kServo};
-  DriveProperties properties_{kLimits};
-  hal::TimeNs now_ns_ = 1'000'000'000;
+ private:
+  static constexpr std::uint32_t kReplyId = 0x100;
+
+  static hal::CanFrame reply(std::uint8_t mode, float turns, float turns_per_s) {
+    hal::CanFrame frame{.id = kReplyId, .fd = true, .bit_rate_switch = true, .length = 24};
+    frame.data.fill(std::byte{0x50});
+    frame.data[0] = std::byte{0x21};
+    frame.data[1] = std::byte{0x00};
+    frame.data[2] = std::byte{mode};
+    frame.data[3] = std::byte{0x2E};
+    frame.data[4] = std::byte{0x01};
+    std::memcpy(&frame.data[5], &turns, sizeof turns);
+    std::memcpy(&frame.data[9], &turns_per_s, sizeof turns_per_s);
+    return frame;
+  }
+
+  std::uint8_t mode_ = 0;
+  int silent_ms_ = 0;
   float turns_ = 0.25F;
 };
+
+using MoteusLife = DriveLife<MoteusPeer>;
 
 }  // namespace tactus::fuzz

@@ -1,44 +1,25 @@
-// One random life of an ODrive axis.
+// The ODrive axis of a random life: DriveLife of drive_life.h.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 
 #include "drivers/odrive_can/odrive_can.h"
-#include "tests/fuzz/drive_properties.h"
+#include "tests/fuzz/drive_life.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace tactus::fuzz {
 
-class ODriveLife {
+class ODrivePeer {
  public:
-  // Ends the program if a property breaks.
-  void run(FuzzInput input) {
-    drive_.start(now_ns_);
-    const auto how = input.take<std::uint8_t>();
-    if ((how & 1U) != 0) {
-      bring_up((how & 2U) != 0);
-    }
-    fuzz_drive(drive_, properties_, now_ns_, input, torque_of,
-               [this](FuzzInput& bytes) { return random_frame(bytes); });
-  }
-
-  // Whether the bring-up of `how` bit 0 works: else nothing worth the while is tested.
-  [[nodiscard]] bool comes_up(bool is_0_6) {
-    drive_.start(now_ns_);
-    bring_up(is_0_6);
-    return drive_.sample().status == drivers::kDeviceOk;
-  }
-
- private:
-  static constexpr std::uint32_t kFirstId = 1U << 5U;  // node 1
-  static constexpr drivers::ODriveConfig kAxis{
+  using Drive = drivers::ODriveCan;
+  static constexpr int kMostTicks = 800;
+  static constexpr drivers::ODriveConfig kConfig{
       .node_id = 1, .max_torque_Nm = 0.1, .max_speed_rad_per_s = 100.0, .jump_margin_rad = 0.05};
 
-  static constexpr DriveLimits kLimits{.max_torque_Nm = kAxis.max_torque_Nm,
-                                       .max_speed_rad_per_s = kAxis.max_speed_rad_per_s,
-                                       .jump_margin_rad = kAxis.jump_margin_rad};
+  static constexpr DriveLimits kLimits{.max_torque_Nm = kConfig.max_torque_Nm,
+                                       .max_speed_rad_per_s = kConfig.max_speed_rad_per_s,
+                                       .jump_margin_rad = kConfig.jump_margin_rad};
 
   // Decoded by hand: the torque of a Set_Input_Torque frame.
   static double torque_of(const hal::CanFrame& frame) {
@@ -51,19 +32,8 @@ class ODriveLife {
     return static_cast<double>(torque_Nm);
   }
 
-  static hal::CanFrame heartbeat(std::uint8_t state, std::uint32_t error = 0) {
-    hal::CanFrame frame{.id = kFirstId | 0x01U, .length = 8};
-    std::memcpy(frame.data.data(), &error, sizeof error);
-    frame.data[4] = std::byte{state};
-    return frame;
-  }
-
-  static hal::CanFrame estimates(float turns, float turns_per_s) {
-    hal::CanFrame frame{.id = kFirstId | 0x09U, .length = 8};
-    std::memcpy(frame.data.data(), &turns, sizeof turns);
-    std::memcpy(&frame.data[4], &turns_per_s, sizeof turns_per_s);
-    return frame;
-  }
+  // Bit 1 of `how` makes it firmware 0.6, else 0.5.
+  explicit ODrivePeer(std::uint8_t how) : is_0_6_((how & 2U) != 0) {}
 
   // Some frames make sense, or the axis would never be well for long.
   hal::CanFrame random_frame(FuzzInput& bytes) {
@@ -82,41 +52,56 @@ class ODriveLife {
     }
   }
 
-  // As a drive does that is well; its watchdog trips after 20 ms of silence.
-  void bring_up(bool is_0_6) {
-    bool closed = false;
-    int silent_ms = 0;
-    std::uint32_t error = 0;
-    for (int tick = 0; tick < 800 && drive_.sample().status != drivers::kDeviceOk; ++tick) {
-      now_ns_ += 1'000'000;
-      if (silent_ms > 20) {
-        closed = false;
-        error = is_0_6 ? 0x0100'0000 : 0x800;
-      }
-      drive_.take({.time_ns = now_ns_, .frame = heartbeat(closed ? 8 : 1, error)});
-      drive_.take({.time_ns = now_ns_, .frame = estimates(turns_, 0.0F)});
-      drivers::CanOutbox outbox;
-      drive_.command(now_ns_, {.torque_Nm = 1.0, .enable = true}, outbox);
-      properties_.check_outbox(drive_.sample(), outbox, torque_of);
-      silent_ms = outbox.frames().empty() ? silent_ms + 1 : 0;
-      for (const hal::CanFrame& frame : outbox.frames()) {
-        if (frame.id == kFirstId && is_0_6) {
-          hal::CanFrame version{.id = kFirstId, .length = 8};
-          version.data[0] = std::byte{2};
-          drive_.take({.time_ns = now_ns_, .frame = version});
-        } else if (frame.id == (kFirstId | 0x07U)) {
-          closed = frame.data[0] == std::byte{8};
-        } else if (frame.id == (kFirstId | 0x18U)) {
-          error = 0;
-        }
-      }
+  // The watchdog trips after 20 ms of silence.
+  template <class Send>
+  void speak(hal::TimeNs /*now_ns*/, Send send) {
+    if (silent_ms_ > 20) {
+      is_closed_ = false;
+      error_ = is_0_6_ ? 0x0100'0000 : 0x800;
+    }
+    ++silent_ms_;
+    send(heartbeat(is_closed_ ? 8 : 1, error_));
+    send(estimates(turns_, 0.0F));
+  }
+
+  template <class Send>
+  void hear(const hal::CanFrame& frame, hal::TimeNs /*now_ns*/, Send send) {
+    silent_ms_ = 0;
+    if (frame.id == kFirstId && is_0_6_) {
+      hal::CanFrame version{.id = kFirstId, .length = 8};
+      version.data[0] = std::byte{2};
+      send(version);
+    } else if (frame.id == (kFirstId | 0x07U)) {
+      is_closed_ = frame.data[0] == std::byte{8};
+    } else if (frame.id == (kFirstId | 0x18U)) {
+      error_ = 0;
     }
   }
 
-  drivers::ODriveCan drive_{kAxis};
-  DriveProperties properties_{kLimits};
-  hal::TimeNs now_ns_ = 1'000'000'000;
+ private:
+  static constexpr std::uint32_t kFirstId = 1U << 5U;  // node 1
+
+  static hal::CanFrame heartbeat(std::uint8_t state, std::uint32_t error = 0) {
+    hal::CanFrame frame{.id = kFirstId | 0x01U, .length = 8};
+    std::memcpy(frame.data.data(), &error, sizeof error);
+    frame.data[4] = std::byte{state};
+    return frame;
+  }
+
+  static hal::CanFrame estimates(float turns, float turns_per_s) {
+    hal::CanFrame frame{.id = kFirstId | 0x09U, .length = 8};
+    std::memcpy(frame.data.data(), &turns, sizeof turns);
+    std::memcpy(&frame.data[4], &turns_per_s, sizeof turns_per_s);
+    return frame;
+  }
+
+  bool is_0_6_;
+  bool is_closed_ = false;
+  int silent_ms_ = 0;
+  std::uint32_t error_ = 0;
   float turns_ = 0.25F;
 };
+
+using ODriveLife = DriveLife<ODrivePeer>;
 
 }  // namespace tactus::fuzz

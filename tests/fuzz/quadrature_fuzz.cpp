@@ -22,7 +22,7 @@ constexpr drivers::EncoderConfig kEncoder{
     .max_speed_rad_per_s = kMaxCountsPerS * 2.0 * std::numbers::pi / 400.0,
     .counter_index = true};
 
-// What holds from one reading to the next, `most` counts apart at the most.
+// Properties from one reading to the next, which are at most `most` counts apart.
 class ReadingProperties {
  public:
   void restart(const EncoderReading& reading) { last_ = reading; }

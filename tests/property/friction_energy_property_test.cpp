@@ -215,7 +215,8 @@ TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
       const Vec3 next = (normal + bend * dice.direction()).normalized();
       turn(memory, normal, next);
       normal = next;
-      // Of a step nearly along the normal little is left, and of that much is rounding: once more.
+      // A step nearly along the normal leaves little, much of it rounding: so it is projected
+      // twice.
       const Vec3 way = tangential(tangential(step, normal), normal);
       work_J += update_friction(friction, memory, way, load.next(), 1e-3).mean_force_N.dot(way);
       worst.given_out_J = std::max(worst.given_out_J, stored_J(friction, memory) - work_J);

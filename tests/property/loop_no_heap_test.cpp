@@ -42,7 +42,7 @@ class StrokingDevice {
 };
 static_assert(drivers::Device<StrokingDevice>);
 
-// What stands beside the loop; static, as in tactusd.
+// The objects beside the loop; static, as in tactusd.
 struct Beside {
   firmware::Supervisor supervisor;
   firmware::CommandDesk desk;

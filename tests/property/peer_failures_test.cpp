@@ -1,6 +1,6 @@
-// Where a proxy renderer of good name was measured to fail: bumpy and finely meshed surfaces that
-// hold a frictionless proxy, facets felt as a buzz, friction that is not the coefficient, triangles
-// too small to be felt. The oracles are the smooth shapes that the meshes stand for.
+// Cases in which a well-known proxy renderer was measured to fail: bumpy and finely meshed surfaces
+// that hold a frictionless proxy, facets felt as a buzz, friction that is not the coefficient,
+// triangles too small to be felt. The oracles are the smooth shapes that the meshes approximate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -138,8 +138,8 @@ struct ExactProxy {
   const Shape& shape;
   std::vector<Corners> corners = corners_of(shape);
 
-  // Of the sphere whose centre the tool is. From inside, two neighbouring facets can both be
-  // nearest for the proxy that is on them, so forces are compared with a margin.
+  // Returns the proxy of a sphere whose centre is the tool. From inside, two neighbouring facets
+  // can both be nearest for the proxy that is on them, so forces are compared with a margin.
   [[nodiscard]] Vec3 proxy(const Vec3& tool, double radius_m) const {
     double nearest = 1.0;
     Vec3 point = tool;

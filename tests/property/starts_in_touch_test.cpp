@@ -37,8 +37,8 @@ TEST(StartsInTouch, FeelsNothingUntilItHasLeftAnyShape) {
   EXPECT_GT(tally.ended, tally.starts / 4);
 }
 
-// From deep inside, where the sphere is clear of every face, to outside: it comes through the face
-// from behind, and then stands across it.
+// The tool moves from deep inside, where the sphere is clear of every face, to outside: it comes
+// through the face from behind, and then stands across it.
 TEST(StartsInTouch, ComesOutOfASolidWithoutAPushAndFeelsItAfterwards) {
   constexpr double kRadius_m = 0.002;
   constexpr double kHalf_m = 0.02;

@@ -1,4 +1,4 @@
-// What the property tests of the proxy have in common.
+// Shapes and a tool path that the property tests of the proxy share.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace tactus::testing {
 
-// Closed and open, acute, thin, slivered, doubled and self-intersecting.
+// Returns closed, open, acute, thin, slivered, doubled and self-intersecting shapes.
 std::vector<Shape> wandered_shapes();
 
 // A tool that wanders about the shape: it picks points near the surface, on either side, and goes

@@ -50,7 +50,8 @@ class SceneChange : public FolderTest {
     ASSERT_TRUE(controller_->load_scene(scene_->objects(), rendering::world_of(*scene_)));
   }
 
-  // As tactusd does it: not while active; the image comes some ticks after the event.
+  // Changes the scene as tactusd does: not while active; the image comes some ticks after the
+  // event.
   void change_to(std::span<const std::byte> image, std::span<const std::byte> attached) {
     while (controller_->mode() == Mode::active) {
       tick({.request = Request::disable});

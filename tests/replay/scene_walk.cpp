@@ -87,7 +87,7 @@ void SceneWalk::choose_target() {
   ticks_left_ = 1 + static_cast<int>(60.0 * (1.0 + unit()));
 }
 
-// Of any parameter, mostly within its range.
+// Returns a change of any parameter, mostly within its range.
 firmware::ParameterChange SceneWalk::change() {
   const auto& text = firmware::kParameterTexts[random_() % firmware::kParameterTexts.size()];
   const double share = std::abs(unit());

@@ -30,7 +30,7 @@ class SceneWalk {
   SceneWalk(std::span<const rendering::Object> objects, std::uint64_t seed)
       : objects_(objects), random_(seed) {}
 
-  // For a controller that is in `mode` now.
+  // Returns the input of the next tick for a controller that is in `mode` now.
   TickInput next(firmware::Mode mode);
 
  private:

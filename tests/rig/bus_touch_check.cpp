@@ -30,7 +30,7 @@ struct Limits {
   double least_force_N = 1.0;  // or it did not touch
 };
 
-// Of encoder, transport and the millisecond between two truths, rad or m.
+// The largest error from encoder, transport and the millisecond between two truths, rad or m.
 constexpr double kJointLimit = 2e-4;
 
 bool failed = false;
@@ -45,7 +45,7 @@ CsvTable read(const std::string& file, const std::vector<std::string>& names) {
   return CsvTable::read(file, views);
 }
 
-// What the device really did.
+// The true motion and torques of the device.
 class Truth {
  public:
   Truth(const std::string& file, std::size_t joints) : table_(read(file, columns(joints))) {
@@ -178,7 +178,7 @@ class Comparison {
     return homed == status.end() ? 0 : static_cast<std::size_t>(homed - status.begin());
   }
 
-  // What the motors did at a truth's time against what had been commanded by then.
+  // Compares the motors' torque at each time of the truth with the torque commanded by then.
   void check_torques() const {
     const auto done = run_.column("done_ns");
     const auto times = truth_.times_ns();

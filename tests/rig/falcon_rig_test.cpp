@@ -70,7 +70,7 @@ class FalconOnTheBus : public ::testing::Test {
     }
     return samples_[0].status == status;
   }
-  // As the user's hand does: out beyond one radian, then in.
+  // Moves the arms as a user does for homing: out beyond one radian, then in.
   void home() {
     for (int i = 0; i < 1400; ++i) {
       move_arms(0.5 + (i < 700 ? 0.001 * i : 0.001 * (1400 - i)));

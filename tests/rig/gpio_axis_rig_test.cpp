@@ -148,7 +148,8 @@ class GpioAxisRig : public ::testing::Test {
                    -0.02, 0.02);
     return commanded_Nm_;
   }
-  // From a fault to the motor's torque of zero, by the controller's clock. The push goes on.
+  // Returns the time from a fault to the motor's torque of zero, by the controller's clock. The
+  // push goes on meanwhile.
   double time_to_zero_ms(double push_Nm) {
     const hal::TimeNs start_ns = clock_.now_ns();
     for (int i = 0; i < 400; ++i) {

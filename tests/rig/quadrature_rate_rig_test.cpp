@@ -72,7 +72,8 @@ class Shaft {
 
   [[nodiscard]] int count() const { return count_.load(); }
   [[nodiscard]] bool done() const { return done_.load(); }
-  // What it came to, edges a second: from below the interrupts it waits for them.
+  // Returns the rate that was reached, edges a second. It is lower than asked for if the thread
+  // waits for the interrupts.
   [[nodiscard]] double rate() const { return rate_.load(); }
 
  private:

@@ -62,7 +62,7 @@ TEST_P(MechanismLoop, TheControllerFindsTheHandleToWithinTheEncoders) {
   EXPECT_GT(worst_m, 0.1 * GetParam().half_count_m) << "the encoders must quantise";
 }
 
-// What the motors push the handle with, but for what holds the arm's own weight up.
+// Returns the force of the motors on the handle, N, without the part that holds the arm's weight.
 Vec3 motor_force(const host::Simulation& simulation) {
   const auto effort = simulation.device().motor_effort();
   Vec3 force_B = Vec3::Zero();

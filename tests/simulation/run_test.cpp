@@ -1,4 +1,4 @@
-// From the user's names to the summary.
+// A whole run, from the user's names to the summary.
 #include "host_tools/simulation/run.h"
 
 #include <gtest/gtest.h>

@@ -31,7 +31,8 @@ WishPath pressing(std::string_view device) {
   return WishPath({{0.0, 0.006 * n}, {1.5, 0.006 * n}, {2.5, -0.003 * n}, {8.0, -0.003 * n}});
 }
 
-// As fast as a hand can: 10 mm above it to as much below and back in a fifth of a second.
+// A hand taps as fast as it can: from 10 mm above the wall to as much below and back in a fifth of
+// a second.
 WishPath tapping(std::string_view device) {
   const Vec3 n = normal_of(device);
   std::vector<host::Waypoint> points{{0.0, 0.01 * n}, {1.5, 0.01 * n}};
@@ -67,7 +68,7 @@ struct Outcome {
   std::uint64_t faults = 0;
 };
 
-// What weights store comes back from the motors that hold them.
+// Returns the motors' work, J. Energy stored in weights comes back from the motors that hold them.
 double motors_work_J(const host::Simulation& simulation) {
   const host::EnergyLedger& ledger = simulation.device().plant().ledger();
   return ledger.motors_J + ledger.weight_J;

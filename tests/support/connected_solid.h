@@ -24,8 +24,8 @@ class ConnectedSolid {
   std::vector<rendering::Float3> vertex_normals_;
 };
 
-// How often the closed shape winds round q, by the solid angles of its triangles: 1 inside and 0
-// outside of a simple one.
+// Returns how often the closed shape winds round q, by the solid angles of its triangles: 1 inside
+// and 0 outside of a simple one.
 double winding_number(const Shape& shape, const Vec3& q);
 
 }  // namespace tactus::testing

@@ -17,9 +17,9 @@ class Csv {
 
   [[nodiscard]] std::size_t rows() const { return cells_.size(); }
   [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const;
-  // NaN for an empty cell.
+  // Returns the cell's number, or NaN for an empty cell.
   [[nodiscard]] double number(std::size_t row, const std::string& column) const;
-  // Of the columns PREFIXx, PREFIXy and PREFIXz.
+  // Returns the vector in the columns PREFIXx, PREFIXy and PREFIXz.
   [[nodiscard]] Vec3 vector(std::size_t row, const std::string& prefix) const;
 
  private:

@@ -13,7 +13,7 @@ struct PngSize {
   std::uint32_t height = 0;
 };
 
-// From the header that every PNG file begins with; zero for anything else.
+// Reads the size from the header that every PNG file begins with; zero for any other file.
 inline PngSize png_size(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(24, '\0');

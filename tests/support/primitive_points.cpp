@@ -111,7 +111,7 @@ double descended(const Patch& patch, const Vec3& q, double u, double v) {
   return std::sqrt(best);
 }
 
-// From starts all over the patch: at a pole every u is as good, so one start alone can be lost
+// Searches from starts all over the patch: at a pole every u is as good, so a single start can fail
 // there.
 double searched(const Patch& patch, const Vec3& q) {
   constexpr int kStarts = 6;

@@ -8,7 +8,8 @@
 
 namespace tactus::testing {
 
-// In the proportion of TACTUS_PROPERTY_TICKS to a million; all of it where that is not set.
+// Returns the count in the proportion of TACTUS_PROPERTY_TICKS to a million; all of it if that is
+// not set.
 template <std::integral Count>
 Count share_of(Count count) {
   constexpr double kMillion = 1e6;

@@ -14,11 +14,11 @@ namespace tactus::testing {
 
 class TriangleGrid {
  public:
-  // Of one triangle or more.
+  // Makes a grid of one triangle or more.
   explicit TriangleGrid(std::vector<Corners> triangles);
 
-  // Every triangle that comes within `reach` of the segment p-q, and some that do not. Valid until
-  // the next call.
+  // Returns every triangle that comes within `reach` of the segment p-q, and some that do not. The
+  // span is valid until the next call.
   std::span<const Corners> near(const Vec3& p, const Vec3& q, double reach);
 
  private:

@@ -1,4 +1,5 @@
-// For tests that make up a device's samples: its joints cannot answer a push, so none is asked for.
+// Turns the sign check off for tests that make up a device's samples: its joints cannot answer a
+// push, so none is asked for.
 #pragma once
 
 #include "firmware/configuration/controller_config.h"

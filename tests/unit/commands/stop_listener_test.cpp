@@ -36,7 +36,7 @@ constexpr std::chrono::milliseconds kTick(1);
 constexpr int kLoopPriority = 80;
 constexpr hal::TimeNs kBlocked_ns = 3 * hal::kNsPerSecond;
 
-// As tactusd's loop has it, where there is the right to it.
+// Sets the priority of tactusd's loop, if this process has the right to it.
 void take_priority(int priority) {
   const sched_param wanted{.sched_priority = priority};
   (void)::sched_setscheduler(0, priority == 0 ? SCHED_OTHER : SCHED_FIFO, &wanted);
@@ -94,7 +94,7 @@ class StopTest : public ::testing::Test {
     loop_ = std::thread([this] { loop(); });
   }
 
-  // What holds the command thread for 3 s: a disk that does not answer.
+  // Blocks the command thread for 3 s, like a disk that does not answer.
   static std::string_view block(void* /*run*/, std::string_view /*file*/) {
     std::this_thread::sleep_for(std::chrono::nanoseconds(kBlocked_ns));
     return {};

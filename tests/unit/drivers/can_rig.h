@@ -71,8 +71,8 @@ class CanRig final : private hal::SimulatedEventSource {
   CanRig& operator=(const CanRig&) = delete;
   ~CanRig() { clock_.detach(*this); }
 
-  // Ticks for that long. `act(samples, commands)` decides each tick's commands, which stay as they
-  // were if it leaves them.
+  // Runs ticks for that long. `act(samples, commands)` decides each tick's commands, which stay as
+  // they were if it leaves them.
   template <class Act>
   void run(hal::TimeNs duration_ns, Act act) {
     const hal::TimeNs end_ns = next_tick_ns_ + duration_ns;
@@ -83,7 +83,7 @@ class CanRig final : private hal::SimulatedEventSource {
   void run(hal::TimeNs duration_ns) {
     run(duration_ns, [](auto&, auto&) {});
   }
-  // Ticks until every axis is well; how long that took, or -1 if it took longer.
+  // Runs ticks until every axis is well. Returns how long that took, or -1 if it took longer.
   hal::TimeNs run_until_well(hal::TimeNs at_most_ns) {
     const hal::TimeNs begin_ns = next_tick_ns_;
     while (next_tick_ns_ < begin_ns + at_most_ns) {
@@ -94,7 +94,7 @@ class CanRig final : private hal::SimulatedEventSource {
     }
     return -1;
   }
-  // Ticks until `done()`; how long that took, or -1 if it took longer.
+  // Runs ticks until `done()`. Returns how long that took, or -1 if it took longer.
   template <class Done>
   hal::TimeNs run_until(hal::TimeNs at_most_ns, Done done) {
     const hal::TimeNs begin_ns = clock_.now_ns();
@@ -113,7 +113,7 @@ class CanRig final : private hal::SimulatedEventSource {
       command = {.torque_Nm = torque_Nm, .enable = true};
     }
   }
-  // Nobody ticks, the drives are left alone.
+  // Lets time pass without ticks: the drives hear nothing.
   void idle(hal::TimeNs duration_ns) {
     clock_.advance_by(duration_ns);
     next_tick_ns_ = clock_.now_ns();
@@ -126,7 +126,7 @@ class CanRig final : private hal::SimulatedEventSource {
   Emulator& emulator(std::size_t i) { return *emulators_[i]; }
   hal::SimulatedCanBus& node(std::size_t i) { return *nodes_[i]; }
   Rotor& rotor(std::size_t i) { return rotors_[i]; }
-  // When the motor last exerted a torque; 0: never.
+  // Returns when the motor last exerted a torque; 0: never.
   hal::TimeNs last_torque_ns(std::size_t i) const { return last_torque_ns_[i]; }
   const AxisSample& sample(std::size_t i) const { return samples_[i]; }
   const Driver& driver(std::size_t i) const {

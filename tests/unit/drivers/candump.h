@@ -20,14 +20,13 @@ std::string candump_line(const hal::CanReceived& received, hal::TimeNs start_ns)
 // CAN FD with its flags (1: bit-rate switch). Spaces are skipped. A mistake fails the test.
 hal::CanFrame frame_of(std::string_view text);
 
-// And the other way.
+// Returns the text of a frame; the inverse of frame_of.
 std::string text_of(const hal::CanFrame& frame);
 
 std::vector<std::byte> bytes_of(std::string_view hex);
 
-// Whether the lines are those of golden/<name>.log. With
-// TACTUS_RENEW_GOLDEN=1 in the environment the file is written instead; look at what `git diff`
-// says of it.
+// Compares the lines with golden/<name>.log. With TACTUS_RENEW_GOLDEN=1 in the environment it
+// writes that file instead; check the change by `git diff`.
 testing::AssertionResult is_golden(const std::string& name, std::span<const std::string> lines);
 
 }  // namespace tactus::drivers

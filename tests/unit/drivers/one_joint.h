@@ -54,7 +54,7 @@ class OneJoint final : private hal::SimulatedEventSource {
       ticks(1);
     }
   }
-  // As an operator does it: reset, wait until the drive is up, home.
+  // Resets and waits until the drive is up, as an operator does before homing.
   void reset() {
     device_.clear_faults();
     ticks(2500);
@@ -98,7 +98,8 @@ class OneJoint final : private hal::SimulatedEventSource {
   hal::TimeNs next_ns_ = 0;
 };
 
-// What is done to a joint that is up and homed; afterwards its drive is well and powered.
+// An event that makes a joint that is up and homed lose its reference. Afterwards its drive is well
+// and powered.
 template <class Joint>
 struct Loss {
   const char* name;

@@ -30,8 +30,8 @@ void live_often(std::uint64_t seed) {
 }
 
 TEST(RandomLife, HealthyDriveComesUp) {
-  EXPECT_TRUE(ODriveLife{}.comes_up(false));
-  EXPECT_TRUE(ODriveLife{}.comes_up(true));
+  EXPECT_TRUE(ODriveLife{}.comes_up(0));  // firmware 0.5
+  EXPECT_TRUE(ODriveLife{}.comes_up(2));  // firmware 0.6
   EXPECT_TRUE(MoteusLife{}.comes_up());
   EXPECT_TRUE(Cia402Life{}.comes_up());
   EXPECT_TRUE(VescLife{}.comes_up());

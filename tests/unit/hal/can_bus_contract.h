@@ -1,4 +1,4 @@
-// What every CanBus must do. A rig has two nodes of one network on which nobody else speaks:
+// The contract of every CanBus. A rig has two nodes of one network on which nobody else speaks:
 //   CanBus& left(), CanBus& right(), Clock& clock()
 //   void set_link_up(bool)   takes the network interface of `left` down and up again
 #pragma once
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hal/can_bus.h"
+#include "tests/unit/hal/same_frame.h"
 
 namespace tactus::hal {
 
@@ -19,16 +20,6 @@ inline CanFrame can_frame(std::uint32_t id, std::initializer_list<int> bytes) {
   std::ranges::transform(bytes, frame.data.begin(),
                          [](int value) { return static_cast<std::byte>(value); });
   return frame;
-}
-
-inline void expect_same(const CanFrame& left, const CanFrame& right) {
-  EXPECT_EQ(left.id, right.id);
-  EXPECT_EQ(left.extended, right.extended);
-  EXPECT_EQ(left.remote, right.remote);
-  EXPECT_EQ(left.fd, right.fd);
-  EXPECT_EQ(left.bit_rate_switch, right.bit_rate_switch);
-  EXPECT_EQ(left.length, right.length);
-  EXPECT_TRUE(std::ranges::equal(left.bytes(), right.bytes()));
 }
 
 template <class T>

@@ -1,4 +1,4 @@
-// What every Clock must do. A rig has: Clock& clock().
+// The contract of every Clock. A rig has: Clock& clock().
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What every Counter must do. A rig has a counter just opened that wraps at kRigCeiling or at what
-// `start` asks for, whichever is less:
+// The contract of every Counter. A rig has a counter just opened that wraps at kRigCeiling or at
+// what `start` asks for, whichever is less:
 //   Counter& counter(), Clock& clock()
 //   void move(steps)    turns the encoder
 #pragma once

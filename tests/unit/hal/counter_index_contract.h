@@ -1,4 +1,5 @@
-// What every Counter with an index signal must do besides; the rig of the other contract also has:
+// The contract of every Counter with an index signal, besides that of every Counter. The rig also
+// has:
 //   void pulse_index()
 #pragma once
 

@@ -1,8 +1,9 @@
-// What every GpioLines must do. A rig has a chip of at least eight lines that nobody holds:
+// The contract of every GpioLines. A rig has a chip of at least eight lines that nobody holds:
 //   GpioLines& lines(), GpioLines& other_lines()   two requests on that chip
 //   Clock& clock()
 //   void drive(offset, high)   sets the physical level of an input, and waits until the interrupt
-//   has been served bool level(offset)         the physical level of an output
+//                              has been served
+//   bool level(offset)         the physical level of an output
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What every PwmOutput must do. A rig has: PwmOutput& output(), a channel just opened.
+// The contract of every PwmOutput. A rig has: PwmOutput& output(), a channel just opened.
 #pragma once
 
 #include <gtest/gtest.h>

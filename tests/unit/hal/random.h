@@ -17,7 +17,7 @@ class Random {
 
   std::uint64_t seed() const { return seed_; }
 
-  // From 0 to `count` - 1.
+  // Returns a random number from 0 to `count` - 1.
   std::size_t below(std::size_t count) {
     return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine_);
   }

@@ -1,4 +1,4 @@
-// What every SerialPort must do. A rig has a device at the other end of the line:
+// The contract of every SerialPort. A rig has a device at the other end of the line:
 //   SerialPort& port(), Clock& clock()
 //   void answer(std::span<const std::byte>)          the device sends
 //   std::size_t hear(std::span<std::byte>)           what the device got, as much as there is

@@ -1,4 +1,4 @@
-// What every UsbEndpoint must do. A rig has a device that sends every bulk-out back by bulk-in,
+// The contract of every UsbEndpoint. A rig has a device that sends every bulk-out back by bulk-in,
 // keeps the value of the vendor request kStore and gives it back (two bytes, lowest first) on
 // kFetch, and stalls every other request:
 //   UsbEndpoint& endpoint(), Clock& clock()

@@ -27,7 +27,7 @@ void hang() {
   sleep(5);
 }
 
-// As the loop does: it notices, stops the motors, lets the crash go on.
+// Acts like the loop: it notices the crash, stops the motors, and lets the crash go on.
 void crash_beside_the_loop(int signal) {
   catch_crashes(stop);
   HelperThread helper;

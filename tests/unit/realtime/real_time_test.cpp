@@ -11,7 +11,8 @@
 namespace tactus::firmware {
 namespace {
 
-// What becomes of a process of its own: the test's must not become a real-time one.
+// Returns the exit code of `body` run in a process of its own: the test's process must not become a
+// real-time one.
 template <class Body>
 int exit_code_of(Body body) {
   const pid_t child = fork();
@@ -49,7 +50,7 @@ TEST(BecomeRealTime, RunsOnTheProcessorItWasGivenWhateverElseItMayNot) {
   EXPECT_EQ(code, 0);
 }
 
-// As an ordinary user without limits of its own.
+// The child acts like an ordinary user without limits of its own.
 TEST(BecomeRealTime, RefusesWithoutTheRightToIt) {
   const int code = exit_code_of([] {
     const rlimit none{};

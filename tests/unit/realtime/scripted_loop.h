@@ -10,7 +10,7 @@
 
 namespace tactus::testing {
 
-// Its transfers take simulated time.
+// A device whose transfers take simulated time.
 class SlowDevice {
  public:
   explicit SlowDevice(hal::SimulatedClock& clock) : clock_(&clock) {}

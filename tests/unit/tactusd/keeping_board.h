@@ -23,9 +23,9 @@ class KeepingBoard {
 
   // The host's end.
   [[nodiscard]] const std::string& port() const { return port_; }
-  // N m, the larger of the two motors.
+  // Returns the larger of the two motors' torques, N m.
   [[nodiscard]] double torque_Nm() const { return torque_Nm_; }
-  // Whether it gives the torque within the time.
+  // Returns true if the board gives the torque within the time.
   [[nodiscard]] bool pushes_within(double seconds) const;
 
  private:

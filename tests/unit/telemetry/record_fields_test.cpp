@@ -9,8 +9,8 @@ namespace tactus::firmware {
 namespace {
 
 TEST(RecordFields, CoverTheWholeRecord) {
-  // What the compiler leaves empty between fields; a field that has no line in record_fields.h
-  // makes it more.
+  // The bytes that the compiler leaves empty between fields. A field without a line in
+  // record_fields.h makes the number larger.
   constexpr std::size_t kPadding = 26;
   RecordedTick tick;
   std::size_t bytes = 0;

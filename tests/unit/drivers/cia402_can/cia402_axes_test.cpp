@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <vector>
 
 #include "drivers/cia402_can/cia402_can.h"
 #include "host_tools/emulators/cia402_emulator.h"
+#include "tests/unit/drivers/axes_on_one_bus.h"
 #include "tests/unit/drivers/can_rig.h"
 
 namespace tactus::drivers {
@@ -29,47 +28,11 @@ TEST(Cia402Axes, ThreeAtOneKilohertzTrackAndDeliverTheirTorque) {
   rig.start();
   ASSERT_GT(rig.run_until_well(1000 * kMs), 0);
 
-  double worst_reading_rad = 0.0;
-  double worst_torque_Nm = 0.0;
-  double worst_tracking_rad = 0.0;
-  hal::TimeNs oldest_ns = 0;
-  std::array<double, 3> commanded_Nm{};
-  int tick = 0;
-  rig.run(1000 * kMs, [&](auto& samples, auto& commands) {
-    const int phase = tick % 500;
-    const double target_rad = 0.002 * (phase < 250 ? phase : 500 - phase);
-    for (std::size_t i = 0; i < 3; ++i) {
-      ASSERT_EQ(samples[i].status, kDeviceOk) << rig.board().trouble(i).what;
-      const host::EmulatedShaft& shaft = rig.emulator(i).shaft();
-      const hal::TimeNs age_ns = rig.clock().now_ns() - samples[i].time_ns;
-      oldest_ns = std::max(oldest_ns, age_ns);
-      const double truth_rad =
-          shaft.position_rad - 1e-9 * static_cast<double>(age_ns) * shaft.velocity_rad_per_s;
-      worst_reading_rad =
-          std::max(worst_reading_rad, std::abs(samples[i].position_rad - truth_rad));
-      if (tick > 20) {
-        worst_torque_Nm = std::max(worst_torque_Nm, std::abs(shaft.torque_Nm - commanded_Nm[i]));
-      }
-      if (tick > 100) {
-        worst_tracking_rad =
-            std::max(worst_tracking_rad, std::abs(shaft.position_rad - target_rad));
-      }
-      const double torque_Nm = std::clamp(
-          1.0 * (target_rad - samples[i].position_rad) - 0.012 * samples[i].velocity_rad_per_s,
-          -0.2, 0.2);
-      commands[i] = {.torque_Nm = torque_Nm, .enable = true};
-      commanded_Nm[i] = torque_Nm;
-    }
-    ++tick;
-  });
+  const TrackingErrors worst = track_a_triangle(rig, {.torque_from_tick = 21});
   EXPECT_TRUE(rig.are_well());
-  EXPECT_LT(worst_reading_rad, 1e-3);      // the emulator's step of 50 us, and half a count
-  EXPECT_LT(worst_torque_Nm, 0.00025001);  // half of 0.1 % of the rated torque
-  EXPECT_LT(worst_tracking_rad, 0.05);
-  EXPECT_LT(oldest_ns, 600 * kUs);
-  RecordProperty("worst_reading_urad", static_cast<int>(1e6 * worst_reading_rad));
-  RecordProperty("worst_tracking_mrad", static_cast<int>(1e3 * worst_tracking_rad));
-  RecordProperty("oldest_sample_us", static_cast<int>(oldest_ns / kUs));
+  EXPECT_LT(worst.reading_rad, 1e-3);      // the emulator's step of 50 us, and half a count
+  EXPECT_LT(worst.torque_Nm, 0.00025001);  // half of 0.1 % of the rated torque
+  EXPECT_LT(worst.oldest_ns, 600 * kUs);
 }
 
 TEST(Cia402Axes, FaultOfOneLeavesTheOthersWell) {
@@ -138,20 +101,7 @@ TEST(Cia402Axes, WholeSessionIsTheGoldenLog) {
                                  .lost_after_s = 0.03}},
       std::vector<host::Cia402EmulatorConfig>{{.node = 5}});
   rig.rotor(0).inertia_kg_m2 = 0.05;
-  rig.start();
-  rig.command_all(0.125);
-  ASSERT_GT(rig.run_until_well(2000 * kMs), 0);
-  rig.run(100 * kMs);
-  EXPECT_NEAR(rig.emulator(0).shaft().torque_Nm, 0.125, 1e-9);
-  rig.emulator(0).set_fault(host::EmulatorFault::erroring);
-  rig.run(50 * kMs);
-  EXPECT_NE(rig.sample(0).status & kDeviceDriveFault, 0U);
-  rig.emulator(0).set_fault(host::EmulatorFault::none);
-  rig.board().clear_faults();
-  ASSERT_GT(rig.run_until_well(2000 * kMs), 0);
-  rig.run(50 * kMs);
-  rig.board().stop();
-  rig.run(20 * kMs);
+  live_through_a_session(rig, 0.125, 50 * kMs);
   EXPECT_TRUE(is_golden("cia402", rig.log()));
 }
 

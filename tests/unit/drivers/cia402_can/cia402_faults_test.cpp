@@ -1,4 +1,4 @@
-// What goes wrong with a drive under torque, how long its torque lasts then, and what is said.
+// Faults of a drive under torque: how long its torque lasts and what is reported.
 #include <gtest/gtest.h>
 
 #include <string_view>

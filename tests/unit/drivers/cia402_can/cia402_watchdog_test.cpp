@@ -28,7 +28,7 @@ double time_s(const std::string& line) {
   return std::stod(line.substr(1));
 }
 
-// Of the log's frames that end so.
+// Returns the times of the log's frames whose text ends in `frame`, s.
 std::vector<double> times_s(const std::vector<std::string>& log, std::string_view frame) {
   std::vector<double> times;
   for (const std::string& line : log) {
@@ -187,7 +187,7 @@ TEST(Cia402Watchdog, EmergencyStopInTheProofProvesNothing) {
   EXPECT_EQ(times_s(rig.log(), " 081#3081010000000000").size(), 1U);
 }
 
-// As a safe torque off looks that leaves the voltage on, with 603F:00 as above.
+// A safe torque off that leaves the voltage on looks like this, with 603F:00 as above.
 TEST(Cia402Watchdog, PowerThatGoesWithoutAReasonProvesNothing) {
   WatchdogRig rig = one_watched({.has_watchdog = false});
   rig.start();

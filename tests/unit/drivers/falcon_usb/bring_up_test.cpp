@@ -117,7 +117,7 @@ TEST(FalconBringUp, FollowsTheTranscriptOfAnUpload) {
   Player(image).play("falcon_upload.txt");
 }
 
-// What a device does, as a function of what it is sent; and the outcome.
+// Runs a bring-up to its end. `device` answers each action.
 template <class Device>
 FalconBringUp run_bring_up(std::span<const std::byte> firmware, Device device) {
   FalconBringUp bring_up(firmware);

@@ -68,7 +68,7 @@ TEST(GpioAxisProperty, APositionReportedAsValidIsTheTrueOne) {
           stream.step(stream.direction(), 40'000);
         }
       }
-      // As in the kernel, the last edge is always reported: a gap never stays unseen.
+      // The kernel always reports the last edge: a gap never stays unseen.
       bench.lines.lose_next_edges(0);
       stream.step(1, 40'000);
       const AxisCommand wild{.torque_Nm = 0.1 * (static_cast<double>(random.below(100)) - 50.0),

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <vector>
 
 #include "drivers/vesc_can/vesc_can.h"
 #include "host_tools/emulators/vesc_emulator.h"
+#include "tests/unit/drivers/axes_on_one_bus.h"
 #include "tests/unit/drivers/can_rig.h"
 
 namespace tactus::drivers {
@@ -26,34 +25,8 @@ TEST(VescAxes, ThreeAtOneKilohertzDeliverTheirTorque) {
   rig.start();
   ASSERT_GT(rig.run_until_well(1000 * kMs), 0);
 
-  double worst_torque_Nm = 0.0;
-  double worst_tracking_rad = 0.0;
-  std::array<double, 3> commanded_Nm{};
-  int tick = 0;
-  rig.run(1000 * kMs, [&](auto& samples, auto& commands) {
-    const int phase = tick % 500;
-    const double target_rad = 0.002 * (phase < 250 ? phase : 500 - phase);
-    for (std::size_t i = 0; i < 3; ++i) {
-      ASSERT_EQ(samples[i].status & ~std::uint32_t{kDeviceStale}, kDeviceOk)
-          << rig.board().trouble(i).what;
-      const host::EmulatedShaft& shaft = rig.emulator(i).shaft();
-      if (tick > 0) {
-        worst_torque_Nm = std::max(worst_torque_Nm, std::abs(shaft.torque_Nm - commanded_Nm[i]));
-      }
-      if (tick > 100) {
-        worst_tracking_rad =
-            std::max(worst_tracking_rad, std::abs(shaft.position_rad - target_rad));
-      }
-      const double torque_Nm = std::clamp(
-          1.0 * (target_rad - shaft.position_rad) - 0.012 * shaft.velocity_rad_per_s, -0.2, 0.2);
-      commands[i] = {.torque_Nm = torque_Nm, .enable = true};
-      commanded_Nm[i] = torque_Nm;
-    }
-    ++tick;
-  });
-  EXPECT_LT(worst_torque_Nm, 0.5e-3 * 0.03 + 1e-9);  // half a milliampere
-  EXPECT_LT(worst_tracking_rad, 0.05);
-  RecordProperty("worst_tracking_mrad", static_cast<int>(1e3 * worst_tracking_rad));
+  const TrackingErrors worst = track_a_triangle(rig, {.drives_read = false});
+  EXPECT_LT(worst.torque_Nm, 0.5e-3 * 0.03 + 1e-9);  // half a milliampere
 }
 
 // Bring-up, torque, a fault of the VESC, recovery and the orderly end, at 100 Hz to keep it short.
@@ -72,20 +45,7 @@ TEST(VescAxes, WholeSessionIsTheGoldenLog) {
                                              .fault_stop_ns = 100 * kMs,
                                              .status_period_ns = 20 * kMs}});
   rig.rotor(0).inertia_kg_m2 = 0.05;
-  rig.start();
-  rig.command_all(0.075);
-  ASSERT_GT(rig.run_until_well(1000 * kMs), 0);
-  rig.run(100 * kMs);
-  EXPECT_NEAR(rig.emulator(0).shaft().torque_Nm, 0.075, 1e-9);
-  rig.emulator(0).set_fault(host::EmulatorFault::erroring);
-  rig.run(100 * kMs);
-  EXPECT_NE(rig.sample(0).status & kDeviceDriveFault, 0U);
-  rig.emulator(0).set_fault(host::EmulatorFault::none);
-  rig.board().clear_faults();
-  ASSERT_GT(rig.run_until_well(1000 * kMs), 0) << rig.board().trouble(0).what;
-  rig.run(50 * kMs);
-  rig.board().stop();
-  rig.run(20 * kMs);
+  live_through_a_session(rig, 0.075, 100 * kMs);
   EXPECT_TRUE(is_golden("vesc", rig.log()));
 }
 

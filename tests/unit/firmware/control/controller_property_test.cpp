@@ -190,7 +190,7 @@ void run_random_ticks(const ControllerConfig& base, std::uint64_t first_seed) {
   EXPECT_GT(active_ticks_in_contact, runs * kTicks / 20);
 }
 
-// What an operator does with a tool that does not move: requests, changes, scenes, faults.
+// An operator whose tool does not move: random requests, changes, scenes and faults.
 class RandomOperator {
  public:
   RandomOperator(std::uint64_t seed, Controller& controller,
@@ -249,7 +249,8 @@ class RandomOperator {
   std::span<const std::unique_ptr<Floor>> floors_;
 };
 
-// What the soft start adds to the largest force in a tick, N, and the same for a raised limit.
+// Returns by how much the soft start raises the largest force in a tick, N. The same holds for a
+// raised limit.
 double configured_rise(const ControllerConfig& config) {
   return 2.0 * config.safety.max_force_N / (config.safety.soft_start_s * config.rate_hz);
 }

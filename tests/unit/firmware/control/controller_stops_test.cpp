@@ -1,4 +1,4 @@
-// What takes the force away, and what gives it back.
+// Everything that takes the force away, and how it comes back.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -73,7 +73,7 @@ void race(FaultyRig& rig, int tick) {
   rig.device.sample.velocity[0] = 6.0;
 }
 
-// What pushes out of the floor is seen to go into it, faster and faster.
+// A force that should push out of the floor pushes into it, faster and faster.
 void flip_the_sign(FaultyRig& rig, int tick) {
   rig.device.sample.position[1] = -0.002 - 0.003 * tick;
   rig.device.sample.velocity[1] = -3.0;
@@ -162,8 +162,8 @@ TEST(FaultMatrix, EveryFaultInEveryModeEndsInZeroTorqueALatchedCodeAndAWayBack) 
   }
 }
 
-// From the first tick with the fault in it, in `active`; more than twice the row's ticks is for
-// ever.
+// Counts the ticks from the first one with the fault, in `active`, to zero torque. More than twice
+// the row's ticks means never.
 int ticks_to_zero_torque(FaultyRig& rig, const MatrixFault& fault) {
   if (!rig.enter(Mode::active, kNoFault)) {
     return -1;

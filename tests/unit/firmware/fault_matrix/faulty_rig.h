@@ -59,7 +59,7 @@ class FaultyRig {
   bool is_homing_ = false;
 };
 
-// What goes wrong, and what the controller shall make of it.
+// A fault, how to inject it, and the reaction of the controller that is expected.
 struct MatrixFault {
   std::string_view name;
   FaultBits bit;
@@ -69,7 +69,7 @@ struct MatrixFault {
   Request request = Request::none;           // with each tick
 };
 
-// What is wrong with a cell, or nothing.
+// Returns what is wrong with a cell of the matrix, or an empty text.
 std::string check_cell(FaultyRig& rig, const MatrixFault& fault, Mode mode,
                        std::uint64_t guards_off);
 

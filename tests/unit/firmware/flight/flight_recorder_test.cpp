@@ -1,4 +1,4 @@
-// What the flight recorder gives out can be replayed, whatever the loop does meanwhile.
+// Every recording of the flight recorder can be replayed, whatever the loop does meanwhile.
 #include "firmware/flight/flight_recorder.h"
 
 #include <gtest/gtest.h>

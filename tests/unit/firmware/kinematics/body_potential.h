@@ -10,7 +10,7 @@
 
 namespace tactus::firmware {
 
-// Where a link's centre of mass is, on the line from its inner to its outer joint.
+// Returns a link's centre of mass, on the line from its inner to its outer joint, m.
 inline Vec3 centre_between(const LinkWeight& weight, const Vec3& inner, const Vec3& outer) {
   return inner + weight.centre_m * (outer - inner).normalized();
 }

@@ -13,8 +13,9 @@
 
 namespace tactus::firmware {
 
-// How much too long (m) the rod of the leg at `azimuth_deg` would be with its arm at angle `t`.
-// The hinges at the rod's ends stand off by 11.25 mm each, within the plane that the arm turns in.
+// Returns by how much the rod of the leg at `azimuth_deg` would be too long, m, with its arm at
+// angle `t`. The hinges at the rod's ends stand off by 11.25 mm each, within the plane that the arm
+// turns in.
 inline double rod_error(double azimuth_deg, double t, const Vec3& tool) {
   const Vec3 z = Vec3::UnitZ();
   const Mat3 turn = Eigen::AngleAxisd(azimuth_deg * std::numbers::pi / 180.0, z).toRotationMatrix();

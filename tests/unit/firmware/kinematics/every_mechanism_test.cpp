@@ -1,4 +1,4 @@
-// What must hold of every mechanism, at random joints within its preset's limits.
+// Properties of every mechanism, at random joints within its preset's limits.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>

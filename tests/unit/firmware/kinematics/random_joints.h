@@ -26,7 +26,8 @@ class RandomJoints {
   double unit() { return unit_(generator_); }  // -1 to 1
   Vec3 vector() { return {unit(), unit(), unit()}; }
 
-  // Zero for joints that the mechanism does not have.
+  // Returns a random joint position within the limits; zero for joints that the mechanism does not
+  // have.
   Vec3 within(const ControllerConfig& config) {
     Vec3 joints = Vec3::Zero();
     do {

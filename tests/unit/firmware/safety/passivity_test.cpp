@@ -44,7 +44,7 @@ double bounce(const ControllerConfig& config) {
   return v * v / (0.2 * 0.2);
 }
 
-// What comes to light only with the last step out of the wall is not taken back any more.
+// Energy that shows only in the last step out of the wall is not taken back any more.
 TEST(PassivityControl, TakesMostOfASampledWallsSurplusBack) {
   const double surplus = bounce(bare_config(0.0, 0.0)) - 1.0;
   EXPECT_GT(surplus, 0.05);

@@ -77,7 +77,8 @@ Effect snap(const Vec3& place_W, double stiffness_N_per_m) {
           .max_force_N = 2.0};
 }
 
-// What the check finds in a scene, by the way that a scene takes into the controller.
+// Returns the part that the check refuses when the controller loads the scene; nothing if it
+// accepts.
 std::optional<UncertifiedPart> refused(std::span<const Object> objects,
                                        std::span<const Effect> effects = {}) {
   ControllerConfig config = cartesian_config();
@@ -283,7 +284,7 @@ TEST(PushingTogether, ASetIsHeldAgainstWhatIsFeltThereToo) {
   EXPECT_NEAR(controller->uncertified_part().stiffness_N_per_m, 1100.0, 1e-3);
   ASSERT_EQ(controller->uncertified_part().other_count, 1U);
   EXPECT_EQ(controller->uncertified_part().others[0].index, 0U);
-  // What the other was set to counts, and not what the scene says.
+  // The value that the other object was set to counts, not the scene's.
   EXPECT_TRUE(set(0, 300.0));
   EXPECT_TRUE(set(1, 700.0));
   EXPECT_FALSE(set(0, 301.0));

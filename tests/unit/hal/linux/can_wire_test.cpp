@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "tests/unit/hal/same_frame.h"
+
 namespace tactus::hal {
 namespace {
 
@@ -19,12 +21,7 @@ TEST(CanWire, FramesComeBackAsTheyWent) {
     const CanWireFrame wire = to_wire(frame);
     EXPECT_EQ(wire.bytes, frame.fd ? CANFD_MTU : CAN_MTU);
     const CanFrame back = from_wire(wire.frame, frame.fd);
-    EXPECT_EQ(back.id, frame.id);
-    EXPECT_EQ(back.extended, frame.extended);
-    EXPECT_EQ(back.remote, frame.remote);
-    EXPECT_EQ(back.fd, frame.fd);
-    EXPECT_EQ(back.bit_rate_switch, frame.bit_rate_switch);
-    EXPECT_EQ(back.length, frame.length);
+    expect_same(back, frame);
     EXPECT_EQ(back.data, frame.data);
   }
 }
@@ -58,7 +55,7 @@ TEST(CanWire, ReportsAreTheKernels) {
   EXPECT_EQ(report.receive_errors, 12);
 }
 
-// As the kernel lays it beside a frame: socket(7), SO_RXQ_OVFL.
+// The kernel passes this number beside a frame: socket(7), SO_RXQ_OVFL.
 TEST(CanWire, TheKernelTellsHowManyFramesItDropped) {
   alignas(cmsghdr) std::array<std::byte, CMSG_SPACE(sizeof(std::uint32_t))> room{};
   msghdr message{};

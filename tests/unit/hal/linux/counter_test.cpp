@@ -21,7 +21,7 @@ struct FolderCounterRig {
   }
   Counter& counter() { return device; }
   Clock& clock() { return time; }
-  // As the hardware, which wraps at its ceiling.
+  // Moves the count like the hardware, which wraps at its ceiling.
   void move(std::int64_t steps) {
     const auto size = static_cast<std::int64_t>(kRigCeiling) + 1;
     at = ((at + steps) % size + size) % size;

@@ -22,12 +22,12 @@ class SysfsFolder {
 
   [[nodiscard]] std::string root() const { return path_.string(); }
 
-  // As an attribute would read.
+  // Writes the file of an attribute that reads `value`.
   void set(const std::string& name, const std::string& value) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name) << value << '\n';
   }
-  // The first line.
+  // Returns the first line of an attribute's file.
   [[nodiscard]] std::string get(const std::string& name) const {
     std::ifstream file(path_ / name);
     std::string line;

@@ -13,7 +13,7 @@ namespace {
 
 class CertifiedDevice : public ::testing::Test {
  protected:
-  // As tactus certify leaves it beside the file.
+  // Writes a device and the certificate that tactus certify leaves beside its file.
   CertifiedDevice() {
     (void)folder.write("arm.toml", read_file(TACTUS_EXAMPLE_DEVICES "/odrive_arm.toml"));
     firmware::StiffnessCertificate certificate;

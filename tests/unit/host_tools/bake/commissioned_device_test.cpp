@@ -20,7 +20,7 @@ class CommissionedDevice : public ::testing::Test {
 
   void device_text(const std::string& text) { (void)folder.write("arm.toml", text); }
 
-  // As tactus commission leaves it beside the file that is there now.
+  // Writes the file that tactus commission leaves beside the device's current file.
   void commission(bool passed) {
     const LoadedDevice device = bake_device(file);
     (void)folder.write(

@@ -59,7 +59,7 @@ class DetailScene : public ::testing::Test {
   std::string error_of(const std::string& text) {
     return input_error([&] { baked(text); });
   }
-  // Of a scene whose first line is [[object]] and whose third one is wrong.
+  // Expects an error in a scene whose first line is [[object]] and whose third line is wrong.
   void expect_error(const std::string& text, std::string_view line, std::string_view part) {
     const std::string error = error_of(text);
     EXPECT_TRUE(contains(error, line));

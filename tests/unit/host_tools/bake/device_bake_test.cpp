@@ -50,7 +50,7 @@ class DeviceBake : public ::testing::Test {
     text.replace(text.find(old_line), old_line.size(), line);
     return text;
   }
-  // What baking says about the paddle with one line changed.
+  // Returns the error of baking the paddle with one line changed.
   std::string complaint(const std::string& old_line, const std::string& line) const {
     try {
       (void)bake_device(write(with(kPaddle, old_line, line)));

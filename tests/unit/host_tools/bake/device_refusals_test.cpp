@@ -1,4 +1,4 @@
-// What a device must not be: baking refuses it, and so does whatever reads an image made by hand.
+// Devices that baking refuses, and that the reader of an image made by hand refuses too.
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -25,7 +25,7 @@ class Examples : public ::testing::TestWithParam<const char*> {};
 TEST_P(Examples, AreBakedAndFelt) {
   const TemporaryFolder folder;
   const host::MappedScene scene = baked(folder, GetParam());
-  // From above each object down through its middle: somewhere on the way it is felt.
+  // The tool goes from above each object down through its middle and must feel it on the way.
   for (std::uint32_t i = 0; i < scene.image().objects().size(); ++i) {
     const auto world = std::make_unique<rendering::World>();
     ASSERT_TRUE(

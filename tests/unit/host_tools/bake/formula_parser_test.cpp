@@ -1,4 +1,4 @@
-// From a formula's text to instructions: what it means, how short it gets, and what is said of
+// The parser of formulas: their meaning, how short their instructions get, and the messages for
 // mistakes.
 #include "host_tools/bake/formula_parser.h"
 

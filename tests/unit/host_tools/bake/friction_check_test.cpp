@@ -124,7 +124,7 @@ TEST(FrictionCheck, RefusesWhatALightTouchCannotHold) {
   EXPECT_FALSE(is_stable(kBareDevice, lugre(2500.0, 0.2)));
 }
 
-// What makes two ends enough.
+// Checking the two ends of a range is enough because there are no gaps between them.
 TEST(FrictionCheck, DampingsThatADeviceHoldsHaveNoGaps) {
   for (const double damping : {0.1, 1.0, 5.0}) {
     for (const int delay : {0, 1, 4}) {

@@ -77,7 +77,7 @@ class Stroke {
       : bytes_(build_mip_pyramid(grating({256, 16}, 16.0), {256, 16}, TextureFormat::grey)),
         texture_(*TextureView::open(bytes_, {256, 16}, TextureFormat::grey)) {}
 
-  // What one second at 1 kHz gives.
+  // Returns the values of one second of a stroke at 1 kHz.
   [[nodiscard]] std::vector<double> run(double speed_m_per_s) const {
     constexpr double kDt_s = 1e-3;
     std::vector<double> values;

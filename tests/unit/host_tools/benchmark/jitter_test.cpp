@@ -11,7 +11,7 @@
 namespace tactus::host {
 namespace {
 
-// As version 2.40 writes it, shortened.
+// The output of cyclictest 2.40, shortened.
 constexpr const char* kAnswer =
     R"({"file_version": 1, "num_threads": 1, "thread": {"0": {"histogram": {"14": 1, "17": 8},)"
     R"( "cycles": 10, "min": 14, "max": 5438, "avg": 41.80, "cpu": 0, "node": 0}}})";

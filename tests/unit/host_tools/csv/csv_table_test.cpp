@@ -21,7 +21,7 @@ std::string file_with(std::string_view text) {
   return name;
 }
 
-// What the user is told, without the folder.
+// Returns the message for the user, without the folder.
 std::string complaint(std::string_view text) {
   const std::string name = file_with(text);
   try {

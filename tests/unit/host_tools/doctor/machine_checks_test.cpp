@@ -7,7 +7,7 @@
 namespace tactus::host {
 namespace {
 
-// What it says of one thing: the state, and the command that mends it.
+// Expects a finding to be mended by a command that contains `command`.
 void expect_to_mend(const Finding& finding, const std::string& command) {
   EXPECT_EQ(finding.state, FindingState::mend) << finding.found;
   EXPECT_TRUE(finding.remedy.contains(command)) << finding.remedy;

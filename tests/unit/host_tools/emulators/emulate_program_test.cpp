@@ -70,7 +70,7 @@ TEST_F(EmulateProgram, SaysWhatIsWrongInOneLine) {
   expect_refused(haply + "--realtime 100", "--realtime");
 }
 
-// What the message says depends on whether this machine's kernel has CAN.
+// The message depends on whether this machine's kernel has CAN.
 TEST_F(EmulateProgram, SaysHowToGetACanInterface) {
   const bool has_can = !contains_text(run("odrive --can lo").output, "no raw CAN");
   expect_refused("odrive --can lo",

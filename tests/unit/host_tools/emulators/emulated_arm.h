@@ -22,7 +22,8 @@ inline constexpr std::array kArmRatios = {16.0, 12.0, 12.0};
 inline constexpr std::array kArmDirections = {1.0, -1.0, 1.0};
 inline constexpr double kArmLimit_Nm = 0.15;  // that the drivers are to clamp to
 
-// What tells one kind of drive from another, for drive 0, 1 and 2.
+// The parts that differ between kinds of drives: how to make driver and emulator 0, 1 and 2, and
+// the network.
 template <class Driver>
 struct ArmDrives {
   std::function<Driver(std::uint8_t)> driver;

@@ -98,8 +98,8 @@ struct FaultCase {
 
 class EmulatedODriveFault : public ::testing::TestWithParam<FaultCase> {};
 
-// From the fault on, the driver notices in time, nobody else is hurt, the motor's torque ends, and
-// after healing and a reset the axis works again.
+// After the fault the driver notices in time, the other axes stay well, and the motor's torque
+// ends. After healing and a reset the axis works again.
 TEST_P(EmulatedODriveFault, IsNoticedAfterItsTimeAndHeals) {
   const FaultCase& fault = GetParam();
   constexpr double kAt_s = 0.7;

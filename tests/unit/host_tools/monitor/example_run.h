@@ -7,7 +7,7 @@
 
 namespace tactus::host {
 
-// In contact and active, woken `latency_us` after its time at 1 kHz.
+// Returns a tick in contact and active, woken `latency_us` after its time at 1 kHz.
 firmware::RecordedTick example_tick(std::uint64_t tick, std::int64_t latency_us);
 
 // A hundred such ticks, most of them woken after 3 us, one after 60 and one after 1500.

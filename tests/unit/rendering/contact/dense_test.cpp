@@ -1,5 +1,5 @@
-// Where more triangles are within reach than a tick has work for, the proxy goes on in the ticks
-// after. The oracle is the smooth surface that the triangles make.
+// If more triangles are within reach than the tick budget covers, the proxy moves on in the
+// following ticks. The oracle is the smooth surface that the triangles approximate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,8 +58,8 @@ double height(End end, const Vec3& p) {
              : (p - along * section.along).dot(section.normal);
 }
 
-// Where a sphere belongs whose tool is at most its radius below where it would touch: nearest to
-// the tool on what is a radius above the end.
+// Returns where the sphere's centre should be: the point nearest to the tool among those a radius
+// above the end. The tool is at most a radius deeper than that.
 Vec3 nearest_above(End end, const Vec3& tool, double radius_m) {
   if (height(end, tool) >= radius_m) {
     return tool;
@@ -76,7 +76,8 @@ Vec3 nearest_above(End end, const Vec3& tool, double radius_m) {
 
 class DenseTest : public ::testing::Test {
  protected:
-  // Where the proxy of a tick should be, and whether it lies still though it is far from there.
+  // Notes how far the proxy of this tick is from its ideal place, and for how many ticks it has not
+  // moved though it is far from there.
   void look(const Vec3& proxy, const Vec3& ideal) {
     constexpr double kFar_m = 0.1e-3;
     const double lag = (proxy - ideal).norm();

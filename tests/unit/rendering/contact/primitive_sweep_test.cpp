@@ -206,7 +206,7 @@ TEST(PrimitiveSweep, LeavesASolidFromInsideAndMeetsWhatComesNext) {
   const Primitive box{.kind = PrimitiveKind::box, .dimensions_m = {0.05, 0.05, 0.05}};
   EXPECT_DOUBLE_EQ(travel(box, {0, 0, 0}, {0.1, 0, 0}, shell), 0.1);
   EXPECT_NEAR(travel(box, {0, 0, 0}, {0.1, 0, 0}, shell, Sides::two), 0.048, 1e-6);
-  // From within the tube on the left, through the hole, to the tube on the right.
+  // The sphere moves from inside the tube on the left, through the hole, to the tube on the right.
   const Primitive torus{.kind = PrimitiveKind::torus, .dimensions_m = {0.05, 0.01}};
   EXPECT_NEAR(travel(torus, {-0.05, 0, 0}, {0.1, 0, 0}, shell), 0.088, 1e-6);
 }

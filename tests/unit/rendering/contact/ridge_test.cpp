@@ -33,7 +33,7 @@ class RidgeTest : public ::testing::TestWithParam<double> {
     const double r = kRadius_m - kDepth_m;
     return {r * std::cos(angle), 0.003, r * std::sin(angle)};
   }
-  // From outside onto it.
+  // Loads the solid and moves the tool onto it from outside.
   void put(const Solid& solid) {
     ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = GetParam()}));
     for (int i = 20; i >= 0; --i) {

@@ -60,7 +60,7 @@ double largest_turn_per_degree(const Object& object, const Stroke& stroke) {
   return largest;
 }
 
-// And as evenly where the tool is fast: 20, 90 and 180 mm/s at 1 kHz.
+// The force also turns as evenly when the tool is fast: 20, 90 and 180 mm/s at 1 kHz.
 TEST(ForceShading, ASixteenSidedCylinderTurnsTheForceTenTimesMoreEvenly) {
   const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {

@@ -101,7 +101,7 @@ TEST(BumpTexture, HoldsTheProxyInADeepGroove) {
   }
 }
 
-// What a stroke along x at 1 kHz is felt as for a second, after half a second of it.
+// Returns the forces of one second of a stroke along x at 1 kHz, after half a second of it.
 std::vector<Vec3> stroke(const Object& object, double speed_m_per_s, double depth_m) {
   Hand hand(object, 0.0);
   hand.touch({0.0, 0.001, 0.0});

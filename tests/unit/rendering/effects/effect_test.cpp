@@ -269,7 +269,8 @@ TEST(Effect, APassiveLawNeverDeliversMoreThanItStored) {
         const Hand hand(seed);
         EffectState state;
         double stored_at_start = 0.0;
-        // What held forces err by where the bound leaves damping no room to pay for it.
+        // The energy error of forces that are held for a tick, if the bound leaves no room for the
+        // damping that would pay for it.
         double sampling = 1e-7;
         Vec3 last = hand.at(0.0).p_W;
         for (int i = 0; i < 3000; ++i) {

@@ -126,7 +126,7 @@ TEST(ElastoPlastic, FollowsItsEquationInSmallAndInLargeTicks) {
         const auto result = update_friction(parameters, memory, step, 1.0, way / speed);
         worst = std::max(worst, std::fabs(result.bristle_m - z));
       }
-      // Of 10 um: small ticks are nearly exact, large ones good to a percent.
+      // The bristle is about 10 um: small ticks are nearly exact, large ones are good to a percent.
       EXPECT_LE(worst, way <= 2e-7 ? 2e-9 : 1.5e-7) << way << " " << speed;
     }
   }

@@ -14,12 +14,13 @@ struct NamedFriction {
   rendering::FrictionParameters parameters;
 };
 
-// How the name is printed by GoogleTest.
+// Prints the name in messages of GoogleTest.
 inline void PrintTo(const NamedFriction& friction, std::ostream* out) {
   *out << friction.name;
 }
 
-// With a bristle of `stiffness_N_per_m` and coefficients of a fingertip on a surface.
+// Returns every model with a bristle of `stiffness_N_per_m` and the coefficients of a fingertip on
+// a surface.
 inline std::vector<NamedFriction> every_kind(double stiffness_N_per_m) {
   using rendering::FrictionKind;
   rendering::FrictionParameters base{.coulomb = 0.5,

@@ -1,5 +1,5 @@
-// What the tool feels of the friction models through the whole renderer. The oracle is the model
-// itself, driven by hand: that it is right is what the other tests here show.
+// The friction models felt through the whole renderer. The oracle is the model itself, driven by
+// hand; the other tests here show that the model is right.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -269,7 +269,8 @@ TEST_F(FeltFrictionLimits, RoundCornersNoModelGivesEnergyOrJumps) {
   }
 }
 
-// What moves together feels no friction; a belt under a still tool drags it by the steady level.
+// A tool that moves with the belt feels no friction; under a still tool the belt drags it by the
+// steady level.
 TEST_F(FeltFrictionLimits, ABeltDragsAndWhatMovesWithItIsNotDragged) {
   FrictionParameters lugre = every_kind(kFeltBristle_N_per_m)[5].parameters;
   const Solid belt(testing::box({2.0, 0.01, 0.1}), Sides::one,

@@ -1,4 +1,4 @@
-// Where each model turns into a simpler one, and that none is ever unstable.
+// Each model turns into a simpler one at its limits, and none is ever unstable.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,8 +102,8 @@ TEST(Limits, NoSpeedMakesAStiffBristleUnstableAtOneKilohertz) {
       const double normal = 5.0 * std::fabs(any(random));
       const Vec3 way = kTick_s * speed * Vec3{any(random), any(random), 0.0};
       const auto result = update_friction(p, memory, way, normal, kTick_s);
-      // What sigma1 and sigma2 can add: the bristle moves by at most its motion and twice its
-      // bound.
+      // The bound includes what sigma1 and sigma2 can add: the bristle moves by at most its motion
+      // and twice its bound.
       const double rate = way.norm() / kTick_s;
       const double bend = std::min(rate, 2.0 * p.static_level * normal / 1e5 / kTick_s);
       const double bound =

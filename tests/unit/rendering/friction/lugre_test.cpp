@@ -44,7 +44,7 @@ TEST(Lugre, SlidesSteadilyOnTheStribeckCurve) {
     }
     FrictionMemory<double> state;
     FrictionForce<double> result;
-    // As long a step as it takes to slide by forty bristle lengths.
+    // A step is as long as it takes to slide by forty bristle lengths.
     result = update_friction(parameters, state, std::copysign(1e-3, v), 1.0, 1e-3 / std::fabs(v));
     result = update_friction(parameters, state, std::copysign(1e-3, v), 1.0, 1e-3 / std::fabs(v));
     EXPECT_NEAR(result.force_N, csv.number(row, "F_ss_N"), 1e-11) << v;

@@ -26,7 +26,7 @@ Vec3 figure_eight(double phase) {
   return {0.02 * std::sin(phase), 0.01 * std::sin(2.0 * phase), 0.0};
 }
 
-// From (1, 0) of the plane, one unit away from the x axis along which its end is drawn.
+// A tractrix that begins one unit away from the x axis, along which its end is drawn.
 Vec3 tractrix(double phase) {
   const double s = 2.0 * (phase - std::sin(phase));
   return {0.01 * (s - std::tanh(s)), 0.01 / std::cosh(s), 0.0};

@@ -1,4 +1,5 @@
-// What a device can hold, against exact limits (tests/reference/README.md) and a simulated device.
+// The friction that a device can hold, compared with exact limits (tests/reference/README.md) and a
+// simulated device.
 #include "rendering/friction/sampled_device.h"
 
 #include <gtest/gtest.h>

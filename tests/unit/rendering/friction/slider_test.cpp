@@ -90,7 +90,7 @@ TEST(Karnopp, SticksAndSlipsByTheClosedForm) {
       EXPECT_NEAR(fastest, 0.376819, 1e-3 * 0.376819);
       for (std::size_t i = 1; i < ends.size(); ++i) {
         EXPECT_NEAR(starts[i] - starts[i - 1], 6.453932708, 1e-3 * 6.453932708);
-        // From 2 mm/s to 2 mm/s takes a little less than from rest to rest.
+        // The time between speeds of 2 mm/s is a little shorter than from rest to rest.
         EXPECT_NEAR(ends[i] - starts[i], 2.813743718, 0.03);
         EXPECT_NEAR(places[2 * i + 1] - places[2 * i], 0.645393271, 1e-3);
       }

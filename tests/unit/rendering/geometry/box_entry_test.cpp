@@ -64,7 +64,7 @@ TEST_F(BoxEntryTest, IsNeverLateAndHardlyEarly) {
       continue;
     }
     ++entered;
-    // What the box grows by for rounding is as much longer as the way is slanted.
+    // The box grows by this for rounding; along a slanted path that is more.
     const double grown = 1e-6 * (scale + 1.0);
     EXPECT_GE(static_cast<double>(first),
               entry_of(box, from, along, margin + grown) - 1e-6 * (exact + scale));

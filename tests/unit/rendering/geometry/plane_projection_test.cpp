@@ -32,9 +32,9 @@ unsigned mask_of(const PlaneProjection& p) {
   return mask;
 }
 
-// Where two planes are less than a microradian apart, which of them holds the point is decided by
-// 1e-17 m, less than the rounding of an offset of some centimetres: any of the optimal sets of such
-// a pair is right, and points differ by depth times angle.
+// If two planes are less than a microradian apart, 1e-17 m decide which of them holds the point.
+// That is less than the rounding of an offset of some centimetres. Any of the optimal sets of such
+// a pair is right, and the points differ by depth times angle.
 bool nearly_parallel(const std::vector<Plane>& planes) {
   return planes.size() == 2 && planes[0].normal.cross(planes[1].normal).norm() < 1e-6;
 }

@@ -1,5 +1,5 @@
-// What the closed forms cost, and the projection built on them against a search over every set of
-// planes in extended precision.
+// The cost of the closed forms, and the projection built on them compared with a search over every
+// set of planes in extended precision.
 #include "rendering/geometry/plane_solutions.h"
 
 #include <gtest/gtest.h>

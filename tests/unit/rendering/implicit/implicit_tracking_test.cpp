@@ -1,4 +1,4 @@
-// What the proxy on an implicit surface does, case by case.
+// The behaviour of the proxy on an implicit surface, case by case.
 #include "rendering/contact/implicit_tracking.h"
 
 #include <gtest/gtest.h>

@@ -74,7 +74,7 @@ void PrintTo(const Case& shape, std::ostream* out) {
 
 class Wandering : public ::testing::TestWithParam<Case> {};
 
-// Whether a short free move would bring a proxy at rest much nearer to the tool.
+// Returns true if a short free move would bring a proxy at rest much nearer to the tool.
 bool could_do_better(const FormulaSurface& shape, double side, const ImplicitRest& rest,
                      const Vec3& tool, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
