@@ -35,7 +35,7 @@ class CommandDeskTest : public ::testing::Test {
 
   std::string reply_to(Request request) {
     TextLine line;
-    write_request_reply(line, answer_to(request));
+    write_request_reply(line, answer_to(request), {});
     return std::string(line.text());
   }
 
