@@ -1,4 +1,4 @@
-#include "rendering/contact/plain_tracking.h"
+#include "tests/unit/rendering/implicit/plain_tracking.h"
 
 namespace tactus::rendering {
 

@@ -1,7 +1,7 @@
 // The tracking of an implicit surface as the textbook has it (Salisbury and Tarr, "Haptic rendering
 // of surfaces defined by implicit functions", ASME DSC 61, 1997), kept with its faults so that they
 // can be shown: pressed deeper than the radius of a hollow, it swings between two points; and its
-// point may jump to another sheet. What the tool feels is rendering/contact/implicit_tracking.h.
+// point may jump to another sheet. The controller uses rendering/contact/implicit_tracking.h.
 #pragma once
 
 #include "rendering/surface/formula.h"
