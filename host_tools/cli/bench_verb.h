@@ -1,9 +1,7 @@
 // `tactus bench`: how long a tick takes.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // `tactus certify`: how stiff a surface a device can render and stay stable.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // `tactus commission`: the guided check of a device before its first force.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

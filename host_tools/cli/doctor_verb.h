@@ -1,9 +1,7 @@
 // `tactus doctor`: whether this machine can run the controller on time.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

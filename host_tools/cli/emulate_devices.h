@@ -1,9 +1,7 @@
 // The devices of `tactus emulate`, each a verb of its own below it.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -8,11 +8,8 @@
 #include <vector>
 
 #include "drivers/transmission.h"
+#include "host_tools/cli/app_forward.h"
 #include "host_tools/emulators/machine_options.h"
-
-namespace CLI {
-class App;
-}
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // `tactus emulate`: plays a whole haptic device from the other side of its bus.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // `tactus faults`: every fault and limit, its trigger, reaction and recovery.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

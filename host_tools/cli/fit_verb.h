@@ -1,9 +1,7 @@
 // `tactus fit`: the parameters of friction models from a measured record.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

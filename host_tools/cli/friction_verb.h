@@ -1,9 +1,7 @@
 // `tactus friction`: a friction model on a motion, on a mass, or in an experiment.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // `tactus inspect`: what is in a scene image.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

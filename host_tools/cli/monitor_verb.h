@@ -1,9 +1,7 @@
 // `tactus monitor` and `tactus watch`: a running controller on a terminal, and as lines of text.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

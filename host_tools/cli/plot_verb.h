@@ -1,9 +1,7 @@
 // `tactus plot`: figures of a run.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // The verbs that speak with a running controller: `tactus enable`, `tactus set` and their like.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // tactus replay: a recording lived once more, tick by tick, to the bit.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

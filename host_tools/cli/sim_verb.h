@@ -1,9 +1,7 @@
 // `tactus sim`: a simulated hand and device touch a scene through the real controller.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 

@@ -1,9 +1,7 @@
 // `tactus touch`: a tool path against a scene, without dynamics.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "host_tools/cli/app_forward.h"
 
 namespace tactus::host {
 
