@@ -213,7 +213,7 @@ std::vector<WrittenSection> read_device_file(const std::string& name) {
   return written;
 }
 
-// Nothing if there is no such file.
+// Reads the section of a result file; nothing if there is no such file.
 std::optional<WrittenSection> read_found_out(const std::filesystem::path& file,
                                              const FoundOut& found_out) {
   if (!std::filesystem::exists(file)) {

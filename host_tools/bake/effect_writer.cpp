@@ -72,7 +72,7 @@ class LawWriter {
   FlatBufferBuilder& builder_;
 };
 
-// In the order of rendering::EffectLaw.
+// The laws in the order of rendering::EffectLaw.
 constexpr std::array kImageLaws{
     image::Law::Spring,      image::Law::SpringDamper,  image::Law::FluidDrag,
     image::Law::Magnet,      image::Law::ConstantField, image::Law::Vibration,

@@ -50,7 +50,7 @@ FormulaBuilder::Value FormulaBuilder::put(const Entry& entry) {
   return place->second;
 }
 
-// By the controller's own arithmetic, so that folding changes no bit.
+// Computes the value with the controller's own arithmetic, so that folding changes no bit.
 std::optional<double> FormulaBuilder::fold(const Entry& entry) const {
   if (is_leaf(entry.opcode)) {
     return std::nullopt;

@@ -25,7 +25,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-// How many triangles the polygons make if none is lost.
+// Returns how many triangles the polygons make if none is lost.
 std::size_t expected_triangles(const aiScene& scene) {
   std::size_t count = 0;
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {

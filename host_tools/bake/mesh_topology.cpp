@@ -44,7 +44,7 @@ class EdgeTable {
     }
   }
 
-  // Those whose smaller vertex is `vertex`; equal edges stand together.
+  // Returns the half edges whose smaller vertex is `vertex`; equal edges stand together.
   std::span<HalfEdge> at(std::size_t vertex) {
     return std::span(half_edges_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
   }

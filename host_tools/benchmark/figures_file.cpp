@@ -19,7 +19,7 @@ constexpr const char* kColumns =
     "once_max_ns,instructions_mean,instructions_median,instructions_p99,instructions_p999,"
     "instructions_max,contact_ticks,flagged_ticks,peak_candidates";
 
-// On Arm the kernel names no model; then it is the architecture.
+// Returns the processor's model. On Arm the kernel names no model; then it is the architecture.
 std::string processor(const utsname& system) {
   const std::string key = "model name";
   std::ifstream file("/proc/cpuinfo");

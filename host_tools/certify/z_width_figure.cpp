@@ -67,7 +67,7 @@ double most_of(const ZWidth& z_width) {
   return most;
 }
 
-// At the comma before the middle, to fill two lines.
+// Splits the text at the comma before the middle, to fill two lines.
 std::array<std::string, 2> halves(const std::string& text) {
   const std::size_t comma = text.rfind(", ", text.size() / 2 + 8);
   return comma == std::string::npos ? std::array{text, std::string()}

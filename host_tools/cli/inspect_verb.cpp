@@ -58,7 +58,7 @@ nlohmann::ordered_json to_json(const Float3& v) {
   return nlohmann::ordered_json::array({v.x, v.y, v.z});
 }
 
-// With the keys of a scene file.
+// Returns the friction as JSON, with the keys of a scene file.
 nlohmann::ordered_json to_json(const rendering::FrictionParameters& friction) {
   nlohmann::ordered_json json{{"model", name_of(friction.kind).name}};
   for (const FrictionParameterName& name : surface_parameters(friction.kind)) {

@@ -45,7 +45,7 @@ enum ExitCode : int {
 
 using AddVerb = void (*)(CLI::App& app);
 
-// In the order of --help.
+// The verbs in the order of --help.
 constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_bake_verb},       AddVerb{tactus::host::add_inspect_verb},
     AddVerb{tactus::host::add_touch_verb},      AddVerb{tactus::host::add_sim_verb},

@@ -68,7 +68,7 @@ void tell(const RemoteOptions& options, const std::string& line) {
                                         : std::chrono::milliseconds(5000)));
 }
 
-// Until homing is over, if the user waits for it.
+// Starts homing, and waits until it is over if the user asks for that.
 void home(const RemoteOptions& options) {
   Remote remote(options.run_dir);
   tell(remote.send("home"));

@@ -96,7 +96,7 @@ RunData thinned(const std::vector<RunRow>& rows) {
   return data;
 }
 
-// Both forces, to where the user wants them.
+// Writes both forces to the outputs that the user named.
 class ForceTraces {
  public:
   explicit ForceTraces(const ReplayOptions& options) : picture_(options.picture) {

@@ -79,7 +79,7 @@ void print_run(const WatchOptions& options) {
       return;
     }
     if (!message) {
-      // Nothing more at the moment: what was printed is to be seen.
+      // There is nothing more to read now, so the printed lines are shown.
       if (std::fflush(stdout) != 0 && errno == EPIPE) {
         return;
       }

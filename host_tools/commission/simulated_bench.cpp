@@ -65,7 +65,8 @@ bool SimulatedBench::is_at_work(HandTask task) {
   return task == task_ && step_s_ * static_cast<double>(ticks_) < task_s();
 }
 
-// Out along one axis to a stop and back, one after the other, by a half cosine each way.
+// Returns the wish of a hand that goes along one axis to a stop and back, one axis after the other,
+// each way by a half cosine.
 Vec3 SimulatedBench::wish_at(double time_s) const {
   const int leg = static_cast<int>(time_s / kLeg_s);
   if (task_ != HandTask::move_everywhere || leg >= kLegs) {

@@ -37,7 +37,7 @@ std::optional<std::string> read_whole(const std::filesystem::path& path) {
   return without_end(std::move(text).str());
 }
 
-// In the tree, below its root.
+// Returns the path below the root of the tree.
 std::filesystem::path below(const std::filesystem::path& root, std::string_view path) {
   return root / std::filesystem::path(path).relative_path();
 }

@@ -34,7 +34,8 @@ double error_of(const Solution& solution, Quantity quantity) {
   return found == free.end() ? 0.0 : solution.squares.standard_errors(found - free.begin());
 }
 
-// Out of the search: at 0 where the model goes without it, else where it is.
+// Takes a quantity out of the search. It becomes 0 if the model works without it, else it keeps its
+// value.
 void take_out(FitPoint& point, Quantity quantity) {
   const auto hold = [&point](Quantity q) { point.set_free(q, false); };
   const auto drop = [&](Quantity q) {

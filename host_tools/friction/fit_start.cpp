@@ -58,7 +58,7 @@ struct LinearCurve {
   double sum_of_squares = std::numeric_limits<double>::infinity();
 };
 
-// With vs given the curve is linear in the rest.
+// Fits the curve for a given vs: it is linear in the other parameters.
 LinearCurve through(const std::vector<Bin>& bins, double vs_m_per_s, bool falls) {
   const Eigen::Index columns = falls ? 3 : 2;
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(bins.size()), columns);

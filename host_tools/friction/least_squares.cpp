@@ -38,8 +38,8 @@ class Functor : public Eigen::DenseFunctor<double> {
   const Residuals& residuals_;
 };
 
-// How much wider the errors are than those of independent residuals, from the correlation of
-// neighbours (an autoregressive process of first order).
+// Returns the factor by which the errors are wider than those of independent residuals, from the
+// correlation of neighbours (an autoregressive process of first order).
 double widening(const Eigen::VectorXd& residuals) {
   constexpr double kMost = 0.99;
   const Eigen::Index n = residuals.size();

@@ -102,7 +102,8 @@ class Mesher {
     mesh_.triangles.push_back({a, b, c});
   }
 
-  // By halving: a formula of high degree is far from straight within a part.
+  // Finds the zero between two points by bisection: a formula of high degree is far from straight
+  // within a part.
   [[nodiscard]] Vec3 zero_between(Vec3 in, Vec3 out) const {
     constexpr int kHalvings = 12;
     for (int i = 0; i < kHalvings; ++i) {

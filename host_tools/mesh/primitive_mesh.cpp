@@ -18,7 +18,7 @@ struct ProfilePoint {
 };
 using Profile = std::vector<ProfilePoint>;
 
-// In the primitive's own frame.
+// Makes meshes in the primitive's own frame.
 class Lathe {
  public:
   // The profile goes down along the outside; a point on the axis becomes one vertex.

@@ -11,7 +11,7 @@
 namespace tactus::host {
 namespace {
 
-// Between the forces of two ticks, degrees; 0 where there is none.
+// Returns the angle between the forces of two ticks, degrees; 0 if a force is zero.
 double turn_deg(const RunRow& before, const RunRow& now) {
   if (!(before.force_N > 0.0) || !(now.force_N > 0.0)) {
     return 0.0;

@@ -98,8 +98,8 @@ std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
   return normals;
 }
 
-// That of the vertices, so that the shading shows the surface and not its triangles; at a vertex of
-// a sharp edge its own.
+// Returns the vertices' normal, so that the shading shows the surface and not its triangles; at a
+// vertex of a sharp edge the triangle's own.
 Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of_vertices,
                     const rendering::TriangleIndices& triangle) {
   constexpr double kSharp = 0.6;  // cosine of the angle between the two

@@ -5,7 +5,7 @@
 namespace tactus::host {
 namespace {
 
-// How far p lies outside of the box, signed, axis by axis.
+// Returns how far p lies outside of the box, signed, axis by axis, m.
 Vec3 beyond(const Vec3& p_B, const Vec3& lower_B, const Vec3& upper_B) {
   return p_B - p_B.cwiseMax(lower_B).cwiseMin(upper_B);
 }

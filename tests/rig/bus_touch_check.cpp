@@ -71,7 +71,7 @@ class Truth {
     return 0.0;
   }
 
-  // Between the two rows about a time, linearly; NaN outside.
+  // Returns the position at a time, by linear interpolation between two rows; NaN outside.
   [[nodiscard]] double position_at(std::size_t joint, double t_ns) const {
     const auto times = times_ns();
     const auto after = std::ranges::lower_bound(times, t_ns);

@@ -199,7 +199,7 @@ TEST(CanController, FullQueueIsCounted) {
   ControllerRig rig;
   std::array<CanFrame, 64> many;
   many.fill(can_frame(1, {1, 2, 3, 4, 5, 6, 7, 8}));
-  // Above the controller's interrupt thread, which empties the queue.
+  // The priority is above that of the controller's interrupt thread, which empties the queue.
   const sched_param above{.sched_priority = 80};
   ASSERT_EQ(sched_setscheduler(0, SCHED_FIFO, &above), 0);
   std::size_t sent = 0;

@@ -91,7 +91,8 @@ class Loop {
 
   [[nodiscard]] const host::Plant& plant() const { return device_.plant(); }
   [[nodiscard]] Vec3 place() const { return device_.plant().p_B() - centre_B_; }
-  // That the compensation has given out, and that the joints' friction has taken, J.
+  // Return the energy that the compensation has given out, and that the joints' friction has taken,
+  // J.
   [[nodiscard]] double given_J() const { return plant().ledger().motors_J; }
   [[nodiscard]] double taken_J() const { return -plant().ledger().friction_and_stops_J; }
   [[nodiscard]] const firmware::TelemetryRecord& record() const { return controller_->record(); }
@@ -103,7 +104,7 @@ class Loop {
   Vec3 wish_ = Vec3::Zero();
 };
 
-// To and fro along x by 20 mm in 2 s.
+// Returns the place of a hand that moves to and fro along x by 20 mm in 2 s.
 Vec3 slow_stroke(int tick) {
   return {0.02 * std::sin(std::numbers::pi * kTick_s * tick), 0.0, 0.0};
 }
@@ -217,7 +218,8 @@ class Wander {
 constexpr double kStrokes_m = 0.02;
 constexpr double kTrembling_m = 5e-5;  // one to ten counts, within the presliding
 
-// By how much what the compensation gave out was ever more than what friction had taken until then.
+// Returns the most by which the energy given out by the compensation exceeded the energy taken by
+// friction until then, J.
 double overdraft_J(const Rig& rig, std::uint64_t seed, double most_m) {
   Loop loop(rig);
   const Wander wander(seed, most_m);

@@ -27,8 +27,8 @@ host::SimulationConfig loop_of(const std::string& device, const host::WishPath& 
 
 class MechanismLoop : public ::testing::TestWithParam<LoopCase> {};
 
-// Through the corners of a box, whose far side (as the user sees it) is 5 mm behind the slab's
-// front.
+// The path leads through the corners of a box, whose far side as the user sees it is 5 mm behind
+// the slab's front.
 host::WishPath tour_of(const Vec3& reach_m) {
   const auto at = [&](double t_s, double x, double y, double z) {
     const double depth_m = reach_m.z() * (1.0 + z) - 0.005;

@@ -33,7 +33,7 @@ class CarriedArm {
     place_B_ = device_.plant().p_B();
   }
 
-  // How far it is from where the hand let go of it, m.
+  // Lets go of the arm for that long and returns how far it has moved, m.
   Vec3 let_go(double seconds) {
     run(kHandsOff, seconds);
     return device_.plant().p_B() - place_B_;
@@ -61,7 +61,7 @@ class CarriedArm {
   std::unique_ptr<firmware::Controller> controller_;
 };
 
-// Without friction nothing but the motors can hold it.
+// Returns a device without friction: nothing but the motors can hold it.
 host::DevicePreset slippery() {
   host::DevicePreset preset = host::woodenhaptics_preset();
   preset.device.plant.joint_friction = {};

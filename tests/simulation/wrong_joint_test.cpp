@@ -21,7 +21,7 @@ namespace {
 constexpr unsigned kAll = 0b111;
 constexpr std::array<std::string_view, 4> kHands = {"finger", "pen", "firm", "none"};
 
-// How a joint's motor or encoder differs from what the controller was told: 1 is as told.
+// The factors by which a joint's motor or encoder differs from the configuration; 1 is right.
 struct Wrong {
   double torque = 1.0;
   double counts = 1.0;
@@ -274,7 +274,7 @@ TEST(WrongJoint, TheForceIsSmallUntilAllHaveAnswered) {
   }
 }
 
-// In a hand, so that nobody notices that the force was held back: it is still rising then.
+// The device is in a hand, so that nobody notices that the force was held back: it is still rising.
 TEST(WrongJoint, RightMotorsAnswerWithinTheSoftStart) {
   for (const std::string_view preset : firmware::kPresetNames) {
     for (const std::string_view hand : {"finger", "pen", "firm"}) {

@@ -192,7 +192,7 @@ TEST_F(StopTest, IsHeardWhileTheCommandThreadHangsInAFile) {
   EXPECT_TRUE(send_stop(folder_).is_ok);
   EXPECT_EQ(mode_, Mode::fault);
   EXPECT_LT(hal::monotonic_now_ns() - before_ns, kBlocked_ns);
-  // Nor does the end wait for it.
+  // The end does not wait for it either.
   EXPECT_FALSE(server_->stop());
   EXPECT_LT(hal::monotonic_now_ns() - before_ns, kBlocked_ns);
   blocked.join();

@@ -89,7 +89,7 @@ class TwoBoards : public ::testing::Test {
     device.read(sample);
     return sample;
   }
-  // Until the second joint is referenced where its encoder stands: it must stand still there.
+  // Runs until the second joint is referenced where its encoder stands: it must stand still there.
   void home() {
     (void)read();
     for (int ms = 0; ms <= 501; ++ms) {

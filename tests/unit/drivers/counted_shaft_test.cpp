@@ -81,7 +81,7 @@ TEST(CountedShaft, VelocityOfASteadyTurnIsItsSpeed) {
   EXPECT_NEAR(shaft.velocity_rad_per_s(), -7.0, 1e-6);
 }
 
-// Against the sum of the believed steps, at any place of the counter.
+// The count equals the sum of the believed steps, at any place of the counter.
 TEST(CountedShaft, RandomWalkIsFollowedOverAnyNumberOfWraps) {
   hal::Random random(402);
   CountedShaftConfig config = kThousandthRad;

@@ -61,7 +61,7 @@ struct StopRun {
             .velocity_rad_per_s = encoder_direction * plant.scale * plant.speed,
             .status = kDeviceOk};
   }
-  // Until it is referenced or has failed, at most 80 s.
+  // Runs until the joint is referenced or has failed, at most 80 s.
   void run(double encoder_direction = 1.0) {
     for (ms = 0; ms < 80'000 && !homing.is_referenced() && !homing.trouble(); ++ms) {
       each_ms(ms);

@@ -72,7 +72,8 @@ TEST(LostMoteus, LossBetweenTheFaultAndTheEndOfTheBringUpIsTold) {
   EXPECT_TRUE(says_lost(rig, 10 * kMs));
 }
 
-// In mode position, at rest at zero, with home state 0: so soon that no reply is missing.
+// The servo restarts into mode position, at rest at zero, with home state 0, so soon that no reply
+// is missing.
 TEST(LostMoteus, ServoThatKnowsLessOfItsPositionThanBeforeHasRestarted) {
   LostMoteusRig rig = lost_moteus();
   rig.start();
@@ -138,7 +139,7 @@ TEST(LostCia402, EveryLossIsToldAlsoAfterAnotherFault) {
   }
 }
 
-// So soon that neither a heartbeat nor a sample is missing.
+// The restart is so soon that neither a heartbeat nor a sample is missing.
 TEST(LostCia402, BootUpMessageAloneLosesTheReference) {
   LostCia402Rig rig({}, std::vector<Cia402Config>{{.max_torque_Nm = 0.5}},
                     std::vector<host::Cia402EmulatorConfig>{{}});

@@ -176,7 +176,7 @@ TEST_F(Cia402Faults, DriveThatRestartsIsLatched) {
   expect_recovery();
 }
 
-// With it the command that is on its way.
+// The command that is on its way is lost with the SYNC.
 TEST_F(Cia402Faults, OneLostSyncMakesOneOldSampleAndNoFault) {
   rig_.network().lose_next(2);
   int old_samples = 0;

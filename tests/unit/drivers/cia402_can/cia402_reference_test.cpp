@@ -128,7 +128,7 @@ TEST(Cia402References, StaysWhenAHostThatOversleptIsFoundOut) {
   EXPECT_EQ(rig.board().trouble(0).code, 0x8130U);
 }
 
-// By the classes of CiA 301 and the codes of CiA 402 (IEC 61800-7-201).
+// The expectations follow the classes of CiA 301 and the codes of CiA 402 (IEC 61800-7-201).
 TEST(Cia402References, CodesOfSuppliesEncodersAndRestartsMoveTheZero) {
   for (const std::uint16_t code :
        std::to_array<std::uint16_t>({0x3110, 0x3120, 0x3210, 0x3220, 0x3221, 0x5100, 0x5112, 0x5113,

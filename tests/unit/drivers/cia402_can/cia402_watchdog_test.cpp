@@ -173,7 +173,7 @@ TEST(Cia402Watchdog, FaultOfAnotherKindProvesNothing) {
   }
 }
 
-// Which takes the power too. 603F:00 has the code of an earlier silence still.
+// An emergency stop takes the power too. 603F:00 still has the code of an earlier silence.
 TEST(Cia402Watchdog, EmergencyStopInTheProofProvesNothing) {
   WatchdogRig rig = one_watched();
   rig.start();

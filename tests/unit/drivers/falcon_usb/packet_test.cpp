@@ -1,5 +1,5 @@
-// Against packets recorded from Novint's own software and facts read in libnifalcon, not against
-// our own coder.
+// Compares the packets with those recorded from Novint's own software and with facts read in
+// libnifalcon, not with our own coder.
 #include "drivers/falcon_usb/packet.h"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ class EdgeStream {
     position_ += direction;
     show();
   }
-  // Both channels in the same instant.
+  // Changes both channels in the same instant.
   void skip() {
     bench_.clock.advance_by(40'000);
     position_ += 2;

@@ -1,4 +1,4 @@
-// Against the worked examples of the fact sheet, byte for byte.
+// Compares the protocol with the worked examples of the fact sheet, byte for byte.
 #include "drivers/haply_serial/protocol.h"
 
 #include <gtest/gtest.h>

@@ -174,7 +174,7 @@ TEST_F(ODriveFaults, LinkThatGoesDownIsLostAtOnce) {
   EXPECT_GT(rig_.run_until_well(1500 * kMs), 0) << trouble().what;
 }
 
-// So soon that neither a heartbeat nor an estimate is missing.
+// The restart is so soon that neither a heartbeat nor an estimate is missing.
 TEST_F(ODriveFaults, ErrorThatIsGoneByItselfIsARestart) {
   rig_.emulator(0).raise(0x20);
   react(20 * kMs);

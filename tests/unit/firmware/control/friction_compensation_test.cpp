@@ -168,7 +168,7 @@ TEST_F(FrictionCompensationTest, RisesWithTheSoftStart) {
   EXPECT_EQ(push_at(1.0), 0.0);
 }
 
-// In the controller, over a floor.
+// The compensation in the controller, over a floor.
 class CompensatingController : public ::testing::Test {
  protected:
   static std::unique_ptr<Controller> active(const ControllerConfig& config, const Floor& floor) {
@@ -182,7 +182,7 @@ class CompensatingController : public ::testing::Test {
     return controller;
   }
 
-  // To and fro along x and down into the floor, in ticks.
+  // Returns the sample of a tool that moves to and fro along x and down into the floor.
   static drivers::JointSample moving(int tick) {
     drivers::JointSample sample;
     const double t_s = 1e-3 * tick;

@@ -86,7 +86,7 @@ TEST(GravityCompensation, IsCutAtAJointsLimitAndSaysSo) {
   EXPECT_TRUE(hold.is_held_back);
 }
 
-// In the controller, over a floor at y = 0 that pushes the tool up.
+// The compensation in the controller, over a floor at y = 0 that pushes the tool up.
 class WeightedController : public ::testing::Test {
  protected:
   static std::unique_ptr<Controller> active(const ControllerConfig& config, const Floor& floor) {

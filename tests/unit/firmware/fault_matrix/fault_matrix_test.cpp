@@ -84,7 +84,8 @@ void block(FaultyRig& rig, int tick) {
   rig.device.sample.position[1] = tick == 0 ? 0.0005 : -0.004;
 }
 
-// In with no force yet, out with all of it: a position that comes late by some ticks does that.
+// The tool goes in with no force yet and comes out with all of it, like a position that comes late
+// by some ticks.
 void pump(FaultyRig& rig, int tick) {
   rig.device.sample.position[1] = tick % 10 < 5 ? -0.03 : 0.001;
 }

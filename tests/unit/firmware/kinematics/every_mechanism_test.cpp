@@ -14,7 +14,7 @@ namespace {
 
 class EveryMechanism : public ::testing::TestWithParam<std::string_view> {
  protected:
-  // At joints that give a good pose.
+  // Returns joints that give a good pose.
   Vec3 good_joints() {
     while (true) {
       const Vec3 joints = random_.within(config_);
@@ -28,7 +28,7 @@ class EveryMechanism : public ::testing::TestWithParam<std::string_view> {
     return mechanism_.forward(joints, config_.workspace_origin_D);
   }
 
-  // By the mechanism's closed form.
+  // Returns the joints by the mechanism's closed form.
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D, const Vec3& near) const {
     if (const auto* delta = std::get_if<DeltaGeometry>(&config_.mechanism)) {
       return Delta(*delta).inverse(p_D);

@@ -19,7 +19,7 @@ ControllerConfig open_config() {
   return config;
 }
 
-// Both stages at once, as when no motion is slowed between them.
+// Runs both stages at once, as when no motion is slowed between them.
 struct Limiter : ForceLimiter {
   LimitedForce limit(const Vec3& force_W, bool in_contact, const Vec3& effect_W = Vec3::Zero()) {
     const LimitedForce soft = soften(force_W, effect_W, in_contact);

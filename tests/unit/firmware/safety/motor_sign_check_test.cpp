@@ -64,7 +64,8 @@ class Asked {
     pose_.status = kPoseGood;
   }
 
-  // Until a fault, the answer of all, or the end. The wish may depend on time and joint.
+  // Runs until a fault, the answer of all joints, or the end. The wish may depend on time and
+  // joint.
   template <class Wish>
   EffortFinding run(double seconds, const Wish& wish_m) {
     for (double t_s = 0.0; t_s < seconds && !check_.is_done(); t_s += step_s_) {

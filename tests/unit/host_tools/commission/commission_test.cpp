@@ -31,7 +31,7 @@ class CommissionTest : public ::testing::TestWithParam<std::string_view> {
     return firmware::joint_count(firmware::preset_config(GetParam())->mechanism);
   }
 
-  // Only that joint fails, and so.
+  // Expects that only that joint fails, with that verdict.
   void expect_found(const CommissionReport& report, std::size_t joint, Verdict verdict) {
     EXPECT_FALSE(report.has_passed());
     EXPECT_EQ(firmware::text_of(report.joints[joint].verdict).name, firmware::text_of(verdict).name)

@@ -32,7 +32,7 @@ class OutputsOfTheProgram : public ::testing::Test {
 
   std::string content(const std::string& name) { return read_file(folder.path() / name); }
 
-  // Nothing of the file changes, and the program says why in a line.
+  // Expects that the file does not change, and that the program says why in one line.
   void expect_kept(const std::string& name, const std::string& arguments, std::string_view why) {
     const std::string before = content(name);
     const Outcome result = run(arguments);

@@ -42,7 +42,7 @@ RecordPlan plan_for(FrictionKind kind, std::uint64_t seed) {
   return {.friction = friction, .x_m = widening_swings, .seed = seed};
 }
 
-// Within `bound` of the planted value, and the interval not far from it.
+// Expects a value within `bound` of the planted one, and an interval not far from it.
 void expect_found(const FrictionFit& fit, std::string_view symbol, double planted, double bound) {
   const FittedParameter& p = fit.parameter(symbol);
   ASSERT_EQ(p.knowledge, Knowledge::fitted) << symbol << ": " << p.why_unknown;
@@ -157,7 +157,7 @@ TEST(Fit, TheAicIsOfTheSumOfSquaresAndTheNumbersFitted) {
 
 TEST(Fit, SaysThatPreslidingIsMissingWhereTheMotionNeverReverses) {
   RecordPlan plan = plan_for(FrictionKind::lugre, 51);
-  // In full slip from the first row on.
+  // The motion is in full slip from the first row on.
   plan.x_m = [](double t) { return 0.03 * t + 0.005 * std::sin(3.0 * t); };
   SCOPED_TRACE("seed 51");
   FrictionRecord record = noisy_record(plan);

@@ -81,7 +81,8 @@ TEST(WoodenHapticsMechanism, MeetsThePublishedCheckPoints) {
 
 class EveryPlantMechanism : public ::testing::TestWithParam<std::string_view> {
  protected:
-  // In the box of the stops, but for its outer tenth: the Falcon's legs do not reach its corners.
+  // Returns a place in the box of the stops without its outer tenth: the Falcon's legs do not reach
+  // its corners.
   Vec3 random_place() {
     const PlantParameters& plant = preset_.device.plant;
     Vec3 p_B = preset_.centre_B;

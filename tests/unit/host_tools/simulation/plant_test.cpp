@@ -198,7 +198,8 @@ TEST(Plant, AForceAcrossItsPlaneDoesNotMoveAPantograph) {
   EXPECT_EQ(plant.p_B(), Vec3(0.01, 0.0, 0.075));
 }
 
-// By hand: 0.17 kg at 51 mm of the upper arm, and 0.11 kg at 91 mm of a forearm on its end.
+// The moments are computed by hand: 0.17 kg at 51 mm of the upper arm, and 0.11 kg at 91 mm of a
+// forearm on its end.
 TEST(Plant, AWeightedArmFallsWithItsOwnMoments) {
   PlantParameters parameters = woodenhaptics_preset().device.plant;
   parameters.joint_friction = {};

@@ -13,7 +13,7 @@ namespace {
 constexpr double kTick_s = 1e-3;
 constexpr HandParameters kNoHand{};
 
-// Nothing but mass, and homed at once.
+// Returns a device that has only mass, and is homed at once.
 DeviceParameters bare_device() {
   DeviceParameters parameters;
   parameters.plant.viscous_Ns_per_m = 0.0;

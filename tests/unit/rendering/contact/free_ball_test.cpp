@@ -29,7 +29,7 @@ class FreeBallTest : public ::testing::Test {
     }
     return least - shells_.sphere.reach_m;
   }
-  // In a cube about the ball, outside and inside of it.
+  // Returns a point in a cube about the ball, outside or inside of it.
   Vec3 somewhere() {
     std::uniform_real_distribution<double> side(-2.0 * kBall_m, 2.0 * kBall_m);
     return {side(random_), side(random_), side(random_)};

@@ -1,5 +1,4 @@
-// How the proxy comes to rest on the mouth of a notch, where the oracle is every triangle's nearest
-// point.
+// The proxy comes to rest on the mouth of a notch. The oracle is every triangle's nearest point.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// How the proxy goes over the ridges between the flat faces of a tube.
+// The proxy on the ridges between the flat faces of a tube.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// How the proxy rolls round edges and vertices and along creases, where the oracle is the distance
-// from the tool to the lines and points that hold the sphere.
+// The proxy rolls round edges and vertices and along creases. The oracle is the distance from the
+// tool to the lines and points that hold the sphere.
 #include <gtest/gtest.h>
 
 #include <algorithm>

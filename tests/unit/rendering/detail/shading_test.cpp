@@ -25,7 +25,7 @@ constexpr int kSides = 16;
 constexpr double kRadius_m = 0.02;
 constexpr Material kRubbed{.stiffness_N_per_m = 1000.0, .friction = cone_friction(0.4, 0.3)};
 
-// How the tool goes round the prism.
+// The tool's path round the prism.
 struct Stroke {
   double radius_m = 0.0;  // of the tool
   double depth_m = 0.0;

@@ -21,7 +21,7 @@ struct Run {
   double dynamic_coefficient;
 };
 
-// How the name of a run is printed by GoogleTest.
+// Prints the name of a run in messages of GoogleTest.
 void PrintTo(const Run& run, std::ostream* out) {
   *out << run.file;
 }

@@ -83,8 +83,8 @@ TEST(ElastoPlastic, FollowsTheAccurateSolutionOfTheSwing) {
   }
 }
 
-// Against Dupont's equation by Runge and Kutta's fourth-order rule in steps of a thousandth of a
-// bristle.
+// Returns the bristle by Dupont's equation, with Runge and Kutta's fourth-order rule in steps of a
+// thousandth of a bristle.
 double bristle_after(const FrictionParameters& p, double level_N, double z, double way_m) {
   const double steady = level_N / p.stiffness_N_per_m;
   const double elastic = p.elastic_fraction * p.coulomb / p.stiffness_N_per_m;

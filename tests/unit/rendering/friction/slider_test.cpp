@@ -28,7 +28,7 @@ FrictionParameters rigid(FrictionKind kind) {
   return parameters;
 }
 
-// Until it has come to rest.
+// Lets the mass slide until it has come to rest.
 SlidingMassState coast(const FrictionParameters& friction, double speed_m_per_s, double step_s) {
   SlidingMass mass({.friction = friction});
   mass.place(0.0, speed_m_per_s);

@@ -21,7 +21,7 @@ class HierarchyWalkTest : public ::testing::Test {
 
   [[nodiscard]] std::span<const BvhNode> nodes() const { return solid_.object().mesh.nodes; }
 
-  // By looking at every node.
+  // Returns the leaves near a box by looking at every node.
   [[nodiscard]] std::vector<std::uint32_t> near_leaves(const NearBox& box) const {
     std::vector<std::uint32_t> found;
     for (const BvhNode& node : nodes()) {

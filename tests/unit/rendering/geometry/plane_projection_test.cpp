@@ -1,4 +1,5 @@
-// Against 1000 cases solved in exact rational arithmetic (tests/reference/README.md).
+// Compares the projection on planes with 1000 cases solved in exact rational arithmetic
+// (tests/reference/README.md).
 #include "rendering/geometry/plane_projection.h"
 
 #include <gtest/gtest.h>

@@ -179,8 +179,8 @@ class Bundle {
   std::mt19937_64 random_;
 };
 
-// Between planes a nanoradian apart the place of the minimum is ill-posed; that it is allowed and
-// as near as any is not.
+// Between planes a nanoradian apart the place of the minimum is ill-posed. It must still be allowed
+// and as near as any.
 TEST(PlaneProjection, NearlyParallelAndRedundantPlanesGiveAnAllowedPointAsNearAsAny) {
   constexpr std::uint64_t kSeed = 20'031;
   constexpr Real kTolerance_m = 1e-15L;

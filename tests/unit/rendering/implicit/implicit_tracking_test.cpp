@@ -120,7 +120,7 @@ TEST(ImplicitTracking, GoesOverTheEdgeOfABox) {
   ImplicitTracker tracker;
   tracker.place({0.0, 0.03, 0.0});
   ImplicitRest rest;
-  // On the top to beyond the edge, down, and in.
+  // The tool moves on the top beyond the edge, then down, and in.
   const std::array<Vec3, 4> corners{Vec3{0.0, 0.0195, 0.0}, Vec3{0.022, 0.0195, 0.0},
                                     Vec3{0.022, 0.0155, 0.0}, Vec3{0.0195, 0.0155, 0.0}};
   for (std::size_t leg = 0; leg < 3; ++leg) {

@@ -67,7 +67,7 @@ struct Case {
   Ground ground = Ground::regular;
 };
 
-// How a parameter is printed by GoogleTest.
+// Prints a parameter in messages of GoogleTest.
 void PrintTo(const Case& shape, std::ostream* out) {
   *out << shape.text;
 }

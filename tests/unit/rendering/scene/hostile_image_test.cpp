@@ -308,7 +308,7 @@ bool is_felt(const Object& object, std::uint32_t triangle) {
   return felt.height_m <= 0.0;
 }
 
-// Under the address sanitizer this is where a check that is missing shows.
+// The address sanitizer shows here if a check is missing.
 TEST(HostileImage, OfRandomDamageIsRefusedOrSafeToWalk) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE(::testing::Message() << "seed " << seed);

@@ -48,7 +48,7 @@ class DeformingTest : public ::testing::Test {
     }
   }
 
-  // To the nearest of all triangles, at their places now.
+  // Returns the distance to the nearest of all triangles, at their places now, m.
   [[nodiscard]] double distance(const Vec3& p) const {
     double nearest = 1.0;
     for (const TriangleIndices& t : object_.mesh.triangles) {

@@ -113,7 +113,7 @@ TEST(FieldStart, AToolFeelsNothingOfWhatItBeginsInUntilItHasLeft) {
       const Vec3 way_W = dice.within(1.0).normalized();
       std::size_t inside = 0;
       for (int tick = 0; tick < 200; ++tick) {
-        // Out and back, and it trembles.
+        // The tool moves out and back, and trembles.
         const double travel = 0.05 * std::sin(0.02 * tick);
         const Vec3 p_W = from_W + travel * way_W + dice.within(1e-4);
         const double most_N = largest_push(heap, began_in, p_W, radius_m);

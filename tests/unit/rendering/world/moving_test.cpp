@@ -297,7 +297,7 @@ TEST(Tools, ThereIsAtLeastOneAndAreAtMostTen) {
   EXPECT_FALSE(world->set_scene({&ball.object(), 1}, {.tool_count = 11}));
 }
 
-// In a cube of ten by ten by ten.
+// Returns the place of an object in a cube of ten by ten by ten.
 Vec3 place_of(std::size_t number) {
   const std::array<std::size_t, 3> cell{number % 10, number / 10 % 10, number / 100};
   return 0.03 * Vec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]),
