@@ -4,7 +4,7 @@ set -euo pipefail
 preset="$1"
 shift
 
-# What one checkout compiled serves another.
+# One checkout uses the objects that another has compiled.
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=true
 
 cmake --preset "$preset"

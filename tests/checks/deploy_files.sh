@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What cmake --install puts in place for a Linux board, read by the programs that read it on one: systemd, udev, sysusers.
+# Checks the files that cmake --install puts in place for a Linux board with the programs that read them there: systemd, udev, sysusers.
 #   tests/checks/deploy_files.sh PREFIX    of an installation
 set -euo pipefail
 prefix="$1"

@@ -46,7 +46,7 @@ programs=("$build"/bin/tactus "$build"/bin/tactusd)
 for program in "$build"/rig/*; do
   if [[ -f "$program" && -x "$program" ]]; then programs+=("$program"); fi
 done
-# What the scenarios touch, baked here: the bunny's mesh stays out of the machine.
+# The scenes of the scenarios are baked here: the bunny's mesh stays out of the machine.
 images=build/rig/images
 mkdir -p "$images"
 host_tools/bunny_mesh.sh "$images/bunny00.off"
@@ -93,7 +93,7 @@ rm -f "$images/bunny00.off"
 
 host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[@]}" "$(command -v cyclictest)" "$(command -v strace)" tests/rig/scenarios:/rig "$images":/images
 
-# What a scenario's line "# KEY: words" says.
+# Prints the words of a scenario's line "# KEY: words".
 setting() { sed -n "s/^# $2: //p" "tests/rig/scenarios/$1.sh" | paste -sd' '; }
 
 # One run, NAME, NAME.again or NAME.third, its verdict in results/RUN.verdict. A machine has one processor: as many run beside
@@ -119,7 +119,7 @@ for run in "${runs[@]}"; do
 done
 wait
 
-# Whether two runs of a scenario have left the same bytes in every file with one of its endings.
+# Succeeds if two runs of a scenario have left the same bytes in every file with one of its endings.
 are_alike() {
   local name="${1%%.*}" ending file
   for ending in $(setting "$name" twice); do

@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 
 presets=(cartesian falcon hapkit haply_pantograph phantom_premium woodenhaptics)
 hands=(finger pen firm)
-# Where a sanitizer or emulation makes the ticks slow.
+# One hand is enough if a sanitizer or an emulation makes the ticks slow.
 if [[ "${TACTUS_PROPERTY_TICKS:-1000000}" -lt 100000 ]]; then hands=(pen); fi
 scenes=()
 for scene in "$examples"/*/scene.toml; do

@@ -14,7 +14,7 @@ hang_up=1 quit=3 killed=9 stopped=19 terminal_stop=20
 arm='--can can0 --mechanism woodenhaptics --ratio 16,12,12 --hand pen --origin 0.0,-0.01,0.23'
 scene=bunny
 
-# As signalled; what it has looked at goes, for the machine's disk is small.
+# Runs `signalled`, then deletes the files that it has read: the machine's disk is small.
 check() {
   signalled "$@" || exit 1
   rm -f "/results/$1.mcap" "/results/$1.truth.csv"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What the program asks of the kernel in its steady state, thread by thread: the loop sleeps and talks to its bus, and nothing
-# else. At 100 Hz, so that there is time for the tracer.
+# Checks the system calls of the program in its steady state, thread by thread: the loop sleeps and talks to its bus, and does
+# nothing else. The rate is 100 Hz, so that there is time for the tracer.
 mkdir -p /run # tactusd makes its folder there
 modprobe -a vcan can-raw
 ip link add dev can0 type vcan && ip link set can0 mtu 72 up
