@@ -6,10 +6,14 @@
 #include <cstdint>
 
 #include "firmware/configuration/controller_config.h"
+#include "firmware/safety/scene_part.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::firmware {
+
+// How the walls count against the certificate, with what pushes at the same place.
+FeltWalls felt_walls(const SafetyConfig& safety);
 
 class WorkspaceWalls {
  public:
