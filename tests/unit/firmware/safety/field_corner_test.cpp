@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "firmware/safety/certificate.h"
+#include "firmware/safety/stiffness_sum.h"
 #include "rendering/contact/potential_field.h"
 
 namespace tactus::firmware {
@@ -169,6 +170,21 @@ TEST(FieldCorner, AFieldCountsWithASpringThatIsAlikeInAllDirections) {
       rendering::Effect{.law = rendering::Spring{.stiffness_N_per_m = 200.0}, .max_force_N = 20.0}};
   EXPECT_TRUE(first_uncertified(up_to(1099.0), objects, effects));
   EXPECT_FALSE(first_uncertified(up_to(1100.1), objects, effects));
+}
+
+// Without looks left, fields count as alike in all directions.
+TEST(FieldCorner, ASearchThatRunsOutCountsTheSum) {
+  const auto plates = crossed_plates(std::numbers::pi / 2.0);
+  const FeltScene scene{.objects = plates, .feel = {.tool_radius_m = kCornerTool_m}};
+  const std::array parts{part_of(scene, 0), part_of(scene, 1)};
+  const rendering::Bounds box = common_box(parts[0].region.box, parts[1].region.box);
+  for (const std::size_t looks : std::array<std::size_t, 4>{0, 1, 10, 100}) {
+    std::size_t left = looks;
+    EXPECT_NEAR(stiffness_together(box, parts, left), 1600.0, 1e-6) << looks;
+  }
+  std::size_t left = 10'000;
+  EXPECT_NEAR(stiffness_together(box, parts, left), 900.0, 1e-6);
+  std::printf("%zu pieces looked at\n", std::size_t{10'000} - left);
 }
 
 // A limit that is a little lower than the stiffest place is never certified, whatever the boxes.
