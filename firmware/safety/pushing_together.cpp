@@ -147,8 +147,7 @@ class Search {
   // The set's own in the box. Walls of the workspace stand at right angles, so that one of their
   // dampings counts.
   [[nodiscard]] CertifiedPoint felt_in(const Bounds& box) {
-    CertifiedPoint sum{.stiffness_N_per_m =
-                           (1.0 - kRounding) * stiffness_together(box, members(), looks_left_)};
+    CertifiedPoint sum;
     double of_wall = 0.0;
     for (const ScenePart& member : members()) {
       const double damping = member.felt.damping_Ns_per_m;
@@ -156,6 +155,9 @@ class Search {
       of_wall = member.is_wall ? damping : of_wall;
     }
     sum.damping_Ns_per_m += of_wall;
+    const double enough = certified_stiffness(certificate_, sum.damping_Ns_per_m);
+    sum.stiffness_N_per_m =
+        (1.0 - kRounding) * stiffness_together(box, members(), enough, looks_left_);
     return sum;
   }
 

@@ -11,6 +11,9 @@ namespace {
 
 using rendering::Bounds;
 
+// The pieces of one more field, in looks of some 60 ns.
+constexpr std::size_t kLooksOfAField = 32;
+
 double largest_eigenvalue(const Mat3& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
@@ -42,19 +45,27 @@ void add(const Bounds& box, const ScenePart& part, Fixed& sum) {
   }
 }
 
+// N/m, of all fields of boxes.
+double sum_of_fields(std::span<const ScenePart> parts) {
+  double sum = 0.0;
+  for (const ScenePart& part : parts) {
+    sum += part.field_box != nullptr ? part.felt.stiffness_N_per_m : 0.0;
+  }
+  return sum;
+}
+
 // Goes through the choices of one piece for each field of a box.
 class PieceSum {
  public:
   PieceSum(std::span<const ScenePart> parts, const Fixed& fixed, std::size_t& looks_left)
-      : parts_(parts), fixed_(fixed), looks_left_(looks_left) {
-    for (const ScenePart& part : parts) {
-      fields_N_per_m_ += part.field_box != nullptr ? part.felt.stiffness_N_per_m : 0.0;
-    }
-    most_possible_ = fixed.most() + fields_N_per_m_;
-  }
+      : parts_(parts),
+        fixed_(fixed),
+        looks_left_(looks_left),
+        fields_N_per_m_(sum_of_fields(parts)),
+        most_possible_(fixed.most() + fields_N_per_m_) {}
 
-  double most_in(const Bounds& box) {
-    if (fields_N_per_m_ == 0.0) {
+  double most_in(const Bounds& box, double enough_N_per_m) {
+    if (fields_N_per_m_ == 0.0 || most_possible_ <= enough_N_per_m) {
       return most_possible_;
     }
     choose(0, box, fixed_, fields_N_per_m_);
@@ -62,6 +73,8 @@ class PieceSum {
   }
 
  private:
+  void take(std::size_t looks) { looks_left_ -= std::min(looks_left_, looks); }
+
   [[nodiscard]] bool is_done() const {
     constexpr double kRounding = 1e-12;
     return looks_left_ == 0 || largest_ >= (1.0 - kRounding) * most_possible_;
@@ -84,11 +97,12 @@ class PieceSum {
       largest_ = sum.most();
       return;
     }
+    take(kLooksOfAField);
     const ScenePart& part = parts_[next];
     const double stiffness = part.felt.stiffness_N_per_m;
     const FieldPieces all = pieces_of_box(*part.field_box, part.contact_m, kSamePlace_m);
     for (std::size_t i = 0; i < all.count && !is_done(); ++i) {
-      --looks_left_;
+      take(1);
       const FieldPiece& piece = all.pieces[i];
       const Bounds common = common_box(box, piece.box);
       if (has_place(common)) {
@@ -102,8 +116,8 @@ class PieceSum {
   std::span<const ScenePart> parts_;
   const Fixed& fixed_;
   std::size_t& looks_left_;
-  double fields_N_per_m_ = 0.0;
-  double most_possible_ = 0.0;
+  double fields_N_per_m_;
+  double most_possible_;
   double largest_ = -1.0;  // of the choices so far
 };
 
@@ -124,14 +138,14 @@ double stiffness_in(const Bounds& box, const ScenePart& part) {
 }
 
 double stiffness_together(const Bounds& box, std::span<const ScenePart> parts,
-                          std::size_t& looks_left) {
+                          double enough_N_per_m, std::size_t& looks_left) {
   Fixed fixed;
   for (const ScenePart& part : parts) {
     if (part.field_box == nullptr) {
       add(box, part, fixed);
     }
   }
-  return PieceSum(parts, fixed, looks_left).most_in(box);
+  return PieceSum(parts, fixed, looks_left).most_in(box, enough_N_per_m);
 }
 
 }  // namespace tactus::firmware

@@ -20,9 +20,9 @@ namespace tactus::firmware {
 double stiffness_in(const rendering::Bounds& box, const ScenePart& part);
 
 // The largest stiffness that the parts have together in any direction somewhere in the box, N/m.
-// Each piece that is looked at takes one of `looks_left`; without any left, the fields of boxes
-// count as alike in all directions.
+// Fields of boxes count as alike in all directions if the sum is then at most `enough_N_per_m`, or
+// if the search of their pieces has used up `looks_left`.
 double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts,
-                          std::size_t& looks_left);
+                          double enough_N_per_m, std::size_t& looks_left);
 
 }  // namespace tactus::firmware

@@ -1,6 +1,6 @@
 // A box in the world frame that the tool shall not leave. Its walls push back like springs with
 // dampers, which never pull: F = max(K depth - B v, 0) inward, v the velocity inward. Deeper than
-// workspace_overrun_m: kFaultWorkspace.
+// workspace_overrun_m: kFaultWorkspace. The certificate binds them together with the scene.
 #pragma once
 
 #include <cstdint>

@@ -228,7 +228,7 @@ TEST_F(CommandServerTest, ARefusalAtAWallOfTheWorkspaceNamesItAndTheRemedy) {
   write_scene("stiff.tactus", fields_in_one_place(600.0, 0.0));
   ASSERT_TRUE(begins(say("scene " + (folder_ / "soft.tactus").string()), "ok scene"));
   EXPECT_EQ(say("scene " + (folder_ / "stiff.tactus").string()),
-            "refused scene: object 'left' and the workspace's lower wall across x are felt in one "
+            "refused scene: object 'left' and the workspace's upper wall across x are felt in one "
             "place and together have a stiffness of 1100 N/m, and the device is certified up to "
             "1000 N/m with a damping of 1 N s/m; soften what is not a wall of the workspace or "
             "move it away from there, lower workspace_stiffness_N_per_m, certify a stiffer device "
