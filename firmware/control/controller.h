@@ -52,13 +52,14 @@ class Controller {
  public:
   // Takes a valid configuration and starts afresh in `init`; keeps the scene. An invalid one
   // changes nothing, and neither does one whose certificate the loaded scene is beyond: the field
-  // is then "certificate" and the value a stiffness.
+  // is then "certificate" and the value a stiffness. A wall of the workspace beyond the certificate
+  // is refused too, by the name of its stiffness or its damping.
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
   // Gives the world a scene; the memory behind the objects must outlive it. Refused while active
-  // and when a part of it, or parts that push together, are stiffer than the configuration's
-  // certificate allows, unless `allow_uncertified`: both keep the world as it is. When the world
-  // refuses it, it is empty.
+  // and when a part of it, or parts that push together or with a wall of the workspace, are stiffer
+  // than the configuration's certificate allows, unless `allow_uncertified`: both keep the world as
+  // it is. When the world refuses it, it is empty.
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);
 
@@ -134,7 +135,8 @@ class Controller {
     const rendering::Material* changed = nullptr;
     std::uint32_t object = 0;
   };
-  [[nodiscard]] static FeltScene felt_scene(const WantedMaterials& materials, double max_force_N);
+  [[nodiscard]] static FeltScene felt_scene(const WantedMaterials& materials,
+                                            const SafetyConfig& safety);
   bool is_certified(std::uint32_t object, const rendering::Material& material);
   void retune();
 

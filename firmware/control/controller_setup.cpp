@@ -15,6 +15,17 @@ std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
              : first_uncertified(config.certificate, scene.objects, scene.effects, scene.feel);
 }
 
+// The field of the configuration to blame for it.
+ConfigError uncertified_field(const UncertifiedPart& part) {
+  const bool is_wall = part.kind == UncertifiedPart::Kind::wall;
+  if (is_wall && part.damping_Ns_per_m > part.most_damping_Ns_per_m) {
+    return {"safety.workspace_damping_Ns_per_m", part.damping_Ns_per_m, 0.0,
+            part.most_damping_Ns_per_m};
+  }
+  return {is_wall ? "safety.workspace_stiffness_N_per_m" : "certificate", part.stiffness_N_per_m,
+          0.0, part.limit_N_per_m};
+}
+
 }  // namespace
 
 std::expected<void, ConfigError> Controller::configure(const ControllerConfig& config) {
@@ -22,9 +33,8 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
     return valid;
   }
   const WantedMaterials materials{.controller = this};
-  if (const auto part = refused_part(config, felt_scene(materials, config.safety.max_force_N))) {
-    return std::unexpected(
-        ConfigError{"certificate", part->stiffness_N_per_m, 0.0, part->limit_N_per_m});
+  if (const auto part = refused_part(config, felt_scene(materials, config.safety))) {
+    return std::unexpected(uncertified_field(*part));
   }
   config_ = config;
   configured_safety_ = config.safety;
@@ -70,7 +80,8 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
   const FeltScene scene{.objects = objects,
                         .effects = config.effects,
                         .feel = {.tool_radius_m = config.tool_radius_m,
-                                 .max_force_N = configured_safety_.max_force_N}};
+                                 .max_force_N = configured_safety_.max_force_N,
+                                 .walls = felt_walls(configured_safety_)}};
   if (const auto part = refused_part(config_, scene)) {
     return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
   }

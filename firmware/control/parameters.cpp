@@ -133,7 +133,7 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   return ParameterEvent{.tick = next_tick_, .change = change};
 }
 
-FeltScene Controller::felt_scene(const WantedMaterials& materials, double max_force_N) {
+FeltScene Controller::felt_scene(const WantedMaterials& materials, const SafetyConfig& safety) {
   const Controller& controller = *materials.controller;
   const auto wanted = [](const void* context, std::uint32_t object) {
     const auto& [of, changed, number] = *static_cast<const WantedMaterials*>(context);
@@ -144,9 +144,10 @@ FeltScene Controller::felt_scene(const WantedMaterials& materials, double max_fo
   return {.objects = controller.objects_,
           .effects = controller.effects_,
           .feel = {.tool_radius_m = controller.tool_radius_m_,
-                   .max_force_N = max_force_N,
+                   .max_force_N = safety.max_force_N,
                    .material = wanted,
-                   .context = &materials}};
+                   .context = &materials,
+                   .walls = felt_walls(safety)}};
 }
 
 bool Controller::is_certified(std::uint32_t object, const rendering::Material& material) {
@@ -154,7 +155,7 @@ bool Controller::is_certified(std::uint32_t object, const rendering::Material& m
     return true;
   }
   const WantedMaterials materials{.controller = this, .changed = &material, .object = object};
-  const FeltScene scene = felt_scene(materials, configured_safety_.max_force_N);
+  const FeltScene scene = felt_scene(materials, configured_safety_);
   const auto part = uncertified_with(config_.certificate, scene, object);
   uncertified_part_ = part.value_or(uncertified_part_);
   return !part;

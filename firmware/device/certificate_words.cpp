@@ -47,7 +47,11 @@ class Sentence {
 using Kind = UncertifiedPart::Kind;
 
 void add_part(Sentence& sentence, Kind kind, std::size_t index, const std::array<char, 64>& name) {
-  if (kind == Kind::object && name.front() != '\0') {
+  if (kind == Kind::wall) {
+    constexpr std::string_view kAxes = "xyz";
+    sentence.add("the workspace's %s wall across %c", index % 2 == 0 ? "lower" : "upper",
+                 kAxes[std::min<std::size_t>(index / 2, kAxes.size() - 1)]);
+  } else if (kind == Kind::object && name.front() != '\0') {
     sentence.add("object '%s'", name.data());
   } else {
     sentence.add("%s %zu", kind == Kind::object ? "object" : "effect", index + 1);
@@ -65,6 +69,24 @@ void add_parts(Sentence& sentence, const UncertifiedPart& part, const PartNames&
   if (unlisted > 0) {
     sentence.add(" and %zu more", unlisted);
   }
+}
+
+bool is_at_wall(const UncertifiedPart& part) {
+  const auto others = std::span(part.others).first(std::min(part.listed, part.others.size()));
+  return std::ranges::any_of(
+      others, [](const UncertifiedPart::Other& other) { return other.kind == Kind::wall; });
+}
+
+// How the user mends it, in the scene.
+const char* remedy_for(const UncertifiedPart& part) {
+  if (part.kind == Kind::wall) {
+    return "lower workspace_stiffness_N_per_m and workspace_damping_Ns_per_m";
+  }
+  if (is_at_wall(part)) {
+    return "soften what is not a wall of the workspace or move it away from there, lower "
+           "workspace_stiffness_N_per_m";
+  }
+  return part.other_count == 0 ? "soften it" : "soften one of them or move them apart";
 }
 
 }  // namespace
@@ -116,7 +138,7 @@ std::string_view uncertified_words(const UncertifiedPart& part, const PartNames&
   sentence.add(
       "; %s, certify a stiffer device with tactus certify, or take the risk with "
       "--allow-uncertified",
-      alone ? "soften it" : "soften one of them or move them apart");
+      remedy_for(part));
   return sentence.words();
 }
 

@@ -15,18 +15,27 @@ std::optional<UncertifiedPart> beyond_alone(const StiffnessCertificate& certific
   if (!is_beyond(certificate, felt)) {
     return std::nullopt;
   }
-  const std::size_t objects = scene.objects.size();
-  const bool is_object = number < objects;
-  return UncertifiedPart{
-      .kind = is_object ? UncertifiedPart::Kind::object : UncertifiedPart::Kind::effect,
-      .index = is_object ? number : number - objects,
-      .stiffness_N_per_m = felt.stiffness_N_per_m,
-      .damping_Ns_per_m = felt.damping_Ns_per_m,
-      .limit_N_per_m = certified_stiffness(certificate, felt.damping_Ns_per_m),
-      .most_damping_Ns_per_m = certificate.all().back().damping_Ns_per_m};
+  const UncertifiedPart::Other name = name_of_part(scene, number);
+  return UncertifiedPart{.kind = name.kind,
+                         .index = name.index,
+                         .stiffness_N_per_m = felt.stiffness_N_per_m,
+                         .damping_Ns_per_m = felt.damping_Ns_per_m,
+                         .limit_N_per_m = certified_stiffness(certificate, felt.damping_Ns_per_m),
+                         .most_damping_Ns_per_m = certificate.all().back().damping_Ns_per_m};
 }
 
 }  // namespace
+
+UncertifiedPart::Other name_of_part(const FeltScene& scene, std::size_t number) {
+  const std::size_t objects = scene.objects.size();
+  const std::size_t effects = scene.effects.size();
+  if (number < objects) {
+    return {UncertifiedPart::Kind::object, number};
+  }
+  return number < objects + effects
+             ? UncertifiedPart::Other{UncertifiedPart::Kind::effect, number - objects}
+             : UncertifiedPart::Other{UncertifiedPart::Kind::wall, number - objects - effects};
+}
 
 double certified_stiffness(const StiffnessCertificate& certificate, double damping_Ns_per_m) {
   const auto points = certificate.all();

@@ -38,7 +38,7 @@ bool is_beyond(const StiffnessCertificate& certificate, const CertifiedPoint& fe
 
 // Names what is stiffer than certified in a scene: one part, or several that push at one place.
 struct UncertifiedPart {
-  enum class Kind : std::uint8_t { object, effect };
+  enum class Kind : std::uint8_t { object, effect, wall };  // wall: of the workspace
   struct Other {
     Kind kind = Kind::object;
     std::size_t index = 0;
@@ -46,7 +46,7 @@ struct UncertifiedPart {
   static constexpr std::size_t kMostOthers = 3;
 
   Kind kind = Kind::object;
-  std::size_t index = 0;           // of the objects or of the effects
+  std::size_t index = 0;           // of the objects, the effects or the walls (FeltWalls)
   double stiffness_N_per_m = 0.0;  // where a texture makes it stiffest; of all together
   double damping_Ns_per_m = 0.0;   // of all together
   double limit_N_per_m = 0.0;      // with that damping
@@ -56,8 +56,11 @@ struct UncertifiedPart {
   std::array<Other, kMostOthers> others{};
 };
 
-// The first object, or else the first effect with a spring, that is beyond the certificate by
-// itself; or else the first parts that are beyond it where they push together
+// Names part `number` of the scene.
+UncertifiedPart::Other name_of_part(const FeltScene& scene, std::size_t number);
+
+// The first object, or else the first effect with a spring or wall of the workspace, that is beyond
+// the certificate by itself; or else the first parts that are beyond it where they push together
 // (safety/pushing_together.h); nothing without a certificate.
 std::optional<UncertifiedPart> first_uncertified(const StiffnessCertificate& certificate,
                                                  std::span<const rendering::Object> objects,

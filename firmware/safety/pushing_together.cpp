@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "firmware/safety/stiffness_sum.h"
 #include "rendering/limits.h"
 
 namespace tactus::firmware {
@@ -19,7 +20,8 @@ constexpr std::size_t kMostTogether = 16;
 constexpr std::size_t kMostLooks = std::size_t{1} << 16U;       // while a scene is loaded
 constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;  // at the edge of an active tick
 
-constexpr std::size_t kMostParts = rendering::kMaxObjects + rendering::kMaxEffects;
+constexpr std::size_t kMostParts =
+    rendering::kMaxObjects + rendering::kMaxEffects + FeltWalls::kCount;
 
 // Sums of several stiffnesses differ from the certified one by rounding.
 constexpr double kRounding = 1e-9;
@@ -34,11 +36,17 @@ struct Outline {
   float reach_m = 0.0F;    // how far from there it is felt
   float contact_m = 0.0F;  // of the shared proxy's centre
   bool shares_proxy = false;
+  bool is_felt = false;
 };
+
+bool is_felt(const ScenePart& part) {
+  return part.felt.stiffness_N_per_m > 0.0 || part.felt.damping_Ns_per_m > 0.0;
+}
 
 Outline outline_of(const ScenePart& part) {
   Outline outline{.contact_m = static_cast<float>(part.contact_m),
-                  .shares_proxy = part.shares_proxy};
+                  .shares_proxy = part.shares_proxy,
+                  .is_felt = is_felt(part)};
   const Bounds& region = part.region.box;
   const Bounds& box = part.shares_proxy ? part.surface : region;
   if (part.shares_proxy) {
@@ -53,6 +61,9 @@ Outline outline_of(const ScenePart& part) {
 
 // False only for a pair that is never felt together.
 bool may_meet(const Outline& a, const Outline& b) {
+  if (!a.is_felt || !b.is_felt) {
+    return false;
+  }
   const bool one_proxy = a.shares_proxy && b.shares_proxy;
   const float reach = one_proxy ? static_cast<float>(kSamePlace_m) : a.reach_m + b.reach_m;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -110,12 +121,16 @@ class Search {
                          .limit_N_per_m = certified_stiffness(certificate_, felt_.damping_Ns_per_m),
                          .most_damping_Ns_per_m = certificate_.all().back().damping_Ns_per_m,
                          .other_count = count_ + unlisted_ - 1};
-    const UncertifiedPart::Other first = name_of(numbers_[0]);
+    const UncertifiedPart::Other first = name_of_part(scene_, numbers_[0]);
     part.kind = first.kind;
     part.index = first.index;
     part.listed = std::min(count_ - 1, part.others.size());
     for (std::size_t i = 0; i < part.listed; ++i) {
-      part.others[i] = name_of(numbers_[i + 1]);
+      part.others[i] = name_of_part(scene_, numbers_[i + 1]);
+    }
+    // A wall of the workspace is always named; it stands behind all parts of the scene.
+    if (part.listed > 0 && members_[count_ - 1].is_wall) {
+      part.others[part.listed - 1] = name_of_part(scene_, numbers_[count_ - 1]);
     }
     return part;
   }
@@ -127,26 +142,22 @@ class Search {
     std::size_t count = 0;
   };
 
-  static bool is_felt(const ScenePart& part) {
-    return part.felt.stiffness_N_per_m > 0.0 || part.felt.damping_Ns_per_m > 0.0;
-  }
-
-  [[nodiscard]] UncertifiedPart::Other name_of(std::size_t number) const {
-    const std::size_t objects = scene_.objects.size();
-    if (number < objects) {
-      return {UncertifiedPart::Kind::object, number};
-    }
-    return {UncertifiedPart::Kind::effect, number - objects};
-  }
-
   [[nodiscard]] std::span<const ScenePart> members() const { return {members_.data(), count_}; }
 
-  // The set's own in the box.
-  [[nodiscard]] CertifiedPoint felt_in(const Bounds& box) const {
-    CertifiedPoint sum{.stiffness_N_per_m = (1.0 - kRounding) * stiffness_together(box, members())};
+  // The set's own in the box. Walls of the workspace stand at right angles, so that one of their
+  // dampings counts.
+  [[nodiscard]] CertifiedPoint felt_in(const Bounds& box) {
+    CertifiedPoint sum;
+    double of_wall = 0.0;
     for (const ScenePart& member : members()) {
-      sum.damping_Ns_per_m += member.felt.damping_Ns_per_m;
+      const double damping = member.felt.damping_Ns_per_m;
+      sum.damping_Ns_per_m += member.is_wall ? 0.0 : damping;
+      of_wall = member.is_wall ? damping : of_wall;
     }
+    sum.damping_Ns_per_m += of_wall;
+    const double enough = certified_stiffness(certificate_, sum.damping_Ns_per_m);
+    sum.stiffness_N_per_m =
+        (1.0 - kRounding) * stiffness_together(box, members(), enough, looks_left_);
     return sum;
   }
 

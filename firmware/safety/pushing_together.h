@@ -5,9 +5,10 @@
 // than the largest of them (rendering/world/world.h), so one of them counts at a place: any of
 // them. Those that coincide count with their sum all the same: nobody can tell which one is meant.
 //
-// Stiffnesses add as K n n^T where the directions are known, and are alike in all directions
-// elsewhere. Dampings add. Every set of parts that can be felt together is held against the
-// certificate, since fewer parts may have less damping than all of them.
+// Stiffnesses add as K n n^T where the directions are known (safety/stiffness_sum.h), and are alike
+// in all directions elsewhere. Dampings add. Walls of the workspace count as parts. Every set of
+// parts that can be felt together is held against the certificate, since fewer parts may have less
+// damping than all of them.
 //
 // Not for a tick, but for the edge of one: no heap, bounded work. Pure functions of their
 // arguments; any thread.

@@ -1,6 +1,5 @@
 #include "firmware/safety/scene_part.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -99,6 +98,12 @@ bool is_plane(const rendering::Object& object) {
          object.primitive.kind == rendering::PrimitiveKind::plane;
 }
 
+bool is_box_field(const rendering::Object& object) {
+  return object.surface == rendering::SurfaceKind::primitive &&
+         object.primitive.kind == rendering::PrimitiveKind::box &&
+         object.method == rendering::ContactMethod::potential_field;
+}
+
 bool is_box_along_axes(const rendering::Object& object) {
   const Mat3& rotation = object.primitive.X_WO.rotation;
   return object.surface == rendering::SurfaceKind::primitive &&
@@ -106,8 +111,11 @@ bool is_box_along_axes(const rendering::Object& object) {
          along_world_axis(rotation.col(0)) && along_world_axis(rotation.col(1));
 }
 
-// The stretch of the proxy is along the normal alone.
+// The stretch of the proxy is along the normal alone. A potential field knows no friction.
 bool is_smooth(const rendering::Object& object, const rendering::Material& material) {
+  if (object.method == rendering::ContactMethod::potential_field) {
+    return true;
+  }
   const rendering::FrictionParameters& friction = material.friction;
   return friction.coulomb == 0.0 && friction.static_level == 0.0 &&
          friction.viscous_s_per_m == 0.0 && object.detail.empty();
@@ -124,7 +132,7 @@ bool is_sphere_to(const rendering::Object& object) {
 }
 
 // How far beyond its surface the tool can be and still feel it more the deeper it goes. A potential
-// field knows no past: there it is the tool's radius alone.
+// field keeps no place: there it is the tool's radius alone.
 double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
                      const SceneFeel& feel) {
   if (object.method == rendering::ContactMethod::potential_field) {
@@ -243,8 +251,11 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
   }
   part.contact_m = is_sphere_to(object) ? feel.tool_radius_m : 0.0;
   if (is_plane(object)) {
+    const double below_m = rendering::meets_proxy(object)
+                               ? felt_beyond_m(object, stiffness.least_N_per_m, feel)
+                               : kBoundless_m;
     part.axis_W = object.primitive.X_WO.rotation.col(1);
-    part.region = slab(object.primitive.X_WO.translation, part.axis_W, kBoundless_m,
+    part.region = slab(object.primitive.X_WO.translation, part.axis_W, below_m,
                        part.contact_m + kSamePlace_m);
     part.surface = half_space(object.primitive);
     part.directions =
@@ -253,6 +264,9 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
     part.surface = rendering::bounds_of(object);
     part.region.box =
         felt_box(object, material, part, felt_beyond_m(object, stiffness.least_N_per_m, feel));
+  }
+  if (is_box_field(object)) {
+    part.field_box = &object.primitive;
   }
   part.has_flat_sides = is_plane(object) || is_box_along_axes(object);
   return part;
@@ -292,9 +306,31 @@ ScenePart part_of_effect(const rendering::Effect& effect) {
   return {};  // its force changes neither with place nor with speed
 }
 
+// Wall 0 is the lower one across x, wall 1 the upper one, then y and z. A wall that no device
+// reaches is not there.
+ScenePart part_of_wall(const FeltWalls& walls, std::size_t wall) {
+  const auto axis = static_cast<Eigen::Index>(wall / 2);
+  const bool is_upper = wall % 2 == 1;
+  const double place_m = is_upper ? walls.upper_W[axis] : walls.lower_W[axis];
+  if (!(std::abs(place_m) < kNoWall_m)) {
+    return {.is_wall = true};
+  }
+  ScenePart part{.felt = {.damping_Ns_per_m = walls.damping_Ns_per_m,
+                          .stiffness_N_per_m = walls.stiffness_N_per_m},
+                 .directions = SpringDirections::along_axis,
+                 .axis_W = Vec3::Unit(axis),
+                 .is_wall = true};
+  part.region.box = grown({.lower_W = walls.lower_W, .upper_W = walls.upper_W}, walls.reach_m);
+  (is_upper ? part.region.box.lower_W : part.region.box.upper_W)[axis] = place_m;
+  return part;
+}
+
 }  // namespace
 
 ScenePart part_of(const FeltScene& scene, std::size_t number) {
+  if (number >= scene.objects.size() + scene.effects.size()) {
+    return part_of_wall(scene.feel.walls, number - scene.objects.size() - scene.effects.size());
+  }
   if (number >= scene.objects.size()) {
     return part_of_effect(scene.effects[number - scene.objects.size()]);
   }
@@ -336,48 +372,6 @@ bool has_point_in(const rendering::Bounds& box, const FeltRegion& region) {
   const double spread = region.normal_W.cwiseAbs().dot(half_W);
   return half_W.minCoeff() >= 0.0 && height - spread <= region.highest_m &&
          height + spread >= region.lowest_m;
-}
-
-double stiffness_in(const rendering::Bounds& box, const ScenePart& part) {
-  const double most = part.felt.stiffness_N_per_m;
-  if (part.falloff.kind == Falloff::Kind::none) {
-    return most;
-  }
-  const double away_m = box.distance(part.falloff.middle_W);
-  if (part.falloff.kind == Falloff::Kind::bounded_spring) {
-    return away_m > 0.0 ? std::min(most, part.falloff.largest_force_N / away_m) : most;
-  }
-  const double cores = away_m / part.falloff.core_m;
-  const double spread = 1.0 + cores * cores;
-  return std::min(most, part.falloff.steepness / (spread * std::sqrt(spread)));
-}
-
-double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts) {
-  Mat3 sum = Mat3::Zero();
-  double alike = 0.0;
-  bool directed = false;
-  for (const ScenePart& part : parts) {
-    const double stiffness = stiffness_in(box, part);
-    const Mat3 along = stiffness * part.axis_W * part.axis_W.transpose();
-    switch (part.directions) {
-      case SpringDirections::along_axis:
-        sum += along;
-        break;
-      case SpringDirections::across_axis:
-        sum -= along;
-        alike += stiffness;
-        break;
-      default:
-        alike += stiffness;
-        continue;
-    }
-    directed = true;
-  }
-  if (!directed) {
-    return alike;
-  }
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(sum, Eigen::EigenvaluesOnly);
-  return alike + solver.eigenvalues()[2];
 }
 
 }  // namespace tactus::firmware

@@ -25,6 +25,19 @@ inline constexpr double kSamePlace_m = 1e-4;
 
 inline constexpr double kBoundless_m = 1e3;  // beyond the world
 
+inline constexpr double kNoWall_m = 10.0;  // a wall of the workspace so far away is not there
+
+// The box that the tool is kept in (safety/workspace_walls.h); without a change, none.
+struct FeltWalls {
+  static constexpr std::size_t kCount = 6;
+
+  Vec3 lower_W = Vec3::Constant(-kNoWall_m);  // m
+  Vec3 upper_W = Vec3::Constant(kNoWall_m);
+  double stiffness_N_per_m = 0.0;
+  double damping_Ns_per_m = 0.0;
+  double reach_m = 0.0;  // how deep in a wall the tool can be while the motors are on
+};
+
 // How a scene is felt.
 struct SceneFeel {
   double tool_radius_m = 0.0;
@@ -33,6 +46,7 @@ struct SceneFeel {
   // The material of an object in place of the scene's; null for the scene's.
   rendering::Material (*material)(const void* context, std::uint32_t object) = nullptr;
   const void* context = nullptr;
+  FeltWalls walls;
 };
 
 struct FeltScene {
@@ -40,7 +54,9 @@ struct FeltScene {
   std::span<const rendering::Effect> effects;
   SceneFeel feel;
 
-  [[nodiscard]] std::size_t size() const { return objects.size() + effects.size(); }
+  [[nodiscard]] std::size_t size() const {
+    return objects.size() + effects.size() + FeltWalls::kCount;
+  }
 };
 
 // Where the tool is when it feels the part: in the box and, if it has a normal, at a height along
@@ -77,9 +93,12 @@ struct ScenePart {
   bool has_flat_sides = false;  // its box's sides are its own surface
   rendering::Bounds surface;    // its box; beyond kWorldBound_m to all sides for one that moves
   double contact_m = 0.0;       // the distance at which the tool's centre is in contact with it
+  // Of a potential field of a box: the box, which pushes along the normals of its faces; else null.
+  const rendering::Primitive* field_box = nullptr;
+  bool is_wall = false;  // of the workspace: damps along its own axis alone
 };
 
-// Part `number` of a scene: its objects come first, then its effects.
+// Part `number` of a scene: its objects come first, then its effects, then the workspace's walls.
 ScenePart part_of(const FeltScene& scene, std::size_t number);
 
 // Whether both share the proxy and the surfaces coincide: where they do, the proxy rests on both
@@ -92,11 +111,5 @@ rendering::Bounds common_box(const rendering::Bounds& a, const rendering::Bounds
 
 // Whether some point of the box is in the region. The box lies in the region's box.
 bool has_point_in(const rendering::Bounds& box, const FeltRegion& region);
-
-// The largest stiffness that the part has in the box, N/m.
-double stiffness_in(const rendering::Bounds& box, const ScenePart& part);
-
-// The largest stiffness that the parts have together in any direction somewhere in the box, N/m.
-double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts);
 
 }  // namespace tactus::firmware

@@ -6,6 +6,15 @@
 
 namespace tactus::firmware {
 
+FeltWalls felt_walls(const SafetyConfig& safety) {
+  const bool ends_in_fault = (safety.guards_off & kFaultWorkspace) == 0;
+  return {.lower_W = safety.workspace_lower_W,
+          .upper_W = safety.workspace_upper_W,
+          .stiffness_N_per_m = safety.workspace_stiffness_N_per_m,
+          .damping_Ns_per_m = safety.workspace_damping_Ns_per_m,
+          .reach_m = ends_in_fault ? safety.workspace_overrun_m : kBoundless_m};
+}
+
 void WorkspaceWalls::configure(const ControllerConfig& config) {
   const SafetyConfig& safety = config.safety;
   lower_W_ = safety.workspace_lower_W;

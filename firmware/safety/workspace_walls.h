@@ -1,15 +1,19 @@
 // A box in the world frame that the tool shall not leave. Its walls push back like springs with
 // dampers, which never pull: F = max(K depth - B v, 0) inward, v the velocity inward. Deeper than
-// workspace_overrun_m: kFaultWorkspace.
+// workspace_overrun_m: kFaultWorkspace. The certificate binds them together with the scene.
 #pragma once
 
 #include <cstdint>
 
 #include "firmware/configuration/controller_config.h"
+#include "firmware/safety/scene_part.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::firmware {
+
+// How the walls count against the certificate, with what pushes at the same place.
+FeltWalls felt_walls(const SafetyConfig& safety);
 
 class WorkspaceWalls {
  public:

@@ -117,10 +117,13 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
   const auto valid = controller.configure(config_.controller);
   if (!valid) {
     const ConfigError& error = valid.error();
-    // The image was found valid at the device's own rate.
-    std::fprintf(stderr, "tactusd: %s: %.*s is %g, not in %g to %g; give another --rate\n",
-                 options.device, length(error.field), error.field.data(), error.value, error.least,
-                 error.greatest);
+    // The image was found valid at the device's own rate, but for the certificate.
+    std::fprintf(stderr, "tactusd: %s: %.*s is %g, not in %g to %g; %s\n", options.device,
+                 length(error.field), error.field.data(), error.value, error.least, error.greatest,
+                 error.field.starts_with("safety.workspace")
+                     ? "lower it, then tactus certify and tactus bake, or take the risk with "
+                       "--allow-uncertified"
+                     : "give another --rate");
   }
   return valid.has_value();
 }

@@ -213,6 +213,28 @@ TEST_F(CommandServerTest, ARefusalByTheCertificateNamesWhatAddsUp) {
             "refused scene: object 'left' and object 'right'" + words);
 }
 
+TEST_F(CommandServerTest, ARefusalAtAWallOfTheWorkspaceNamesItAndTheRemedy) {
+  ControllerConfig config = cartesian_config();
+  config.certificate.count = 2;
+  config.certificate.points[0] = {.stiffness_N_per_m = 1000.0};
+  config.certificate.points[1] = {.damping_Ns_per_m = 4.0, .stiffness_N_per_m = 1000.0};
+  config.safety.workspace_lower_W = Vec3::Constant(-0.01);
+  config.safety.workspace_upper_W = Vec3::Constant(0.01);
+  config.safety.workspace_overrun_m = 1.0;
+  ASSERT_TRUE(controller_->load_scene({}, {}));
+  ASSERT_TRUE(controller_->configure(config));
+  start();
+  write_scene("soft.tactus", fields_in_one_place(499.0, 0.0));
+  write_scene("stiff.tactus", fields_in_one_place(600.0, 0.0));
+  ASSERT_TRUE(begins(say("scene " + (folder_ / "soft.tactus").string()), "ok scene"));
+  EXPECT_EQ(say("scene " + (folder_ / "stiff.tactus").string()),
+            "refused scene: object 'left' and the workspace's upper wall across x are felt in one "
+            "place and together have a stiffness of 1100 N/m, and the device is certified up to "
+            "1000 N/m with a damping of 1 N s/m; soften what is not a wall of the workspace or "
+            "move it away from there, lower workspace_stiffness_N_per_m, certify a stiffer device "
+            "with tactus certify, or take the risk with --allow-uncertified");
+}
+
 TEST_F(CommandServerTest, TheListHasEveryParameterWithItsRangeAndUnit) {
   start();
   const Reply list = Remote(folder_).send("list");

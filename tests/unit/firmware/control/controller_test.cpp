@@ -32,6 +32,37 @@ TEST_F(ControllerTest, PressingOnTheFloorPushesBackAsHookeSays) {
   EXPECT_EQ(record.joint_effort, last_.effort);
 }
 
+// Homed in the middle of a potential field, given a scene with one, or both.
+TEST_F(ControllerTest, AToolThatBeginsInAPotentialFieldIsNotPushedUntilItHasLeft) {
+  rendering::Object field;
+  field.surface = rendering::SurfaceKind::primitive;
+  field.method = rendering::ContactMethod::potential_field;
+  field.primitive.kind = rendering::PrimitiveKind::sphere;
+  field.primitive.dimensions_m = {0.02};
+  field.material = kRubber;
+  for (const bool scene_is_new : {false, true}) {
+    ASSERT_TRUE(controller_.configure(teleporting_config()));
+    ASSERT_TRUE(controller_.load_scene({&field, 1}, {.tool_radius_m = 0.0}));
+    controller_.tick(at(0.0, scene_is_new ? 0.05 : 0.01, 0.0), Request::home);
+    controller_.tick(at(0.0, scene_is_new ? 0.05 : 0.01, 0.0), Request::none);
+    if (scene_is_new) {
+      ASSERT_TRUE(controller_.load_scene({&field, 1}, {.tool_radius_m = 0.0}));
+    }
+    controller_.tick(at(0.0, 0.01, 0.0), Request::none);
+    controller_.tick(at(0.0, 0.01, 0.0), Request::enable);
+    for (int tick = 0; tick < 1000; ++tick) {
+      last_ = controller_.tick(at(0.0, 0.01 + 9e-6 * tick, 0.0), Request::none);
+      ASSERT_EQ(last_.effort, (std::array<double, drivers::kMaxJoints>{})) << tick;
+      ASSERT_NE(controller_.record().limits & kLimitTouch, 0U);
+    }
+    controller_.tick(at(0.0, 0.0201, 0.0), Request::none);
+    for (int tick = 0; tick < 1000; ++tick) {
+      last_ = controller_.tick(at(0.0, 0.016, 0.0), Request::none);
+    }
+    EXPECT_NEAR(last_.effort[1], 2.0, 1e-9);
+  }
+}
+
 TEST_F(ControllerTest, OnlyActiveEnablesTheMotors) {
   EXPECT_TRUE(is_zero(controller_.tick(kPressed, Request::none)));
   EXPECT_EQ(controller_.mode(), Mode::init);

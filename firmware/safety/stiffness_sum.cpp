@@ -1,0 +1,151 @@
+#include "firmware/safety/stiffness_sum.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/safety/field_pieces.h"
+
+namespace tactus::firmware {
+namespace {
+
+using rendering::Bounds;
+
+// The pieces of one more field, in looks of some 60 ns.
+constexpr std::size_t kLooksOfAField = 32;
+
+double largest_eigenvalue(const Mat3& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+// The stiffness matrix of parts whose directions are the same everywhere in the box.
+struct Fixed {
+  Mat3 directed = Mat3::Zero();
+  double alike = 0.0;  // in all directions
+
+  [[nodiscard]] double most() const {
+    return alike + (directed.isZero(0.0) ? 0.0 : largest_eigenvalue(directed));
+  }
+};
+
+void add(const Bounds& box, const ScenePart& part, Fixed& sum) {
+  const double stiffness = stiffness_in(box, part);
+  const Mat3 along = stiffness * part.axis_W * part.axis_W.transpose();
+  switch (part.directions) {
+    case SpringDirections::along_axis:
+      sum.directed += along;
+      break;
+    case SpringDirections::across_axis:
+      sum.directed -= along;
+      sum.alike += stiffness;
+      break;
+    default:
+      sum.alike += stiffness;
+      break;
+  }
+}
+
+// N/m, of all fields of boxes.
+double sum_of_fields(std::span<const ScenePart> parts) {
+  double sum = 0.0;
+  for (const ScenePart& part : parts) {
+    sum += part.field_box != nullptr ? part.felt.stiffness_N_per_m : 0.0;
+  }
+  return sum;
+}
+
+// Goes through the choices of one piece for each field of a box.
+class PieceSum {
+ public:
+  PieceSum(std::span<const ScenePart> parts, const Fixed& fixed, std::size_t& looks_left)
+      : parts_(parts),
+        fixed_(fixed),
+        looks_left_(looks_left),
+        fields_N_per_m_(sum_of_fields(parts)),
+        most_possible_(fixed.most() + fields_N_per_m_) {}
+
+  double most_in(const Bounds& box, double enough_N_per_m) {
+    if (fields_N_per_m_ == 0.0 || most_possible_ <= enough_N_per_m) {
+      return most_possible_;
+    }
+    choose(0, box, fixed_, fields_N_per_m_);
+    return looks_left_ > 0 ? std::max(largest_, 0.0) : most_possible_;
+  }
+
+ private:
+  void take(std::size_t looks) { looks_left_ -= std::min(looks_left_, looks); }
+
+  [[nodiscard]] bool is_done() const {
+    constexpr double kRounding = 1e-12;
+    return looks_left_ == 0 || largest_ >= (1.0 - kRounding) * most_possible_;
+  }
+
+  [[nodiscard]] bool has_place(const Bounds& box) const {
+    return std::ranges::all_of(
+        parts_, [&](const ScenePart& part) { return has_point_in(box, part.region); });
+  }
+
+  // Goes on with parts from `next` on; `left_N_per_m` is what fields among them have.
+  void choose(std::size_t next, const Bounds& box, const Fixed& sum, double left_N_per_m) {
+    while (next < parts_.size() && parts_[next].field_box == nullptr) {
+      ++next;
+    }
+    if (is_done() || sum.most() + left_N_per_m <= largest_) {
+      return;
+    }
+    if (next == parts_.size()) {
+      largest_ = sum.most();
+      return;
+    }
+    take(kLooksOfAField);
+    const ScenePart& part = parts_[next];
+    const double stiffness = part.felt.stiffness_N_per_m;
+    const FieldPieces all = pieces_of_box(*part.field_box, part.contact_m, kSamePlace_m);
+    for (std::size_t i = 0; i < all.count && !is_done(); ++i) {
+      take(1);
+      const FieldPiece& piece = all.pieces[i];
+      const Bounds common = common_box(box, piece.box);
+      if (has_place(common)) {
+        choose(next + 1, common,
+               {.directed = sum.directed + stiffness * piece.directions_W, .alike = sum.alike},
+               left_N_per_m - stiffness);
+      }
+    }
+  }
+
+  std::span<const ScenePart> parts_;
+  const Fixed& fixed_;
+  std::size_t& looks_left_;
+  double fields_N_per_m_;
+  double most_possible_;
+  double largest_ = -1.0;  // of the choices so far
+};
+
+}  // namespace
+
+double stiffness_in(const Bounds& box, const ScenePart& part) {
+  const double most = part.felt.stiffness_N_per_m;
+  if (part.falloff.kind == Falloff::Kind::none) {
+    return most;
+  }
+  const double away_m = box.distance(part.falloff.middle_W);
+  if (part.falloff.kind == Falloff::Kind::bounded_spring) {
+    return away_m > 0.0 ? std::min(most, part.falloff.largest_force_N / away_m) : most;
+  }
+  const double cores = away_m / part.falloff.core_m;
+  const double spread = 1.0 + cores * cores;
+  return std::min(most, part.falloff.steepness / (spread * std::sqrt(spread)));
+}
+
+double stiffness_together(const Bounds& box, std::span<const ScenePart> parts,
+                          double enough_N_per_m, std::size_t& looks_left) {
+  Fixed fixed;
+  for (const ScenePart& part : parts) {
+    if (part.field_box == nullptr) {
+      add(box, part, fixed);
+    }
+  }
+  return PieceSum(parts, fixed, looks_left).most_in(box, enough_N_per_m);
+}
+
+}  // namespace tactus::firmware
