@@ -50,9 +50,9 @@ Vec3 force_at(std::span<const Object> objects, const Vec3& p_W, double radius_m)
   return sum;
 }
 
-// The largest stiffness at p_W, N/m: the largest eigenvalue of the force's slope, by differences.
-// What turns the force at an edge without holding the tool has an eigenvalue below zero there.
-// Nothing where the force jumps, which is where the differences to the two sides are not alike.
+// Returns the largest stiffness at p_W, N/m: the largest eigenvalue of the force's slope, by
+// differences. An edge that turns the force without holding the tool has an eigenvalue below zero.
+// Returns nothing if the force jumps: then the differences to the two sides are not alike.
 std::optional<double> stiffness_at(std::span<const Object> objects, const Vec3& p_W,
                                    double radius_m) {
   constexpr double kStep_m = 1e-8;
@@ -109,7 +109,7 @@ TEST(FieldCorner, PlatesThatCrossAtARightAngleAreAsStiffAsTheStifferOne) {
   EXPECT_TRUE(refused_up_to(plates, 899.0));
 }
 
-// Where their ends are in one plane, both push along its normal.
+// If their ends are in one plane, both push along its normal.
 TEST(FieldCorner, PlatesThatCrossAndEndInOnePlaneCountWithTheSumThere) {
   const std::array plates{box_field(Vec3::Zero(), {0.05, 0.004, 0.015}, 900.0),
                           box_field(Vec3::Zero(), {0.004, 0.05, 0.015}, 700.0)};
