@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the READMEs of rendering/, rendering/friction/ and host_tools/certify/ anew. Needs a built `tactus`:
+# Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/friction/ and host_tools/certify/. Needs a built `tactus`:
 # host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -60,3 +60,13 @@ cp "$examples/devices/falcon.toml" "$work/"
 "$tactus" certify "$work/falcon.toml" >"$work/log"
 cp "$work/falcon.zwidth.png" "$pictures/falcon_zwidth.png"
 echo "$pictures/falcon_zwidth.png"
+
+# The demo's path, of the root README.
+host_tools/bunny_mesh.sh "$work/bunny00.off"
+cp "$examples/bunny/scene.toml" "$work/bunny.toml"
+"$tactus" bake "$work/bunny.toml" -o "$work/bunny.tactus" >"$work/log"
+"$tactus" sim "$work/bunny.tactus" --path "$examples/bunny/wish.csv" --output "$work/bunny.csv" >"$work/log"
+"$tactus" plot "$work/bunny.csv" --scene "$work/bunny.tactus" -o "$work/" >"$work/log"
+mkdir -p host_tools/pictures
+cp "$work/bunny_path.png" host_tools/pictures/
+echo host_tools/pictures/bunny_path.png

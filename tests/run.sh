@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
-# Builds and tests everything that this repository promises, in a fresh clone on Debian 12. See --help.
+# Builds the repository and runs its tests, in a fresh clone on Debian 12; with --all, everything that it promises. See --help.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # A stage is a name and the script of tests/checks/ with its arguments.
 stages=(
   "release           build_and_test.sh release"
+  "links             links.sh"
+  "format            format.sh"
+)
+all_stages=(
   "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64"
@@ -20,48 +24,55 @@ stages=(
   "mutations         mutations.sh"
   "install           install_package.sh"
   "packages-list     packages_come_from_one_list.sh"
-  "links             links.sh"
-  "format            format.sh"
   "shell             shell.sh"
   "tidy              tidy.sh"
 )
 soak_stages=(
   "alone             build.sh alone"
 )
+known_stages=("${stages[@]}" "${all_stages[@]}" "${soak_stages[@]}")
 
 usage() {
   cat <<END
-usage: tests/run.sh [--only STAGE]... [--soak] [--help]
+usage: tests/run.sh [--all] [--only STAGE]... [--soak] [--help]
+Without options: every test once, optimised, and the checks of links and format.
+  --all          the sanitizers, Arm, bare metal, fuzzing, the emulated machine, planted faults, clang-tidy, ... as well
   --only STAGE   run this stage only; may be repeated
-  --soak         random tests a hundred times as long, the loop a minute for each rate and device, and
+  --soak         all of that, with random tests a hundred times as long, the loop a minute for each rate and device, and
                  $(printf '%s\n' "${soak_stages[@]}" | awk '{print $1}' | paste -sd' ')
-stages: $(printf '%s\n' "${stages[@]}" "${soak_stages[@]}" | awk '{print $1}' | paste -sd' ')
+stages: $(printf '%s\n' "${known_stages[@]}" | awk '{print $1}' | paste -sd' ')
+Examples:
+  tests/run.sh
+  tests/run.sh --only release --only rig
 Each stage's whole output is kept in build/test-logs/STAGE.log.
 END
 }
 
 only=()
+all=
 while [[ $# -gt 0 ]]; do
   case "$1" in
     --only)
       only+=("${2:?--only needs the name of a stage}")
       shift
       ;;
+    --all) all=1 ;;
     --soak) export TACTUS_SOAK=1 ;;
     --help) usage && exit 0 ;;
     *) usage >&2 && exit 2 ;;
   esac
   shift
 done
+if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then stages+=("${all_stages[@]}"); fi
+if [[ -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then stages+=("${soak_stages[@]}"); fi
 for name in "${only[@]}"; do
-  if ! printf '%s\n' "${stages[@]}" "${soak_stages[@]}" | grep -q "^$name "; then
+  if ! printf '%s\n' "${known_stages[@]}" | grep -q "^$name "; then
     echo "tests/run.sh: no stage '$name'" >&2
     usage >&2
     exit 2
   fi
 done
 is_wanted() { [[ ${#only[@]} -eq 0 || " ${only[*]} " == *" $1 "* ]]; }
-if [[ -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then stages+=("${soak_stages[@]}"); fi
 
 logs=build/test-logs
 mkdir -p "$logs"
@@ -93,7 +104,9 @@ run_stage() {
   echo "${summary[-1]}"
 }
 
-toolchains/install-packages.sh demo tests rig aarch64 cortex-m7
+groups=(demo tests)
+if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 cortex-m7); fi
+toolchains/install-packages.sh "${groups[@]}"
 for stage in "${stages[@]}"; do
   read -r name script arguments <<<"$stage"
   if is_wanted "$name"; then

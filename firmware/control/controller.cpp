@@ -315,7 +315,9 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   record_.force_commanded_W = to_triple(scale * force_W);
   if (friction_compensation_.is_on()) {
     effort = compensated(sample, effort, length_of(scale * force_W));
-    if (mode_ != Mode::active) {
+    if (mode_ != Mode::active) {  // the push was not finite: the motors get nothing
+      energy_.hold(Vec3::Zero());
+      record_.force_commanded_W = {};
       command.power_off = true;
       return command;
     }

@@ -275,10 +275,20 @@ TEST_F(CompensatingController, StopsWhereAPushWouldNotBeFinite) {
   config.friction[0].model.viscous_s_per_m = 1000.0;
   config.safety.guards_off = kFaultOverspeed | kFaultEncoderJump | kFaultMotionWithoutTorque;
   const auto controller = active(config, floor_);
-  drivers::JointSample fast = moving(1);
+  const auto pressing = [](int tick) {
+    drivers::JointSample sample = moving(tick);
+    sample.position[1] = -0.002;
+    return sample;
+  };
+  for (int tick = 1; tick < 700; ++tick) {
+    controller->tick(pressing(tick), Request::none);
+  }
+  ASSERT_GT(controller->record().force_commanded_W[1], 0.1);
+  drivers::JointSample fast = pressing(700);
   fast.velocity[0] = 1e308;
   EXPECT_FALSE(controller->tick(fast, Request::none).enable);
   EXPECT_NE(controller->record().faults & kFaultCommandNotFinite, 0U);
+  EXPECT_EQ(controller->record().force_commanded_W, Triple{}) << "no motor had any";
 }
 
 }  // namespace
