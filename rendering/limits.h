@@ -16,7 +16,7 @@ inline constexpr std::size_t kMaxTools = 10;
 // Of the objects, those that the outside moves, and those that the shared proxy does not meet
 // (other contact methods than sphere_proxy and god_object). Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxMovers = 64;
-inline constexpr std::size_t kMaxLoneObjects = 64;
+inline constexpr std::size_t kMaxIndependentObjects = 64;
 
 // Meshes of a scene that deform, their vertices and their hierarchy nodes. Beyond:
 // World::set_scene refuses.
@@ -45,7 +45,7 @@ inline constexpr std::size_t kMaxEffects = 16;
 inline constexpr std::size_t kMaxHierarchyDepth = 64;
 
 // Triangles near the tool that are kept from tick to tick (about 370 bytes each). Beyond: the
-// neighbourhood shrinks, and if even the smallest does not fit, the proxy goes straight toward the
+// candidate set shrinks, and if even the smallest does not fit, the proxy goes straight toward the
 // tool or holds still; kTouchCandidatesOverflow.
 inline constexpr std::size_t kMaxCandidates = 512;
 
@@ -74,19 +74,20 @@ inline constexpr std::size_t kMaxTextureLevels = 14;
 // kTouchIterationsExhausted. What was measured is kept, and a tick that finds the proxy where the
 // last began does whatever its first move takes, so that no place holds the proxy, not one with
 // hundreds of triangles in reach: there a tick may do more, but measures no triangle twice before
-// that move and sweeps past them at most kMaxContactPlanes + 1 times. kUsualWork keeps 999 of 1,000
-// ticks on the dragon within 10 us. A tick that begins a contact, or whose tool has jumped, may
-// take kMaxWork, from what is saved: a unit in kTicksToSaveAUnit ticks, and kMostSavedWork at a
-// start. One that shading or a texture sends over its way again may, whatever is saved.
-inline constexpr std::size_t kUsualWork = 368;
-inline constexpr std::size_t kMaxWork = 1152;
-inline constexpr std::size_t kMostSavedWork = 2048;
-inline constexpr std::size_t kTicksToSaveAUnit = 10;
+// that move and sweeps past them at most kMaxContactPlanes + 1 times. kUsualTickBudget keeps 999 of
+// 1,000 ticks on the dragon within 10 us. A tick that begins a contact, or whose tool has jumped,
+// may take kMaxTickBudget, from what is saved: a unit in kTicksPerSavedUnit ticks, and
+// kMaxSavedBudget at a start. One that shading or a texture sends over its way again may, whatever
+// is saved.
+inline constexpr std::size_t kUsualTickBudget = 368;
+inline constexpr std::size_t kMaxTickBudget = 1152;
+inline constexpr std::size_t kMaxSavedBudget = 2048;
+inline constexpr std::size_t kTicksPerSavedUnit = 10;
 
 // And in the same units, of carrying it along with objects that move: where hundreds of triangles
 // come over it at 5 m/s. Beyond: they pass over it; kTouchPinched. And of a straight way among more
 // than kMaxCandidates. Beyond: the proxy goes no farther than what was seen.
-inline constexpr std::size_t kMaxCarryWork = 12'288;
+inline constexpr std::size_t kMaxCarryBudget = 12'288;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.
@@ -95,7 +96,7 @@ inline constexpr std::size_t kMaxFormulaInstructions = 256;
 // Formula instructions carried out for one implicit surface in one tick, whatever for: about 0.2 ms
 // of a desktop core. Beyond: the proxy stops where its way is known to be free, nearer to the tool
 // than before, and goes on in the next tick; kTouchIterationsExhausted.
-inline constexpr std::size_t kMaxFormulaWork = 32768;
+inline constexpr std::size_t kMaxFormulaBudget = 32768;
 
 // The world lies within this distance of its origin, metres. A tool beyond it is an error of the
 // device; kTouchToolInvalid.

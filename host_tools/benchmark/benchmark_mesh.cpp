@@ -9,7 +9,7 @@
 #include "host_tools/benchmark/debian_bunny.h"
 #include "host_tools/benchmark/stanford_dragon.h"
 #include "host_tools/mesh/icosphere.h"
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 
 namespace tactus::host {
 namespace {

@@ -14,8 +14,8 @@ namespace tactus::rendering {
 class ImplicitField {
  public:
   // `side` is 1 or -1; `work` bounds the instructions.
-  ImplicitField(const ImplicitSurface& surface, double side, std::size_t work)
-      : surface_(surface), side_(side), work_(work) {}
+  ImplicitField(const ImplicitSurface& surface, double side, std::size_t budget)
+      : surface_(surface), side_(side), budget_(budget) {}
 
   void set_side(double side) { side_ = side; }
   [[nodiscard]] const ImplicitSurface& surface() const { return surface_; }
@@ -24,21 +24,21 @@ class ImplicitField {
   double value(const Vec3& p_O);
   // A gradient that is not finite is given as zero.
   ValueAndGradient value_and_gradient(const Vec3& p_O);
-  SegmentRange along(const Vec3& from_O, const Vec3& way_O, const Interval& t);
+  SegmentRange along(const Vec3& from_O, const Vec3& segment_O, const Interval& t);
 
   // Whether one more evaluation is within the bound.
-  [[nodiscard]] bool can_work() const { return work_ >= size(); }
+  [[nodiscard]] bool can_evaluate() const { return budget_ >= size(); }
 
  private:
   [[nodiscard]] std::size_t size() const { return surface_.formula.instructions.size(); }
-  void count() { work_ -= can_work() ? size() : work_; }
+  void count() { budget_ -= can_evaluate() ? size() : budget_; }
 
   const ImplicitSurface& surface_;
   double side_;
-  std::size_t work_;
+  std::size_t budget_;
 };
 
-enum class Way : unsigned char {
+enum class SegmentState : unsigned char {
   free,     // all of it
   blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of way
             // shows
@@ -46,7 +46,7 @@ enum class Way : unsigned char {
 };
 
 struct Crossing {
-  Way way = Way::free;
+  SegmentState state = SegmentState::free;
   double free_to = 1.0;     // share of the way, in [0, 1]: F >= 0 from the start up to here
   double blocked_at = 1.0;  // for Way::blocked: F < 0 here, or undecided; at most 1 nm further
 };

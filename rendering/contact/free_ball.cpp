@@ -36,7 +36,7 @@ constexpr int kMostLookedAt = 48;
 // to nothing where that is less than `least`, or not soon found.
 struct ClearanceVisitor {
   const Vec3& p;
-  Work& work;
+  TickBudget& budget;
   double nearest;
   double least;
   const MeshView* mesh = nullptr;
@@ -44,9 +44,9 @@ struct ClearanceVisitor {
   int looked_at = 0;
 
   [[nodiscard]] double reach() const { return nearest > 0.0 ? kEasyPart * nearest + slack_m : 0.0; }
-  void boxes(std::uint32_t pairs) { work.add(kWorkOfBoxesAbout * pairs); }
+  void boxes(std::uint32_t pairs) { budget.spend(kCostOfBoxPairInBall * pairs); }
   void operator()(std::uint32_t t) {
-    work.add(kWorkOfALook);
+    budget.spend(kCostOfLeafTriangle);
     nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
     if (nearest < least || ++looked_at == kMostLookedAt) {
       nearest = 0.0;
@@ -56,31 +56,31 @@ struct ClearanceVisitor {
 
 // Shrinks to what is certainly free about p beyond the reach of the proxy. Goes over objects.
 struct FreeBall {
-  const Scenery& scenery;
-  const Shells& shells;
+  const SceneObjects& scene;
+  const ContactMargins& margins;
   const Vec3& p;
-  Work& work;
+  TickBudget& budget;
   double least;
   double free;
 
-  [[nodiscard]] double reach() const { return std::max(0.0, free) + shells.sphere.reach_m; }
-  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+  [[nodiscard]] double reach() const { return std::max(0.0, free) + margins.sphere.reach_m; }
+  void operator()(std::uint32_t place) { take(scene.still_object(place)); }
 
   void take(std::uint32_t number) {
     if (free < least) {
       return;
     }
-    const Object& object = scenery[number];
-    const double own_reach = shells.of(is_point_tool(object)).reach_m;
+    const Object& object = scene[number];
+    const double own_reach = margins.of(is_point_tool(object)).reach_m;
     if (object.surface == SurfaceKind::primitive) {
-      const double distance = std::abs(sample(scenery.primitive_W(number), p).distance_m);
+      const double distance = std::abs(sample(scene.primitive_W(number), p).distance_m);
       free = std::min(free, distance - own_reach);
       return;
     }
-    const Vec3 p_O = point_in(scenery.mover_of(number), p);
-    const PlacedMesh placed = scenery.mesh_O(number);
+    const Vec3 p_O = point_in(scene.mover_of(number), p);
+    const PlacedMesh placed = scene.mesh_O(number);
     ClearanceVisitor visitor{.p = p_O,
-                             .work = work,
+                             .budget = budget,
                              .nearest = (free + own_reach) / kEasyPart,
                              .least = (least + own_reach) / kEasyPart,
                              .mesh = &placed.mesh,
@@ -92,17 +92,17 @@ struct FreeBall {
 
 }  // namespace
 
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m,
-                   Work& work) {
-  FreeBall ball{.scenery = scenery,
-                .shells = shells,
+double free_radius(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p,
+                   double least_m, TickBudget& budget) {
+  FreeBall ball{.scene = scene,
+                .margins = margins,
                 .p = p,
-                .work = work,
+                .budget = budget,
                 .least = least_m,
                 .free = kMostClearance_m};
-  visit_near(scenery.still_nodes(), p, ball);
-  for (const Mover& mover : scenery.movers()) {
-    if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= ball.reach()) {
+  visit_near(scene.still_nodes(), p, ball);
+  for (const Mover& mover : scene.movers()) {
+    if (meets_proxy(scene[mover.object]) && mover.distance(p) <= ball.reach()) {
       ball.take(mover.object);
     }
   }

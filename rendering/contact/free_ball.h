@@ -2,8 +2,8 @@
 #pragma once
 
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/contact/work.h"
-#include "rendering/world/scenery.h"
+#include "rendering/contact/tick_budget.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 
@@ -11,7 +11,7 @@ namespace tactus::rendering {
 // m. At least half of what it could be, which is found at a fraction of the cost, and never more
 // than 0.1 m; less than `least_m`, and perhaps negative, where that is not so, or not soon found.
 // Adds to `work` what it took.
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m,
-                   Work& work);
+double free_radius(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p,
+                   double least_m, TickBudget& budget);
 
 }  // namespace tactus::rendering

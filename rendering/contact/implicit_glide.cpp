@@ -50,7 +50,7 @@ Vec2 corrected_step(const Mat2& shape, double depth, double length) {
 // The straight line between two surface points dips into a bulge. The way goes over an apex above
 // their middle, high enough that F climbs on the first half and falls on the second without a
 // doubt: then one interval each is mostly enough to see that nothing is in the way.
-bool is_way_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
+bool is_path_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
   constexpr std::size_t kMostRanges = 8;
   constexpr double kLeastSlope = 0.05;
   const Vec3 chord = to.point - from.point;
@@ -59,8 +59,8 @@ bool is_way_free(ImplicitField& field, const ImplicitSample& from, const Implici
   const double rise = length * (kLeastSlope + 0.5 * std::abs(turn) + 0.25 * turn);
   const Vec3 apex = 0.5 * (from.point + to.point) + rise * (from.normal + to.normal).normalized();
   return field.surface().bounds_O.contains(apex) &&
-         first_crossing(field, from.point, apex, kMostRanges).way == Way::free &&
-         first_crossing(field, apex, to.point, kMostRanges).way == Way::free;
+         first_crossing(field, from.point, apex, kMostRanges).state == SegmentState::free &&
+         first_crossing(field, apex, to.point, kMostRanges).state == SegmentState::free;
 }
 
 bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3& tool) {
@@ -95,12 +95,12 @@ std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish)
   if (!step.allFinite()) {
     return std::nullopt;
   }
-  for (int attempt = 0; attempt < kMostTries && field.can_work(); ++attempt, step *= kShorter) {
+  for (int attempt = 0; attempt < kMostTries && field.can_evaluate(); ++attempt, step *= kShorter) {
     const Vec3 guess = from.point + step.x() * t.along + step.y() * t.across -
                        0.5 * step.dot(shape * step) * from.normal;
     const auto to = settle_at_rest(field, guess, step.norm() + kImplicitReach_m / scale_m);
     if (to && field.surface().bounds_O.contains(to->point) && is_better(from, *to, wish.tool) &&
-        is_way_free(field, from, *to)) {
+        is_path_free(field, from, *to)) {
       return to;
     }
   }

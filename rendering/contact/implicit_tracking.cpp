@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "rendering/contact/implicit_glide.h"
-#include "rendering/contact/implicit_way.h"
+#include "rendering/contact/implicit_segment.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
@@ -44,7 +44,7 @@ class Tick {
         surface_(surface),
         material_(material),
         h_(std::move(h_O)),
-        field_(surface, 1.0, kMaxFormulaWork) {}
+        field_(surface, 1.0, kMaxFormulaBudget) {}
 
   ImplicitRest run() {
     while (!step()) {
@@ -65,7 +65,7 @@ class Tick {
   // One sub-goal. True when the tick is over.
   bool step() {
     plane_count_ = 0;
-    if (rest_.sub_goals == kMaxSubGoals || !field_.can_work()) {
+    if (rest_.sub_goals == kMaxSubGoals || !field_.can_evaluate()) {
       return exhausted();
     }
     if (!surface_.bounds_O.contains(state_.p_O)) {
@@ -144,13 +144,13 @@ class Tick {
   bool pass_outside() {
     forget_contact();
     state_.side = 0.0;
-    const Vec3 way = h_ - state_.p_O;
-    const Inside inside = clip(surface_.bounds_O, state_.p_O, way);
+    const Vec3 segment = h_ - state_.p_O;
+    const Inside inside = clip(surface_.bounds_O, state_.p_O, segment);
     if (inside.enter > inside.leave) {
       move_to(h_);
       return true;
     }
-    const Vec3 entry = state_.p_O + inside.enter * way;
+    const Vec3 entry = state_.p_O + inside.enter * segment;
     move_to(entry.cwiseMax(surface_.bounds_O.lower).cwiseMin(surface_.bounds_O.upper));
     return false;
   }
@@ -164,14 +164,14 @@ class Tick {
   bool come_out() {
     forget_contact();
     field_.set_side(-1.0);
-    const StraightWay way = look_along(field_, state_.p_O, h_);
-    if (way.crossing.way == Way::blocked) {
-      move_to(way.at(way.crossing.blocked_at));
+    const SweptSegment segment = look_along(field_, state_.p_O, h_);
+    if (segment.crossing.state == SegmentState::blocked) {
+      move_to(segment.at(segment.crossing.blocked_at));
       state_.side = 0.0;
       return false;
     }
-    if (way.crossing.way == Way::unknown) {
-      move_to(way.at(way.crossing.free_to));
+    if (segment.crossing.state == SegmentState::unknown) {
+      move_to(segment.at(segment.crossing.free_to));
       return exhausted();
     }
     move_to(h_);
@@ -223,18 +223,18 @@ class Tick {
       if (rest_.planes == 1 && plane_count_ == 1 && glide_toward(goal.point)) {
         return false;
       }
-      const StraightWay way = look_along(field_, state_.p_O, goal.point);
-      const Crossing& crossing = way.crossing;
-      if (crossing.way == Way::free) {
+      const SweptSegment segment = look_along(field_, state_.p_O, goal.point);
+      const Crossing& crossing = segment.crossing;
+      if (crossing.state == SegmentState::free) {
         move_to(goal.point);
         return false;
       }
-      const Vec3 stop = way.at(crossing.free_to);
-      const bool is_held =
-          crossing.way == Way::blocked && (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
-      if (!is_held || !add_blocking_plane(way.at(crossing.blocked_at))) {
+      const Vec3 stop = segment.at(crossing.free_to);
+      const bool is_held = crossing.state == SegmentState::blocked &&
+                           (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
+      if (!is_held || !add_blocking_plane(segment.at(crossing.blocked_at))) {
         const bool has_moved = come_to_rest_at(stop);
-        return !has_moved && (crossing.way == Way::blocked || exhausted());
+        return !has_moved && (crossing.state == SegmentState::blocked || exhausted());
       }
     }
     return exhausted();

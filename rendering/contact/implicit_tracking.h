@@ -50,7 +50,7 @@ class ImplicitTracker {
   // where intervals show the way to be free, however far the tool jumps and however thin the
   // surface is; each move brings it nearer to the tool, so it cannot swing. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap, work bounded by
-  // kMaxFormulaWork.
+  // kMaxFormulaBudget.
   ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }

@@ -9,7 +9,7 @@
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/limits.h"
 #include "rendering/state/state_archive.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 
@@ -23,15 +23,15 @@ class LeftOut {
   // An object below kMaxObjects. True if it was felt before.
   bool add(std::uint32_t object);
 
-  // Adds what has a surface nearer to p_W than the inner shell by more than `slack_m`; world frame,
-  // m. Where that takes more than kMaxCarryWork an object is added too. True if one was felt
-  // before.
-  bool add_overlapped(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
+  // Adds what has a surface nearer to p_W than the inner contact margin by more than `slack_m`;
+  // world frame, m. Where that takes more than kMaxCarryBudget an object is added too. True if one
+  // was felt before.
+  bool add_overlapped(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
                       double slack_m);
 
-  // Takes back what is farther from p_W than the reach of the shell. True if any was. Work bounded
-  // by kMaxCarryWork; what is not known then stays out.
-  bool take_back(const Scenery& scenery, const Shells& shells, const Vec3& p_W);
+  // Takes back what is farther from p_W than the reach of the contact margin. True if any was. Work
+  // bounded by kMaxCarryBudget; what is not known then stays out.
+  bool take_back(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W);
 
   // What it remembers, to bytes or back.
   void transfer(StateArchive& archive);

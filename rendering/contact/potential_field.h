@@ -8,8 +8,8 @@
 // - where the nearest point jumps (near corners, deep inside) the force jumps;
 // - overlapping objects push each for itself.
 //
-// A tool that begins in it is the one thing that is remembered: LoneTouch leaves the field out
-// until the tool has been clear of it in a tick.
+// A tool that begins in it is the one thing that is remembered: IndependentContacts leaves the
+// field out until the tool has been clear of it in a tick.
 #pragma once
 
 #include "rendering/surface/connected_mesh.h"

@@ -10,11 +10,11 @@
 
 namespace tactus::rendering {
 
-// The shell round a surface within which the proxy's centre rests. Contact planes put it at `rest`;
-// a sweep lets it come down to between `inner` and `stop`; nothing lets it below `inner`. All are
-// greater than the tool's radius, so that even a point never lies on a triangle.
-struct Shell {
-  explicit Shell(double tool_radius_m)
+// The contact margin round a surface within which the proxy's centre rests. Contact planes put it
+// at `rest`; a sweep lets it come down to between `inner` and `stop`; nothing lets it below
+// `inner`. All are greater than the tool's radius, so that even a point never lies on a triangle.
+struct ContactMargin {
+  explicit ContactMargin(double tool_radius_m)
       : inner_m(tool_radius_m + 0.25e-6),
         stop_m(tool_radius_m + 0.375e-6),
         rest_m(tool_radius_m + 0.5e-6),
@@ -27,16 +27,18 @@ struct Shell {
 };
 
 // The tool as each object takes it: a sphere, or its centre alone.
-struct Shells {
-  explicit Shells(double tool_radius_m) : sphere(tool_radius_m) {}
+struct ContactMargins {
+  explicit ContactMargins(double tool_radius_m) : sphere(tool_radius_m) {}
 
-  [[nodiscard]] const Shell& of(bool point_tool) const { return point_tool ? point : sphere; }
+  [[nodiscard]] const ContactMargin& of(bool point_tool) const {
+    return point_tool ? point : sphere;
+  }
 
   // Whether the tool is one by itself.
   [[nodiscard]] bool is_point() const { return sphere.reach_m <= point.reach_m; }
 
-  Shell sphere;
-  Shell point{0.0};
+  ContactMargin sphere;
+  ContactMargin point{0.0};
 };
 
 struct Sweep {
@@ -79,11 +81,11 @@ class SeparatingPlanes {
   std::size_t count_ = 0;
 };
 
-// Travel in metres at which the sphere's centre enters the shell of the triangle, or `limit` if it
-// does not do so before. Never too long, and too short only by the shell's thickness. A one-sided
-// triangle stops what stands in front of it, and what comes to stand in front of it while still
-// clear of it. `start` is triangle.nearest(sweep.from).
+// Travel in metres at which the sphere's centre enters the contact margin of the triangle, or
+// `limit` if it does not do so before. Never too long, and too short only by the contact margin's
+// thickness. A one-sided triangle stops what stands in front of it, and what comes to stand in
+// front of it while still clear of it. `start` is triangle.nearest(sweep.from).
 double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& sweep, double limit,
-                         const Shell& shell, const Nearest& start);
+                         const ContactMargin& margin, const Nearest& start);
 
 }  // namespace tactus::rendering

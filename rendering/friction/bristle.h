@@ -22,7 +22,7 @@ namespace tactus::rendering {
 template <typename Vector>
 struct FrictionTick {
   Vector displacement_m = zero_tangent<Vector>();
-  double way_m = 0.0;  // its length
+  double path_m = 0.0;  // its length
   double speed_m_per_s = 0.0;
   double normal_force_N = 0.0;  // > 0
   double step_s = 0.0;          // > 0
@@ -30,7 +30,7 @@ struct FrictionTick {
 
 // How sigma0 z came through a tick.
 template <typename Vector>
-struct ElasticWay {
+struct ElasticStep {
   Vector end_N = zero_tangent<Vector>();
   Vector mean_N = zero_tangent<Vector>();
   Vector bent_N = zero_tangent<Vector>();  // the change that the motion made; cuts are left out
@@ -74,11 +74,11 @@ inline Decay decay(double a) {
 
 // `way` along a straight line, of the length `way_m`, from the elastic force f; level_N > 0.
 template <typename Vector>
-ElasticWay<Vector> yield_toward(double level_N, double stiffness_N_per_m, const Vector& f,
-                                const Vector& way, double way_m) {
-  const Decay d = decay(stiffness_N_per_m * way_m / level_N);
-  const Vector stretch = stiffness_N_per_m * way;
-  ElasticWay<Vector> result;
+ElasticStep<Vector> yield_toward(double level_N, double stiffness_N_per_m, const Vector& f,
+                                 const Vector& motion, double path_m) {
+  const Decay d = decay(stiffness_N_per_m * path_m / level_N);
+  const Vector stretch = stiffness_N_per_m * motion;
+  ElasticStep<Vector> result;
   result.end_N = d.left * f + d.mean * stretch;
   result.mean_N = d.mean * f + d.rest * stretch;
   result.bent_N = result.end_N - f;

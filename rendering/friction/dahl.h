@@ -14,11 +14,11 @@
 namespace tactus::rendering {
 
 template <typename Vector>
-ElasticWay<Vector> advance_dahl(const FrictionParameters& parameters,
-                                const FrictionTick<Vector>& tick, const Vector& elastic_force_N) {
+ElasticStep<Vector> advance_dahl(const FrictionParameters& parameters,
+                                 const FrictionTick<Vector>& tick, const Vector& elastic_force_N) {
   const double level_N = parameters.coulomb * tick.normal_force_N;
   return yield_toward(level_N, parameters.stiffness_N_per_m, cut_to(elastic_force_N, level_N),
-                      tick.displacement_m, tick.way_m);
+                      tick.displacement_m, tick.path_m);
 }
 
 }  // namespace tactus::rendering

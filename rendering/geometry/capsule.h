@@ -7,7 +7,7 @@ namespace tactus::rendering {
 
 struct Capsule {
   Vec3 start = Vec3::Zero();  // m
-  Vec3 way = Vec3::Zero();    // from start to the other end, m
+  Vec3 axis = Vec3::Zero();   // from start to the other end, m
   double radius = -1.0;       // m; negative: empty
 
   // How deep p lies in it; negative outside.

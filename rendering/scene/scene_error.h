@@ -43,7 +43,7 @@ enum class SceneFault : std::uint8_t {
   effect_count,       // more than kMaxEffects; place: number found
   effect,             // unknown law, or a number out of range; place: effect
   motion,             // a number out of range, or of an object that does not move
-  capacity,           // see Scenery::set; place: objects that move or are touched alone
+  capacity,           // see SceneObjects::set; place: objects that move or are touched alone
 };
 
 struct SceneError {

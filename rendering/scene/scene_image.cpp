@@ -9,7 +9,7 @@
 #include "rendering/scene/scene_generated.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 namespace {
@@ -185,10 +185,10 @@ Result SceneImage::take(const image::Scene& scene) {
       return taken;
     }
   }
-  SceneryNeeds needs;
+  SceneCapacityNeeds needs;
   std::ranges::for_each(objects(), [&](const Object& object) { needs.add(object); });
   if (!needs.fit()) {
-    return fail(SceneFault::capacity, std::max(needs.movers, needs.lone));
+    return fail(SceneFault::capacity, std::max(needs.movers, needs.independent));
   }
   return {};
 }

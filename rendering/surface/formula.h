@@ -98,7 +98,7 @@ struct SegmentRange {
   Interval value;
   Interval slope;
 };
-SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& way,
+SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& segment,
                             const Interval& t);
 
 // An enclosure of f over the box between two corners.

@@ -9,7 +9,7 @@
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/state/state_archive.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -23,7 +23,7 @@ class ProxyTouch {
   void place(const Vec3& p_W);
 
   // First in every tick: objects that moved take the proxy along or push it. TouchFlags.
-  std::uint32_t begin_tick(const Scenery& scenery) { return proxy_.begin_tick(scenery); }
+  std::uint32_t begin_tick(const SceneObjects& scene) { return proxy_.begin_tick(scene); }
 
   // Moves the proxy for a tool that is finite, and gives the force of the surfaces that hold it:
   // F = K (proxy - tool) - B v, with v relative to the surface, and K and B their mean weighted by
@@ -31,7 +31,7 @@ class ProxyTouch {
   // shading normal, and its bumps shorten the stretch; that takes up to kMostPasses of the proxy's
   // advance, within the limits of one tick. Bounded work, no heap. `path`, if given, receives the
   // moves.
-  Touch touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path);
+  Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
 
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
 
@@ -41,12 +41,12 @@ class ProxyTouch {
   // Most triangles ever kept near the tool, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
-  // What it remembers, to bytes or back; of the same scenery.
-  void transfer(StateArchive& archive, const Scenery& scenery);
+  // What it remembers, to bytes or back; of the same scene.
+  void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
   // What the surfaces of a rest feel like. The sums are weighted by how far each pushes.
-  struct Felt {
+  struct BlendedSurface {
     bool detailed = false;
     bool interpolated = false;
     double pressure_m = 0.0;          // the sum of the weights
@@ -55,7 +55,7 @@ class ProxyTouch {
     Vec3 damping_W = Vec3::Zero();    // sum, N m
     Vec3 surface_v_W = Vec3::Zero();  // sum, m^2/s
     double depth_m = 0.0;             // of the tool below the planes
-    double felt_depth_m = 0.0;        // below their bumps; >= 0
+    double effective_depth_m = 0.0;   // below their bumps; >= 0
     Vec3 lean = Vec3::Zero();         // see ShadedRest
     FrictionFactors friction;
   };
@@ -68,16 +68,18 @@ class ProxyTouch {
     std::size_t count = 0;
   };
 
-  void shade(const Scenery& scenery, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
-             Felt& felt);
-  Felt come_back(const Scenery& scenery, const ToolState& tool, ProxyPath* path, ProxyRest& rest);
-  void set_friction(const FrictionFactors& felt);
-  Felt feel(const Scenery& scenery, const ToolState& tool, const ProxyRest& rest);
-  Detail detail_of(const Scenery& scenery, const ContactPlane& plane);
+  void shade(const SceneObjects& scene, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
+             BlendedSurface& blended);
+  BlendedSurface return_to_surface(const SceneObjects& scene, const ToolState& tool,
+                                   ProxyPath* path, ProxyRest& rest);
+  void set_friction(const FrictionFactors& of_surfaces);
+  BlendedSurface blend_surfaces(const SceneObjects& scene, const ToolState& tool,
+                                const ProxyRest& rest);
+  Detail detail_of(const SceneObjects& scene, const ContactPlane& plane);
   [[nodiscard]] double travel_to(const ContactPoint& here) const;
-  void set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
+  void set_force(const ToolState& tool, const ProxyRest& rest, const BlendedSurface& blended,
                  Touch& touch) const;
-  static void set_parts(const Vec3& stretch, const Felt& felt, Touch& touch);
+  static void set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch);
 
   SphereProxy proxy_{0.0};
   ForceShading shading_;

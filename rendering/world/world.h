@@ -10,7 +10,7 @@
 #include "rendering/state/state_archive.h"
 #include "rendering/world/effect_touch.h"
 #include "rendering/world/object.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 #include "rendering/world/tool_touch.h"
 #include "rendering/world/touch.h"
 
@@ -30,7 +30,7 @@ class World {
   World() = default;
 
   // Takes a scene and starts over; the views must stay alive and unchanged. False, and an empty
-  // world, if a number of `config` is out of range, and for whatever Scenery::set refuses.
+  // world, if a number of `config` is out of range, and for whatever SceneObjects::set refuses.
   bool set_scene(std::span<const Object> objects, const WorldConfig& config);
 
   // The time from tick to tick from now on, for effects and motions; 1 ms at the start. False, and
@@ -42,30 +42,30 @@ class World {
   void reset();
 
   // From the next tick on an object that `moves` stands there, and moves like that. False for
-  // whatever Scenery::set_pose refuses.
+  // whatever SceneObjects::set_pose refuses.
   bool set_pose(std::uint32_t object, const RigidPose& X_WO, const Twist& twist) {
-    return scenery_.set_pose(object, X_WO, twist);
+    return scene_.set_pose(object, X_WO, twist);
   }
 
   // From the next tick on an object feels like that, until the next scene. False for whatever
-  // Scenery::set_material refuses.
+  // SceneObjects::set_material refuses.
   bool set_material(std::uint32_t object, const Material& material) {
-    return scenery_.set_material(object, material);
+    return scene_.set_material(object, material);
   }
 
-  [[nodiscard]] std::size_t object_count() const { return scenery_.size(); }
+  [[nodiscard]] std::size_t object_count() const { return scene_.size(); }
   // What an object below object_count() feels like now.
   [[nodiscard]] const Material& material(std::uint32_t object) const {
-    return scenery_.material(object);
+    return scene_.material(object);
   }
 
   // How far an object's proxy was from the tool after the last touch, m; the largest of all tools.
   [[nodiscard]] double stretch_m(std::uint32_t object) const;
 
   // From the next tick on a vertex of an object that `deforms` moves there, by at most
-  // kMaxVertexStep_m a tick. False for whatever Scenery::move_vertex refuses.
+  // kMaxVertexStep_m a tick. False for whatever SceneObjects::move_vertex refuses.
   bool move_vertex(std::uint32_t object, std::uint32_t vertex, const Vec3& p_O) {
-    return scenery_.move_vertex(object, vertex, p_O);
+    return scene_.move_vertex(object, vertex, p_O);
   }
 
   // One tick: moves the proxies and gives the force on the hand, F = K (proxy - tool) - B v in
@@ -99,7 +99,7 @@ class World {
   void begin_tick();
   Touch touch_one(std::size_t number, const ToolState& tool, ProxyPath* path);
 
-  Scenery scenery_;
+  SceneObjects scene_;
   std::array<ToolTouch, kMaxTools> tools_;
   std::array<EffectTouch, kMaxTools> effect_touches_;
   std::span<const Effect> effects_;

@@ -6,13 +6,13 @@
 
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
 
 // What held the proxy last.
-struct Touched {
+struct LastContact {
   std::uint32_t object = kNoObject;
   std::uint32_t triangle = 0;    // of its mesh
   Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of all that held it
@@ -27,7 +27,7 @@ struct Carried {
 // left out. Seen from each object the
 // proxy goes straight from where it was to where it is, and crosses nothing. Real time: bounded
 // work, no heap.
-Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W, const Touched& touched,
-              const LeftOut& left_out = {});
+Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
+                    const LastContact& last_contact, const LeftOut& left_out = {});
 
 }  // namespace tactus::rendering

@@ -5,12 +5,12 @@
 
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 
 // In the object's own frame O.
-struct ObjectCast {
+struct ObjectSweep {
   Sweep sweep_O;
   double limit_m = 0.0;
 };
@@ -21,13 +21,13 @@ struct ObjectHit {
   std::uint32_t triangle = 0;  // of a mesh
 };
 
-// `room` is for how much work there is room, in units of kMaxWork; what is done is taken from it.
-// When it runs out the travel ends where the walk ended, and nothing is met.
-ObjectHit cast_on(const Scenery& scenery, std::uint32_t number, const ObjectCast& cast,
-                  const Shell& shell, std::size_t& room);
+// `room` is for how much work there is room, in units of kMaxTickBudget; what is done is taken from
+// it. When it runs out the travel ends where the walk ended, and nothing is met.
+ObjectHit sweep_object(const SceneObjects& scene, std::uint32_t number, const ObjectSweep& sweep,
+                       const ContactMargin& margin, std::size_t& cost_left);
 
 // The nearest point of the object, or of one triangle of its mesh, from p_O; in the object's frame.
-Nearest nearest_at(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle,
+Nearest nearest_at(const SceneObjects& scene, std::uint32_t number, std::uint32_t triangle,
                    const Vec3& p_O);
 
 // The first of all objects that stops the sphere.
@@ -39,9 +39,11 @@ struct FirstHit {
 
 // The same over the objects that stand still, and over all objects where they are in this tick, but
 // for those that are left out.
-FirstHit cast_on_still(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                       double limit_m, std::size_t& room, const LeftOut& left_out = {});
-FirstHit cast_on_all(const Scenery& scenery, const Shells& shells, const Sweep& sweep_W,
-                     double limit_m, std::size_t& room, const LeftOut& left_out = {});
+FirstHit sweep_still_objects(const SceneObjects& scene, const ContactMargins& margins,
+                             const Sweep& sweep_W, double limit_m, std::size_t& cost_left,
+                             const LeftOut& left_out = {});
+FirstHit sweep_all_objects(const SceneObjects& scene, const ContactMargins& margins,
+                           const Sweep& sweep_W, double limit_m, std::size_t& cost_left,
+                           const LeftOut& left_out = {});
 
 }  // namespace tactus::rendering

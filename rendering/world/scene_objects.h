@@ -61,26 +61,27 @@ struct PlacedMesh {
   double slack_m = 0.0;
 };
 
-// What of the fixed sizes of a scenery some objects would take.
-struct SceneryNeeds {
-  std::size_t movers = 0;  // objects that move or deform
-  std::size_t lone = 0;    // that the shared proxy does not meet
+// What of the fixed sizes of a scene some objects would take.
+struct SceneCapacityNeeds {
+  std::size_t movers = 0;       // objects that move or deform
+  std::size_t independent = 0;  // that the shared proxy does not meet
   std::size_t deformables = 0;
   std::size_t deformable_vertices = 0;
   std::size_t deformable_nodes = 0;
 
   void add(const Object& object);
-  // In kMaxMovers, kMaxLoneObjects, kMaxDeformables, kMaxDeformableVertices, kMaxDeformableNodes.
+  // In kMaxMovers, kMaxIndependentObjects, kMaxDeformables, kMaxDeformableVertices,
+  // kMaxDeformableNodes.
   [[nodiscard]] bool fit() const;
 };
 
 // Lives in static storage; no heap. One thread owns it.
-class Scenery {
+class SceneObjects {
  public:
   // Takes the objects, each at X_WO = identity; the views must stay alive and unchanged. False, and
   // none, if there are more than kMaxObjects, more than kMaxMovers that move or deform, more
-  // than kMaxLoneObjects that the shared proxy does not meet, more that deform than there is room
-  // for, or one that is not usable().
+  // than kMaxIndependentObjects that the shared proxy does not meet, more that deform than there is
+  // room for, or one that is not usable().
   bool set(std::span<const Object> objects);
 
   // From the next tick on object `number` stands there. False, and nothing changed, if it is not an
@@ -137,11 +138,11 @@ class Scenery {
   [[nodiscard]] std::span<const Mover> movers() const { return {movers_.data(), mover_count_}; }
   [[nodiscard]] bool anything_moved() const { return anything_moved_; }
 
-  [[nodiscard]] bool any_meets_proxy() const { return lone_count_ < objects_.size(); }
+  [[nodiscard]] bool any_meets_proxy() const { return independent_count_ < objects_.size(); }
 
   // Those that the shared proxy does not meet.
-  [[nodiscard]] std::span<const std::uint32_t> lone_objects() const {
-    return {lone_.data(), lone_count_};
+  [[nodiscard]] std::span<const std::uint32_t> independent_objects() const {
+    return {independent_.data(), independent_count_};
   }
 
   // The boxes of the objects that stand still and meet the shared proxy; empty if there are none.
@@ -194,14 +195,14 @@ class Scenery {
   DeformablePool pool_;
   std::array<DeformableMesh, kMaxDeformables> deformables_;
   std::size_t deformable_count_ = 0;
-  std::array<std::uint32_t, kMaxLoneObjects> lone_{};
-  std::size_t lone_count_ = 0;
+  std::array<std::uint32_t, kMaxIndependentObjects> independent_{};
+  std::size_t independent_count_ = 0;
   std::array<BvhNode, 2 * kMaxObjects> nodes_{};
   std::size_t node_count_ = 0;
   std::array<std::uint32_t, kMaxObjects> order_{};
 };
 
 // A triangle of an object's mesh, where it is in this tick; world frame.
-Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle);
+Triangle triangle_W(const SceneObjects& scene, std::uint32_t number, std::uint32_t triangle);
 
 }  // namespace tactus::rendering

@@ -17,21 +17,21 @@
 
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/contact/work.h"
+#include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/capsule.h"
 #include "rendering/geometry/floats.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
 #include "rendering/state/state_archive.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 
 // Most are found and never measured: what finding writes comes first, in one cache line.
 struct alignas(64) Candidate {
   const Primitive* primitive = nullptr;  // of an object without a mesh
-  std::uint64_t measured_at = 0;         // Neighbourhood::move_to's count
+  std::uint64_t measured_at = 0;         // CandidateSet::move_to's count
   std::uint32_t object = 0;
   std::uint32_t index = 0;  // of the triangle in its mesh
   bool prepared = false;    // `triangle` is built
@@ -43,7 +43,7 @@ struct alignas(64) Candidate {
   SurfaceSample seen;       // of the primitive, from the place of `measured_at`
 };
 
-class Neighbourhood {
+class CandidateSet {
  public:
   // Forgets everything; the next `ensure` gathers.
   void clear() {
@@ -61,7 +61,7 @@ class Neighbourhood {
     wanted_length_m_ = 0.0;
     slimness_ = 1.0;
     smaller_ = 0;
-    work_ = {};
+    budget_ = {};
     left_out_ = {};
   }
 
@@ -69,7 +69,7 @@ class Neighbourhood {
   [[nodiscard]] LeftOut& left_out() { return left_out_; }
 
   // Forgets everything if an object moved that is near enough to matter.
-  void begin_tick(const Scenery& scenery);
+  void begin_tick(const SceneObjects& scene);
 
   enum class Gathering : std::uint8_t {
     complete,  // the candidates are valid about p
@@ -78,11 +78,12 @@ class Neighbourhood {
     too_many,  // more than kMaxCandidates even in the smallest capsule
   };
   // Makes the candidates valid about p, at once or over several ticks.
-  Gathering ensure(const Scenery& scenery, const Shells& shells, const Vec3& p);
+  Gathering ensure(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p);
   // The same for a proxy that is at p at a tick's end and will be at `next` after another, if it
   // would leave what is valid, and the tick had little work: so that few ticks both gather and move
   // among what was gathered.
-  void look_ahead(const Scenery& scenery, const Shells& shells, const Vec3& p, const Vec3& next);
+  void look_ahead(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p,
+                  const Vec3& next);
   // Whether the next `ensure` has more to do.
   [[nodiscard]] bool is_begun() const { return to_walk_.count > 0; }
 
@@ -101,8 +102,9 @@ class Neighbourhood {
     ++places_;
   }
 
-  // The candidates that may be within the shell's reach of the place of `move_to`, or of p, where
-  // `farther_m` adds to the reach; all others are not. Valid until the next call of the same.
+  // The candidates that may be within the contact margin's reach of the place of `move_to`, or of
+  // p, where `farther_m` adds to the reach; all others are not. Valid until the next call of the
+  // same.
   std::span<const std::uint16_t> within_reach_here();
   std::span<const std::uint16_t> within_reach(const Vec3& p, double farther_m = 0.0);
 
@@ -111,7 +113,7 @@ class Neighbourhood {
 
   // A place, as the tangents take it; while the candidates are the same.
   struct Bounded {
-    Bounded(const Neighbourhood& of, const Vec3& p);
+    Bounded(const CandidateSet& of, const Vec3& p);
     float x, y, z;
     float most;  // a larger bound is out of reach
   };
@@ -121,17 +123,17 @@ class Neighbourhood {
   }
 
   // The nearest point of candidate i from the place of `move_to`, measured once a place.
-  const Nearest& nearest(std::size_t i, const Scenery& scenery);
+  const Nearest& nearest(std::size_t i, const SceneObjects& scene);
   [[nodiscard]] bool is_measured(std::size_t i) const { return slots_[i].measured_at == places_; }
 
   // The triangle of candidate i, to look whether it must be measured; nullptr of a primitive.
-  const Triangle* triangle(std::size_t i, const Scenery& scenery) {
+  const Triangle* triangle(std::size_t i, const SceneObjects& scene) {
     Candidate& slot = slots_[i];
     if (slot.primitive != nullptr) {
       return nullptr;
     }
-    work_.add(kWorkOfASeparation);
-    prepare(slot, scenery);
+    budget_.spend(kCostOfSeparation);
+    prepare(slot, scene);
     return &slot.triangle;
   }
 
@@ -144,20 +146,20 @@ class Neighbourhood {
   // Grows whenever the candidates change, and with them the meaning of their numbers.
   [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
 
-  // Whether that was so since the last `start_work`.
+  // Whether that was so since the last `start_tick_budget`.
   [[nodiscard]] bool is_fresh() const { return gatherings_ >= first_gathering_; }
 
-  // What has been done since the last `start_work`.
-  void start_work() {
-    work_.begin_tick();
+  // What has been done since the last `start_tick_budget`.
+  void start_tick_budget() {
+    budget_.begin_tick();
     waited_ = first_place_ == places_;
     first_place_ = places_;
     first_gathering_ = gatherings_ + 1;
   }
-  [[nodiscard]] Work& work() { return work_; }
-  [[nodiscard]] const Work& work() const { return work_; }
+  [[nodiscard]] TickBudget& budget() { return budget_; }
+  [[nodiscard]] const TickBudget& budget() const { return budget_; }
   // Whether that is all for this tick. Not where objects moved: what was found would be lost.
-  [[nodiscard]] bool is_worked_out() const { return may_pause_ && work_.is_over(); }
+  [[nodiscard]] bool is_budget_spent() const { return may_pause_ && budget_.is_exhausted(); }
   // Whether the proxy still is where the last tick's work began: what that had too much to do for,
   // this one does, up to its first move, so that no place holds the proxy. Where objects moved
   // nothing is kept for the next tick, and that holds at once.
@@ -166,11 +168,11 @@ class Neighbourhood {
   }
   // Whether candidate i must wait for the next tick; what was measured is kept.
   [[nodiscard]] bool must_wait(std::size_t i) const {
-    return is_worked_out() && !has_waited() && !is_measured(i);
+    return is_budget_spent() && !has_waited() && !is_measured(i);
   }
 
-  // What it remembers, to bytes or back; of the same scenery and shells.
-  void transfer(StateArchive& archive, const Scenery& scenery, const Shells& shells);
+  // What it remembers, to bytes or back; of the same scene and shells.
+  void transfer(StateArchive& archive, const SceneObjects& scene, const ContactMargins& margins);
 
  private:
   // Meshes whose triangles are not all looked at yet, by the number of the object.
@@ -188,32 +190,32 @@ class Neighbourhood {
     std::array<std::uint16_t, kMaxCandidates> number{};
     std::size_t count = 0;
 
-    void find(const Neighbourhood& of, const Vec3& p, double farther_m);
+    void find(const CandidateSet& of, const Vec3& p, double farther_m);
     [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
   };
 
-  Gathering gather(const Scenery& scenery, const Shells& shells, const Vec3& p);
+  Gathering gather(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p);
   // The next capsule to trust, from p on.
   [[nodiscard]] Capsule plan(const Vec3& p);
-  void begin_gathering(const Scenery& scenery, const Capsule& trust);
-  void go_on_gathering(const Scenery& scenery);
-  void walk_mesh(const Scenery& scenery, std::uint32_t number);
-  void end_gathering(const Scenery& scenery);
+  void begin_gathering(const SceneObjects& scene, const Capsule& trust);
+  void go_on_gathering(const SceneObjects& scene);
+  void walk_mesh(const SceneObjects& scene, std::uint32_t number);
+  void end_gathering(const SceneObjects& scene);
   // The next free candidate, or nullptr.
   Candidate* add(const Object& object, std::uint32_t number);
   void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
-  static void prepare(Candidate& slot, const Scenery& scenery) {
+  static void prepare(Candidate& slot, const SceneObjects& scene) {
     if (!slot.prepared) {
-      build(slot, scenery);
+      build(slot, scene);
     }
   }
-  static void build(Candidate& slot, const Scenery& scenery);
+  static void build(Candidate& slot, const SceneObjects& scene);
   void measure_primitive(std::size_t i);
   void set_no_bound(std::size_t i);
   void fill_last_four();
-  void transfer_walk(StateArchive& archive, const Scenery& scenery);
+  void transfer_walk(StateArchive& archive, const SceneObjects& scene);
   void transfer_here(StateArchive& archive);
-  void transfer_candidate(StateArchive& archive, const Scenery& scenery, std::size_t i);
+  void transfer_candidate(StateArchive& archive, const SceneObjects& scene, std::size_t i);
   // At least that far from the capsule's start, and farther along the normal.
   void store_bound(std::size_t i, const Float3& normal, double distance);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
@@ -222,20 +224,20 @@ class Neighbourhood {
   Capsule trust_;
   double wanted_length_m_ = 0.0;
   double slimness_ = 1.0;  // of the capsule: its radius is its length over this
-  Shells shells_{0.0};
+  ContactMargins margins_{0.0};
   std::uint64_t places_ = 1;
   std::size_t size_ = 0;
   std::size_t tested_ = 0;  // triangles, at the last gathering
   std::size_t peak_ = 0;
   std::size_t gatherings_ = 0;
-  std::size_t first_gathering_ = 0;  // since the last `start_work`
+  std::size_t first_gathering_ = 0;  // since the last `start_tick_budget`
   ToWalk to_walk_;                   // of a gathering that was begun
   std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
   bool is_full_ = false;             // there was no room for a candidate
   bool may_pause_ = true;            // no object moved here in this tick
-  std::uint64_t first_place_ = 0;    // at the last `start_work`
+  std::uint64_t first_place_ = 0;    // at the last `start_tick_budget`
   bool waited_ = false;              // and it was so at the one before
-  Work work_;
+  TickBudget budget_;
   LeftOut left_out_;
   // The tangents: distance from p is at least normal . (p - trust_.start) + height.
   // Those of the last four that are no candidates are out of reach.

@@ -10,10 +10,10 @@
 
 namespace tactus::rendering {
 
-class NearWay {
+class NearSegment {
  public:
   // From `start` to start + way, which may be zero, m.
-  NearWay(const Vec3& start, const Vec3& way, double reach);
+  NearSegment(const Vec3& start, const Vec3& segment, double reach);
 
   // A plane in front of a triangle: from p it is at least normal . (p - start) - offset away. The
   // normal is no longer than 1.
@@ -52,8 +52,8 @@ class NearWay {
 
   FourVectors start_;       // to the nearest float
   FourVectors start_rest_;  // what that leaves of it
-  FourVectors way_;
-  FourVectors way_by_squared_;  // over its squared length
+  FourVectors segment_;
+  FourVectors segment_by_squared_;  // over its squared length
   float reach_ = 0.0F;
 };
 

@@ -10,13 +10,13 @@
 // of time: if the proxy is in front of such a plane by the height of the corners at both ends of
 // the tick, they were apart all the while. The direction is from the triangle's nearest point to
 // the proxy. A triangle that is farther than all motions together need not be asked.
-#include "rendering/contact/carry.h"
+#include "rendering/contact/carry_along.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-#include "rendering/contact/object_cast.h"
+#include "rendering/contact/object_sweep.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/plane_projection.h"
 
@@ -33,7 +33,7 @@ constexpr double kMostPush_m = 1e-6;
 struct DeformingPlane {
   const DeformableMesh& deformable;
   bool one_sided;
-  const Shell& shell;
+  const ContactMargin& margin;
   const Vec3& from_O;
   const Vec3& to_O;
   double reach_m;
@@ -53,7 +53,7 @@ struct DeformingPlane {
     for (const std::uint32_t corner : now.triangles[t]) {
       support = std::max(support, nearest.normal.dot(to_vec3(now.vertices[corner])));
     }
-    const double offset = support + std::min(shell.rest_m, nearest.distance);
+    const double offset = support + std::min(margin.rest_m, nearest.distance);
     const double gap = nearest.normal.dot(to_O) - offset;
     if (gap < least_gap_m) {
       least_gap_m = gap;
@@ -63,69 +63,70 @@ struct DeformingPlane {
   }
 };
 
-struct Push {
-  const Scenery& scenery;
-  const Shells& shells;
+struct MovingObstacles {
+  const SceneObjects& scene;
+  const ContactMargins& margins;
   const Vec3& from_W;
   const LeftOut& left_out;
   std::array<Plane, kMaxPlanes> planes{};
   std::size_t plane_count = 0;
-  std::size_t room = kMaxCarryWork;
+  std::size_t cost_left = kMaxCarryBudget;
   bool clear = true;  // in this round
 
   // One more plane to stay in front of; in the world frame.
   void add(const Vec3& normal_W, double offset) {
     if (plane_count == kMaxPlanes) {
-      room = 0;
+      cost_left = 0;
       return;
     }
     planes[plane_count++] = {.normal = normal_W, .offset = offset};
   }
 
   // The way that the object sees, from where the proxy was to goal_W.
-  void ask(std::uint32_t number, const RigidPose& before, const RigidPose& now,
-           const Vec3& goal_W) {
+  void meet_object(std::uint32_t number, const RigidPose& before, const RigidPose& now,
+                   const Vec3& goal_W) {
     if (left_out.has(number)) {
       return;
     }
     const Vec3 from_O = before.point_in(from_W);
-    const Vec3 way = now.point_in(goal_W) - from_O;
-    const double length = way.norm();
+    const Vec3 motion = now.point_in(goal_W) - from_O;
+    const double length = motion.norm();
     constexpr double kNothing_m = 1e-12;
     if (length <= kNothing_m) {
       return;
     }
-    const Shell& shell = shells.of(is_point_tool(scenery[number]));
-    const Sweep sweep{.from = from_O, .direction = way / length};
+    const ContactMargin& margin = margins.of(is_point_tool(scene[number]));
+    const Sweep sweep{.from = from_O, .direction = motion / length};
     const ObjectHit hit =
-        cast_on(scenery, number, {.sweep_O = sweep, .limit_m = length}, shell, room);
+        sweep_object(scene, number, {.sweep_O = sweep, .limit_m = length}, margin, cost_left);
     if (hit.travel_m >= length) {
       return;
     }
     clear = false;
     if (!hit.met) {
-      room = 0;
+      cost_left = 0;
       return;
     }
     const Vec3 met_O = from_O + hit.travel_m * sweep.direction;
-    const Nearest nearest = nearest_at(scenery, number, hit.triangle, met_O);
+    const Nearest nearest = nearest_at(scene, number, hit.triangle, met_O);
     const Vec3 normal_W = now.direction(nearest.normal);
-    const double to_rest = std::min(shell.rest_m - nearest.distance, kMostPush_m);
+    const double to_rest = std::min(margin.rest_m - nearest.distance, kMostPush_m);
     add(normal_W, normal_W.dot(now.point(met_O)) + to_rest);
   }
 
-  void ask_deforming(const Mover& mover, const Vec3& goal_W) {
+  void meet_deforming(const Mover& mover, const Vec3& goal_W) {
     const Vec3 from_O = mover.X_WO_before.point_in(from_W);
     const Vec3 to_O = mover.X_WO.point_in(goal_W);
-    const Object& object = scenery[mover.object];
-    const Shell& shell = shells.of(is_point_tool(object));
+    const Object& object = scene[mover.object];
+    const ContactMargin& margin = margins.of(is_point_tool(object));
     const DeformableMesh& deformable = *mover.deformable;
-    DeformingPlane visitor{.deformable = deformable,
-                           .one_sided = object.sides == Sides::one,
-                           .shell = shell,
-                           .from_O = from_O,
-                           .to_O = to_O,
-                           .reach_m = shell.reach_m + deformable.step_m() + (to_O - from_O).norm()};
+    DeformingPlane visitor{
+        .deformable = deformable,
+        .one_sided = object.sides == Sides::one,
+        .margin = margin,
+        .from_O = from_O,
+        .to_O = to_O,
+        .reach_m = margin.reach_m + deformable.step_m() + (to_O - from_O).norm()};
     visit_near(deformable.before().nodes, from_O, visitor);
     if (!visitor.broken) {
       return;
@@ -135,55 +136,55 @@ struct Push {
     add(normal_W, visitor.plane_O.offset + normal_W.dot(mover.X_WO.translation));
   }
 
-  void ask_movers(const Vec3& goal_W) {
-    for (const Mover& mover : scenery.movers()) {
-      if (!meets_proxy(scenery[mover.object]) || left_out.has(mover.object)) {
+  void meet_movers(const Vec3& goal_W) {
+    for (const Mover& mover : scene.movers()) {
+      if (!meets_proxy(scene[mover.object]) || left_out.has(mover.object)) {
         continue;
       }
       const Vec3 from_O = mover.X_WO_before.point_in(from_W);
       const double length = (mover.X_WO.point_in(goal_W) - from_O).norm();
-      if (mover.bounds_O.distance(from_O) > length + shells.sphere.reach_m) {
+      if (mover.bounds_O.distance(from_O) > length + margins.sphere.reach_m) {
         continue;
       }
       if (mover.deformable != nullptr && mover.deformable->step_m() > 0.0) {
-        ask_deforming(mover, goal_W);
+        meet_deforming(mover, goal_W);
       } else {
-        ask(mover.object, mover.X_WO_before, mover.X_WO, goal_W);
+        meet_object(mover.object, mover.X_WO_before, mover.X_WO, goal_W);
       }
     }
   }
 
-  void ask_still(const Vec3& goal_W) {
+  void meet_still(const Vec3& goal_W) {
     struct Visitor {
-      Push& push;
+      MovingObstacles& obstacles;
       const Vec3& goal_W;
       double length;
       [[nodiscard]] double reach() const { return length; }
       void operator()(std::uint32_t place) {
-        push.ask(push.scenery.still_object(place), {}, {}, goal_W);
+        obstacles.meet_object(obstacles.scene.still_object(place), {}, {}, goal_W);
       }
     };
-    const Vec3 way = goal_W - from_W;
-    const double length = way.norm();
+    const Vec3 motion = goal_W - from_W;
+    const double length = motion.norm();
     if (length > 0.0) {
-      visit_along(scenery.still_nodes(), from_W, way / length, shells.sphere.reach_m,
-                  Visitor{.push = *this, .goal_W = goal_W, .length = length});
+      visit_along(scene.still_nodes(), from_W, motion / length, margins.sphere.reach_m,
+                  Visitor{.obstacles = *this, .goal_W = goal_W, .length = length});
     }
   }
 };
 
 // Past the objects that move, and up to those that stand still.
-Vec3 up_to_still(const Scenery& scenery, const Shells& shells, const Vec3& from_W,
-                 const Vec3& goal_W, const LeftOut& left_out) {
-  const Vec3 way = goal_W - from_W;
-  const double length = way.norm();
+Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, const Vec3& from_W,
+                    const Vec3& goal_W, const LeftOut& left_out) {
+  const Vec3 motion = goal_W - from_W;
+  const double length = motion.norm();
   if (length <= 0.0) {
     return from_W;
   }
-  std::size_t room = kMaxCarryWork;
-  const Sweep sweep{.from = from_W, .direction = way / length};
-  return from_W +
-         cast_on_still(scenery, shells, sweep, length, room, left_out).travel_m * sweep.direction;
+  std::size_t cost_left = kMaxCarryBudget;
+  const Sweep sweep{.from = from_W, .direction = motion / length};
+  return from_W + sweep_still_objects(scene, margins, sweep, length, cost_left, left_out).travel_m *
+                      sweep.direction;
 }
 
 // Where the point of the mesh next to p_O went in this tick.
@@ -206,41 +207,42 @@ Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, co
 }
 
 // Where what held the proxy takes it.
-Vec3 taken_along(const Scenery& scenery, const Vec3& p_W, const Touched& touched) {
+Vec3 carried_position(const SceneObjects& scene, const Vec3& p_W, const LastContact& last_contact) {
   const Mover* const mover =
-      touched.object == kNoObject ? nullptr : scenery.mover_of(touched.object);
+      last_contact.object == kNoObject ? nullptr : scene.mover_of(last_contact.object);
   if (mover == nullptr || !mover->moved) {
     return p_W;
   }
   Vec3 p_O = mover->X_WO_before.point_in(p_W);
   if (mover->deformable != nullptr && mover->deformable->step_m() > 0.0) {
-    p_O += displacement_O(*mover->deformable, touched.triangle, p_O);
+    p_O += displacement_O(*mover->deformable, last_contact.triangle, p_O);
   }
   return mover->X_WO.point(p_O);
 }
 
 }  // namespace
 
-Carried carry(const Scenery& scenery, const Shells& shells, const Vec3& p_W, const Touched& touched,
-              const LeftOut& left_out) {
-  const Vec3 wish = taken_along(scenery, p_W, touched);
-  Push push{.scenery = scenery, .shells = shells, .from_W = p_W, .left_out = left_out};
-  Vec3 goal = wish;
+Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
+                    const LastContact& last_contact, const LeftOut& left_out) {
+  const Vec3 desired = carried_position(scene, p_W, last_contact);
+  MovingObstacles obstacles{
+      .scene = scene, .margins = margins, .from_W = p_W, .left_out = left_out};
+  Vec3 goal = desired;
   for (int round = 0; round < kMaxRounds; ++round) {
-    push.clear = true;
-    push.ask_movers(goal);
-    push.ask_still(goal);
-    if (push.clear) {
+    obstacles.clear = true;
+    obstacles.meet_movers(goal);
+    obstacles.meet_still(goal);
+    if (obstacles.clear) {
       return {.p_W = goal};
     }
     const PlaneProjection projection =
-        project_on_planes(wish, std::span(push.planes).first(push.plane_count));
-    if (!projection.feasible || push.room == 0) {
+        project_on_planes(desired, std::span(obstacles.planes).first(obstacles.plane_count));
+    if (!projection.feasible || obstacles.cost_left == 0) {
       break;
     }
     goal = projection.point;
   }
-  return {.p_W = up_to_still(scenery, shells, p_W, wish, left_out), .flags = kTouchPinched};
+  return {.p_W = swept_to_still(scene, margins, p_W, desired, left_out), .flags = kTouchPinched};
 }
 
 }  // namespace tactus::rendering

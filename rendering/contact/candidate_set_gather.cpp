@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/contact/candidate_set.h"
 #include "rendering/contact/free_ball.h"
-#include "rendering/contact/neighbourhood.h"
-#include "rendering/geometry/near_way.h"
+#include "rendering/geometry/near_segment.h"
 
 namespace tactus::rendering {
 namespace {
@@ -31,31 +31,31 @@ constexpr double kSlimmer = 1.4;
 constexpr double kStouter = 0.7;
 // Nearer to the border of the capsule the proxy has left it.
 constexpr double kBorder_m = 1e-6;
-constexpr std::size_t kLittleWork = kUsualWork / 2;
+constexpr std::size_t kLookAheadBudget = kUsualTickBudget / 2;
 
 }  // namespace
 
 // Collects the triangles of one object that come within reach of the trusted way, until there is
 // no room, or the tick's work is done. In the object's frame.
-struct Neighbourhood::GatherTriangles {
-  Neighbourhood& to;
+struct CandidateSet::GatherTriangles {
+  CandidateSet& to;
   const Object& object;
   std::uint32_t number;
   const Mover* mover;
   const MeshView& mesh;
-  NearWay way;
+  NearSegment segment;
   const Vec3& start;
   double farthest_m;  // from the start, of what comes within reach of the way
 
-  void boxes(std::uint32_t pairs) { to.work_.add(kWorkOfBoxesNear * pairs); }
+  void boxes(std::uint32_t pairs) { to.budget_.spend(kCostOfBoxPairNear * pairs); }
 
   void leaf(const BvhNode& leaf) {
     to.tested_ += leaf.triangle_count;
-    to.work_.add(kWorkOfALook * leaf.triangle_count);
-    way.find(mesh, leaf.first, leaf.triangle_count,
-             [&](std::uint32_t t, const NearWay::Bound& bound) { take(t, bound); });
+    to.budget_.spend(kCostOfLeafTriangle * leaf.triangle_count);
+    segment.find(mesh, leaf.first, leaf.triangle_count,
+                 [&](std::uint32_t t, const NearSegment::Bound& bound) { take(t, bound); });
   }
-  [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_worked_out(); }
+  [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_budget_spent(); }
 
   // Of long thin triangles that meet in a point the way sees many that are not near it. Where there
   // was no room for all, each is measured.
@@ -63,11 +63,11 @@ struct Neighbourhood::GatherTriangles {
     if (to.smaller_ == 0) {
       return false;
     }
-    to.work_.add(kWorkOfAMeasurement);
+    to.budget_.spend(kCostOfMeasurement);
     return triangle_of(mesh, t).nearest(start).distance > farthest_m;
   }
 
-  void take(std::uint32_t t, const NearWay::Bound& bound) {
+  void take(std::uint32_t t, const NearSegment::Bound& bound) {
     if (is_far(t)) {
       return;
     }
@@ -85,32 +85,32 @@ struct Neighbourhood::GatherTriangles {
 };
 
 // Goes over objects: takes primitives, and notes meshes.
-struct Neighbourhood::GatherObjects {
-  Neighbourhood& to;
-  const Scenery& scenery;
+struct CandidateSet::GatherObjects {
+  CandidateSet& to;
+  const SceneObjects& scene;
 
-  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+  void operator()(std::uint32_t place) { take(scene.still_object(place)); }
 
   void take(std::uint32_t number) {
     if (to.left_out_.has(number)) {
       return;
     }
-    const Object& object = scenery[number];
+    const Object& object = scene[number];
     if (object.surface != SurfaceKind::primitive) {
       to.to_walk_.meshes[to.to_walk_.count++] = number;
       return;
     }
     const Capsule& trust = to.trust_;
-    const double reach = to.shells_.of(is_point_tool(object)).reach_m + trust.radius;
-    const Primitive& primitive = scenery.primitive_W(number);
-    const Vec3 middle = trust.start + 0.5 * trust.way;
-    if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.way.norm()) {
+    const double reach = to.margins_.of(is_point_tool(object)).reach_m + trust.radius;
+    const Primitive& primitive = scene.primitive_W(number);
+    const Vec3 middle = trust.start + 0.5 * trust.axis;
+    if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.axis.norm()) {
       to.add_primitive(object, number, primitive);
     }
   }
 };
 
-Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
+Candidate* CandidateSet::add(const Object& object, std::uint32_t number) {
   if (size_ == kMaxCandidates) {
     is_full_ = true;
     return nullptr;
@@ -125,37 +125,37 @@ Candidate* Neighbourhood::add(const Object& object, std::uint32_t number) {
   return &slot;
 }
 
-void Neighbourhood::add_primitive(const Object& object, std::uint32_t number,
-                                  const Primitive& primitive) {
+void CandidateSet::add_primitive(const Object& object, std::uint32_t number,
+                                 const Primitive& primitive) {
   if (Candidate* const slot = add(object, number); slot != nullptr) {
     slot->primitive = &primitive;
     set_no_bound(size_ - 1);
   }
 }
 
-void Neighbourhood::begin_gathering(const Scenery& scenery, const Capsule& trust) {
+void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& trust) {
   trust_ = trust;
   size_ = 0;
   tested_ = 0;
   is_full_ = false;
   to_walk_.count = 0;
   to_walk_.left.clear();
-  GatherObjects visitor{.to = *this, .scenery = scenery};
-  const Vec3 middle = trust.start + 0.5 * trust.way;
-  const double reach = shells_.sphere.reach_m + trust.radius;
-  visit_all_near(scenery.still_nodes(), middle, 0.5 * trust.way.cwiseAbs(), reach, visitor);
-  for (const Mover& mover : scenery.movers()) {
-    if (meets_proxy(scenery[mover.object]) &&
-        mover.distance(middle) <= reach + 0.5 * trust.way.norm()) {
+  GatherObjects visitor{.to = *this, .scene = scene};
+  const Vec3 middle = trust.start + 0.5 * trust.axis;
+  const double reach = margins_.sphere.reach_m + trust.radius;
+  visit_all_near(scene.still_nodes(), middle, 0.5 * trust.axis.cwiseAbs(), reach, visitor);
+  for (const Mover& mover : scene.movers()) {
+    if (meets_proxy(scene[mover.object]) &&
+        mover.distance(middle) <= reach + 0.5 * trust.axis.norm()) {
       visitor.take(mover.object);
     }
   }
 }
 
 // Until all is gathered, or there is no room, or the tick's work is done.
-void Neighbourhood::go_on_gathering(const Scenery& scenery) {
+void CandidateSet::go_on_gathering(const SceneObjects& scene) {
   while (to_walk_.count > 0 && !is_full_) {
-    walk_mesh(scenery, to_walk_.meshes[to_walk_.count - 1]);
+    walk_mesh(scene, to_walk_.meshes[to_walk_.count - 1]);
     if (to_walk_.left.count() > 0) {
       return;
     }
@@ -164,14 +164,14 @@ void Neighbourhood::go_on_gathering(const Scenery& scenery) {
 }
 
 // From where it was left, or from the top.
-void Neighbourhood::walk_mesh(const Scenery& scenery, std::uint32_t number) {
-  const Object& object = scenery[number];
-  const Mover* const mover = scenery.mover_of(number);
-  const PlacedMesh placed = scenery.mesh_O(number);
-  const double reach = shells_.of(is_point_tool(object)).reach_m + trust_.radius;
-  const Vec3 way = direction_in(mover, trust_.way);
+void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
+  const Object& object = scene[number];
+  const Mover* const mover = scene.mover_of(number);
+  const PlacedMesh placed = scene.mesh_O(number);
+  const double reach = margins_.of(is_point_tool(object)).reach_m + trust_.radius;
+  const Vec3 axis = direction_in(mover, trust_.axis);
   const Vec3 start = point_in(mover, trust_.start);
-  const NearBox box(start + 0.5 * way, 0.5 * way.cwiseAbs(), reach + placed.slack_m);
+  const NearBox box(start + 0.5 * axis, 0.5 * axis.cwiseAbs(), reach + placed.slack_m);
   if (to_walk_.left.count() == 0) {
     begin_walk(placed.mesh.nodes, box, to_walk_.left);
   }
@@ -180,13 +180,13 @@ void Neighbourhood::walk_mesh(const Scenery& scenery, std::uint32_t number) {
                           .number = number,
                           .mover = mover,
                           .mesh = placed.mesh,
-                          .way = NearWay(start, way, reach),
+                          .segment = NearSegment(start, axis, reach),
                           .start = start,
-                          .farthest_m = reach + way.norm()};
+                          .farthest_m = reach + axis.norm()};
   go_on_walking(placed.mesh.nodes, box, to_walk_.left, visitor);
 }
 
-void Neighbourhood::end_gathering(const Scenery& scenery) {
+void CandidateSet::end_gathering(const SceneObjects& scene) {
   fill_last_four();
   peak_ = std::max(peak_, size_);
   const double tests = 1.0 + static_cast<double>(tested_);
@@ -196,7 +196,7 @@ void Neighbourhood::end_gathering(const Scenery& scenery) {
   wanted_length_m_ = std::max(std::min(length, kLongTrust_m), sparse);
   if (size_ == 0) {
     wanted_length_m_ = kLeastTrust_m;  // out of free space onto any mesh
-    const double ball = free_radius(scenery, shells_, trust_.start, trust_.radius, work_);
+    const double ball = free_radius(scene, margins_, trust_.start, trust_.radius, budget_);
     if (ball > trust_.radius) {
       trust_ = {.start = trust_.start, .radius = ball};
     }
@@ -205,7 +205,7 @@ void Neighbourhood::end_gathering(const Scenery& scenery) {
 
 // The proxy goes on as it came since the last gathering. Where it left the capsule through its
 // side, the next is less slim, where it left through the end, slimmer.
-Capsule Neighbourhood::plan(const Vec3& p) {
+Capsule CandidateSet::plan(const Vec3& p) {
   const Vec3 came = p - trust_.start;
   const double distance = came.norm();
   const bool straight = distance > kStraight * wanted_length_m_;
@@ -215,37 +215,37 @@ Capsule Neighbourhood::plan(const Vec3& p) {
   const double radius = std::max(kLeastRadius_m, wanted_length_m_ / slimness_);
   const bool known = distance > kLeastRadius_m && distance < kMostTrust_m;
   return {.start = p,
-          .way = known ? Vec3{came * (wanted_length_m_ / distance)} : Vec3{Vec3::Zero()},
+          .axis = known ? Vec3{came * (wanted_length_m_ / distance)} : Vec3{Vec3::Zero()},
           .radius = radius};
 }
 
-Neighbourhood::Gathering Neighbourhood::ensure(const Scenery& scenery, const Shells& shells,
-                                               const Vec3& p) {
+CandidateSet::Gathering CandidateSet::ensure(const SceneObjects& scene,
+                                             const ContactMargins& margins, const Vec3& p) {
   const bool is_valid = !is_begun() && trust_.depth(p) >= kBorder_m;
-  return is_valid ? Gathering::complete : gather(scenery, shells, p);
+  return is_valid ? Gathering::complete : gather(scene, margins, p);
 }
 
-void Neighbourhood::look_ahead(const Scenery& scenery, const Shells& shells, const Vec3& p,
-                               const Vec3& next) {
+void CandidateSet::look_ahead(const SceneObjects& scene, const ContactMargins& margins,
+                              const Vec3& p, const Vec3& next) {
   // A point meets too few triangles to be late.
-  const bool can_gather = !shells.is_point() && work_.done() <= kLittleWork && may_pause_ &&
-                          !is_begun() && smaller_ == 0;
+  const bool can_gather = !margins.is_point() && budget_.spent() <= kLookAheadBudget &&
+                          may_pause_ && !is_begun() && smaller_ == 0;
   if (can_gather && trust_.depth(next) < kBorder_m) {
-    gather(scenery, shells, p);
+    gather(scene, margins, p);
   }
 }
 
-Neighbourhood::Gathering Neighbourhood::gather(const Scenery& scenery, const Shells& shells,
-                                               const Vec3& p) {
+CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
+                                             const ContactMargins& margins, const Vec3& p) {
   if (!is_begun() || p != trust_.start) {
-    shells_ = shells;
+    margins_ = margins;
     smaller_ = 0;
     ++gatherings_;
-    work_.add(kWorkOfAGathering);
-    begin_gathering(scenery, plan(p));
+    budget_.spend(kCostOfGathering);
+    begin_gathering(scene, plan(p));
   }
   for (;;) {
-    go_on_gathering(scenery);
+    go_on_gathering(scene);
     if (!is_full_) {
       break;
     }
@@ -256,12 +256,12 @@ Neighbourhood::Gathering Neighbourhood::gather(const Scenery& scenery, const She
       return Gathering::too_many;
     }
     begin_gathering(
-        scenery, {.start = trust_.start, .way = 0.5 * trust_.way, .radius = 0.5 * trust_.radius});
+        scene, {.start = trust_.start, .axis = 0.5 * trust_.axis, .radius = 0.5 * trust_.radius});
   }
   if (is_begun()) {
     return Gathering::begun;
   }
-  end_gathering(scenery);
+  end_gathering(scene);
   return smaller_ == 0 ? Gathering::complete : Gathering::smaller;
 }
 

@@ -13,10 +13,10 @@ struct Inside {
   double enter = 0.0;
   double leave = 1.0;
 };
-Inside clip(const Box& box, const Vec3& from, const Vec3& way);
+Inside clip(const Box& box, const Vec3& from, const Vec3& segment);
 
 // A way and what is first met on it.
-struct StraightWay {
+struct SweptSegment {
   Vec3 from = Vec3::Zero();
   Vec3 to = Vec3::Zero();
   Crossing crossing;
@@ -27,7 +27,7 @@ struct StraightWay {
 };
 
 // Toward `to`, as far as the surface's bounds go. F(from) is >= 0.
-StraightWay look_along(ImplicitField& field, const Vec3& from, const Vec3& to);
+SweptSegment look_along(ImplicitField& field, const Vec3& from, const Vec3& to);
 
 // As far up from a free point as the proxy rests, if the way there is free.
 std::optional<Vec3> risen(ImplicitField& field, const Vec3& from);
