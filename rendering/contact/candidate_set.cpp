@@ -12,10 +12,10 @@
 namespace tactus::rendering {
 namespace {
 
-// Four numbers of 16 bits in one.
+// Adds one number to each of four 16-bit numbers by multiplication.
 constexpr std::uint64_t kInEachOfFour = 0x0001'0001'0001'0001;
 
-// Of four bits, the numbers of those that are set, ascending, and how many they are.
+// The numbers of the bits that are set in a group of four, ascending, and their count.
 struct Numbers {
   std::uint64_t of_each = 0;  // what follows the last is not meant
   std::size_t count = 0;
@@ -54,8 +54,9 @@ void CandidateSet::begin_tick(const SceneObjects& scene) {
   }
 }
 
-// Floats are four to a vector; what they round off is far less than the contact margin is thick.
-// Heights count from the reach of the sphere, whoever the candidate's object takes for the tool.
+// Stores the bound as floats, four per vector. Their rounding error is far smaller than the contact
+// margin. Heights count from the reach of the sphere, also for objects to which the tool is a
+// point.
 void CandidateSet::store_bound(std::size_t i, const Float3& normal, double distance) {
   const double nearer = margins_.sphere.reach_m - margins_.of(slots_[i].point_tool).reach_m;
   normal_x_[i] = normal.x;
@@ -68,7 +69,7 @@ void CandidateSet::set_bound(std::size_t i, const Vec3& normal, double distance,
   store_bound(i, to_float3(normal), distance - normal.dot(from - trust_.start));
 }
 
-// Always measured.
+// Stores a bound that is always within reach, so that the candidate is always measured.
 void CandidateSet::set_no_bound(std::size_t i) {
   normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
   height_[i] = -1.0F;
@@ -167,7 +168,7 @@ const Nearest& CandidateSet::nearest(std::size_t i, const SceneObjects& scene) {
   return slot.nearest;
 }
 
-// Only of a convex solid, from outside, is the distance convex.
+// The distance is convex only outside a convex solid; every other primitive gets no bound.
 void CandidateSet::measure_primitive(std::size_t i) {
   Candidate& slot = slots_[i];
   slot.seen = sample(*slot.primitive, place_);

@@ -1,14 +1,15 @@
-// The triangles and primitives near the tool, kept from tick to tick: as long as the proxy stays
-// within the trusted capsule, which goes from the place where they were gathered in the direction
-// in which the proxy came there, no others can touch the sphere and the hierarchies need not be
-// asked again. A sphere of radius R that may move aside by w can touch a surface only within
-// sqrt(2 R w) of its way, so that a slim capsule meets far fewer triangles than a ball that lasts
-// as long.
+// The candidate set: the triangles and primitives near the tool, cached from tick to tick.
 //
-// Distance to a convex shape is a convex function, so its tangent at any point bounds it from below
-// everywhere. Each candidate keeps the tangent of its last measurement (before the first, a plane
-// in front of its corners): one dot product tells nearly always that it cannot be met, and only the
-// few others are measured.
+// The cache is valid while the proxy stays inside the trusted capsule. The capsule starts where the
+// candidates were gathered and extends in the direction in which the proxy moved. No surface
+// outside the candidate set can touch the sphere there, so the hierarchies are not searched again.
+// A sphere of radius R that moves aside by at most w can touch a surface only within sqrt(2 R w) of
+// its path, so a slim capsule contains far fewer triangles than a ball of the same length.
+//
+// The distance to a convex shape is a convex function, so its tangent plane at any point is a lower
+// bound everywhere. Each candidate keeps the tangent of its last measurement (before the first one,
+// a plane in front of its corners). One dot product then shows for most candidates that they are
+// out of reach, and only the others are measured.
 #pragma once
 
 #include <array>
@@ -28,7 +29,8 @@
 
 namespace tactus::rendering {
 
-// Most are found and never measured: what finding writes comes first, in one cache line.
+// One member of the set. Most candidates are gathered and never measured, so the fields that
+// gathering writes come first, in one cache line.
 struct alignas(64) Candidate {
   const Primitive* primitive = nullptr;  // of an object without a mesh
   std::uint64_t measured_at = 0;         // CandidateSet::move_to's count
@@ -45,7 +47,7 @@ struct alignas(64) Candidate {
 
 class CandidateSet {
  public:
-  // Forgets everything; the next `ensure` gathers.
+  // Removes all candidates; the next `ensure` gathers them again.
   void clear() {
     trust_.radius = -1.0;
     size_ = 0;
@@ -54,7 +56,7 @@ class CandidateSet {
     to_walk_.left.clear();
     is_full_ = false;
   }
-  // The same, and what it has learnt about how to gather: as if it were new.
+  // Resets the set to its initial state, including the learnt size of the capsule.
   void start_over() {
     clear();
     trust_ = {};
@@ -65,10 +67,10 @@ class CandidateSet {
     left_out_ = {};
   }
 
-  // Objects that give no candidates. A change takes clear() to come about.
+  // Returns the objects that give no candidates. Call clear() after a change.
   [[nodiscard]] LeftOut& left_out() { return left_out_; }
 
-  // Forgets everything if an object moved that is near enough to matter.
+  // Removes all candidates if an object moved near the trusted capsule.
   void begin_tick(const SceneObjects& scene);
 
   enum class Gathering : std::uint8_t {
@@ -77,56 +79,59 @@ class CandidateSet {
     begun,     // the tick's work is done: the next `ensure` for the same p goes on
     too_many,  // more than kMaxCandidates even in the smallest capsule
   };
-  // Makes the candidates valid about p, at once or over several ticks.
+  // Makes the candidates valid at p, in this tick or over several ticks.
   Gathering ensure(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p);
-  // The same for a proxy that is at p at a tick's end and will be at `next` after another, if it
-  // would leave what is valid, and the tick had little work: so that few ticks both gather and move
-  // among what was gathered.
+  // Gathers candidates ahead of need at the end of a tick. It does so if the proxy, now at p, would
+  // leave the trusted capsule on its move to `next`, and this tick used little of its budget. A
+  // tick then seldom has to gather and to move among many new candidates.
   void look_ahead(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p,
                   const Vec3& next);
-  // Whether the next `ensure` has more to do.
+  // Returns true if a gathering was begun and is not complete.
   [[nodiscard]] bool is_begun() const { return to_walk_.count > 0; }
 
-  // Whether the candidates are valid about p, and on the straight way there from where they are.
+  // Returns true if the candidates are valid at p and on the segment from the proxy to p.
   [[nodiscard]] bool trusts(const Vec3& p) const { return trust_.depth(p) >= 0.0; }
 
-  // How far the proxy may move from p, which is inside, along a unit direction before the
-  // candidates must be gathered again.
+  // Returns how far, in metres, the proxy may move from p along a unit direction before the
+  // candidates must be gathered again. `p` must be inside the trusted capsule.
   [[nodiscard]] double trust_along(const Vec3& p, const Vec3& direction) const {
     return trust_.room_along(p, direction);
   }
 
-  // From now on `nearest` measures from p.
+  // Sets the position from which `nearest` measures.
   void move_to(const Vec3& p) {
     place_ = p;
     ++places_;
   }
 
-  // The candidates that may be within the contact margin's reach of the place of `move_to`, or of
-  // p, where `farther_m` adds to the reach; all others are not. Valid until the next call of the
-  // same.
+  // Return the numbers of the candidates whose distance may be below the contact margin's
+  // `reach_m`, measured from the position of `move_to` or from p. `farther_m` is added to the
+  // reach. All other candidates are farther away. The span is valid until the next call of the same
+  // function.
   std::span<const std::uint16_t> within_reach_here();
   std::span<const std::uint16_t> within_reach(const Vec3& p, double farther_m = 0.0);
 
-  // The same, where p is what `within_reach` was last asked for: of others it need not be asked.
+  // Does the same as `move_to` for the p of the last `within_reach` call, and reuses its result.
   void move_to_end(const Vec3& p);
 
-  // A place, as the tangents take it; while the candidates are the same.
+  // A position in the form that the tangent test uses. It is valid until the candidates change.
   struct Bounded {
     Bounded(const CandidateSet& of, const Vec3& p);
     float x, y, z;
     float most;  // a larger bound is out of reach
   };
-  // Whether candidate i is one of those, for the place.
+  // Returns false if the tangent shows that candidate i is out of reach of the position.
   [[nodiscard]] bool may_reach(std::size_t i, const Bounded& at) const {
     return normal_x_[i] * at.x + normal_y_[i] * at.y + normal_z_[i] * at.z + height_[i] <= at.most;
   }
 
-  // The nearest point of candidate i from the place of `move_to`, measured once a place.
+  // Returns the nearest point of candidate i from the position of `move_to`. It is measured once
+  // per position.
   const Nearest& nearest(std::size_t i, const SceneObjects& scene);
   [[nodiscard]] bool is_measured(std::size_t i) const { return slots_[i].measured_at == places_; }
 
-  // The triangle of candidate i, to look whether it must be measured; nullptr of a primitive.
+  // Returns the triangle of candidate i for a test that is cheaper than a measurement, or nullptr
+  // if the candidate is a primitive.
   const Triangle* triangle(std::size_t i, const SceneObjects& scene) {
     Candidate& slot = slots_[i];
     if (slot.primitive != nullptr) {
@@ -138,18 +143,18 @@ class CandidateSet {
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  // Its triangle is there once `nearest` or `triangle` was asked.
+  // Returns candidate i. Its `triangle` is set after a call of `nearest` or `triangle`.
   [[nodiscard]] const Candidate& candidate(std::size_t i) const { return slots_[i]; }
 
   [[nodiscard]] std::size_t peak() const { return peak_; }
 
-  // Grows whenever the candidates change, and with them the meaning of their numbers.
+  // Returns how often the set was gathered. Candidate numbers are valid until it grows.
   [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
 
-  // Whether that was so since the last `start_tick_budget`.
+  // Returns true if the set was gathered since the last `start_tick_budget`.
   [[nodiscard]] bool is_fresh() const { return gatherings_ >= first_gathering_; }
 
-  // What has been done since the last `start_tick_budget`.
+  // Starts the budget of a new tick.
   void start_tick_budget() {
     budget_.begin_tick();
     waited_ = first_place_ == places_;
@@ -158,24 +163,25 @@ class CandidateSet {
   }
   [[nodiscard]] TickBudget& budget() { return budget_; }
   [[nodiscard]] const TickBudget& budget() const { return budget_; }
-  // Whether that is all for this tick. Not where objects moved: what was found would be lost.
+  // Returns true if the gathering must pause because the tick's budget is spent. It never pauses
+  // near objects that moved, because the result would not be valid in the next tick.
   [[nodiscard]] bool is_budget_spent() const { return may_pause_ && budget_.is_exhausted(); }
-  // Whether the proxy still is where the last tick's work began: what that had too much to do for,
-  // this one does, up to its first move, so that no place holds the proxy. Where objects moved
-  // nothing is kept for the next tick, and that holds at once.
+  // Returns true if the proxy has not moved since the last tick began. That tick ran out of budget,
+  // so this one may exceed its budget up to the first move: no place can hold the proxy for ever.
+  // Near objects that moved nothing is kept for the next tick, and the result is always true.
   [[nodiscard]] bool has_waited() const {
     return !may_pause_ || (waited_ && places_ == first_place_);
   }
-  // Whether candidate i must wait for the next tick; what was measured is kept.
+  // Returns true if candidate i may only be measured in the next tick. Measurements are kept.
   [[nodiscard]] bool must_wait(std::size_t i) const {
     return is_budget_spent() && !has_waited() && !is_measured(i);
   }
 
-  // What it remembers, to bytes or back; of the same scene and shells.
+  // Saves the state to the archive, or restores it; the scene and the margins must be the same.
   void transfer(StateArchive& archive, const SceneObjects& scene, const ContactMargins& margins);
 
  private:
-  // Meshes whose triangles are not all looked at yet, by the number of the object.
+  // The meshes that a begun gathering has yet to search, by object number.
   struct ToWalk {
     std::array<std::uint32_t, kMaxObjects> meshes{};
     std::size_t count = 0;
@@ -195,13 +201,13 @@ class CandidateSet {
   };
 
   Gathering gather(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p);
-  // The next capsule to trust, from p on.
+  // Returns the capsule of the next gathering, which starts at p.
   [[nodiscard]] Capsule plan(const Vec3& p);
   void begin_gathering(const SceneObjects& scene, const Capsule& trust);
   void go_on_gathering(const SceneObjects& scene);
   void walk_mesh(const SceneObjects& scene, std::uint32_t number);
   void end_gathering(const SceneObjects& scene);
-  // The next free candidate, or nullptr.
+  // Returns the next free slot, or nullptr if the set is full.
   Candidate* add(const Object& object, std::uint32_t number);
   void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
   static void prepare(Candidate& slot, const SceneObjects& scene) {
@@ -216,7 +222,8 @@ class CandidateSet {
   void transfer_walk(StateArchive& archive, const SceneObjects& scene);
   void transfer_here(StateArchive& archive);
   void transfer_candidate(StateArchive& archive, const SceneObjects& scene, std::size_t i);
-  // At least that far from the capsule's start, and farther along the normal.
+  // Stores a lower bound of the distance of candidate i: `distance` (m) at the start of the
+  // capsule, and growing along the normal.
   void store_bound(std::size_t i, const Float3& normal, double distance);
   void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
 
@@ -239,8 +246,8 @@ class CandidateSet {
   bool waited_ = false;              // and it was so at the one before
   TickBudget budget_;
   LeftOut left_out_;
-  // The tangents: distance from p is at least normal . (p - trust_.start) + height.
-  // Those of the last four that are no candidates are out of reach.
+  // The tangents: the distance from p is at least normal . (p - trust_.start) + height. The arrays
+  // are padded to a multiple of four with entries that are always out of reach.
   alignas(Floats) std::array<float, kMaxCandidates> normal_x_{};
   alignas(Floats) std::array<float, kMaxCandidates> normal_y_{};
   alignas(Floats) std::array<float, kMaxCandidates> normal_z_{};

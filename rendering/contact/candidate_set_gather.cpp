@@ -1,7 +1,8 @@
-// How the candidates are gathered: a capsule is planned, the hierarchies of the meshes near it are
-// walked, and every triangle that comes within reach of it becomes a candidate. In a dense place
-// that takes more than one tick's work; the proxy waits there meanwhile. Where objects move it does
-// not wait: the next tick would have to begin anew.
+// Gathers the candidates: plans a capsule, walks the hierarchies of the meshes near it, and adds
+// every triangle within reach of it.
+//
+// In a dense place this costs more than one tick's budget, and the proxy waits there. Near objects
+// that move it does not wait, because the next tick would have to begin again.
 #include <algorithm>
 #include <cmath>
 
@@ -12,31 +13,31 @@
 namespace tactus::rendering {
 namespace {
 
-// The trusted capsule is as long as makes it take about kWantedTests triangles to look at, so that
-// a gathering serves many ticks on a coarse mesh and few on a fine one. A sphere at rest looks at
-// some 100 already, whatever the length, so a shorter capsule than the least does not pay. These
-// numbers were the best of four sets, by the median and the slowest ticks on the sphere of 1.3
-// million triangles and the dragon, the tool 2 mm. It grows beyond kLongTrust_m only where it did
-// not last for one tick and takes few tests: a tool jumps over a coarse mesh.
+// The capsule's length is chosen so that gathering looks at about kWantedTests triangles: a
+// gathering then lasts for many ticks on a coarse mesh and for few on a fine one. A sphere at rest
+// looks at about 100 triangles whatever the length, so capsules shorter than kLeastTrust_m save
+// nothing. The values were tuned on the median and the slowest ticks of a 2 mm sphere on a fine
+// sphere and on the dragon. The capsule grows beyond kLongTrust_m only if it lasted less than a
+// tick and cost few tests: a tool that jumps over a coarse mesh.
 constexpr double kLeastTrust_m = 0.2e-3;
 constexpr double kMostTrust_m = 16e-3;
 constexpr double kWantedTests = 128.0;
 constexpr double kFewTests = 24.0;
-// Its length is between 4 and 32 radii.
+// The capsule's length is between kLeastSlimness and kMostSlimness times its radius.
 constexpr double kLeastRadius_m = 10e-6;
 constexpr double kLeastSlimness = 4.0;
 constexpr double kMostSlimness = 32.0;
 constexpr double kStraight = 0.8;  // of the length
 constexpr double kSlimmer = 1.4;
 constexpr double kStouter = 0.7;
-// Nearer to the border of the capsule the proxy has left it.
+// The proxy counts as outside the capsule when it is nearer to the border than this.
 constexpr double kBorder_m = 1e-6;
 constexpr std::size_t kLookAheadBudget = kUsualTickBudget / 2;
 
 }  // namespace
 
-// Collects the triangles of one object that come within reach of the trusted way, until there is
-// no room, or the tick's work is done. In the object's frame.
+// Adds the triangles of one object within reach of the trusted capsule, until the set is full or
+// the tick's budget is spent. Everything is in the object's frame.
 struct CandidateSet::GatherTriangles {
   CandidateSet& to;
   const Object& object;
@@ -57,8 +58,9 @@ struct CandidateSet::GatherTriangles {
   }
   [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_budget_spent(); }
 
-  // Of long thin triangles that meet in a point the way sees many that are not near it. Where there
-  // was no room for all, each is measured.
+  // Returns true if the triangle is out of reach by an exact measurement. The segment test accepts
+  // many long thin triangles around a common point that are not near. The exact test is made only
+  // after the set was full once.
   [[nodiscard]] bool is_far(std::uint32_t t) {
     if (to.smaller_ == 0) {
       return false;
@@ -84,7 +86,7 @@ struct CandidateSet::GatherTriangles {
   }
 };
 
-// Goes over objects: takes primitives, and notes meshes.
+// Visits objects: adds primitives, and lists meshes to walk.
 struct CandidateSet::GatherObjects {
   CandidateSet& to;
   const SceneObjects& scene;
@@ -152,7 +154,7 @@ void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& tru
   }
 }
 
-// Until all is gathered, or there is no room, or the tick's work is done.
+// Continues until everything is gathered, the set is full, or the tick's budget is spent.
 void CandidateSet::go_on_gathering(const SceneObjects& scene) {
   while (to_walk_.count > 0 && !is_full_) {
     walk_mesh(scene, to_walk_.meshes[to_walk_.count - 1]);
@@ -163,7 +165,7 @@ void CandidateSet::go_on_gathering(const SceneObjects& scene) {
   }
 }
 
-// From where it was left, or from the top.
+// Continues a walk that was interrupted, or begins one at the root.
 void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
   const Object& object = scene[number];
   const Mover* const mover = scene.mover_of(number);
@@ -203,8 +205,9 @@ void CandidateSet::end_gathering(const SceneObjects& scene) {
   }
 }
 
-// The proxy goes on as it came since the last gathering. Where it left the capsule through its
-// side, the next is less slim, where it left through the end, slimmer.
+// Plans the capsule in the direction in which the proxy moved since the last gathering. After the
+// proxy left through the side the next capsule is less slim; after it left through the end,
+// slimmer.
 Capsule CandidateSet::plan(const Vec3& p) {
   const Vec3 came = p - trust_.start;
   const double distance = came.norm();

@@ -1,15 +1,15 @@
-// The proxy wants to stay where the touched object takes it, or else where it is. An object that is
-// in the way, seen from its own frame, gives the plane of where it was met, fixed to the object;
-// the proxy goes to the point nearest to its wish that is in front of all planes, and is asked for
-// again. As in a tick of contact a convex piece of surface lies behind its plane, so a straight way
-// on the plane's front side does not meet it again: each round adds planes of surfaces not met
-// before, and few are ever needed.
+// The proxy's desired position is where the object in contact carries it, or where it was. The
+// motion to a goal, seen from the frame of each object, is swept. An object that blocks it gives
+// the plane of the impact, fixed to the object. The next goal is the point nearest to the desired
+// position in front of all planes, and it is swept again. A convex piece of surface lies behind its
+// plane, so a segment in front of the plane does not meet it again: each round adds planes of new
+// surfaces only, and few rounds are needed.
 //
-// A triangle that deforms is asked in another way. Its corners go straight from where they were to
-// where they are, so their greatest height over any plane of fixed direction is a convex function
-// of time: if the proxy is in front of such a plane by the height of the corners at both ends of
-// the tick, they were apart all the while. The direction is from the triangle's nearest point to
-// the proxy. A triangle that is farther than all motions together need not be asked.
+// A triangle that deforms is tested in another manner. Its corners move on straight lines, so their
+// greatest height over a plane of fixed direction is a convex function of time. If the proxy is in
+// front of such a plane at both ends of the tick, the two were apart throughout. The plane's
+// direction is from the triangle's nearest point to the proxy. A triangle that is farther away than
+// all motions together is not tested.
 #include "rendering/contact/carry_along.h"
 
 #include <algorithm>
@@ -25,11 +25,11 @@ namespace {
 
 constexpr std::size_t kMaxPlanes = 24;
 constexpr int kMaxRounds = 12;
-// A sphere that overlaps a surface already is not thrown out of it.
+// A sphere that already overlaps a surface is pushed out by at most this.
 constexpr double kMostPush_m = 1e-6;
 
-// Goes over the triangles of a mesh that deforms; keeps the one whose plane the way of the proxy
-// breaks most.
+// Visits the triangles of a mesh that deforms and keeps the plane that the proxy's motion violates
+// most.
 struct DeformingPlane {
   const DeformableMesh& deformable;
   bool one_sided;
@@ -73,7 +73,7 @@ struct MovingObstacles {
   std::size_t cost_left = kMaxCarryBudget;
   bool clear = true;  // in this round
 
-  // One more plane to stay in front of; in the world frame.
+  // Adds a plane that the proxy must stay in front of; world frame.
   void add(const Vec3& normal_W, double offset) {
     if (plane_count == kMaxPlanes) {
       cost_left = 0;
@@ -82,7 +82,7 @@ struct MovingObstacles {
     planes[plane_count++] = {.normal = normal_W, .offset = offset};
   }
 
-  // The way that the object sees, from where the proxy was to goal_W.
+  // Sweeps the proxy's motion to goal_W in the object's frame, and adds a plane if it is blocked.
   void meet_object(std::uint32_t number, const RigidPose& before, const RigidPose& now,
                    const Vec3& goal_W) {
     if (left_out.has(number)) {
@@ -173,7 +173,7 @@ struct MovingObstacles {
   }
 };
 
-// Past the objects that move, and up to those that stand still.
+// Returns the end of a sweep that ignores the objects that move and stops at those at rest.
 Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, const Vec3& from_W,
                     const Vec3& goal_W, const LeftOut& left_out) {
   const Vec3 motion = goal_W - from_W;
@@ -187,7 +187,7 @@ Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, co
                       sweep.direction;
 }
 
-// Where the point of the mesh next to p_O went in this tick.
+// Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m.
 Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, const Vec3& p_O) {
   const auto corners = [&](const MeshView& mesh) -> std::array<Vec3, 3> {
     const auto& [a, b, c] = mesh.triangles[triangle];
@@ -206,7 +206,7 @@ Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, co
   return (1.0 - b - c) * (now[0] - before[0]) + b * (now[1] - before[1]) + c * (now[2] - before[2]);
 }
 
-// Where what held the proxy takes it.
+// Returns the position to which the object in contact carries the proxy; world frame, m.
 Vec3 carried_position(const SceneObjects& scene, const Vec3& p_W, const LastContact& last_contact) {
   const Mover* const mover =
       last_contact.object == kNoObject ? nullptr : scene.mover_of(last_contact.object);

@@ -1,5 +1,5 @@
-// What objects that move do to a proxy that rests: the one that it touches takes it along, and
-// those that come its way push it, at any speed.
+// Moves a resting proxy with the objects that moved since the last tick: the object in contact
+// carries it along, and every object in its path pushes it, at any speed.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tactus::rendering {
 
-// What held the proxy last.
+// The contact that held the proxy last.
 struct LastContact {
   std::uint32_t object = kNoObject;
   std::uint32_t triangle = 0;    // of its mesh
@@ -23,10 +23,10 @@ struct Carried {
   std::uint32_t flags = kTouchClean;  // pinched
 };
 
-// Of a proxy at p_W, clear of every object where it was in the last tick, but for those that are
-// left out. Seen from each object the
-// proxy goes straight from where it was to where it is, and crosses nothing. Real time: bounded
-// work, no heap.
+// Moves the proxy so that it stays clear of every object where it is now. `p_W` is its position
+// before the tick (world frame, m), clear of every object as it was then, except those in
+// `left_out`. In the frame of each object the proxy moves along a straight segment and crosses
+// nothing. Real time: bounded time, no heap.
 Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
                     const LastContact& last_contact, const LeftOut& left_out = {});
 

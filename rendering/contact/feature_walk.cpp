@@ -234,7 +234,7 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
   return true;
 }
 
-// What is left of this tick's visits is the limit; one triangle is always measured.
+// Walks with the visits that this tick has left; one triangle is always measured.
 FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q,
                                 FeatureRest& rest) const {
   const std::size_t left = most_visits() - std::min<std::size_t>(rest.visited, most_visits());
@@ -246,7 +246,7 @@ FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangl
   return result;
 }
 
-// Of h over the surface at `at`, its nearest point, on the side of the contact.
+// Returns the height of h over the surface, on the side of the contact. `at` is the nearest point.
 double FeatureWalker::height_of(const ConnectedMesh& mesh, const MeshNearest& at,
                                 const Vec3& h) const {
   const double front = pseudonormal(mesh, at.feature).dot(h - at.point_W);
@@ -268,7 +268,7 @@ MeshNearest FeatureWalker::stay_in_cone(const ConnectedMesh& mesh,
                                        : lowest.at;
 }
 
-// In contact: `lowest` is where the point would go without friction.
+// Settles the point in contact. `lowest` is where it would move without friction.
 void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
                            const FeatureWalk& lowest, FeatureRest& rest) {
   const double depth = std::max(0.0, -height_of(mesh, lowest.at, h));

@@ -20,7 +20,7 @@
 
 namespace tactus::rendering {
 
-// Where a walk ended.
+// The result of a walk.
 struct FeatureWalk {
   MeshNearest at;
   std::uint16_t visited = 0;  // triangles measured
@@ -36,7 +36,7 @@ struct FeatureWalk {
 FeatureWalk walk_features(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q_W,
                           std::size_t limit);
 
-// Where the point came to rest.
+// The point's position after a tick.
 struct FeatureRest {
   Vec3 proxy_W = Vec3::Zero();   // m; on the surface in contact, else the tool
   Vec3 normal_W = Vec3::Zero();  // unit, from the surface to the free side; zero without contact
@@ -55,7 +55,7 @@ class FeatureWalker {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
-  // First in a tick, what friction models are driven by: see SurfaceFriction.
+  // Sets the motion that drives the friction models; call it first in a tick (see SurfaceFriction).
   void begin_friction(const Vec3& tool_step_W, double tick_s) {
     model_.begin_tick(tool_step_W, tick_s);
   }
@@ -68,10 +68,10 @@ class FeatureWalker {
                       const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
-  // Where it is, in contact.
+  // Returns the feature that the point rests on; meaningful in contact.
   [[nodiscard]] const MeshFeature& feature() const { return feature_; }
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:

@@ -1,6 +1,6 @@
-// Where a straight way first meets an implicit surface, found by intervals: a part of the way is
-// passed only when no point of it can lie behind the surface, so that nothing is too thin to be
-// met.
+// Finds where a straight segment first meets an implicit surface, by interval arithmetic. A part of
+// the segment counts as free only if no point of it can lie behind the surface, so nothing is too
+// thin to be met.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,21 @@ namespace tactus::rendering {
 // be. Counts the instructions that it carries out.
 class ImplicitField {
  public:
-  // `side` is 1 or -1; `work` bounds the instructions.
+  // `side` is 1 or -1; `budget` bounds the number of instructions evaluated.
   ImplicitField(const ImplicitSurface& surface, double side, std::size_t budget)
       : surface_(surface), side_(side), budget_(budget) {}
 
   void set_side(double side) { side_ = side; }
   [[nodiscard]] const ImplicitSurface& surface() const { return surface_; }
 
-  // What is not a number counts as above 0; a way into where the formula gives none is blocked.
+  // Returns F at p_O. NaN counts as above 0; a segment into a region where the formula gives no
+  // number is blocked.
   double value(const Vec3& p_O);
   // A gradient that is not finite is given as zero.
   ValueAndGradient value_and_gradient(const Vec3& p_O);
   SegmentRange along(const Vec3& from_O, const Vec3& segment_O, const Interval& t);
 
-  // Whether one more evaluation is within the bound.
+  // Returns true if the budget allows one more evaluation.
   [[nodiscard]] bool can_evaluate() const { return budget_ >= size(); }
 
  private:
@@ -51,8 +52,8 @@ struct Crossing {
   double blocked_at = 1.0;  // for Way::blocked: F < 0 here, or undecided; at most 1 nm further
 };
 
-// The first place on the straight way between two points within the bounds where F falls below 0.
-// F(from_O) is >= 0. At most `most_ranges` intervals are looked at.
+// Returns the first place on the segment between two points within the bounds where F falls below
+// 0.
 Crossing first_crossing(ImplicitField& field, const Vec3& from_O, const Vec3& to_O,
                         std::size_t most_ranges);
 

@@ -8,10 +8,10 @@
 namespace tactus::rendering {
 namespace {
 
-// In free space the ball reaches to the surface, but no farther than this.
+// Limits the radius of the ball in free space.
 constexpr double kMostClearance_m = 0.1;
 
-// From the nearest point of the triangle's box to p.
+// Returns the vector from the nearest point of the triangle's box to p.
 Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
   const TriangleIndices& corners = mesh.triangles[t];
   const Float3& a = mesh.vertices[corners[0]];
@@ -25,11 +25,11 @@ Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
   return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};
 }
 
-// In free space a ball half as large as could be is found at a fraction of the cost.
+// Accepts a ball of half the possible radius, which is found at a fraction of the cost.
 constexpr double kEasyPart = 0.5;
 
-// In a hollow many triangles are about as near: among more than these a ball is not worth its
-// while.
+// Limits the triangles to look at. In a hollow many are about equally near, and the ball does not
+// pay.
 constexpr int kMostLookedAt = 48;
 
 // Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far;

@@ -1,5 +1,5 @@
-// The straight ways of the proxy past an implicit surface, and how it comes to its height where one
-// of them ends. In the object frame.
+// Straight segments of the proxy past an implicit surface, and its return to the rest height at the
+// end of one. Everything is in the object frame.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace tactus::rendering {
 
-// The part of a straight way within a box, in shares of the way; none of it if enter > leave.
+// The part of a segment within a box, as shares of its length; empty if enter > leave.
 struct Inside {
   double enter = 0.0;
   double leave = 1.0;
 };
 Inside clip(const Box& box, const Vec3& from, const Vec3& segment);
 
-// A way and what is first met on it.
+// A segment and its first crossing of the surface.
 struct SweptSegment {
   Vec3 from = Vec3::Zero();
   Vec3 to = Vec3::Zero();
@@ -26,15 +26,15 @@ struct SweptSegment {
   }
 };
 
-// Toward `to`, as far as the surface's bounds go. F(from) is >= 0.
+// Sweeps from `from` toward `to`, within the bounds of the surface. F(from) must be >= 0.
 SweptSegment look_along(ImplicitField& field, const Vec3& from, const Vec3& to);
 
-// As far up from a free point as the proxy rests, if the way there is free.
+// Moves a free point up to the rest height. Returns nothing if the segment there is not free.
 std::optional<Vec3> risen(ImplicitField& field, const Vec3& from);
 
-// The same in the bottom of a crease, where no double tells free from solid, at the end of a way
-// from p: `up` from there, a unit vector, where the straight way from p is free; else half way to
-// the stop.
+// Moves the end of a segment in the bottom of a crease to the rest height, where no double tells
+// free from solid. `p` is the start of the segment, `stop` its end and `up` a unit vector. Returns
+// the raised point if the segment from p to it is free, else the middle between p and `stop`.
 Vec3 lifted(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up);
 
 }  // namespace tactus::rendering

@@ -1,14 +1,14 @@
-// In each sub-goal of a tick
+// Repeats these steps in each sub-goal of a tick:
 //
-//   1. if the proxy rests on the surface, the tangent plane there holds it; the sub-goal is the
-//      point of the plane nearest to the tool, drawn back to the friction circle;
+//   1. if the proxy rests on the surface, the tangent plane there is the active constraint; the
+//      sub-goal is the plane's point nearest to the tool, drawn back to the friction circle;
 //   2. on smooth ground the proxy glides: a tangent step corrected for curvature, back to the
 //      surface along the gradient (rendering/contact/implicit_glide.h);
-//   3. elsewhere it goes straight to the sub-goal and stops where intervals see the surface in the
-//      way. What stops it at once, as the second wall of a crease does, gives one more plane.
+//   3. elsewhere it sweeps straight to the sub-goal and stops where intervals find the surface. A
+//      surface that blocks it at once, such as the second wall of a crease, gives one more plane.
 //
-// Without contact the sub-goal is the tool itself: this is how first contact is found, and how
-// contact breaks when the tool leaves through the plane.
+// Without contact the sub-goal is the tool itself. First contact is found in this manner, and
+// contact ends when the tool leaves through the plane.
 #include "rendering/contact/implicit_tracking.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 // Moves shorter than this are none: a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
-// What stops the proxy within this travel holds it already.
+// A surface that stops the proxy within this travel counts as an active constraint.
 constexpr double kHeld_m = 1e-6;
 // A move along the surface that gains less than this is none.
 constexpr double kLeastGain_m = 1e-10;
@@ -102,9 +102,9 @@ class Tick {
     return go();
   }
 
-  // In a pit, or in a crease of singular points, the last micrometre is a dance from wall to wall.
-  // The tick ends when it has come no nearer to the tool in a few sub-goals, at the nearest place
-  // where the proxy has been at its height.
+  // Returns true if the proxy only swings between walls, in a pit or in a crease of singular
+  // points. The tick ends after a few sub-goals without progress, at the place nearest to the tool
+  // where the proxy was at its rest height.
   bool is_stalled(double height_m) {
     constexpr int kPatience = 4;
     constexpr double kGain_m = 1e-9;
@@ -184,8 +184,7 @@ class Tick {
                                .offset = here_.normal.dot(state_.p_O) + rise};
   }
 
-  // The plane of what blocks the way at p_O; false if it is none that is new. A singular point has
-  // no tangent plane: there the proxy is held against the tool.
+  // Adds the plane of the surface that blocks the segment at p_O. Returns false if it is not new.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
     const ImplicitSample wall = sample(field_, p_O);
@@ -213,7 +212,7 @@ class Tick {
     return true;
   }
 
-  // To the sub-goal, or as far as the way is free. True when the tick is over.
+  // Moves to the sub-goal, or as far as the segment is free. Returns true when the tick is over.
   bool go() {
     for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
       const Goal goal = choose_goal();
@@ -240,9 +239,8 @@ class Tick {
     return exhausted();
   }
 
-  // From where a way ended, up to the height at which the proxy rests, or away from the planes that
-  // hold it, or back if none does. False if that is no nearer to the tool than before: then it
-  // stays.
+  // Moves from the end of a segment to the rest height, away from the planes, or back. Returns
+  // false, and stays, if the result is no nearer to the tool than before.
   bool come_to_rest_at(const Vec3& stop) {
     Vec3 end = risen(field_, stop).value_or(stop);
     if (end == stop) {

@@ -10,7 +10,7 @@
 namespace tactus::rendering {
 namespace {
 
-// Looks for a triangle of a mesh that is nearer to p_O than distance_m.
+// Searches a triangle of a mesh that is nearer to p_O than distance_m.
 struct NearTriangle {
   const MeshView& mesh;
   const Vec3& p_O;
@@ -28,7 +28,7 @@ struct NearTriangle {
     take(kCostOfMeasurement);
     found = found || triangle_of(mesh, t).nearest(p_O).distance < distance_m;
   }
-  // Without room it is as if one were found.
+  // Charges the cost; a search that runs out of budget counts as found.
   void take(std::size_t units) {
     cost_left -= std::min(cost_left, units);
     found = found || cost_left == 0;
@@ -54,7 +54,7 @@ bool is_nearer(const SceneObjects& scene, std::uint32_t number, const Vec3& p_W,
   return visitor.found;
 }
 
-// Goes over objects.
+// Visits objects and adds those that overlap the sphere.
 struct FindOverlapped {
   LeftOut& to;
   const SceneObjects& scene;

@@ -11,7 +11,7 @@
 namespace tactus::rendering {
 namespace {
 
-// Shrinks to the first triangle that stops the sphere.
+// Visits the triangles near the segment and shortens the sweep to the first one that blocks it.
 class TriangleSweep {
  public:
   TriangleSweep(const MeshView& mesh, bool one_sided, const ObjectSweep& sweep,
@@ -63,7 +63,7 @@ class TriangleSweep {
   NearSegment segment_;
 };
 
-// Goes over objects.
+// Visits objects and shortens the sweep to the first one that blocks it.
 struct ObjectsSweep {
   const SceneObjects& scene;
   const ContactMargins& margins;

@@ -1,4 +1,4 @@
-// How far a sphere can travel along a straight line before it touches an object, over any length.
+// Sweeps a sphere along a straight line of any length against whole objects.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace tactus::rendering {
 
-// In the object's own frame O.
+// A sweep in the object's own frame O, up to `limit_m`.
 struct ObjectSweep {
   Sweep sweep_O;
   double limit_m = 0.0;
@@ -21,24 +21,25 @@ struct ObjectHit {
   std::uint32_t triangle = 0;  // of a mesh
 };
 
-// `room` is for how much work there is room, in units of kMaxTickBudget; what is done is taken from
-// it. When it runs out the travel ends where the walk ended, and nothing is met.
+// Sweeps against one object. The cost is taken from `cost_left` (cost units, see tick_budget.h).
+// When that is used up the travel ends where the search ended, and `met` is false.
 ObjectHit sweep_object(const SceneObjects& scene, std::uint32_t number, const ObjectSweep& sweep,
                        const ContactMargin& margin, std::size_t& cost_left);
 
-// The nearest point of the object, or of one triangle of its mesh, from p_O; in the object's frame.
+// Returns the nearest point of the object, or of one triangle of its mesh, from p_O. Everything is
+// in the object's frame.
 Nearest nearest_at(const SceneObjects& scene, std::uint32_t number, std::uint32_t triangle,
                    const Vec3& p_O);
 
-// The first of all objects that stops the sphere.
+// The first object that blocks the sphere.
 struct FirstHit {
   double travel_m = 0.0;  // that is free
   std::uint32_t object = kNoObject;
   std::uint32_t triangle = 0;
 };
 
-// The same over the objects that stand still, and over all objects where they are in this tick, but
-// for those that are left out.
+// Sweep against the objects at rest, and against all objects where they are in this tick. Objects
+// in `left_out` are ignored. The cost is taken from `cost_left` as in sweep_object.
 FirstHit sweep_still_objects(const SceneObjects& scene, const ContactMargins& margins,
                              const Sweep& sweep_W, double limit_m, std::size_t& cost_left,
                              const LeftOut& left_out = {});

@@ -81,7 +81,7 @@ double climb(const Line& line, Clearance low, double limit, Clearance high, doub
   double from = 0.0;
   double to = limit;
   for (int step = 0; step < kMostSteps && low.slope > high.slope; ++step) {
-    // Where the tangents at both ends meet, f is below both.
+    // f lies above both tangents, and so above the point where they meet.
     const double meet = ((high.height - high.slope * to) - (low.height - low.slope * from)) /
                         (low.slope - high.slope);
     const double travel = std::clamp(meet, from, to);

@@ -1,21 +1,22 @@
-// The proxy is the centre of a sphere that must stay clear of every triangle; it wants to be at the
-// tool. In each sub-goal of a tick
+// The proxy is the centre of a sphere that must stay clear of every triangle, as near to the tool
+// as possible. One tick is a sequence of sub-goals. In each of them
 //
-//   1. every triangle that the sphere rests on gives a plane through the proxy, normal to the line
-//      from its nearest point. A triangle is convex and lies behind that plane, so no move on the
-//      plane's positive side can touch it (sphere_proxy_planes.cpp);
-//   2. the sub-goal is the point nearest to the tool that satisfies all planes (at most three of
-//      them hold it), drawn back to the friction circle (sphere_proxy_goal.cpp);
-//   3. the sphere sweeps straight to the sub-goal and stops where it meets a triangle that gave no
-//      plane yet (sphere_proxy_sweep.cpp).
+//   1. every triangle in contact gives a plane through the proxy, normal to the line from its
+//      nearest point. A triangle is convex and lies behind that plane, so no move on the plane's
+//      positive side can touch it (sphere_proxy_planes.cpp);
+//   2. the sub-goal is the point nearest to the tool in front of all planes (at most three of them
+//      are active), drawn back to the friction circle (sphere_proxy_goal.cpp);
+//   3. the sphere sweeps straight to the sub-goal and stops at the first triangle that gave no
+//   plane
+//      yet (sphere_proxy_sweep.cpp).
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
-// every point on the way there: each move shortens the distance to the tool, so the proxy cannot
-// cycle, and it ends where no plane lets it come nearer, a local minimum of that distance. Two
-// moves do not: one up to where a plane holds the sphere, by less than the contact margin is thick
-// (would_cycle ends the cycles of these), and one that is lengthened (follow_curvature bounds
-// them). Every position on the way is one that a sweep has found clear, so it crosses nothing,
-// whatever is cut short by a limit.
+// every point on the segment to it. Each move shortens the distance to the tool, so the proxy
+// cannot cycle, and it ends at a local minimum of that distance. Two moves are exceptions: one that
+// lifts the sphere to the rest height of a plane, by less than the contact margin (would_cycle ends
+// the cycles of these), and one that is lengthened (follow_curvature bounds them). A sweep has
+// proved every position on the path clear, so the proxy crosses nothing, also when a limit ends the
+// tick.
 #include "rendering/contact/sphere_proxy.h"
 
 #include <limits>
@@ -95,8 +96,8 @@ ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W,
   return approach(scene, h_W, path);
 }
 
-// Where it just_placed the sphere feels nothing that it overlaps, and later nothing that came over
-// it or that it came out of, until it is clear of it.
+// Leaves out the objects that overlap the sphere when it is placed, and takes back objects once the
+// sphere is clear of them.
 void SphereProxy::update_left_out(const SceneObjects& scene) {
   constexpr double kNoOverlap_m = 0.5e-6;  // within the contact margin
   LeftOut& left_out = candidate_set_.left_out();
@@ -145,7 +146,8 @@ ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, Prox
   return rest;
 }
 
-// True if objects that the proxy overlaps by more than it may be pushed out are left out now.
+// Leaves out the objects that the proxy overlaps by more than kMostPushOut_m. Returns true if there
+// are any.
 bool SphereProxy::leave_out_overlapped(const SceneObjects& scene, ProxyRest& rest) {
   if (!candidate_set_.left_out().add_overlapped(scene, margins_, p_, kMostPushOut_m)) {
     return false;
@@ -244,7 +246,8 @@ ProxyRest SphereProxy::run_sub_goals(const SceneObjects& scene, const Vec3& h_W,
   }
 }
 
-// Toward the next goal, among all planes that hold the proxy at once.
+// Chooses the sub-goal and sweeps to it. A blocking contact adds its plane, and the choice is
+// repeated.
 SphereProxy::Move SphereProxy::find_move(const SceneObjects& scene, const Vec3& h_W,
                                          double most_push, ProxyRest& rest) {
   Move move;
@@ -266,10 +269,10 @@ SphereProxy::Move SphereProxy::find_move(const SceneObjects& scene, const Vec3& 
   return move;
 }
 
-// Whether another look at what holds the proxy, which has come to the goal, would find nothing new:
-// on the one face that held it the plane is the same, and whatever else is near is touched on its
-// border, where it gives none. After a tick's first move that is not asked: where triangles are
-// small it mostly is not so, and asking would cost more than it saves.
+// Returns true if collecting the planes again at the goal would find nothing new. This holds on a
+// single face: its plane is the same, and other near triangles are touched at their borders, where
+// they give no plane. The test is not made after a tick's first move: on small triangles it mostly
+// fails, and it would cost more than it saves.
 bool SphereProxy::is_still_on_face(const SceneObjects& scene, const ProxyRest& rest) {
   const ContactPlane& contact = rest.planes[0];
   if (rest.plane_count != 1 || contact.nearest.feature != Feature::face || recalled_count_ > 0) {

@@ -1,4 +1,5 @@
-// Where the proxy goes next: the nearest point that its planes allow, as far as friction lets it.
+// Chooses the sub-goal: the point nearest to the tool in front of all planes, as far as friction
+// lets the proxy move.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +11,10 @@
 namespace tactus::rendering {
 namespace {
 
-// Moves shorter than this are none: a micronewton at 1000 N/m.
+// A shorter move counts as none: its force is a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
-// What a proxy that sticks may be below its rest: it then clears the seams that it slides over
-// next.
+// A sticking proxy may be this far below its rest height; a higher one clears the seams that it
+// slides over next.
 constexpr double kUnevenRest_m = 50e-9;
 
 }  // namespace
@@ -29,8 +30,8 @@ PlaneProjection SphereProxy::project(const Vec3& h) {
   if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
     return projection;
   }
-  // Surfaces that push against each other leave no room: the proxy may slide between them, but is
-  // not pushed.
+  // The planes leave no room: surfaces push against each other. The proxy may slide between them,
+  // but is not pushed.
   for (Plane& plane : used) {
     plane.offset = std::min(plane.offset, plane.normal.dot(p_)) - kSlack_m;
   }
@@ -39,8 +40,9 @@ PlaneProjection SphereProxy::project(const Vec3& h) {
   return projection;
 }
 
-// Straight to where the planes want it. A sweep ends a little below, where the next seam would stop
-// it, and friction alone would leave it there; or above, if it above_first_plane.
+// Returns the position at the rest height of the planes. A sweep ends a little below it, where
+// friction alone would leave the proxy and the next seam would block it; after a move past the end
+// of a face the proxy is a little above.
 Vec3 SphereProxy::resting_position() {
   Vec3 rest = p_;
   if (above_first_plane_) {
@@ -59,7 +61,8 @@ Vec3 SphereProxy::resting_position() {
   return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
 }
 
-// How the tool presses on the planes.
+// Projects the tool on the contact planes and returns the active constraints with their friction
+// circle.
 SphereProxy::ActiveConstraints SphereProxy::active_constraints(const SceneObjects& scene,
                                                                const Vec3& h, ProxyRest& rest) {
   ActiveConstraints active_constraints{.projection = project(h)};
@@ -94,9 +97,9 @@ SphereProxy::ActiveConstraints SphereProxy::active_constraints(const SceneObject
   return active_constraints;
 }
 
-// A tick that ends before its work is done, between two faces or where it waits for what is near,
-// is still felt: by the surface that held the proxy last, if the tool presses toward it, or toward
-// its nearest point where the proxy has gone far from there since.
+// Keeps the last contact in a tick that ends early, between two faces or while it waits for
+// candidates. The surface that held the proxy last gives the force, if the tool presses toward it.
+// If the proxy moved far from it since, its nearest point gives the normal.
 void SphereProxy::keep_last_contact(const SceneObjects& scene, const Vec3& h,
                                     ProxyRest& rest) const {
   if (last_contact_.object == kNoObject) {
@@ -150,7 +153,8 @@ SphereProxy::Goal SphereProxy::goal_by_friction_circle(const PlaneProjection& pr
   return goal_along_surface(step.goal, h, rest);
 }
 
-// The surface that pushes hardest has its way, under the push of all.
+// Returns the goal of a friction model. The surface with the largest pressure supplies the model,
+// under the push of all surfaces.
 SphereProxy::Goal SphereProxy::goal_by_friction_model(const SceneObjects& scene,
                                                       const PlaneProjection& projection,
                                                       const Vec3& h, const ProxyRest& rest,
@@ -183,13 +187,16 @@ SphereProxy::Goal SphereProxy::goal_along_surface(const Vec3& goal, const Vec3& 
   return {.point = p_ + stretched, .stretched = stretched != move};
 }
 
-// On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and
-// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by
-// 1 / (1 - ratio) a move ends on the ray from the feature through the goal, from where the next
-// sub-goal drops straight onto it; where the tool lies beyond the feature the sphere rolls off, in
-// ever longer moves. Along the crease of two surfaces the ratio is that of the last two moves.
-// On the way there the distance to the tool may grow: a move is lengthened only where a plain one
-// would end nearer to the tool than wherever that was done before in this tick.
+// Lengthens a move on a curved path. On an edge or a vertex the sphere's centre moves on a cylinder
+// or a sphere of the radius R, and tangent moves alone reduce the distance to the goal only by the
+// ratio depth / R per sub-goal. A move lengthened by 1 / (1 - ratio) ends on the ray from the
+// feature through the goal, and the next sub-goal drops straight onto it. If the tool lies beyond
+// the feature the sphere rolls off in ever longer moves. Along the crease of two surfaces the ratio
+// is that of the last two moves.
+//
+// The distance to the tool may grow during a lengthened move. A move is lengthened only if the
+// plain move would end nearer to the tool than every plain move that was lengthened before in this
+// tick.
 Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
   constexpr double kRollingOff = 4.0;
   constexpr double kRounding_m = 1e-12;
@@ -218,11 +225,11 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   return allowed ? stretched : move;
 }
 
-// Across an edge and on a vertex. Where friction takes most of the pull, the rest of it is what
-// draws the proxy: the pull aside d and the pressure p change on the way s across by
-// d' = p / R - 1 and p' = -d / R, along the edge by -1 and 0, so that the rest d - f, of which the
-// friction is f = mu p, changes by the ratio cos^2 (p + mu d) / R, the angle that of the way to the
-// way across. As a small difference it is not known for far.
+// Returns the curvature across an edge or at a vertex. If friction takes most of the pull, only the
+// rest draws the proxy. The lateral pull d and the pressure p change along the path s across by d'
+// = p / R - 1 and p' = -d / R, along the edge by -1 and 0. With the friction f = mu p the rest d -
+// f changes by the ratio cos^2 (p + mu d) / R, where the angle is between the path and the
+// direction across. It is a small difference and not known far ahead.
 SphereProxy::Curvature SphereProxy::curvature_at_feature(const Vec3& move, const Vec3& h,
                                                          const ProxyRest& rest) const {
   constexpr double kMaxShareWithFriction = 0.03;

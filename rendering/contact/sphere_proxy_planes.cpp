@@ -1,10 +1,10 @@
-// Which surfaces hold the proxy where it is, each by a plane.
+// Collects the contact planes at the proxy.
 //
-// A triangle whose face is touched gives its plane at once. One that is touched on an edge or a
-// vertex gives it only when it stops a sweep: across a flat or hollow seam the neighbour's edge is
-// near too, its plane is tilted against the motion, and yet it is never in the way. A face a little
-// below a sphere that a move carried past the end of another gives its plane too: else the sphere
-// would first come down to it.
+// A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
+// a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
+// neighbour's edge is near too, its plane is tilted against the motion, and yet it never blocks. A
+// face a little below a sphere that moved past the end of another face gives its plane too;
+// otherwise the sphere would first have to come down to it.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -41,16 +41,16 @@ bool SphereProxy::collect_planes(const SceneObjects& scene, double most_push, Pr
   return true;
 }
 
-// From behind only a sphere that is inside, or comes through, is nearer than its radius: outside,
-// the front is between.
+// A sphere is nearer to the back than its radius only if it is inside or comes through; outside,
+// the front lies between.
 bool SphereProxy::overlaps(const Candidate& candidate) const {
   constexpr double kBehind_m = 0.1e-6;
   const double slack_m = candidate.behind ? kBehind_m : kMostPushOut_m;
   return candidate.nearest.distance < margins_.of(candidate.point_tool).inner_m - slack_m;
 }
 
-// Where a move along a face went past its end, the next face lies a little lower. Its plane bounds
-// the sphere there already, so that it need not come down first to find it.
+// Adds the plane of the face a little below, after a move past the end of a face. The plane bounds
+// the sphere there already, so the sphere need not come down first to find it.
 void SphereProxy::add_face_below(const SceneObjects& scene, ProxyRest& rest) {
   constexpr double kLowest_m = 10e-6;
   double lowest = kLowest_m;
@@ -75,10 +75,11 @@ void SphereProxy::add_face_below(const SceneObjects& scene, ProxyRest& rest) {
   }
 }
 
-// In a flat valley the proxy can go back and forth within the thickness of the contact margin: on
-// either side it does not touch the other, and the nearest point of each plane lies beyond it. When
-// it is about to go back to where it came from, or as far from the tool as it was there, the
-// triangles that held it there give their planes from then on, wherever it is.
+// Returns true if the next move would begin a cycle. In a flat valley the proxy can move back and
+// forth within the contact margin: on either side it does not touch the other, and the nearest
+// point of each plane lies beyond it. When it is about to return to where it came from, or would
+// end no nearer to the tool than there, the triangles that held it there give their planes from any
+// distance until the tick ends.
 bool SphereProxy::would_cycle(const Vec3& goal, const Vec3& h) const {
   constexpr double kMaxShareOfMove = 0.25;
   const Vec3& from = last_constraints_.from;
@@ -105,7 +106,7 @@ bool SphereProxy::has_plane(std::size_t i) const {
          std::ranges::find(recalled, i) != recalled.end();
 }
 
-// What lies behind such a plane is convex, so that it bounds the proxy from any distance.
+// The shape behind such a plane is convex, so the plane bounds the proxy from any distance.
 void SphereProxy::add_recalled_planes(const SceneObjects& scene, double most_push,
                                       ProxyRest& rest) {
   for (const std::size_t i : std::span(recalled_).first(recalled_count_)) {

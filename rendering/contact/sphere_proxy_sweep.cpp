@@ -1,9 +1,9 @@
-// How far the sphere may go on its way to the sub-goal, and what stops it.
+// Sweeps the sphere to the sub-goal and finds the candidate that blocks it.
 //
-// A distance is convex along the way, so what is out of reach at its end, by the tangent at its
-// start, is out of reach all along. Of the others most lie behind the planes that hold the sphere:
-// on a convex surface, all. Those that are near where it starts are swept first: where the proxy
-// presses on something hollow they stop it soon, and few of the rest are within reach of there.
+// A distance is convex along the segment, so a candidate that the tangent at the start shows out of
+// reach at the end is out of reach all along. Most of the others lie behind the planes that hold
+// the sphere, on a convex surface all of them. The candidates near the start are swept first: in a
+// hollow they block the sphere soon, and few of the rest are within reach of there.
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -15,16 +15,16 @@
 namespace tactus::rendering {
 namespace {
 
-// A triangle in contact that stops the sphere within this travel holds it already.
+// A triangle in contact that blocks the sphere within this travel counts as an active constraint.
 constexpr double kBlockedTravel_m = 1e-6;
-// Among more candidates than this a cast would look at too many triangles to pay.
+// Limits a sweep beyond the candidate set: with more candidates it would search too many triangles.
 constexpr std::size_t kMaxCandidatesForLongSweep = 24;
-// And more work than this, in units of kMaxTickBudget, would not.
+// Limits the cost of a sweep beyond the candidate set, in cost units.
 constexpr std::size_t kMaxLongSweepCost = 240;
 
 }  // namespace
 
-// Shrinks to the first candidate that stops the sphere.
+// Shortens the segment to the first candidate that blocks the sphere.
 class SphereProxy::CandidateSweep {
  public:
   CandidateSweep(SphereProxy& proxy, const SceneObjects& scene, const Segment& segment,
@@ -41,7 +41,8 @@ class SphereProxy::CandidateSweep {
     }
   }
 
-  // False if the tick's work is done before the end is known.
+  // Sweeps against all candidates. Returns false if the tick's budget is spent before the end is
+  // known.
   bool sweep_all() {
     std::span<const std::uint16_t> here;
     if (!margins_.is_point()) {  // which is near too few
@@ -54,7 +55,8 @@ class SphereProxy::CandidateSweep {
   [[nodiscard]] std::size_t blocked_by() const { return blocked_by_; }
 
  private:
-  // But for those that were swept before; both ascend. False if that is too much for the tick.
+  // Sweeps against the numbered candidates, except those that were swept before; both spans ascend.
+  // Returns false if the tick's budget is spent.
   bool sweep_each(std::span<const std::uint16_t> numbers, std::span<const std::uint16_t> before) {
     auto swept = before.begin();
     for (const std::uint16_t i : numbers) {
@@ -110,9 +112,9 @@ class SphereProxy::CandidateSweep {
   std::optional<CandidateSet::Bounded> stop_;  // once there is one
 };
 
-// How much of the way the sphere may go. A move that leaves the trusted capsule is cut at its
-// border, where the candidate set is gathered anew; one that leaves even a fresh one is asked of
-// the hierarchy, as far as that is cheap.
+// Returns how far the sphere may move toward the goal. A move that leaves the trusted capsule is
+// cut at its border, where the candidate set is gathered again. One that leaves even a fresh
+// capsule is swept against the hierarchies, as far as that is cheap.
 SphereProxy::SweepResult SphereProxy::sweep_toward(const SceneObjects& scene, const Vec3& goal,
                                                    const ProxyRest& rest) {
   const Vec3 move = goal - p_;

@@ -1,4 +1,4 @@
-// How much the shared proxy may do in a tick, and what counts how much toward it.
+// The tick budget: bounds the computation of the shared proxy in one tick, in cost units.
 #pragma once
 
 #include <algorithm>
@@ -10,34 +10,35 @@
 
 namespace tactus::rendering {
 
-// In sixths of the time that it takes to measure a triangle (100 ns on a server core of 2020).
-// Fitted by least squares to the 20,000 ticks of `tactus bench` on the dragon, each timed and its
-// parts counted.
+// Costs of the parts of a tick, in cost units. One unit is a sixth of the time that measuring a
+// triangle takes (100 ns on a server core of 2020). The values are a least-squares fit to the timed
+// ticks of `tactus bench` on the dragon.
 //
-// A pair of boxes of a hierarchy, most of whose time goes by until they come from memory. A walk to
-// everything that is near knows the next ones long before their turn, a cast does not.
+// A pair of hierarchy boxes costs mostly the time until it arrives from memory. A walk to
+// everything near prefetches its next boxes; a sweep cannot.
 inline constexpr std::size_t kCostOfBoxPairNear = 1;
 inline constexpr std::size_t kCostOfBoxPairInBall = 2;      // of a ball that is free
 inline constexpr std::size_t kCostOfBoxPairAlongSweep = 4;  // of a cast
 
-// A triangle of a leaf that is looked at, and one of a cast that may be met.
+// A triangle of a leaf in the bounding test, and one that a sweep measures.
 inline constexpr std::size_t kCostOfLeafTriangle = 1;
 inline constexpr std::size_t kCostOfTriangleSweep = 4;
 
-// Candidates: one that is measured, one that is held against the planes that hold the sphere, one
-// that stops it on its way; and how many tangents are asked in a unit.
+// Candidates: one measurement, one test against the planes that hold the sphere, and one that
+// shortens a sweep. `kTangentsPerUnit` tangent tests cost one unit.
 inline constexpr std::size_t kCostOfMeasurement = 6;
 inline constexpr std::size_t kCostOfSeparation = 2;
 inline constexpr std::size_t kCostOfStop = 8;
 inline constexpr std::size_t kTangentsPerUnit = 16;
 
-// The rest of a sub-goal, and of a gathering.
+// The remaining cost of a sub-goal, and of a gathering.
 inline constexpr std::size_t kCostOfSubGoal = 8;
 inline constexpr std::size_t kCostOfGathering = 25;
 
-// A tick's work. Most ticks end after kUsualTickBudget; one that has more to do, such as the first
-// of a contact, may go on to kMaxTickBudget with what is saved, and one whose way is gone again,
-// for the sake of shading and textures, whatever is saved.
+// The budget of one tick. Most ticks may spend kUsualTickBudget. Unspent ticks save units, and a
+// tick with more to do, such as the first of a contact, may spend what was saved, up to
+// kMaxTickBudget in all. A tick that is repeated for shading or textures may spend kMaxTickBudget
+// whatever was saved.
 class TickBudget {
  public:
   void begin_tick() {
@@ -48,7 +49,7 @@ class TickBudget {
     spent_ = 0;
   }
 
-  // What was done is done once more, or less.
+  // Returns true if the cost so far can be spent once more within kMaxTickBudget.
   [[nodiscard]] bool can_repeat() const { return 2 * spent_ <= kMaxTickBudget; }
   void allow_repeat() { limit_ = kMaxTickBudget; }
 
