@@ -185,7 +185,7 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
       settle(mesh, material, h_W, lowest, rest);
       return rest;
     }
-    // The way to the tool leads straight away from the surface.
+    // The segment to the tool leads straight away from the surface.
     const Vec3 motion = h_W - lowest.at.point_W;
     p_ = lowest.at.point_W + margin.rest_m / motion.norm() * motion;
     in_contact_ = false;

@@ -32,8 +32,9 @@ constexpr double kEasyPart = 0.5;
 // pay.
 constexpr int kMostLookedAt = 48;
 
-// Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far;
-// to nothing where that is less than `least`, or not soon found.
+// Visits the triangles near p and shrinks the radius to the distance of a box that is the nearest,
+// or at most 1 / kEasyPart as far. The radius becomes 0 if it is below `least` or is not found
+// soon.
 struct ClearanceVisitor {
   const Vec3& p;
   TickBudget& budget;
@@ -54,7 +55,8 @@ struct ClearanceVisitor {
   }
 };
 
-// Shrinks to what is certainly free about p beyond the reach of the proxy. Goes over objects.
+// Visits objects and shrinks the radius to what is certainly free about p, beyond the contact
+// margin's reach.
 struct FreeBall {
   const SceneObjects& scene;
   const ContactMargins& margins;

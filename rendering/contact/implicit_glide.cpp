@@ -47,9 +47,9 @@ Vec2 corrected_step(const Mat2& shape, double depth, double length) {
   return turn > kMostTurn_rad ? Vec2{kMostTurn_rad / turn * step} : step;
 }
 
-// The straight line between two surface points dips into a bulge. The way goes over an apex above
-// their middle, high enough that F climbs on the first half and falls on the second without a
-// doubt: then one interval each is mostly enough to see that nothing is in the way.
+// Returns true if a path between two surface points is free. The straight segment dips into a
+// bulge, so the path has an apex above the middle, high enough that F certainly climbs on the first
+// half and falls on the second. One interval each then mostly proves the path free.
 bool is_path_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
   constexpr std::size_t kMostRanges = 8;
   constexpr double kLeastSlope = 0.05;

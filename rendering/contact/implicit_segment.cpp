@@ -25,7 +25,7 @@ Inside clip(const Box& box, const Vec3& from, const Vec3& segment) {
 }
 
 SweptSegment look_along(ImplicitField& field, const Vec3& from, const Vec3& to) {
-  // Beyond so many intervals the way ends where it is known to be free.
+  // The segment ends where it is known to be free if it would take more intervals.
   constexpr std::size_t kMostRanges = 64;
   const Vec3 whole = to - from;
   const double leave = clip(field.surface().bounds_O, from, whole).leave;

@@ -26,7 +26,7 @@
 namespace tactus::rendering {
 namespace {
 
-// Moves shorter than this are none: a micronewton at 1000 N/m.
+// A shorter move counts as none: its force is a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
 // A surface that stops the proxy within this travel counts as an active constraint.
 constexpr double kHeld_m = 1e-6;
@@ -140,7 +140,7 @@ class Tick {
     state_.friction = FrictionState::free;
   }
 
-  // Beyond the bounds nothing is in the way.
+  // Nothing blocks the proxy outside the bounds.
   bool pass_outside() {
     forget_contact();
     state_.side = 0.0;

@@ -63,7 +63,7 @@ void add_part(ElasticStep<Vector>& sum, const ElasticStep<Vector>& part, double 
 template <typename Vector>
 ElasticStep<Vector> plastic_step(const ElastoPlasticLevels& levels, double stiffness_N_per_m,
                                  const Vector& f, const Vector& direction, double path_m) {
-  // Where alpha is 0 the level at which dz/dt vanishes is infinitely far: a spring.
+  // At alpha = 0 the level where dz/dt vanishes is infinite, and the bristle is a spring.
   constexpr double kLeastShare = 1e-12;
   const auto yield = [&](double share, double part_m) {
     return yield_toward(levels.steady_N / std::max(share, kLeastShare), stiffness_N_per_m, f,

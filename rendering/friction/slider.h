@@ -25,7 +25,7 @@
 
 namespace tactus::rendering {
 
-// What a slider holds before it slips, and with what it slips, N.
+// The force up to which a slider sticks, and the force with which it slips, N.
 struct SliderLevels {
   double hold_N = 0.0;
   double slip_N = 0.0;
@@ -49,7 +49,8 @@ SliderLevels slider_levels(const FrictionParameters& parameters, const FrictionT
   }
 }
 
-// The share of a way that leaves the circle of radius `hold_N`, from 0 to 1, that lies within it.
+// Returns the share of a motion, from 0 to 1, that lies within the circle of radius `hold_N`; the
+// motion leaves the circle.
 template <typename Vector>
 double share_within(double hold_N, const Vector& f, const Vector& stretch) {
   const double room = hold_N * hold_N - dot(f, f);

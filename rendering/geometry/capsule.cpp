@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFar_m = 1e9;
 
-// Where q + t d leaves the sphere of radius r about the origin, from a q inside: the larger root of
-// a t^2 + 2 b t + c, with c <= 0.
+// Returns where q + t d leaves the sphere of radius r about the origin, from a q inside: the larger
+// root of a t^2 + 2 b t + c, with c <= 0.
 double larger_root(double a, double b, double c) {
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   return b > 0.0 ? -c / (b + root) : (root - b) / a;

@@ -1,10 +1,10 @@
-// All of a triangle lies behind any plane that its three corners lie behind. The plane taken is
-// normal to the gap from the triangle's middle to the point of the way nearest to that, and the
-// ends of the way are where the way is nearest to it.
+// A triangle lies behind every plane that its three corners lie behind. The plane used here is
+// normal to the gap between the triangle's middle and the nearest point of the segment, and a
+// segment is nearest to a plane at one of its ends.
 //
-// Corners count from the way's start, which is subtracted in two parts: the result is as exact as
-// it is small. A dot product of three is then wrong by less than eight roundings of the lengths
-// involved, and kRounding is sixteen.
+// Corners count from the segment's start, which is subtracted in two parts, so that the error of
+// the result is relative to the result. A dot product of three is then wrong by less than eight
+// roundings of the lengths involved, and kSegmentRounding is sixteen.
 #include "rendering/geometry/near_segment.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace tactus::rendering {
 namespace {
 
 constexpr float kSegmentRounding = 1e-6F;
-// Of a shorter gap the square may be none, and its direction is not asked.
+// A shorter gap may have a square of zero, and its direction is not used.
 constexpr float kLeastSquaredGap = 1e-30F;
 
 FourVectors corners(const MeshView& mesh, const std::array<const TriangleIndices*, 4>& triangles,

@@ -52,19 +52,19 @@ class ForceShading {
   // world frame, metres.
   void begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes = Passes::several);
 
-  // Takes a pass's outcome; true if another pass with the new offset() is worth while.
+  // Takes a pass's outcome. Returns true if another pass with the new offset() pays.
   bool improve(const ShadedRest& rest);
 
-  // Takes the lift back until the next improve(); false if there was none.
+  // Removes the lift until the next improve(). Returns false if there was none.
   bool lower();
 
-  // From the tool to the proxy's goal.
+  // Returns the offset from the tool to the proxy's goal; world frame, m.
   [[nodiscard]] const Vec3& offset() const { return offset_; }
   [[nodiscard]] bool is_on() const { return offset_ != Vec3::Zero(); }
-  // How deep the tool is, where the goal is lifted; else 0.
+  // Returns the tool's depth (m) if the goal is lifted, else 0.
   [[nodiscard]] double lifted_from_m() const { return lifted_from_m_; }
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:
@@ -82,7 +82,8 @@ class ForceShading {
   double relaxation_ = 1.0;
 };
 
-// m / (m . n) - n, with m turned toward n as far as it leans more than 60 degrees. Both unit.
+// Returns m / (m . n) - n, with m turned toward n if it leans by more than 60 degrees. Both
+// arguments are unit.
 Vec3 lean_of(const Vec3& shading_normal, const Vec3& normal);
 
 }  // namespace tactus::rendering

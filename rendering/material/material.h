@@ -1,4 +1,4 @@
-// What a surface feels like.
+// The material of a surface: stiffness, damping and friction.
 #pragma once
 
 #include <cmath>

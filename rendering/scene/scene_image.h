@@ -21,7 +21,7 @@ struct Object;
 struct Scene;
 }  // namespace image
 
-// What baking found and did to one mesh.
+// The counts of the repairs that baking made to one mesh.
 struct BakeCounters {
   std::uint32_t welded_vertices = 0;       // merged into another at the same place
   std::uint32_t degenerate_triangles = 0;  // dropped: without area

@@ -1,4 +1,4 @@
-// What is touched where that is no mesh.
+// Reads a surface without a mesh: a primitive or a formula.
 #pragma once
 
 #include <expected>

@@ -1,4 +1,4 @@
-// What friction, shading and the proxies of single objects remember from tick to tick.
+// Saves and restores the state of friction, shading and the proxies of independent contacts.
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/friction/surface_friction.h"

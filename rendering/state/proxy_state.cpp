@@ -1,8 +1,8 @@
-// What the shared proxy remembers from tick to tick.
+// Saves and restores the state of the shared proxy.
 //
-// The candidate set is kept as it is, and not gathered anew: where it was gathered decides where
-// moves are cut, so that another one would give other sub-goals. Of its candidates the numbers, and
-// the tangents that they had come to, are kept; triangles and distances follow from the scene.
+// The candidate set is saved and not gathered again: the capsule's position decides where moves are
+// cut, so another one would give other sub-goals. The candidates' numbers and tangents are saved;
+// triangles and distances follow from the scene.
 #include "rendering/contact/candidate_set.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/state/plain_states.h"
@@ -91,7 +91,8 @@ void CandidateSet::transfer_walk(StateArchive& archive, const SceneObjects& scen
   }
 }
 
-// Found anew it could lack what the tangents put out of reach since.
+// Saves the candidates within reach. A new search could lack those that the tangents have put out
+// of reach since.
 void CandidateSet::transfer_here(StateArchive& archive) {
   auto& [number, count] = here_;
   bool is_known = here_place_ == places_ && here_gathering_ == gatherings_;
@@ -152,7 +153,8 @@ void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
     require_place(archive, scene, object, triangle);
   }
   candidate_set.transfer(archive, scene, margins);
-  // Else they are found anew.
+  // The planes are saved only while a gathering is under way; otherwise the next tick collects them
+  // again.
   std::size_t waiting = candidate_set.is_begun() ? contact_count : 0;
   transfer_planes(archive, scene, contacts, waiting);
   if (archive.is_reading()) {

@@ -36,10 +36,10 @@ class StateArchive {
   [[nodiscard]] bool good() const { return good_; }
   // Bytes so far.
   [[nodiscard]] std::size_t size() const { return place_; }
-  // Whether everything was read.
+  // Returns true if everything was read.
   [[nodiscard]] bool at_end() const { return place_ == from_.size(); }
 
-  // What must hold of the members, read or to be written.
+  // Rejects the state if `holds` is false for the members read or to be written.
   void require(bool holds) { good_ = good_ && holds; }
 
   // Numbers, vectors, arrays of them, and what has a transfer() of its own.
@@ -69,7 +69,7 @@ class StateArchive {
     }
   }
 
-  // What the reader must have too, such as the number of a scene's objects.
+  // Writes a value that the reader must have too, such as the number of a scene's objects.
   void same(std::uint64_t value) {
     std::uint64_t theirs = value;
     item(theirs);

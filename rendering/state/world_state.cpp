@@ -1,4 +1,4 @@
-// What a world remembers from tick to tick: its objects' places, then what each tool feels.
+// Saves and restores the state of a world: the places of its objects, then the state of each tool.
 #include "rendering/state/plain_states.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/world/effect_touch.h"
@@ -43,7 +43,7 @@ void SceneObjects::transfer(StateArchive& archive) {
   transfer_materials(archive);
 }
 
-// What set_material has changed, on top of what the scene says.
+// Saves the materials that set_material has changed.
 void SceneObjects::transfer_materials(StateArchive& archive) {
   std::size_t count = changed_count_;
   archive.up_to(count, kMaxChangedMaterials);

@@ -29,7 +29,7 @@ bool uses_constant(Opcode opcode) {
          opcode == Opcode::real_power || opcode == Opcode::power_norm;
 }
 
-// What check() has to say about one instruction: nothing if it is good.
+// Checks one instruction; returns its fault, or nothing if it is good.
 std::expected<void, FormulaFault> check_one(const Instruction& instruction, std::size_t number) {
   const Opcode opcode = instruction.opcode;
   if (static_cast<std::uint8_t>(opcode) >= kOpcodes) {

@@ -143,7 +143,8 @@ void IndependentContacts::hold(const SceneObjects& scene) {
   }
 }
 
-// Whether the tool's way since the last tick, seen from the object, comes into its box.
+// Returns true if the tool's path since the last tick, seen from the object, enters the object's
+// box.
 bool IndependentContacts::is_near(const Mover* mover, const Object& object, const Vec3& p_W) const {
   constexpr double kMargin_m = 1e-3;
   const Vec3 from = point_in_before(mover, last_tool_W_);

@@ -1,5 +1,5 @@
-// The objects that one tool touches apart from the shared proxy: potential fields, feature walks
-// and implicit surfaces. Each pushes for itself.
+// The independent contacts of one tool: potential fields, feature walks and implicit surfaces. Each
+// gives its own force, apart from the shared proxy.
 #pragma once
 
 #include <array>
@@ -15,29 +15,29 @@
 
 namespace tactus::rendering {
 
-// Works in each object's own frame, so an object that moves takes its proxy along and sweeps over
-// no tool without meeting it. An object whose box the tool does not come near costs next to
-// nothing.
+// Every contact is computed in its object's own frame: an object that moves carries its proxy
+// along, and meets every tool that it sweeps over. An object whose box is not near the tool costs
+// next to nothing.
 class IndependentContacts {
  public:
   // Starts over, out of contact, at p_W.
   void place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m);
 
-  // Adds the forces to `touch`, which is of the shared proxy, and tells of the object that pushes
-  // hardest of all. The tool is finite. Bounded work, no heap.
+  // Adds the forces to `touch`, which holds the shared proxy's result, and reports the object with
+  // the largest force of all. The tool must be finite. Bounded time, no heap.
   void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool);
 
-  // Instead of add_to in a tick without a valid tool.
+  // Holds the contacts in a tick without a valid tool. Call it instead of add_to.
   void hold(const SceneObjects& scene);
 
-  // How far the proxy of one of them was from the tool after the last touch, m.
+  // Returns how far the proxy of an object was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const;
 
-  // What it remembers, to bytes or back; of the same scene.
+  // Saves the state to the archive, or restores it; the scene must be the same.
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
-  // What shading and textures remember of one object, in its frame.
+  // The state of shading and textures of one object, in its frame.
   struct DetailState {
     ForceShading shading;
     Vec3 point_O = Vec3::Zero();  // touched in the last tick
@@ -45,14 +45,14 @@ class IndependentContacts {
     double friction_factor = 1.0;
   };
 
-  // One of them, and what it feels like now.
+  // One object with its current material.
   struct IndependentObject {
     std::size_t k;
     const Object& object;
     const Material& material;
   };
 
-  // Of one object, everything in its own frame.
+  // Computes the contact of one object without shading, in its own frame.
   Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O);
   Touch touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O);
   [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;

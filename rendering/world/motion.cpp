@@ -9,7 +9,7 @@
 namespace tactus::rendering {
 namespace {
 
-// Of a number of full turns.
+// Returns sine and cosine of a number of full turns.
 SineCosine of_turns(double turns) {
   return sine_cosine(2.0 * std::numbers::pi * (turns - std::floor(turns)));
 }

@@ -7,13 +7,14 @@ namespace {
 
 constexpr int kMostPasses = 4;
 
-// Where the scene's frame, which is the object's own, is in this tick.
+// Returns the pose of the object's frame in this tick.
 RigidPose pose_of(const SceneObjects& scene, std::uint32_t object) {
   const Mover* const mover = scene.mover_of(object);
   return mover == nullptr ? RigidPose{} : mover->X_WO;
 }
 
-// And not only on its way, which the next tick goes on with.
+// Returns true if the proxy is free, and not only in the middle of its path, which the next tick
+// continues.
 bool is_free(const ProxyRest& rest) {
   return rest.plane_count == 0 && (rest.flags & kTouchIterationsExhausted) == 0;
 }
@@ -82,8 +83,8 @@ void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, ProxyPa
   set_friction({});
 }
 
-// A goal that was lifted or shifted off the surface takes the proxy with it: it is lowered, and
-// then goes straight to the tool, and the proxy meets the surface if that is between them.
+// Moves the proxy back when a lifted or shifted goal has taken it off the surface. The goal is
+// lowered first, then set to the tool, and the proxy meets the surface if it is between them.
 ProxyTouch::BlendedSurface ProxyTouch::return_to_surface(const SceneObjects& scene,
                                                          const ToolState& tool, ProxyPath* path,
                                                          ProxyRest& rest) {
@@ -178,7 +179,8 @@ Detail ProxyTouch::detail_of(const SceneObjects& scene, const ContactPlane& plan
   return detail;
 }
 
-// In this tick. What was not touched before is met at the tool's speed.
+// Returns how far the contact point moved in this tick, m. A new contact counts as moving at the
+// tool's speed.
 double ProxyTouch::travel_to(const ContactPoint& here) const {
   double travel = tool_step_m_;
   bool known = false;
@@ -212,7 +214,8 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
   touch.object = hardest.object;
 }
 
-// Detail makes the normal part that of the felt depth, and leans the stretch by depth * lean.
+// Splits the force into parts. Detail makes the normal part that of the effective depth, and leans
+// the stretch by depth * lean.
 void ProxyTouch::set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch) {
   const double stiffness = blended.stiffness / blended.pressure_m;
   touch.parts.friction_W = stiffness * (stretch - blended.depth_m * touch.normal_W);

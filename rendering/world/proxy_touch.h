@@ -1,5 +1,5 @@
-// The shared proxy's part of a tick: from where it came to rest to what the hand feels, with force
-// shading and textures.
+// Computes the shared proxy's part of a touch: moves the proxy, applies force shading and textures,
+// and gives the force.
 #pragma once
 
 #include <array>
@@ -22,30 +22,30 @@ class ProxyTouch {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
-  // First in every tick: objects that moved take the proxy along or push it. TouchFlags.
+  // Moves the proxy with the objects that moved. Call it first in every tick. Returns TouchFlags.
   std::uint32_t begin_tick(const SceneObjects& scene) { return proxy_.begin_tick(scene); }
 
-  // Moves the proxy for a tool that is finite, and gives the force of the surfaces that hold it:
-  // F = K (proxy - tool) - B v, with v relative to the surface, and K and B their mean weighted by
-  // how far each pushes. A surface with detail shifts the proxy so that the force is along its
-  // shading normal, and its bumps shorten the stretch; that takes up to kMostPasses of the proxy's
-  // advance, within the limits of one tick. Bounded work, no heap. `path`, if given, receives the
-  // moves.
+  // Moves the proxy for a finite tool, and returns the force of the surfaces that hold it: F = K
+  // (proxy - tool) - B v. v is relative to the surface; K and B are means weighted by the
+  // pressures. A surface with detail shifts the proxy so that the force is along its shading
+  // normal, and its bumps shorten the stretch. This takes up to kMostPasses advances of the proxy,
+  // within the budget of one tick. Bounded time, no heap. `path` receives the moves if it is not
+  // null.
   Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
 
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
 
-  // How far the proxy was from the tool after the last touch, m.
+  // Returns how far the proxy was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m() const { return (position_W() - last_tool_W_).norm(); }
 
-  // Most triangles ever kept near the tool, of kMaxCandidates.
+  // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
-  // What it remembers, to bytes or back; of the same scene.
+  // Saves the state to the archive, or restores it; the scene must be the same.
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
-  // What the surfaces of a rest feel like. The sums are weighted by how far each pushes.
+  // The surfaces that hold the proxy, blended. The sums are weighted by the pressures.
   struct BlendedSurface {
     bool detailed = false;
     bool interpolated = false;

@@ -10,7 +10,8 @@
 namespace tactus::rendering {
 namespace {
 
-// Of a plane that moves: the box of one at rest is the world's, and would move along.
+// The bounds of a plane that moves. The box of a plane at rest is the world's, and would move
+// along.
 const Bounds kEverywhere{.lower_W = Vec3::Constant(-1e6), .upper_W = Vec3::Constant(1e6)};
 
 bool sound(const RigidPose& pose) {

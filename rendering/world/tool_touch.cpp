@@ -49,7 +49,8 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPa
   return touch;
 }
 
-// Of a surface that deforms: the proxy, which slides along it, follows its motion along the normal.
+// Adds the power of surfaces that deform: the proxy slides along the surface and follows its motion
+// along the normal.
 void ToolTouch::add_driven_power(Touch& touch, double tick_s) const {
   const double out_m = (touch.proxy_W - last_proxy_W_).dot(touch.normal_W);
   touch.parts.driven_power += touch.force_W.dot(touch.normal_W) * out_m / tick_s;

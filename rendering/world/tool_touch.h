@@ -1,4 +1,4 @@
-// What one tool feels of a scene, and remembers from tick to tick.
+// The touch of one tool with all objects, and its state from tick to tick.
 #pragma once
 
 #include "rendering/state/state_archive.h"
@@ -11,17 +11,17 @@ namespace tactus::rendering {
 
 class ToolTouch {
  public:
-  // Takes a radius >= 0, and starts over in a scene that may be another one.
+  // Sets the radius, >= 0, m, and starts over in a scene that may be another one.
   void start(const SceneObjects& scene, double tool_radius_m);
 
   // Forgets the contact: the next touch starts with the proxies at the tool.
   void reset() { placed_ = false; }
 
-  // One tick, after scene.begin_tick(). Real time: no heap, bounded work. `path`, if given,
-  // receives the shared proxy's moves.
+  // Computes one tick; call it after scene.begin_tick(). Real time: no heap, bounded time. `path`
+  // receives the shared proxy's moves if it is not null.
   Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
 
-  // How far the proxy of an object was from the tool after the last touch, m.
+  // Returns how far the proxy of an object was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const {
     if (!placed_) {
       return 0.0;
@@ -29,10 +29,10 @@ class ToolTouch {
     return meets_proxy(scene[object]) ? proxy_.stretch_m() : independent_.stretch_m(scene, object);
   }
 
-  // Most triangles ever kept near the tool, of kMaxCandidates.
+  // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
-  // What it remembers, to bytes or back; of the same scene.
+  // Saves the state to the archive, or restores it; the scene must be the same.
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
