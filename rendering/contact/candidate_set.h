@@ -76,7 +76,7 @@ class CandidateSet {
   enum class Gathering : std::uint8_t {
     complete,  // the candidates are valid about p
     smaller,   // the same, but more triangles than kMaxCandidates made the capsule smaller
-    begun,     // the tick's work is done: the next `ensure` for the same p goes on
+    begun,     // the tick's budget is spent: the next `ensure` for the same p goes on
     too_many,  // more than kMaxCandidates even in the smallest capsule
   };
   // Makes the candidates valid at p, in this tick or over several ticks.

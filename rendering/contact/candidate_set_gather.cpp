@@ -46,7 +46,7 @@ struct CandidateSet::GatherTriangles {
   const MeshView& mesh;
   NearSegment segment;
   const Vec3& start;
-  double farthest_m;  // from the start, of what comes within reach of the way
+  double farthest_m;  // from the start, of what comes within reach of the segment
 
   void boxes(std::uint32_t pairs) { to.budget_.spend(kCostOfBoxPairNear * pairs); }
 

@@ -30,9 +30,9 @@ struct FeatureWalk {
 
 // Walks from `triangle` downhill in the distance to q_W, and measures at most `limit` triangles,
 // but always one. From a face of a convex mesh that has q_W in front it ends at the nearest point
-// of all; from one that has q_W behind, and on other meshes, at a point from which no way along the
-// surface comes nearer at once: that is why a thin plate holds. Neighbours of opposite winding are
-// taken for open edges.
+// of all; from one that has q_W behind, and on other meshes, at a point from which no path along
+// the surface comes nearer at once: that is why a thin plate holds. Neighbours of opposite winding
+// are taken for open edges.
 FeatureWalk walk_features(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q_W,
                           std::size_t limit);
 
@@ -62,7 +62,7 @@ class FeatureWalker {
 
   // Moves the point as near to the tool as the surface and friction let it. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most
-  // kUsualFeatureVisits triangles measured in contact, and as many on the way to it;
+  // kUsualFeatureVisits triangles measured in contact, and as many on the path to it;
   // kMaxFeatureVisits where the last call had too much to do to come anywhere.
   FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
                       const Vec3& h_W);

@@ -8,7 +8,7 @@
 namespace tactus::rendering {
 namespace {
 
-// A crossing is located, and a touch told from a miss, to this.
+// A crossing is located, and a touch distinguished from a miss, to this.
 constexpr double kResolution_m = 1e-9;
 // 100 m halved this often is below the resolution.
 constexpr std::size_t kMostHalvings = 40;

@@ -41,15 +41,16 @@ class ImplicitField {
 
 enum class SegmentState : unsigned char {
   free,     // all of it
-  blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of way
+  blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of travel
             // shows
-  unknown,  // the work ran out; free up to `free_to`
+  unknown,  // the budget ran out; free up to `free_to`
 };
 
 struct Crossing {
   SegmentState state = SegmentState::free;
-  double free_to = 1.0;     // share of the way, in [0, 1]: F >= 0 from the start up to here
-  double blocked_at = 1.0;  // for Way::blocked: F < 0 here, or undecided; at most 1 nm further
+  double free_to = 1.0;  // share of the segment, in [0, 1]: F >= 0 from the start up to here
+  double blocked_at =
+      1.0;  // for SegmentState::blocked: F < 0 here, or undecided; at most 1 nm further
 };
 
 // Returns the first place on the segment between two points within the bounds where F falls below

@@ -19,7 +19,7 @@ namespace tactus::rendering {
 
 struct FieldPush {
   double depth_m = 0.0;          // of the sphere below the surface; 0 outside
-  Vec3 normal_W = Vec3::Zero();  // unit, the way out; zero outside
+  Vec3 normal_W = Vec3::Zero();  // unit, out of the surface; zero outside
 };
 
 // `tool_radius_m` >= 0; 0 is a point. Real time: no heap. A primitive costs some twenty

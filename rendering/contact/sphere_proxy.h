@@ -124,6 +124,7 @@ class SphereProxy {
   // Estimates the next tick's move as this multiple of the current one.
   static constexpr double kFarther = 1.5;
 
+  // The end of the next straight move.
   struct Goal {
     Vec3 point = Vec3::Zero();
     bool settled = false;
@@ -150,17 +151,19 @@ class SphereProxy {
     double max_share_of_radius = 0.25;  // how far a move may be lengthened
   };
   static constexpr std::size_t kNoCandidate = static_cast<std::size_t>(-1);
+  // A straight move to sweep.
   struct Segment {
     Sweep sweep;
     double length = 0.0;  // m
     Vec3 end = Vec3::Zero();
   };
+  // How far the sphere may move toward a goal.
   struct SweepResult {
     Vec3 direction = Vec3::Zero();          // unit
     double travel = 0.0;                    // m
-    bool arrived = false;                   // the whole way was free
-    bool is_known = false;                  // and the candidates tell what is where it ends
-    std::size_t blocked_by = kNoCandidate;  // the candidate that stopped it at once
+    bool arrived = false;                   // the whole segment was free
+    bool is_known = false;                  // the candidates are valid at its end
+    std::size_t blocked_by = kNoCandidate;  // the candidate that blocked it at once
   };
 
   struct Move {
@@ -168,11 +171,14 @@ class SphereProxy {
     SweepResult sweep;  // there, unless it is settled
   };
 
+  // Moves the proxy and finds the contact of the tick.
   ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
+  // Repeats sub-goals until the proxy settles or a limit is reached.
   ProxyRest run_sub_goals(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
   // Sweeps straight to the tool. Among too many candidates the proxy cannot slide, but it can
   // leave.
   void sweep_to_tool(const SceneObjects& scene, const Vec3& h_W);
+  // Chooses the next sub-goal and sweeps to it.
   Move find_move(const SceneObjects& scene, const Vec3& h_W, double most_push, ProxyRest& rest);
   // Updates the objects that are left out in this tick.
   void update_left_out(const SceneObjects& scene);
@@ -189,7 +195,9 @@ class SphereProxy {
   // Collects the contact planes at the proxy. Returns false if the tick's budget is spent before
   // all near candidates are measured.
   bool collect_planes(const SceneObjects& scene, double most_push, ProxyRest& rest);
+  // Adds the plane of a face a little below the sphere, if there is one.
   void add_face_below(const SceneObjects& scene, ProxyRest& rest);
+  // Returns true if a move to `goal` would lead back to the previous sub-goal.
   [[nodiscard]] bool would_cycle(const Vec3& goal, const Vec3& h) const;
   // Makes the last active constraints give planes from any distance. Returns true if one is new.
   bool recall_last_constraints();
@@ -197,10 +205,14 @@ class SphereProxy {
   void add_recalled_planes(const SceneObjects& scene, double most_push, ProxyRest& rest);
   // Adds the plane of candidate i. Returns true if it is new.
   bool add_plane(std::size_t i, double most_push, ProxyRest& rest);
+  // Returns true if candidate i stopped a sweep in this tick.
   [[nodiscard]] bool is_blocking(std::size_t i) const;
   bool add_blocking_plane(std::size_t i, double most_push, ProxyRest& rest);
+  // Projects the tool on the contact planes.
   PlaneProjection project(const Vec3& h);
+  // Returns the proxy's position at the rest height of its planes.
   [[nodiscard]] Vec3 resting_position();
+  // The active contact planes and what friction needs of them.
   struct ActiveConstraints {
     PlaneProjection projection;
     FrictionCircle circle;
@@ -208,7 +220,9 @@ class SphereProxy {
     bool in_cone = true;
   };
   ActiveConstraints active_constraints(const SceneObjects& scene, const Vec3& h, ProxyRest& rest);
+  // Makes the contact of the last tick hold the proxy in a tick that found none.
   void keep_last_contact(const SceneObjects& scene, const Vec3& h, ProxyRest& rest) const;
+  // Returns the sub-goal: the projection of the tool, held back by friction.
   Goal choose_goal(const SceneObjects& scene, const Vec3& h, ProxyRest& rest);
   Goal goal_by_friction_circle(const PlaneProjection& projection, const FrictionCircle& circle,
                                const Vec3& h, const ProxyRest& rest);
@@ -232,7 +246,7 @@ class SphereProxy {
   SurfaceFriction model_;
   SurfaceFriction start_model_;    // of the last advance
   Vec3 carried_W_ = Vec3::Zero();  // by objects that moved, since the last begin_friction
-  LastContact last_contact_;       // what pushed hardest when it was last held
+  LastContact last_contact_;       // the plane with the largest pressure
   FrictionFactors factors_;
   Vec3 start_ = Vec3::Zero();  // of the last advance
   FrictionState start_friction_ = FrictionState::free;
@@ -247,7 +261,7 @@ class SphereProxy {
   std::size_t contact_count_ = 0;
   std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
   LastConstraints last_constraints_;
-  std::array<std::size_t, 6> recalled_{};  // candidates that give their planes from afar
+  std::array<std::size_t, 6> recalled_{};  // candidates that give planes from any distance
   std::size_t recalled_count_ = 0;
   bool just_placed_ = true;         // no tick since it was placed
   bool found_overlap_ = false;      // an object was left out in this sub-goal

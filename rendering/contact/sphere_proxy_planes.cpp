@@ -126,7 +126,7 @@ bool SphereProxy::is_blocking(std::size_t i) const {
 bool SphereProxy::add_blocking_plane(std::size_t i, double most_push, ProxyRest& rest) {
   const Candidate& candidate = candidate_set_.candidate(i);
   if (candidate.nearest.distance > margins_.of(candidate.point_tool).reach_m) {
-    return false;  // met on the way, not held by it
+    return false;  // met during the sweep, not in contact at its start
   }
   return add_plane(i, most_push, rest);
 }

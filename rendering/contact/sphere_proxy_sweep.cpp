@@ -45,7 +45,7 @@ class SphereProxy::CandidateSweep {
   // known.
   bool sweep_all() {
     std::span<const std::uint16_t> here;
-    if (!margins_.is_point()) {  // which is near too few
+    if (!margins_.is_point()) {  // a point is near few
       here = of_.within_reach_here();
     }
     return sweep_each(here, {}) && sweep_each(of_.within_reach(end_), here);

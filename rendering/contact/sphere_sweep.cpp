@@ -29,8 +29,8 @@ double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& 
       }
       at = triangle.nearest(sweep.from + travel * sweep.direction);
       if (at.distance < margin.inner_m) {
-        return limit;  // it comes out through the triangle: a way that one-sided surfaces leave
-                       // open
+        return limit;  // it comes out through the triangle: a direction that one-sided surfaces
+                       // leave open
       }
     }
   }

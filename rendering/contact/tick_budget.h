@@ -18,7 +18,7 @@ namespace tactus::rendering {
 // everything near prefetches its next boxes; a sweep cannot.
 inline constexpr std::size_t kCostOfBoxPairNear = 1;
 inline constexpr std::size_t kCostOfBoxPairInBall = 2;      // of a ball that is free
-inline constexpr std::size_t kCostOfBoxPairAlongSweep = 4;  // of a cast
+inline constexpr std::size_t kCostOfBoxPairAlongSweep = 4;  // of a sweep
 
 // A triangle of a leaf in the bounding test, and one that a sweep measures.
 inline constexpr std::size_t kCostOfLeafTriangle = 1;

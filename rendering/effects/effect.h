@@ -99,7 +99,7 @@ struct Effect {
 struct EffectState {
   Vec3 last_tool_W = Vec3::Zero();
   Vec3 held_force_W = Vec3::Zero();  // N, what the hand felt since the last tick
-  double delivered_J = 0.0;          // to the hand, so far: the held forces times the tool's ways
+  double delivered_J = 0.0;          // to the hand, so far: the held forces times the tool's steps
   Vec3 anchor_W = Vec3::Zero();      // of StickSlip
   Phase phase = 0;                   // of Vibration
   bool started = false;

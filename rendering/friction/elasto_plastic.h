@@ -6,11 +6,11 @@
 // Below z_ba it is a spring and nothing more, so that it does not creep. In the plane the bristle
 // unbends where z . v < 0.
 //
-// A tick is a straight way. Its first part, until |z| grows beyond z_ba, is elastic and exact.
-// From there on |z| does not fall below z_ba again on a straight way, and alpha is taken from the
+// A tick is a straight path. Its first part, until |z| grows beyond z_ba, is elastic and exact.
+// From there on |z| does not fall below z_ba again on a straight path, and alpha is taken from the
 // middle of short steps, on each of which the bristle yields exactly (bristle.h) with alpha held:
 // second order, passive whatever alpha is. The first is an eighth of z_ss, each next one and a
-// half times as long; after 32 z_ss the bristle lies along the way, at z_ss.
+// half times as long; after 32 z_ss the bristle lies along the path, at z_ss.
 #pragma once
 
 #include <algorithm>

@@ -31,7 +31,7 @@ double Capsule::room_along(const Vec3& p, const Vec3& direction) const {
   const Vec3 from_start = p - start;
   const double squared_length = axis.squaredNorm();
   const double squared_radius = radius * radius;
-  double along = 0.0;  // where it leaves, in parts of the way
+  double along = 0.0;  // where it leaves, as a share of the axis
   if (squared_length > 0.0) {
     const double p_along = from_start.dot(axis) / squared_length;
     const double d_along = direction.dot(axis) / squared_length;

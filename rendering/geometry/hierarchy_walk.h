@@ -13,7 +13,7 @@
 
 namespace tactus::rendering {
 
-// Tells a visitor that counts them how many pairs of boxes were looked at.
+// Reports to a visitor that counts them how many pairs of boxes were looked at.
 template <class Visitor>
 void count_boxes(Visitor& visitor, std::uint32_t pairs) {
   if constexpr (requires { visitor.boxes(pairs); }) {

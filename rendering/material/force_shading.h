@@ -21,7 +21,7 @@
 // A sphere that rolls over an edge holds still on it only while its goal is nearer than the edge's
 // rounding, its radius. So on interpolated planes the goal of a deep tool is lifted toward the
 // proxy, to a depth D < d: g = h + G - D n, as the second pass of the paper starts from the
-// surface. Friction is then told the tool's depth.
+// surface. Friction then uses the tool's depth.
 #pragma once
 
 #include "rendering/geometry/vector.h"

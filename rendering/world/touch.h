@@ -37,10 +37,10 @@ enum TouchFlags : std::uint32_t {
   kTouchClean = 0,
   kTouchCandidatesOverflow =
       1U << 0,  // more triangles near the tool than kMaxCandidates: slower path taken
-  kTouchIterationsExhausted =
-      1U << 1,  // the tick's work or kMaxSubGoals done: the proxy is short of its minimum this tick
-  kTouchPlanesOverflow = 1U << 2,  // more contact planes than kMaxContactPlanes
-  kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
+  kTouchIterationsExhausted = 1U << 1,  // the tick budget or kMaxSubGoals is spent: the proxy is
+                                        // short of its minimum this tick
+  kTouchPlanesOverflow = 1U << 2,       // more contact planes than kMaxContactPlanes
+  kTouchToolInvalid = 1U << 3,  // not finite or beyond kWorldBound_m: proxy held, zero force
   kTouchPinched =
       1U << 4,  // objects that moved left the proxy no room: some of them passed over it
   kTouchOverlap = 1U << 5,  // an object that the tool began in or came out of is not felt until the
