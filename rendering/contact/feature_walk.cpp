@@ -253,9 +253,9 @@ double FeatureWalker::height_of(const ConnectedMesh& mesh, const MeshNearest& at
   return (front < 0.0 ? -side_ : side_) * std::sqrt(at.squared_m2);
 }
 
-MeshNearest FeatureWalker::stay_in_cone(const ConnectedMesh& mesh,
-                                        const FrictionParameters& friction, double depth,
-                                        const FeatureWalk& lowest, FeatureRest& rest) {
+MeshNearest FeatureWalker::stay_in_friction_circle(const ConnectedMesh& mesh,
+                                                   const FrictionParameters& friction, double depth,
+                                                   const FeatureWalk& lowest, FeatureRest& rest) {
   const Vec3 held = nearest_on_triangle(mesh.mesh, feature_.triangle, p_).point_W;
   const FrictionCircle circle{.static_radius_m = friction.static_level * depth,
                               .dynamic_radius_m = friction.coulomb * depth};
@@ -277,7 +277,7 @@ void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, 
                               : Vec3{side_ * pseudonormal(mesh, lowest.at.feature).normalized()};
   MeshNearest at = lowest.at;
   if (is_plain_cone(material)) {
-    at = stay_in_cone(mesh, material.friction, depth, lowest, rest);
+    at = stay_in_friction_circle(mesh, material.friction, depth, lowest, rest);
   } else if (depth > 0.0) {
     const FrictionLag lag =
         model_.lag(sliding_surface(material), rest.normal_W, material.stiffness_N_per_m * depth);

@@ -81,8 +81,8 @@ class FeatureWalker {
                    FeatureRest& rest) const;
   [[nodiscard]] double height_of(const ConnectedMesh& mesh, const MeshNearest& at,
                                  const Vec3& h) const;
-  MeshNearest stay_in_cone(const ConnectedMesh& mesh, const FrictionParameters& friction,
-                           double depth, const FeatureWalk& lowest, FeatureRest& rest);
+  MeshNearest stay_in_friction_circle(const ConnectedMesh& mesh, const FrictionParameters& friction,
+                                      double depth, const FeatureWalk& lowest, FeatureRest& rest);
   [[nodiscard]] std::size_t most_visits() const;
   void settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
               const FeatureWalk& lowest, FeatureRest& rest);

@@ -73,14 +73,14 @@ bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3&
 
 }  // namespace
 
-std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish) {
+std::optional<ImplicitSample> glide(ImplicitField& field, const GlideStart& start) {
   constexpr int kMostTries = 3;
   constexpr double kShorter = 0.25;
   constexpr double kLeastProbe_m = 1e-6;
   constexpr double kMostProbe_m = 1e-4;
   const double scale_m = field.surface().scale_m;
-  const ImplicitSample& from = wish.from;
-  const Vec3 wanted = wish.goal - from.point;
+  const ImplicitSample& from = start.from;
+  const Vec3 wanted = start.goal - from.point;
   const Vec3 tangent = wanted - from.normal.dot(wanted) * from.normal;
   const double length = tangent.norm();
   if (!(length > 0.0) || !(from.steepness > 0.0)) {
@@ -90,7 +90,7 @@ std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish)
   t.across = from.normal.cross(t.along);
   const double probe = std::clamp(0.5 * length, kLeastProbe_m / scale_m, kMostProbe_m / scale_m);
   const Mat2 shape = shape_operator(field, from, t, probe);
-  const double depth = from.normal.dot(from.point - wish.tool);
+  const double depth = from.normal.dot(from.point - start.tool);
   Vec2 step = corrected_step(shape, depth, length);
   if (!step.allFinite()) {
     return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish)
     const Vec3 guess = from.point + step.x() * t.along + step.y() * t.across -
                        0.5 * step.dot(shape * step) * from.normal;
     const auto to = settle_at_rest(field, guess, step.norm() + kImplicitReach_m / scale_m);
-    if (to && field.surface().bounds_O.contains(to->point) && is_better(from, *to, wish.tool) &&
+    if (to && field.surface().bounds_O.contains(to->point) && is_better(from, *to, start.tool) &&
         is_path_free(field, from, *to)) {
       return to;
     }

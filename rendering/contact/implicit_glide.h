@@ -8,7 +8,7 @@
 namespace tactus::rendering {
 
 // The proxy's position and its goal, in the object frame.
-struct GlideWish {
+struct GlideStart {
   ImplicitSample from;
   Vec3 goal = Vec3::Zero();  // on the tangent plane at `from`
   Vec3 tool = Vec3::Zero();
@@ -22,6 +22,6 @@ struct GlideWish {
 // from depth * curvature = 1 on. The minimum of the distance over the surface's second-order shape
 // is at the tangent step s with (1 - depth * S) s = u, where S is the shape operator and u the
 // plain step. With s the error falls quadratically.
-std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish);
+std::optional<ImplicitSample> glide(ImplicitField& field, const GlideStart& start);
 
 }  // namespace tactus::rendering

@@ -24,7 +24,7 @@ Inside clip(const Box& box, const Vec3& from, const Vec3& segment) {
   return inside;
 }
 
-SweptSegment look_along(ImplicitField& field, const Vec3& from, const Vec3& to) {
+SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to) {
   // The segment ends where it is known to be free if it would take more intervals.
   constexpr std::size_t kMostRanges = 64;
   const Vec3 whole = to - from;
@@ -38,7 +38,7 @@ SweptSegment look_along(ImplicitField& field, const Vec3& from, const Vec3& to) 
   return segment;
 }
 
-std::optional<Vec3> risen(ImplicitField& field, const Vec3& from) {
+std::optional<Vec3> raised_to_rest(ImplicitField& field, const Vec3& from) {
   constexpr double kMostRise = 4.0 * kImplicitRest_m;
   constexpr std::size_t kFewRanges = 8;
   const ImplicitSurface& surface = field.surface();
@@ -49,7 +49,7 @@ std::optional<Vec3> risen(ImplicitField& field, const Vec3& from) {
   return can_rise ? std::optional(up->point) : std::nullopt;
 }
 
-Vec3 lifted(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up) {
+Vec3 raised_from_crease(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up) {
   constexpr double kLift = 2.0 * kImplicitRest_m;
   constexpr std::size_t kFewRanges = 16;
   const ImplicitSurface& surface = field.surface();

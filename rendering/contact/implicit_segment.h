@@ -27,14 +27,14 @@ struct SweptSegment {
 };
 
 // Sweeps from `from` toward `to`, within the bounds of the surface. F(from) must be >= 0.
-SweptSegment look_along(ImplicitField& field, const Vec3& from, const Vec3& to);
+SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to);
 
 // Moves a free point up to the rest height. Returns nothing if the segment there is not free.
-std::optional<Vec3> risen(ImplicitField& field, const Vec3& from);
+std::optional<Vec3> raised_to_rest(ImplicitField& field, const Vec3& from);
 
 // Moves the end of a segment in the bottom of a crease to the rest height, where no double tells
 // free from solid. `p` is the start of the segment, `stop` its end and `up` a unit vector. Returns
 // the raised point if the segment from p to it is free, else the middle between p and `stop`.
-Vec3 lifted(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up);
+Vec3 raised_from_crease(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up);
 
 }  // namespace tactus::rendering

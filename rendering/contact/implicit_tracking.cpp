@@ -90,7 +90,7 @@ class Tick {
     const double height_m = here_.height * surface_.scale_m;
     if (height_m < 0.5 * kImplicitRest_m && !has_risen_) {
       has_risen_ = true;
-      move_to(risen(field_, state_.p_O).value_or(state_.p_O));
+      move_to(raised_to_rest(field_, state_.p_O).value_or(state_.p_O));
       return false;
     }
     if (is_stalled(height_m)) {
@@ -164,7 +164,7 @@ class Tick {
   bool come_out() {
     forget_contact();
     field_.set_side(-1.0);
-    const SweptSegment segment = look_along(field_, state_.p_O, h_);
+    const SweptSegment segment = sweep_segment(field_, state_.p_O, h_);
     if (segment.crossing.state == SegmentState::blocked) {
       move_to(segment.at(segment.crossing.blocked_at));
       state_.side = 0.0;
@@ -222,7 +222,7 @@ class Tick {
       if (rest_.planes == 1 && plane_count_ == 1 && glide_toward(goal.point)) {
         return false;
       }
-      const SweptSegment segment = look_along(field_, state_.p_O, goal.point);
+      const SweptSegment segment = sweep_segment(field_, state_.p_O, goal.point);
       const Crossing& crossing = segment.crossing;
       if (crossing.state == SegmentState::free) {
         move_to(goal.point);
@@ -242,11 +242,11 @@ class Tick {
   // Moves from the end of a segment to the rest height, away from the planes, or back. Returns
   // false, and stays, if the result is no nearer to the tool than before.
   bool come_to_rest_at(const Vec3& stop) {
-    Vec3 end = risen(field_, stop).value_or(stop);
+    Vec3 end = raised_to_rest(field_, stop).value_or(stop);
     if (end == stop) {
       const Vec3 up = rest_.planes > 0 ? Vec3{surface_.R_WO.transpose() * rest_.normal_W}
                                        : (state_.p_O - stop).stableNormalized();
-      end = lifted(field_, state_.p_O, stop, up);
+      end = raised_from_crease(field_, state_.p_O, stop, up);
     }
     const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
     if (gain_m <= kLeastGain_m) {
