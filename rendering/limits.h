@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxDeformables = 8;
 inline constexpr std::size_t kMaxDeformableVertices = 4096;
 inline constexpr std::size_t kMaxDeformableNodes = 6144;
 
-// How far a vertex moves in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
+// The largest step of a vertex in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
 inline constexpr double kMaxVertexStep_m = 2e-3;
 
 // Vertices of a mesh that a scene's own waves move in one tick. Beyond: they take turns.

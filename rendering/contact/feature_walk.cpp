@@ -48,7 +48,7 @@ class Walk {
   }
 
  private:
-  // True if it came nearer.
+  // Returns true if it came nearer.
   bool step() {
     const MeshFeature here = result_.at.feature;
     result_.at_border = false;
@@ -196,7 +196,7 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
   return rest;
 }
 
-// The free point goes toward the tool. True if it met the surface.
+// Moves the free point toward the tool. Returns true if it met the surface.
 bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h,
                              FeatureRest& rest) {
   const Vec3 motion = h - p_;

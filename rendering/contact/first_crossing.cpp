@@ -18,8 +18,8 @@ struct End {
   double value = 0.0;  // F
 };
 
-// The least that F can be between two ends of a range, from its values there and its slope: the
-// lowest corner of the two lines that fall as steeply as the slope lets them.
+// Returns the least possible F between two ends of a range, from its values there and its slope:
+// the lowest corner of the two lines that fall as steeply as the slope allows.
 double least(const End& a, const End& b, const Interval& slope) {
   if (slope.lower >= 0.0) {
     return a.value;

@@ -42,7 +42,7 @@ struct Magnet {
   double core_m = 0.01;  // > 0
 };
 
-// The same force everywhere.
+// A constant field: the same force everywhere.
 struct ConstantField {
   Vec3 force_W = Vec3::Zero();  // N
 };

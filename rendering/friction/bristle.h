@@ -28,7 +28,7 @@ struct FrictionTick {
   double step_s = 0.0;          // > 0
 };
 
-// How sigma0 z came through a tick.
+// The elastic force sigma0 z over a tick.
 template <typename Vector>
 struct ElasticStep {
   Vector end_N = zero_tangent<Vector>();

@@ -40,8 +40,8 @@ inline double plastic_share(const ElastoPlasticLevels& levels, double elastic_fo
   return 0.5 + 0.5 * sine_cosine(kPi * (elastic_force_N - middle) / width).sine;
 }
 
-// How far a bristle goes along `direction` (unit) as a spring: until it no longer unbends and is
-// longer than break-away.
+// Returns how far a bristle moves along `direction` (unit) as a spring, m: until it no longer
+// unbends and is longer than break-away.
 template <typename Vector>
 double elastic_path_m(const ElastoPlasticLevels& levels, double stiffness_N_per_m, const Vector& f,
                       const Vector& direction) {
@@ -59,7 +59,7 @@ void add_part(ElasticStep<Vector>& sum, const ElasticStep<Vector>& part, double 
   sum.bent_N += part.bent_N;
 }
 
-// One short step of the plastic part, with the alpha of its middle.
+// Computes one short step of the plastic part, with the alpha of its middle.
 template <typename Vector>
 ElasticStep<Vector> plastic_step(const ElastoPlasticLevels& levels, double stiffness_N_per_m,
                                  const Vector& f, const Vector& direction, double path_m) {

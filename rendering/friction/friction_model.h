@@ -73,7 +73,8 @@ constexpr FrictionParameters cone_friction(double static_coefficient, double dyn
           .static_level = static_coefficient};
 }
 
-// All that is per newton of normal force, times a factor: as under so many times the normal force.
+// Returns the parameters with all terms per newton of normal force times a factor, as under so many
+// times the normal force.
 constexpr FrictionParameters scaled(FrictionParameters parameters, double factor) {
   parameters.coulomb *= factor;
   parameters.static_level *= factor;
@@ -85,8 +86,8 @@ constexpr FrictionParameters scaled(FrictionParameters parameters, double factor
 // Returns true if every number is finite and within the bounds above.
 bool valid(const FrictionParameters& parameters);
 
-// All that a model remembers. Start over with FrictionMemory{}: contact made anew starts without
-// force, so that it cannot kick.
+// The state of a model. FrictionMemory{} is its initial value: a new contact starts without force,
+// so that it cannot kick.
 template <typename Vector>
 struct FrictionMemory {
   Vector elastic_force_N = zero_tangent<Vector>();  // sigma0 z

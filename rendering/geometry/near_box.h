@@ -30,7 +30,7 @@ class NearBox {
     return squared[0] + squared[2] + squared[1] <= squared_reach_;
   }
 
-  // The same of two nodes: 1 for one that is near, else 0.
+  // The answers for two nodes: 1 if the node is near, else 0.
   struct Pair {
     std::uint32_t first;
     std::uint32_t second;

@@ -31,7 +31,7 @@ struct HalfSpace {
   Vector normal = Vector::UnitY();
   Scalar offset = Scalar(0);  // m
 
-  // How far x would have to move along the normal to reach the plane.
+  // Returns how far x would have to move along the normal to reach the plane, m.
   [[nodiscard]] Scalar residual(const Vector& x) const { return offset - normal.dot(x); }
 };
 
@@ -64,7 +64,7 @@ struct Crease {
         residual(first.residual(h)),
         travel(second.residual(h) - cosine * residual) {}
 
-  // Below it the angle is rounding, or so small that either plane is as good as both.
+  // Returns true if the angle is rounding, or so small that either plane is as good as both.
   [[nodiscard]] bool parallel() const { return squared_sine < Scalar(1e-22); }
 
   Scalar cosine;

@@ -49,7 +49,7 @@ class Triangle {
   [[nodiscard]] const Vec3& edge(std::size_t k) const { return edge_[k]; }
 
  private:
-  // How far inside each edge q projects, times the edge's length.
+  // Returns how far inside each edge q projects, times the edge's length.
   [[nodiscard]] std::array<double, 3> inward_of(const Vec3& q) const {
     return {inward_[0].dot(q - corner_[0]), inward_[1].dot(q - corner_[1]),
             inward_[2].dot(q - corner_[2])};

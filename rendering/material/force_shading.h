@@ -45,7 +45,7 @@ class ForceShading {
   // Forgets the contact: the offset is zero.
   void reset();
 
-  // How many passes a tick makes: of one, the iteration runs from tick to tick.
+  // The number of passes in a tick; with one, the iteration runs from tick to tick.
   enum class Passes : bool { one, several };
 
   // Begins a tick with what the last one came to, at the depth of its proxy now. All are in the

@@ -1,5 +1,5 @@
-// How the plain structs of this folder that are part of a memory go through a StateArchive. Each
-// names all its members: one that is added fails to compile here until it is dealt with.
+// Transfers plain structs of rendering through a StateArchive. Each function names all members: a
+// new member fails to compile here until it is handled.
 #pragma once
 
 #include "rendering/contact/carry_along.h"

@@ -25,8 +25,8 @@
 
 namespace tactus::rendering {
 
-// No heap; one thread. Nothing is written beyond the room, and nothing read beyond the end: good()
-// then says no, and what is read is zero. A writer never changes a member.
+// An archive without heap, for one thread. It never writes beyond its buffer and never reads beyond
+// the end: good() is then false, and what is read is zero. A writer never changes a member.
 class StateArchive {
  public:
   static StateArchive writer(std::span<std::byte> room) { return {room, {}, false}; }
@@ -76,7 +76,7 @@ class StateArchive {
     require(theirs == value);
   }
 
-  // All at once.
+  // Transfers all vertices at once.
   void vertices(std::span<Float3> values) {
     bytes(values.data(), values.size_bytes());
     for (const Float3& v : values) {

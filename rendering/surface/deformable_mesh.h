@@ -26,8 +26,8 @@ struct DeformablePool {
 // Everything is in the object's own frame O. No heap; one thread.
 class DeformableMesh {
  public:
-  // Starts as `rest`, which must stay alive, with memory out of the pool; the pool too must stay.
-  // False if the pool has too little left.
+  // Starts as `rest`, with memory from the pool; both must stay alive. Returns false if the pool
+  // has too little left.
   bool start(const MeshView& rest, DeformablePool& pool);
 
   // Moves a vertex to p_O (m) from the next tick on, by at most kMaxVertexStep_m per tick. Returns

@@ -12,7 +12,7 @@
 
 namespace tactus::rendering {
 
-// Above the functions' own errors, in roundings.
+// The interval grows by this many roundings, more than the functions' own errors.
 inline constexpr double kFunctionUlps = 16.0;
 
 // Which of two is the smaller; an exact tie goes to the first.

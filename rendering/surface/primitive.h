@@ -27,7 +27,7 @@ struct Primitive {
   std::array<double, 3> dimensions_m{};  // those that the kind does not name are ignored
 };
 
-// How far a surface is from a point, and where.
+// The distance from a point to a surface, and the nearest point's normal.
 struct SurfaceSample {
   double distance_m = 0.0;  // signed: < 0 inside, and the distance to the surface on both sides
   Vec3 normal_W = Vec3::UnitX();  // unit, the distance's gradient; on the surface, outward
@@ -63,7 +63,7 @@ inline Vec3 nearest_point(const SurfaceSample& seen, const Vec3& p_W) {
 // all sides.
 Bounds bounds(const Primitive& primitive);
 
-// All kinds but the torus.
+// Returns true for a convex solid: all kinds but the torus.
 inline bool convex(const Primitive& primitive) {
   return primitive.kind != PrimitiveKind::torus;
 }

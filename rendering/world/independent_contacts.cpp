@@ -156,7 +156,7 @@ bool IndependentContacts::is_near(const Mover* mover, const Object& object, cons
       .all();
 }
 
-// One that slept starts, out of contact, where the tool was in the last tick.
+// Starts a contact that was asleep, out of contact, where the tool was in the last tick.
 void IndependentContacts::wake(std::size_t k, const Mover* mover) {
   if (awake_[k]) {
     return;
@@ -182,7 +182,8 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
   }
 }
 
-// A field that the tool began in is felt from the tick on in which the tool is clear of it.
+// Computes a potential field. A field in which the tool began acts from the tick in which the tool
+// is clear of it.
 Touch IndependentContacts::touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O) {
   const FieldPush push = field_push(object, tool_O, tool_radius_m_);
   left_out_[k] = left_out_[k] && push.depth_m > 0.0;
@@ -224,7 +225,7 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
   return touch;
 }
 
-// One pass a tick: what this one finds shifts the goal of the next.
+// Applies detail with one pass per tick: its result shifts the goal of the next tick.
 void IndependentContacts::shade_in_frame(const IndependentObject& independent,
                                          const ToolState& tool_O, Touch& touch) {
   const auto& [k, object, material] = independent;

@@ -159,7 +159,7 @@ void SceneObjects::begin_tick(double time_s, double tick_s) {
   }
 }
 
-// Some vertices a tick, in turns.
+// Moves some vertices per tick, in turns.
 void SceneObjects::wave(Mover& mover, double time_s) {
   const Object& object = objects_[mover.object];
   const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
@@ -204,7 +204,8 @@ void SceneObjects::begin_tick_of(std::size_t k, double time_s) {
   }
 }
 
-// By halves along the longest side of the centres' box, so the depth is the logarithm of the count.
+// Splits in halves along the longest side of the centres' box, so the depth is the logarithm of the
+// count.
 void SceneObjects::build_hierarchy() {
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
@@ -245,7 +246,7 @@ Vec3 SceneObjects::centre(std::uint32_t number) const {
   return 0.5 * (box.lower_W + box.upper_W);
 }
 
-// Gives the part's node its box, and the axis along which its objects lie widest.
+// Sets the box of the part's node, and returns the axis along which its objects are spread most.
 Eigen::Index SceneObjects::enclose(const Part& part) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   BvhNode& box = nodes_[part.node];

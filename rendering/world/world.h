@@ -19,7 +19,8 @@ namespace tactus::rendering {
 struct WorldConfig {
   double tool_radius_m = 0.0;  // 0 to kMaxToolRadius_m; 0 is the god-object point
   std::size_t tool_count = 1;  // 1 to kMaxTools
-  // At most kMaxEffects, each felt by every tool; kept alive and unchanged by the caller.
+  // The effects, at most kMaxEffects; each acts on every tool. The caller keeps them alive and
+  // unchanged.
   std::span<const Effect> effects;
 };
 
