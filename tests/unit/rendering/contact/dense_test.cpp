@@ -1,4 +1,4 @@
-// Where more triangles are within reach than a tick has work for, the proxy goes on in the ticks
+// Where more triangles are within reach than a tick has budget for, the proxy goes on in the ticks
 // after. The oracle is the smooth surface that the triangles make.
 #include <gtest/gtest.h>
 

@@ -22,7 +22,7 @@ Vec3 force(const FieldPush& push, double stiffness) {
   return stiffness * push.depth_m * push.normal_W;
 }
 
-// The hardest push upward that a tool feels on its way down through the object.
+// The hardest push upward on a tool that moves down through the object.
 template <class Object>
 double greatest_resistance(const Object& object, double stiffness, double half_path_m,
                            double radius_m) {

@@ -21,8 +21,9 @@ double travel(const Primitive& primitive, const Vec3& from, const Vec3& to,
                            motion.norm(), margin, sample(primitive, from));
 }
 
-// The smallest distance to the surface on the way, on the side given by `sign`: it is 1-Lipschitz,
-// so steps as long as what is left above `floor` miss nothing but what is within `kResolution_m`.
+// The smallest distance to the surface during the sweep, on the side given by `sign`: it is
+// 1-Lipschitz, so steps as long as what is left above `floor` miss nothing but what is within
+// `kResolution_m`.
 double least_clearance(const Primitive& primitive, const Vec3& from, const Vec3& to, double sign,
                        double floor_m) {
   constexpr double kResolution_m = 2e-9;

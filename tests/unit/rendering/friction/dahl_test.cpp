@@ -96,7 +96,7 @@ TEST(Dahl, LoopsTakeTheirAreaHoweverManyTicksTheyHave) {
   }
 }
 
-// The way from one force to another, by halving: the force grows with the way.
+// The path from one force to another, by halving: the force grows along the path.
 double path_to(const FrictionParameters& parameters, FrictionMemory<double>& state,
                double force_N) {
   const double direction = force_N > state.elastic_force_N ? 1.0 : -1.0;

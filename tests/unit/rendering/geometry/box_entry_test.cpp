@@ -20,7 +20,7 @@ class BoxEntryTest : public ::testing::Test, protected testing::AnyBoxes {
 
   static constexpr std::uint64_t kSeed = 21;
 
-  // Some ways run along an axis.
+  // Some rays run along an axis.
   Vec3 direction() {
     Vec3 motion = vector();
     for (int k = 0; k < 2; ++k) {
@@ -64,7 +64,7 @@ TEST_F(BoxEntryTest, IsNeverLateAndHardlyEarly) {
       continue;
     }
     ++entered;
-    // What the box grows by for rounding is as much longer as the way is slanted.
+    // What the box grows by for rounding is as much longer as the ray is slanted.
     const double grown = 1e-6 * (scale + 1.0);
     EXPECT_GE(static_cast<double>(first),
               entry_of(box, from, along, margin + grown) - 1e-6 * (exact + scale));

@@ -53,7 +53,7 @@ double distance_of(const Object& object, const Vec3& p_W) {
   return out.cwiseMax(0.0).norm() + std::min(out.maxCoeff(), 0.0);
 }
 
-// Numbers for random scenes and ways.
+// Numbers for random scenes and paths.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
