@@ -13,10 +13,10 @@ inline constexpr std::size_t kMaxObjects = 1024;
 // Tools in one world, each with its own proxies. Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxTools = 10;
 
-// Of the objects, those that the outside moves, and those that the shared proxy does not meet
-// (other contact methods than sphere_proxy and god_object). Beyond: World::set_scene refuses.
+// Objects that move or deform, and objects that the shared proxy does not meet (contact methods
+// other than sphere_proxy and god_object). Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxMovers = 64;
-inline constexpr std::size_t kMaxLoneObjects = 64;
+inline constexpr std::size_t kMaxIndependentObjects = 64;
 
 // Meshes of a scene that deform, their vertices and their hierarchy nodes. Beyond:
 // World::set_scene refuses.
@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxDeformables = 8;
 inline constexpr std::size_t kMaxDeformableVertices = 4096;
 inline constexpr std::size_t kMaxDeformableNodes = 6144;
 
-// How far a vertex moves in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
+// The largest step of a vertex in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
 inline constexpr double kMaxVertexStep_m = 2e-3;
 
 // Vertices of a mesh that a scene's own waves move in one tick. Beyond: they take turns.
@@ -44,23 +44,23 @@ inline constexpr std::size_t kMaxEffects = 16;
 // image check refuses.
 inline constexpr std::size_t kMaxHierarchyDepth = 64;
 
-// Triangles near the tool that are kept from tick to tick (about 370 bytes each). Beyond: the
-// neighbourhood shrinks, and if even the smallest does not fit, the proxy goes straight toward the
-// tool or holds still; kTouchCandidatesOverflow.
+// Candidates: triangles near the tool that are cached from tick to tick (about 370 bytes each).
+// Beyond: the candidate set shrinks, and if even the smallest does not fit, the proxy sweeps
+// straight toward the tool or holds still; kTouchCandidatesOverflow.
 inline constexpr std::size_t kMaxCandidates = 512;
 
-// Distinct contact planes at one position of the proxy. Beyond: the proxy holds still,
-// unless the straight way to the tool is free; kTouchPlanesOverflow.
+// Distinct contact planes at one position of the proxy. Beyond: the proxy holds still, unless the
+// straight segment to the tool is free; kTouchPlanesOverflow.
 inline constexpr std::size_t kMaxContactPlanes = 24;
 
 // Straight moves of the proxy in one tick. Beyond: it stops where it is, nearer to the tool than
 // before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxSubGoals = 64;
 
-// Triangles that feature_walk measures in one tick of contact, and on the way to it. Beyond: the
+// Triangles that feature_walk measures in one tick of contact, and on the path to it. Beyond: the
 // point stops where it is, nearer to the tool than before, and goes on in the next tick;
-// kTouchIterationsExhausted. Where it came nowhere, as about a vertex of hundreds of triangles, the
-// next tick may measure kMaxFeatureVisits. Beyond: the point holds still there.
+// kTouchIterationsExhausted. After a tick that made no progress, such as at a vertex of hundreds of
+// triangles, the next one may measure kMaxFeatureVisits. Beyond: the point holds still there.
 inline constexpr std::size_t kUsualFeatureVisits = 96;
 inline constexpr std::size_t kMaxFeatureVisits = 2048;
 
@@ -69,33 +69,37 @@ inline constexpr std::size_t kMaxFeatureVisits = 2048;
 inline constexpr std::uint32_t kMaxTextureSide = 8192;
 inline constexpr std::size_t kMaxTextureLevels = 14;
 
-// Work of the shared proxy in one tick, in sixths of a triangle that is measured; contact/work.h
-// says what counts how much. Beyond: the proxy stops where it is and goes on in the next tick;
-// kTouchIterationsExhausted. What was measured is kept, and a tick that finds the proxy where the
-// last began does whatever its first move takes, so that no place holds the proxy, not one with
-// hundreds of triangles in reach: there a tick may do more, but measures no triangle twice before
-// that move and sweeps past them at most kMaxContactPlanes + 1 times. kUsualWork keeps 999 of 1,000
-// ticks on the dragon within 10 us. A tick that begins a contact, or whose tool has jumped, may
-// take kMaxWork, from what is saved: a unit in kTicksToSaveAUnit ticks, and kMostSavedWork at a
-// start. One that shading or a texture sends over its way again may, whatever is saved.
-inline constexpr std::size_t kUsualWork = 368;
-inline constexpr std::size_t kMaxWork = 1152;
-inline constexpr std::size_t kMostSavedWork = 2048;
-inline constexpr std::size_t kTicksToSaveAUnit = 10;
+// The tick budget of the shared proxy, in cost units (contact/tick_budget.h lists the costs).
+// Beyond: the proxy stops where it is and goes on in the next tick; kTouchIterationsExhausted.
+//
+// Measurements are kept. A tick that finds the proxy where the last one began may exceed the budget
+// up to its first move, so that no place can hold the proxy for ever, also with hundreds of
+// triangles in reach. Before that move it measures no triangle twice, and sweeps past them at most
+// kMaxContactPlanes + 1 times.
+//
+// A tick may spend kUsualTickBudget, and up to kMaxTickBudget from what earlier ticks saved: one
+// unit in kTicksPerSavedUnit ticks, and kMaxSavedBudget at the start. The saving pays for a first
+// contact or a jump of the tool. A tick that shading or a texture repeats may spend kMaxTickBudget
+// whatever was saved. kUsualTickBudget keeps 999 of 1,000 ticks on the dragon within 10 us.
+inline constexpr std::size_t kUsualTickBudget = 368;
+inline constexpr std::size_t kMaxTickBudget = 1152;
+inline constexpr std::size_t kMaxSavedBudget = 2048;
+inline constexpr std::size_t kTicksPerSavedUnit = 10;
 
-// And in the same units, of carrying it along with objects that move: where hundreds of triangles
-// come over it at 5 m/s. Beyond: they pass over it; kTouchPinched. And of a straight way among more
-// than kMaxCandidates. Beyond: the proxy goes no farther than what was seen.
-inline constexpr std::size_t kMaxCarryWork = 12'288;
+// The budget, in the same units, for carrying the proxy along with moving objects, where hundreds
+// of triangles may come over it at 5 m/s. Beyond: they pass over it; kTouchPinched. The same budget
+// bounds a straight sweep among more than kMaxCandidates. Beyond: the proxy moves no farther than
+// the sweep has seen.
+inline constexpr std::size_t kMaxCarryBudget = 12'288;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.
 inline constexpr std::size_t kMaxFormulaInstructions = 256;
 
-// Formula instructions carried out for one implicit surface in one tick, whatever for: about 0.2 ms
-// of a desktop core. Beyond: the proxy stops where its way is known to be free, nearer to the tool
-// than before, and goes on in the next tick; kTouchIterationsExhausted.
-inline constexpr std::size_t kMaxFormulaWork = 32768;
+// Formula instructions evaluated for one implicit surface in one tick: about 0.2 ms of a desktop
+// core. Beyond: the proxy stops where its path is known to be free, nearer to the tool than before,
+// and goes on in the next tick; kTouchIterationsExhausted.
+inline constexpr std::size_t kMaxFormulaBudget = 32768;
 
 // The world lies within this distance of its origin, metres. A tool beyond it is an error of the
 // device; kTouchToolInvalid.

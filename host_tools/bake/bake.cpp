@@ -15,7 +15,7 @@
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::host {
 namespace {
@@ -163,16 +163,16 @@ rendering::Object counted(rendering::ContactMethod method, const MotionDescripti
 }
 
 // Throws InputError if the scene needs more than the controller's fixed memory.
-void require_room(const rendering::SceneryNeeds& needs, const std::string& file) {
+void require_room(const rendering::SceneCapacityNeeds& needs, const std::string& file) {
   if (!needs.fit()) {
     throw InputError(fmt::format(
         "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy "
         "and "
         "god_object, where {} fit; the {} that deform have {} vertices and {} boxes, where {} with "
         "{} and {} fit; let some stand still, or simplify the meshes that deform",
-        file, needs.movers, rendering::kMaxMovers, needs.lone, rendering::kMaxLoneObjects,
-        needs.deformables, needs.deformable_vertices, needs.deformable_nodes,
-        rendering::kMaxDeformables, rendering::kMaxDeformableVertices,
+        file, needs.movers, rendering::kMaxMovers, needs.independent,
+        rendering::kMaxIndependentObjects, needs.deformables, needs.deformable_vertices,
+        needs.deformable_nodes, rendering::kMaxDeformables, rendering::kMaxDeformableVertices,
         rendering::kMaxDeformableNodes));
   }
 }
@@ -205,7 +205,7 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                    .tool_count = description.tool_count,
                    .objects = {},
                    .effects = description.effects};
-  rendering::SceneryNeeds needs;  // at first without the sizes of meshes
+  rendering::SceneCapacityNeeds needs;  // at first without the sizes of meshes
   keep_inputs_safe(std::array{image}, files_of(scene, description));
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {

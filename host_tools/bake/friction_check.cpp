@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "host_tools/input_error.h"
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 #include "rendering/friction/sampled_device.h"
 
 namespace tactus::host {

@@ -14,7 +14,7 @@ namespace tactus::host {
 void require_stable_friction(const ObjectDescription& object, const SceneDescription& scene);
 
 // One line if the friction can give out energy, with what to change
-// (rendering/friction/passivity.h).
+// (rendering/friction/lugre_passivity.h).
 std::vector<std::string> friction_warnings(const ObjectDescription& object,
                                            const SceneDescription& scene);
 

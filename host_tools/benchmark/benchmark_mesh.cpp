@@ -5,11 +5,11 @@
 
 #include "host_tools/bake/mesh_import.h"
 #include "host_tools/bake/placement.h"
-#include "host_tools/benchmark/command.h"
 #include "host_tools/benchmark/debian_bunny.h"
+#include "host_tools/benchmark/external_program.h"
 #include "host_tools/benchmark/stanford_dragon.h"
 #include "host_tools/mesh/icosphere.h"
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 
 namespace tactus::host {
 namespace {

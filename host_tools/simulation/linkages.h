@@ -5,7 +5,7 @@
 // from level.
 #pragma once
 
-#include "host_tools/simulation/mechanism.h"
+#include "host_tools/simulation/plant_mechanism.h"
 
 namespace tactus::host {
 

@@ -48,7 +48,7 @@ class Walk {
   }
 
  private:
-  // True if it came nearer.
+  // Returns true if it came nearer.
   bool step() {
     const MeshFeature here = result_.at.feature;
     result_.at_border = false;
@@ -115,7 +115,7 @@ class Walk {
 struct FirstContact {
   const MeshView& mesh;
   bool one_sided;
-  const Shell& shell;
+  const ContactMargin& margin;
   const Sweep& sweep;
   double free;
   std::size_t room;
@@ -127,7 +127,7 @@ struct FirstContact {
     room -= room > 0 ? 1 : 0;
     const Triangle candidate = triangle_of(mesh, t);
     const double travel =
-        travel_to_contact(candidate, one_sided, sweep, free, shell, candidate.nearest(sweep.from));
+        travel_to_contact(candidate, one_sided, sweep, free, margin, candidate.nearest(sweep.from));
     if (travel < free) {
       free = travel;
       triangle = t;
@@ -171,7 +171,7 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
   // Off one surface and onto the next: more than this in one tick waits for the next one.
   constexpr int kRounds = 4;
   FeatureRest rest{.proxy_W = p_};
-  const Shell shell(0.0);
+  const ContactMargin margin(0.0);
   for (int round = 0; round < kRounds; ++round) {
     if (!in_contact_ && !approach(mesh, sides, h_W, rest)) {
       rest.proxy_W = p_;
@@ -179,15 +179,15 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
     }
     const FeatureWalk lowest = walk(mesh, feature_.triangle, h_W, rest);
     const double height = height_of(mesh, lowest.at, h_W);
-    const bool clear = std::sqrt(lowest.at.squared_m2) > shell.rest_m;
+    const bool clear = std::sqrt(lowest.at.squared_m2) > margin.rest_m;
     const bool off = height > 0.0 || lowest.at_border;
     if (!lowest.complete || !clear || !off) {
       settle(mesh, material, h_W, lowest, rest);
       return rest;
     }
-    // The way to the tool leads straight away from the surface.
-    const Vec3 way = h_W - lowest.at.point_W;
-    p_ = lowest.at.point_W + shell.rest_m / way.norm() * way;
+    // The segment to the tool leads straight away from the surface.
+    const Vec3 motion = h_W - lowest.at.point_W;
+    p_ = lowest.at.point_W + margin.rest_m / motion.norm() * motion;
     in_contact_ = false;
     friction_ = FrictionState::free;
   }
@@ -196,24 +196,24 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
   return rest;
 }
 
-// The free point goes toward the tool. True if it met the surface.
+// Moves the free point toward the tool. Returns true if it met the surface.
 bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h,
                              FeatureRest& rest) {
-  const Vec3 way = h - p_;
-  const double length = way.norm();
+  const Vec3 motion = h - p_;
+  const double length = motion.norm();
   if (!(length > 0.0)) {
     return false;
   }
-  const Shell shell(0.0);
-  const Sweep sweep{.from = p_, .direction = way / length};
+  const ContactMargin margin(0.0);
+  const Sweep sweep{.from = p_, .direction = motion / length};
   FirstContact visitor{.mesh = mesh.mesh,
                        .one_sided = sides == Sides::one,
-                       .shell = shell,
+                       .margin = margin,
                        .sweep = sweep,
                        .free = length,
                        .room = most_visits()};
   const double visited =
-      visit_along(mesh.mesh.nodes, sweep.from, sweep.direction, shell.reach_m, visitor);
+      visit_along(mesh.mesh.nodes, sweep.from, sweep.direction, margin.reach_m, visitor);
   if (visited < visitor.free) {
     rest.flags |= kTouchIterationsExhausted;
     p_ += visited * sweep.direction;
@@ -234,7 +234,7 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
   return true;
 }
 
-// What is left of this tick's visits is the limit; one triangle is always measured.
+// Walks with the visits that this tick has left; one triangle is always measured.
 FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q,
                                 FeatureRest& rest) const {
   const std::size_t left = most_visits() - std::min<std::size_t>(rest.visited, most_visits());
@@ -246,16 +246,16 @@ FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangl
   return result;
 }
 
-// Of h over the surface at `at`, its nearest point, on the side of the contact.
+// Returns the height of h over the surface, on the side of the contact. `at` is the nearest point.
 double FeatureWalker::height_of(const ConnectedMesh& mesh, const MeshNearest& at,
                                 const Vec3& h) const {
   const double front = pseudonormal(mesh, at.feature).dot(h - at.point_W);
   return (front < 0.0 ? -side_ : side_) * std::sqrt(at.squared_m2);
 }
 
-MeshNearest FeatureWalker::stay_in_cone(const ConnectedMesh& mesh,
-                                        const FrictionParameters& friction, double depth,
-                                        const FeatureWalk& lowest, FeatureRest& rest) {
+MeshNearest FeatureWalker::stay_in_friction_circle(const ConnectedMesh& mesh,
+                                                   const FrictionParameters& friction, double depth,
+                                                   const FeatureWalk& lowest, FeatureRest& rest) {
   const Vec3 held = nearest_on_triangle(mesh.mesh, feature_.triangle, p_).point_W;
   const FrictionCircle circle{.static_radius_m = friction.static_level * depth,
                               .dynamic_radius_m = friction.coulomb * depth};
@@ -268,7 +268,7 @@ MeshNearest FeatureWalker::stay_in_cone(const ConnectedMesh& mesh,
                                        : lowest.at;
 }
 
-// In contact: `lowest` is where the point would go without friction.
+// Settles the point in contact. `lowest` is where it would move without friction.
 void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
                            const FeatureWalk& lowest, FeatureRest& rest) {
   const double depth = std::max(0.0, -height_of(mesh, lowest.at, h));
@@ -277,7 +277,7 @@ void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, 
                               : Vec3{side_ * pseudonormal(mesh, lowest.at.feature).normalized()};
   MeshNearest at = lowest.at;
   if (is_plain_cone(material)) {
-    at = stay_in_cone(mesh, material.friction, depth, lowest, rest);
+    at = stay_in_friction_circle(mesh, material.friction, depth, lowest, rest);
   } else if (depth > 0.0) {
     const FrictionLag lag =
         model_.lag(sliding_surface(material), rest.normal_W, material.stiffness_N_per_m * depth);
@@ -288,7 +288,7 @@ void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, 
   feature_ = at.feature;
   rest.contact = kind_of(at.feature.kind);
   rest.friction = friction_;
-  // Within the shell in front of the surface the tool is in contact but not pushed.
+  // Within the contact margin in front of the surface the tool is in contact but not pushed.
   rest.proxy_W = depth > 0.0 ? p_ : h;
   rest.depth_m = (rest.proxy_W - h).dot(rest.normal_W);
 }

@@ -20,7 +20,7 @@
 
 namespace tactus::rendering {
 
-// Where a walk ended.
+// The result of a walk.
 struct FeatureWalk {
   MeshNearest at;
   std::uint16_t visited = 0;  // triangles measured
@@ -30,13 +30,13 @@ struct FeatureWalk {
 
 // Walks from `triangle` downhill in the distance to q_W, and measures at most `limit` triangles,
 // but always one. From a face of a convex mesh that has q_W in front it ends at the nearest point
-// of all; from one that has q_W behind, and on other meshes, at a point from which no way along the
-// surface comes nearer at once: that is why a thin plate holds. Neighbours of opposite winding are
-// taken for open edges.
+// of all; from one that has q_W behind, and on other meshes, at a point from which no path along
+// the surface comes nearer at once: that is why a thin plate holds. Neighbours of opposite winding
+// are taken for open edges.
 FeatureWalk walk_features(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q_W,
                           std::size_t limit);
 
-// Where the point came to rest.
+// The point's position after a tick.
 struct FeatureRest {
   Vec3 proxy_W = Vec3::Zero();   // m; on the surface in contact, else the tool
   Vec3 normal_W = Vec3::Zero();  // unit, from the surface to the free side; zero without contact
@@ -55,23 +55,23 @@ class FeatureWalker {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
-  // First in a tick, what friction models are driven by: see SurfaceFriction.
+  // Sets the motion that drives the friction models; call it first in a tick (see SurfaceFriction).
   void begin_friction(const Vec3& tool_step_W, double tick_s) {
     model_.begin_tick(tool_step_W, tick_s);
   }
 
   // Moves the point as near to the tool as the surface and friction let it. A tool that is not
   // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most
-  // kUsualFeatureVisits triangles measured in contact, and as many on the way to it;
+  // kUsualFeatureVisits triangles measured in contact, and as many on the path to it;
   // kMaxFeatureVisits where the last call had too much to do to come anywhere.
   FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
                       const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_; }
-  // Where it is, in contact.
+  // Returns the feature that the point rests on; meaningful in contact.
   [[nodiscard]] const MeshFeature& feature() const { return feature_; }
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:
@@ -81,8 +81,8 @@ class FeatureWalker {
                    FeatureRest& rest) const;
   [[nodiscard]] double height_of(const ConnectedMesh& mesh, const MeshNearest& at,
                                  const Vec3& h) const;
-  MeshNearest stay_in_cone(const ConnectedMesh& mesh, const FrictionParameters& friction,
-                           double depth, const FeatureWalk& lowest, FeatureRest& rest);
+  MeshNearest stay_in_friction_circle(const ConnectedMesh& mesh, const FrictionParameters& friction,
+                                      double depth, const FeatureWalk& lowest, FeatureRest& rest);
   [[nodiscard]] std::size_t most_visits() const;
   void settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
               const FeatureWalk& lowest, FeatureRest& rest);

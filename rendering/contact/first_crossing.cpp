@@ -8,7 +8,7 @@
 namespace tactus::rendering {
 namespace {
 
-// A crossing is located, and a touch told from a miss, to this.
+// A crossing is located, and a touch distinguished from a miss, to this.
 constexpr double kResolution_m = 1e-9;
 // 100 m halved this often is below the resolution.
 constexpr std::size_t kMostHalvings = 40;
@@ -18,8 +18,8 @@ struct End {
   double value = 0.0;  // F
 };
 
-// The least that F can be between two ends of a range, from its values there and its slope: the
-// lowest corner of the two lines that fall as steeply as the slope lets them.
+// Returns the least possible F between two ends of a range, from its values there and its slope:
+// the lowest corner of the two lines that fall as steeply as the slope allows.
 double least(const End& a, const End& b, const Interval& slope) {
   if (slope.lower >= 0.0) {
     return a.value;
@@ -35,8 +35,8 @@ double least(const End& a, const End& b, const Interval& slope) {
 class Search {
  public:
   Search(ImplicitField& field, const Vec3& from, const Vec3& to)
-      : field_(field), from_(from), to_(to), way_(to - from) {
-    const double length_m = way_.norm() * field.surface().scale_m;
+      : field_(field), from_(from), to_(to), segment_(to - from) {
+    const double length_m = segment_.norm() * field.surface().scale_m;
     resolution_ = std::max(kResolution_m / length_m, std::numeric_limits<double>::epsilon());
   }
 
@@ -48,10 +48,10 @@ class Search {
     open[depth++] = at(1.0);
     for (std::size_t ranges = 0; depth > 0; ++ranges) {
       const End b = open[depth - 1];
-      if (ranges == most_ranges || !field_.can_work()) {
-        return {.way = Way::unknown, .free_to = a.t};
+      if (ranges == most_ranges || !field_.can_evaluate()) {
+        return {.state = SegmentState::unknown, .free_to = a.t};
       }
-      const SegmentRange range = field_.along(from_, way_, {a.t, b.t});
+      const SegmentRange range = field_.along(from_, segment_, {a.t, b.t});
       if (range.value.lower >= 0.0 || least(a, b, range.slope) >= 0.0) {
         a = b;
         --depth;
@@ -61,7 +61,7 @@ class Search {
         return narrow(a, b);
       }
       if (b.t - a.t <= resolution_ || depth == open.size()) {
-        return {.way = Way::blocked, .free_to = a.t, .blocked_at = b.t};
+        return {.state = SegmentState::blocked, .free_to = a.t, .blocked_at = b.t};
       }
       const End middle = at(0.5 * (a.t + b.t));
       if (middle.value < 0.0) {
@@ -74,7 +74,7 @@ class Search {
 
  private:
   End at(double t) {
-    return {.t = t, .value = field_.value(t == 1.0 ? to_ : Vec3{from_ + t * way_})};
+    return {.t = t, .value = field_.value(t == 1.0 ? to_ : Vec3{from_ + t * segment_})};
   }
 
   // F falls all the way from a to b, and below 0: false position. An end that stays a second time
@@ -85,7 +85,8 @@ class Search {
     double weight_b = b.value;
     bool moved_a = false;
     bool moved_b = false;
-    for (int step = 0; step < kMostSteps && b.t - a.t > resolution_ && field_.can_work(); ++step) {
+    for (int step = 0; step < kMostSteps && b.t - a.t > resolution_ && field_.can_evaluate();
+         ++step) {
       const double share = weight_a / (weight_a - weight_b);
       const double guess = a.t + (b.t - a.t) * (share >= 0.0 && share <= 1.0 ? share : 0.5);
       const End middle = at(std::clamp(guess, a.t + 0.4 * resolution_, b.t - 0.4 * resolution_));
@@ -101,13 +102,13 @@ class Search {
       moved_a = middle.value >= 0.0;
       moved_b = !moved_a;
     }
-    return {.way = Way::blocked, .free_to = a.t, .blocked_at = b.t};
+    return {.state = SegmentState::blocked, .free_to = a.t, .blocked_at = b.t};
   }
 
   ImplicitField& field_;
   const Vec3& from_;
   const Vec3& to_;
-  Vec3 way_;
+  Vec3 segment_;
   double resolution_ = 0.0;
 };
 
@@ -127,9 +128,9 @@ ValueAndGradient ImplicitField::value_and_gradient(const Vec3& p_O) {
   return f;
 }
 
-SegmentRange ImplicitField::along(const Vec3& from_O, const Vec3& way_O, const Interval& t) {
+SegmentRange ImplicitField::along(const Vec3& from_O, const Vec3& segment_O, const Interval& t) {
   count();
-  const SegmentRange range = evaluate_along(surface_.formula, from_O, way_O, t);
+  const SegmentRange range = evaluate_along(surface_.formula, from_O, segment_O, t);
   return side_ > 0.0 ? range : SegmentRange{.value = -range.value, .slope = -range.slope};
 }
 

@@ -1,6 +1,6 @@
-// Where a straight way first meets an implicit surface, found by intervals: a part of the way is
-// passed only when no point of it can lie behind the surface, so that nothing is too thin to be
-// met.
+// Finds where a straight segment first meets an implicit surface, by interval arithmetic. A part of
+// the segment counts as free only if no point of it can lie behind the surface, so nothing is too
+// thin to be met.
 #pragma once
 
 #include <cstddef>
@@ -13,46 +13,48 @@ namespace tactus::rendering {
 // be. Counts the instructions that it carries out.
 class ImplicitField {
  public:
-  // `side` is 1 or -1; `work` bounds the instructions.
-  ImplicitField(const ImplicitSurface& surface, double side, std::size_t work)
-      : surface_(surface), side_(side), work_(work) {}
+  // `side` is 1 or -1; `budget` bounds the number of instructions evaluated.
+  ImplicitField(const ImplicitSurface& surface, double side, std::size_t budget)
+      : surface_(surface), side_(side), budget_(budget) {}
 
   void set_side(double side) { side_ = side; }
   [[nodiscard]] const ImplicitSurface& surface() const { return surface_; }
 
-  // What is not a number counts as above 0; a way into where the formula gives none is blocked.
+  // Returns F at p_O. NaN counts as above 0; a segment into a region where the formula gives no
+  // number is blocked.
   double value(const Vec3& p_O);
   // A gradient that is not finite is given as zero.
   ValueAndGradient value_and_gradient(const Vec3& p_O);
-  SegmentRange along(const Vec3& from_O, const Vec3& way_O, const Interval& t);
+  SegmentRange along(const Vec3& from_O, const Vec3& segment_O, const Interval& t);
 
-  // Whether one more evaluation is within the bound.
-  [[nodiscard]] bool can_work() const { return work_ >= size(); }
+  // Returns true if the budget allows one more evaluation.
+  [[nodiscard]] bool can_evaluate() const { return budget_ >= size(); }
 
  private:
   [[nodiscard]] std::size_t size() const { return surface_.formula.instructions.size(); }
-  void count() { work_ -= can_work() ? size() : work_; }
+  void count() { budget_ -= can_evaluate() ? size() : budget_; }
 
   const ImplicitSurface& surface_;
   double side_;
-  std::size_t work_;
+  std::size_t budget_;
 };
 
-enum class Way : unsigned char {
+enum class SegmentState : unsigned char {
   free,     // all of it
-  blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of way
+  blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of travel
             // shows
-  unknown,  // the work ran out; free up to `free_to`
+  unknown,  // the budget ran out; free up to `free_to`
 };
 
 struct Crossing {
-  Way way = Way::free;
-  double free_to = 1.0;     // share of the way, in [0, 1]: F >= 0 from the start up to here
-  double blocked_at = 1.0;  // for Way::blocked: F < 0 here, or undecided; at most 1 nm further
+  SegmentState state = SegmentState::free;
+  double free_to = 1.0;  // share of the segment, in [0, 1]: F >= 0 from the start up to here
+  double blocked_at =
+      1.0;  // for SegmentState::blocked: F < 0 here, or undecided; at most 1 nm further
 };
 
-// The first place on the straight way between two points within the bounds where F falls below 0.
-// F(from_O) is >= 0. At most `most_ranges` intervals are looked at.
+// Returns the first place on the segment between two points within the bounds where F falls below
+// 0.
 Crossing first_crossing(ImplicitField& field, const Vec3& from_O, const Vec3& to_O,
                         std::size_t most_ranges);
 

@@ -8,10 +8,10 @@
 namespace tactus::rendering {
 namespace {
 
-// In free space the ball reaches to the surface, but no farther than this.
+// Limits the radius of the ball in free space.
 constexpr double kMostClearance_m = 0.1;
 
-// From the nearest point of the triangle's box to p.
+// Returns the vector from the nearest point of the triangle's box to p.
 Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
   const TriangleIndices& corners = mesh.triangles[t];
   const Float3& a = mesh.vertices[corners[0]];
@@ -25,18 +25,19 @@ Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
   return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};
 }
 
-// In free space a ball half as large as could be is found at a fraction of the cost.
+// Accepts a ball of half the possible radius, which is found at a fraction of the cost.
 constexpr double kEasyPart = 0.5;
 
-// In a hollow many triangles are about as near: among more than these a ball is not worth its
-// while.
+// Limits the triangles to look at. In a hollow many are about equally near, and the ball does not
+// pay.
 constexpr int kMostLookedAt = 48;
 
-// Shrinks to the distance of a triangle's box that is the nearest or at most 1 / kEasyPart as far;
-// to nothing where that is less than `least`, or not soon found.
+// Visits the triangles near p and shrinks the radius to the distance of a box that is the nearest,
+// or at most 1 / kEasyPart as far. The radius becomes 0 if it is below `least` or is not found
+// soon.
 struct ClearanceVisitor {
   const Vec3& p;
-  Work& work;
+  TickBudget& budget;
   double nearest;
   double least;
   const MeshView* mesh = nullptr;
@@ -44,9 +45,9 @@ struct ClearanceVisitor {
   int looked_at = 0;
 
   [[nodiscard]] double reach() const { return nearest > 0.0 ? kEasyPart * nearest + slack_m : 0.0; }
-  void boxes(std::uint32_t pairs) { work.add(kWorkOfBoxesAbout * pairs); }
+  void boxes(std::uint32_t pairs) { budget.spend(kCostOfBoxPairInBall * pairs); }
   void operator()(std::uint32_t t) {
-    work.add(kWorkOfALook);
+    budget.spend(kCostOfLeafTriangle);
     nearest = std::min(nearest, offset_from_box(*mesh, t, p).norm());
     if (nearest < least || ++looked_at == kMostLookedAt) {
       nearest = 0.0;
@@ -54,33 +55,34 @@ struct ClearanceVisitor {
   }
 };
 
-// Shrinks to what is certainly free about p beyond the reach of the proxy. Goes over objects.
+// Visits objects and shrinks the radius to what is certainly free about p, beyond the contact
+// margin's reach.
 struct FreeBall {
-  const Scenery& scenery;
-  const Shells& shells;
+  const SceneObjects& scene;
+  const ContactMargins& margins;
   const Vec3& p;
-  Work& work;
+  TickBudget& budget;
   double least;
   double free;
 
-  [[nodiscard]] double reach() const { return std::max(0.0, free) + shells.sphere.reach_m; }
-  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+  [[nodiscard]] double reach() const { return std::max(0.0, free) + margins.sphere.reach_m; }
+  void operator()(std::uint32_t place) { take(scene.still_object(place)); }
 
   void take(std::uint32_t number) {
     if (free < least) {
       return;
     }
-    const Object& object = scenery[number];
-    const double own_reach = shells.of(is_point_tool(object)).reach_m;
+    const Object& object = scene[number];
+    const double own_reach = margins.of(is_point_tool(object)).reach_m;
     if (object.surface == SurfaceKind::primitive) {
-      const double distance = std::abs(sample(scenery.primitive_W(number), p).distance_m);
+      const double distance = std::abs(sample(scene.primitive_W(number), p).distance_m);
       free = std::min(free, distance - own_reach);
       return;
     }
-    const Vec3 p_O = point_in(scenery.mover_of(number), p);
-    const PlacedMesh placed = scenery.mesh_O(number);
+    const Vec3 p_O = point_in(scene.mover_of(number), p);
+    const PlacedMesh placed = scene.mesh_O(number);
     ClearanceVisitor visitor{.p = p_O,
-                             .work = work,
+                             .budget = budget,
                              .nearest = (free + own_reach) / kEasyPart,
                              .least = (least + own_reach) / kEasyPart,
                              .mesh = &placed.mesh,
@@ -92,17 +94,17 @@ struct FreeBall {
 
 }  // namespace
 
-double free_radius(const Scenery& scenery, const Shells& shells, const Vec3& p, double least_m,
-                   Work& work) {
-  FreeBall ball{.scenery = scenery,
-                .shells = shells,
+double free_radius(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p,
+                   double least_m, TickBudget& budget) {
+  FreeBall ball{.scene = scene,
+                .margins = margins,
                 .p = p,
-                .work = work,
+                .budget = budget,
                 .least = least_m,
                 .free = kMostClearance_m};
-  visit_near(scenery.still_nodes(), p, ball);
-  for (const Mover& mover : scenery.movers()) {
-    if (meets_proxy(scenery[mover.object]) && mover.distance(p) <= ball.reach()) {
+  visit_near(scene.still_nodes(), p, ball);
+  for (const Mover& mover : scene.movers()) {
+    if (meets_proxy(scene[mover.object]) && mover.distance(p) <= ball.reach()) {
       ball.take(mover.object);
     }
   }

@@ -47,10 +47,10 @@ Vec2 corrected_step(const Mat2& shape, double depth, double length) {
   return turn > kMostTurn_rad ? Vec2{kMostTurn_rad / turn * step} : step;
 }
 
-// The straight line between two surface points dips into a bulge. The way goes over an apex above
-// their middle, high enough that F climbs on the first half and falls on the second without a
-// doubt: then one interval each is mostly enough to see that nothing is in the way.
-bool is_way_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
+// Returns true if a path between two surface points is free. The straight segment dips into a
+// bulge, so the path has an apex above the middle, high enough that F certainly climbs on the first
+// half and falls on the second. One interval each then mostly proves the path free.
+bool is_path_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
   constexpr std::size_t kMostRanges = 8;
   constexpr double kLeastSlope = 0.05;
   const Vec3 chord = to.point - from.point;
@@ -59,8 +59,8 @@ bool is_way_free(ImplicitField& field, const ImplicitSample& from, const Implici
   const double rise = length * (kLeastSlope + 0.5 * std::abs(turn) + 0.25 * turn);
   const Vec3 apex = 0.5 * (from.point + to.point) + rise * (from.normal + to.normal).normalized();
   return field.surface().bounds_O.contains(apex) &&
-         first_crossing(field, from.point, apex, kMostRanges).way == Way::free &&
-         first_crossing(field, apex, to.point, kMostRanges).way == Way::free;
+         first_crossing(field, from.point, apex, kMostRanges).state == SegmentState::free &&
+         first_crossing(field, apex, to.point, kMostRanges).state == SegmentState::free;
 }
 
 bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3& tool) {
@@ -73,14 +73,14 @@ bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3&
 
 }  // namespace
 
-std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish) {
+std::optional<ImplicitSample> glide(ImplicitField& field, const GlideStart& start) {
   constexpr int kMostTries = 3;
   constexpr double kShorter = 0.25;
   constexpr double kLeastProbe_m = 1e-6;
   constexpr double kMostProbe_m = 1e-4;
   const double scale_m = field.surface().scale_m;
-  const ImplicitSample& from = wish.from;
-  const Vec3 wanted = wish.goal - from.point;
+  const ImplicitSample& from = start.from;
+  const Vec3 wanted = start.goal - from.point;
   const Vec3 tangent = wanted - from.normal.dot(wanted) * from.normal;
   const double length = tangent.norm();
   if (!(length > 0.0) || !(from.steepness > 0.0)) {
@@ -90,17 +90,17 @@ std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish)
   t.across = from.normal.cross(t.along);
   const double probe = std::clamp(0.5 * length, kLeastProbe_m / scale_m, kMostProbe_m / scale_m);
   const Mat2 shape = shape_operator(field, from, t, probe);
-  const double depth = from.normal.dot(from.point - wish.tool);
+  const double depth = from.normal.dot(from.point - start.tool);
   Vec2 step = corrected_step(shape, depth, length);
   if (!step.allFinite()) {
     return std::nullopt;
   }
-  for (int attempt = 0; attempt < kMostTries && field.can_work(); ++attempt, step *= kShorter) {
+  for (int attempt = 0; attempt < kMostTries && field.can_evaluate(); ++attempt, step *= kShorter) {
     const Vec3 guess = from.point + step.x() * t.along + step.y() * t.across -
                        0.5 * step.dot(shape * step) * from.normal;
     const auto to = settle_at_rest(field, guess, step.norm() + kImplicitReach_m / scale_m);
-    if (to && field.surface().bounds_O.contains(to->point) && is_better(from, *to, wish.tool) &&
-        is_way_free(field, from, *to)) {
+    if (to && field.surface().bounds_O.contains(to->point) && is_better(from, *to, start.tool) &&
+        is_path_free(field, from, *to)) {
       return to;
     }
   }

@@ -7,22 +7,21 @@
 
 namespace tactus::rendering {
 
-// Where the proxy is and wants to go, in the object frame.
-struct GlideWish {
+// The proxy's position and its goal, in the object frame.
+struct GlideStart {
   ImplicitSample from;
   Vec3 goal = Vec3::Zero();  // on the tangent plane at `from`
   Vec3 tool = Vec3::Zero();
 };
 
-// A surface point further along toward the goal that is nearer to the tool, and to which a way
-// leads that meets nothing; nothing if the surface is not smooth enough here, or something is in
-// the way.
+// Returns a surface point nearer to the tool in the direction of the goal, to which a free path
+// leads. Returns nothing if the surface is not smooth enough here or the path is blocked.
 //
-// The goal is where the tool projects on the tangent plane. Going there and back down to the
-// surface multiplies the error by depth * curvature (in a hollow with the sign changed, so that
-// from depth * curvature = 1 on it never settles). The minimum of the distance over the surface's
-// second-order shape is at the tangent step s with (1 - depth * S) s = u, S the shape operator and
-// u the plain step: with it the error falls quadratically.
-std::optional<ImplicitSample> glide(ImplicitField& field, const GlideWish& wish);
+// The goal is the tool's projection on the tangent plane. A step there and back to the surface
+// multiplies the error by depth * curvature. In a hollow the sign changes, so that it never settles
+// from depth * curvature = 1 on. The minimum of the distance over the surface's second-order shape
+// is at the tangent step s with (1 - depth * S) s = u, where S is the shape operator and u the
+// plain step. With s the error falls quadratically.
+std::optional<ImplicitSample> glide(ImplicitField& field, const GlideStart& start);
 
 }  // namespace tactus::rendering

@@ -10,7 +10,7 @@ namespace tactus::rendering {
 // The proxy rests this far above the surface, so that the sign of F is never in doubt there. Metres
 // of the world; along the gradient, to first order.
 inline constexpr double kImplicitRest_m = 1e-7;
-// Nearer than this is contact.
+// A proxy nearer to the surface than this, in metres of the world, is in contact.
 inline constexpr double kImplicitReach_m = 2e-7;
 
 // F and its gradient at a point, in the object frame.

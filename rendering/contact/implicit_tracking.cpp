@@ -1,14 +1,14 @@
-// In each sub-goal of a tick
+// Repeats these steps in each sub-goal of a tick:
 //
-//   1. if the proxy rests on the surface, the tangent plane there holds it; the sub-goal is the
-//      point of the plane nearest to the tool, drawn back to the friction circle;
+//   1. if the proxy rests on the surface, the tangent plane there is the active constraint; the
+//      sub-goal is the plane's point nearest to the tool, drawn back to the friction circle;
 //   2. on smooth ground the proxy glides: a tangent step corrected for curvature, back to the
 //      surface along the gradient (rendering/contact/implicit_glide.h);
-//   3. elsewhere it goes straight to the sub-goal and stops where intervals see the surface in the
-//      way. What stops it at once, as the second wall of a crease does, gives one more plane.
+//   3. elsewhere it sweeps straight to the sub-goal and stops where intervals find the surface. A
+//      surface that blocks it at once, such as the second wall of a crease, gives one more plane.
 //
-// Without contact the sub-goal is the tool itself: this is how first contact is found, and how
-// contact breaks when the tool leaves through the plane.
+// Without contact the sub-goal is the tool itself. First contact is found in this manner, and
+// contact ends when the tool leaves through the plane.
 #include "rendering/contact/implicit_tracking.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "rendering/contact/implicit_glide.h"
-#include "rendering/contact/implicit_way.h"
+#include "rendering/contact/implicit_segment.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
@@ -26,9 +26,9 @@
 namespace tactus::rendering {
 namespace {
 
-// Moves shorter than this are none: a micronewton at 1000 N/m.
+// A shorter move counts as none: its force is a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
-// What stops the proxy within this travel holds it already.
+// A surface that stops the proxy within this travel counts as an active constraint.
 constexpr double kHeld_m = 1e-6;
 // A move along the surface that gains less than this is none.
 constexpr double kLeastGain_m = 1e-10;
@@ -44,7 +44,7 @@ class Tick {
         surface_(surface),
         material_(material),
         h_(std::move(h_O)),
-        field_(surface, 1.0, kMaxFormulaWork) {}
+        field_(surface, 1.0, kMaxFormulaBudget) {}
 
   ImplicitRest run() {
     while (!step()) {
@@ -65,7 +65,7 @@ class Tick {
   // One sub-goal. True when the tick is over.
   bool step() {
     plane_count_ = 0;
-    if (rest_.sub_goals == kMaxSubGoals || !field_.can_work()) {
+    if (rest_.sub_goals == kMaxSubGoals || !field_.can_evaluate()) {
       return exhausted();
     }
     if (!surface_.bounds_O.contains(state_.p_O)) {
@@ -90,7 +90,7 @@ class Tick {
     const double height_m = here_.height * surface_.scale_m;
     if (height_m < 0.5 * kImplicitRest_m && !has_risen_) {
       has_risen_ = true;
-      move_to(risen(field_, state_.p_O).value_or(state_.p_O));
+      move_to(raised_to_rest(field_, state_.p_O).value_or(state_.p_O));
       return false;
     }
     if (is_stalled(height_m)) {
@@ -102,9 +102,9 @@ class Tick {
     return go();
   }
 
-  // In a pit, or in a crease of singular points, the last micrometre is a dance from wall to wall.
-  // The tick ends when it has come no nearer to the tool in a few sub-goals, at the nearest place
-  // where the proxy has been at its height.
+  // Returns true if the proxy only swings between walls, in a pit or in a crease of singular
+  // points. The tick ends after a few sub-goals without progress, at the place nearest to the tool
+  // where the proxy was at its rest height.
   bool is_stalled(double height_m) {
     constexpr int kPatience = 4;
     constexpr double kGain_m = 1e-9;
@@ -140,17 +140,17 @@ class Tick {
     state_.friction = FrictionState::free;
   }
 
-  // Beyond the bounds nothing is in the way.
+  // Nothing blocks the proxy outside the bounds.
   bool pass_outside() {
     forget_contact();
     state_.side = 0.0;
-    const Vec3 way = h_ - state_.p_O;
-    const Inside inside = clip(surface_.bounds_O, state_.p_O, way);
+    const Vec3 segment = h_ - state_.p_O;
+    const Inside inside = clip(surface_.bounds_O, state_.p_O, segment);
     if (inside.enter > inside.leave) {
       move_to(h_);
       return true;
     }
-    const Vec3 entry = state_.p_O + inside.enter * way;
+    const Vec3 entry = state_.p_O + inside.enter * segment;
     move_to(entry.cwiseMax(surface_.bounds_O.lower).cwiseMin(surface_.bounds_O.upper));
     return false;
   }
@@ -164,14 +164,14 @@ class Tick {
   bool come_out() {
     forget_contact();
     field_.set_side(-1.0);
-    const StraightWay way = look_along(field_, state_.p_O, h_);
-    if (way.crossing.way == Way::blocked) {
-      move_to(way.at(way.crossing.blocked_at));
+    const SweptSegment segment = sweep_segment(field_, state_.p_O, h_);
+    if (segment.crossing.state == SegmentState::blocked) {
+      move_to(segment.at(segment.crossing.blocked_at));
       state_.side = 0.0;
       return false;
     }
-    if (way.crossing.way == Way::unknown) {
-      move_to(way.at(way.crossing.free_to));
+    if (segment.crossing.state == SegmentState::unknown) {
+      move_to(segment.at(segment.crossing.free_to));
       return exhausted();
     }
     move_to(h_);
@@ -184,8 +184,7 @@ class Tick {
                                .offset = here_.normal.dot(state_.p_O) + rise};
   }
 
-  // The plane of what blocks the way at p_O; false if it is none that is new. A singular point has
-  // no tangent plane: there the proxy is held against the tool.
+  // Adds the plane of the surface that blocks the segment at p_O. Returns false if it is not new.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
     const ImplicitSample wall = sample(field_, p_O);
@@ -213,7 +212,7 @@ class Tick {
     return true;
   }
 
-  // To the sub-goal, or as far as the way is free. True when the tick is over.
+  // Moves to the sub-goal, or as far as the segment is free. Returns true when the tick is over.
   bool go() {
     for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
       const Goal goal = choose_goal();
@@ -223,32 +222,31 @@ class Tick {
       if (rest_.planes == 1 && plane_count_ == 1 && glide_toward(goal.point)) {
         return false;
       }
-      const StraightWay way = look_along(field_, state_.p_O, goal.point);
-      const Crossing& crossing = way.crossing;
-      if (crossing.way == Way::free) {
+      const SweptSegment segment = sweep_segment(field_, state_.p_O, goal.point);
+      const Crossing& crossing = segment.crossing;
+      if (crossing.state == SegmentState::free) {
         move_to(goal.point);
         return false;
       }
-      const Vec3 stop = way.at(crossing.free_to);
-      const bool is_held =
-          crossing.way == Way::blocked && (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
-      if (!is_held || !add_blocking_plane(way.at(crossing.blocked_at))) {
+      const Vec3 stop = segment.at(crossing.free_to);
+      const bool is_held = crossing.state == SegmentState::blocked &&
+                           (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
+      if (!is_held || !add_blocking_plane(segment.at(crossing.blocked_at))) {
         const bool has_moved = come_to_rest_at(stop);
-        return !has_moved && (crossing.way == Way::blocked || exhausted());
+        return !has_moved && (crossing.state == SegmentState::blocked || exhausted());
       }
     }
     return exhausted();
   }
 
-  // From where a way ended, up to the height at which the proxy rests, or away from the planes that
-  // hold it, or back if none does. False if that is no nearer to the tool than before: then it
-  // stays.
+  // Moves from the end of a segment to the rest height, away from the planes, or back. Returns
+  // false, and stays, if the result is no nearer to the tool than before.
   bool come_to_rest_at(const Vec3& stop) {
-    Vec3 end = risen(field_, stop).value_or(stop);
+    Vec3 end = raised_to_rest(field_, stop).value_or(stop);
     if (end == stop) {
       const Vec3 up = rest_.planes > 0 ? Vec3{surface_.R_WO.transpose() * rest_.normal_W}
                                        : (state_.p_O - stop).stableNormalized();
-      end = lifted(field_, state_.p_O, stop, up);
+      end = raised_from_crease(field_, state_.p_O, stop, up);
     }
     const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
     if (gain_m <= kLeastGain_m) {

@@ -15,7 +15,7 @@
 
 namespace tactus::rendering {
 
-// Where the proxy came to rest.
+// The proxy's position after a tick.
 struct ImplicitRest {
   Vec3 proxy_W = Vec3::Zero();   // m; 0.1 um above the surface in contact
   Vec3 normal_W = Vec3::Zero();  // unit, away from the surface; zero without contact
@@ -26,8 +26,8 @@ struct ImplicitRest {
   std::uint32_t flags = kTouchClean;  // iterations exhausted, tool invalid
 };
 
-// Kept in the object's frame, so that a surface that moves takes the proxy along, and sweeps over
-// no tool without meeting it.
+// The state is kept in the object's frame: a surface that moves carries the proxy along, and meets
+// every tool that it sweeps over.
 struct ImplicitProxyState {
   Vec3 p_O = Vec3::Zero();
   double side = 0.0;  // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
@@ -41,21 +41,21 @@ class ImplicitTracker {
   // or the bounds of the surface change.
   void place(const Vec3& p_W);
 
-  // First in a tick, what friction models are driven by: see SurfaceFriction.
+  // Sets the motion that drives the friction models; call it first in a tick (see SurfaceFriction).
   void begin_friction(const Vec3& tool_step_W, double tick_s) {
     state_.model.begin_tick(tool_step_W, tick_s);
   }
 
-  // Moves the proxy as near to the tool as the surface and friction let it. The proxy goes only
-  // where intervals show the way to be free, however far the tool jumps and however thin the
-  // surface is; each move brings it nearer to the tool, so it cannot swing. A tool that is not
-  // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap, work bounded by
-  // kMaxFormulaWork.
+  // Moves the proxy as near to the tool as the surface and friction allow. The proxy moves only
+  // along segments that interval arithmetic proves free, however far the tool jumps and however
+  // thin the surface is. Each move brings it nearer to the tool, so it cannot oscillate. A tool
+  // that is not finite or beyond kWorldBound_m leaves the proxy where it is. Real time: no heap,
+  // time bounded by kMaxFormulaBudget.
   ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W);
 
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:

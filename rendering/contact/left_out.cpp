@@ -4,71 +4,71 @@
 #include <bit>
 #include <cmath>
 
-#include "rendering/contact/work.h"
+#include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/hierarchy_query.h"
 
 namespace tactus::rendering {
 namespace {
 
-// Looks for a triangle of a mesh that is nearer to p_O than distance_m.
+// Searches a triangle of a mesh that is nearer to p_O than distance_m.
 struct NearTriangle {
   const MeshView& mesh;
   const Vec3& p_O;
   double distance_m;
   double slack_m;  // that searches reach farther
-  std::size_t& room;
+  std::size_t& cost_left;
   bool found = false;
 
   [[nodiscard]] double reach() const { return found ? 0.0 : distance_m + slack_m; }
-  void boxes(std::uint32_t pairs) { take(kWorkOfBoxesAbout * pairs); }
+  void boxes(std::uint32_t pairs) { take(kCostOfBoxPairInBall * pairs); }
   void operator()(std::uint32_t t) {
     if (found) {
       return;
     }
-    take(kWorkOfAMeasurement);
+    take(kCostOfMeasurement);
     found = found || triangle_of(mesh, t).nearest(p_O).distance < distance_m;
   }
-  // Without room it is as if one were found.
+  // Charges the cost; a search that runs out of budget counts as found.
   void take(std::size_t units) {
-    room -= std::min(room, units);
-    found = found || room == 0;
+    cost_left -= std::min(cost_left, units);
+    found = found || cost_left == 0;
   }
 };
 
-bool is_nearer(const Scenery& scenery, std::uint32_t number, const Vec3& p_W, double distance_m,
-               std::size_t& room) {
+bool is_nearer(const SceneObjects& scene, std::uint32_t number, const Vec3& p_W, double distance_m,
+               std::size_t& cost_left) {
   if (distance_m <= 0.0) {
     return false;
   }
-  if (scenery[number].surface == SurfaceKind::primitive) {
-    return std::abs(sample(scenery.primitive_W(number), p_W).distance_m) < distance_m;
+  if (scene[number].surface == SurfaceKind::primitive) {
+    return std::abs(sample(scene.primitive_W(number), p_W).distance_m) < distance_m;
   }
-  const PlacedMesh placed = scenery.mesh_O(number);
-  const Vec3 p_O = point_in(scenery.mover_of(number), p_W);
+  const PlacedMesh placed = scene.mesh_O(number);
+  const Vec3 p_O = point_in(scene.mover_of(number), p_W);
   NearTriangle visitor{.mesh = placed.mesh,
                        .p_O = p_O,
                        .distance_m = distance_m,
                        .slack_m = placed.slack_m,
-                       .room = room};
+                       .cost_left = cost_left};
   visit_near(placed.mesh.nodes, p_O, visitor);
   return visitor.found;
 }
 
-// Goes over objects.
+// Visits objects and adds those that overlap the sphere.
 struct FindOverlapped {
   LeftOut& to;
-  const Scenery& scenery;
-  const Shells& shells;
+  const SceneObjects& scene;
+  const ContactMargins& margins;
   const Vec3& p_W;
   double slack_m;
-  std::size_t room = kMaxCarryWork;
+  std::size_t cost_left = kMaxCarryBudget;
   bool added = false;
 
-  [[nodiscard]] double reach() const { return shells.sphere.reach_m; }
-  void operator()(std::uint32_t place) { take(scenery.still_object(place)); }
+  [[nodiscard]] double reach() const { return margins.sphere.reach_m; }
+  void operator()(std::uint32_t place) { take(scene.still_object(place)); }
   void take(std::uint32_t number) {
-    const double inner_m = shells.of(is_point_tool(scenery[number])).inner_m;
-    if (!to.has(number) && is_nearer(scenery, number, p_W, inner_m - slack_m, room)) {
+    const double inner_m = margins.of(is_point_tool(scene[number])).inner_m;
+    if (!to.has(number) && is_nearer(scene, number, p_W, inner_m - slack_m, cost_left)) {
       added = to.add(number) || added;
     }
   }
@@ -85,28 +85,28 @@ bool LeftOut::add(std::uint32_t object) {
   return true;
 }
 
-bool LeftOut::add_overlapped(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
-                             double slack_m) {
+bool LeftOut::add_overlapped(const SceneObjects& scene, const ContactMargins& margins,
+                             const Vec3& p_W, double slack_m) {
   FindOverlapped visitor{
-      .to = *this, .scenery = scenery, .shells = shells, .p_W = p_W, .slack_m = slack_m};
-  visit_near(scenery.still_nodes(), p_W, visitor);
-  for (const Mover& mover : scenery.movers()) {
-    if (meets_proxy(scenery[mover.object]) && mover.distance(p_W) <= visitor.reach()) {
+      .to = *this, .scene = scene, .margins = margins, .p_W = p_W, .slack_m = slack_m};
+  visit_near(scene.still_nodes(), p_W, visitor);
+  for (const Mover& mover : scene.movers()) {
+    if (meets_proxy(scene[mover.object]) && mover.distance(p_W) <= visitor.reach()) {
       visitor.take(mover.object);
     }
   }
   return visitor.added;
 }
 
-bool LeftOut::take_back(const Scenery& scenery, const Shells& shells, const Vec3& p_W) {
-  std::size_t room = kMaxCarryWork;
+bool LeftOut::take_back(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W) {
+  std::size_t cost_left = kMaxCarryBudget;
   bool taken = false;
-  for (std::uint32_t number = 0; number < scenery.size() && any(); ++number) {
+  for (std::uint32_t number = 0; number < scene.size() && any(); ++number) {
     if (!has(number)) {
       continue;
     }
-    const double reach_m = shells.of(is_point_tool(scenery[number])).reach_m;
-    if (!is_nearer(scenery, number, p_W, reach_m, room)) {
+    const double reach_m = margins.of(is_point_tool(scene[number])).reach_m;
+    if (!is_nearer(scene, number, p_W, reach_m, cost_left)) {
       bits_[number / kBits] &= ~(std::uint64_t{1} << (number % kBits));
       --count_;
       taken = true;

@@ -1,5 +1,6 @@
-// The objects that the shared proxy does not feel: those that it overlapped when it began, came out
-// of, or was pinched by. Each comes back once no surface of it is within the proxy's reach.
+// The objects that the shared proxy ignores: it overlapped them when it was placed, came out of
+// them from behind, or was pinched by them. An object counts again once none of its surfaces is
+// within the proxy's reach.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/limits.h"
 #include "rendering/state/state_archive.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 
@@ -20,20 +21,20 @@ class LeftOut {
     return count_ > 0 && (bits_[object / kBits] >> (object % kBits) & 1U) != 0;
   }
 
-  // An object below kMaxObjects. True if it was felt before.
+  // Adds an object, `object` < kMaxObjects. Returns true if it was not left out before.
   bool add(std::uint32_t object);
 
-  // Adds what has a surface nearer to p_W than the inner shell by more than `slack_m`; world frame,
-  // m. Where that takes more than kMaxCarryWork an object is added too. True if one was felt
-  // before.
-  bool add_overlapped(const Scenery& scenery, const Shells& shells, const Vec3& p_W,
+  // Adds every object with a surface that is nearer to p_W than the contact margin's `inner_m` by
+  // more than `slack_m` (world frame, m). An object is added too if the test would cost more than
+  // kMaxCarryBudget. Returns true if an object was added.
+  bool add_overlapped(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
                       double slack_m);
 
-  // Takes back what is farther from p_W than the reach of the shell. True if any was. Work bounded
-  // by kMaxCarryWork; what is not known then stays out.
-  bool take_back(const Scenery& scenery, const Shells& shells, const Vec3& p_W);
+  // Removes the objects that are farther from p_W than the contact margin's reach, within
+  // kMaxCarryBudget; untested objects stay. Returns true if one was removed.
+  bool take_back(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W);
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:

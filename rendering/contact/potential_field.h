@@ -8,8 +8,8 @@
 // - where the nearest point jumps (near corners, deep inside) the force jumps;
 // - overlapping objects push each for itself.
 //
-// A tool that begins in it is the one thing that is remembered: LoneTouch leaves the field out
-// until the tool has been clear of it in a tick.
+// A tool that begins in it is the one thing that is remembered: IndependentContacts leaves the
+// field out until the tool has been clear of it in a tick.
 #pragma once
 
 #include "rendering/surface/connected_mesh.h"
@@ -19,7 +19,7 @@ namespace tactus::rendering {
 
 struct FieldPush {
   double depth_m = 0.0;          // of the sphere below the surface; 0 outside
-  Vec3 normal_W = Vec3::Zero();  // unit, the way out; zero outside
+  Vec3 normal_W = Vec3::Zero();  // unit, out of the surface; zero outside
 };
 
 // `tool_radius_m` >= 0; 0 is a point. Real time: no heap. A primitive costs some twenty

@@ -55,20 +55,21 @@ class Line {
   double side_;
 };
 
-double outside_convex(const Line& line, const Clearance& start, double limit, const Shell& shell) {
+double outside_convex(const Line& line, const Clearance& start, double limit,
+                      const ContactMargin& margin) {
   double travel = 0.0;
   Clearance now = start;
   for (int step = 0; step < kMostSteps; ++step) {
     if (now.slope >= kParallel) {
       return limit;
     }
-    travel += std::max(0.0, now.height - shell.inner_m) / -now.slope;
+    travel += std::max(0.0, now.height - margin.inner_m) / -now.slope;
     if (travel >= limit) {
       return limit;
     }
     now = line.at(travel);
-    if (now.height <= shell.stop_m) {
-      const bool has_passed = now.height >= shell.inner_m && now.slope >= kParallel;
+    if (now.height <= margin.stop_m) {
+      const bool has_passed = now.height >= margin.inner_m && now.slope >= kParallel;
       return has_passed ? limit : travel;
     }
   }
@@ -80,7 +81,7 @@ double climb(const Line& line, Clearance low, double limit, Clearance high, doub
   double from = 0.0;
   double to = limit;
   for (int step = 0; step < kMostSteps && low.slope > high.slope; ++step) {
-    // Where the tangents at both ends meet, f is below both.
+    // f lies above both tangents, and so above the point where they meet.
     const double meet = ((high.height - high.slope * to) - (low.height - low.slope * from)) /
                         (low.slope - high.slope);
     const double travel = std::clamp(meet, from, to);
@@ -99,29 +100,30 @@ double climb(const Line& line, Clearance low, double limit, Clearance high, doub
   return from;
 }
 
-double inside_convex(const Line& line, const Clearance& start, double limit, const Shell& shell) {
+double inside_convex(const Line& line, const Clearance& start, double limit,
+                     const ContactMargin& margin) {
   Clearance end = line.at(limit);
-  if (end.height >= std::min(start.height, shell.inner_m)) {
+  if (end.height >= std::min(start.height, margin.inner_m)) {
     return limit;
   }
   double free = 0.0;
   double free_height = start.height;
-  if (start.height < shell.stop_m) {
+  if (start.height < margin.stop_m) {
     if (start.slope <= 0.0) {
       return 0.0;
     }
-    free = climb(line, start, limit, end, shell.stop_m);
+    free = climb(line, start, limit, end, margin.stop_m);
     free_height = line.at(free).height;
   }
   double beyond = limit;
-  for (int step = 0; step < kMostSteps && free_height > shell.stop_m; ++step) {
-    const double above = free_height - shell.inner_m;
-    free += (beyond - free) * above / (above + (shell.inner_m - end.height));
+  for (int step = 0; step < kMostSteps && free_height > margin.stop_m; ++step) {
+    const double above = free_height - margin.inner_m;
+    free += (beyond - free) * above / (above + (margin.inner_m - end.height));
     free_height = line.at(free).height;
-    const double tangent = beyond + (shell.inner_m - end.height) / end.slope;
+    const double tangent = beyond + (margin.inner_m - end.height) / end.slope;
     if (tangent > free && tangent < beyond) {
       const Clearance there = line.at(tangent);
-      if (there.height < shell.inner_m) {
+      if (there.height < margin.inner_m) {
         beyond = tangent;
         end = there;
       } else {
@@ -135,8 +137,9 @@ double inside_convex(const Line& line, const Clearance& start, double limit, con
 
 // The longest step in which f comes down to `inner`, or to where it is if that is lower, at its end
 // at the earliest.
-double torus_step(const Line& line, const Clearance& now, double travel, const Shell& shell) {
-  const double above = std::max(0.0, now.height - shell.inner_m);
+double torus_step(const Line& line, const Clearance& now, double travel,
+                  const ContactMargin& margin) {
+  const double above = std::max(0.0, now.height - margin.inner_m);
   const double radius = line.bend_radius(travel);
   if (!(radius > 0.0)) {
     return above;
@@ -147,51 +150,52 @@ double torus_step(const Line& line, const Clearance& now, double travel, const S
 }
 
 double round_torus(const Line& line, const Clearance& start, bool leaving, double limit,
-                   const Shell& shell) {
-  const double least_step = shell.stop_m - shell.inner_m;
+                   const ContactMargin& margin) {
+  const double least_step = margin.stop_m - margin.inner_m;
   double travel = 0.0;
   Clearance now = start;
-  bool clear = !leaving && now.height > shell.inner_m;
+  bool clear = !leaving && now.height > margin.inner_m;
   for (int step = 0; step < kMostSteps; ++step) {
-    const bool stops = clear ? now.height <= shell.stop_m : !leaving;
+    const bool stops = clear ? now.height <= margin.stop_m : !leaving;
     if (stops && now.slope < kParallel) {
       return travel;
     }
     if (clear) {
-      travel += torus_step(line, now, travel, shell);
+      travel += torus_step(line, now, travel, margin);
     } else if (leaving) {
-      travel += std::max(shell.stop_m - now.height, least_step);
+      travel += std::max(margin.stop_m - now.height, least_step);
     } else {
-      travel += std::max(torus_step(line, now, travel, shell), least_step);
+      travel += std::max(torus_step(line, now, travel, margin), least_step);
     }
     if (travel >= limit) {
       return limit;
     }
     now = line.at(travel);
-    clear = clear || now.height >= shell.stop_m;
+    clear = clear || now.height >= margin.stop_m;
   }
   return travel;
 }
 
-double inside_tube(const Line& line, const Clearance& start, double limit, const Shell& shell) {
-  const double most = line.tube_radius() - shell.inner_m;  // from the centre circle
+double inside_tube(const Line& line, const Clearance& start, double limit,
+                   const ContactMargin& margin) {
+  const double most = line.tube_radius() - margin.inner_m;  // from the centre circle
   double travel = 0.0;
   Clearance now = start;
-  bool clear = now.height > shell.inner_m;
+  bool clear = now.height > margin.inner_m;
   for (int step = 0; step < kMostSteps; ++step) {
-    if ((!clear || now.height <= shell.stop_m) && now.slope < kParallel) {
+    if ((!clear || now.height <= margin.stop_m) && now.slope < kParallel) {
       return travel;
     }
     const double distance = line.tube_radius() - now.height;
     const double to_nearest = distance * now.slope;
     const double beyond = to_nearest * to_nearest + (most - distance) * (most + distance);
-    // Deep in the shell no farther than to where it is nearest to the centre circle.
+    // Deep in the contact margin no farther than to where it is nearest to the centre circle.
     travel += to_nearest + (clear ? std::sqrt(std::max(0.0, beyond)) : 0.0);
     if (travel >= limit) {
       return limit;
     }
     now = line.at(travel);
-    clear = clear || now.height >= shell.stop_m;
+    clear = clear || now.height >= margin.stop_m;
   }
   return travel;
 }
@@ -199,7 +203,7 @@ double inside_tube(const Line& line, const Clearance& start, double limit, const
 }  // namespace
 
 double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& sweep, double limit,
-                         const Shell& shell, const SurfaceSample& start) {
+                         const ContactMargin& margin, const SurfaceSample& start) {
   const bool inside = start.distance_m < 0.0;
   const bool solid = sides == Sides::one;
   const Line line(primitive, sweep, inside && !solid ? -1.0 : 1.0);
@@ -208,11 +212,11 @@ double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& s
     if (inside && solid) {
       return limit;
     }
-    return inside ? inside_convex(line, at_start, limit, shell)
-                  : outside_convex(line, at_start, limit, shell);
+    return inside ? inside_convex(line, at_start, limit, margin)
+                  : outside_convex(line, at_start, limit, margin);
   }
-  return inside && !solid ? inside_tube(line, at_start, limit, shell)
-                          : round_torus(line, at_start, inside, limit, shell);
+  return inside && !solid ? inside_tube(line, at_start, limit, margin)
+                          : round_torus(line, at_start, inside, limit, margin);
 }
 
 }  // namespace tactus::rendering

@@ -1,5 +1,5 @@
-// How far a sphere can travel along a straight line before it touches a primitive: what
-// sphere_sweep.h is for triangles.
+// Sweeps a sphere along a straight line against a primitive, as sphere_sweep.h does against a
+// triangle.
 #pragma once
 
 #include <cmath>
@@ -10,22 +10,23 @@
 
 namespace tactus::rendering {
 
-// The same as for a triangle: the normal points to the side where the sample was taken.
+// Returns the nearest point as for a triangle: the normal points to the side of the sample.
 inline Nearest nearest_of(const SurfaceSample& seen) {
   return {.distance = std::abs(seen.distance_m),
           .normal = seen.distance_m < 0.0 ? Vec3{-seen.normal_W} : seen.normal_W};
 }
 
-// Travel in metres at which the sphere's centre enters the shell of the surface, or `limit` if it
-// does not do so before. Never too long, and too short only by the shell's thickness.
+// Returns the travel, in metres, at which the sphere's centre enters the contact margin of the
+// surface, or `limit` if it does not enter before. The result is never too long, and too short by
+// less than the margin's thickness.
 //
-// One-sided, the primitive is solid: a sphere that starts with its centre inside may leave, and is
-// stopped again by what it then comes to stand clear of (the other side of a torus). Two-sided, it
-// is a hollow skin, and the sphere stays on the side where its centre starts. A sphere that starts
-// deeper in the shell than `inner` may move out of it and along it, not deeper.
+// A one-sided primitive is solid: a sphere that starts with its centre inside may leave, and is
+// blocked again by what it then stands clear of (the other side of a torus). A two-sided primitive
+// is a hollow skin, and the sphere stays on its side. A sphere that starts below `inner_m` may move
+// out and along the surface, not deeper.
 //
-// `start` is sample(primitive, sweep.from). `limit` >= 0 and finite.
+// `start` is sample(primitive, sweep.from). `limit` is >= 0 and finite.
 double travel_to_contact(const Primitive& primitive, Sides sides, const Sweep& sweep, double limit,
-                         const Shell& shell, const SurfaceSample& start);
+                         const ContactMargin& margin, const SurfaceSample& start);
 
 }  // namespace tactus::rendering

@@ -1,21 +1,22 @@
-// The proxy is the centre of a sphere that must stay clear of every triangle; it wants to be at the
-// tool. In each sub-goal of a tick
+// The proxy is the centre of a sphere that must stay clear of every triangle, as near to the tool
+// as possible. One tick is a sequence of sub-goals. In each of them
 //
-//   1. every triangle that the sphere rests on gives a plane through the proxy, normal to the line
-//      from its nearest point. A triangle is convex and lies behind that plane, so no move on the
-//      plane's positive side can touch it (sphere_proxy_planes.cpp);
-//   2. the sub-goal is the point nearest to the tool that satisfies all planes (at most three of
-//      them hold it), drawn back to the friction circle (sphere_proxy_goal.cpp);
-//   3. the sphere sweeps straight to the sub-goal and stops where it meets a triangle that gave no
-//      plane yet (sphere_proxy_sweep.cpp).
+//   1. every triangle in contact gives a plane through the proxy, normal to the line from its
+//      nearest point. A triangle is convex and lies behind that plane, so no move on the plane's
+//      positive side can touch it (sphere_proxy_planes.cpp);
+//   2. the sub-goal is the point nearest to the tool in front of all planes (at most three of them
+//      are active), drawn back to the friction circle (sphere_proxy_goal.cpp);
+//   3. the sphere sweeps straight to the sub-goal and stops at the first triangle that gave no
+//   plane
+//      yet (sphere_proxy_sweep.cpp).
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
-// every point on the way there: each move shortens the distance to the tool, so the proxy cannot
-// cycle, and it ends where no plane lets it come nearer, a local minimum of that distance. Two
-// moves do not: one up to where a plane holds the sphere, by less than the shell is thick
-// (goes_back ends the cycles of these), and one that is lengthened (follow_curvature bounds them).
-// Every position on the way is one that a sweep has found clear, so it crosses nothing, whatever is
-// cut short by a limit.
+// every point on the segment to it. Each move shortens the distance to the tool, so the proxy
+// cannot cycle, and it ends at a local minimum of that distance. Two moves are exceptions: one that
+// lifts the sphere to the rest height of a plane, by less than the contact margin (would_cycle ends
+// the cycles of these), and one that is lengthened (follow_curvature bounds them). A sweep has
+// proved every position on the path clear, so the proxy crosses nothing, also when a limit ends the
+// tick.
 #include "rendering/contact/sphere_proxy.h"
 
 #include <limits>
@@ -23,9 +24,9 @@
 namespace tactus::rendering {
 namespace {
 
-using Gathering = Neighbourhood::Gathering;
+using Gathering = CandidateSet::Gathering;
 
-Touched touched_by(const ProxyRest& rest) {
+LastContact hardest_contact(const ProxyRest& rest) {
   const std::size_t hardest = rest.hardest();
   if (rest.plane_count == 0 || rest.pressure_m[hardest] <= 0.0) {
     return {};
@@ -48,23 +49,24 @@ void SphereProxy::place(const Vec3& p_W) {
   friction_ = FrictionState::free;
   model_ = {};
   carried_W_ = Vec3::Zero();
-  touched_ = {};
+  last_contact_ = {};
   contact_count_ = 0;
-  begins_ = true;
-  neighbourhood_.start_over();
-  neighbourhood_.move_to(p_);
+  just_placed_ = true;
+  candidate_set_.start_over();
+  candidate_set_.move_to(p_);
 }
 
-std::uint32_t SphereProxy::begin_tick(const Scenery& scenery) {
-  neighbourhood_.begin_tick(scenery);
-  if (!scenery.anything_moved()) {
+std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
+  candidate_set_.begin_tick(scene);
+  if (!scene.anything_moved()) {
     return kTouchClean;
   }
-  const Carried carried = carry(scenery, shells_, p_, touched_, neighbourhood_.left_out());
+  const Carried carried =
+      carry_along(scene, margins_, p_, last_contact_, candidate_set_.left_out());
   carried_W_ += carried.p_W - p_;
   if (carried.p_W != p_) {
     p_ = carried.p_W;
-    neighbourhood_.move_to(p_);
+    candidate_set_.move_to(p_);
   }
   return carried.flags;
 }
@@ -74,57 +76,58 @@ void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
   carried_W_ = Vec3::Zero();
 }
 
-ProxyRest SphereProxy::advance(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   start_ = p_;
   start_friction_ = friction_;
   start_model_ = model_;
-  start_touched_ = touched_;
-  neighbourhood_.start_work();
-  choose_felt(scenery);
-  return approach(scenery, h_W, path);
+  start_last_contact_ = last_contact_;
+  candidate_set_.start_tick_budget();
+  update_left_out(scene);
+  return approach(scene, h_W, path);
 }
 
-ProxyRest SphereProxy::advance_again(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   p_ = start_;
   friction_ = start_friction_;
   model_ = start_model_;
-  touched_ = start_touched_;
-  neighbourhood_.move_to(p_);
-  neighbourhood_.work().repeat();
-  return approach(scenery, h_W, path);
+  last_contact_ = start_last_contact_;
+  candidate_set_.move_to(p_);
+  candidate_set_.budget().allow_repeat();
+  return approach(scene, h_W, path);
 }
 
-// Where it begins the sphere feels nothing that it overlaps, and later nothing that came over it or
-// that it came out of, until it is clear of it.
-void SphereProxy::choose_felt(const Scenery& scenery) {
-  constexpr double kNoOverlap_m = 0.5e-6;  // within the shell
-  LeftOut& left_out = neighbourhood_.left_out();
+// Leaves out the objects that overlap the sphere when it is placed, and takes back objects once the
+// sphere is clear of them.
+void SphereProxy::update_left_out(const SceneObjects& scene) {
+  constexpr double kNoOverlap_m = 0.5e-6;  // within the contact margin
+  LeftOut& left_out = candidate_set_.left_out();
   bool changed = false;
-  if (begins_) {
-    changed = left_out.add_overlapped(scenery, shells_, p_, kNoOverlap_m);
-    begins_ = false;
+  if (just_placed_) {
+    changed = left_out.add_overlapped(scene, margins_, p_, kNoOverlap_m);
+    just_placed_ = false;
   } else if (left_out.any()) {
-    changed = left_out.take_back(scenery, shells_, p_);
+    changed = left_out.take_back(scene, margins_, p_);
   }
   if (changed) {
-    neighbourhood_.clear();
+    candidate_set_.clear();
   }
 }
 
 void SphereProxy::forget_left_out(ProxyRest& rest) {
   rest.plane_count = 0;
   contact_count_ = 0;
-  if (touched_.object != kNoObject && neighbourhood_.left_out().has(touched_.object)) {
-    touched_ = {};
+  if (last_contact_.object != kNoObject && candidate_set_.left_out().has(last_contact_.object)) {
+    last_contact_ = {};
   }
-  neighbourhood_.clear();
+  candidate_set_.clear();
 }
 
-void SphereProxy::break_free(const Scenery& scenery, const Vec3& h_W, ProxyRest& rest) {
+void SphereProxy::escape_overfull_planes(const SceneObjects& scene, const Vec3& h_W,
+                                         ProxyRest& rest) {
   if ((rest.flags & kTouchPlanesOverflow) == 0 || rest.sub_goals > 0) {
     return;
   }
-  go_straight(scenery, h_W);
+  sweep_to_tool(scene, h_W);
   if (p_ == h_W) {
     rest.plane_count = 0;
     rest.normal_W = Vec3::Zero();
@@ -132,35 +135,36 @@ void SphereProxy::break_free(const Scenery& scenery, const Vec3& h_W, ProxyRest&
   }
 }
 
-ProxyRest SphereProxy::approach(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
-  ProxyRest rest = seek(scenery, h_W, path);
+ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
+  ProxyRest rest = run_sub_goals(scene, h_W, path);
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
   if (rest.plane_count == 0 && (rest.flags & kUnfinished) != 0) {
-    press_as_before(scenery, h_W, rest);
+    keep_last_contact(scene, h_W, rest);
   }
-  touched_ = touched_by(rest);
-  rest.flags |= neighbourhood_.left_out().any() ? kTouchOverlap : kTouchClean;
+  last_contact_ = hardest_contact(rest);
+  rest.flags |= candidate_set_.left_out().any() ? kTouchOverlap : kTouchClean;
   return rest;
 }
 
-// True if objects that the proxy overlaps by more than it may be pushed out are left out now.
-bool SphereProxy::leaves_out_overlapped(const Scenery& scenery, ProxyRest& rest) {
-  if (!neighbourhood_.left_out().add_overlapped(scenery, shells_, p_, kMostPushOut_m)) {
+// Leaves out the objects that the proxy overlaps by more than kMostPushOut_m. Returns true if there
+// are any.
+bool SphereProxy::leave_out_overlapped(const SceneObjects& scene, ProxyRest& rest) {
+  if (!candidate_set_.left_out().add_overlapped(scene, margins_, p_, kMostPushOut_m)) {
     return false;
   }
   forget_left_out(rest);
   return true;
 }
 
-void SphereProxy::go_straight_if_it_may(const Scenery& scenery, const Vec3& h_W, ProxyRest& rest,
-                                        ProxyPath* path) {
+void SphereProxy::sweep_to_tool_if_allowed(const SceneObjects& scene, const Vec3& h_W,
+                                           ProxyRest& rest, ProxyPath* path) {
   if (rest.sub_goals < kMaxSubGoals) {
-    go_straight(scenery, h_W);
+    sweep_to_tool(scene, h_W);
     add_point(path, ++rest.sub_goals, p_);
   }
 }
 
-ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* path) {
+ProxyRest SphereProxy::run_sub_goals(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   slipped_ = false;
   last_crease_move_ = Vec3::Zero();
   least_left_m_.fill(std::numeric_limits<double>::infinity());
@@ -168,71 +172,71 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
   double most_push = kMostPushOut_m;
   for (;;) {
     add_point(path, rest.sub_goals, p_);
-    const std::size_t before = neighbourhood_.gatherings();
-    const Gathering gathering = neighbourhood_.ensure(scenery, shells_, p_);
-    const bool gathered = neighbourhood_.gatherings() != before;
+    const std::size_t before = candidate_set_.gatherings();
+    const Gathering gathering = candidate_set_.ensure(scene, margins_, p_);
+    const bool gathered = candidate_set_.gatherings() != before;
     if (rest.sub_goals == 0 || gathered) {
-      stopper_count_ = 0;
+      blocking_count_ = 0;
       recalled_count_ = 0;
-      last_hold_.count = 0;
+      last_constraints_.count = 0;
     }
     if (gathering == Gathering::begun) {
       rest.flags |= kTouchIterationsExhausted;
-      press(scenery, h_W, rest);  // on what held it before
+      active_constraints(scene, h_W, rest);  // on what held it before
       return rest;
     }
     if (gathering != Gathering::complete) {
       rest.flags |= kTouchCandidatesOverflow;
       if (gathering == Gathering::too_many) {
-        if (leaves_out_overlapped(scenery, rest)) {
+        if (leave_out_overlapped(scene, rest)) {
           continue;
         }
-        go_straight_if_it_may(scenery, h_W, rest, path);
+        sweep_to_tool_if_allowed(scene, h_W, rest, path);
         return rest;
       }
     }
     if (rest.plane_count > 0) {
-      touched_ = touched_by(rest);
+      last_contact_ = hardest_contact(rest);
     }
-    if (!collect_planes(scenery, most_push, rest)) {
+    if (!collect_planes(scene, most_push, rest)) {
       rest.flags |= kTouchIterationsExhausted;
       rest.plane_count = 0;
       return rest;
     }
-    if (overlaps_) {
+    if (found_overlap_) {
       forget_left_out(rest);
       continue;
     }
     if (rest.plane_count > 0 && contact_count_ == 0) {
-      look_for_face_below(scenery, rest);
+      add_face_below(scene, rest);
     }
-    const auto [goal, way] = find_move(scenery, h_W, most_push, rest);
+    const auto [goal, sweep] = find_move(scene, h_W, most_push, rest);
     if (goal.settled) {
       return rest;
     }
-    const bool must_move = rest.sub_goals == 0 && way.travel > 0.0 && neighbourhood_.has_waited();
-    if (rest.sub_goals == kMaxSubGoals || (neighbourhood_.work().is_over() && !must_move)) {
+    const bool must_move = rest.sub_goals == 0 && sweep.travel > 0.0 && candidate_set_.has_waited();
+    if (rest.sub_goals == kMaxSubGoals || (candidate_set_.budget().is_exhausted() && !must_move)) {
       rest.flags |= kTouchIterationsExhausted;
       return rest;
     }
-    if (way.travel <= 0.0) {
-      break_free(scenery, h_W, rest);
+    if (sweep.travel <= 0.0) {
+      escape_overfull_planes(scene, h_W, rest);
       return rest;
     }
-    last_hold_.take(rest, goal.stretched ? std::size_t{0} : rest.plane_count, p_);
+    last_constraints_.take(rest, goal.stretched ? std::size_t{0} : rest.plane_count, p_);
     if (rest.plane_count == 2) {
       last_crease_move_ = goal.stretched ? Vec3{Vec3::Zero()} : Vec3{goal.point - p_};
     }
     const Vec3 from = p_;
-    p_ = way.arrived ? goal.point : Vec3{p_ + way.travel * way.direction};
-    if (way.is_known) {
-      neighbourhood_.move_to_end(p_);
+    p_ = sweep.arrived ? goal.point : Vec3{p_ + sweep.travel * sweep.direction};
+    if (sweep.is_known) {
+      candidate_set_.move_to_end(p_);
     } else {
-      neighbourhood_.move_to(p_);
+      candidate_set_.move_to(p_);
     }
     ++rest.sub_goals;
-    neighbourhood_.work().add(kWorkOfASubGoal);
-    if (way.is_known && !goal.stretched && rest.sub_goals > 1 && is_still_on_face(scenery, rest)) {
+    candidate_set_.budget().spend(kCostOfSubGoal);
+    if (sweep.is_known && !goal.stretched && rest.sub_goals > 1 && is_still_on_face(scene, rest)) {
       Nearest& nearest = rest.planes[0].nearest;
       nearest.distance += nearest.normal.dot(p_ - from);
       add_point(path, rest.sub_goals, p_);
@@ -242,40 +246,42 @@ ProxyRest SphereProxy::seek(const Scenery& scenery, const Vec3& h_W, ProxyPath* 
   }
 }
 
-// Toward the next goal, among all planes that hold the proxy at once.
-SphereProxy::Move SphereProxy::find_move(const Scenery& scenery, const Vec3& h_W, double most_push,
-                                         ProxyRest& rest) {
+// Chooses the sub-goal and sweeps to it. A blocking contact adds its plane, and the choice is
+// repeated.
+SphereProxy::Move SphereProxy::find_move(const SceneObjects& scene, const Vec3& h_W,
+                                         double most_push, ProxyRest& rest) {
   Move move;
   std::size_t sweeps = 0;
   do {
-    move.goal = choose_goal(scenery, h_W, rest);
+    move.goal = choose_goal(scene, h_W, rest);
     const Goal& goal = move.goal;
-    if (!goal.settled && !goal.stretched && goes_back(goal.point, h_W) && recall_last_hold()) {
-      add_recalled_planes(scenery, most_push, rest);
-      move.goal = choose_goal(scenery, h_W, rest);
+    if (!goal.settled && !goal.stretched && would_cycle(goal.point, h_W) &&
+        recall_last_constraints()) {
+      add_recalled_planes(scene, most_push, rest);
+      move.goal = choose_goal(scene, h_W, rest);
     }
     if (goal.settled) {
       break;
     }
-    move.way = travel_toward(scenery, goal.point, rest);
-  } while (++sweeps <= kMaxContactPlanes && move.way.stopped_by != kNothing &&
-           add_holding_plane(move.way.stopped_by, most_push, rest));
+    move.sweep = sweep_toward(scene, goal.point, rest);
+  } while (++sweeps <= kMaxContactPlanes && move.sweep.blocked_by != kNoCandidate &&
+           add_blocking_plane(move.sweep.blocked_by, most_push, rest));
   return move;
 }
 
-// Whether another look at what holds the proxy, which has come to the goal, would find nothing new:
-// on the one face that held it the plane is the same, and whatever else is near is touched on its
-// border, where it gives none. After a tick's first move that is not asked: where triangles are
-// small it mostly is not so, and asking would cost more than it saves.
-bool SphereProxy::is_still_on_face(const Scenery& scenery, const ProxyRest& rest) {
+// Returns true if collecting the planes again at the goal would find nothing new. This holds on a
+// single face: its plane is the same, and other near triangles are touched at their borders, where
+// they give no plane. The test is not made after a tick's first move: on small triangles it mostly
+// fails, and it would cost more than it saves.
+bool SphereProxy::is_still_on_face(const SceneObjects& scene, const ProxyRest& rest) {
   const ContactPlane& contact = rest.planes[0];
   if (rest.plane_count != 1 || contact.nearest.feature != Feature::face || recalled_count_ > 0) {
     return false;
   }
   bool is_held = false;
-  for (const std::uint16_t i : neighbourhood_.within_reach_here()) {
-    const Triangle* const triangle = neighbourhood_.triangle(i, scenery);
-    if (triangle == nullptr || has_stopped(i) || triangle->faces(p_) != (i == contact.candidate)) {
+  for (const std::uint16_t i : candidate_set_.within_reach_here()) {
+    const Triangle* const triangle = candidate_set_.triangle(i, scene);
+    if (triangle == nullptr || is_blocking(i) || triangle->faces(p_) != (i == contact.candidate)) {
       return false;
     }
     is_held = is_held || i == contact.candidate;

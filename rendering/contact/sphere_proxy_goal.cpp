@@ -1,8 +1,9 @@
-// Where the proxy goes next: the nearest point that its planes allow, as far as friction lets it.
+// Chooses the sub-goal: the point nearest to the tool in front of all planes, as far as friction
+// lets the proxy move.
 #include <algorithm>
 #include <cmath>
 
-#include "rendering/contact/object_cast.h"
+#include "rendering/contact/object_sweep.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/tangential.h"
@@ -10,10 +11,10 @@
 namespace tactus::rendering {
 namespace {
 
-// Moves shorter than this are none: a micronewton at 1000 N/m.
+// A shorter move counts as none: its force is a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
-// What a proxy that sticks may be below its rest: it then clears the seams that it slides over
-// next.
+// A sticking proxy may be this far below its rest height; a higher one clears the seams that it
+// slides over next.
 constexpr double kUnevenRest_m = 50e-9;
 
 }  // namespace
@@ -29,8 +30,8 @@ PlaneProjection SphereProxy::project(const Vec3& h) {
   if (projection.feasible && (projection.point - h).norm() <= now + kMostPushOut_m) {
     return projection;
   }
-  // Surfaces that push against each other leave no room: the proxy may slide between them, but is
-  // not pushed.
+  // The planes leave no room: surfaces push against each other. The proxy may slide between them,
+  // but is not pushed.
   for (Plane& plane : used) {
     plane.offset = std::min(plane.offset, plane.normal.dot(p_)) - kSlack_m;
   }
@@ -39,11 +40,12 @@ PlaneProjection SphereProxy::project(const Vec3& h) {
   return projection;
 }
 
-// Straight to where the planes want it. A sweep ends a little below, where the next seam would stop
-// it, and friction alone would leave it there; or above, if it hovers.
-Vec3 SphereProxy::put_at_rest() {
+// Returns the position at the rest height of the planes. A sweep ends a little below it, where
+// friction alone would leave the proxy and the next seam would block it; after a move past the end
+// of a face the proxy is a little above.
+Vec3 SphereProxy::resting_position() {
   Vec3 rest = p_;
-  if (hovers_) {
+  if (above_first_plane_) {
     const Plane& below = contacts_[0].plane;
     rest += (below.offset - below.normal.dot(p_)) * below.normal;
   }
@@ -59,52 +61,57 @@ Vec3 SphereProxy::put_at_rest() {
   return up.feasible && (up.point - p_).norm() <= kMostPushOut_m ? up.point : p_;
 }
 
-// How the tool presses on the planes.
-SphereProxy::Press SphereProxy::press(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
-  Press press{.projection = project(h)};
-  const PlaneProjection& projection = press.projection;
+// Projects the tool on the contact planes and returns the active constraints with their friction
+// circle.
+SphereProxy::ActiveConstraints SphereProxy::active_constraints(const SceneObjects& scene,
+                                                               const Vec3& h, ProxyRest& rest) {
+  ActiveConstraints active_constraints{.projection = project(h)};
+  const PlaneProjection& projection = active_constraints.projection;
   rest.plane_count = projection.active_count;
   rest.normal_W = Vec3::Zero();
   if (projection.active_count == 0) {
-    return press;
+    return active_constraints;
   }
   double total = 0.0;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = contacts_[projection.active[i]];
-    const Material& material = scenery.material(contact.object);
+    const Material& material = scene.material(contact.object);
     const double pressure = projection.pressure_m[i];
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
     const double push = factors_.of(contact.object) * pressure;
     total += pressure;
-    press.push_m += push;
-    press.circle.static_radius_m += material.friction.static_level * push;
-    press.circle.dynamic_radius_m += material.friction.coulomb * push;
-    press.in_cone = press.in_cone && is_plain_cone(material);
+    active_constraints.push_m += push;
+    active_constraints.circle.static_radius_m += material.friction.static_level * push;
+    active_constraints.circle.dynamic_radius_m += material.friction.coulomb * push;
+    active_constraints.in_cone = active_constraints.in_cone && is_plain_cone(material);
   }
   rest.normal_W.normalize();
   if (factors_.depth_m > 0.0) {
     const double deeper = factors_.depth_m / total;
-    press.push_m *= deeper;
-    press.circle.static_radius_m *= deeper;
-    press.circle.dynamic_radius_m *= deeper;
+    active_constraints.push_m *= deeper;
+    active_constraints.circle.static_radius_m *= deeper;
+    active_constraints.circle.dynamic_radius_m *= deeper;
   }
-  return press;
+  return active_constraints;
 }
 
-// A tick that ends before its work is done, between two faces or where it waits for what is near,
-// is still felt: by the surface that held the proxy last, if the tool presses toward it, or toward
-// its nearest point where the proxy has gone far from there since.
-void SphereProxy::press_as_before(const Scenery& scenery, const Vec3& h, ProxyRest& rest) const {
-  if (touched_.object == kNoObject) {
+// Keeps the last contact in a tick that ends early, between two faces or while it waits for
+// candidates. The surface that held the proxy last gives the force, if the tool presses toward it.
+// If the proxy moved far from it since, its nearest point gives the normal.
+void SphereProxy::keep_last_contact(const SceneObjects& scene, const Vec3& h,
+                                    ProxyRest& rest) const {
+  if (last_contact_.object == kNoObject) {
     return;
   }
-  const Mover* const mover = scenery.mover_of(touched_.object);
-  Nearest nearest = nearest_at(scenery, touched_.object, touched_.triangle, point_in(mover, p_));
+  const Mover* const mover = scene.mover_of(last_contact_.object);
+  Nearest nearest =
+      nearest_at(scene, last_contact_.object, last_contact_.triangle, point_in(mover, p_));
   nearest.normal = direction_from(mover, nearest.normal);
   const Vec3 pull = p_ - h;
-  const Vec3& normal = touched_.normal_W.dot(pull) > 0.0 ? touched_.normal_W : nearest.normal;
+  const Vec3& normal =
+      last_contact_.normal_W.dot(pull) > 0.0 ? last_contact_.normal_W : nearest.normal;
   const double pressure = normal.dot(pull);
   if (pressure <= 0.0) {
     return;
@@ -112,29 +119,30 @@ void SphereProxy::press_as_before(const Scenery& scenery, const Vec3& h, ProxyRe
   rest.normal_W = normal;
   rest.planes[0] = {.plane = {.normal = normal, .offset = normal.dot(p_)},
                     .nearest = nearest,
-                    .object = touched_.object,
-                    .triangle = touched_.triangle};
+                    .object = last_contact_.object,
+                    .triangle = last_contact_.triangle};
   rest.pressure_m[0] = pressure;
   rest.plane_count = 1;
 }
 
-SphereProxy::Goal SphereProxy::choose_goal(const Scenery& scenery, const Vec3& h, ProxyRest& rest) {
-  const Press pressed = press(scenery, h, rest);
-  if (pressed.projection.active_count == 0) {
+SphereProxy::Goal SphereProxy::choose_goal(const SceneObjects& scene, const Vec3& h,
+                                           ProxyRest& rest) {
+  const ActiveConstraints active = active_constraints(scene, h, rest);
+  if (active.projection.active_count == 0) {
     const bool arrived = (h - p_).squaredNorm() <= 0.0;
     if (arrived) {
       friction_ = FrictionState::free;
     }
     return {.point = h, .settled = arrived};
   }
-  return pressed.in_cone ? stay_in_cone(pressed.projection, pressed.circle, h, rest)
-                         : lag_behind(scenery, pressed.projection, h, rest, pressed.push_m);
+  return active.in_cone ? goal_by_friction_circle(active.projection, active.circle, h, rest)
+                        : goal_by_friction_model(scene, active.projection, h, rest, active.push_m);
 }
 
-SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,
-                                            const FrictionCircle& circle, const Vec3& h,
-                                            const ProxyRest& rest) {
-  const Vec3 from = projection.feasible ? put_at_rest() : p_;
+SphereProxy::Goal SphereProxy::goal_by_friction_circle(const PlaneProjection& projection,
+                                                       const FrictionCircle& circle, const Vec3& h,
+                                                       const ProxyRest& rest) {
+  const Vec3 from = projection.feasible ? resting_position() : p_;
   const FrictionStep step = apply_cone(from, projection.point, circle, friction_);
   slipped_ = slipped_ || step.state == FrictionState::slip;
   friction_ = slipped_ ? FrictionState::slip : step.state;
@@ -142,54 +150,61 @@ SphereProxy::Goal SphereProxy::stay_in_cone(const PlaneProjection& projection,
     const double away = (step.goal - p_).norm();
     return {.point = step.goal, .settled = away <= kUnevenRest_m || !projection.feasible};
   }
-  return go_toward(step.goal, h, rest);
+  return goal_along_surface(step.goal, h, rest);
 }
 
-// The surface that pushes hardest has its way, under the push of all.
-SphereProxy::Goal SphereProxy::lag_behind(const Scenery& scenery, const PlaneProjection& projection,
-                                          const Vec3& h, const ProxyRest& rest, double push_m) {
+// Returns the goal of a friction model. The surface with the largest pressure supplies the model,
+// under the push of all surfaces.
+SphereProxy::Goal SphereProxy::goal_by_friction_model(const SceneObjects& scene,
+                                                      const PlaneProjection& projection,
+                                                      const Vec3& h, const ProxyRest& rest,
+                                                      double push_m) {
   double stiffness = 0.0;
   double total = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    stiffness += rest.pressure_m[i] * scenery.material(rest.planes[i].object).stiffness_N_per_m;
+    stiffness += rest.pressure_m[i] * scene.material(rest.planes[i].object).stiffness_N_per_m;
     total += rest.pressure_m[i];
   }
   const std::uint32_t object = rest.planes[rest.hardest()].object;
-  SlidingSurface surface = sliding_surface(scenery.material(object));
+  SlidingSurface surface = sliding_surface(scene.material(object));
   surface.stiffness_N_per_m = stiffness / total;
-  surface.grain.direction = direction_from(scenery.mover_of(object), surface.grain.direction);
+  surface.grain.direction = direction_from(scene.mover_of(object), surface.grain.direction);
   const FrictionLag lag = model_.lag(surface, rest.normal_W, surface.stiffness_N_per_m * push_m);
   friction_ = lag.state;
   if (!projection.feasible) {
     return {.point = p_, .settled = true};
   }
-  return go_toward(projection.point - lag.lag_m, h - lag.lag_m, rest);
+  return goal_along_surface(projection.point - lag.lag_m, h - lag.lag_m, rest);
 }
 
-SphereProxy::Goal SphereProxy::go_toward(const Vec3& goal, const Vec3& h, const ProxyRest& rest) {
+SphereProxy::Goal SphereProxy::goal_along_surface(const Vec3& goal, const Vec3& h,
+                                                  const ProxyRest& rest) {
   const Vec3 move = goal - p_;
   if (move.norm() <= kSettled_m) {
     return {.point = p_, .settled = true};
   }
-  const Vec3 way = follow_curvature(move, h, rest);
-  return {.point = p_ + way, .stretched = way != move};
+  const Vec3 stretched = follow_curvature(move, h, rest);
+  return {.point = p_ + stretched, .stretched = stretched != move};
 }
 
-// On an edge or a vertex the sphere's centre moves on a cylinder or a sphere of the radius R, and
-// tangent moves alone draw it to its goal only by the ratio depth / R a sub-goal. Lengthened by
-// 1 / (1 - ratio) a move ends on the ray from the feature through the goal, from where the next
-// sub-goal drops straight onto it; where the tool lies beyond the feature the sphere rolls off, in
-// ever longer moves. Along the crease of two surfaces the ratio is that of the last two moves.
-// On the way there the distance to the tool may grow: a move is lengthened only where a plain one
-// would end nearer to the tool than wherever that was done before in this tick.
+// Lengthens a move on a curved path. On an edge or a vertex the sphere's centre moves on a cylinder
+// or a sphere of the radius R, and tangent moves alone reduce the distance to the goal only by the
+// ratio depth / R per sub-goal. A move lengthened by 1 / (1 - ratio) ends on the ray from the
+// feature through the goal, and the next sub-goal drops straight onto it. If the tool lies beyond
+// the feature the sphere rolls off in ever longer moves. Along the crease of two surfaces the ratio
+// is that of the last two moves.
+//
+// The distance to the tool may grow during a lengthened move. A move is lengthened only if the
+// plain move would end nearer to the tool than every plain move that was lengthened before in this
+// tick.
 Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyRest& rest) {
   constexpr double kRollingOff = 4.0;
   constexpr double kRounding_m = 1e-12;
-  const Bend bend = rest.plane_count == 1   ? bend_of_feature(move, h, rest)
-                    : rest.plane_count == 2 ? bend_of_crease(move, rest)
-                                            : Bend{};
-  const double most = bend.most_of_radius * rest.planes[0].nearest.distance / move.norm();
-  if (bend.ratio == 0.0 || most <= 1.0) {
+  const Curvature curvature = rest.plane_count == 1   ? curvature_at_feature(move, h, rest)
+                              : rest.plane_count == 2 ? curvature_along_crease(move, rest)
+                                                      : Curvature{};
+  const double most = curvature.max_share_of_radius * rest.planes[0].nearest.distance / move.norm();
+  if (curvature.ratio == 0.0 || most <= 1.0) {
     return move;
   }
   const double left = (p_ + move - h).norm();
@@ -198,9 +213,10 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
     return move;
   }
   least_left = left;
-  const double stretch =
-      bend.ratio < 1.0 ? 1.0 / (1.0 - bend.ratio) : std::max(kRollingOff, 1.0 / (bend.ratio - 1.0));
-  const Vec3 stretched = move + (std::min(stretch, most) - 1.0) * bend.part;
+  const double stretch = curvature.ratio < 1.0
+                             ? 1.0 / (1.0 - curvature.ratio)
+                             : std::max(kRollingOff, 1.0 / (curvature.ratio - 1.0));
+  const Vec3 stretched = move + (std::min(stretch, most) - 1.0) * curvature.part;
   const bool allowed = std::all_of(
       contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
       [&](const ContactPlane& c) {
@@ -209,14 +225,14 @@ Vec3 SphereProxy::follow_curvature(const Vec3& move, const Vec3& h, const ProxyR
   return allowed ? stretched : move;
 }
 
-// Across an edge and on a vertex. Where friction takes most of the pull, the rest of it is what
-// draws the proxy: the pull aside d and the pressure p change on the way s across by
-// d' = p / R - 1 and p' = -d / R, along the edge by -1 and 0, so that the rest d - f, of which the
-// friction is f = mu p, changes by the ratio cos^2 (p + mu d) / R, the angle that of the way to the
-// way across. As a small difference it is not known for far.
-SphereProxy::Bend SphereProxy::bend_of_feature(const Vec3& move, const Vec3& h,
-                                               const ProxyRest& rest) const {
-  constexpr double kMostRubbed = 0.03;
+// Returns the curvature across an edge or at a vertex. If friction takes most of the pull, only the
+// rest draws the proxy. The lateral pull d and the pressure p change along the path s across by d'
+// = p / R - 1 and p' = -d / R, along the edge by -1 and 0. With the friction f = mu p the rest d -
+// f changes by the ratio cos^2 (p + mu d) / R, where the angle is between the path and the
+// direction across. It is a small difference and not known far ahead.
+SphereProxy::Curvature SphereProxy::curvature_at_feature(const Vec3& move, const Vec3& h,
+                                                         const ProxyRest& rest) const {
+  constexpr double kMaxShareWithFriction = 0.03;
   const Nearest& nearest = rest.planes[0].nearest;
   if (nearest.feature == Feature::face) {
     return {};
@@ -229,7 +245,7 @@ SphereProxy::Bend SphereProxy::bend_of_feature(const Vec3& move, const Vec3& h,
   }
   Vec3 across = slide;
   if (nearest.feature == Feature::edge) {
-    const Triangle& triangle = neighbourhood_.candidate(rest.planes[0].candidate).triangle;
+    const Triangle& triangle = candidate_set_.candidate(rest.planes[0].candidate).triangle;
     const Vec3 edge = triangle.edge(nearest.edge).normalized();
     across -= slide.dot(edge) * edge;
   }
@@ -242,10 +258,11 @@ SphereProxy::Bend SphereProxy::bend_of_feature(const Vec3& move, const Vec3& h,
   const double squared_cosine = across.squaredNorm() / (length * length);
   return {.ratio = squared_cosine * (pressure + held / pressure * pull) / nearest.distance,
           .part = slide,
-          .most_of_radius = kMostRubbed};
+          .max_share_of_radius = kMaxShareWithFriction};
 }
 
-SphereProxy::Bend SphereProxy::bend_of_crease(const Vec3& move, const ProxyRest& rest) const {
+SphereProxy::Curvature SphereProxy::curvature_along_crease(const Vec3& move,
+                                                           const ProxyRest& rest) const {
   constexpr double kAligned = 0.99;
   const double length = last_crease_move_.norm();
   if (move.dot(last_crease_move_) <= kAligned * length * move.norm()) {

@@ -1,10 +1,11 @@
 // The distance from a point to a convex set is a convex function, so along a straight line it lies
 // above each of its tangents. Newton's method on distance(travel) = inner, begun on the near side
 // of the root, therefore never oversteps it: every iterate is a travel that is known to be free. It
-// ends inside the shell, after one step over a face and quadratically on edges and vertices; if the
-// steps run out (a grazing pass, where the root is double) the last iterate is a safe answer too.
-// Where it comes no nearer than into the shell there is no root, and an iterate may lie behind the
-// nearest place: it has passed. Faces, edges and vertices need no cases of their own.
+// ends inside the contact margin, after one step over a face and quadratically on edges and
+// vertices; if the steps run out (a grazing pass, where the root is double) the last iterate is a
+// safe answer too. Where it comes no nearer than into the contact margin there is no root, and an
+// iterate may lie behind the nearest place: it has passed. Faces, edges and vertices need no cases
+// of their own.
 #include "rendering/contact/sphere_sweep.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace tactus::rendering {
 
 double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& sweep, double limit,
-                         const Shell& shell, const Nearest& start) {
+                         const ContactMargin& margin, const Nearest& start) {
   constexpr int kMaxSteps = 32;
   // A descent below a nanometre a metre is the rounding of a move along a contact plane.
   constexpr double kParallelDescent = -1e-9;
@@ -27,9 +28,9 @@ double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& 
         return limit;
       }
       at = triangle.nearest(sweep.from + travel * sweep.direction);
-      if (at.distance < shell.inner_m) {
-        return limit;  // it comes out through the triangle: a way that one-sided surfaces leave
-                       // open
+      if (at.distance < margin.inner_m) {
+        return limit;  // it comes out through the triangle: a direction that one-sided surfaces
+                       // leave open
       }
     }
   }
@@ -38,14 +39,14 @@ double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& 
     if (descent >= kParallelDescent) {
       return limit;
     }
-    travel += std::max(0.0, at.distance - shell.inner_m) / -descent;
+    travel += std::max(0.0, at.distance - margin.inner_m) / -descent;
     if (travel >= limit) {
       return limit;
     }
     at = triangle.nearest(sweep.from + travel * sweep.direction);
-    if (at.distance <= shell.stop_m) {
+    if (at.distance <= margin.stop_m) {
       const bool has_passed =
-          at.distance >= shell.inner_m && at.normal.dot(sweep.direction) >= kParallelDescent;
+          at.distance >= margin.inner_m && at.normal.dot(sweep.direction) >= kParallelDescent;
       return has_passed ? limit : travel;
     }
   }

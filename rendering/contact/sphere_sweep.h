@@ -1,4 +1,4 @@
-// How far a sphere can travel along a straight line before it touches a triangle.
+// Sweeps a sphere along a straight line against a triangle: time of impact by travel.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 
 namespace tactus::rendering {
 
-// The shell round a surface within which the proxy's centre rests. Contact planes put it at `rest`;
-// a sweep lets it come down to between `inner` and `stop`; nothing lets it below `inner`. All are
-// greater than the tool's radius, so that even a point never lies on a triangle.
-struct Shell {
-  explicit Shell(double tool_radius_m)
+// The contact margin: the distances from a surface between which the proxy's centre rests. Contact
+// planes put the centre at `rest_m`; a sweep ends between `inner_m` and `stop_m`; nothing brings
+// the centre below `inner_m`. All are greater than the tool's radius, so that even a point never
+// lies on a triangle.
+struct ContactMargin {
+  explicit ContactMargin(double tool_radius_m)
       : inner_m(tool_radius_m + 0.25e-6),
         stop_m(tool_radius_m + 0.375e-6),
         rest_m(tool_radius_m + 0.5e-6),
@@ -26,17 +27,19 @@ struct Shell {
   double reach_m;  // a triangle nearer than this is in contact
 };
 
-// The tool as each object takes it: a sphere, or its centre alone.
-struct Shells {
-  explicit Shells(double tool_radius_m) : sphere(tool_radius_m) {}
+// The contact margins of the tool as a sphere and as a point; each object uses one of the two.
+struct ContactMargins {
+  explicit ContactMargins(double tool_radius_m) : sphere(tool_radius_m) {}
 
-  [[nodiscard]] const Shell& of(bool point_tool) const { return point_tool ? point : sphere; }
+  [[nodiscard]] const ContactMargin& of(bool point_tool) const {
+    return point_tool ? point : sphere;
+  }
 
-  // Whether the tool is one by itself.
+  // Returns true if the tool itself is a point (radius 0).
   [[nodiscard]] bool is_point() const { return sphere.reach_m <= point.reach_m; }
 
-  Shell sphere;
-  Shell point{0.0};
+  ContactMargin sphere;
+  ContactMargin point{0.0};
 };
 
 struct Sweep {
@@ -44,22 +47,22 @@ struct Sweep {
   Vec3 direction = Vec3::UnitX();  // unit
 };
 
-// Planes that have the whole of a way on their front side: what lies far enough behind one of them
-// is not met.
+// Planes with a whole segment on their front side. A sweep along the segment cannot meet what lies
+// far enough behind one of them.
 class SeparatingPlanes {
  public:
   SeparatingPlanes(Vec3 from, Vec3 to) : from_(std::move(from)), to_(std::move(to)) {}
 
   static constexpr std::size_t kMost = 3;
 
-  // A plane with the unit normal, as near to the way as can be; kMost in all.
+  // Adds the plane with this unit normal that touches the segment. At most kMost planes.
   void add(const Vec3& normal) {
     normal_[count_] = normal;
     height_[count_++] = std::min(normal.dot(from_), normal.dot(to_));
   }
 
-  // Whether one of them, or the triangle's own, shows that the triangle is nowhere nearer to the
-  // way than `distance`. False tells nothing.
+  // Returns true if one of the planes, or the triangle's own plane, shows that the triangle is
+  // nowhere nearer to the segment than `distance` (m). False proves nothing.
   [[nodiscard]] bool keep_off(const Triangle& triangle, double distance) const {
     for (std::size_t k = 0; k < count_; ++k) {
       if (triangle.highest(normal_[k]) <= height_[k] - distance) {
@@ -79,11 +82,11 @@ class SeparatingPlanes {
   std::size_t count_ = 0;
 };
 
-// Travel in metres at which the sphere's centre enters the shell of the triangle, or `limit` if it
-// does not do so before. Never too long, and too short only by the shell's thickness. A one-sided
-// triangle stops what stands in front of it, and what comes to stand in front of it while still
-// clear of it. `start` is triangle.nearest(sweep.from).
+// Returns the travel, in metres, at which the sphere's centre enters the contact margin of the
+// triangle, or `limit` if it does not enter before. The result is never too long, and too short by
+// less than the margin's thickness. A one-sided triangle blocks a sphere in front of it, and one
+// that comes to stand in front while still clear of it. `start` is triangle.nearest(sweep.from).
 double travel_to_contact(const Triangle& triangle, bool one_sided, const Sweep& sweep, double limit,
-                         const Shell& shell, const Nearest& start);
+                         const ContactMargin& margin, const Nearest& start);
 
 }  // namespace tactus::rendering

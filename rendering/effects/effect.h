@@ -10,7 +10,7 @@
 
 namespace tactus::rendering {
 
-// Everything is in the world frame. p is the tool's position, v its velocity, and d the way from
+// Everything is in the world frame. p is the tool's position, v its velocity, and d the vector from
 // the tool to the anchor.
 
 // K d.
@@ -42,7 +42,7 @@ struct Magnet {
   double core_m = 0.01;  // > 0
 };
 
-// The same force everywhere.
+// A constant field: the same force everywhere.
 struct ConstantField {
   Vec3 force_W = Vec3::Zero();  // N
 };
@@ -95,34 +95,36 @@ struct Effect {
   double max_force_N = 0.0;  // > 0; the force is never larger
 };
 
-// What one effect remembers from tick to tick for one tool. Start over with EffectState{}.
+// The state of one effect for one tool. EffectState{} is its initial value.
 struct EffectState {
   Vec3 last_tool_W = Vec3::Zero();
   Vec3 held_force_W = Vec3::Zero();  // N, what the hand felt since the last tick
-  double delivered_J = 0.0;          // to the hand, so far: the held forces times the tool's ways
+  double delivered_J = 0.0;          // to the hand, so far: the held forces times the tool's steps
   Vec3 anchor_W = Vec3::Zero();      // of StickSlip
   Phase phase = 0;                   // of Vibration
   bool started = false;
 };
 
-// True if every number is finite, coefficients are not negative, directions are unit to 1e-9, and
-// what is marked > 0 is.
+// Returns true if every number is finite, coefficients are not negative, directions are unit to
+// 1e-9, and fields marked > 0 are.
 bool valid(const Effect& effect);
 
-// One tick: settles the account with the tool's new place, and gives the force on the hand (N). The
-// effect must be valid, the tool finite, dt_s > 0. Real time: no heap, bounded work.
+// Computes one tick: adds the energy of the tool's last step to the account, and returns the force
+// on the hand (N, world frame). The effect must be valid, the tool finite, dt_s > 0. Real time: no
+// heap, bounded time.
 //
-// Where the bound cuts in, the elastic part is cut first and the damping takes what room is left:
-// so the one stays conservative and the other dissipative.
+// If the force exceeds its bound the elastic part is cut first, and the damping uses the rest of
+// the bound. So the elastic part stays conservative and the damping dissipative.
 Vec3 apply(const Effect& effect, EffectState& state, const ToolState& tool, double dt_s);
 
-// The energy that the effect's elastic part gives back on the way from p_W to where it has the
-// least (its anchor, target or pole; of a repelling magnet, infinity). Drag and vibration store
-// none; a constant field, which has no such place, counts from the origin and can be below zero.
+// Returns the energy (J) that the effect's elastic part gives back on the path from p_W to the
+// place where it stores the least: its anchor, target or pole, or infinity for a repelling magnet.
+// Drag and vibration store none. A constant field has no such place; it counts from the origin, and
+// can be negative.
 //
-// For every law but Vibration, delivered_J never exceeds what was stored at the start less what is
-// stored now by more than the sampling error of a held spring, K |step|^2 / 2 a tick. Damping of at
-// least K dt / 2 pays for that where the bound leaves it room.
+// For every law but Vibration, delivered_J exceeds the stored energy at the start less the stored
+// energy now by at most the sampling error of a held spring, K |step|^2 / 2 per tick. Damping of at
+// least K dt / 2 compensates this error where the bound leaves it room.
 double stored_J(const Effect& effect, const EffectState& state, const Vec3& p_W);
 
 }  // namespace tactus::rendering

@@ -90,10 +90,10 @@ LawForce force_of(const FluidDrag& law, const LawInput& input) {
 }
 
 LawForce force_of(const Magnet& law, const LawInput& input) {
-  const Vec3 way = law.pole_W - input.tool.p_W;
-  const double squared = way.squaredNorm() + law.core_m * law.core_m;
+  const Vec3 to_pole = law.pole_W - input.tool.p_W;
+  const double squared = to_pole.squaredNorm() + law.core_m * law.core_m;
   const double strength = pole_strength(law, input.max_force_N);
-  return {.elastic_W = strength / (squared * std::sqrt(squared)) * way};
+  return {.elastic_W = strength / (squared * std::sqrt(squared)) * to_pole};
 }
 
 LawForce force_of(const ConstantField& law, const LawInput& input) {

@@ -1,14 +1,14 @@
-// What the models have in common: a tick of motion, and a bristle that yields on the way.
+// The common part of the bristle models: the motion of a tick, and a bristle that yields along it.
 //
 // A bristle of stiffness sigma0 that yields toward the level G obeys, per length s of a straight
-// way in the direction u, with f = sigma0 z,
+// path in the direction u, with f = sigma0 z,
 //   df/ds = sigma0 (u - f / G),
-// a linear equation also where f and u are vectors. With a = sigma0 s / G its solution is
+// a linear equation also for vectors f and u. With a = sigma0 s / G its solution is
 //   f(s) = u G + (f(0) - u G) exp(-a),
-// and its mean over the way
+// and its mean over the path
 //   u G + (f(0) - u G) (1 - exp(-a)) / a.
-// f stays within the convex hull of f(0) and u G. The work, mean times way, is the change of
-// f^2 / (2 sigma0) and the integral of f^2 / G over the way, which is the heat and never negative.
+// f stays within the convex hull of f(0) and u G. The work, mean times path, is the change of f^2 /
+// (2 sigma0) plus the integral of f^2 / G over the path, which is the heat and never negative.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ namespace tactus::rendering {
 template <typename Vector>
 struct FrictionTick {
   Vector displacement_m = zero_tangent<Vector>();
-  double way_m = 0.0;  // its length
+  double path_m = 0.0;  // its length
   double speed_m_per_s = 0.0;
   double normal_force_N = 0.0;  // > 0
   double step_s = 0.0;          // > 0
 };
 
-// How sigma0 z came through a tick.
+// The elastic force sigma0 z over a tick.
 template <typename Vector>
-struct ElasticWay {
+struct ElasticStep {
   Vector end_N = zero_tangent<Vector>();
   Vector mean_N = zero_tangent<Vector>();
   Vector bent_N = zero_tangent<Vector>();  // the change that the motion made; cuts are left out
@@ -72,13 +72,14 @@ inline Decay decay(double a) {
   return result;
 }
 
-// `way` along a straight line, of the length `way_m`, from the elastic force f; level_N > 0.
+// Moves the bristle along `motion`, a straight path of the length `path_m`, from the elastic force
+// f. level_N must be > 0.
 template <typename Vector>
-ElasticWay<Vector> yield_toward(double level_N, double stiffness_N_per_m, const Vector& f,
-                                const Vector& way, double way_m) {
-  const Decay d = decay(stiffness_N_per_m * way_m / level_N);
-  const Vector stretch = stiffness_N_per_m * way;
-  ElasticWay<Vector> result;
+ElasticStep<Vector> yield_toward(double level_N, double stiffness_N_per_m, const Vector& f,
+                                 const Vector& motion, double path_m) {
+  const Decay d = decay(stiffness_N_per_m * path_m / level_N);
+  const Vector stretch = stiffness_N_per_m * motion;
+  ElasticStep<Vector> result;
   result.end_N = d.left * f + d.mean * stretch;
   result.mean_N = d.mean * f + d.rest * stretch;
   result.bent_N = result.end_N - f;

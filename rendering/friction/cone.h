@@ -25,8 +25,8 @@ struct FrictionStep {
   FrictionState state = FrictionState::stick;
 };
 
-// One evaluation of the state machine. `proxy` and `frictionless` (p_s) in any one frame, metres;
-// `state` is the state before.
+// Evaluates the state machine of stick and slip once. `proxy` and `frictionless` (p_s) are in any
+// one frame, metres; `state` is the state before.
 FrictionStep apply_cone(const Vec3& proxy, const Vec3& frictionless, const FrictionCircle& circle,
                         FrictionState state);
 

@@ -1,7 +1,7 @@
 // Dahl's model (P. R. Dahl, "A solid friction model", Aerospace Corporation TOR-158(3107-18),
 // 1968):
 //   dF/dx = sigma0 (1 - F sgn(v) / Fc).
-// The force depends on the way alone, not on how fast it is gone. Between two reversals the
+// The force depends on the path alone, not on the speed. Between two reversals the
 // solution is F = s Fc + (F0 - s Fc) exp(-sigma0 |x - x0| / Fc), s = sgn(v); a steady loop of the
 // amplitude A turns at Fc tanh(sigma0 A / Fc) and takes 4 Fc (A - (Fc / sigma0) tanh(sigma0 A /
 // Fc)). It creeps: under a force that swings between F1 and F2 on one side, by (Fc / sigma0)
@@ -14,11 +14,11 @@
 namespace tactus::rendering {
 
 template <typename Vector>
-ElasticWay<Vector> advance_dahl(const FrictionParameters& parameters,
-                                const FrictionTick<Vector>& tick, const Vector& elastic_force_N) {
+ElasticStep<Vector> advance_dahl(const FrictionParameters& parameters,
+                                 const FrictionTick<Vector>& tick, const Vector& elastic_force_N) {
   const double level_N = parameters.coulomb * tick.normal_force_N;
   return yield_toward(level_N, parameters.stiffness_N_per_m, cut_to(elastic_force_N, level_N),
-                      tick.displacement_m, tick.way_m);
+                      tick.displacement_m, tick.path_m);
 }
 
 }  // namespace tactus::rendering

@@ -31,9 +31,9 @@ double bell(double exponent) {
 }
 
 template <typename Vector>
-ElasticWay<Vector> advance_elastic(const FrictionParameters& parameters,
-                                   const FrictionTick<Vector>& tick,
-                                   const FrictionMemory<Vector>& memory) {
+ElasticStep<Vector> advance_elastic(const FrictionParameters& parameters,
+                                    const FrictionTick<Vector>& tick,
+                                    const FrictionMemory<Vector>& memory) {
   switch (parameters.kind) {
     case FrictionKind::dahl:
       return advance_dahl(parameters, tick, memory.elastic_force_N);
@@ -105,13 +105,13 @@ FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
     memory = {};
     return {};
   }
-  const double way_m = length(displacement_m);
+  const double path_m = length(displacement_m);
   const FrictionTick<Vector> tick{.displacement_m = displacement_m,
-                                  .way_m = way_m,
-                                  .speed_m_per_s = way_m / step_s,
+                                  .path_m = path_m,
+                                  .speed_m_per_s = path_m / step_s,
                                   .normal_force_N = normal_force_N,
                                   .step_s = step_s};
-  ElasticWay<Vector> elastic;
+  ElasticStep<Vector> elastic;
   if (parameters.coulomb > 0.0) {
     elastic = advance_elastic(parameters, tick, memory);
   }

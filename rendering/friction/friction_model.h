@@ -14,7 +14,7 @@
 // changing load stores no energy: sigma0 z^2/2 does not know it, and what a falling load makes of
 // it is lost with the force, which is cut to Fs N.
 //
-// What one tick assumes: the displacement happens at constant velocity, under a constant normal
+// Assumption of a tick: the displacement happens at constant velocity, under a constant normal
 // force. The equations are then solved exactly (elasto-plastic: to second order), so that no speed,
 // stiffness or step makes them unstable.
 #pragma once
@@ -38,12 +38,12 @@ enum class FrictionKind : std::uint8_t {
   elasto_plastic = 6,   // LuGre whose bristle does not yield up to a fraction of Fc: no drift
 };
 
-// Whether the model has a level Fs of its own; the others hold up to Fc.
+// Returns true if the model has a static level Fs of its own; the others stick up to Fc.
 constexpr bool has_static_level(FrictionKind kind) {
   return kind != FrictionKind::dahl && kind != FrictionKind::coulomb_viscous;
 }
 
-// Where no normal force is given, as in a joint.
+// The normal force where none is given, as in a joint.
 inline constexpr double kNoNormalForce_N = 1.0;
 
 struct FrictionParameters {
@@ -73,7 +73,8 @@ constexpr FrictionParameters cone_friction(double static_coefficient, double dyn
           .static_level = static_coefficient};
 }
 
-// All that is per newton of normal force, times a factor: as under so many times the normal force.
+// Returns the parameters with all terms per newton of normal force times a factor, as under so many
+// times the normal force.
 constexpr FrictionParameters scaled(FrictionParameters parameters, double factor) {
   parameters.coulomb *= factor;
   parameters.static_level *= factor;
@@ -82,11 +83,11 @@ constexpr FrictionParameters scaled(FrictionParameters parameters, double factor
   return parameters;
 }
 
-// True if every number is finite and within the bounds above.
+// Returns true if every number is finite and within the bounds above.
 bool valid(const FrictionParameters& parameters);
 
-// All that a model remembers. Start over with FrictionMemory{}: contact made anew starts without
-// force, so that it cannot kick.
+// The state of a model. FrictionMemory{} is its initial value: a new contact starts without force,
+// so that it cannot kick.
 template <typename Vector>
 struct FrictionMemory {
   Vector elastic_force_N = zero_tangent<Vector>();  // sigma0 z
@@ -105,15 +106,17 @@ struct FrictionForce {
   bool slipping = false;  // of the last three kinds: more than half of the motion was slip
 };
 
-// One tick. The parameters must be valid, the displacement finite, step_s > 0. A normal force of
-// zero or less, or one that is not a number, is no contact: no force, and the memory starts over.
+// Computes one tick. The parameters must be valid, the displacement finite, step_s > 0. A normal
+// force that is zero, negative or not a number means no contact: the force is zero, and the memory
+// starts over.
 //
-// What holds, with W = mean_force_N . displacement_m summed over ticks, from a memory that is new:
-// - W >= stored_J(), to rounding: over no motion, and under no course of the normal force, does a
-//   model give out energy. Of lugre and elasto_plastic if lugre_passivity() says so.
+// These hold for W = mean_force_N . displacement_m summed over ticks, from a new memory:
+// - W >= stored_J(), to rounding: no motion and no course of the normal force makes a model give
+// out
+//   energy. Of lugre and elasto_plastic this holds if lugre_passivity() says so.
 // - |elastic_force_N| <= Fs N (Fc N where there is no Fs).
 // - rotated inputs give rotated outputs.
-// Real time: no heap, bounded work.
+// Real time: no heap, bounded time.
 template <typename Vector>
 FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
                                       FrictionMemory<Vector>& memory, const Vector& displacement_m,
@@ -137,7 +140,7 @@ double steady_level(const FrictionParameters& parameters, double speed_m_per_s);
 // sigma1 at that speed, N s/m per N.
 double damping_at(const FrictionParameters& parameters, double speed_m_per_s);
 
-// What the bristle would give back: sigma0 z^2/2, 0 if rigid.
+// Returns the energy that the bristle stores: sigma0 z^2/2, or 0 if it is rigid.
 template <typename Vector>
 double stored_J(const FrictionParameters& parameters, const FrictionMemory<Vector>& memory) {
   const double stiffness = parameters.stiffness_N_per_m;

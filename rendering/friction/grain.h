@@ -4,7 +4,8 @@
 // friction is isotropic, and the force back: F(dx) = S f(S dx). Its work F . dx is the work
 // f . (S dx) there, so that whatever holds of the energy of a model holds of it with a grain, also
 // where the grain changes from place to place. The friction circle becomes an ellipse, and slip
-// goes the way that loses the most energy: perpendicular to the ellipse, not against the force.
+// goes in the direction that loses the most energy: perpendicular to the ellipse, not against the
+// force.
 #pragma once
 
 #include "rendering/friction/friction_model.h"
@@ -22,7 +23,7 @@ struct Grain {
   double across = 1.0;             // in [0, 1]
 };
 
-// S v, for the motion on its way in and for the force on its way back.
+// S v, for the motion on input and for the force on output.
 inline Vec3 through(const Grain& grain, const Vec3& v) {
   return grain.across * v +
          ((grain.along - grain.across) * grain.direction.dot(v)) * grain.direction;

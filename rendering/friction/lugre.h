@@ -17,12 +17,12 @@
 namespace tactus::rendering {
 
 template <typename Vector>
-ElasticWay<Vector> advance_lugre(const FrictionParameters& parameters,
-                                 const FrictionTick<Vector>& tick, const Vector& elastic_force_N) {
+ElasticStep<Vector> advance_lugre(const FrictionParameters& parameters,
+                                  const FrictionTick<Vector>& tick, const Vector& elastic_force_N) {
   const double level_N = steady_level(parameters, tick.speed_m_per_s) * tick.normal_force_N;
   const Vector start = cut_to(elastic_force_N, parameters.static_level * tick.normal_force_N);
   return yield_toward(level_N, parameters.stiffness_N_per_m, start, tick.displacement_m,
-                      tick.way_m);
+                      tick.path_m);
 }
 
 }  // namespace tactus::rendering

@@ -82,8 +82,8 @@ double last_that_holds(double good, double bad, const Predicate& holds) {
   return good;
 }
 
-// Where `holds` ends, seen from above: looked for in steps of two percent down from `hopeless`, at
-// which it does not hold, and halved to.
+// Returns the largest value below `hopeless` at which `holds` is true. It searches downward in
+// steps of two percent, then by bisection. `holds` must be false at `hopeless`.
 template <typename Predicate>
 double largest_that_holds(double hopeless, const Predicate& holds) {
   constexpr double kStep = 1.02;

@@ -1,4 +1,5 @@
-// How stiff a wall, or a stuck bristle, a sampled device can hold. For the time of baking.
+// Finds how stiff a wall, or a stuck bristle, a sampled device can hold. It is for baking, not for
+// the loop.
 //
 // A bristle that sticks is a virtual wall: the device, m x'' + b x' = u, is read every T, and
 // commanded u = -K x_k - B (x_k - x_(k-1)) / T, held over the tick that begins n ticks later. It is
@@ -24,10 +25,11 @@ struct RenderedSpring {
   double damping_Ns_per_m = 0.0;
 };
 
-// The largest modulus of a root, to 1e-12. Stable below 1; without a spring it is 1.
+// Returns the largest modulus of a root, to 1e-12. The device is stable below 1; without a spring
+// it is 1.
 double spectral_radius(const SampledDevice& device, const RenderedSpring& spring);
 
-// The largest K that is stable with this B, to a relative 1e-9; 0 if none is.
+// Returns the largest K that is stable with this B, to a relative 1e-9; 0 if none is.
 double largest_stable_stiffness(const SampledDevice& device, double damping_Ns_per_m);
 
 // The largest B that is stable with this K, likewise; 0 if none but B = 0 is, or not even that.

@@ -25,7 +25,7 @@
 
 namespace tactus::rendering {
 
-// What a slider holds before it slips, and with what it slips, N.
+// The force up to which a slider sticks, and the force with which it slips, N.
 struct SliderLevels {
   double hold_N = 0.0;
   double slip_N = 0.0;
@@ -49,7 +49,8 @@ SliderLevels slider_levels(const FrictionParameters& parameters, const FrictionT
   }
 }
 
-// The share of a way that leaves the circle of radius `hold_N`, from 0 to 1, that lies within it.
+// Returns the share of a motion, from 0 to 1, that lies within the circle of radius `hold_N`; the
+// motion leaves the circle.
 template <typename Vector>
 double share_within(double hold_N, const Vector& f, const Vector& stretch) {
   const double room = hold_N * hold_N - dot(f, f);
@@ -63,20 +64,20 @@ double share_within(double hold_N, const Vector& f, const Vector& stretch) {
 }
 
 template <typename Vector>
-ElasticWay<Vector> advance_rigid(const SliderLevels& levels, const FrictionTick<Vector>& tick,
-                                 const Vector& f) {
-  if (tick.way_m <= 0.0) {
+ElasticStep<Vector> advance_rigid(const SliderLevels& levels, const FrictionTick<Vector>& tick,
+                                  const Vector& f) {
+  if (tick.path_m <= 0.0) {
     const Vector held = cut_to(f, levels.hold_N);
     return {.end_N = held, .mean_N = held};
   }
-  const Vector slid = (levels.slip_N / tick.way_m) * tick.displacement_m;
+  const Vector slid = (levels.slip_N / tick.path_m) * tick.displacement_m;
   return {.end_N = slid, .mean_N = slid, .slipping = true};
 }
 
 template <typename Vector>
-ElasticWay<Vector> advance_slider(const FrictionParameters& parameters,
-                                  const FrictionTick<Vector>& tick,
-                                  const FrictionMemory<Vector>& memory) {
+ElasticStep<Vector> advance_slider(const FrictionParameters& parameters,
+                                   const FrictionTick<Vector>& tick,
+                                   const FrictionMemory<Vector>& memory) {
   // A slipping slider lies on the rim itself; rounding must not make it slip again.
   constexpr double kRim = 1.0 + 1e-9;
   const bool is_karnopp = parameters.kind == FrictionKind::karnopp;
@@ -90,7 +91,7 @@ ElasticWay<Vector> advance_slider(const FrictionParameters& parameters,
   const Vector stretch = parameters.stiffness_N_per_m * tick.displacement_m;
   const Vector trial = f + stretch;
   const double size = length(trial);
-  ElasticWay<Vector> result;
+  ElasticStep<Vector> result;
   if (size <= levels.hold_N * kRim) {
     result.end_N = trial;
     result.mean_N = f + 0.5 * stretch;

@@ -1,6 +1,6 @@
 #include "rendering/friction/surface_friction.h"
 
-#include "rendering/friction/carry.h"
+#include "rendering/friction/bristle_transport.h"
 #include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {

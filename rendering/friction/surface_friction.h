@@ -29,7 +29,7 @@
 
 namespace tactus::rendering {
 
-// What holds the proxy, in the frame of the contact.
+// The surface that the proxy slides on, in the frame of the contact.
 struct SlidingSurface {
   const FrictionParameters& friction;
   double stiffness_N_per_m = 0.0;  // K >= 0
@@ -41,7 +41,7 @@ struct FrictionLag {
   FrictionState state = FrictionState::stick;
 };
 
-// Of a contact in the object's own frame.
+// Returns the sliding surface of a contact in the object's own frame.
 inline SlidingSurface sliding_surface(const Material& material) {
   return {.friction = material.friction,
           .stiffness_N_per_m = material.stiffness_N_per_m,
@@ -50,22 +50,22 @@ inline SlidingSurface sliding_surface(const Material& material) {
                     .across = material.grain.across}};
 }
 
-// Whether the cone's own, exact rule applies (cone.h) and no model is asked.
+// Returns true if the friction circle's exact rule (cone.h) applies and no model runs.
 inline bool is_plain_cone(const Material& material) {
   return material.friction.kind == FrictionKind::cone && !material.grain.differs();
 }
 
 class SurfaceFriction {
  public:
-  // First in a tick: the tool's step since the last one as the surface sees it (m), and how long
-  // it took. A contact that `lag` was not asked about in the last tick is over.
+  // Sets the tool's step since the last tick relative to the surface (m), and its duration (s).
+  // Call it first in a tick. A contact for which `lag` was not called in the last tick has ended.
   void begin_tick(const Vec3& tool_step, double tick_s);
 
-  // For a contact with the unit `normal`. The first call in a tick runs the model, the others turn
-  // its force to their plane. Without a normal force, or without K, there is no lag.
+  // Returns the lag of a contact with the unit `normal`. The first call in a tick runs the model;
+  // later calls turn its force to their plane. The lag is zero without a normal force or without K.
   FrictionLag lag(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:

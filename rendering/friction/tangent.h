@@ -1,5 +1,5 @@
-// What the friction models need of a tangential vector, for one dimension and for the tangent
-// plane.
+// The operations of the friction models on a tangential vector, for one dimension and for the
+// tangent plane.
 #pragma once
 
 #include <cmath>

@@ -5,10 +5,10 @@
 namespace tactus::rendering {
 
 BoxEntry::BoxEntry(const Vec3& from, const Vec3& direction, double margin) {
-  // What rounding to float takes off is given to the margin.
+  // The margin grows by the rounding to float.
   constexpr double kRounding = 4e-7;
-  // Huge instead of infinite: a way that runs exactly in a slab's plane must not meet 0 times
-  // infinity.
+  // The inverse is huge instead of infinite: a segment exactly in a slab's plane must not give 0
+  // times infinity.
   constexpr double kHuge = 1e15;
   const double grown = margin + kRounding * (from.cwiseAbs().maxCoeff() + margin);
   for (int k = 0; k < 3; ++k) {

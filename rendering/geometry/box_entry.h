@@ -1,4 +1,4 @@
-// Where a straight way enters boxes of a hierarchy: two at once.
+// Finds where a ray enters the boxes of a hierarchy, two boxes at once.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,14 @@
 
 namespace tactus::rendering {
 
-// A straight way, of which the boxes of a hierarchy are asked where it enters them.
+// A ray that is tested against the boxes of a hierarchy.
 class BoxEntry {
  public:
-  // Along the unit direction; boxes are grown by the margin.
+  // The ray starts at `from` along a unit direction; boxes are grown by the margin, m.
   BoxEntry(const Vec3& from, const Vec3& direction, double margin);
 
-  // The travel at which it enters each of two, if that is within the limit, else infinity. Never
-  // later than it does.
+  // The travel, in metres, at which the ray enters each of two boxes, or infinity if that is beyond
+  // the limit. It is never later than the exact value.
   struct Pair {
     float first;
     float second;
@@ -37,13 +37,13 @@ class BoxEntry {
     Floats near;
     Floats far;
   };
-  // Along each axis; the last is no travel.
+  // Returns the entry and exit along each axis; the fourth lane is no travel.
   [[nodiscard]] Slabs slabs(const BvhNode& node) const {
     const Floats lower = (floats_at(&node.lower.x) - from_upper_) * inverse_;
     const Floats upper = (floats_at(&node.upper.x) - from_lower_) * inverse_;
     return {least(lower, upper), most(lower, upper)};
   }
-  // What `best` makes of the first three of each, the first two in the result.
+  // Combines the first three lanes of each with `best`, into the first two lanes.
   template <class Best>
   static Floats transposed(Floats a, Floats b, Best best) {
     const Floats xy = __builtin_shufflevector(a, b, 0, 4, 1, 5);

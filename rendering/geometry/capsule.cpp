@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kFar_m = 1e9;
 
-// Where q + t d leaves the sphere of radius r about the origin, from a q inside: the larger root of
-// a t^2 + 2 b t + c, with c <= 0.
+// Returns where q + t d leaves the sphere of radius r about the origin, from a q inside: the larger
+// root of a t^2 + 2 b t + c, with c <= 0.
 double larger_root(double a, double b, double c) {
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   return b > 0.0 ? -c / (b + root) : (root - b) / a;
@@ -19,34 +19,34 @@ double larger_root(double a, double b, double c) {
 
 double Capsule::depth(const Vec3& p) const {
   const Vec3 from_start = p - start;
-  const double squared_length = way.squaredNorm();
+  const double squared_length = axis.squaredNorm();
   const double along =
-      squared_length > 0.0 ? std::clamp(from_start.dot(way) / squared_length, 0.0, 1.0) : 0.0;
-  return radius - (from_start - along * way).norm();
+      squared_length > 0.0 ? std::clamp(from_start.dot(axis) / squared_length, 0.0, 1.0) : 0.0;
+  return radius - (from_start - along * axis).norm();
 }
 
 // Through the cylinder without ends, unless that is beyond one of the ends: then through the sphere
 // there.
 double Capsule::room_along(const Vec3& p, const Vec3& direction) const {
   const Vec3 from_start = p - start;
-  const double squared_length = way.squaredNorm();
+  const double squared_length = axis.squaredNorm();
   const double squared_radius = radius * radius;
-  double along = 0.0;  // where it leaves, in parts of the way
+  double along = 0.0;  // where it leaves, as a share of the axis
   if (squared_length > 0.0) {
-    const double p_along = from_start.dot(way) / squared_length;
-    const double d_along = direction.dot(way) / squared_length;
-    const Vec3 q = from_start - p_along * way;
-    const Vec3 d = direction - d_along * way;
+    const double p_along = from_start.dot(axis) / squared_length;
+    const double d_along = direction.dot(axis) / squared_length;
+    const Vec3 q = from_start - p_along * axis;
+    const Vec3 d = direction - d_along * axis;
     const double a = d.squaredNorm();
-    constexpr double kAlongTheWay = 1e-18;  // then it leaves through an end for certain
+    constexpr double kAlongAxis = 1e-18;  // then it leaves through an end for certain
     const double travel =
-        a > kAlongTheWay ? larger_root(a, q.dot(d), q.squaredNorm() - squared_radius) : kFar_m;
+        a > kAlongAxis ? larger_root(a, q.dot(d), q.squaredNorm() - squared_radius) : kFar_m;
     along = p_along + travel * d_along;
     if (along >= 0.0 && along <= 1.0) {
       return std::max(0.0, travel);
     }
   }
-  const Vec3 q = along > 1.0 ? Vec3{from_start - way} : from_start;
+  const Vec3 q = along > 1.0 ? Vec3{from_start - axis} : from_start;
   return std::max(0.0, larger_root(1.0, q.dot(direction), q.squaredNorm() - squared_radius));
 }
 

@@ -25,12 +25,12 @@ inline Floats floats_at(const float* place) {
   return floats;
 }
 
-// The same where the place is aligned for it.
+// Loads four floats from an aligned address.
 inline Floats aligned_floats_at(const float* place) {
   return floats_at(std::assume_aligned<alignof(Floats)>(place));
 }
 
-// The numbers of those that hold, each a bit; all bits of an answer are the same.
+// Returns a bit for every lane that holds; all bits of a lane must be equal.
 inline std::uint32_t which(Integers answers) {
 #ifdef __SSE__
   return static_cast<std::uint32_t>(__builtin_ia32_movmskps(std::bit_cast<Floats>(answers)));
@@ -41,12 +41,12 @@ inline std::uint32_t which(Integers answers) {
 #endif
 }
 
-// Of such bits, which are not all 0.
+// Returns the number of the lowest set bit; `bits` must not be 0.
 inline std::uint32_t lowest(std::uint32_t bits) {
   return static_cast<std::uint32_t>(std::countr_zero(bits));
 }
 
-// Of two that are numbers.
+// Returns the smaller lane by lane; no lane may be NaN.
 inline Floats least(Floats a, Floats b) {
   return a < b ? a : b;
 }

@@ -13,7 +13,7 @@
 
 namespace tactus::rendering {
 
-// Tells a visitor that counts them how many pairs of boxes were looked at.
+// Reports to a visitor that counts them how many pairs of boxes were looked at.
 template <class Visitor>
 void count_boxes(Visitor& visitor, std::uint32_t pairs) {
   if constexpr (requires { visitor.boxes(pairs); }) {
@@ -32,8 +32,8 @@ void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
   }
 }
 
-// What is below the two is asked for soon. Below a leaf there are no nodes: an address that nobody
-// reads, and not one of the array, so it is counted in bytes.
+// Prefetches the children of two nodes. A leaf has no children: its address is read by nobody and
+// may lie outside the array, so it is computed in bytes.
 inline void fetch_below(std::span<const BvhNode> nodes, const BvhNode& first,
                         const BvhNode& second) {
   const auto start = std::bit_cast<std::uintptr_t>(nodes.data());

@@ -1,4 +1,4 @@
-// Whether boxes of a hierarchy come near a place: two at once, without a branch.
+// Tests whether the boxes of a hierarchy come near a place, two boxes at once and without a branch.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace tactus::rendering {
 
-// A box about a point, of which the boxes of a hierarchy are asked whether they come near.
+// A box about a point that is tested against the boxes of a hierarchy.
 class NearBox {
  public:
   // `half` are the half sides of the box about p.
   NearBox(const Vec3& p, const Vec3& half, double reach) {
-    // What rounding to float takes off is given to the reach.
+    // The reach grows by the rounding to float.
     constexpr double kRounding = 4e-7;
     const double size = p.cwiseAbs().maxCoeff() + half.maxCoeff() + reach;
     const auto wide = static_cast<float>(reach + kRounding * size);
@@ -30,7 +30,7 @@ class NearBox {
     return squared[0] + squared[2] + squared[1] <= squared_reach_;
   }
 
-  // The same of two nodes: 1 for one that is near, else 0.
+  // The answers for two nodes: 1 if the node is near, else 0.
   struct Pair {
     std::uint32_t first;
     std::uint32_t second;

@@ -29,7 +29,7 @@ struct Problem {
   [[nodiscard]] double slack(std::size_t i, const Vec3& step) const {
     return planes[i].normal.dot(step) - planes[i].residual(h);
   }
-  // What rounding makes of a slack of zero: a violation below it is none.
+  // Returns the rounding error of a slack; a smaller violation counts as none.
   [[nodiscard]] double rounding(const Vec3& step) const { return 4e-16 * (h.norm() + step.norm()); }
 };
 
@@ -145,7 +145,7 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
     const double unclear = kUnclear * solution.at.step.squaredNorm();
     stalls += gain > unclear ? 0 : 1;
     if (!exchanged || gain < -unclear || stalls > kMostStalls) {
-      // No way forward: either the planes contradict each other, or what is violated is rounding.
+      // No exchange is left: either the planes contradict each other, or the violation is rounding.
       result.feasible = -worst <= kRounding_m + kNearParallel * solution.at.step.norm();
       break;
     }

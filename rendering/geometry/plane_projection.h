@@ -25,7 +25,7 @@ struct PlaneProjection {
                          // must not be trusted
 };
 
-// Projects h on at most 255 planes. Bounded work: a fixed number of exchanges, each of seven
+// Projects h on at most 255 planes. Bounded time: a fixed number of exchanges, each of seven
 // closed-form solutions.
 PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes);
 

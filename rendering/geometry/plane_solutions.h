@@ -31,7 +31,7 @@ struct HalfSpace {
   Vector normal = Vector::UnitY();
   Scalar offset = Scalar(0);  // m
 
-  // How far x would have to move along the normal to reach the plane.
+  // Returns how far x would have to move along the normal to reach the plane, m.
   [[nodiscard]] Scalar residual(const Vector& x) const { return offset - normal.dot(x); }
 };
 
@@ -41,7 +41,7 @@ struct PlaneSolution {
   std::array<Scalar, 3> pressure{};                                        // m
 };
 
-// Whether the plane pushes: if not, h is in front of it.
+// Returns true if the plane is active; otherwise h is in front of it.
 template <class Scalar>
 bool solve_one_plane(const Eigen::Matrix<Scalar, 3, 1>& h, const HalfSpace<Scalar>& first,
                      PlaneSolution<Scalar>& s) {
@@ -64,7 +64,7 @@ struct Crease {
         residual(first.residual(h)),
         travel(second.residual(h) - cosine * residual) {}
 
-  // Below it the angle is rounding, or so small that either plane is as good as both.
+  // Returns true if the angle is rounding, or so small that either plane is as good as both.
   [[nodiscard]] bool parallel() const { return squared_sine < Scalar(1e-22); }
 
   Scalar cosine;
@@ -75,7 +75,8 @@ struct Crease {
   Scalar travel;        // a g^2
 };
 
-// Whether both planes push: if not, one of them is enough. False for parallel planes, too.
+// Returns true if both planes are active; otherwise one of them is enough. False also for parallel
+// planes.
 template <class Scalar>
 bool solve_two_planes(const Eigen::Matrix<Scalar, 3, 1>& h, const HalfSpace<Scalar>& first,
                       const HalfSpace<Scalar>& second, PlaneSolution<Scalar>& s) {
@@ -89,8 +90,8 @@ bool solve_two_planes(const Eigen::Matrix<Scalar, 3, 1>& h, const HalfSpace<Scal
   return s.pressure[0] > Scalar(0) && s.pressure[1] > Scalar(0);
 }
 
-// Whether all three planes push: if not, two of them are enough. False for normals in one plane,
-// too.
+// Returns true if all three planes are active; otherwise two of them are enough. False also for
+// normals in one plane.
 template <class Scalar>
 bool solve_three_planes(const Eigen::Matrix<Scalar, 3, 1>& h, const HalfSpace<Scalar>& first,
                         const HalfSpace<Scalar>& second, const HalfSpace<Scalar>& third,

@@ -1,4 +1,4 @@
-// Where a body's own frame stands in another: X_WO takes coordinates in O to coordinates in W.
+// The pose of a body's frame O in the frame W: X_WO takes coordinates in O to coordinates in W.
 #pragma once
 
 #include "rendering/geometry/vector.h"

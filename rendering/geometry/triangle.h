@@ -37,7 +37,7 @@ class Triangle {
   // Unit, toward the front; zero for a triangle without area.
   [[nodiscard]] const Vec3& normal() const { return normal_; }
 
-  // Whether q projects inside the face.
+  // Returns true if q projects inside the face.
   [[nodiscard]] bool faces(const Vec3& q) const { return is_inside(inward_of(q)); }
 
   // The largest normal . x of its points x, m.
@@ -45,11 +45,11 @@ class Triangle {
     return std::max({normal.dot(corner_[0]), normal.dot(corner_[1]), normal.dot(corner_[2])});
   }
 
-  // From corner k to corner k + 1, not normalised.
+  // Returns the vector from corner k to corner k + 1, m.
   [[nodiscard]] const Vec3& edge(std::size_t k) const { return edge_[k]; }
 
  private:
-  // How far inside each edge q projects, times the edge's length.
+  // Returns how far inside each edge q projects, times the edge's length.
   [[nodiscard]] std::array<double, 3> inward_of(const Vec3& q) const {
     return {inward_[0].dot(q - corner_[0]), inward_[1].dot(q - corner_[1]),
             inward_[2].dot(q - corner_[2])};

@@ -21,7 +21,7 @@
 // A sphere that rolls over an edge holds still on it only while its goal is nearer than the edge's
 // rounding, its radius. So on interpolated planes the goal of a deep tool is lifted toward the
 // proxy, to a depth D < d: g = h + G - D n, as the second pass of the paper starts from the
-// surface. Friction is then told the tool's depth.
+// surface. Friction then uses the tool's depth.
 #pragma once
 
 #include "rendering/geometry/vector.h"
@@ -45,26 +45,26 @@ class ForceShading {
   // Forgets the contact: the offset is zero.
   void reset();
 
-  // How many passes a tick makes: of one, the iteration runs from tick to tick.
+  // The number of passes in a tick; with one, the iteration runs from tick to tick.
   enum class Passes : bool { one, several };
 
   // Begins a tick with what the last one came to, at the depth of its proxy now. All are in the
   // world frame, metres.
   void begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes = Passes::several);
 
-  // Takes a pass's outcome; true if another pass with the new offset() is worth while.
+  // Takes a pass's outcome. Returns true if another pass with the new offset() pays.
   bool improve(const ShadedRest& rest);
 
-  // Takes the lift back until the next improve(); false if there was none.
+  // Removes the lift until the next improve(). Returns false if there was none.
   bool lower();
 
-  // From the tool to the proxy's goal.
+  // Returns the offset from the tool to the proxy's goal; world frame, m.
   [[nodiscard]] const Vec3& offset() const { return offset_; }
   [[nodiscard]] bool is_on() const { return offset_ != Vec3::Zero(); }
-  // How deep the tool is, where the goal is lifted; else 0.
+  // Returns the tool's depth (m) if the goal is lifted, else 0.
   [[nodiscard]] double lifted_from_m() const { return lifted_from_m_; }
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:
@@ -82,7 +82,8 @@ class ForceShading {
   double relaxation_ = 1.0;
 };
 
-// m / (m . n) - n, with m turned toward n as far as it leans more than 60 degrees. Both unit.
+// Returns m / (m . n) - n, with m turned toward n if it leans by more than 60 degrees. Both
+// arguments are unit.
 Vec3 lean_of(const Vec3& shading_normal, const Vec3& normal);
 
 }  // namespace tactus::rendering

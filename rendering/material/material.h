@@ -1,4 +1,4 @@
-// What a surface feels like.
+// The material of a surface: stiffness, damping and friction.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ struct MaterialGrain {
   [[nodiscard]] constexpr bool differs() const { return along != 1.0 || across != 1.0; }
 };
 
-// True if the direction is finite and not zero, and the factors are within their bounds.
+// Returns true if the direction is finite and not zero, and the factors are within their bounds.
 inline bool valid(const MaterialGrain& grain) {
   const double length = to_vec3(grain.direction_O).norm();
   const auto is_factor = [](double factor) { return factor >= 0.0 && factor <= 1.0; };
@@ -31,8 +31,8 @@ struct Material {
   MaterialGrain grain;
 };
 
-// True if a contact can be computed with it: stiffness and damping finite and not negative,
-// friction and grain valid.
+// Returns true if a contact can be computed with the material: stiffness and damping finite and not
+// negative, friction and grain valid.
 inline bool sound(const Material& material) {
   const auto is_coefficient = [](double value) { return std::isfinite(value) && value >= 0.0; };
   return is_coefficient(material.stiffness_N_per_m) && is_coefficient(material.damping_Ns_per_m) &&

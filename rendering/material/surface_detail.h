@@ -1,5 +1,5 @@
-// What a surface has beyond its geometry and its material: normals that are interpolated between
-// the corners of its triangles, and textures. All of it is optional.
+// Optional detail of a surface: normals interpolated between the corners of its triangles, and
+// textures.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class TextureUse : std::uint8_t {
 };
 inline constexpr std::size_t kTextureUses = 4;
 
-// Where a picture lies on the surface: by the mesh's texture coordinates, or shone along axes of
+// The projection of a picture on the surface: by the mesh's texture coordinates, or along axes of
 // the object frame O in squares of `tile_m`.
 enum class TextureProjection : std::uint8_t { uv = 0, x = 1, y = 2, z = 3, triplanar = 4 };
 
@@ -63,7 +63,7 @@ inline constexpr std::size_t kMostTexels = std::size_t{1} << 30U;
 // Texture coordinates lie between plus and minus this.
 inline constexpr float kMostTexturePlace = 1048576.0F;
 
-// What can be wrong with a detail.
+// The faults that check() finds in a detail.
 enum class DetailFault : std::uint8_t {
   none,
   normals,  // as many corner normals as triangles, or none
@@ -76,10 +76,11 @@ struct DetailCheck {
   std::size_t place = 0;  // triangle or layer
 };
 
-// For a surface of so many triangles; 0 for one that is no mesh. Time grows with the mesh.
+// Checks the detail of a surface with so many triangles; 0 for a surface that is no mesh. The time
+// grows with the mesh.
 DetailCheck check(const SurfaceDetail& detail, std::size_t triangles);
 
-// Where the tool touches the surface, in the object frame.
+// The point at which the tool touches the surface, in the object frame.
 struct SurfaceContact {
   std::uint32_t triangle = 0;       // of a mesh
   Feature feature = Feature::face;  // of that triangle
@@ -89,7 +90,7 @@ struct SurfaceContact {
   double travel_m = 0.0;            // of the point since the last tick
 };
 
-// What is felt there.
+// The detail at a contact.
 struct Detail {
   Vec3 normal_O = Vec3::UnitY();  // unit: interpolated, then tilted by the textures
   double stiffness_factor = 1.0;
@@ -97,9 +98,9 @@ struct Detail {
   double height_m = 0.0;  // <= 0: the bump's surface over the geometry's
 };
 
-// `mesh` is empty for a surface that is none; without neighbours, edges are shaded as their
-// triangle is. `detail` has passed check(). Real time: no heap; 0.1 us without textures, and 0.5 to
-// 0.9 us for each of them.
+// Returns the detail at a contact. `mesh` is empty for a surface that is no mesh; without
+// neighbours, edges are shaded like their triangle. `detail` must have passed check(). Real time:
+// no heap; 0.1 us without textures, and 0.5 to 0.9 us for each of them.
 Detail detail_at(const SurfaceDetail& detail, const ConnectedMesh& mesh,
                  const SurfaceContact& contact);
 

@@ -32,7 +32,8 @@ std::size_t pyramid_bytes(TextureSize size, TextureFormat format);
 // A view of the bytes of a pyramid, which the caller keeps alive and unchanged.
 class TextureView {
  public:
-  // Nothing if a side is 0 or above kMaxTextureSide, or `bytes` are not pyramid_bytes().
+  // Returns the view, or nothing if a side is 0 or above kMaxTextureSide, or `bytes` are not
+  // pyramid_bytes().
   static std::optional<TextureView> open(std::span<const std::uint8_t> bytes, TextureSize size,
                                          TextureFormat format);
 
@@ -78,8 +79,8 @@ struct TextureSlope {
   double per_v = 0.0;
 };
 
-// How fast channel 0 grows with u and v, over a texel's width of the levels in use: exact where the
-// picture is a plane, and continuous.
+// Returns the slope of channel 0 along u and v, over a texel's width of the levels in use. It is
+// exact where the picture is a plane, and continuous.
 TextureSlope slope(const TextureView& texture, const TexturePoint& at, double level);
 
 }  // namespace tactus::rendering

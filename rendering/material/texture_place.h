@@ -1,5 +1,5 @@
-// Where on a picture a point of a surface lies: by the texture coordinates of a triangle, or by
-// projection along the axes where a surface has none.
+// Maps a point of a surface to a place on a picture: by the texture coordinates of a triangle, or
+// by projection along the axes if the surface has none.
 #pragma once
 
 #include <array>
@@ -29,18 +29,19 @@ struct TexturedTriangle {
   std::array<TexturePoint, 3> uv;
 };
 
-// By barycentric interpolation at the point of the triangle's plane nearest to p_W. A triangle
-// without area has the place of its first corner, and no gradients.
+// Returns the place by barycentric interpolation at the point of the triangle's plane nearest to
+// p_W. A triangle without area gives the place of its first corner, and no gradients.
 TexturePlace place_on_triangle(const TexturedTriangle& triangle, const Vec3& p_W);
 
-// A picture of tile_m x tile_m, repeated without end, shone along one axis of the frame in which
-// p_O and the unit surface normal n_O are given (0, 1, 2 for x, y, z). It is seen upright from the
-// axis's positive end. Where the surface runs along the axis the picture is drawn out without end:
-// gradients stay along the surface.
+// Returns the place on a picture of tile_m x tile_m, repeated without end and projected along one
+// axis (0, 1, 2 for x, y, z) of the frame of p_O and the unit surface normal n_O. The picture is
+// upright when seen from the axis's positive end. Where the surface runs along the axis the picture
+// is stretched without end; gradients stay along the surface.
 TexturePlace place_along_axis(const Vec3& p_O, const Vec3& n_O, int axis, double tile_m);
 
-// The three pictures along the axes, blended by how squarely the surface faces each (the fourth
-// power of the normal's components): no seams, and nothing drawn out.
+// Returns the places of the three pictures along the axes, blended by how squarely the surface
+// faces each (the fourth power of the normal's components): there are no seams and no stretched
+// parts.
 TexturePlace place_triplanar(const Vec3& p_O, const Vec3& n_O, double tile_m);
 
 struct TextureSample {
@@ -49,13 +50,14 @@ struct TextureSample {
       Vec3::Zero();  // 1/m: the gradient of channel 0 along the surface, at constant weights
 };
 
-// Filtered for a tool that moves `travel_m` along the surface from tick to tick.
+// Returns the sample, filtered for a tool that moves `travel_m` along the surface per tick.
 TextureSample look_up(const TextureView& texture, const TexturePlace& place, double travel_m);
 
-// The same without the slope, at a fifth of the cost.
+// Returns the colour without the slope, at a fifth of the cost.
 Vec3 look_up_colour(const TextureView& texture, const TexturePlace& place, double travel_m);
 
-// The normal of a surface raised by `height_m` times channel 0, to first order; unit. n is unit.
+// Returns the unit normal of a surface raised by `height_m` times channel 0, to first order. n_W is
+// unit.
 Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m);
 
 // The direction that the colour of a normal map stands for, in the frame of the surface: red to the

@@ -11,7 +11,8 @@ namespace image {
 struct Effect;
 }  // namespace image
 
-// Nothing if the law is unknown, or if it is not valid(): see rendering/effects/effect.h.
+// Returns the effect, or nothing if the law is unknown or not valid() (see
+// rendering/effects/effect.h).
 std::optional<Effect> read_effect(const image::Effect& stored);
 
 }  // namespace tactus::rendering

@@ -18,8 +18,9 @@ inline constexpr std::array<char, 8> kImageMagic{'T', 'A', 'C', 'T', 'U', 'S', '
 // Raised by every change that an older controller may not ignore.
 inline constexpr std::uint32_t kFormatVersion = 4;
 
-// What SceneImage::open asks of the first byte's address. Baking places node pairs so that one pair
-// fills one 64-byte cache line if the image starts at a multiple of 64, as a mapped file does.
+// The alignment that SceneImage::open requires of the first byte. Baking places node pairs so that
+// one pair fills one 64-byte cache line if the image starts at a multiple of 64, as a mapped file
+// does.
 inline constexpr std::size_t kImageAlignment = 16;
 inline constexpr std::size_t kCacheLine = 64;
 

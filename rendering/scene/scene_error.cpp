@@ -11,7 +11,7 @@ struct Text {
   std::string_view noun;
 };
 
-// In the order of SceneFault.
+// The texts, in the order of SceneFault.
 constexpr std::array kTexts{
     Text{"image is not aligned in memory; load it at a multiple of 16 bytes", ""},
     Text{"image is cut short; copy it again or bake the scene again", "byte"},

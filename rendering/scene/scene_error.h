@@ -43,7 +43,7 @@ enum class SceneFault : std::uint8_t {
   effect_count,       // more than kMaxEffects; place: number found
   effect,             // unknown law, or a number out of range; place: effect
   motion,             // a number out of range, or of an object that does not move
-  capacity,           // see Scenery::set; place: objects that move or are touched alone
+  capacity,           // see SceneObjects::set; place: objects that move or are touched alone
 };
 
 struct SceneError {
@@ -52,10 +52,11 @@ struct SceneError {
   std::uint64_t place = 0;           // what it counts stands beside each fault, and in place_noun
 };
 
-// What is wrong and what to do about it, without a place.
+// Returns the fault and its remedy as text, without the place.
 std::string_view describe(SceneFault fault);
 
-// What SceneError::place counts: "byte", "vertex", ...; empty if the fault has no place.
+// Returns the noun that SceneError::place counts, such as "byte" or "vertex"; empty if the fault
+// has no place.
 std::string_view place_noun(SceneFault fault);
 
 }  // namespace tactus::rendering

@@ -9,7 +9,7 @@
 #include "rendering/scene/scene_generated.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 namespace {
@@ -44,7 +44,7 @@ SurfaceDetail view_detail(const image::Object& stored) {
                                       : std::span(texels->data(), texels->size())};
 }
 
-// Of a shape, the mesh is a picture and has no detail.
+// Rejects detail on a shape: its mesh is only a picture.
 Result check_detail(const Object& object) {
   const bool is_mesh = object.surface == SurfaceKind::mesh;
   const DetailCheck checked = check(object.detail, is_mesh ? object.mesh.triangles.size() : 0);
@@ -114,8 +114,8 @@ std::expected<ImageHeader, SceneError> read_header(std::span<const std::byte> by
   if (reinterpret_cast<std::uintptr_t>(bytes.data()) % kImageAlignment != 0) {
     return fail(SceneFault::misaligned);
   }
-  // What a short file has not keeps its default, so that one is called cut short if it begins
-  // like an image, and of another kind otherwise.
+  // A short file leaves the rest of the header at its default: it counts as cut short if it begins
+  // like an image, and as another kind otherwise.
   std::ranges::copy(bytes.first(std::min(bytes.size(), sizeof(header))),
                     std::as_writable_bytes(std::span(&header, 1)).begin());
   if (const Result identity = check_magic_and_version(header); !identity) {
@@ -185,10 +185,10 @@ Result SceneImage::take(const image::Scene& scene) {
       return taken;
     }
   }
-  SceneryNeeds needs;
+  SceneCapacityNeeds needs;
   std::ranges::for_each(objects(), [&](const Object& object) { needs.add(object); });
   if (!needs.fit()) {
-    return fail(SceneFault::capacity, std::max(needs.movers, needs.lone));
+    return fail(SceneFault::capacity, std::max(needs.movers, needs.independent));
   }
   return {};
 }

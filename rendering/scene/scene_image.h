@@ -21,7 +21,7 @@ struct Object;
 struct Scene;
 }  // namespace image
 
-// What baking found and did to one mesh.
+// The counts of the repairs that baking made to one mesh.
 struct BakeCounters {
   std::uint32_t welded_vertices = 0;       // merged into another at the same place
   std::uint32_t degenerate_triangles = 0;  // dropped: without area
@@ -47,12 +47,12 @@ class SceneImage {
   [[nodiscard]] std::uint32_t version() const { return version_; }
   [[nodiscard]] std::uint64_t checksum() const { return checksum_; }
 
-  // At least one, at most kMaxObjects.
+  // Returns the scene's objects: at least one, at most kMaxObjects.
   [[nodiscard]] std::span<const Object> objects() const {
     return std::span(objects_).first(object_count_);
   }
 
-  // At most kMaxEffects, all valid.
+  // Returns the scene's effects: at most kMaxEffects, all valid.
   [[nodiscard]] std::span<const Effect> effects() const {
     return std::span(effects_).first(effect_count_);
   }

@@ -1,4 +1,4 @@
-// What a world of one tool, as a controller's is, takes from a scene beside its objects.
+// Makes the world's configuration, for one tool as in a controller, from a scene.
 #pragma once
 
 #include "rendering/scene/scene_image.h"

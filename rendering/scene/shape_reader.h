@@ -1,4 +1,4 @@
-// What is touched where that is no mesh.
+// Reads a surface without a mesh: a primitive or a formula.
 #pragma once
 
 #include <expected>
@@ -14,7 +14,7 @@ struct Object;
 struct Primitive;
 }  // namespace image
 
-// Nothing if it is not valid.
+// Returns the primitive, or nothing if it is not valid.
 std::optional<Primitive> read_primitive(const image::Primitive& stored);
 
 // The shape of an object whose sides are read; without one, its mesh stays what is touched. The

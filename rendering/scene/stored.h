@@ -1,4 +1,5 @@
-// What the generated schema stores, as the house's own types. For this folder's .cpp files alone.
+// Converts the types of the generated schema to rendering's types. It is for the .cpp files of this
+// folder only.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,7 @@ std::span<const T> in_place(const flatbuffers::Vector<const Stored*>* stored) {
   return {static_cast<const T*>(data), stored->size()};
 }
 
-// The same of a single struct; nullptr where there is none.
+// Returns a single stored struct, or nullptr if it is absent.
 template <class T, class Stored>
 const T* in_place(const Stored* stored) {
   static_assert(sizeof(T) == sizeof(Stored) && alignof(T) == alignof(Stored));

@@ -1,10 +1,10 @@
-// What friction, shading and the proxies of single objects remember from tick to tick.
+// Saves and restores the state of friction, shading and the proxies of independent contacts.
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/friction/surface_friction.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/state/plain_states.h"
-#include "rendering/world/lone_touch.h"
+#include "rendering/world/independent_contacts.h"
 
 namespace tactus::rendering {
 
@@ -35,15 +35,15 @@ void ImplicitTracker::transfer(StateArchive& archive) {
   archive.choice(friction, FrictionState::slip);
 }
 
-void LoneTouch::transfer(StateArchive& archive, const Scenery& scenery) {
+void IndependentContacts::transfer(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, awake, trackers, walkers,
                           details, left_out] = *this;
   archive(tool_radius_m, last_tool_W);
-  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
+  for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
     auto& [shading, point_O, touched, friction_factor] = details[k];
     archive(awake[k], left_out[k], trackers[k], walkers[k], shading, point_O, touched,
             friction_factor);
-    const std::size_t triangles = scenery[scenery.lone_objects()[k]].mesh.triangles.size();
+    const std::size_t triangles = scene[scene.independent_objects()[k]].mesh.triangles.size();
     const std::uint32_t triangle = walkers[k].feature().triangle;
     archive.require(triangle == 0 || triangle < triangles);
   }

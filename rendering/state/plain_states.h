@@ -1,8 +1,8 @@
-// How the plain structs of this folder that are part of a memory go through a StateArchive. Each
-// names all its members: one that is added fails to compile here until it is dealt with.
+// Transfers plain structs of rendering through a StateArchive. Each function names all members: a
+// new member fails to compile here until it is handled.
 #pragma once
 
-#include "rendering/contact/carry.h"
+#include "rendering/contact/carry_along.h"
 #include "rendering/effects/effect.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/capsule.h"
@@ -11,7 +11,7 @@
 #include "rendering/state/state_archive.h"
 #include "rendering/surface/connected_mesh.h"
 #include "rendering/world/motion.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -32,8 +32,8 @@ inline void transfer(StateArchive& archive, Bounds& bounds) {
 }
 
 inline void transfer(StateArchive& archive, Capsule& capsule) {
-  auto& [start, way, radius] = capsule;
-  archive(start, way, radius);
+  auto& [start, axis, radius] = capsule;
+  archive(start, axis, radius);
 }
 
 inline void transfer(StateArchive& archive, ToolState& tool) {
@@ -67,12 +67,12 @@ inline void transfer(StateArchive& archive, EffectState& state) {
 }
 
 // That the shared proxy meets such an object, and that its mesh has such a triangle.
-inline void require_place(StateArchive& archive, const Scenery& scenery, std::uint32_t object,
+inline void require_place(StateArchive& archive, const SceneObjects& scene, std::uint32_t object,
                           std::uint32_t triangle) {
-  archive.require(object < scenery.size());
-  archive.require(archive.good() && meets_proxy(scenery[object]) &&
-                  (scenery[object].surface != SurfaceKind::mesh ||
-                   triangle < scenery[object].mesh.triangles.size()));
+  archive.require(object < scene.size());
+  archive.require(archive.good() && meets_proxy(scene[object]) &&
+                  (scene[object].surface != SurfaceKind::mesh ||
+                   triangle < scene[object].mesh.triangles.size()));
 }
 
 }  // namespace tactus::rendering

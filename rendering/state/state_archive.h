@@ -25,8 +25,8 @@
 
 namespace tactus::rendering {
 
-// No heap; one thread. Nothing is written beyond the room, and nothing read beyond the end: good()
-// then says no, and what is read is zero. A writer never changes a member.
+// An archive without heap, for one thread. It never writes beyond its buffer and never reads beyond
+// the end: good() is then false, and what is read is zero. A writer never changes a member.
 class StateArchive {
  public:
   static StateArchive writer(std::span<std::byte> room) { return {room, {}, false}; }
@@ -36,10 +36,10 @@ class StateArchive {
   [[nodiscard]] bool good() const { return good_; }
   // Bytes so far.
   [[nodiscard]] std::size_t size() const { return place_; }
-  // Whether everything was read.
+  // Returns true if everything was read.
   [[nodiscard]] bool at_end() const { return place_ == from_.size(); }
 
-  // What must hold of the members, read or to be written.
+  // Rejects the state if `holds` is false for the members read or to be written.
   void require(bool holds) { good_ = good_ && holds; }
 
   // Numbers, vectors, arrays of them, and what has a transfer() of its own.
@@ -69,14 +69,14 @@ class StateArchive {
     }
   }
 
-  // What the reader must have too, such as the number of a scene's objects.
+  // Writes a value that the reader must have too, such as the number of a scene's objects.
   void same(std::uint64_t value) {
     std::uint64_t theirs = value;
     item(theirs);
     require(theirs == value);
   }
 
-  // All at once.
+  // Transfers all vertices at once.
   void vertices(std::span<Float3> values) {
     bytes(values.data(), values.size_bytes());
     for (const Float3& v : values) {

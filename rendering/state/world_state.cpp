@@ -1,8 +1,8 @@
-// What a world remembers from tick to tick: its objects' places, then what each tool feels.
+// Saves and restores the state of a world: the places of its objects, then the state of each tool.
 #include "rendering/state/plain_states.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/world/effect_touch.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 #include "rendering/world/tool_touch.h"
 #include "rendering/world/world.h"
 
@@ -24,15 +24,15 @@ void DeformableMesh::transfer(StateArchive& archive) {
   }
 }
 
-void Scenery::transfer(StateArchive& archive) {
+void SceneObjects::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [objects, mover_of, movers, orders, mover_count, changed_of,
                           changed_materials, changed_count, anything_moved, tick_s, pool,
-                          deformables, deformable_count, lone, lone_count, nodes, node_count,
-                          order] = *this;
+                          deformables, deformable_count, independent, independent_count, nodes,
+                          node_count, order] = *this;
   archive.same(objects.size());
   archive.same(mover_count);
   archive.same(deformable_count);
-  archive.same(lone_count);
+  archive.same(independent_count);
   archive(anything_moved, tick_s);
   for (std::size_t k = 0; k < mover_count; ++k) {
     transfer_mover(archive, k);
@@ -43,8 +43,8 @@ void Scenery::transfer(StateArchive& archive) {
   transfer_materials(archive);
 }
 
-// What set_material has changed, on top of what the scene says.
-void Scenery::transfer_materials(StateArchive& archive) {
+// Saves the materials that set_material has changed.
+void SceneObjects::transfer_materials(StateArchive& archive) {
   std::size_t count = changed_count_;
   archive.up_to(count, kMaxChangedMaterials);
   if (archive.is_reading()) {
@@ -68,7 +68,7 @@ void Scenery::transfer_materials(StateArchive& archive) {
   }
 }
 
-void Scenery::transfer_mover(StateArchive& archive, std::size_t k) {
+void SceneObjects::transfer_mover(StateArchive& archive, std::size_t k) {
   [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
                           motion, next_vertex, moved] = movers_[k];
   auto& [ordered_X_WO, ordered_twist] = orders_[k];
@@ -84,10 +84,10 @@ void Scenery::transfer_mover(StateArchive& archive, std::size_t k) {
   }
 }
 
-void ToolTouch::transfer(StateArchive& archive, const Scenery& scenery) {
-  [[maybe_unused]] auto& [radius_m, proxy, lone, last_proxy_W, placed] = *this;
-  proxy.transfer(archive, scenery);
-  lone.transfer(archive, scenery);
+void ToolTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
+  [[maybe_unused]] auto& [radius_m, proxy, independent, last_proxy_W, placed] = *this;
+  proxy.transfer(archive, scene);
+  independent.transfer(archive, scene);
   archive(last_proxy_W, placed);
 }
 
@@ -99,13 +99,13 @@ void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
 }
 
 void World::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [scenery, tools, effect_touches, effects, tick_s, time_s, tool_count] =
+  [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count] =
       *this;
   archive.same(tool_count);
   archive.same(effects.size());
-  archive(time_s, scenery);
+  archive(time_s, scene);
   for (std::size_t i = 0; i < tool_count; ++i) {
-    tools[i].transfer(archive, scenery);
+    tools[i].transfer(archive, scene);
     effect_touches[i].transfer(archive, effects.size());
   }
 }

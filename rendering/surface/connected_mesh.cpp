@@ -42,7 +42,7 @@ struct NearestVisitor {
 
 }  // namespace
 
-// As in triangle.cpp: only edges whose plane has q outside can hold the nearest point.
+// Only edges whose plane has q outside can hold the nearest point, as in triangle.cpp.
 MeshNearest nearest_on_triangle(const MeshView& mesh, std::uint32_t triangle, const Vec3& q_W) {
   const Corners corners = corners_of(mesh, triangle);
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);

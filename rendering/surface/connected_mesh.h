@@ -16,10 +16,11 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
 struct ConnectedMesh {
   MeshView mesh;
-  // One a triangle: the triangles across its edges, edge k from its corner k to k + 1; kNoTriangle
-  // at an open edge.
+  // The neighbours across the edges of each triangle: edge k is from its corner k to k + 1;
+  // kNoTriangle at an open edge.
   std::span<const std::array<std::uint32_t, 3>> neighbours;
-  // One a vertex: angle-weighted, unit length, or zero where the faces cancel out.
+  // The normal of each vertex: angle-weighted and of unit length, or zero where the faces cancel
+  // out.
   std::span<const Float3> vertex_normals;
 };
 

@@ -57,12 +57,12 @@ double DeformableMesh::take_step() {
       continue;
     }
     const Vec3 from = to_vec3(now_[i]);
-    const Vec3 way = to_vec3(wanted_[i]) - from;
-    const double length = way.norm();
+    const Vec3 step = to_vec3(wanted_[i]) - from;
+    const double length = step.norm();
     if (length <= kMaxVertexStep_m) {
       now_[i] = wanted_[i];
     } else {
-      now_[i] = to_float3(from + kMaxVertexStep_m / length * way);
+      now_[i] = to_float3(from + kMaxVertexStep_m / length * step);
       asked_ = true;
     }
     longest = std::max(longest, (to_vec3(now_[i]) - from).norm());

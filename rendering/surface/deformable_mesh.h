@@ -1,5 +1,5 @@
-// A mesh whose vertices the outside moves while the loop runs. Its hierarchy follows a bounded
-// number of nodes a tick; until a node's turn comes, `slack_m` covers what it does not.
+// A mesh whose vertices are moved from outside while the loop runs. Its hierarchy follows a bounded
+// number of nodes per tick; `slack_m` covers the boxes that wait.
 #pragma once
 
 #include <array>
@@ -23,28 +23,30 @@ struct DeformablePool {
   std::size_t nodes_used = 0;
 };
 
-// In the object's own frame O. No heap; one thread.
+// Everything is in the object's own frame O. No heap; one thread.
 class DeformableMesh {
  public:
-  // Starts as `rest`, which must stay alive, with memory out of the pool; the pool too must stay.
-  // False if the pool has too little left.
+  // Starts as `rest`, with memory from the pool; both must stay alive. Returns false if the pool
+  // has too little left.
   bool start(const MeshView& rest, DeformablePool& pool);
 
-  // From the next tick on the vertex moves there, by at most kMaxVertexStep_m a tick. False, and
-  // nothing changed, if there is no such vertex or a number is not finite or beyond kWorldBound_m.
+  // Moves a vertex to p_O (m) from the next tick on, by at most kMaxVertexStep_m per tick. Returns
+  // false, and changes nothing, if there is no such vertex or a number is not finite or beyond
+  // kWorldBound_m.
   bool move_vertex(std::uint32_t vertex, const Vec3& p_O);
 
-  // A new tick: vertices take their step, and kRefitNodes boxes are drawn anew.
+  // Begins a tick: vertices take their step, and kRefitNodes boxes are refitted.
   void begin_tick();
 
   [[nodiscard]] MeshView now() const { return {now_, triangles_, nodes_}; }
   [[nodiscard]] MeshView before() const { return {before_, triangles_, nodes_}; }
-  // No vertex of now() or before() is farther outside the box of a node above it.
+  // Returns how far, in metres, a vertex of now() or before() may be outside the box of a node
+  // above it.
   [[nodiscard]] double slack_m() const { return moved_in_last_pass_m_ + moved_in_pass_m_; }
-  // How far a vertex moved at most from `before` to `now`, m.
+  // Returns the largest motion of a vertex from `before` to `now`, m.
   [[nodiscard]] double step_m() const { return step_m_; }
 
-  // What it remembers, to bytes or back.
+  // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:

@@ -12,7 +12,7 @@
 
 namespace tactus::rendering {
 
-// Above the functions' own errors, in roundings.
+// The interval grows by this many roundings, more than the functions' own errors.
 inline constexpr double kFunctionUlps = 16.0;
 
 // Which of two is the smaller; an exact tie goes to the first.
@@ -109,7 +109,7 @@ inline double cosine(double a) {
   return sine_cosine(a).cosine;
 }
 
-// Of sin(a + quarter_turns * pi/2).
+// Returns the interval of sin(a + quarter_turns * pi/2).
 inline Interval shifted_sine(const Interval& a, double at_lower, double at_upper, int shift) {
   constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
   const bool has_sine = a.lower >= -kLargestAngle && a.upper <= kLargestAngle;
@@ -146,7 +146,7 @@ inline Interval exponential(const Interval& a) {
   return outwards(exponential(a.lower), exponential(a.upper), kFunctionUlps);
 }
 
-// From its argument and value.
+// Returns the slope of exp(a) from the argument and the value.
 inline double exponential_slope(double a, double value) {
   return std::abs(a) <= kLargestExponent ? value : 0.0;
 }

@@ -29,7 +29,7 @@ bool uses_constant(Opcode opcode) {
          opcode == Opcode::real_power || opcode == Opcode::power_norm;
 }
 
-// What check() has to say about one instruction: nothing if it is good.
+// Checks one instruction; returns its fault, or nothing if it is good.
 std::expected<void, FormulaFault> check_one(const Instruction& instruction, std::size_t number) {
   const Opcode opcode = instruction.opcode;
   if (static_cast<std::uint8_t>(opcode) >= kOpcodes) {
@@ -147,13 +147,13 @@ Number run(std::span<const Instruction> instructions, const Coordinates<Number>&
   return *(result - 1);
 }
 
-AlongSegment coordinate_along(double from, double way, const Interval& t) {
+AlongSegment coordinate_along(double from, double segment, const Interval& t) {
   // The point of a segment is rounded, and so is its end.
   constexpr double kUlps = 8.0;
-  const double lower = from + (way < 0.0 ? t.upper : t.lower) * way;
-  const double upper = from + (way < 0.0 ? t.lower : t.upper) * way;
-  const double slack = kUlps * 0x1p-52 * (std::abs(from) + std::abs(way));
-  return {.v = {lower - slack, upper + slack}, .d = {Interval{way, way}}};
+  const double lower = from + (segment < 0.0 ? t.upper : t.lower) * segment;
+  const double upper = from + (segment < 0.0 ? t.lower : t.upper) * segment;
+  const double slack = kUlps * 0x1p-52 * (std::abs(from) + std::abs(segment));
+  return {.v = {lower - slack, upper + slack}, .d = {Interval{segment, segment}}};
 }
 
 }  // namespace
@@ -186,11 +186,12 @@ ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p) {
   return {.value = f.v, .gradient = {f.d[0], f.d[1], f.d[2]}};
 }
 
-SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& way,
+SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& segment,
                             const Interval& t) {
-  const auto f = run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), way.x(), t),
-                                                          coordinate_along(from.y(), way.y(), t),
-                                                          coordinate_along(from.z(), way.z(), t)});
+  const auto f =
+      run<AlongSegment>(formula.instructions, {coordinate_along(from.x(), segment.x(), t),
+                                               coordinate_along(from.y(), segment.y(), t),
+                                               coordinate_along(from.z(), segment.z(), t)});
   return {.value = f.v, .slope = f.d[0]};
 }
 

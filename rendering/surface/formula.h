@@ -14,10 +14,10 @@
 
 namespace tactus::rendering {
 
-// What an instruction computes from the results A and B of the instructions number a and b, its
-// constant c and its exponent n. The numbers are part of the image's format. Each is defined
-// everywhere (rendering/surface/elementary.h says how); only poles of `divide` and numbers beyond
-// the range of a double give something that is not finite.
+// The operation of an instruction on A and B, the results of the instructions number a and b, with
+// its constant c and exponent n. The numbers are part of the image's format. Every operation is
+// defined everywhere (see rendering/surface/elementary.h); only poles of `divide` and results
+// beyond the range of a double are not finite.
 enum class Opcode : std::uint8_t {
   constant = 0,  // c
   x = 1,
@@ -77,8 +77,8 @@ struct FormulaError {
   std::size_t place = 0;  // the instruction's number
 };
 
-// Whether the list may be evaluated at all. The functions below take only lists that pass; on
-// others they would read memory that is not theirs.
+// Checks whether the list may be evaluated. The functions below take only lists that pass; with
+// others they would read foreign memory.
 std::expected<void, FormulaError> check(const FormulaView& formula);
 
 struct ValueAndGradient {
@@ -86,22 +86,22 @@ struct ValueAndGradient {
   Vec3 gradient = Vec3::Zero();
 };
 
-// f at p, in the formula's own units. Where f has a kink (abs, min, max) the gradient is that of
-// one side. Real time; at most kMaxFormulaInstructions steps.
+// Returns f at p, in the formula's own units. At a kink of f (abs, min, max) the gradient is that
+// of one side. Real time; at most kMaxFormulaInstructions steps.
 double evaluate(const FormulaView& formula, const Vec3& p);
 
-// The same bits for the value as from `evaluate`.
+// Returns the value, with the same bits as `evaluate`, and the gradient.
 ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p);
 
-// Enclosures of g(t) = f(from + t * way) and of its derivative for all t in `t`, within [0, 1].
+// Encloses g(t) = f(from + t * segment) and its derivative for all t in `t`, within [0, 1].
 struct SegmentRange {
   Interval value;
   Interval slope;
 };
-SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& way,
+SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& segment,
                             const Interval& t);
 
-// An enclosure of f over the box between two corners.
+// Returns an enclosure of f over the box between two corners.
 Interval evaluate_box(const FormulaView& formula, const Vec3& lower, const Vec3& upper);
 
 }  // namespace tactus::rendering

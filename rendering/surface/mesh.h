@@ -32,7 +32,7 @@ static_assert(sizeof(BvhNode) == 32);
 static_assert(offsetof(BvhNode, first) == sizeof(Float3) &&
               offsetof(BvhNode, triangle_count) == 16 + sizeof(Float3));
 
-// In the world frame. Triangles are stored in the order of the hierarchy's leaves.
+// A mesh in the world frame. Triangles are stored in the order of the hierarchy's leaves.
 struct MeshView {
   std::span<const Float3> vertices;
   std::span<const TriangleIndices> triangles;

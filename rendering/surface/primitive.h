@@ -9,7 +9,8 @@
 
 namespace tactus::rendering {
 
-// What each stands for in its own frame O, and what Primitive::dimensions_m mean. Axes are O's y.
+// The kinds of primitives in their own frame O, with the meaning of Primitive::dimensions_m. Axes
+// are O's y.
 enum class PrimitiveKind : std::uint8_t {
   plane,     // the half space y <= 0; no dimensions
   sphere,    // about the origin: radius
@@ -26,7 +27,7 @@ struct Primitive {
   std::array<double, 3> dimensions_m{};  // those that the kind does not name are ignored
 };
 
-// How far a surface is from a point, and where.
+// The distance from a point to a surface, and the nearest point's normal.
 struct SurfaceSample {
   double distance_m = 0.0;  // signed: < 0 inside, and the distance to the surface on both sides
   Vec3 normal_W = Vec3::UnitX();  // unit, the distance's gradient; on the surface, outward
@@ -36,15 +37,15 @@ struct Bounds {
   Vec3 lower_W = Vec3::Zero();  // m
   Vec3 upper_W = Vec3::Zero();
 
-  // From p_W to the box, 0 inside.
+  // Returns the distance from p_W to the box, m; 0 inside.
   [[nodiscard]] double distance(const Vec3& p_W) const {
     return (p_W - p_W.cwiseMax(lower_W).cwiseMin(upper_W)).norm();
   }
 };
 
-// True if a touch may use it: every number finite, the rotation orthonormal and right-handed to
-// 1e-9, the dimensions that its kind names positive and at most kWorldBound_m, a torus with a tube
-// thinner than its centre circle.
+// Returns true if a touch may use the primitive: every number is finite, the rotation orthonormal
+// and right-handed to 1e-9, the dimensions of its kind positive and at most kWorldBound_m, and the
+// tube of a torus thinner than its centre circle.
 bool valid(const Primitive& primitive);
 
 // Exact for every finite p_W, and 1-Lipschitz. Where several surface points are nearest one of them
@@ -62,7 +63,7 @@ inline Vec3 nearest_point(const SurfaceSample& seen, const Vec3& p_W) {
 // all sides.
 Bounds bounds(const Primitive& primitive);
 
-// All kinds but the torus.
+// Returns true for a convex solid: all kinds but the torus.
 inline bool convex(const Primitive& primitive) {
   return primitive.kind != PrimitiveKind::torus;
 }

@@ -1,4 +1,4 @@
-// The effects of a scene on one tool, and the account of each.
+// The effects of a scene on one tool, with the energy account of each.
 #pragma once
 
 #include <array>
@@ -20,13 +20,14 @@ class EffectTouch {
   // No heap.
   void add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool, double tick_s);
 
-  // Instead of add_to in a tick without a valid tool: the hand feels nothing until the next.
+  // Ends the effects in a tick without a valid tool: the hand gets no force until the next. Call it
+  // instead of add_to.
   void hold();
 
-  // What effect `index` has given to the hand since the start, J.
+  // Returns the energy that effect `index` has given to the hand since the start, J.
   [[nodiscard]] double delivered_J(std::size_t index) const { return states_[index].delivered_J; }
 
-  // What it remembers of so many effects, to bytes or back.
+  // Saves the state of the first `effects` effects to the archive, or restores it.
   void transfer(StateArchive& archive, std::size_t effects);
 
  private:

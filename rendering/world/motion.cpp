@@ -9,7 +9,7 @@
 namespace tactus::rendering {
 namespace {
 
-// Of a number of full turns.
+// Returns sine and cosine of a number of full turns.
 SineCosine of_turns(double turns) {
   return sine_cosine(2.0 * std::numbers::pi * (turns - std::floor(turns)));
 }
@@ -42,14 +42,14 @@ Placement place_at(const Motion& motion, double t_s) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const SineCosine sway = of_turns(motion.sway_Hz * t_s);
   Placement at;
-  const Vec3 way = motion.velocity_W * t_s + sway.sine * motion.sway_W;
+  const Vec3 displacement = motion.velocity_W * t_s + sway.sine * motion.sway_W;
   const Vec3 velocity = motion.velocity_W + kTurn * motion.sway_Hz * sway.cosine * motion.sway_W;
   const double rate = motion.spin_W.norm();
   if (rate > 0.0) {
     at.X_WO.rotation = turned_about(motion.spin_W / rate, of_turns(rate * t_s / kTurn));
   }
   const Vec3 origin_to_pivot = at.X_WO.rotation * motion.pivot_W;
-  at.X_WO.translation = motion.pivot_W - origin_to_pivot + way;
+  at.X_WO.translation = motion.pivot_W - origin_to_pivot + displacement;
   at.twist = {.linear_W = velocity - motion.spin_W.cross(origin_to_pivot),
               .angular_W = motion.spin_W};
   return at;

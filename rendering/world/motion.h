@@ -1,6 +1,5 @@
-// How a scene moves an object by itself: on a straight way, to and fro, round and round, and in
-// waves over its surface. What the outside sets (World::set_pose, World::move_vertex) takes its
-// place.
+// A motion that a scene gives an object: straight, to and fro, in rotation, and in waves over its
+// surface. It ends when the outside sets the object (World::set_pose, World::move_vertex).
 #pragma once
 
 #include "rendering/geometry/rigid_pose.h"
@@ -8,7 +7,7 @@
 
 namespace tactus::rendering {
 
-// How a body moves: of its origin, and about it; world frame.
+// The velocity of a body's origin, and its angular velocity; world frame.
 struct Twist {
   Vec3 linear_W = Vec3::Zero();   // m/s
   Vec3 angular_W = Vec3::Zero();  // rad/s
@@ -24,14 +23,14 @@ struct Motion {
   double sway_Hz = 0.0;
   Vec3 spin_W = Vec3::Zero();   // rad/s
   Vec3 pivot_W = Vec3::Zero();  // m, a point of the axis of the spin at the start
-  // Of a mesh that deforms: a point p of its surface goes by wave_m sin(2 pi (wave_Hz t - k . p))
-  // along its normal, both as they are at rest.
+  // The waves of a mesh that deforms: a point p of the surface moves by wave_m sin(2 pi (wave_Hz t
+  // - k . p)) along its normal, both as they are at rest.
   double wave_m = 0.0;
   double wave_Hz = 0.0;
   Vec3 wave_per_m = Vec3::Zero();  // k, waves a metre
 };
 
-// True if every number is finite, frequencies are not negative and kWorldBound_m bounds the
+// Returns true if every number is finite, frequencies are not negative and kWorldBound_m bounds the
 // lengths.
 bool valid(const Motion& motion);
 
@@ -40,10 +39,11 @@ struct Placement {
   Twist twist;
 };
 
-// At t_s >= 0; at 0 an object is where the scene puts it. The same bits on every machine.
+// Returns the placement at t_s >= 0; at 0 an object is where the scene puts it. The bits are the
+// same on every machine.
 Placement place_at(const Motion& motion, double t_s);
 
-// How far along its normal a point of the surface is from rest, m.
+// Returns how far a point of the surface is from rest along its normal, m.
 double wave_at(const Motion& motion, const Vec3& rest_O, double t_s);
 
 }  // namespace tactus::rendering

@@ -1,5 +1,5 @@
-// What a scene hands to the world: views of memory that the caller keeps alive and unchanged.
-// Nothing here owns or copies.
+// One object of a scene: views of memory that the caller keeps alive and unchanged. Nothing here
+// owns or copies.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kNoObject = 0xffffffff;
 
 enum class SurfaceKind : std::uint8_t { mesh = 0, primitive = 1, implicit = 2 };
 
-// How the tool is kept out of an object, or pushed out of it.
+// The contact method: it keeps the tool out of an object, or pushes it out.
 enum class ContactMethod : std::uint8_t {
   sphere_proxy = 0,     // a proxy with the tool's radius; meshes and primitives
   god_object = 1,       // a point proxy: to this object the tool has no radius
@@ -34,7 +34,8 @@ struct Object {
   MeshView mesh;  // of these three, the one that `surface` names
   Primitive primitive;
   ImplicitSurface implicit;  // its `sides` are the object's too
-  // Of the mesh: see ConnectedMesh. Needed by potential_field and feature_walk.
+  // The neighbours and vertex normals of the mesh (see ConnectedMesh), needed by potential_field
+  // and feature_walk.
   std::span<const std::array<std::uint32_t, 3>> neighbours;
   std::span<const Float3> vertex_normals;
   Sides sides = Sides::one;
@@ -42,15 +43,16 @@ struct Object {
   SurfaceDetail detail;  // not of a potential field; of a mesh that deforms, its textures alone
   bool moves = false;    // the outside moves it: the scene's frame is then its own frame
   bool deforms = false;  // and its vertices; a mesh that the shared proxy meets
-  // Of one that moves or deforms: how it does so until the outside takes over; nullptr for not at
-  // all. Waves need vertex_normals.
+  // The object's own motion until the outside takes over; nullptr for none. Waves need
+  // vertex_normals.
   const Motion* motion = nullptr;
 };
 
-// Its smallest axis-parallel box, in the frame of the scene; of a plane the world's.
+// Returns the smallest axis-parallel box of the object, in the frame of the scene; for a plane the
+// whole world.
 Bounds bounds_of(const Object& object);
 
-// Whether the surface is sound and its contact method can touch it.
+// Returns true if the surface is sound and its contact method can touch it.
 bool usable(const Object& object);
 
 inline bool meets_proxy(const Object& object) {

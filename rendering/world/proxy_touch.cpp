@@ -7,13 +7,14 @@ namespace {
 
 constexpr int kMostPasses = 4;
 
-// Where the scene's frame, which is the object's own, is in this tick.
-RigidPose pose_of(const Scenery& scenery, std::uint32_t object) {
-  const Mover* const mover = scenery.mover_of(object);
+// Returns the pose of the object's frame in this tick.
+RigidPose pose_of(const SceneObjects& scene, std::uint32_t object) {
+  const Mover* const mover = scene.mover_of(object);
   return mover == nullptr ? RigidPose{} : mover->X_WO;
 }
 
-// And not only on its way, which the next tick goes on with.
+// Returns true if the proxy is free, and not only in the middle of its path, which the next tick
+// continues.
 bool is_free(const ProxyRest& rest) {
   return rest.plane_count == 0 && (rest.flags & kTouchIterationsExhausted) == 0;
 }
@@ -34,124 +35,126 @@ void ProxyTouch::place(const Vec3& p_W) {
   last_tool_W_ = p_W;
 }
 
-Touch ProxyTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path) {
+Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path) {
   const Vec3 tool_step = tool.p_W - last_tool_W_;
   tool_step_m_ = tool_step.norm();
   last_tool_W_ = tool.p_W;
-  proxy_.begin_friction(tool_step, scenery.tick_s());
+  proxy_.begin_friction(tool_step, scene.tick_s());
   first_pass_ = true;
   if (detailed_) {
     shading_.begin(proxy_.position_W(), tool.p_W);
     set_friction(friction_);
   }
-  ProxyRest rest = proxy_.advance(scenery, tool.p_W + shading_.offset(), path);
-  Felt felt = come_back(scenery, tool, path, rest);
-  if (felt.detailed || detailed_) {
-    shade(scenery, tool, path, rest, felt);
+  ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), path);
+  BlendedSurface blended = return_to_surface(scene, tool, path, rest);
+  if (blended.detailed || detailed_) {
+    shade(scene, tool, path, rest, blended);
     before_ = here_;
   }
-  detailed_ = felt.detailed;
+  detailed_ = blended.detailed;
   Touch touch;
   touch.proxy_W = proxy_.position_W();
   touch.sub_goals = rest.sub_goals;
   touch.planes = rest.plane_count;
   touch.flags = rest.flags;
   if (rest.plane_count > 0) {
-    set_force(tool, rest, felt, touch);
+    set_force(tool, rest, blended, touch);
   }
-  proxy_.look_ahead(scenery);
+  proxy_.look_ahead(scene);
   return touch;
 }
 
-void ProxyTouch::shade(const Scenery& scenery, const ToolState& tool, ProxyPath* path,
-                       ProxyRest& rest, Felt& felt) {
+void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, ProxyPath* path,
+                       ProxyRest& rest, BlendedSurface& blended) {
   first_pass_ = false;
-  for (int pass = 1; felt.detailed; ++pass) {
+  for (int pass = 1; blended.detailed; ++pass) {
     const bool improves = shading_.improve({.normal_W = rest.normal_W,
-                                            .lean = felt.lean,
-                                            .depth_m = felt.depth_m,
-                                            .interpolated = felt.interpolated});
-    set_friction(felt.friction);
+                                            .lean = blended.lean,
+                                            .depth_m = blended.depth_m,
+                                            .interpolated = blended.interpolated});
+    set_friction(blended.friction);
     if (!improves || pass == kMostPasses || !proxy_.can_advance_again()) {
       return;
     }
-    rest = proxy_.advance_again(scenery, tool.p_W + shading_.offset(), path);
-    felt = come_back(scenery, tool, path, rest);
+    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), path);
+    blended = return_to_surface(scene, tool, path, rest);
   }
   shading_.reset();
   set_friction({});
 }
 
-// A goal that was lifted or shifted off the surface takes the proxy with it: it is lowered, and
-// then goes straight to the tool, and the proxy meets the surface if that is between them.
-ProxyTouch::Felt ProxyTouch::come_back(const Scenery& scenery, const ToolState& tool,
-                                       ProxyPath* path, ProxyRest& rest) {
+// Moves the proxy back when a lifted or shifted goal has taken it off the surface. The goal is
+// lowered first, then set to the tool, and the proxy meets the surface if it is between them.
+ProxyTouch::BlendedSurface ProxyTouch::return_to_surface(const SceneObjects& scene,
+                                                         const ToolState& tool, ProxyPath* path,
+                                                         ProxyRest& rest) {
   if (is_free(rest) && shading_.lower()) {
     set_friction(friction_);
-    rest = proxy_.advance_again(scenery, tool.p_W + shading_.offset(), path);
+    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), path);
   }
   if (is_free(rest) && shading_.is_on()) {
     shading_.reset();
     set_friction(friction_);
-    rest = proxy_.advance_again(scenery, tool.p_W, path);
+    rest = proxy_.advance_again(scene, tool.p_W, path);
   }
-  return feel(scenery, tool, rest);
+  return blend_surfaces(scene, tool, rest);
 }
 
-void ProxyTouch::set_friction(const FrictionFactors& felt) {
-  friction_ = felt;
-  FrictionFactors factors = felt;
+void ProxyTouch::set_friction(const FrictionFactors& of_surfaces) {
+  friction_ = of_surfaces;
+  FrictionFactors factors = of_surfaces;
   factors.depth_m = shading_.lifted_from_m();
   proxy_.set_friction_factors(factors);
 }
 
-ProxyTouch::Felt ProxyTouch::feel(const Scenery& scenery, const ToolState& tool,
-                                  const ProxyRest& rest) {
+ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
+                                                      const ToolState& tool,
+                                                      const ProxyRest& rest) {
   here_.count = 0;
-  Felt felt;
+  BlendedSurface blended;
   double height = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const ContactPlane& plane = rest.planes[i];
-    const Object& object = scenery[plane.object];
-    const Material& material = scenery.material(plane.object);
+    const Object& object = scene[plane.object];
+    const Material& material = scene.material(plane.object);
     const double push = rest.pressure_m[i];
-    felt.pressure_m += push;
-    const Vec3 surface_v = scenery.velocity_W(plane.object, proxy_.position_W());
-    felt.surface_v_W += push * surface_v;
-    felt.damping_W += push * material.damping_Ns_per_m * (tool.v_W - surface_v);
-    felt.plain_stiffness += push * material.stiffness_N_per_m;
+    blended.pressure_m += push;
+    const Vec3 surface_v = scene.velocity_W(plane.object, proxy_.position_W());
+    blended.surface_v_W += push * surface_v;
+    blended.damping_W += push * material.damping_Ns_per_m * (tool.v_W - surface_v);
+    blended.plain_stiffness += push * material.stiffness_N_per_m;
     if (object.detail.empty()) {
-      felt.stiffness += push * material.stiffness_N_per_m;
+      blended.stiffness += push * material.stiffness_N_per_m;
       continue;
     }
-    const Detail detail = detail_of(scenery, plane);
-    felt.detailed = true;
-    felt.interpolated = felt.interpolated || !object.detail.corner_normals.empty();
-    felt.stiffness += push * detail.stiffness_factor * material.stiffness_N_per_m;
-    felt.lean += push * lean_of(detail.normal_O, plane.plane.normal);
+    const Detail detail = detail_of(scene, plane);
+    blended.detailed = true;
+    blended.interpolated = blended.interpolated || !object.detail.corner_normals.empty();
+    blended.stiffness += push * detail.stiffness_factor * material.stiffness_N_per_m;
+    blended.lean += push * lean_of(detail.normal_O, plane.plane.normal);
     height += push * detail.height_m;
-    felt.friction.object[felt.friction.count] = plane.object;
-    felt.friction.factor[felt.friction.count++] = detail.friction_factor;
+    blended.friction.object[blended.friction.count] = plane.object;
+    blended.friction.factor[blended.friction.count++] = detail.friction_factor;
   }
   if (rest.plane_count == 0) {
-    return felt;
+    return blended;
   }
-  felt.depth_m = (proxy_.position_W() - tool.p_W).dot(rest.normal_W);
-  felt.felt_depth_m = felt.depth_m;
-  if (felt.detailed) {
-    felt.felt_depth_m = std::max(felt.depth_m + height / felt.pressure_m, 0.0);
-    const double share = felt.depth_m > 0.0 ? felt.felt_depth_m / felt.depth_m : 0.0;
-    felt.lean *= share / felt.pressure_m;
-    for (std::size_t i = 0; i < felt.friction.count; ++i) {
-      felt.friction.factor[i] *= share;
+  blended.depth_m = (proxy_.position_W() - tool.p_W).dot(rest.normal_W);
+  blended.effective_depth_m = blended.depth_m;
+  if (blended.detailed) {
+    blended.effective_depth_m = std::max(blended.depth_m + height / blended.pressure_m, 0.0);
+    const double share = blended.depth_m > 0.0 ? blended.effective_depth_m / blended.depth_m : 0.0;
+    blended.lean *= share / blended.pressure_m;
+    for (std::size_t i = 0; i < blended.friction.count; ++i) {
+      blended.friction.factor[i] *= share;
     }
   }
-  return felt;
+  return blended;
 }
 
-Detail ProxyTouch::detail_of(const Scenery& scenery, const ContactPlane& plane) {
-  const Object& object = scenery[plane.object];
-  const RigidPose X_WO = pose_of(scenery, plane.object);
+Detail ProxyTouch::detail_of(const SceneObjects& scene, const ContactPlane& plane) {
+  const Object& object = scene[plane.object];
+  const RigidPose X_WO = pose_of(scene, plane.object);
   const Nearest& nearest = plane.nearest;
   const ContactPoint here{
       .object = plane.object,
@@ -164,59 +167,63 @@ Detail ProxyTouch::detail_of(const Scenery& scenery, const ContactPlane& plane) 
   if (object.deforms) {
     stored.corner_normals = {};  // they do not follow the vertices
   }
-  Detail detail = detail_at(
-      stored, {scenery.mesh_O(plane.object).mesh, object.neighbours, object.vertex_normals},
-      {.triangle = plane.triangle,
-       .feature = nearest.feature,
-       .edge = nearest.edge,
-       .point_O = here.point_O,
-       .normal_O = X_WO.direction_in(nearest.normal),
-       .travel_m = travel_m_});
+  Detail detail =
+      detail_at(stored, {scene.mesh_O(plane.object).mesh, object.neighbours, object.vertex_normals},
+                {.triangle = plane.triangle,
+                 .feature = nearest.feature,
+                 .edge = nearest.edge,
+                 .point_O = here.point_O,
+                 .normal_O = X_WO.direction_in(nearest.normal),
+                 .travel_m = travel_m_});
   detail.normal_O = X_WO.direction(detail.normal_O);
   return detail;
 }
 
-// In this tick. What was not touched before is met at the tool's speed.
+// Returns how far the contact point moved in this tick, m. A new contact counts as moving at the
+// tool's speed.
 double ProxyTouch::travel_to(const ContactPoint& here) const {
   double travel = tool_step_m_;
   bool known = false;
   for (std::size_t i = 0; i < before_.count; ++i) {
     if (before_.points[i].object == here.object) {
-      const double way = (here.point_O - before_.points[i].point_O).norm();
-      travel = known ? std::min(travel, way) : way;
+      const double distance = (here.point_O - before_.points[i].point_O).norm();
+      travel = known ? std::min(travel, distance) : distance;
       known = true;
     }
   }
   return travel;
 }
 
-void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
-                           Touch& touch) const {
+void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
+                           const BlendedSurface& blended, Touch& touch) const {
   const ContactPlane& hardest = rest.planes[rest.hardest()];
   const Vec3 stretch = touch.proxy_W - tool.p_W;
   touch.normal_W = rest.normal_W;
-  touch.depth_m = felt.depth_m;
-  if (felt.felt_depth_m > 0.0 || !felt.detailed) {
-    const Vec3 felt_stretch =
-        felt.detailed ? Vec3{stretch - (felt.depth_m - felt.felt_depth_m) * rest.normal_W}
-                      : stretch;
-    touch.force_W = (felt.stiffness * felt_stretch - felt.damping_W) / felt.pressure_m;
-    set_parts(stretch, felt, touch);
+  touch.depth_m = blended.depth_m;
+  if (blended.effective_depth_m > 0.0 || !blended.detailed) {
+    const Vec3 effective_stretch =
+        blended.detailed
+            ? Vec3{stretch - (blended.depth_m - blended.effective_depth_m) * rest.normal_W}
+            : stretch;
+    touch.force_W =
+        (blended.stiffness * effective_stretch - blended.damping_W) / blended.pressure_m;
+    set_parts(stretch, blended, touch);
   }
   touch.contact = kind_of(hardest.nearest.feature);
   touch.friction = proxy_.friction();
   touch.object = hardest.object;
 }
 
-// Detail makes the normal part that of the felt depth, and leans the stretch by depth * lean.
-void ProxyTouch::set_parts(const Vec3& stretch, const Felt& felt, Touch& touch) {
-  const double stiffness = felt.stiffness / felt.pressure_m;
-  touch.parts.friction_W = stiffness * (stretch - felt.depth_m * touch.normal_W);
-  touch.parts.driven_power = touch.force_W.dot(felt.surface_v_W) / felt.pressure_m;
-  if (felt.detailed) {
-    const Vec3 along = stiffness * felt.depth_m * felt.lean;
-    const double out_N =
-        stiffness * felt.felt_depth_m - felt.plain_stiffness / felt.pressure_m * felt.depth_m;
+// Splits the force into parts. Detail makes the normal part that of the effective depth, and leans
+// the stretch by depth * lean.
+void ProxyTouch::set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch) {
+  const double stiffness = blended.stiffness / blended.pressure_m;
+  touch.parts.friction_W = stiffness * (stretch - blended.depth_m * touch.normal_W);
+  touch.parts.driven_power = touch.force_W.dot(blended.surface_v_W) / blended.pressure_m;
+  if (blended.detailed) {
+    const Vec3 along = stiffness * blended.depth_m * blended.lean;
+    const double out_N = stiffness * blended.effective_depth_m -
+                         blended.plain_stiffness / blended.pressure_m * blended.depth_m;
     touch.parts.friction_W -= along;
     touch.parts.texture_W = along + out_N * touch.normal_W;
   }

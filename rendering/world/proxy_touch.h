@@ -1,5 +1,5 @@
-// The shared proxy's part of a tick: from where it came to rest to what the hand feels, with force
-// shading and textures.
+// Computes the shared proxy's part of a touch: moves the proxy, applies force shading and textures,
+// and gives the force.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/state/state_archive.h"
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 #include "rendering/world/touch.h"
 
 namespace tactus::rendering {
@@ -22,31 +22,31 @@ class ProxyTouch {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
-  // First in every tick: objects that moved take the proxy along or push it. TouchFlags.
-  std::uint32_t begin_tick(const Scenery& scenery) { return proxy_.begin_tick(scenery); }
+  // Moves the proxy with the objects that moved. Call it first in every tick. Returns TouchFlags.
+  std::uint32_t begin_tick(const SceneObjects& scene) { return proxy_.begin_tick(scene); }
 
-  // Moves the proxy for a tool that is finite, and gives the force of the surfaces that hold it:
-  // F = K (proxy - tool) - B v, with v relative to the surface, and K and B their mean weighted by
-  // how far each pushes. A surface with detail shifts the proxy so that the force is along its
-  // shading normal, and its bumps shorten the stretch; that takes up to kMostPasses of the proxy's
-  // advance, within the limits of one tick. Bounded work, no heap. `path`, if given, receives the
-  // moves.
-  Touch touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path);
+  // Moves the proxy for a finite tool, and returns the force of the surfaces that hold it: F = K
+  // (proxy - tool) - B v. v is relative to the surface; K and B are means weighted by the
+  // pressures. A surface with detail shifts the proxy so that the force is along its shading
+  // normal, and its bumps shorten the stretch. This takes up to kMostPasses advances of the proxy,
+  // within the budget of one tick. Bounded time, no heap. `path` receives the moves if it is not
+  // null.
+  Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
 
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
 
-  // How far the proxy was from the tool after the last touch, m.
+  // Returns how far the proxy was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m() const { return (position_W() - last_tool_W_).norm(); }
 
-  // Most triangles ever kept near the tool, of kMaxCandidates.
+  // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 
-  // What it remembers, to bytes or back; of the same scenery.
-  void transfer(StateArchive& archive, const Scenery& scenery);
+  // Saves the state to the archive, or restores it; the scene must be the same.
+  void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
-  // What the surfaces of a rest feel like. The sums are weighted by how far each pushes.
-  struct Felt {
+  // The surfaces that hold the proxy, blended. The sums are weighted by the pressures.
+  struct BlendedSurface {
     bool detailed = false;
     bool interpolated = false;
     double pressure_m = 0.0;          // the sum of the weights
@@ -55,7 +55,7 @@ class ProxyTouch {
     Vec3 damping_W = Vec3::Zero();    // sum, N m
     Vec3 surface_v_W = Vec3::Zero();  // sum, m^2/s
     double depth_m = 0.0;             // of the tool below the planes
-    double felt_depth_m = 0.0;        // below their bumps; >= 0
+    double effective_depth_m = 0.0;   // below their bumps; >= 0
     Vec3 lean = Vec3::Zero();         // see ShadedRest
     FrictionFactors friction;
   };
@@ -68,16 +68,18 @@ class ProxyTouch {
     std::size_t count = 0;
   };
 
-  void shade(const Scenery& scenery, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
-             Felt& felt);
-  Felt come_back(const Scenery& scenery, const ToolState& tool, ProxyPath* path, ProxyRest& rest);
-  void set_friction(const FrictionFactors& felt);
-  Felt feel(const Scenery& scenery, const ToolState& tool, const ProxyRest& rest);
-  Detail detail_of(const Scenery& scenery, const ContactPlane& plane);
+  void shade(const SceneObjects& scene, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
+             BlendedSurface& blended);
+  BlendedSurface return_to_surface(const SceneObjects& scene, const ToolState& tool,
+                                   ProxyPath* path, ProxyRest& rest);
+  void set_friction(const FrictionFactors& of_surfaces);
+  BlendedSurface blend_surfaces(const SceneObjects& scene, const ToolState& tool,
+                                const ProxyRest& rest);
+  Detail detail_of(const SceneObjects& scene, const ContactPlane& plane);
   [[nodiscard]] double travel_to(const ContactPoint& here) const;
-  void set_force(const ToolState& tool, const ProxyRest& rest, const Felt& felt,
+  void set_force(const ToolState& tool, const ProxyRest& rest, const BlendedSurface& blended,
                  Touch& touch) const;
-  static void set_parts(const Vec3& stretch, const Felt& felt, Touch& touch);
+  static void set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch);
 
   SphereProxy proxy_{0.0};
   ForceShading shading_;

@@ -13,43 +13,44 @@ bool valid(const ToolState& tool) {
 
 }  // namespace
 
-void ToolTouch::start(const Scenery& scenery, double tool_radius_m) {
+void ToolTouch::start(const SceneObjects& scene, double tool_radius_m) {
   radius_m_ = tool_radius_m;
   proxy_.set_tool_radius(tool_radius_m);
-  place(scenery, last_proxy_W_);  // nothing of another scene is remembered
+  place(scene, last_proxy_W_);  // nothing of another scene is remembered
   reset();
 }
 
-void ToolTouch::place(const Scenery& scenery, const Vec3& p_W) {
+void ToolTouch::place(const SceneObjects& scene, const Vec3& p_W) {
   proxy_.place(p_W);
-  lone_.place(scenery, p_W, radius_m_);
+  independent_.place(scene, p_W, radius_m_);
   last_proxy_W_ = p_W;
   placed_ = true;
 }
 
-Touch ToolTouch::touch(const Scenery& scenery, const ToolState& tool, ProxyPath* path) {
-  const std::uint32_t moved = placed_ ? proxy_.begin_tick(scenery) : kTouchClean;
+Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path) {
+  const std::uint32_t moved = placed_ ? proxy_.begin_tick(scene) : kTouchClean;
   if (!valid(tool)) {
-    lone_.hold(scenery);
+    independent_.hold(scene);
     return {.proxy_W = last_proxy_W_, .flags = moved | kTouchToolInvalid};
   }
   if (!placed_) {
-    place(scenery, tool.p_W);
+    place(scene, tool.p_W);
   }
   Touch touch{.proxy_W = tool.p_W};
-  if (scenery.any_meets_proxy()) {
-    touch = proxy_.touch(scenery, tool, path);
-    if (touch.contact != ContactKind::none && scenery[touch.object].deforms) {
-      add_driven_power(touch, scenery.tick_s());
+  if (scene.any_meets_proxy()) {
+    touch = proxy_.touch(scene, tool, path);
+    if (touch.contact != ContactKind::none && scene[touch.object].deforms) {
+      add_driven_power(touch, scene.tick_s());
     }
   }
   touch.flags |= moved;
-  lone_.add_to(touch, scenery, tool);
+  independent_.add_to(touch, scene, tool);
   last_proxy_W_ = touch.proxy_W;
   return touch;
 }
 
-// Of a surface that deforms: the proxy, which slides along it, follows its motion along the normal.
+// Adds the power of surfaces that deform: the proxy slides along the surface and follows its motion
+// along the normal.
 void ToolTouch::add_driven_power(Touch& touch, double tick_s) const {
   const double out_m = (touch.proxy_W - last_proxy_W_).dot(touch.normal_W);
   touch.parts.driven_power += touch.force_W.dot(touch.normal_W) * out_m / tick_s;

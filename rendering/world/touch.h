@@ -1,4 +1,4 @@
-// What goes into a touch and what comes out of it, each tick.
+// The input and the output of a touch, each tick.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,7 @@ struct ToolState {
   Vec3 v_W = Vec3::Zero();  // m/s
 };
 
-// The feature of the surface that the proxy rests on; the first constraint's, where there are
-// several.
+// The feature of the surface that the proxy rests on; with several constraints that of the first.
 enum class ContactKind : std::uint8_t { none = 0, face = 1, edge = 2, vertex = 3 };
 
 inline ContactKind kind_of(Feature feature) {
@@ -32,24 +31,24 @@ inline ContactKind kind_of(Feature feature) {
 // The friction cone's state. `free` means no contact.
 enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 
-// What a touch had to give up, one bit each; 0 is a clean tick. Every bit leaves a bounded force
-// and a proxy that has crossed nothing.
+// The limits that a touch reached, one bit each; 0 is a clean tick. With every bit the force stays
+// bounded and the proxy has crossed nothing.
 enum TouchFlags : std::uint32_t {
   kTouchClean = 0,
   kTouchCandidatesOverflow =
       1U << 0,  // more triangles near the tool than kMaxCandidates: slower path taken
-  kTouchIterationsExhausted =
-      1U << 1,  // the tick's work or kMaxSubGoals done: the proxy is short of its minimum this tick
-  kTouchPlanesOverflow = 1U << 2,  // more contact planes than kMaxContactPlanes
-  kTouchToolInvalid = 1U << 3,     // not finite or beyond kWorldBound_m: proxy held, zero force
+  kTouchIterationsExhausted = 1U << 1,  // the tick budget or kMaxSubGoals is spent: the proxy is
+                                        // short of its minimum this tick
+  kTouchPlanesOverflow = 1U << 2,       // more contact planes than kMaxContactPlanes
+  kTouchToolInvalid = 1U << 3,  // not finite or beyond kWorldBound_m: proxy held, zero force
   kTouchPinched =
       1U << 4,  // objects that moved left the proxy no room: some of them passed over it
   kTouchOverlap = 1U << 5,  // an object that the tool began in or came out of is not felt until the
                             // tool is clear of it
 };
 
-// A touch's force by what makes it, N in the world frame, on the hand. What is left of the force is
-// the surfaces' own: what holds the tool out, along the normal, and their damping.
+// The parts of a touch's force, N on the hand, world frame. The rest of the force is the surfaces'
+// own: the normal force and the damping.
 struct ForceParts {
   Vec3 friction_W = Vec3::Zero();  // what holds the tool back along the surface
   Vec3 texture_W = Vec3::Zero();   // what bumps, stiffness maps and shading change

@@ -11,12 +11,12 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
       config.tool_count <= kMaxTools && config.effects.size() <= kMaxEffects &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
-  const bool good = scenery_.set(good_config ? objects : std::span<const Object>{}) && good_config;
+  const bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
   time_s_ = 0.0;
   tool_count_ = good ? config.tool_count : 1;
   effects_ = good ? config.effects : std::span<const Effect>{};
   for (ToolTouch& tool : tools_) {
-    tool.start(scenery_, good ? config.tool_radius_m : 0.0);
+    tool.start(scene_, good ? config.tool_radius_m : 0.0);
   }
   reset();
   return good;
@@ -40,18 +40,18 @@ bool World::set_tick(double tick_s) {
 double World::stretch_m(std::uint32_t object) const {
   double longest = 0.0;
   for (std::size_t i = 0; i < tool_count_; ++i) {
-    longest = std::max(longest, tools_[i].stretch_m(scenery_, object));
+    longest = std::max(longest, tools_[i].stretch_m(scene_, object));
   }
   return longest;
 }
 
 void World::begin_tick() {
-  scenery_.begin_tick(time_s_, tick_s_);
+  scene_.begin_tick(time_s_, tick_s_);
   time_s_ += tick_s_;
 }
 
 Touch World::touch_one(std::size_t number, const ToolState& tool, ProxyPath* path) {
-  Touch touch = tools_[number].touch(scenery_, tool, path);
+  Touch touch = tools_[number].touch(scene_, tool, path);
   if ((touch.flags & kTouchToolInvalid) != 0) {
     effect_touches_[number].hold();
   } else {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "rendering/friction/carry.h"
+#include "rendering/friction/bristle_transport.h"
 #include "rendering/friction/grain.h"
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 #include "rendering/geometry/tangential.h"
 #include "tests/support/share.h"
 

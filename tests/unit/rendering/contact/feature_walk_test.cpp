@@ -21,7 +21,7 @@ using testing::ConnectedSolid;
 using testing::Shape;
 
 constexpr Material kFrictionless{.stiffness_N_per_m = 1000.0};
-constexpr double kSkin_m = 1e-6;  // thicker than the shell within which contact begins
+constexpr double kSkin_m = 1e-6;  // thicker than the contact margin within which contact begins
 
 Vec3 random_point(std::mt19937_64& random, double size) {
   std::uniform_real_distribution<double> place(-size, size);

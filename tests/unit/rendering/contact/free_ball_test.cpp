@@ -20,14 +20,14 @@ class FreeBallTest : public ::testing::Test {
  protected:
   static constexpr double kBall_m = 0.03;
 
-  FreeBallTest() { EXPECT_TRUE(scenery_->set({&solid_.object(), 1})); }
+  FreeBallTest() { EXPECT_TRUE(scene_->set({&solid_.object(), 1})); }
   // Beyond the tool's reach, asked of every triangle.
   double clearance(const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
     for (const testing::Corners& corners : corners_) {
       least = std::min(least, (testing::nearest_point(corners, p) - p).norm());
     }
-    return least - shells_.sphere.reach_m;
+    return least - margins_.sphere.reach_m;
   }
   // Returns a point in a cube about the ball, outside or inside of it.
   Vec3 somewhere() {
@@ -37,8 +37,8 @@ class FreeBallTest : public ::testing::Test {
 
   Solid solid_{testing::icosphere(kBall_m, 3), Sides::two, testing::kSlippery};
   std::vector<testing::Corners> corners_ = testing::corners_of(solid_.shape());
-  std::unique_ptr<Scenery> scenery_ = std::make_unique<Scenery>();
-  Shells shells_{0.002};
+  std::unique_ptr<SceneObjects> scene_ = std::make_unique<SceneObjects>();
+  ContactMargins margins_{0.002};
   std::mt19937_64 random_{20261122};
 };
 
@@ -47,8 +47,8 @@ TEST_F(FreeBallTest, NothingIsNearerAndWhereItIsAskedForItIsOftenFound) {
   int found = 0;
   for (int k = 0; k < 2000; ++k) {
     const Vec3 p = somewhere();
-    Work work;
-    const double radius = free_radius(*scenery_, shells_, p, kWanted_m, work);
+    TickBudget budget;
+    const double radius = free_radius(*scene_, margins_, p, kWanted_m, budget);
     if (radius >= kWanted_m) {
       ASSERT_LE(radius, clearance(p) + 1e-9) << p.transpose();
       ++found;
@@ -60,9 +60,9 @@ TEST_F(FreeBallTest, NothingIsNearerAndWhereItIsAskedForItIsOftenFound) {
 TEST_F(FreeBallTest, WhereThereIsNotAsMuchAsIsAskedForItSaysLess) {
   for (int k = 0; k < 2000; ++k) {
     const Vec3 p = somewhere();
-    Work work;
+    TickBudget budget;
     const double least = std::max(0.0, clearance(p)) + 1e-6;
-    ASSERT_LT(free_radius(*scenery_, shells_, p, least, work), least) << p.transpose();
+    ASSERT_LT(free_radius(*scene_, margins_, p, least, budget), least) << p.transpose();
   }
 }
 

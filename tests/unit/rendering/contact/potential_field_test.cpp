@@ -22,14 +22,14 @@ Vec3 force(const FieldPush& push, double stiffness) {
   return stiffness * push.depth_m * push.normal_W;
 }
 
-// The hardest push upward that a tool feels on its way down through the object.
+// The hardest push upward on a tool that moves down through the object.
 template <class Object>
-double greatest_resistance(const Object& object, double stiffness, double half_way_m,
+double greatest_resistance(const Object& object, double stiffness, double half_path_m,
                            double radius_m) {
   constexpr int kSteps = 20'000;
   double greatest = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
-    const Vec3 tool(0.001, half_way_m * (1.0 - 2.0 * i / kSteps), 0.002);
+    const Vec3 tool(0.001, half_path_m * (1.0 - 2.0 * i / kSteps), 0.002);
     greatest = std::max(greatest, force(potential_field(object, tool, radius_m), stiffness).y());
   }
   return greatest;

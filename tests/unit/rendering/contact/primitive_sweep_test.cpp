@@ -14,15 +14,16 @@ namespace {
 
 using testing::kAllPrimitives;
 
-double travel(const Primitive& primitive, const Vec3& from, const Vec3& to, const Shell& shell,
-              Sides sides = Sides::one) {
-  const Vec3 way = to - from;
-  return travel_to_contact(primitive, sides, {.from = from, .direction = way.normalized()},
-                           way.norm(), shell, sample(primitive, from));
+double travel(const Primitive& primitive, const Vec3& from, const Vec3& to,
+              const ContactMargin& margin, Sides sides = Sides::one) {
+  const Vec3 motion = to - from;
+  return travel_to_contact(primitive, sides, {.from = from, .direction = motion.normalized()},
+                           motion.norm(), margin, sample(primitive, from));
 }
 
-// The smallest distance to the surface on the way, on the side given by `sign`: it is 1-Lipschitz,
-// so steps as long as what is left above `floor` miss nothing but what is within `kResolution_m`.
+// The smallest distance to the surface during the sweep, on the side given by `sign`: it is
+// 1-Lipschitz, so steps as long as what is left above `floor` miss nothing but what is within
+// `kResolution_m`.
 double least_clearance(const Primitive& primitive, const Vec3& from, const Vec3& to, double sign,
                        double floor_m) {
   constexpr double kResolution_m = 2e-9;
@@ -37,11 +38,11 @@ double least_clearance(const Primitive& primitive, const Vec3& from, const Vec3&
 }
 
 TEST(PrimitiveSweep, MeetsEachKindWhereTheClosedFormSays) {
-  const Shell shell(0.01);
+  const ContactMargin margin(0.01);
   const auto check = [&](PrimitiveKind kind, std::array<double, 3> dimensions, const Vec3& from,
                          const Vec3& to, double expected) {
     const Primitive primitive{.kind = kind, .dimensions_m = dimensions};
-    EXPECT_NEAR(travel(primitive, from, to, shell), expected, 2e-6) << static_cast<int>(kind);
+    EXPECT_NEAR(travel(primitive, from, to, margin), expected, 2e-6) << static_cast<int>(kind);
   };
   check(PrimitiveKind::plane, {}, {0, 0.3, 0}, {0.4, 0, 0}, 0.29 / 0.6);
   check(PrimitiveKind::sphere, {0.05}, {0.2, 0, 0}, {-0.2, 0, 0}, 0.14);
@@ -61,12 +62,12 @@ TEST(PrimitiveSweep, DoesNotStopWhatHasPassed) {
        {PrimitiveKind::sphere, PrimitiveKind::cylinder, PrimitiveKind::capsule}) {
     const Primitive primitive{.kind = kind, .dimensions_m = {kRadius_m, 0.1}};
     for (const double radius_m : {0.0, 0.001, 0.004}) {
-      const Shell shell(radius_m);
+      const ContactMargin margin(radius_m);
       for (int i = 1; i < 200; ++i) {
-        const double nearest = shell.inner_m + (shell.stop_m - shell.inner_m) * i / 200;
+        const double nearest = margin.inner_m + (margin.stop_m - margin.inner_m) * i / 200;
         for (const double before : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 5e-2}) {
           const Vec3 from(-before, 0.0, kRadius_m + nearest);
-          const double free = travel(primitive, from, from + Vec3(1.0, 0.0, 0.0), shell);
+          const double free = travel(primitive, from, from + Vec3(1.0, 0.0, 0.0), margin);
           ASSERT_TRUE(free < before || free == 1.0)
               << "kind " << static_cast<int>(kind) << " radius " << radius_m << " nearest "
               << nearest << " from " << before << ": stopped " << free - before
@@ -88,22 +89,22 @@ TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
     const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
     SCOPED_TRACE("seed 41, case " + std::to_string(i));
     const Primitive primitive = testing::random_primitive(kind, random);
-    const Shell shell(i % 3 == 0 ? 0.0 : 0.003);
+    const ContactMargin margin(i % 3 == 0 ? 0.0 : 0.003);
     const Vec3 from = point();
     const Vec3 to = point();
     const double start = sample(primitive, from).distance_m;
-    if (std::abs(start) < shell.rest_m) {
+    if (std::abs(start) < margin.rest_m) {
       continue;
     }
     const double length = (to - from).norm();
-    const double free = travel(primitive, from, to, shell, Sides::two);
+    const double free = travel(primitive, from, to, margin, Sides::two);
     const Vec3 end = from + free / length * (to - from);
     const double sign = start < 0.0 ? -1.0 : 1.0;
-    ASSERT_GE(least_clearance(primitive, from, end, sign, shell.inner_m), shell.inner_m - 1e-10);
+    ASSERT_GE(least_clearance(primitive, from, end, sign, margin.inner_m), margin.inner_m - 1e-10);
     if (free < length) {
-      ASSERT_LE(std::abs(sample(primitive, end).distance_m), shell.stop_m + 1e-10);
+      ASSERT_LE(std::abs(sample(primitive, end).distance_m), margin.stop_m + 1e-10);
     }
-    const double solid = travel(primitive, from, to, shell, Sides::one);
+    const double solid = travel(primitive, from, to, margin, Sides::one);
     if (start > 0.0) {
       ASSERT_EQ(solid, free);
     } else if (convex(primitive)) {
@@ -113,7 +114,7 @@ TEST(PrimitiveSweep, NeverGoesTooFarAndNeverStopsForNothing) {
 }
 
 // Moves that begin at rest on the surface, at every angle to it: what the proxy does all day.
-TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
+TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheContactMargin) {
   constexpr std::uint64_t kSeed = 43;
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> bell;
@@ -123,28 +124,28 @@ TEST(PrimitiveSweep, LeavesRestFreelyAndPressesNoDeeperThanTheShell) {
     const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
     SCOPED_TRACE("seed 43, case " + std::to_string(i));
     const Primitive primitive = testing::random_primitive(kind, random);
-    const Shell shell(i % 3 == 0 ? 0.0 : 0.003);
+    const ContactMargin margin(i % 3 == 0 ? 0.0 : 0.003);
     const Vec3 anywhere(place(random), place(random), place(random));
     const SurfaceSample near = sample(primitive, anywhere);
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
-    const Vec3 from = nearest_point(near, anywhere) + sign * shell.rest_m * near.normal_W;
+    const Vec3 from = nearest_point(near, anywhere) + sign * margin.rest_m * near.normal_W;
     const SurfaceSample start = sample(primitive, from);
-    if (std::abs(sign * start.distance_m - shell.rest_m) > 1e-9) {
+    if (std::abs(sign * start.distance_m - margin.rest_m) > 1e-9) {
       continue;  // too near to another part of the surface
     }
-    Vec3 way = Vec3(bell(random), bell(random), bell(random)).normalized();
+    Vec3 motion = Vec3(bell(random), bell(random), bell(random)).normalized();
     if (i % 5 < 2) {
-      way = (way - way.dot(start.normal_W) * start.normal_W).normalized();
+      motion = (motion - motion.dot(start.normal_W) * start.normal_W).normalized();
     }
-    const Vec3 to = from + std::pow(10.0, decade(random)) * way;
+    const Vec3 to = from + std::pow(10.0, decade(random)) * motion;
     const double length = (to - from).norm();
-    const double free = travel(primitive, from, to, shell, Sides::two);
+    const double free = travel(primitive, from, to, margin, Sides::two);
     const Vec3 end = from + free / length * (to - from);
-    ASSERT_GE(least_clearance(primitive, from, end, sign, shell.inner_m), shell.inner_m - 1e-10);
+    ASSERT_GE(least_clearance(primitive, from, end, sign, margin.inner_m), margin.inner_m - 1e-10);
     if (free < length) {
-      ASSERT_LE(sign * sample(primitive, end).distance_m, shell.stop_m + 1e-10);
+      ASSERT_LE(sign * sample(primitive, end).distance_m, margin.stop_m + 1e-10);
     }
-    if (convex(primitive) && sign > 0.0 && way.dot(start.normal_W) > 1e-6) {
+    if (convex(primitive) && sign > 0.0 && motion.dot(start.normal_W) > 1e-6) {
       ASSERT_EQ(free, length);
     }
   }
@@ -157,7 +158,7 @@ TEST(PrimitiveSweep, StopsOnlyAtTheWallOfATubeThatTheSphereNearlyFills) {
   constexpr double kRing_m = 0.02;
   constexpr double kTube_m = 0.0032;
   const Primitive torus{.kind = PrimitiveKind::torus, .dimensions_m = {kRing_m, kTube_m}};
-  const Shell shell(0.003);
+  const ContactMargin margin(0.003);
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> bell;
   std::uniform_real_distribution<double> aside(-0.0001, 0.0001);
@@ -165,16 +166,16 @@ TEST(PrimitiveSweep, StopsOnlyAtTheWallOfATubeThatTheSphereNearlyFills) {
     const Vec3 from(kRing_m + aside(random), aside(random), 0.0);
     const Vec3 to = from + Vec3(0.02 * bell(random), 0.002 * bell(random), 0.02 * bell(random));
     const double length = (to - from).norm();
-    const double free = travel(torus, from, to, shell, Sides::two);
+    const double free = travel(torus, from, to, margin, Sides::two);
     const Vec3 end = from + free / length * (to - from);
-    ASSERT_GE(least_clearance(torus, from, end, -1.0, shell.inner_m), shell.inner_m - 1e-10);
+    ASSERT_GE(least_clearance(torus, from, end, -1.0, margin.inner_m), margin.inner_m - 1e-10);
     if (free < length) {
-      ASSERT_LE(-sample(torus, end).distance_m, shell.stop_m + 1e-10) << "seed 53, case " << i;
+      ASSERT_LE(-sample(torus, end).distance_m, margin.stop_m + 1e-10) << "seed 53, case " << i;
     }
   }
 }
 
-TEST(PrimitiveSweep, DeepInTheShellItMayMoveOutButNotIn) {
+TEST(PrimitiveSweep, DeepInTheContactMarginItMayMoveOutButNotIn) {
   constexpr std::uint64_t kSeed = 47;
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> bell;
@@ -183,32 +184,32 @@ TEST(PrimitiveSweep, DeepInTheShellItMayMoveOutButNotIn) {
     const PrimitiveKind kind = kAllPrimitives[static_cast<std::size_t>(i) % kAllPrimitives.size()];
     SCOPED_TRACE("seed 47, case " + std::to_string(i));
     const Primitive primitive = testing::random_primitive(kind, random);
-    const Shell shell(0.004);
+    const ContactMargin margin(0.004);
     const Vec3 anywhere(place(random), place(random), place(random));
     const SurfaceSample near = sample(primitive, anywhere);
     const Vec3 from = nearest_point(near, anywhere) + (i % 2 == 0 ? 0.002 : -0.002) * near.normal_W;
     const SurfaceSample start = sample(primitive, from);
     const double sign = start.distance_m < 0.0 ? -1.0 : 1.0;
-    const Vec3 way = Vec3(bell(random), bell(random), bell(random)).normalized();
-    const Vec3 to = from + 0.05 * way;
-    const double free = travel(primitive, from, to, shell, Sides::two);
-    const double floor = std::min(sign * start.distance_m, shell.inner_m);
-    const Vec3 end = from + free * way;
+    const Vec3 motion = Vec3(bell(random), bell(random), bell(random)).normalized();
+    const Vec3 to = from + 0.05 * motion;
+    const double free = travel(primitive, from, to, margin, Sides::two);
+    const double floor = std::min(sign * start.distance_m, margin.inner_m);
+    const Vec3 end = from + free * motion;
     ASSERT_GE(least_clearance(primitive, from, end, sign, floor), floor - 1e-10);
-    if (sign * way.dot(start.normal_W) < -1e-6) {
+    if (sign * motion.dot(start.normal_W) < -1e-6) {
       ASSERT_EQ(free, 0.0);
     }
   }
 }
 
 TEST(PrimitiveSweep, LeavesASolidFromInsideAndMeetsWhatComesNext) {
-  const Shell shell(0.002);
+  const ContactMargin margin(0.002);
   const Primitive box{.kind = PrimitiveKind::box, .dimensions_m = {0.05, 0.05, 0.05}};
-  EXPECT_DOUBLE_EQ(travel(box, {0, 0, 0}, {0.1, 0, 0}, shell), 0.1);
-  EXPECT_NEAR(travel(box, {0, 0, 0}, {0.1, 0, 0}, shell, Sides::two), 0.048, 1e-6);
+  EXPECT_DOUBLE_EQ(travel(box, {0, 0, 0}, {0.1, 0, 0}, margin), 0.1);
+  EXPECT_NEAR(travel(box, {0, 0, 0}, {0.1, 0, 0}, margin, Sides::two), 0.048, 1e-6);
   // The sphere moves from inside the tube on the left, through the hole, to the tube on the right.
   const Primitive torus{.kind = PrimitiveKind::torus, .dimensions_m = {0.05, 0.01}};
-  EXPECT_NEAR(travel(torus, {-0.05, 0, 0}, {0.1, 0, 0}, shell), 0.088, 1e-6);
+  EXPECT_NEAR(travel(torus, {-0.05, 0, 0}, {0.1, 0, 0}, margin), 0.088, 1e-6);
 }
 
 }  // namespace

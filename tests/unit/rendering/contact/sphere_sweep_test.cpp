@@ -14,23 +14,23 @@ using testing::Corners;
 
 constexpr double kFar = 1.0;
 
-double travel(const Triangle& t, const Vec3& from, const Vec3& to, const Shell& shell,
+double travel(const Triangle& t, const Vec3& from, const Vec3& to, const ContactMargin& margin,
               bool one_sided = false) {
-  const Vec3 way = to - from;
-  return travel_to_contact(t, one_sided, {.from = from, .direction = way.normalized()}, kFar, shell,
-                           t.nearest(from));
+  const Vec3 motion = to - from;
+  return travel_to_contact(t, one_sided, {.from = from, .direction = motion.normalized()}, kFar,
+                           margin, t.nearest(from));
 }
 
 TEST(SphereSweep, MeetsFaceEdgeAndVertexWhereTheClosedFormsSay) {
   const Triangle t({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
   const double r = 0.01;
-  const Shell shell(r);
+  const ContactMargin margin(r);
   // Straight down on the face; sideways on the edge y = 0; along the diagonal on the vertex at the
   // origin.
-  EXPECT_NEAR(travel(t, {0.02, 0.02, 0.05}, {0.02, 0.02, 0.0}, shell), 0.05 - r, 1e-6);
-  EXPECT_NEAR(travel(t, {0.05, -0.05, 0.006}, {0.05, 0.0, 0.006}, shell),
+  EXPECT_NEAR(travel(t, {0.02, 0.02, 0.05}, {0.02, 0.02, 0.0}, margin), 0.05 - r, 1e-6);
+  EXPECT_NEAR(travel(t, {0.05, -0.05, 0.006}, {0.05, 0.0, 0.006}, margin),
               0.05 - std::sqrt(r * r - 0.006 * 0.006), 1e-6);
-  EXPECT_NEAR(travel(t, {-0.03, -0.03, 0.0}, {0.0, 0.0, 0.0}, shell), 0.03 * std::sqrt(2.0) - r,
+  EXPECT_NEAR(travel(t, {-0.03, -0.03, 0.0}, {0.0, 0.0, 0.0}, margin), 0.03 * std::sqrt(2.0) - r,
               1e-6);
 }
 
@@ -43,18 +43,18 @@ TEST(SphereSweep, NeverGoesTooFarAndNeverStopsForNothing) {
     SCOPED_TRACE("seed 21, case " + std::to_string(i));
     const Corners corners{point(), point(), point(), {}, 0.0};
     const Triangle t(corners.a, corners.b, corners.c);
-    const Shell shell(i % 3 == 0 ? 0.0 : 0.005);
+    const ContactMargin margin(i % 3 == 0 ? 0.0 : 0.005);
     const Vec3 from = point();
     const Vec3 to = point();
-    if ((from - testing::nearest_point(corners, from)).norm() < shell.rest_m) {
+    if ((from - testing::nearest_point(corners, from)).norm() < margin.rest_m) {
       continue;
     }
     const double length = (to - from).norm();
-    const double free = std::min(length, travel(t, from, to, shell));
+    const double free = std::min(length, travel(t, from, to, margin));
     const Vec3 end = from + free / length * (to - from);
-    ASSERT_GE(testing::segment_distance(corners, from, end), shell.inner_m - 1e-10);
+    ASSERT_GE(testing::segment_distance(corners, from, end), margin.inner_m - 1e-10);
     if (free < length) {
-      ASSERT_LE((end - testing::nearest_point(corners, end)).norm(), shell.stop_m + 1e-10);
+      ASSERT_LE((end - testing::nearest_point(corners, end)).norm(), margin.stop_m + 1e-10);
     }
   }
 }
@@ -65,11 +65,11 @@ TEST(SphereSweep, DoesNotStopWhatHasPassed) {
   const Triangle t({0, 0, 0}, {-0.01, 0.01, 0}, {0.01, 0.01, 0});
   int passes = 0;
   for (const double radius_m : {0.0, 0.001, 0.004}) {
-    const Shell shell(radius_m);
+    const ContactMargin margin(radius_m);
     for (int i = 1; i < 200; ++i) {
-      const double nearest = shell.inner_m + (shell.stop_m - shell.inner_m) * i / 200;
+      const double nearest = margin.inner_m + (margin.stop_m - margin.inner_m) * i / 200;
       for (const double before : {1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 5e-2}) {
-        const double free = travel(t, {-before, -nearest, 0.0}, {0.1, -nearest, 0.0}, shell);
+        const double free = travel(t, {-before, -nearest, 0.0}, {0.1, -nearest, 0.0}, margin);
         ASSERT_TRUE(free < before || free == kFar)
             << "radius " << radius_m << " nearest " << nearest << " from " << before << ": stopped "
             << free - before << " m behind the nearest place";
@@ -82,10 +82,10 @@ TEST(SphereSweep, DoesNotStopWhatHasPassed) {
 
 TEST(SphereSweep, AOneSidedTriangleLetsPassWhatComesFromBehind) {
   const Triangle t({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0});
-  const Shell shell(0.002);
-  EXPECT_EQ(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, shell, true), kFar);
-  EXPECT_LT(travel(t, {0.02, 0.02, 0.05}, {0.02, 0.02, -0.05}, shell, true), kFar);
-  EXPECT_LT(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, shell, false), kFar);
+  const ContactMargin margin(0.002);
+  EXPECT_EQ(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, margin, true), kFar);
+  EXPECT_LT(travel(t, {0.02, 0.02, 0.05}, {0.02, 0.02, -0.05}, margin, true), kFar);
+  EXPECT_LT(travel(t, {0.02, 0.02, -0.05}, {0.02, 0.02, 0.05}, margin, false), kFar);
 }
 
 TEST(SeparatingPlanes, KeepOffNothingThatIsNear) {
@@ -114,15 +114,15 @@ TEST(SeparatingPlanes, KeepOffNothingThatIsNear) {
 
 TEST(SeparatingPlanes, KeepOffAConvexSolidThatTheSphereSlidesOn) {
   const double r = 0.002;
-  const Shell shell(r);
+  const ContactMargin margin(r);
   const testing::Shape ball = testing::icosphere(0.05, 3);
   for (const Corners& touched : testing::corners_of(ball)) {
     const Vec3 normal = (touched.b - touched.a).cross(touched.c - touched.a).normalized();
-    const Vec3 from = (touched.a + touched.b + touched.c) / 3.0 + shell.rest_m * normal;
+    const Vec3 from = (touched.a + touched.b + touched.c) / 3.0 + margin.rest_m * normal;
     SeparatingPlanes planes(from, from + 0.01 * normal.unitOrthogonal());
     planes.add(normal);
     for (const Corners& t : testing::corners_of(ball)) {
-      ASSERT_TRUE(planes.keep_off(Triangle(t.a, t.b, t.c), shell.inner_m));
+      ASSERT_TRUE(planes.keep_off(Triangle(t.a, t.b, t.c), margin.inner_m));
     }
   }
 }

@@ -59,8 +59,8 @@ void wander(const Shape& shape, double radius_m, bool friction, std::uint64_t se
     const Vec3 target = near_surface(shape, random);
     const double step = std::pow(10.0, speed(random));
     for (int k = 0; k < 40 && left > 0; ++k, --left) {
-      const Vec3 way = target - tool;
-      tool += std::min(1.0, step / std::max(way.norm(), 1e-12)) * way;
+      const Vec3 motion = target - tool;
+      tool += std::min(1.0, step / std::max(motion.norm(), 1e-12)) * motion;
       const Touch touch = hand.touch(tool, &path);
       ASSERT_TRUE(touch.force_W.allFinite());
       contacts += touch.contact == rendering::ContactKind::none ? 0 : 1;

@@ -23,11 +23,11 @@ FrictionParameters dahl() {
 }
 
 // One stroke in `ticks` equal steps; the work done on the friction.
-double stroke(const FrictionParameters& parameters, FrictionMemory<double>& state, double way_m,
+double stroke(const FrictionParameters& parameters, FrictionMemory<double>& state, double path_m,
               int ticks) {
   double work_J = 0.0;
   for (int k = 0; k < ticks; ++k) {
-    const double displacement = way_m / ticks;
+    const double displacement = path_m / ticks;
     work_J +=
         update_friction(parameters, state, displacement, 1.0, kTick_s).mean_force_N * displacement;
   }
@@ -96,8 +96,9 @@ TEST(Dahl, LoopsTakeTheirAreaHoweverManyTicksTheyHave) {
   }
 }
 
-// The way from one force to another, by halving: the force grows with the way.
-double way_to(const FrictionParameters& parameters, FrictionMemory<double>& state, double force_N) {
+// The path from one force to another, by halving: the force grows along the path.
+double path_to(const FrictionParameters& parameters, FrictionMemory<double>& state,
+               double force_N) {
   const double direction = force_N > state.elastic_force_N ? 1.0 : -1.0;
   double lower = 0.0;
   double upper = 0.1;
@@ -119,9 +120,9 @@ TEST(Dahl, CreepsByTheClosedFormUnderACyclingForceAndSoDoesLugre) {
   for (const FrictionParameters& parameters : {dahls, published(FrictionKind::lugre)}) {
     for (std::size_t row = 0; row < csv.rows(); ++row) {
       FrictionMemory<double> state;
-      way_to(parameters, state, csv.number(row, "F_low_N"));
-      const double creep = way_to(parameters, state, csv.number(row, "F_high_N")) +
-                           way_to(parameters, state, csv.number(row, "F_low_N"));
+      path_to(parameters, state, csv.number(row, "F_low_N"));
+      const double creep = path_to(parameters, state, csv.number(row, "F_high_N")) +
+                           path_to(parameters, state, csv.number(row, "F_low_N"));
       EXPECT_NEAR(creep, csv.number(row, "drift_per_cycle_m(Fs=1.5,sigma0=1e5)"), 1e-14);
     }
   }
@@ -135,8 +136,8 @@ TEST(Dahl, CreepIsThatOfTheTableUnderAHapticStiffness) {
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     FrictionMemory<double> state;
     state.elastic_force_N = csv.number(row, "F_low_N");
-    const double creep = way_to(parameters, state, csv.number(row, "F_high_N")) +
-                         way_to(parameters, state, csv.number(row, "F_low_N"));
+    const double creep = path_to(parameters, state, csv.number(row, "F_high_N")) +
+                         path_to(parameters, state, csv.number(row, "F_low_N"));
     EXPECT_NEAR(1e3 * creep, csv.number(row, "drift_per_cycle_mm(Fs=1.5,sigma0=1000)"), 1e-9);
   }
 }

@@ -85,10 +85,10 @@ TEST(ElastoPlastic, FollowsTheAccurateSolutionOfTheSwing) {
 
 // Returns the bristle by Dupont's equation, with Runge and Kutta's fourth-order rule in steps of a
 // thousandth of a bristle.
-double bristle_after(const FrictionParameters& p, double level_N, double z, double way_m) {
+double bristle_after(const FrictionParameters& p, double level_N, double z, double path_m) {
   const double steady = level_N / p.stiffness_N_per_m;
   const double elastic = p.elastic_fraction * p.coulomb / p.stiffness_N_per_m;
-  const double sign = way_m < 0.0 ? -1.0 : 1.0;
+  const double sign = path_m < 0.0 ? -1.0 : 1.0;
   const std::function<double(double)> slope = [&](double at) {
     double alpha = 0.0;
     if (at * sign > elastic) {
@@ -99,8 +99,8 @@ double bristle_after(const FrictionParameters& p, double level_N, double z, doub
     }
     return sign * (1.0 - alpha * at * sign / steady);
   };
-  const int steps = 1 + static_cast<int>(std::fabs(way_m) / (2e-2 * steady));
-  const double h = std::fabs(way_m) / steps;
+  const int steps = 1 + static_cast<int>(std::fabs(path_m) / (2e-2 * steady));
+  const double h = std::fabs(path_m) / steps;
   for (int k = 0; k < steps; ++k) {
     const double a = slope(z);
     const double b = slope(z + 0.5 * h * a);
@@ -115,19 +115,19 @@ TEST(ElastoPlastic, FollowsItsEquationInSmallAndInLargeTicks) {
   FrictionParameters parameters = published(FrictionKind::elasto_plastic);
   parameters.damping_s_per_m = 0.0;
   parameters.viscous_s_per_m = 0.0;
-  for (const double way : {2e-7, 1e-6, 5e-6, 2e-5, 1e-4, 6e-4}) {
+  for (const double motion : {2e-7, 1e-6, 5e-6, 2e-5, 1e-4, 6e-4}) {
     for (const double speed : {1e-5, 1e-3, 0.1}) {
       FrictionMemory<double> memory;
       double z = 0.0;
       double worst = 0.0;
       for (int k = 0; k < 300; ++k) {
-        const double step = (k / 40) % 2 == 0 ? way : -way;
+        const double step = (k / 40) % 2 == 0 ? motion : -motion;
         z = bristle_after(parameters, steady_level(parameters, speed), z, step);
-        const auto result = update_friction(parameters, memory, step, 1.0, way / speed);
+        const auto result = update_friction(parameters, memory, step, 1.0, motion / speed);
         worst = std::max(worst, std::fabs(result.bristle_m - z));
       }
       // The bristle is about 10 um: small ticks are nearly exact, large ones are good to a percent.
-      EXPECT_LE(worst, way <= 2e-7 ? 2e-9 : 1.5e-7) << way << " " << speed;
+      EXPECT_LE(worst, motion <= 2e-7 ? 2e-9 : 1.5e-7) << motion << " " << speed;
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rendering/friction/friction_model.h"
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 
 namespace tactus::testing {
 

@@ -43,9 +43,9 @@ TEST(Grain, OfEqualCoefficientsIsNone) {
     FrictionMemory<Vec3> with;
     FrictionMemory<Vec3> without;
     for (int k = 0; k < 500; ++k) {
-      const Vec3 way{1e-4 * std::sin(0.1 * k), 1e-4 * std::cos(0.13 * k), 0.0};
-      const auto a = update_friction(friction.parameters, none, with, way, 1.0, 1e-3);
-      const auto b = update_friction(friction.parameters, without, way, 1.0, 1e-3);
+      const Vec3 motion{1e-4 * std::sin(0.1 * k), 1e-4 * std::cos(0.13 * k), 0.0};
+      const auto a = update_friction(friction.parameters, none, with, motion, 1.0, 1e-3);
+      const auto b = update_friction(friction.parameters, without, motion, 1.0, 1e-3);
       ASSERT_LE((a.force_N - b.force_N).norm(), 1e-14);
     }
   }
@@ -57,22 +57,22 @@ TEST(Grain, SlipTakesTheMostEnergyThatTheEllipseAllows) {
   rendering::FrictionParameters parameters = every_kind(1000.0)[1].parameters;
   parameters.viscous_s_per_m = 0.0;
   const Vec3 across{-0.8, 0.6, 0.0};
-  const Vec3 way = 0.01 * (kGrain.direction + across);
+  const Vec3 motion = 0.01 * (kGrain.direction + across);
   FrictionMemory<Vec3> memory;
   for (int k = 0; k < 50; ++k) {
-    update_friction(parameters, kGrain, memory, way, 1.0, 1e-3);
+    update_friction(parameters, kGrain, memory, motion, 1.0, 1e-3);
   }
-  const Vec3 force = update_friction(parameters, kGrain, memory, way, 1.0, 1e-3).force_N;
+  const Vec3 force = update_friction(parameters, kGrain, memory, motion, 1.0, 1e-3).force_N;
   EXPECT_NEAR(force.dot(kGrain.direction) / force.dot(across), 0.25 * 0.25, 1e-9);
   double most = 0.0;
   for (int degree = 0; degree < 360; ++degree) {
     const double angle = degree * M_PI / 180.0;
     const Vec3 on_ellipse =
         0.5 * (0.25 * std::cos(angle) * kGrain.direction + std::sin(angle) * across);
-    most = std::max(most, on_ellipse.dot(way));
+    most = std::max(most, on_ellipse.dot(motion));
   }
-  EXPECT_GE(force.dot(way), most);
-  EXPECT_LE(force.dot(way), most * 1.001);
+  EXPECT_GE(force.dot(motion), most);
+  EXPECT_LE(force.dot(motion), most * 1.001);
 }
 
 }  // namespace

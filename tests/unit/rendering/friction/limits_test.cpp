@@ -29,20 +29,20 @@ FrictionParameters plain(FrictionKind kind, double static_level) {
 }
 
 // A stroke out and back, 1 mm each tick, a bristle length of 0.5 mm.
-std::vector<double> strokes(const FrictionParameters& parameters, double way_m) {
+std::vector<double> strokes(const FrictionParameters& parameters, double path_m) {
   std::vector<double> forces;
   FrictionMemory<double> memory;
   for (int k = 0; k < 400; ++k) {
-    const double way = (k / 100) % 2 == 0 ? way_m : -way_m;
-    forces.push_back(update_friction(parameters, memory, way, 2.0, kTick_s).force_N);
+    const double motion = (k / 100) % 2 == 0 ? path_m : -path_m;
+    forces.push_back(update_friction(parameters, memory, motion, 2.0, kTick_s).force_N);
   }
   return forces;
 }
 
-void expect_alike(const FrictionParameters& a, const FrictionParameters& b, double way_m,
+void expect_alike(const FrictionParameters& a, const FrictionParameters& b, double path_m,
                   double tolerance_N) {
-  const auto first = strokes(a, way_m);
-  const auto second = strokes(b, way_m);
+  const auto first = strokes(a, path_m);
+  const auto second = strokes(b, path_m);
   for (std::size_t k = 0; k < first.size(); ++k) {
     ASSERT_NEAR(first[k], second[k], tolerance_N) << k;
   }
@@ -100,11 +100,11 @@ TEST(Limits, NoSpeedMakesAStiffBristleUnstableAtOneKilohertz) {
     for (int k = 0; k < 100'000; ++k) {
       const double speed = std::pow(10.0, decade(random));
       const double normal = 5.0 * std::fabs(any(random));
-      const Vec3 way = kTick_s * speed * Vec3{any(random), any(random), 0.0};
-      const auto result = update_friction(p, memory, way, normal, kTick_s);
+      const Vec3 motion = kTick_s * speed * Vec3{any(random), any(random), 0.0};
+      const auto result = update_friction(p, memory, motion, normal, kTick_s);
       // The bound includes what sigma1 and sigma2 can add: the bristle moves by at most its motion
       // and twice its bound.
-      const double rate = way.norm() / kTick_s;
+      const double rate = motion.norm() / kTick_s;
       const double bend = std::min(rate, 2.0 * p.static_level * normal / 1e5 / kTick_s);
       const double bound =
           (p.static_level + p.damping_s_per_m * bend + p.viscous_s_per_m * rate) * normal;

@@ -75,12 +75,12 @@ TEST_P(LugreExperiments, FrictionLagsBehindTheVelocity) {
   FrictionMemory<double> state;
   std::vector<double> velocity;
   std::vector<double> force;
-  const auto way = [&](double t) { return 1e-3 * (1.5 * t + std::sin(omega * t) / omega); };
+  const auto motion = [&](double t) { return 1e-3 * (1.5 * t + std::sin(omega * t) / omega); };
   const double period_s = 2.0 * M_PI / omega;
   const auto steps = static_cast<std::size_t>(std::ceil(2.0 * period_s / step_s()));
   for (std::size_t k = 0; k < steps; ++k) {
     const double t = static_cast<double>(k) * step_s();
-    const double displacement = way(t + step_s()) - way(t);
+    const double displacement = motion(t + step_s()) - motion(t);
     const auto result = update_friction(parameters, state, displacement, 1.0, step_s());
     if (t >= period_s) {
       // The mean over the tick belongs to its middle.

@@ -49,11 +49,11 @@ TEST_P(EveryKindInThePlane, RotatesWithItsMotion) {
     FrictionMemory<Vec3> here;
     FrictionMemory<Vec3> there;
     for (int k = 0; k < 2000; ++k) {
-      const Vec3 way = path(0.01 * (k + 1)) - path(0.01 * k);
+      const Vec3 motion = path(0.01 * (k + 1)) - path(0.01 * k);
       const double normal = 1.0 + 0.5 * std::sin(0.07 * k);
-      const auto a = update_friction(GetParam().parameters, here, way, normal, kTick_s);
+      const auto a = update_friction(GetParam().parameters, here, motion, normal, kTick_s);
       const auto b =
-          update_friction(GetParam().parameters, there, Vec3{rotation * way}, normal, kTick_s);
+          update_friction(GetParam().parameters, there, Vec3{rotation * motion}, normal, kTick_s);
       ASSERT_LE((rotation * a.force_N - b.force_N).norm(), 1e-12) << k;
       ASSERT_LE((rotation * a.mean_force_N - b.mean_force_N).norm(), 1e-12) << k;
       ASSERT_EQ(a.slipping, b.slipping) << k;
@@ -66,9 +66,9 @@ TEST_P(EveryKindInThePlane, IsTheJointsFrictionOnAStraightLine) {
   FrictionMemory<Vec3> plane;
   FrictionMemory<double> joint;
   for (int k = 0; k < 3000; ++k) {
-    const double way = 2e-4 * std::sin(0.0001 * k * k) * std::sin(0.01 * k);
-    const auto a = update_friction(GetParam().parameters, plane, Vec3{way * line}, 2.0, kTick_s);
-    const auto b = update_friction(GetParam().parameters, joint, way, 2.0, kTick_s);
+    const double motion = 2e-4 * std::sin(0.0001 * k * k) * std::sin(0.01 * k);
+    const auto a = update_friction(GetParam().parameters, plane, Vec3{motion * line}, 2.0, kTick_s);
+    const auto b = update_friction(GetParam().parameters, joint, motion, 2.0, kTick_s);
     ASSERT_LE((a.force_N - b.force_N * line).norm(), 1e-12) << k;
     ASSERT_NEAR(a.mean_force_N.dot(line), b.mean_force_N, 1e-12) << k;
   }
@@ -79,9 +79,9 @@ TEST_P(EveryKindInThePlane, NeverExceedsItsLevelAndNeverLeavesThePlane) {
   for (const Path path : kPaths) {
     FrictionMemory<Vec3> memory;
     for (int k = 0; k < 5000; ++k) {
-      const Vec3 way = path(0.007 * (k + 1)) - path(0.007 * k);
+      const Vec3 motion = path(0.007 * (k + 1)) - path(0.007 * k);
       const double normal = 0.5 + 0.5 * std::sin(0.03 * k);
-      const auto result = update_friction(p, memory, way, normal, kTick_s);
+      const auto result = update_friction(p, memory, motion, normal, kTick_s);
       ASSERT_LE(memory.elastic_force_N.norm(), p.static_level * normal * (1.0 + 1e-9));
       ASSERT_EQ(result.force_N.z(), 0.0);
     }
@@ -100,9 +100,9 @@ TEST_P(EveryKindInThePlane, LosesEnergyOnEveryRoundAndRepeatsItself) {
       last = memory.elastic_force_N;
       for (int k = 0; k < kTicks; ++k) {
         const double turn = 2.0 * M_PI / kTicks;
-        const Vec3 way = path((k + 1) * turn) - path(k * turn);
-        work_J +=
-            update_friction(GetParam().parameters, memory, way, 1.0, kTick_s).mean_force_N.dot(way);
+        const Vec3 motion = path((k + 1) * turn) - path(k * turn);
+        work_J += update_friction(GetParam().parameters, memory, motion, 1.0, kTick_s)
+                      .mean_force_N.dot(motion);
       }
     }
     EXPECT_LE((memory.elastic_force_N - last).norm(), 1e-9);

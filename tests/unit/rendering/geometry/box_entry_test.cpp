@@ -20,13 +20,13 @@ class BoxEntryTest : public ::testing::Test, protected testing::AnyBoxes {
 
   static constexpr std::uint64_t kSeed = 21;
 
-  // Some ways run along an axis.
+  // Some rays run along an axis.
   Vec3 direction() {
-    Vec3 way = vector();
+    Vec3 motion = vector();
     for (int k = 0; k < 2; ++k) {
-      way[static_cast<int>(3.0 * unit())] *= unit() < 0.2 ? 0.0 : 1.0;
+      motion[static_cast<int>(3.0 * unit())] *= unit() < 0.2 ? 0.0 : 1.0;
     }
-    return way.squaredNorm() > 0.0 ? way.normalized() : Vec3{Vec3::UnitZ()};
+    return motion.squaredNorm() > 0.0 ? motion.normalized() : Vec3{Vec3::UnitZ()};
   }
 };
 

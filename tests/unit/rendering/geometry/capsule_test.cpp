@@ -18,17 +18,17 @@ TEST(Capsule, ALineLeavesItWhereItsDepthIsZeroAndNotBefore) {
   int inside = 0;
   for (int k = 0; k < 100'000; ++k) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", case " + std::to_string(k));
-    const Vec3 way = k % 5 == 0 ? Vec3{Vec3::Zero()} : vector();
-    const Capsule capsule{.start = vector(), .way = way, .radius = std::abs(signed_unit(random))};
+    const Vec3 axis = k % 5 == 0 ? Vec3{Vec3::Zero()} : vector();
+    const Capsule capsule{.start = vector(), .axis = axis, .radius = std::abs(signed_unit(random))};
     const Vec3 p =
-        capsule.start + capsule.radius * vector() + 0.5 * (1.0 + signed_unit(random)) * way;
+        capsule.start + capsule.radius * vector() + 0.5 * (1.0 + signed_unit(random)) * axis;
     if (capsule.depth(p) < 1e-6) {
       continue;
     }
     ++inside;
-    const bool along = k % 7 == 0 && way.norm() > 0.0;
+    const bool along = k % 7 == 0 && axis.norm() > 0.0;
     const Vec3 direction =
-        along ? Vec3{(k % 2 == 0 ? 1.0 : -1.0) * way.normalized()} : Vec3{vector().normalized()};
+        along ? Vec3{(k % 2 == 0 ? 1.0 : -1.0) * axis.normalized()} : Vec3{vector().normalized()};
     const double travel = capsule.room_along(p, direction);
     EXPECT_NEAR(capsule.depth(p + travel * direction), 0.0, 1e-9);
     EXPECT_GT(capsule.depth(p + 0.999 * travel * direction), 0.0);
@@ -36,7 +36,7 @@ TEST(Capsule, ALineLeavesItWhereItsDepthIsZeroAndNotBefore) {
   EXPECT_GT(inside, 10'000);
 }
 
-TEST(Capsule, WithoutAWayItIsABallAndWithoutARadiusEmpty) {
+TEST(Capsule, WithoutAnAxisItIsABallAndWithoutARadiusEmpty) {
   const Capsule ball{.start = {1, 2, 3}, .radius = 0.5};
   EXPECT_DOUBLE_EQ(ball.depth({1, 2, 3.25}), 0.25);
   EXPECT_DOUBLE_EQ(ball.room_along({1, 2, 3.25}, Vec3::UnitZ()), 0.25);

@@ -23,25 +23,27 @@ Crossing cross(const FormulaSurface& shape, const Vec3& from, const Vec3& to) {
 TEST(FirstCrossing, FindsWhereALineEntersASphere) {
   const FormulaSurface sphere("sphere(1)", 0.05);
   const Crossing crossing = cross(sphere, {-3.0, 0.6, 0.0}, {3.0, 0.6, 0.0});
-  EXPECT_EQ(crossing.way, Way::blocked);
+  EXPECT_EQ(crossing.state, SegmentState::blocked);
   EXPECT_NEAR(-3.0 + 6.0 * crossing.free_to, -0.8, 2.0e-9 / 0.05);
   EXPECT_GE(crossing.blocked_at, crossing.free_to);
 }
 
 TEST(FirstCrossing, PassesWhatItMissesByAMicrometre) {
   const FormulaSurface sphere("sphere(1)", 0.05);
-  EXPECT_EQ(cross(sphere, {-3.0, 1.0 + 2e-5, 0.0}, {3.0, 1.0 + 2e-5, 0.0}).way, Way::free);
-  EXPECT_EQ(cross(sphere, {-3.0, 1.0 - 2e-5, 0.0}, {3.0, 1.0 - 2e-5, 0.0}).way, Way::blocked);
+  EXPECT_EQ(cross(sphere, {-3.0, 1.0 + 2e-5, 0.0}, {3.0, 1.0 + 2e-5, 0.0}).state,
+            SegmentState::free);
+  EXPECT_EQ(cross(sphere, {-3.0, 1.0 - 2e-5, 0.0}, {3.0, 1.0 - 2e-5, 0.0}).state,
+            SegmentState::blocked);
 }
 
 TEST(FirstCrossing, CatchesASheetOfANanometreInOneStepOfAMetre) {
   const FormulaSurface sheet("shell(z, 1e-9)");
   const Crossing crossing = cross(sheet, {0.1, 0.2, 0.3}, {0.1, 0.2, -0.7});
-  EXPECT_EQ(crossing.way, Way::blocked);
+  EXPECT_EQ(crossing.state, SegmentState::blocked);
   EXPECT_NEAR(crossing.free_to, 0.3, 2e-9);
 }
 
-TEST(FirstCrossing, StopsWhereTheWorkRunsOutWithTheWayBehindItFree) {
+TEST(FirstCrossing, StopsWhereTheBudgetRunsOutWithThePathBehindItFree) {
   const FormulaSurface sphere("sphere(1)");
   const Vec3 from{-3.0, 0.0, 1.001};
   const Vec3 to{3.0, 0.1, 0.999};
@@ -51,7 +53,7 @@ TEST(FirstCrossing, StopsWhereTheWorkRunsOutWithTheWayBehindItFree) {
   for (std::size_t evaluations = 1; evaluations < 60; ++evaluations) {
     ImplicitField field(sphere.surface, 1.0, evaluations * formula_size);
     const Crossing crossing = first_crossing(field, from, to, kPlentyOfRanges);
-    unfinished += crossing.way == Way::unknown ? 1 : 0;
+    unfinished += crossing.state == SegmentState::unknown ? 1 : 0;
     EXPECT_GE(crossing.free_to, last) << "more work gets no less far";
     last = crossing.free_to;
     for (int i = 0; i <= 1000; ++i) {
@@ -82,11 +84,11 @@ TEST_P(RandomSegments, AreFreeUpToTheFirstCrossingThatSamplingFinds) {
       continue;
     }
     const Crossing crossing = cross(shape, from, to);
-    ASSERT_NE(crossing.way, Way::unknown);
+    ASSERT_NE(crossing.state, SegmentState::unknown);
     for (int i = 0; i <= kSamples && i <= crossing.free_to * kSamples; ++i) {
       ASSERT_GE(f(static_cast<double>(i) / kSamples), 0.0) << "run " << run;
     }
-    if (crossing.way == Way::blocked) {
+    if (crossing.state == SegmentState::blocked) {
       ++blocked;
       EXPECT_GE(f(crossing.free_to), 0.0);
       EXPECT_LE(f(crossing.blocked_at), 1e-7) << "there is something";

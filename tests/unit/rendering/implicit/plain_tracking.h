@@ -17,8 +17,8 @@ struct Seed {
 // the formula's units: p <- p - f grad f / |grad f|^2, until a step is below 1e-13.
 Seed seed(const FormulaView& formula, const Vec3& start);
 
-// One tick: the tool is projected on the tangent plane at the surface contact point, and the
-// surface point is sought from there.
+// Computes one tick: projects the tool on the tangent plane at the surface contact point, and seeks
+// the surface point from there.
 Seed plain_tracking_step(const FormulaView& formula, const Vec3& contact, const Vec3& tool);
 
 }  // namespace tactus::rendering

@@ -32,12 +32,12 @@ class Wanderer {
       ticks_left_ = 1 + static_cast<int>(300.0 * unit_(random_));
       jumps_ = unit_(random_) < 0.05;
     }
-    const Vec3 way = target_ - tool_;
-    const double distance = way.norm();
+    const Vec3 motion = target_ - tool_;
+    const double distance = motion.norm();
     if (jumps_) {
       tool_ = target_;
     } else if (distance > 0.0) {
-      tool_ += std::min(1.0, speed_m_ / distance) * way;
+      tool_ += std::min(1.0, speed_m_ / distance) * motion;
     }
     return tool_ + 0.1 * speed_m_ * direction();
   }
@@ -86,7 +86,8 @@ bool could_do_better(const FormulaSurface& shape, double side, const ImplicitRes
         rest.proxy_W + kStep_m * Vec3{normal(random), normal(random), normal(random)}.normalized();
     const double gain = (rest.proxy_W - tool).norm() - (to_W - tool).norm();
     if (gain > 0.1 * kStep_m &&
-        first_crossing(field, from, shape.surface.to_object(to_W), 10'000).way == Way::free) {
+        first_crossing(field, from, shape.surface.to_object(to_W), 10'000).state ==
+            SegmentState::free) {
       return true;
     }
   }
@@ -141,9 +142,9 @@ TEST(Crossing, OfTwoSheetsDoesNotCatchTheProxy) {
   for (int k = 0; k < 200; ++k) {
     ImplicitTracker tracker;
     tracker.place({-0.01046, 0.01172, 0.00751});
-    for (const Vec3& on_the_way : {Vec3{-0.0234, 0.0175, 0.033}, Vec3{-0.0122, 0.0246, 0.0212},
-                                   Vec3{-0.0024, 0.0321, 0.0081}}) {
-      tracker.advance(bottle.surface, kNoFriction, on_the_way);
+    for (const Vec3& on_the_path : {Vec3{-0.0234, 0.0175, 0.033}, Vec3{-0.0122, 0.0246, 0.0212},
+                                    Vec3{-0.0024, 0.0321, 0.0081}}) {
+      tracker.advance(bottle.surface, kNoFriction, on_the_path);
     }
     const Vec3 over = near({0.0015, 0.0345, 0.004});
     const Vec3 along = near({0.0085, 0.039, -0.004});

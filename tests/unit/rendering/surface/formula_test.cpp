@@ -146,29 +146,30 @@ TEST(FormulaRanges, HoldTheValueAndTheSlopeAtEveryPointOfASegment) {
     const List list = random_list(random);
     ASSERT_TRUE(check({list}).has_value());
     const Vec3 from{side(random), side(random), side(random)};
-    const Vec3 way =
+    const Vec3 motion =
         std::pow(10.0, -6.0 * unit(random)) * Vec3{side(random), side(random), side(random)};
     const double a = unit(random);
     const double b = a + (1.0 - a) * unit(random);
-    const SegmentRange range = evaluate_along({list}, from, way, {a, b});
+    const SegmentRange range = evaluate_along({list}, from, motion, {a, b});
     ASSERT_LE(range.value.lower, range.value.upper);
     ASSERT_LE(range.slope.lower, range.slope.upper);
     tight += std::isfinite(range.slope.lower) && std::isfinite(range.slope.upper) ? 1 : 0;
     for (int k = 0; k <= 10; ++k) {
       const double t = k == 0 ? a : k == 10 ? b : a + (b - a) * unit(random);
-      const ValueAndGradient f = evaluate_gradient({list}, from + t * way);
-      const double slope = f.gradient.dot(way);
+      const ValueAndGradient f = evaluate_gradient({list}, from + t * motion);
+      const double slope = f.gradient.dot(motion);
       if (!std::isnan(f.value)) {
         ASSERT_TRUE(holds(range.value, f.value, 0.0)) << "run " << run << " t " << t;
       }
       // The dot product rounds too.
-      const double slack = 1e-9 * (f.gradient.norm() * way.norm()) + 1e-200;
+      const double slack = 1e-9 * (f.gradient.norm() * motion.norm()) + 1e-200;
       if (std::isfinite(slope) && std::isfinite(slack)) {
         ASSERT_TRUE(holds(range.slope, slope, slack)) << "run " << run << " t " << t;
       }
     }
-    const Interval box = evaluate_box({list}, from.cwiseMin(from + way), from.cwiseMax(from + way));
-    const double inside = evaluate({list}, from + 0.5 * way);
+    const Interval box =
+        evaluate_box({list}, from.cwiseMin(from + motion), from.cwiseMax(from + motion));
+    const double inside = evaluate({list}, from + 0.5 * motion);
     ASSERT_TRUE(std::isnan(inside) || holds(box, inside, 1e-12 * std::abs(inside)));
   }
   EXPECT_GT(tight, 20'000);

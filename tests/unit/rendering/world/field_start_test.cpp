@@ -53,7 +53,7 @@ double distance_of(const Object& object, const Vec3& p_W) {
   return out.cwiseMax(0.0).norm() + std::min(out.maxCoeff(), 0.0);
 }
 
-// Numbers for random scenes and ways.
+// Numbers for random scenes and paths.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
@@ -110,12 +110,12 @@ TEST(FieldStart, AToolFeelsNothingOfWhatItBeginsInUntilItHasLeft) {
       std::array<bool, 4> began_in;
       began_in.fill(true);
       const Vec3 from_W = dice.within(0.025);
-      const Vec3 way_W = dice.within(1.0).normalized();
+      const Vec3 direction_W = dice.within(1.0).normalized();
       std::size_t inside = 0;
       for (int tick = 0; tick < 200; ++tick) {
         // The tool moves out and back, and trembles.
         const double travel = 0.05 * std::sin(0.02 * tick);
-        const Vec3 p_W = from_W + travel * way_W + dice.within(1e-4);
+        const Vec3 p_W = from_W + travel * direction_W + dice.within(1e-4);
         const double most_N = largest_push(heap, began_in, p_W, radius_m);
         const Touch touch = world->touch({.p_W = p_W});
         const auto left_out = static_cast<std::size_t>(std::ranges::count(began_in, true));

@@ -194,7 +194,7 @@ TEST_F(WorldTest, InADensePlaceTheProxyWaitsForSomeTicksAndIsFeltMeanwhile) {
   EXPECT_LE((last.proxy_W - (kBowl_m - kTool_m) * tool.normalized()).norm(), kFacets_m);
 }
 
-// Rushed over many triangles, the proxy is often between two faces when a tick's work is done.
+// Rushed over many triangles, the proxy is often between two faces when a tick's budget is spent.
 TEST_F(WorldTest, ATickThatIsCutShortIsFeltAsTheOnesBefore) {
   constexpr double kBall_m = 0.05;
   constexpr int kSettled = 200;

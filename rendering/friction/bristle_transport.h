@@ -1,4 +1,4 @@
-// Taking the bristle along: round a corner, and from one surface to the next.
+// Transports the bristle with the contact: round a corner, and from one surface to the next.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,10 @@
 
 namespace tactus::rendering {
 
-// `tangent`, which is perpendicular to the unit normal `from`, turned by the least rotation that
-// takes `from` to the unit normal `to`. Its length stays, to rounding. On tangent vectors that
+// Returns `tangent`, which is perpendicular to the unit normal `from`, turned by the least rotation
+// that takes `from` to the unit normal `to`. The length stays, to rounding. On tangent vectors this
 // rotation is the mirror image in the plane perpendicular to h = from + to. Opposite normals have
-// no least rotation: the one about the tangent itself is taken, also where h is mostly rounding.
+// no least rotation: the one about the tangent itself is used, also where h is mostly rounding.
 inline Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
   constexpr double kOpposite = 1e-16;  // |h|^2: 1e-8 rad
   const Vec3 half = from + to;
@@ -21,13 +21,14 @@ inline Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
   return there - to.dot(there) * to;
 }
 
-// The contact plane turns: the elastic force keeps its size, and so the bristle its energy.
+// Turns the memory with the contact plane. The elastic force keeps its size, and so the bristle its
+// energy.
 inline void turn(FrictionMemory<Vec3>& memory, const Vec3& from, const Vec3& to) {
   memory.elastic_force_N = turned(memory.elastic_force_N, from, to);
 }
 
-// The same contact goes on with another stiffness (0: rigid): the force stays where that adds no
-// energy, and is lowered to the energy that there is where it would.
+// Changes the stiffness of a contact that goes on (0: rigid). The force stays if that adds no
+// energy; otherwise it is lowered to keep the energy.
 template <typename Vector>
 void change_stiffness(FrictionMemory<Vector>& memory, double old_N_per_m, double new_N_per_m) {
   const bool was_rigid = old_N_per_m <= 0.0;

@@ -1,4 +1,4 @@
-#include "rendering/world/scenery.h"
+#include "rendering/world/scene_objects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@
 namespace tactus::rendering {
 namespace {
 
-// Of a plane that moves: the box of one at rest is the world's, and would move along.
+// The bounds of a plane that moves. The box of a plane at rest is the world's, and would move
+// along.
 const Bounds kEverywhere{.lower_W = Vec3::Constant(-1e6), .upper_W = Vec3::Constant(1e6)};
 
 bool sound(const RigidPose& pose) {
@@ -47,9 +48,9 @@ double Mover::distance_before(const Vec3& p_W) const {
   return bounds_O.distance(X_WO_before.point_in(p_W));
 }
 
-void SceneryNeeds::add(const Object& object) {
+void SceneCapacityNeeds::add(const Object& object) {
   movers += is_mover(object) ? 1U : 0U;
-  lone += meets_proxy(object) ? 0U : 1U;
+  independent += meets_proxy(object) ? 0U : 1U;
   if (object.deforms) {
     ++deformables;
     deformable_vertices += object.mesh.vertices.size();
@@ -57,17 +58,18 @@ void SceneryNeeds::add(const Object& object) {
   }
 }
 
-bool SceneryNeeds::fit() const {
-  return movers <= kMaxMovers && lone <= kMaxLoneObjects && deformables <= kMaxDeformables &&
-         deformable_vertices <= kMaxDeformableVertices && deformable_nodes <= kMaxDeformableNodes;
+bool SceneCapacityNeeds::fit() const {
+  return movers <= kMaxMovers && independent <= kMaxIndependentObjects &&
+         deformables <= kMaxDeformables && deformable_vertices <= kMaxDeformableVertices &&
+         deformable_nodes <= kMaxDeformableNodes;
 }
 
-bool Scenery::set(std::span<const Object> objects) {
-  SceneryNeeds needs;
+bool SceneObjects::set(std::span<const Object> objects) {
+  SceneCapacityNeeds needs;
   std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
   bool good = objects.size() <= kMaxObjects && needs.fit() && std::ranges::all_of(objects, usable);
   objects_ = good ? objects : std::span<const Object>{};
-  mover_count_ = lone_count_ = deformable_count_ = 0;
+  mover_count_ = independent_count_ = deformable_count_ = 0;
   changed_of_.fill(kUnchanged);
   changed_count_ = 0;
   pool_.vertices_used = pool_.nodes_used = 0;
@@ -75,19 +77,19 @@ bool Scenery::set(std::span<const Object> objects) {
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
     mover_of_[i] = kNoMover;
     if (!meets_proxy(objects_[i])) {
-      lone_[lone_count_++] = i;
+      independent_[independent_count_++] = i;
     }
     good = good && (!is_mover(objects_[i]) || start_mover(i));
   }
   if (!good) {
     objects_ = {};
-    mover_count_ = lone_count_ = 0;
+    mover_count_ = independent_count_ = 0;
   }
   build_hierarchy();
   return good;
 }
 
-bool Scenery::start_mover(std::uint32_t number) {
+bool SceneObjects::start_mover(std::uint32_t number) {
   const Object& object = objects_[number];
   mover_of_[number] = static_cast<std::uint8_t>(mover_count_);
   orders_[mover_count_] = {};
@@ -110,11 +112,11 @@ bool Scenery::start_mover(std::uint32_t number) {
   return deformable.start(object.mesh, pool_);
 }
 
-DeformableMesh& Scenery::deformable_of(const Mover& mover) {
+DeformableMesh& SceneObjects::deformable_of(const Mover& mover) {
   return deformables_[static_cast<std::size_t>(mover.deformable - deformables_.data())];
 }
 
-bool Scenery::move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O) {
+bool SceneObjects::move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O) {
   if (number >= objects_.size() || !objects_[number].deforms) {
     return false;
   }
@@ -124,7 +126,7 @@ bool Scenery::move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3
   return good;
 }
 
-bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
+bool SceneObjects::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
   if (number >= objects_.size() || mover_of_[number] == kNoMover || !sound(X_WO) ||
       !twist.linear_W.allFinite() || !twist.angular_W.allFinite()) {
     return false;
@@ -134,7 +136,7 @@ bool Scenery::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist&
   return true;
 }
 
-bool Scenery::set_material(std::uint32_t number, const Material& material) {
+bool SceneObjects::set_material(std::uint32_t number, const Material& material) {
   if (number >= objects_.size() || !sound(material)) {
     return false;
   }
@@ -148,7 +150,7 @@ bool Scenery::set_material(std::uint32_t number, const Material& material) {
   return true;
 }
 
-void Scenery::begin_tick(double time_s, double tick_s) {
+void SceneObjects::begin_tick(double time_s, double tick_s) {
   tick_s_ = tick_s;
   anything_moved_ = false;
   for (std::size_t k = 0; k < mover_count_; ++k) {
@@ -157,8 +159,8 @@ void Scenery::begin_tick(double time_s, double tick_s) {
   }
 }
 
-// Some vertices a tick, in turns.
-void Scenery::wave(Mover& mover, double time_s) {
+// Moves some vertices per tick, in turns.
+void SceneObjects::wave(Mover& mover, double time_s) {
   const Object& object = objects_[mover.object];
   const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
   DeformableMesh& mesh = deformable_of(mover);
@@ -171,7 +173,7 @@ void Scenery::wave(Mover& mover, double time_s) {
   }
 }
 
-void Scenery::begin_tick_of(std::size_t k, double time_s) {
+void SceneObjects::begin_tick_of(std::size_t k, double time_s) {
   Mover& mover = movers_[k];
   if (mover.motion != nullptr) {
     const Placement at = place_at(*mover.motion, time_s);
@@ -202,8 +204,9 @@ void Scenery::begin_tick_of(std::size_t k, double time_s) {
   }
 }
 
-// By halves along the longest side of the centres' box, so the depth is the logarithm of the count.
-void Scenery::build_hierarchy() {
+// Splits in halves along the longest side of the centres' box, so the depth is the logarithm of the
+// count.
+void SceneObjects::build_hierarchy() {
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
     if (meets_proxy(objects_[i]) && !is_mover(objects_[i])) {
@@ -238,13 +241,13 @@ void Scenery::build_hierarchy() {
   }
 }
 
-Vec3 Scenery::centre(std::uint32_t number) const {
+Vec3 SceneObjects::centre(std::uint32_t number) const {
   const Bounds box = bounds_of(objects_[number]);
   return 0.5 * (box.lower_W + box.upper_W);
 }
 
-// Gives the part's node its box, and the axis along which its objects lie widest.
-Eigen::Index Scenery::enclose(const Part& part) {
+// Sets the box of the part's node, and returns the axis along which its objects are spread most.
+Eigen::Index SceneObjects::enclose(const Part& part) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   BvhNode& box = nodes_[part.node];
   box = {.lower = {kFar, kFar, kFar}, .upper = {-kFar, -kFar, -kFar}};
@@ -258,7 +261,7 @@ Eigen::Index Scenery::enclose(const Part& part) {
   return widest;
 }
 
-void Scenery::halve(const Part& part, Eigen::Index axis) {
+void SceneObjects::halve(const Part& part, Eigen::Index axis) {
   const auto range = std::span(order_).subspan(part.first, part.count);
   std::ranges::nth_element(range, range.begin() + static_cast<std::ptrdiff_t>(part.count / 2),
                            [&](std::uint32_t a, std::uint32_t b) {
@@ -268,9 +271,9 @@ void Scenery::halve(const Part& part, Eigen::Index axis) {
                            });
 }
 
-Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle) {
-  const MeshView mesh = scenery.mesh_O(number).mesh;
-  const Mover* const mover = scenery.mover_of(number);
+Triangle triangle_W(const SceneObjects& scene, std::uint32_t number, std::uint32_t triangle) {
+  const MeshView mesh = scene.mesh_O(number).mesh;
+  const Mover* const mover = scene.mover_of(number);
   const TriangleIndices& corners = mesh.triangles[triangle];
   return {point_from(mover, to_vec3(mesh.vertices[corners[0]])),
           point_from(mover, to_vec3(mesh.vertices[corners[1]])),

@@ -1,5 +1,5 @@
-// The objects of a scene where they are in this tick: those that stand still under a hierarchy of
-// their boxes, and those that the outside moves.
+// The objects of a scene at their places in this tick: those at rest under a hierarchy of their
+// boxes, and those that move.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace tactus::rendering {
 
-// An object that moves. Its own frame O is the frame in which the scene gives it; X_WO says where
-// that frame is.
+// An object that moves. Its frame O is the frame in which the scene gives it; X_WO is the pose of O
+// in the world.
 struct Mover {
   std::uint32_t object = 0;
   RigidPose X_WO_before;  // in the last tick
@@ -33,12 +33,14 @@ struct Mover {
   std::uint32_t next_vertex = 0;   // whose turn it is in the waves
   bool moved = false;              // since the last tick, or deformed
 
-  // Distance from p_W to the box, 0 inside: where it is now, and where it was in the last tick.
+  // Return the distance from p_W to the object's box, m, 0 inside: at its place now, and at its
+  // place in the last tick.
   [[nodiscard]] double distance(const Vec3& p_W) const;
   [[nodiscard]] double distance_before(const Vec3& p_W) const;
 };
 
-// To the frame O of an object and from it; the same for one that stands still, a mover of nullptr.
+// Convert points and directions to the frame O of an object and back. A mover of nullptr is an
+// object at rest.
 inline Vec3 point_in(const Mover* mover, const Vec3& p_W) {
   return mover == nullptr ? p_W : mover->X_WO.point_in(p_W);
 }
@@ -55,66 +57,67 @@ inline Vec3 direction_from(const Mover* mover, const Vec3& d_O) {
   return mover == nullptr ? d_O : mover->X_WO.direction(d_O);
 }
 
-// A search through the hierarchy has to reach by the slack farther than it means to.
+// A mesh as it is in this tick. A search through its hierarchy must reach farther by `slack_m`.
 struct PlacedMesh {
   MeshView mesh;
   double slack_m = 0.0;
 };
 
-// What of the fixed sizes of a scenery some objects would take.
-struct SceneryNeeds {
-  std::size_t movers = 0;  // objects that move or deform
-  std::size_t lone = 0;    // that the shared proxy does not meet
+// The share of the fixed capacities that some objects need.
+struct SceneCapacityNeeds {
+  std::size_t movers = 0;       // objects that move or deform
+  std::size_t independent = 0;  // that the shared proxy does not meet
   std::size_t deformables = 0;
   std::size_t deformable_vertices = 0;
   std::size_t deformable_nodes = 0;
 
   void add(const Object& object);
-  // In kMaxMovers, kMaxLoneObjects, kMaxDeformables, kMaxDeformableVertices, kMaxDeformableNodes.
+  // Returns true if the needs are within kMaxMovers, kMaxIndependentObjects, kMaxDeformables,
+  // kMaxDeformableVertices and kMaxDeformableNodes.
   [[nodiscard]] bool fit() const;
 };
 
 // Lives in static storage; no heap. One thread owns it.
-class Scenery {
+class SceneObjects {
  public:
-  // Takes the objects, each at X_WO = identity; the views must stay alive and unchanged. False, and
-  // none, if there are more than kMaxObjects, more than kMaxMovers that move or deform, more
-  // than kMaxLoneObjects that the shared proxy does not meet, more that deform than there is room
-  // for, or one that is not usable().
+  // Sets the objects, each at X_WO = identity; the views must stay alive and unchanged. Returns
+  // false, and leaves no objects, if there are more than kMaxObjects, more than kMaxMovers that
+  // move or deform, more than kMaxIndependentObjects that the shared proxy does not meet, more that
+  // deform than fit, or one that is not usable().
   bool set(std::span<const Object> objects);
 
-  // From the next tick on object `number` stands there. False, and nothing changed, if it is not an
-  // object that moves, or if a number is not finite, the rotation not orthonormal and right-handed
-  // to 1e-9, or its origin farther than kWorldBound_m from the world's.
+  // Sets the pose and velocity of object `number` from the next tick on. Returns false, and changes
+  // nothing, if the object does not move, a number is not finite, the rotation is not orthonormal
+  // and right-handed to 1e-9, or its origin is farther than kWorldBound_m from the world's.
   bool set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist);
 
-  // From the next tick on a vertex of an object that deforms moves there, in the object's frame O
-  // (see DeformableMesh). False, and nothing changed, for anything else.
+  // Moves a vertex of an object that deforms from the next tick on; frame O, m (see
+  // DeformableMesh). Returns false, and changes nothing, for anything else.
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
-  // From the next tick on an object feels like that, whatever its scene says. False, and nothing
-  // changed, if there is no such object, the material is not sound(), or kMaxChangedMaterials
-  // others have been changed since set().
+  // Sets the material of an object from the next tick on. Returns false, and changes nothing, if
+  // there is no such object, the material is not sound(), or kMaxChangedMaterials others have been
+  // changed since set().
   bool set_material(std::uint32_t number, const Material& material);
 
-  // A new tick, `time_s` after the scene was set: objects stand where their own motion has them by
-  // now, or where the outside set them since the last tick. It lasts tick_s.
+  // Begins a tick, `time_s` after the scene was set, which lasts `tick_s`. Objects move to where
+  // their own motion has them now, or where the outside set them since the last tick.
   void begin_tick(double time_s, double tick_s);
   [[nodiscard]] double tick_s() const { return tick_s_; }
 
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
   [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
   [[nodiscard]] std::span<const Object> objects() const { return objects_; }
-  // What object `number` feels like now: the scene's material, or what set_material made of it.
+  // Returns the current material of object `number`: the scene's, or the one of set_material.
   [[nodiscard]] const Material& material(std::uint32_t number) const {
     const std::uint8_t changed = changed_of_[number];
     return changed == kUnchanged ? objects_[number].material : changed_materials_[changed];
   }
-  // nullptr for an object that stands still.
+  // Returns the mover of object `number`, or nullptr if it is at rest.
   [[nodiscard]] const Mover* mover_of(std::uint32_t number) const {
     return mover_of_[number] == kNoMover ? nullptr : &movers_[mover_of_[number]];
   }
-  // Of an object with a mesh, as it is in this tick; in its frame O.
+  // Returns the mesh of an object as it is in this tick; frame O.
   [[nodiscard]] PlacedMesh mesh_O(std::uint32_t number) const {
     const Mover* const mover = mover_of(number);
     if (mover == nullptr || mover->deformable == nullptr) {
@@ -122,13 +125,13 @@ class Scenery {
     }
     return {.mesh = mover->deformable->now(), .slack_m = mover->deformable->slack_m()};
   }
-  // Of an object without a mesh, where it is in this tick.
+  // Returns the primitive of an object without a mesh at its place in this tick; world frame.
   [[nodiscard]] const Primitive& primitive_W(std::uint32_t number) const {
     const Mover* const mover = mover_of(number);
     return mover == nullptr ? objects_[number].primitive : mover->primitive_W;
   }
 
-  // Of the surface at p_W, m/s.
+  // Returns the velocity of the object's surface at p_W; world frame, m/s.
   [[nodiscard]] Vec3 velocity_W(std::uint32_t number, const Vec3& p_W) const {
     const Mover* const mover = mover_of(number);
     return mover == nullptr ? Vec3{Vec3::Zero()} : mover->twist.at(p_W - mover->X_WO.translation);
@@ -137,21 +140,21 @@ class Scenery {
   [[nodiscard]] std::span<const Mover> movers() const { return {movers_.data(), mover_count_}; }
   [[nodiscard]] bool anything_moved() const { return anything_moved_; }
 
-  [[nodiscard]] bool any_meets_proxy() const { return lone_count_ < objects_.size(); }
+  [[nodiscard]] bool any_meets_proxy() const { return independent_count_ < objects_.size(); }
 
-  // Those that the shared proxy does not meet.
-  [[nodiscard]] std::span<const std::uint32_t> lone_objects() const {
-    return {lone_.data(), lone_count_};
+  // Returns the numbers of the objects that the shared proxy does not meet.
+  [[nodiscard]] std::span<const std::uint32_t> independent_objects() const {
+    return {independent_.data(), independent_count_};
   }
 
-  // The boxes of the objects that stand still and meet the shared proxy; empty if there are none.
-  // A leaf's "triangles" are places of still_object().
+  // Returns the hierarchy over the boxes of the objects that are at rest and meet the shared proxy;
+  // empty if there are none. The "triangles" of a leaf are indices of still_object().
   [[nodiscard]] std::span<const BvhNode> still_nodes() const {
     return {nodes_.data(), node_count_};
   }
   [[nodiscard]] std::uint32_t still_object(std::uint32_t place) const { return order_[place]; }
 
-  // What it remembers, to bytes or back; of the same objects.
+  // Saves the state to the archive, or restores it; the objects must be the same.
   void transfer(StateArchive& archive);
 
  private:
@@ -194,14 +197,14 @@ class Scenery {
   DeformablePool pool_;
   std::array<DeformableMesh, kMaxDeformables> deformables_;
   std::size_t deformable_count_ = 0;
-  std::array<std::uint32_t, kMaxLoneObjects> lone_{};
-  std::size_t lone_count_ = 0;
+  std::array<std::uint32_t, kMaxIndependentObjects> independent_{};
+  std::size_t independent_count_ = 0;
   std::array<BvhNode, 2 * kMaxObjects> nodes_{};
   std::size_t node_count_ = 0;
   std::array<std::uint32_t, kMaxObjects> order_{};
 };
 
-// A triangle of an object's mesh, where it is in this tick; world frame.
-Triangle triangle_W(const Scenery& scenery, std::uint32_t number, std::uint32_t triangle);
+// Returns a triangle of an object's mesh at its place in this tick; world frame.
+Triangle triangle_W(const SceneObjects& scene, std::uint32_t number, std::uint32_t triangle);
 
 }  // namespace tactus::rendering

@@ -1,4 +1,4 @@
-// A straight way of which triangles are asked, four at a time, whether they come near it.
+// Tests whether triangles come near a straight segment, four triangles at a time.
 #pragma once
 
 #include <array>
@@ -10,10 +10,11 @@
 
 namespace tactus::rendering {
 
-class NearWay {
+class NearSegment {
  public:
-  // From `start` to start + way, which may be zero, m.
-  NearWay(const Vec3& start, const Vec3& way, double reach);
+  // The segment goes from `start` to start + segment, which may be zero; m. `reach` is the distance
+  // (m) that counts as near.
+  NearSegment(const Vec3& start, const Vec3& segment, double reach);
 
   // A plane in front of a triangle: from p it is at least normal . (p - start) - offset away. The
   // normal is no longer than 1.
@@ -22,8 +23,8 @@ class NearWay {
     float offset = 0.0F;  // m
   };
 
-  // For every one of `count` triangles from `first` on that may come within the reach of the way
-  // calls found(index, bound). What rounding could hide is found too.
+  // Calls found(index, bound) for every one of `count` triangles from `first` on that may come
+  // within reach of the segment. Triangles that only rounding could hide are included.
   template <class Found>
   void find(const MeshView& mesh, std::uint32_t first, std::uint32_t count, Found&& found) const {
     const std::uint32_t end = first + count;
@@ -46,14 +47,15 @@ class NearWay {
     Floats offset;
   };
 
-  // Of the triangles from `first` on, the last again where there are fewer.
+  // Returns the bounds of four triangles from `first` on; the last one is repeated if there are
+  // fewer.
   [[nodiscard]] Four bounds(const MeshView& mesh, std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] FourVectors from_start(const FourVectors& p) const;
 
   FourVectors start_;       // to the nearest float
   FourVectors start_rest_;  // what that leaves of it
-  FourVectors way_;
-  FourVectors way_by_squared_;  // over its squared length
+  FourVectors segment_;
+  FourVectors segment_by_squared_;  // over its squared length
   float reach_ = 0.0F;
 };
 

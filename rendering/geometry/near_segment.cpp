@@ -1,19 +1,19 @@
-// All of a triangle lies behind any plane that its three corners lie behind. The plane taken is
-// normal to the gap from the triangle's middle to the point of the way nearest to that, and the
-// ends of the way are where the way is nearest to it.
+// A triangle lies behind every plane that its three corners lie behind. The plane used here is
+// normal to the gap between the triangle's middle and the nearest point of the segment, and a
+// segment is nearest to a plane at one of its ends.
 //
-// Corners count from the way's start, which is subtracted in two parts: the result is as exact as
-// it is small. A dot product of three is then wrong by less than eight roundings of the lengths
-// involved, and kRounding is sixteen.
-#include "rendering/geometry/near_way.h"
+// Corners count from the segment's start, which is subtracted in two parts, so that the error of
+// the result is relative to the result. A dot product of three is then wrong by less than eight
+// roundings of the lengths involved, and kSegmentRounding is sixteen.
+#include "rendering/geometry/near_segment.h"
 
 #include <algorithm>
 
 namespace tactus::rendering {
 namespace {
 
-constexpr float kWayRounding = 1e-6F;
-// Of a shorter gap the square may be none, and its direction is not asked.
+constexpr float kSegmentRounding = 1e-6F;
+// A shorter gap may have a square of zero, and its direction is not used.
 constexpr float kLeastSquaredGap = 1e-30F;
 
 FourVectors corners(const MeshView& mesh, const std::array<const TriangleIndices*, 4>& triangles,
@@ -28,22 +28,24 @@ Floats largest(const FourVectors& v) {
 
 }  // namespace
 
-NearWay::NearWay(const Vec3& start, const Vec3& way, double reach)
+NearSegment::NearSegment(const Vec3& start, const Vec3& segment, double reach)
     : start_(four(start)),
       start_rest_(four(start - to_vec3(to_float3(start)))),
-      way_(four(way)),
-      way_by_squared_(four(way.squaredNorm() > 0.0 ? Vec3{way * (1.0 / way.squaredNorm())}
-                                                   : Vec3{Vec3::Zero()})) {
-  const auto length = static_cast<float>(way.norm());
-  reach_ = static_cast<float>(reach) * (1.0F + kWayRounding) + kWayRounding * length;
+      segment_(four(segment)),
+      segment_by_squared_(four(segment.squaredNorm() > 0.0
+                                   ? Vec3{segment * (1.0 / segment.squaredNorm())}
+                                   : Vec3{Vec3::Zero()})) {
+  const auto length = static_cast<float>(segment.norm());
+  reach_ = static_cast<float>(reach) * (1.0F + kSegmentRounding) + kSegmentRounding * length;
 }
 
-FourVectors NearWay::from_start(const FourVectors& p) const {
+FourVectors NearSegment::from_start(const FourVectors& p) const {
   return {(p.x - start_.x) - start_rest_.x, (p.y - start_.y) - start_rest_.y,
           (p.z - start_.z) - start_rest_.z};
 }
 
-NearWay::Four NearWay::bounds(const MeshView& mesh, std::uint32_t first, std::uint32_t last) const {
+NearSegment::Four NearSegment::bounds(const MeshView& mesh, std::uint32_t first,
+                                      std::uint32_t last) const {
   const std::array<const TriangleIndices*, 4> triangles{
       &mesh.triangles[first], &mesh.triangles[std::min(first + 1, last)],
       &mesh.triangles[std::min(first + 2, last)], &mesh.triangles[std::min(first + 3, last)]};
@@ -53,20 +55,20 @@ NearWay::Four NearWay::bounds(const MeshView& mesh, std::uint32_t first, std::ui
   constexpr float kThird = 1.0F / 3.0F;
   const FourVectors middle{kThird * (a.x + b.x + c.x), kThird * (a.y + b.y + c.y),
                            kThird * (a.z + b.z + c.z)};
-  const Floats part = least(most(dot(middle, way_by_squared_), all(0.0F)), all(1.0F));
-  const FourVectors offset{part * way_.x - middle.x, part * way_.y - middle.y,
-                           part * way_.z - middle.z};
+  const Floats part = least(most(dot(middle, segment_by_squared_), all(0.0F)), all(1.0F));
+  const FourVectors offset{part * segment_.x - middle.x, part * segment_.y - middle.y,
+                           part * segment_.z - middle.z};
   const Floats squared = dot(offset, offset);
   const Floats behind = most(most(dot(offset, a), dot(offset, b)), dot(offset, c));
-  const Floats distance = least(dot(offset, way_), all(0.0F)) - behind;
+  const Floats distance = least(dot(offset, segment_), all(0.0F)) - behind;
   const Floats size = most(most(largest(a), largest(b)), largest(c));
-  const Floats rounding = kWayRounding * size;
+  const Floats rounding = kSegmentRounding * size;
   const Floats reach = reach_ + rounding;
   const Integers directed = squared > kLeastSquaredGap;
   const Integers far = (distance > 0.0F) & (distance * distance > reach * reach * squared);
   Four four{.near = which(~(far & directed))};
   if (four.near != 0) {
-    const Floats over = directed ? (1.0F - kWayRounding) / root(squared) : all(0.0F);
+    const Floats over = directed ? (1.0F - kSegmentRounding) / root(squared) : all(0.0F);
     four.normal = {over * offset.x, over * offset.y, over * offset.z};
     four.offset = over * behind + rounding;
   }

@@ -1,4 +1,4 @@
-#include "rendering/world/lone_touch.h"
+#include "rendering/world/independent_contacts.h"
 
 #include <algorithm>
 
@@ -8,10 +8,10 @@
 namespace tactus::rendering {
 namespace {
 
-ToolState in_frame(const Scenery& scenery, std::uint32_t number, const ToolState& tool) {
-  const Mover* const mover = scenery.mover_of(number);
+ToolState in_frame(const SceneObjects& scene, std::uint32_t number, const ToolState& tool) {
+  const Mover* const mover = scene.mover_of(number);
   return {.p_W = point_in(mover, tool.p_W),
-          .v_W = direction_in(mover, tool.v_W - scenery.velocity_W(number, tool.p_W))};
+          .v_W = direction_in(mover, tool.v_W - scene.velocity_W(number, tool.p_W))};
 }
 
 ConnectedMesh mesh_of(const Object& object) {
@@ -68,46 +68,46 @@ Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
 
 }  // namespace
 
-void LoneTouch::place(const Scenery& scenery, const Vec3& p_W, double tool_radius_m) {
+void IndependentContacts::place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m) {
   tool_radius_m_ = tool_radius_m;
   last_tool_W_ = p_W;
-  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
-    const Mover* const mover = scenery.mover_of(scenery.lone_objects()[k]);
+  for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
+    const Mover* const mover = scene.mover_of(scene.independent_objects()[k]);
     const Vec3 p_O = point_in(mover, p_W);
     trackers_[k].place(p_O);
     walkers_[k].place(p_O);
     details_[k] = {};
     awake_[k] = true;
-    left_out_[k] = scenery[scenery.lone_objects()[k]].method == ContactMethod::potential_field;
+    left_out_[k] = scene[scene.independent_objects()[k]].method == ContactMethod::potential_field;
   }
 }
 
-void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& tool) {
+void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool) {
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
   Vec3 force = touch.force_W;
   ForceParts parts = touch.parts;
   double hardest = force.squaredNorm();
-  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
-    const std::uint32_t number = scenery.lone_objects()[k];
-    const Mover* const mover = scenery.mover_of(number);
-    const Object& object = scenery[number];
+  for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
+    const std::uint32_t number = scene.independent_objects()[k];
+    const Mover* const mover = scene.mover_of(number);
+    const Object& object = scene[number];
     const bool near = is_near(mover, object, tool.p_W);
     if (!near && !awake_[k]) {
       continue;
     }
     wake(k, mover);
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
-    trackers_[k].begin_friction(step_O, scenery.tick_s());
-    walkers_[k].begin_friction(step_O, scenery.tick_s());
-    Touch own = touch_in_frame({.k = k, .object = object, .material = scenery.material(number)},
-                               in_frame(scenery, number, tool));
+    trackers_[k].begin_friction(step_O, scene.tick_s());
+    walkers_[k].begin_friction(step_O, scene.tick_s());
+    Touch own = touch_in_frame({.k = k, .object = object, .material = scene.material(number)},
+                               in_frame(scene, number, tool));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;
     force += own.force_W;
     parts.friction_W += own.parts.friction_W;
     parts.texture_W += own.parts.texture_W;
-    parts.driven_power += own.force_W.dot(scenery.velocity_W(number, tool.p_W));
+    parts.driven_power += own.force_W.dot(scene.velocity_W(number, tool.p_W));
     own.flags |= touch.flags;
     const double push = own.force_W.squaredNorm();
     if (own.contact != ContactKind::none &&
@@ -122,28 +122,30 @@ void LoneTouch::add_to(Touch& touch, const Scenery& scenery, const ToolState& to
   last_tool_W_ = tool.p_W;
 }
 
-double LoneTouch::stretch_m(const Scenery& scenery, std::uint32_t object) const {
-  const auto numbers = scenery.lone_objects();
+double IndependentContacts::stretch_m(const SceneObjects& scene, std::uint32_t object) const {
+  const auto numbers = scene.independent_objects();
   const auto k = static_cast<std::size_t>(std::ranges::find(numbers, object) - numbers.begin());
   if (k == numbers.size() || !awake_[k]) {
     return 0.0;
   }
-  const Object& lone = scenery[object];
-  const Vec3 tool_O = point_in(scenery.mover_of(object), last_tool_W_);
-  if (lone.method != ContactMethod::potential_field) {
-    return (last_proxy_O(k, lone) - tool_O).norm();
+  const Object& independent = scene[object];
+  const Vec3 tool_O = point_in(scene.mover_of(object), last_tool_W_);
+  if (independent.method != ContactMethod::potential_field) {
+    return (last_proxy_O(k, independent) - tool_O).norm();
   }
-  return left_out_[k] ? 0.0 : std::max(0.0, field_push(lone, tool_O, tool_radius_m_).depth_m);
+  return left_out_[k] ? 0.0
+                      : std::max(0.0, field_push(independent, tool_O, tool_radius_m_).depth_m);
 }
 
-void LoneTouch::hold(const Scenery& scenery) {
-  for (std::size_t k = 0; k < scenery.lone_objects().size(); ++k) {
-    wake(k, scenery.mover_of(scenery.lone_objects()[k]));
+void IndependentContacts::hold(const SceneObjects& scene) {
+  for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
+    wake(k, scene.mover_of(scene.independent_objects()[k]));
   }
 }
 
-// Whether the tool's way since the last tick, seen from the object, comes into its box.
-bool LoneTouch::is_near(const Mover* mover, const Object& object, const Vec3& p_W) const {
+// Returns true if the tool's path since the last tick, seen from the object, enters the object's
+// box.
+bool IndependentContacts::is_near(const Mover* mover, const Object& object, const Vec3& p_W) const {
   constexpr double kMargin_m = 1e-3;
   const Vec3 from = point_in_before(mover, last_tool_W_);
   const Vec3 to = point_in(mover, p_W);
@@ -154,8 +156,8 @@ bool LoneTouch::is_near(const Mover* mover, const Object& object, const Vec3& p_
       .all();
 }
 
-// One that slept starts, out of contact, where the tool was in the last tick.
-void LoneTouch::wake(std::size_t k, const Mover* mover) {
+// Starts a contact that was asleep, out of contact, where the tool was in the last tick.
+void IndependentContacts::wake(std::size_t k, const Mover* mover) {
   if (awake_[k]) {
     return;
   }
@@ -166,8 +168,8 @@ void LoneTouch::wake(std::size_t k, const Mover* mover) {
   awake_[k] = true;
 }
 
-Touch LoneTouch::rest_in_frame(const Lone& lone, const Vec3& goal_O) {
-  const auto& [k, object, own] = lone;
+Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, const Vec3& goal_O) {
+  const auto& [k, object, own] = independent;
   Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   switch (object.method) {
@@ -180,8 +182,9 @@ Touch LoneTouch::rest_in_frame(const Lone& lone, const Vec3& goal_O) {
   }
 }
 
-// A field that the tool began in is felt from the tick on in which the tool is clear of it.
-Touch LoneTouch::touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O) {
+// Computes a potential field. A field in which the tool began acts from the tick in which the tool
+// is clear of it.
+Touch IndependentContacts::touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O) {
   const FieldPush push = field_push(object, tool_O, tool_radius_m_);
   left_out_[k] = left_out_[k] && push.depth_m > 0.0;
   if (left_out_[k]) {
@@ -190,20 +193,21 @@ Touch LoneTouch::touch_of_field(std::size_t k, const Object& object, const Vec3&
   return touch_of(push, tool_O);
 }
 
-Touch LoneTouch::touch_in_frame(const Lone& lone, const ToolState& tool_O) {
-  const auto& [k, object, material] = lone;
+Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
+                                          const ToolState& tool_O) {
+  const auto& [k, object, material] = independent;
   const bool detailed = !object.detail.empty();
   ForceShading& shading = details_[k].shading;
   Touch touch;
   if (detailed) {
     shading.begin(last_proxy_O(k, object), tool_O.p_W, ForceShading::Passes::one);
-    touch = rest_in_frame(lone, tool_O.p_W + shading.offset());
+    touch = rest_in_frame(independent, tool_O.p_W + shading.offset());
     if (touch.contact == ContactKind::none && shading.is_on()) {
       shading.reset();
-      touch = rest_in_frame(lone, tool_O.p_W);
+      touch = rest_in_frame(independent, tool_O.p_W);
     }
   } else {
-    touch = rest_in_frame(lone, tool_O.p_W);
+    touch = rest_in_frame(independent, tool_O.p_W);
   }
   if (touch.contact == ContactKind::none) {
     if (detailed) {
@@ -216,14 +220,15 @@ Touch LoneTouch::touch_in_frame(const Lone& lone, const ToolState& tool_O) {
   touch.force_W = stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W;
   touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W);
   if (detailed) {
-    shade_in_frame(lone, tool_O, touch);
+    shade_in_frame(independent, tool_O, touch);
   }
   return touch;
 }
 
-// One pass a tick: what this one finds shifts the goal of the next.
-void LoneTouch::shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch& touch) {
-  const auto& [k, object, material] = lone;
+// Applies detail with one pass per tick: its result shifts the goal of the next tick.
+void IndependentContacts::shade_in_frame(const IndependentObject& independent,
+                                         const ToolState& tool_O, Touch& touch) {
+  const auto& [k, object, material] = independent;
   DetailState& state = details_[k];
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
@@ -233,33 +238,33 @@ void LoneTouch::shade_in_frame(const Lone& lone, const ToolState& tool_O, Touch&
     contact.feature = feature.kind;
     contact.edge = feature.number;
   }
-  const Detail felt =
+  const Detail detail =
       detail_at(object.detail, {object.mesh, object.neighbours, object.vertex_normals}, contact);
   const Vec3 stretch = touch.proxy_W - tool_O.p_W;
   touch.depth_m = stretch.dot(touch.normal_W);
-  const double felt_depth = std::max(touch.depth_m + felt.height_m, 0.0);
-  const double share = touch.depth_m > 0.0 ? felt_depth / touch.depth_m : 0.0;
-  const Vec3 lean = lean_of(felt.normal_O, touch.normal_W);
+  const double effective_depth = std::max(touch.depth_m + detail.height_m, 0.0);
+  const double share = touch.depth_m > 0.0 ? effective_depth / touch.depth_m : 0.0;
+  const Vec3 lean = lean_of(detail.normal_O, touch.normal_W);
   state.shading.improve(
       {.normal_W = touch.normal_W, .lean = share * lean, .depth_m = touch.depth_m});
-  state.friction_factor = share * felt.friction_factor;
+  state.friction_factor = share * detail.friction_factor;
   state.point_O = touch.proxy_W;
   state.touched = true;
   touch.force_W = Vec3::Zero();
   touch.parts = {};
-  if (felt_depth > 0.0) {
-    const double stiffness = felt.stiffness_factor * material.stiffness_N_per_m;
-    const Vec3 along = stiffness * felt_depth * lean;
-    touch.force_W = stiffness * (stretch - (touch.depth_m - felt_depth) * touch.normal_W) -
+  if (effective_depth > 0.0) {
+    const double stiffness = detail.stiffness_factor * material.stiffness_N_per_m;
+    const Vec3 along = stiffness * effective_depth * lean;
+    touch.force_W = stiffness * (stretch - (touch.depth_m - effective_depth) * touch.normal_W) -
                     material.damping_Ns_per_m * tool_O.v_W;
     touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W) - along;
     touch.parts.texture_W =
         along +
-        (stiffness * felt_depth - material.stiffness_N_per_m * touch.depth_m) * touch.normal_W;
+        (stiffness * effective_depth - material.stiffness_N_per_m * touch.depth_m) * touch.normal_W;
   }
 }
 
-const Vec3& LoneTouch::last_proxy_O(std::size_t k, const Object& object) const {
+const Vec3& IndependentContacts::last_proxy_O(std::size_t k, const Object& object) const {
   return object.method == ContactMethod::tracking ? trackers_[k].position_W()
                                                   : walkers_[k].position_W();
 }

@@ -1,4 +1,4 @@
-#include "rendering/contact/neighbourhood.h"
+#include "rendering/contact/candidate_set.h"
 
 #include <gtest/gtest.h>
 
@@ -16,55 +16,56 @@ namespace tactus::rendering {
 namespace {
 
 using testing::Solid;
-using Gathering = Neighbourhood::Gathering;
+using Gathering = CandidateSet::Gathering;
 
-class NeighbourhoodTest : public ::testing::Test {
+class CandidateSetTest : public ::testing::Test {
  protected:
   // A bowl little larger than the tool, which has hundreds of triangles about it wherever it rests.
   static constexpr double kToolRadius_m = 0.002;
   static constexpr double kBowlRadius_m = 0.0022;
 
   void take(const Solid& solid) {
-    ASSERT_TRUE(scenery_->set({&solid.object(), 1}));
+    ASSERT_TRUE(scene_->set({&solid.object(), 1}));
     begin_tick();
   }
   void begin_tick() {
-    scenery_->begin_tick(0.001 * ++ticks_, 0.001);
-    neighbourhood_->begin_tick(*scenery_);
-    neighbourhood_->start_work();
+    scene_->begin_tick(0.001 * ++ticks_, 0.001);
+    candidate_set_->begin_tick(*scene_);
+    candidate_set_->start_tick_budget();
   }
-  Gathering ensure(const Vec3& p) { return neighbourhood_->ensure(*scenery_, shells_, p); }
+  Gathering ensure(const Vec3& p) { return candidate_set_->ensure(*scene_, margins_, p); }
 
-  std::unique_ptr<Scenery> scenery_ = std::make_unique<Scenery>();
-  std::unique_ptr<Neighbourhood> neighbourhood_ = std::make_unique<Neighbourhood>();
-  Shells shells_{kToolRadius_m};
+  std::unique_ptr<SceneObjects> scene_ = std::make_unique<SceneObjects>();
+  std::unique_ptr<CandidateSet> candidate_set_ = std::make_unique<CandidateSet>();
+  ContactMargins margins_{kToolRadius_m};
   // A micrometre above the bottom.
   const Vec3 place_{0.0, 0.0, -(kBowlRadius_m - kToolRadius_m) + 1e-6};
   int ticks_ = 0;
 };
 
-TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
+TEST_F(CandidateSetTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
   take(bowl);
   // A leaf more, whenever it is begun anew with a smaller capsule.
   constexpr std::size_t kOneMore = 128;
   int ticks = 1;
   while (ensure(place_) == Gathering::begun) {
-    EXPECT_TRUE(neighbourhood_->is_begun());
-    EXPECT_LE(neighbourhood_->work().done(), kMaxWork + kOneMore);
+    EXPECT_TRUE(candidate_set_->is_begun());
+    EXPECT_LE(candidate_set_->budget().spent(), kMaxTickBudget + kOneMore);
     ASSERT_LT(++ticks, 1000);
     begin_tick();
   }
   EXPECT_GT(ticks, 2);
-  EXPECT_EQ(neighbourhood_->gatherings(), 1U);
+  EXPECT_EQ(candidate_set_->gatherings(), 1U);
   std::set<std::uint32_t> found;
-  for (std::size_t i = 0; i < neighbourhood_->size(); ++i) {
-    EXPECT_TRUE(found.insert(neighbourhood_->candidate(i).index).second) << "found twice";
+  for (std::size_t i = 0; i < candidate_set_->size(); ++i) {
+    EXPECT_TRUE(found.insert(candidate_set_->candidate(i).index).second) << "found twice";
   }
   std::uint32_t number = 0;
   std::size_t near = 0;
   for (const testing::Corners& corners : testing::corners_of(bowl.shape())) {
-    if ((testing::nearest_point(corners, place_) - place_).norm() < shells_.sphere.reach_m + 1e-6) {
+    if ((testing::nearest_point(corners, place_) - place_).norm() <
+        margins_.sphere.reach_m + 1e-6) {
       EXPECT_TRUE(found.contains(number)) << "triangle " << number << " is near";
       ++near;
     }
@@ -73,55 +74,55 @@ TEST_F(NeighbourhoodTest, TakesSeveralTicksForADensePlaceAndNoneTakesLong) {
   EXPECT_GT(near, 10U);
   begin_tick();
   EXPECT_EQ(ensure(place_), Gathering::complete);
-  EXPECT_EQ(neighbourhood_->work().done(), 0U);
+  EXPECT_EQ(candidate_set_->budget().spent(), 0U);
 }
 
-TEST_F(NeighbourhoodTest, BeginsAnewWhereTheProxyDidNotWait) {
+TEST_F(CandidateSetTest, BeginsAnewWhereTheProxyDidNotWait) {
   const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
   take(bowl);
   ASSERT_EQ(ensure(place_), Gathering::begun);
   begin_tick();
   ensure(Vec3::Zero());
-  EXPECT_EQ(neighbourhood_->gatherings(), 2U);
+  EXPECT_EQ(candidate_set_->gatherings(), 2U);
 }
 
-TEST_F(NeighbourhoodTest, DoesNotWaitWhereAnObjectMoves) {
+TEST_F(CandidateSetTest, DoesNotWaitWhereAnObjectMoves) {
   const Solid bowl(testing::icosphere(kBowlRadius_m, 5), Sides::two, testing::kSlippery);
   Object moving = bowl.object();
   moving.moves = true;
-  ASSERT_TRUE(scenery_->set({&moving, 1}));
+  ASSERT_TRUE(scene_->set({&moving, 1}));
   begin_tick();
   ASSERT_EQ(ensure(place_), Gathering::begun);
   for (int tick = 0; tick < 20; ++tick) {
     RigidPose X_WO;
     X_WO.translation = {0.0, 0.0, 1e-9 * (tick + 1)};
-    ASSERT_TRUE(scenery_->set_pose(0, X_WO, {}));
+    ASSERT_TRUE(scene_->set_pose(0, X_WO, {}));
     begin_tick();
     ASSERT_NE(ensure(place_), Gathering::begun) << "tick " << tick;
-    ASSERT_GT(neighbourhood_->size(), 10U);
+    ASSERT_GT(candidate_set_->size(), 10U);
   }
 }
 
-TEST_F(NeighbourhoodTest, AtTheEndOfAWayFindsWhatItWouldFindAnew) {
+TEST_F(CandidateSetTest, AtTheEndOfASegmentFindsWhatItWouldFindAnew) {
   const Solid bowl(testing::icosphere(0.1, 5), Sides::two, testing::kSlippery);
   take(bowl);
   Vec3 p{0.0, 0.0, -0.1 + kToolRadius_m + 1e-6};
   std::size_t found = 0;
   for (int i = 0; i < 200; ++i) {
     ASSERT_EQ(ensure(p), Gathering::complete);
-    neighbourhood_->move_to(p);
-    for (const std::uint16_t k : neighbourhood_->within_reach_here()) {
-      neighbourhood_->nearest(k, *scenery_);
+    candidate_set_->move_to(p);
+    for (const std::uint16_t k : candidate_set_->within_reach_here()) {
+      candidate_set_->nearest(k, *scene_);
     }
     const Vec3 end = p + Vec3{4e-6 * (i % 7), 3e-6 * (i % 5), 1e-7 * (i % 3)};
-    for (const std::uint16_t k : neighbourhood_->within_reach(end)) {
-      neighbourhood_->nearest(k, *scenery_);
+    for (const std::uint16_t k : candidate_set_->within_reach(end)) {
+      candidate_set_->nearest(k, *scene_);
     }
-    neighbourhood_->move_to_end(end);
-    const std::span<const std::uint16_t> first = neighbourhood_->within_reach_here();
+    candidate_set_->move_to_end(end);
+    const std::span<const std::uint16_t> first = candidate_set_->within_reach_here();
     const std::vector<std::uint16_t> there(first.begin(), first.end());
-    neighbourhood_->move_to(end);
-    const std::span<const std::uint16_t> anew = neighbourhood_->within_reach_here();
+    candidate_set_->move_to(end);
+    const std::span<const std::uint16_t> anew = candidate_set_->within_reach_here();
     ASSERT_EQ(there, std::vector<std::uint16_t>(anew.begin(), anew.end())) << "way " << i;
     found += there.size();
     p = end;
@@ -132,15 +133,15 @@ TEST_F(NeighbourhoodTest, AtTheEndOfAWayFindsWhatItWouldFindAnew) {
 
 // A sphere of 0.1 m, and the tool on its top, from where a tick's move of a millimetre leaves the
 // trusted capsule.
-class LookAheadTest : public NeighbourhoodTest {
+class LookAheadTest : public CandidateSetTest {
  protected:
   void SetUp() override {
     take(ball_);
     ASSERT_EQ(ensure(top_), Gathering::complete);
-    ASSERT_FALSE(neighbourhood_->trusts(next_));
+    ASSERT_FALSE(candidate_set_->trusts(next_));
     begin_tick();
   }
-  void look_ahead(const Vec3& next) { neighbourhood_->look_ahead(*scenery_, shells_, top_, next); }
+  void look_ahead(const Vec3& next) { candidate_set_->look_ahead(*scene_, margins_, top_, next); }
 
   const Solid ball_{testing::icosphere(0.1, 5), Sides::one, testing::kSlippery};
   const Vec3 top_{0.0, 0.0, 0.1 + kToolRadius_m + 1e-6};
@@ -149,45 +150,45 @@ class LookAheadTest : public NeighbourhoodTest {
 
 TEST_F(LookAheadTest, TheNextTickNeedNotGather) {
   look_ahead(next_);
-  EXPECT_EQ(neighbourhood_->gatherings(), 2U);
+  EXPECT_EQ(candidate_set_->gatherings(), 2U);
   begin_tick();
   EXPECT_EQ(ensure(top_), Gathering::complete);
-  EXPECT_EQ(neighbourhood_->gatherings(), 2U);
-  EXPECT_EQ(neighbourhood_->work().done(), 0U);
+  EXPECT_EQ(candidate_set_->gatherings(), 2U);
+  EXPECT_EQ(candidate_set_->budget().spent(), 0U);
 }
 
 TEST_F(LookAheadTest, DoesNothingWhereTheNextMoveIsTrusted) {
   look_ahead(top_ + Vec3{1e-6, 0.0, 0.0});
-  EXPECT_EQ(neighbourhood_->work().done(), 0U);
+  EXPECT_EQ(candidate_set_->budget().spent(), 0U);
 }
 
 TEST_F(LookAheadTest, DoesNothingAfterMuchWork) {
-  neighbourhood_->work().add(kUsualWork);
+  candidate_set_->budget().spend(kUsualTickBudget);
   look_ahead(next_);
-  EXPECT_EQ(neighbourhood_->gatherings(), 1U);
+  EXPECT_EQ(candidate_set_->gatherings(), 1U);
 }
 
 TEST_F(LookAheadTest, DoesNothingForAPoint) {
-  shells_ = Shells{0.0};
+  margins_ = ContactMargins{0.0};
   look_ahead(next_);
-  EXPECT_EQ(neighbourhood_->gatherings(), 1U);
+  EXPECT_EQ(candidate_set_->gatherings(), 1U);
 }
 
 TEST_F(LookAheadTest, DoesNothingWhereAnObjectMoved) {
   Object moving = ball_.object();
   moving.moves = true;
-  ASSERT_TRUE(scenery_->set({&moving, 1}));
-  neighbourhood_->clear();
+  ASSERT_TRUE(scene_->set({&moving, 1}));
+  candidate_set_->clear();
   begin_tick();
   ASSERT_EQ(ensure(top_), Gathering::complete);
   RigidPose X_WO;
   X_WO.translation = {0.0, 0.0, 1e-9};
-  ASSERT_TRUE(scenery_->set_pose(0, X_WO, {}));
+  ASSERT_TRUE(scene_->set_pose(0, X_WO, {}));
   begin_tick();
   ASSERT_EQ(ensure(top_), Gathering::complete);
-  const std::size_t gatherings = neighbourhood_->gatherings();
+  const std::size_t gatherings = candidate_set_->gatherings();
   look_ahead(next_);
-  EXPECT_EQ(neighbourhood_->gatherings(), gatherings);
+  EXPECT_EQ(candidate_set_->gatherings(), gatherings);
 }
 
 }  // namespace

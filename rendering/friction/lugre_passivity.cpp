@@ -1,4 +1,4 @@
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 
 #include <limits>
 
@@ -17,7 +17,8 @@ double demand(const FrictionParameters& p, double w) {
   return damping > 0.0 ? w * damping * damping / (damping + p.viscous_s_per_m) : 0.0;
 }
 
-// Where the demand is largest: 1/w = w (4 - 2 q), q = s / (s + sigma2), whose sides fall and rise.
+// Returns the speed at which the demand is largest: 1/w = w (4 - 2 q), q = s / (s + sigma2), whose
+// sides fall and rise.
 double most_demanding(const FrictionParameters& p) {
   double lower = 0.5;
   double upper = 0.7072;

@@ -1,4 +1,4 @@
-#include "rendering/friction/passivity.h"
+#include "rendering/friction/lugre_passivity.h"
 
 #include <gtest/gtest.h>
 

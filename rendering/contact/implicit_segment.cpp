@@ -1,4 +1,4 @@
-#include "rendering/contact/implicit_way.h"
+#include "rendering/contact/implicit_segment.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,54 +7,55 @@
 
 namespace tactus::rendering {
 
-Inside clip(const Box& box, const Vec3& from, const Vec3& way) {
+Inside clip(const Box& box, const Vec3& from, const Vec3& segment) {
   Inside inside;
   for (int axis = 0; axis < 3; ++axis) {
     const double lower = box.lower[axis] - from[axis];
     const double upper = box.upper[axis] - from[axis];
-    if (way[axis] == 0.0) {
+    if (segment[axis] == 0.0) {
       inside.leave = lower <= 0.0 && upper >= 0.0 ? inside.leave : -1.0;
       continue;
     }
-    const double one = lower / way[axis];
-    const double other = upper / way[axis];
+    const double one = lower / segment[axis];
+    const double other = upper / segment[axis];
     inside.enter = std::max(inside.enter, std::min(one, other));
     inside.leave = std::min(inside.leave, std::max(one, other));
   }
   return inside;
 }
 
-StraightWay look_along(ImplicitField& field, const Vec3& from, const Vec3& to) {
-  // Beyond so many intervals the way ends where it is known to be free.
+SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to) {
+  // The segment ends where it is known to be free if it would take more intervals.
   constexpr std::size_t kMostRanges = 64;
   const Vec3 whole = to - from;
   const double leave = clip(field.surface().bounds_O, from, whole).leave;
-  StraightWay way{.from = from,
-                  .to = leave < 1.0 ? Vec3{from + std::max(leave, 0.0) * whole} : to,
-                  .crossing = {}};
+  SweptSegment segment{.from = from,
+                       .to = leave < 1.0 ? Vec3{from + std::max(leave, 0.0) * whole} : to,
+                       .crossing = {}};
   if (leave > 0.0) {  // else it stands on the wall, and leaves
-    way.crossing = first_crossing(field, from, way.to, kMostRanges);
+    segment.crossing = first_crossing(field, from, segment.to, kMostRanges);
   }
-  return way;
+  return segment;
 }
 
-std::optional<Vec3> risen(ImplicitField& field, const Vec3& from) {
+std::optional<Vec3> raised_to_rest(ImplicitField& field, const Vec3& from) {
   constexpr double kMostRise = 4.0 * kImplicitRest_m;
   constexpr std::size_t kFewRanges = 8;
   const ImplicitSurface& surface = field.surface();
   const auto up = settle_at_rest(field, from, kMostRise / surface.scale_m);
-  const bool can_rise = up && surface.bounds_O.contains(up->point) && up->value >= 0.0 &&
-                        first_crossing(field, from, up->point, kFewRanges).way == Way::free;
+  const bool can_rise =
+      up && surface.bounds_O.contains(up->point) && up->value >= 0.0 &&
+      first_crossing(field, from, up->point, kFewRanges).state == SegmentState::free;
   return can_rise ? std::optional(up->point) : std::nullopt;
 }
 
-Vec3 lifted(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up) {
+Vec3 raised_from_crease(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up) {
   constexpr double kLift = 2.0 * kImplicitRest_m;
   constexpr std::size_t kFewRanges = 16;
   const ImplicitSurface& surface = field.surface();
   const Vec3 to = stop + kLift / surface.scale_m * up;
-  const bool can_lift =
-      surface.bounds_O.contains(to) && first_crossing(field, p, to, kFewRanges).way == Way::free;
+  const bool can_lift = surface.bounds_O.contains(to) &&
+                        first_crossing(field, p, to, kFewRanges).state == SegmentState::free;
   return can_lift ? to : Vec3{0.5 * (p + stop)};
 }
 

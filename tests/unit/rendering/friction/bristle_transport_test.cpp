@@ -1,5 +1,5 @@
 // The bristle round a corner and onto another surface.
-#include "rendering/friction/carry.h"
+#include "rendering/friction/bristle_transport.h"
 
 #include <gtest/gtest.h>
 
@@ -73,18 +73,18 @@ TEST(Carry, SlidingRoundCornersNeitherJumpsNorGivesOutEnergy) {
       const Vec3 normal{std::cos(angle), std::sin(angle), 0.0};
       const Vec3 along{-std::sin(angle), std::cos(angle), 0.0};
       for (int k = 0; k < 100; ++k) {
-        const Vec3 way = 1e-4 * along + 3e-5 * std::sin(0.1 * k) * Vec3::UnitZ();
-        const auto result = update_friction(friction.parameters, memory, way, 1.0, 1e-3);
-        work_J += result.mean_force_N.dot(way);
+        const Vec3 motion = 1e-4 * along + 3e-5 * std::sin(0.1 * k) * Vec3::UnitZ();
+        const auto result = update_friction(friction.parameters, memory, motion, 1.0, 1e-3);
+        work_J += result.mean_force_N.dot(motion);
         ASSERT_GE(work_J, stored_J(friction.parameters, memory) - 1e-12) << friction.name;
         ASSERT_NEAR(result.force_N.dot(normal), 0.0, 1e-14);
         last_N = result.force_N.norm();
       }
       const Vec3 next{std::cos(angle + 0.5 * M_PI), std::sin(angle + 0.5 * M_PI), 0.0};
       turn(memory, normal, next);
-      const Vec3 way = 1e-4 * normal * -1.0;
-      const auto after = update_friction(friction.parameters, memory, way, 1.0, 1e-3);
-      work_J += after.mean_force_N.dot(way);
+      const Vec3 motion = 1e-4 * normal * -1.0;
+      const auto after = update_friction(friction.parameters, memory, motion, 1.0, 1e-3);
+      work_J += after.mean_force_N.dot(motion);
       EXPECT_NEAR(after.force_N.norm(), last_N, 0.05) << friction.name;
     }
   }

@@ -1,4 +1,4 @@
-#include "rendering/contact/neighbourhood.h"
+#include "rendering/contact/candidate_set.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,10 +12,10 @@
 namespace tactus::rendering {
 namespace {
 
-// Four numbers of 16 bits in one.
+// Adds one number to each of four 16-bit numbers by multiplication.
 constexpr std::uint64_t kInEachOfFour = 0x0001'0001'0001'0001;
 
-// Of four bits, the numbers of those that are set, ascending, and how many they are.
+// The numbers of the bits that are set in a group of four, ascending, and their count.
 struct Numbers {
   std::uint64_t of_each = 0;  // what follows the last is not meant
   std::size_t count = 0;
@@ -36,14 +36,14 @@ constexpr std::array<Numbers, 16> kNumbersOf = [] {
 
 }  // namespace
 
-void Neighbourhood::begin_tick(const Scenery& scenery) {
+void CandidateSet::begin_tick(const SceneObjects& scene) {
   may_pause_ = true;
-  if (!scenery.anything_moved() || trust_.radius < 0.0) {
+  if (!scene.anything_moved() || trust_.radius < 0.0) {
     return;
   }
-  const Vec3 middle = trust_.start + 0.5 * trust_.way;
-  const double reach = trust_.radius + 0.5 * trust_.way.norm() + shells_.sphere.reach_m;
-  const bool disturbed = std::ranges::any_of(scenery.movers(), [&](const Mover& mover) {
+  const Vec3 middle = trust_.start + 0.5 * trust_.axis;
+  const double reach = trust_.radius + 0.5 * trust_.axis.norm() + margins_.sphere.reach_m;
+  const bool disturbed = std::ranges::any_of(scene.movers(), [&](const Mover& mover) {
     return mover.moved &&
            (mover.distance(middle) <= reach || mover.distance_before(middle) <= reach);
   });
@@ -54,44 +54,44 @@ void Neighbourhood::begin_tick(const Scenery& scenery) {
   }
 }
 
-// Floats are four to a vector; what they round off is far less than the shell is thick. Heights
-// count from the reach of the sphere, whoever the candidate's object takes for the tool.
-void Neighbourhood::store_bound(std::size_t i, const Float3& normal, double distance) {
-  const double nearer = shells_.sphere.reach_m - shells_.of(slots_[i].point_tool).reach_m;
+// Stores the bound as floats, four per vector. Their rounding error is far smaller than the contact
+// margin. Heights count from the reach of the sphere, also for objects to which the tool is a
+// point.
+void CandidateSet::store_bound(std::size_t i, const Float3& normal, double distance) {
+  const double nearer = margins_.sphere.reach_m - margins_.of(slots_[i].point_tool).reach_m;
   normal_x_[i] = normal.x;
   normal_y_[i] = normal.y;
   normal_z_[i] = normal.z;
   height_[i] = static_cast<float>(distance + nearer);
 }
 
-void Neighbourhood::set_bound(std::size_t i, const Vec3& normal, double distance,
-                              const Vec3& from) {
+void CandidateSet::set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from) {
   store_bound(i, to_float3(normal), distance - normal.dot(from - trust_.start));
 }
 
-// Always measured.
-void Neighbourhood::set_no_bound(std::size_t i) {
+// Stores a bound that is always within reach, so that the candidate is always measured.
+void CandidateSet::set_no_bound(std::size_t i) {
   normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
   height_[i] = -1.0F;
 }
 
-void Neighbourhood::fill_last_four() {
+void CandidateSet::fill_last_four() {
   for (std::size_t i = size_; i % 4 != 0; ++i) {
     normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
     height_[i] = std::numeric_limits<float>::infinity();
   }
 }
 
-Neighbourhood::Bounded::Bounded(const Neighbourhood& of, const Vec3& p)
+CandidateSet::Bounded::Bounded(const CandidateSet& of, const Vec3& p)
     : x(static_cast<float>(p.x() - of.trust_.start.x())),
       y(static_cast<float>(p.y() - of.trust_.start.y())),
       z(static_cast<float>(p.z() - of.trust_.start.z())) {
   constexpr float kRounding = 1e-6F;  // of the largest length involved
-  const auto reach = static_cast<float>(of.shells_.sphere.reach_m);
+  const auto reach = static_cast<float>(of.margins_.sphere.reach_m);
   most = reach + kRounding * (reach + std::abs(x) + std::abs(y) + std::abs(z));
 }
 
-void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p, double farther_m) {
+void CandidateSet::Within::find(const CandidateSet& of, const Vec3& p, double farther_m) {
   static_assert(kMaxCandidates % 4 == 0);
   const Bounded at(of, p);
   const Floats most = all(at.most + static_cast<float>(farther_m));
@@ -111,7 +111,7 @@ void Neighbourhood::Within::find(const Neighbourhood& of, const Vec3& p, double 
   count = found;
 }
 
-void Neighbourhood::move_to_end(const Vec3& p) {
+void CandidateSet::move_to_end(const Vec3& p) {
   move_to(p);
   const Bounded at(*this, p);
   here_.count = 0;
@@ -123,9 +123,9 @@ void Neighbourhood::move_to_end(const Vec3& p) {
   here_gathering_ = gatherings_;
 }
 
-std::span<const std::uint16_t> Neighbourhood::within_reach_here() {
+std::span<const std::uint16_t> CandidateSet::within_reach_here() {
   if (here_place_ != places_ || here_gathering_ != gatherings_) {
-    work_.add(size_ / kTangentsAUnit);
+    budget_.spend(size_ / kTangentsPerUnit);
     here_.find(*this, place_, 0.0);
     here_place_ = places_;
     here_gathering_ = gatherings_;
@@ -133,29 +133,29 @@ std::span<const std::uint16_t> Neighbourhood::within_reach_here() {
   return here_.numbers();
 }
 
-std::span<const std::uint16_t> Neighbourhood::within_reach(const Vec3& p, double farther_m) {
-  work_.add(size_ / kTangentsAUnit);
+std::span<const std::uint16_t> CandidateSet::within_reach(const Vec3& p, double farther_m) {
+  budget_.spend(size_ / kTangentsPerUnit);
   there_.find(*this, p, farther_m);
   return there_.numbers();
 }
 
-void Neighbourhood::build(Candidate& slot, const Scenery& scenery) {
-  ::new (&slot.triangle) Triangle(triangle_W(scenery, slot.object, slot.index));  // in place
+void CandidateSet::build(Candidate& slot, const SceneObjects& scene) {
+  ::new (&slot.triangle) Triangle(triangle_W(scene, slot.object, slot.index));  // in place
   slot.prepared = true;
 }
 
-const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
+const Nearest& CandidateSet::nearest(std::size_t i, const SceneObjects& scene) {
   Candidate& slot = slots_[i];
   if (is_measured(i)) {
     return slot.nearest;
   }
   slot.measured_at = places_;
-  work_.add(kWorkOfAMeasurement);
+  budget_.spend(kCostOfMeasurement);
   if (slot.primitive != nullptr) {
     measure_primitive(i);
     return slot.nearest;
   }
-  prepare(slot, scenery);
+  prepare(slot, scene);
   // On a border the height is rounding where the sphere stands beside the triangle; its neighbour
   // across the border, or this one, must hold the sphere, so a nanometre behind still counts as in
   // front. On a face it does not: that is the far side.
@@ -168,8 +168,8 @@ const Nearest& Neighbourhood::nearest(std::size_t i, const Scenery& scenery) {
   return slot.nearest;
 }
 
-// Only of a convex solid, from outside, is the distance convex.
-void Neighbourhood::measure_primitive(std::size_t i) {
+// The distance is convex only outside a convex solid; every other primitive gets no bound.
+void CandidateSet::measure_primitive(std::size_t i) {
   Candidate& slot = slots_[i];
   slot.seen = sample(*slot.primitive, place_);
   const bool inside = slot.seen.distance_m < 0.0;

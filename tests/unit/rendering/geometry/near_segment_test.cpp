@@ -1,4 +1,4 @@
-#include "rendering/geometry/near_way.h"
+#include "rendering/geometry/near_segment.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace tactus::rendering {
 namespace {
 
 // Loose triangles about a middle.
-class NearWayTest : public ::testing::Test {
+class NearSegmentTest : public ::testing::Test {
  protected:
   static constexpr std::uint64_t kSeed = 12;
 
@@ -54,16 +54,17 @@ class NearWayTest : public ::testing::Test {
   std::vector<TriangleIndices> triangles_;
 };
 
-std::map<std::uint32_t, NearWay::Bound> found_by(const NearWay& way, const MeshView& mesh) {
-  std::map<std::uint32_t, NearWay::Bound> found;
-  way.find(mesh, 0, static_cast<std::uint32_t>(mesh.triangles.size()),
-           [&](std::uint32_t t, const NearWay::Bound& bound) {
-             EXPECT_TRUE(found.emplace(t, bound).second);
-           });
+std::map<std::uint32_t, NearSegment::Bound> found_by(const NearSegment& segment,
+                                                     const MeshView& mesh) {
+  std::map<std::uint32_t, NearSegment::Bound> found;
+  segment.find(mesh, 0, static_cast<std::uint32_t>(mesh.triangles.size()),
+               [&](std::uint32_t t, const NearSegment::Bound& bound) {
+                 EXPECT_TRUE(found.emplace(t, bound).second);
+               });
   return found;
 }
 
-TEST_F(NearWayTest, FindsAllThatComeNearAndBoundsTheirDistanceFromBelow) {
+TEST_F(NearSegmentTest, FindsAllThatComeNearAndBoundsTheirDistanceFromBelow) {
   int far = 0;
   for (int k = 0; k < 4'000; ++k) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", case " + std::to_string(k));
@@ -74,7 +75,7 @@ TEST_F(NearWayTest, FindsAllThatComeNearAndBoundsTheirDistanceFromBelow) {
     const Vec3 start = middle + scale * vector();
     const Vec3 along = k % 5 == 0 ? Vec3{Vec3::Zero()} : Vec3{scale * vector()};
     const double reach = 0.5 * scale * unit();
-    const auto found = found_by(NearWay(start, along, reach), mesh());
+    const auto found = found_by(NearSegment(start, along, reach), mesh());
     for (std::uint32_t t = 0; t < count; ++t) {
       double nearest = 1e9;
       for (int i = 0; i <= 50; ++i) {
@@ -101,14 +102,14 @@ TEST_F(NearWayTest, FindsAllThatComeNearAndBoundsTheirDistanceFromBelow) {
 // The plane is normal to the gap D from the middle of a triangle, whose corners are at most r from
 // it. The foremost corner is h in front of the middle and at most r aside: it is nearer than
 // (D - h) + r^2 / (2 (D - h)), of which the plane tells the first.
-TEST_F(NearWayTest, BoundsASmallTriangleNearlyByItsDistance) {
+TEST_F(NearSegmentTest, BoundsASmallTriangleNearlyByItsDistance) {
   constexpr double kAll = 1e3;
   int asked = 0;
   for (int k = 0; k < 2'000; ++k) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", case " + std::to_string(k));
     make_triangles(8, Vec3::Zero(), 1.0);
     const Vec3 start = 2.0 * vector();
-    for (const auto& [t, bound] : found_by(NearWay(start, Vec3::Zero(), kAll), mesh())) {
+    for (const auto& [t, bound] : found_by(NearSegment(start, Vec3::Zero(), kAll), mesh())) {
       const auto [a, b, c] = corners(t);
       const Vec3 middle = (a + b + c) / 3.0;
       const double gap = (start - middle).norm();
@@ -126,11 +127,11 @@ TEST_F(NearWayTest, BoundsASmallTriangleNearlyByItsDistance) {
   EXPECT_GT(asked, 10'000) << "of 16,000";
 }
 
-TEST_F(NearWayTest, LooksAtTheTrianglesAskedForAlone) {
+TEST_F(NearSegmentTest, LooksAtTheTrianglesAskedForAlone) {
   make_triangles(12, Vec3::Zero(), 1.0);
   std::vector<std::uint32_t> found;
-  NearWay(Vec3::Zero(), Vec3::Zero(), 100.0)
-      .find(mesh(), 5, 6, [&](std::uint32_t t, const NearWay::Bound&) { found.push_back(t); });
+  NearSegment(Vec3::Zero(), Vec3::Zero(), 100.0)
+      .find(mesh(), 5, 6, [&](std::uint32_t t, const NearSegment::Bound&) { found.push_back(t); });
   EXPECT_EQ(found, (std::vector<std::uint32_t>{5, 6, 7, 8, 9, 10}));
 }
 

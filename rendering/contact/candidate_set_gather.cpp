@@ -1,0 +1,271 @@
+// Gathers the candidates: plans a capsule, walks the hierarchies of the meshes near it, and adds
+// every triangle within reach of it.
+//
+// In a dense place this costs more than one tick's budget, and the proxy waits there. Near objects
+// that move it does not wait, because the next tick would have to begin again.
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/contact/candidate_set.h"
+#include "rendering/contact/free_ball.h"
+#include "rendering/geometry/near_segment.h"
+
+namespace tactus::rendering {
+namespace {
+
+// The capsule's length is chosen so that gathering looks at about kWantedTests triangles: a
+// gathering then lasts for many ticks on a coarse mesh and for few on a fine one. A sphere at rest
+// looks at about 100 triangles whatever the length, so capsules shorter than kLeastTrust_m save
+// nothing. The values were tuned on the median and the slowest ticks of a 2 mm sphere on a fine
+// sphere and on the dragon. The capsule grows beyond kLongTrust_m only if it lasted less than a
+// tick and cost few tests: a tool that jumps over a coarse mesh.
+constexpr double kLeastTrust_m = 0.2e-3;
+constexpr double kMostTrust_m = 16e-3;
+constexpr double kWantedTests = 128.0;
+constexpr double kFewTests = 24.0;
+// The capsule's length is between kLeastSlimness and kMostSlimness times its radius.
+constexpr double kLeastRadius_m = 10e-6;
+constexpr double kLeastSlimness = 4.0;
+constexpr double kMostSlimness = 32.0;
+constexpr double kStraight = 0.8;  // of the length
+constexpr double kSlimmer = 1.4;
+constexpr double kStouter = 0.7;
+// The proxy counts as outside the capsule when it is nearer to the border than this.
+constexpr double kBorder_m = 1e-6;
+constexpr std::size_t kLookAheadBudget = kUsualTickBudget / 2;
+
+}  // namespace
+
+// Adds the triangles of one object within reach of the trusted capsule, until the set is full or
+// the tick's budget is spent. Everything is in the object's frame.
+struct CandidateSet::GatherTriangles {
+  CandidateSet& to;
+  const Object& object;
+  std::uint32_t number;
+  const Mover* mover;
+  const MeshView& mesh;
+  NearSegment segment;
+  const Vec3& start;
+  double farthest_m;  // from the start, of what comes within reach of the segment
+
+  void boxes(std::uint32_t pairs) { to.budget_.spend(kCostOfBoxPairNear * pairs); }
+
+  void leaf(const BvhNode& leaf) {
+    to.tested_ += leaf.triangle_count;
+    to.budget_.spend(kCostOfLeafTriangle * leaf.triangle_count);
+    segment.find(mesh, leaf.first, leaf.triangle_count,
+                 [&](std::uint32_t t, const NearSegment::Bound& bound) { take(t, bound); });
+  }
+  [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_budget_spent(); }
+
+  // Returns true if the triangle is out of reach by an exact measurement. The segment test accepts
+  // many long thin triangles around a common point that are not near. The exact test is made only
+  // after the set was full once.
+  [[nodiscard]] bool is_far(std::uint32_t t) {
+    if (to.smaller_ == 0) {
+      return false;
+    }
+    to.budget_.spend(kCostOfMeasurement);
+    return triangle_of(mesh, t).nearest(start).distance > farthest_m;
+  }
+
+  void take(std::uint32_t t, const NearSegment::Bound& bound) {
+    if (is_far(t)) {
+      return;
+    }
+    Candidate* const slot = to.add(object, number);
+    if (slot == nullptr) {
+      return;
+    }
+    slot->index = t;
+    Float3 normal = bound.normal;
+    if (mover != nullptr) {
+      normal = to_float3(direction_from(mover, to_vec3(normal)));
+    }
+    to.store_bound(to.size_ - 1, normal, -static_cast<double>(bound.offset));
+  }
+};
+
+// Visits objects: adds primitives, and lists meshes to walk.
+struct CandidateSet::GatherObjects {
+  CandidateSet& to;
+  const SceneObjects& scene;
+
+  void operator()(std::uint32_t place) { take(scene.still_object(place)); }
+
+  void take(std::uint32_t number) {
+    if (to.left_out_.has(number)) {
+      return;
+    }
+    const Object& object = scene[number];
+    if (object.surface != SurfaceKind::primitive) {
+      to.to_walk_.meshes[to.to_walk_.count++] = number;
+      return;
+    }
+    const Capsule& trust = to.trust_;
+    const double reach = to.margins_.of(is_point_tool(object)).reach_m + trust.radius;
+    const Primitive& primitive = scene.primitive_W(number);
+    const Vec3 middle = trust.start + 0.5 * trust.axis;
+    if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.axis.norm()) {
+      to.add_primitive(object, number, primitive);
+    }
+  }
+};
+
+Candidate* CandidateSet::add(const Object& object, std::uint32_t number) {
+  if (size_ == kMaxCandidates) {
+    is_full_ = true;
+    return nullptr;
+  }
+  Candidate& slot = slots_[size_++];
+  slot.primitive = nullptr;
+  slot.object = number;
+  slot.prepared = false;
+  slot.one_sided = object.sides == Sides::one;
+  slot.point_tool = is_point_tool(object);
+  slot.measured_at = 0;
+  return &slot;
+}
+
+void CandidateSet::add_primitive(const Object& object, std::uint32_t number,
+                                 const Primitive& primitive) {
+  if (Candidate* const slot = add(object, number); slot != nullptr) {
+    slot->primitive = &primitive;
+    set_no_bound(size_ - 1);
+  }
+}
+
+void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& trust) {
+  trust_ = trust;
+  size_ = 0;
+  tested_ = 0;
+  is_full_ = false;
+  to_walk_.count = 0;
+  to_walk_.left.clear();
+  GatherObjects visitor{.to = *this, .scene = scene};
+  const Vec3 middle = trust.start + 0.5 * trust.axis;
+  const double reach = margins_.sphere.reach_m + trust.radius;
+  visit_all_near(scene.still_nodes(), middle, 0.5 * trust.axis.cwiseAbs(), reach, visitor);
+  for (const Mover& mover : scene.movers()) {
+    if (meets_proxy(scene[mover.object]) &&
+        mover.distance(middle) <= reach + 0.5 * trust.axis.norm()) {
+      visitor.take(mover.object);
+    }
+  }
+}
+
+// Continues until everything is gathered, the set is full, or the tick's budget is spent.
+void CandidateSet::go_on_gathering(const SceneObjects& scene) {
+  while (to_walk_.count > 0 && !is_full_) {
+    walk_mesh(scene, to_walk_.meshes[to_walk_.count - 1]);
+    if (to_walk_.left.count() > 0) {
+      return;
+    }
+    --to_walk_.count;
+  }
+}
+
+// Continues a walk that was interrupted, or begins one at the root.
+void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
+  const Object& object = scene[number];
+  const Mover* const mover = scene.mover_of(number);
+  const PlacedMesh placed = scene.mesh_O(number);
+  const double reach = margins_.of(is_point_tool(object)).reach_m + trust_.radius;
+  const Vec3 axis = direction_in(mover, trust_.axis);
+  const Vec3 start = point_in(mover, trust_.start);
+  const NearBox box(start + 0.5 * axis, 0.5 * axis.cwiseAbs(), reach + placed.slack_m);
+  if (to_walk_.left.count() == 0) {
+    begin_walk(placed.mesh.nodes, box, to_walk_.left);
+  }
+  GatherTriangles visitor{.to = *this,
+                          .object = object,
+                          .number = number,
+                          .mover = mover,
+                          .mesh = placed.mesh,
+                          .segment = NearSegment(start, axis, reach),
+                          .start = start,
+                          .farthest_m = reach + axis.norm()};
+  go_on_walking(placed.mesh.nodes, box, to_walk_.left, visitor);
+}
+
+void CandidateSet::end_gathering(const SceneObjects& scene) {
+  fill_last_four();
+  peak_ = std::max(peak_, size_);
+  const double tests = 1.0 + static_cast<double>(tested_);
+  const double length = wanted_length_m_ * std::clamp(kWantedTests / tests, 0.5, 2.0);
+  const bool lasted = gatherings_ == first_gathering_;
+  const double sparse = wanted_length_m_ * std::clamp(kFewTests / tests, 0.5, lasted ? 1.0 : 2.0);
+  wanted_length_m_ = std::max(std::min(length, kLongTrust_m), sparse);
+  if (size_ == 0) {
+    wanted_length_m_ = kLeastTrust_m;  // out of free space onto any mesh
+    const double ball = free_radius(scene, margins_, trust_.start, trust_.radius, budget_);
+    if (ball > trust_.radius) {
+      trust_ = {.start = trust_.start, .radius = ball};
+    }
+  }
+}
+
+// Plans the capsule in the direction in which the proxy moved since the last gathering. After the
+// proxy left through the side the next capsule is less slim; after it left through the end,
+// slimmer.
+Capsule CandidateSet::plan(const Vec3& p) {
+  const Vec3 came = p - trust_.start;
+  const double distance = came.norm();
+  const bool straight = distance > kStraight * wanted_length_m_;
+  slimness_ =
+      std::clamp(slimness_ * (straight ? kSlimmer : kStouter), kLeastSlimness, kMostSlimness);
+  wanted_length_m_ = std::clamp(wanted_length_m_, kLeastTrust_m, kMostTrust_m);
+  const double radius = std::max(kLeastRadius_m, wanted_length_m_ / slimness_);
+  const bool known = distance > kLeastRadius_m && distance < kMostTrust_m;
+  return {.start = p,
+          .axis = known ? Vec3{came * (wanted_length_m_ / distance)} : Vec3{Vec3::Zero()},
+          .radius = radius};
+}
+
+CandidateSet::Gathering CandidateSet::ensure(const SceneObjects& scene,
+                                             const ContactMargins& margins, const Vec3& p) {
+  const bool is_valid = !is_begun() && trust_.depth(p) >= kBorder_m;
+  return is_valid ? Gathering::complete : gather(scene, margins, p);
+}
+
+void CandidateSet::look_ahead(const SceneObjects& scene, const ContactMargins& margins,
+                              const Vec3& p, const Vec3& next) {
+  // A point meets too few triangles to be late.
+  const bool can_gather = !margins.is_point() && budget_.spent() <= kLookAheadBudget &&
+                          may_pause_ && !is_begun() && smaller_ == 0;
+  if (can_gather && trust_.depth(next) < kBorder_m) {
+    gather(scene, margins, p);
+  }
+}
+
+CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
+                                             const ContactMargins& margins, const Vec3& p) {
+  if (!is_begun() || p != trust_.start) {
+    margins_ = margins;
+    smaller_ = 0;
+    ++gatherings_;
+    budget_.spend(kCostOfGathering);
+    begin_gathering(scene, plan(p));
+  }
+  for (;;) {
+    go_on_gathering(scene);
+    if (!is_full_) {
+      break;
+    }
+    peak_ = kMaxCandidates;
+    wanted_length_m_ *= 0.5;
+    if (++smaller_ >= kMostSmaller) {
+      clear();
+      return Gathering::too_many;
+    }
+    begin_gathering(
+        scene, {.start = trust_.start, .axis = 0.5 * trust_.axis, .radius = 0.5 * trust_.radius});
+  }
+  if (is_begun()) {
+    return Gathering::begun;
+  }
+  end_gathering(scene);
+  return smaller_ == 0 ? Gathering::complete : Gathering::smaller;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,248 @@
+// The proxy's desired position is where the object in contact carries it, or where it was. The
+// motion to a goal, seen from the frame of each object, is swept. An object that blocks it gives
+// the plane of the impact, fixed to the object. The next goal is the point nearest to the desired
+// position in front of all planes, and it is swept again. A convex piece of surface lies behind its
+// plane, so a segment in front of the plane does not meet it again: each round adds planes of new
+// surfaces only, and few rounds are needed.
+//
+// A triangle that deforms is tested in another manner. Its corners move on straight lines, so their
+// greatest height over a plane of fixed direction is a convex function of time. If the proxy is in
+// front of such a plane at both ends of the tick, the two were apart throughout. The plane's
+// direction is from the triangle's nearest point to the proxy. A triangle that is farther away than
+// all motions together is not tested.
+#include "rendering/contact/carry_along.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "rendering/contact/object_sweep.h"
+#include "rendering/geometry/hierarchy_query.h"
+#include "rendering/geometry/plane_projection.h"
+
+namespace tactus::rendering {
+namespace {
+
+constexpr std::size_t kMaxPlanes = 24;
+constexpr int kMaxRounds = 12;
+// A sphere that already overlaps a surface is pushed out by at most this.
+constexpr double kMostPush_m = 1e-6;
+
+// Visits the triangles of a mesh that deforms and keeps the plane that the proxy's motion violates
+// most.
+struct DeformingPlane {
+  const DeformableMesh& deformable;
+  bool one_sided;
+  const ContactMargin& margin;
+  const Vec3& from_O;
+  const Vec3& to_O;
+  double reach_m;
+  double least_gap_m = -1e-9;  // below rounding
+  Plane plane_O{};
+  bool broken = false;
+
+  [[nodiscard]] double reach() const { return reach_m + deformable.slack_m(); }
+  void operator()(std::uint32_t t) {
+    const Triangle before = triangle_of(deformable.before(), t);
+    const Nearest nearest = before.nearest(from_O);
+    if (nearest.distance > reach_m || (one_sided && before.height(from_O) < 0.0)) {
+      return;
+    }
+    const MeshView now = deformable.now();
+    double support = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t corner : now.triangles[t]) {
+      support = std::max(support, nearest.normal.dot(to_vec3(now.vertices[corner])));
+    }
+    const double offset = support + std::min(margin.rest_m, nearest.distance);
+    const double gap = nearest.normal.dot(to_O) - offset;
+    if (gap < least_gap_m) {
+      least_gap_m = gap;
+      plane_O = {.normal = nearest.normal, .offset = offset};
+      broken = true;
+    }
+  }
+};
+
+struct MovingObstacles {
+  const SceneObjects& scene;
+  const ContactMargins& margins;
+  const Vec3& from_W;
+  const LeftOut& left_out;
+  std::array<Plane, kMaxPlanes> planes{};
+  std::size_t plane_count = 0;
+  std::size_t cost_left = kMaxCarryBudget;
+  bool clear = true;  // in this round
+
+  // Adds a plane that the proxy must stay in front of; world frame.
+  void add(const Vec3& normal_W, double offset) {
+    if (plane_count == kMaxPlanes) {
+      cost_left = 0;
+      return;
+    }
+    planes[plane_count++] = {.normal = normal_W, .offset = offset};
+  }
+
+  // Sweeps the proxy's motion to goal_W in the object's frame, and adds a plane if it is blocked.
+  void meet_object(std::uint32_t number, const RigidPose& before, const RigidPose& now,
+                   const Vec3& goal_W) {
+    if (left_out.has(number)) {
+      return;
+    }
+    const Vec3 from_O = before.point_in(from_W);
+    const Vec3 motion = now.point_in(goal_W) - from_O;
+    const double length = motion.norm();
+    constexpr double kNothing_m = 1e-12;
+    if (length <= kNothing_m) {
+      return;
+    }
+    const ContactMargin& margin = margins.of(is_point_tool(scene[number]));
+    const Sweep sweep{.from = from_O, .direction = motion / length};
+    const ObjectHit hit =
+        sweep_object(scene, number, {.sweep_O = sweep, .limit_m = length}, margin, cost_left);
+    if (hit.travel_m >= length) {
+      return;
+    }
+    clear = false;
+    if (!hit.met) {
+      cost_left = 0;
+      return;
+    }
+    const Vec3 met_O = from_O + hit.travel_m * sweep.direction;
+    const Nearest nearest = nearest_at(scene, number, hit.triangle, met_O);
+    const Vec3 normal_W = now.direction(nearest.normal);
+    const double to_rest = std::min(margin.rest_m - nearest.distance, kMostPush_m);
+    add(normal_W, normal_W.dot(now.point(met_O)) + to_rest);
+  }
+
+  void meet_deforming(const Mover& mover, const Vec3& goal_W) {
+    const Vec3 from_O = mover.X_WO_before.point_in(from_W);
+    const Vec3 to_O = mover.X_WO.point_in(goal_W);
+    const Object& object = scene[mover.object];
+    const ContactMargin& margin = margins.of(is_point_tool(object));
+    const DeformableMesh& deformable = *mover.deformable;
+    DeformingPlane visitor{
+        .deformable = deformable,
+        .one_sided = object.sides == Sides::one,
+        .margin = margin,
+        .from_O = from_O,
+        .to_O = to_O,
+        .reach_m = margin.reach_m + deformable.step_m() + (to_O - from_O).norm()};
+    visit_near(deformable.before().nodes, from_O, visitor);
+    if (!visitor.broken) {
+      return;
+    }
+    clear = false;
+    const Vec3 normal_W = mover.X_WO.direction(visitor.plane_O.normal);
+    add(normal_W, visitor.plane_O.offset + normal_W.dot(mover.X_WO.translation));
+  }
+
+  void meet_movers(const Vec3& goal_W) {
+    for (const Mover& mover : scene.movers()) {
+      if (!meets_proxy(scene[mover.object]) || left_out.has(mover.object)) {
+        continue;
+      }
+      const Vec3 from_O = mover.X_WO_before.point_in(from_W);
+      const double length = (mover.X_WO.point_in(goal_W) - from_O).norm();
+      if (mover.bounds_O.distance(from_O) > length + margins.sphere.reach_m) {
+        continue;
+      }
+      if (mover.deformable != nullptr && mover.deformable->step_m() > 0.0) {
+        meet_deforming(mover, goal_W);
+      } else {
+        meet_object(mover.object, mover.X_WO_before, mover.X_WO, goal_W);
+      }
+    }
+  }
+
+  void meet_still(const Vec3& goal_W) {
+    struct Visitor {
+      MovingObstacles& obstacles;
+      const Vec3& goal_W;
+      double length;
+      [[nodiscard]] double reach() const { return length; }
+      void operator()(std::uint32_t place) {
+        obstacles.meet_object(obstacles.scene.still_object(place), {}, {}, goal_W);
+      }
+    };
+    const Vec3 motion = goal_W - from_W;
+    const double length = motion.norm();
+    if (length > 0.0) {
+      visit_along(scene.still_nodes(), from_W, motion / length, margins.sphere.reach_m,
+                  Visitor{.obstacles = *this, .goal_W = goal_W, .length = length});
+    }
+  }
+};
+
+// Returns the end of a sweep that ignores the objects that move and stops at those at rest.
+Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, const Vec3& from_W,
+                    const Vec3& goal_W, const LeftOut& left_out) {
+  const Vec3 motion = goal_W - from_W;
+  const double length = motion.norm();
+  if (length <= 0.0) {
+    return from_W;
+  }
+  std::size_t cost_left = kMaxCarryBudget;
+  const Sweep sweep{.from = from_W, .direction = motion / length};
+  return from_W + sweep_still_objects(scene, margins, sweep, length, cost_left, left_out).travel_m *
+                      sweep.direction;
+}
+
+// Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m.
+Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, const Vec3& p_O) {
+  const auto corners = [&](const MeshView& mesh) -> std::array<Vec3, 3> {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {to_vec3(mesh.vertices[a]), to_vec3(mesh.vertices[b]), to_vec3(mesh.vertices[c])};
+  };
+  const std::array<Vec3, 3> before = corners(deformable.before());
+  const std::array<Vec3, 3> now = corners(deformable.now());
+  const Nearest nearest = Triangle(before[0], before[1], before[2]).nearest(p_O);
+  const Vec3 at = p_O - nearest.distance * nearest.normal - before[0];
+  const Vec3 ab = before[1] - before[0];
+  const Vec3 ac = before[2] - before[0];
+  const Vec3 normal = ab.cross(ac);
+  const double area = normal.squaredNorm();
+  const double b = area > 0.0 ? at.cross(ac).dot(normal) / area : 0.0;
+  const double c = area > 0.0 ? ab.cross(at).dot(normal) / area : 0.0;
+  return (1.0 - b - c) * (now[0] - before[0]) + b * (now[1] - before[1]) + c * (now[2] - before[2]);
+}
+
+// Returns the position to which the object in contact carries the proxy; world frame, m.
+Vec3 carried_position(const SceneObjects& scene, const Vec3& p_W, const LastContact& last_contact) {
+  const Mover* const mover =
+      last_contact.object == kNoObject ? nullptr : scene.mover_of(last_contact.object);
+  if (mover == nullptr || !mover->moved) {
+    return p_W;
+  }
+  Vec3 p_O = mover->X_WO_before.point_in(p_W);
+  if (mover->deformable != nullptr && mover->deformable->step_m() > 0.0) {
+    p_O += displacement_O(*mover->deformable, last_contact.triangle, p_O);
+  }
+  return mover->X_WO.point(p_O);
+}
+
+}  // namespace
+
+Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
+                    const LastContact& last_contact, const LeftOut& left_out) {
+  const Vec3 desired = carried_position(scene, p_W, last_contact);
+  MovingObstacles obstacles{
+      .scene = scene, .margins = margins, .from_W = p_W, .left_out = left_out};
+  Vec3 goal = desired;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    obstacles.clear = true;
+    obstacles.meet_movers(goal);
+    obstacles.meet_still(goal);
+    if (obstacles.clear) {
+      return {.p_W = goal};
+    }
+    const PlaneProjection projection =
+        project_on_planes(desired, std::span(obstacles.planes).first(obstacles.plane_count));
+    if (!projection.feasible || obstacles.cost_left == 0) {
+      break;
+    }
+    goal = projection.point;
+  }
+  return {.p_W = swept_to_still(scene, margins, p_W, desired, left_out), .flags = kTouchPinched};
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,33 @@
+// Moves a resting proxy with the objects that moved since the last tick: the object in contact
+// carries it along, and every object in its path pushes it, at any speed.
+#pragma once
+
+#include <cstdint>
+
+#include "rendering/contact/left_out.h"
+#include "rendering/contact/sphere_sweep.h"
+#include "rendering/world/scene_objects.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+// The contact that held the proxy last.
+struct LastContact {
+  std::uint32_t object = kNoObject;
+  std::uint32_t triangle = 0;    // of its mesh
+  Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of all that held it
+};
+
+struct Carried {
+  Vec3 p_W = Vec3::Zero();            // m; clear of every object where it is now
+  std::uint32_t flags = kTouchClean;  // pinched
+};
+
+// Moves the proxy so that it stays clear of every object where it is now. `p_W` is its position
+// before the tick (world frame, m), clear of every object as it was then, except those in
+// `left_out`. In the frame of each object the proxy moves along a straight segment and crosses
+// nothing. Real time: bounded time, no heap.
+Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
+                    const LastContact& last_contact, const LeftOut& left_out = {});
+
+}  // namespace tactus::rendering

@@ -1,0 +1,75 @@
+// The independent contacts of one tool: potential fields, feature walks and implicit surfaces. Each
+// gives its own force, apart from the shared proxy.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "rendering/contact/feature_walk.h"
+#include "rendering/contact/implicit_tracking.h"
+#include "rendering/limits.h"
+#include "rendering/material/force_shading.h"
+#include "rendering/state/state_archive.h"
+#include "rendering/world/scene_objects.h"
+#include "rendering/world/touch.h"
+
+namespace tactus::rendering {
+
+// Every contact is computed in its object's own frame: an object that moves carries its proxy
+// along, and meets every tool that it sweeps over. An object whose box is not near the tool costs
+// next to nothing.
+class IndependentContacts {
+ public:
+  // Starts over, out of contact, at p_W.
+  void place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m);
+
+  // Adds the forces to `touch`, which holds the shared proxy's result, and reports the object with
+  // the largest force of all. The tool must be finite. Bounded time, no heap.
+  void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool);
+
+  // Holds the contacts in a tick without a valid tool. Call it instead of add_to.
+  void hold(const SceneObjects& scene);
+
+  // Returns how far the proxy of an object was from the tool after the last touch, m.
+  [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const;
+
+  // Saves the state to the archive, or restores it; the scene must be the same.
+  void transfer(StateArchive& archive, const SceneObjects& scene);
+
+ private:
+  // The state of shading and textures of one object, in its frame.
+  struct DetailState {
+    ForceShading shading;
+    Vec3 point_O = Vec3::Zero();  // touched in the last tick
+    bool touched = false;
+    double friction_factor = 1.0;
+  };
+
+  // One object with its current material.
+  struct IndependentObject {
+    std::size_t k;
+    const Object& object;
+    const Material& material;
+  };
+
+  // Computes the contact of one object without shading, in its own frame.
+  Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O);
+  Touch touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O);
+  [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
+  void shade_in_frame(const IndependentObject& independent, const ToolState& tool_O, Touch& touch);
+  Touch touch_in_frame(const IndependentObject& independent, const ToolState& tool_O);
+  [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
+  void wake(std::size_t k, const Mover* mover);
+
+  double tool_radius_m_ = 0.0;
+  Vec3 last_tool_W_ = Vec3::Zero();
+  double tool_step_m_ = 0.0;
+  std::array<bool, kMaxIndependentObjects> awake_{};  // of SceneObjects::independent_objects()
+  std::array<ImplicitTracker, kMaxIndependentObjects> trackers_;
+  std::array<FeatureWalker, kMaxIndependentObjects> walkers_;
+  std::array<DetailState, kMaxIndependentObjects> details_;
+  // Potential fields that have overlapped the tool in every tick since it began there.
+  std::array<bool, kMaxIndependentObjects> left_out_{};
+};
+
+}  // namespace tactus::rendering
