@@ -46,14 +46,14 @@ void apply(firmware::Controller& controller, const ParameterChange& change) {
   refuse(firmware::text_of(change.place.parameter)->name, why);
 }
 
-// Sums of what is felt, for the means.
-struct Felt {
+// Sums of the forces on the hand, N, for their means.
+struct HandForces {
   double recorded_N = 0.0;
   double changed_N = 0.0;
   std::uint64_t ticks = 0;
 };
 
-void add(const WhatIfTick& tick, WhatIfSummary& summary, Felt& felt) {
+void add(const WhatIfTick& tick, WhatIfSummary& summary, HandForces& forces) {
   const double recorded_N = tick.recorded_W.norm();
   const double changed_N = tick.changed_W.norm();
   const double apart_N = (tick.changed_W - tick.recorded_W).norm();
@@ -65,9 +65,9 @@ void add(const WhatIfTick& tick, WhatIfSummary& summary, Felt& felt) {
     summary.most_apart_s = tick.time_s;
   }
   if (recorded_N > 0.0 || changed_N > 0.0) {
-    felt.recorded_N += recorded_N;
-    felt.changed_N += changed_N;
-    ++felt.ticks;
+    forces.recorded_N += recorded_N;
+    forces.changed_N += changed_N;
+    ++forces.ticks;
   }
 }
 
@@ -109,7 +109,7 @@ WhatIfSummary what_if(RecordedRun& run, std::span<const ParameterChange> changes
         changes, [&](const ParameterChange& change) { return change.place == place; });
   };
   WhatIfSummary summary;
-  Felt felt;
+  HandForces forces;
   run.ticks().rewind();
   while (auto recorded = run.ticks().next()) {
     firmware::TelemetryRecord& record = recorded->record;
@@ -127,16 +127,16 @@ WhatIfSummary what_if(RecordedRun& run, std::span<const ParameterChange> changes
     const WhatIfTick tick{.time_s = record.time_s,
                           .recorded_W = to_vector(record.force_commanded_W),
                           .changed_W = to_vector(replayer.record().force_commanded_W)};
-    add(tick, summary, felt);
+    add(tick, summary, forces);
     const bool faulted = replayer.record().mode == firmware::Mode::fault;
     if (faulted && record.mode != firmware::Mode::fault && !summary.fault_s) {
       summary.fault_s = record.time_s;
     }
     sink(tick);
   }
-  const double ticks = std::max<double>(1.0, static_cast<double>(felt.ticks));
-  summary.mean_recorded_N = felt.recorded_N / ticks;
-  summary.mean_changed_N = felt.changed_N / ticks;
+  const double ticks = std::max<double>(1.0, static_cast<double>(forces.ticks));
+  summary.mean_recorded_N = forces.recorded_N / ticks;
+  summary.mean_changed_N = forces.changed_N / ticks;
   return summary;
 }
 

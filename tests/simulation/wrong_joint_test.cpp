@@ -64,7 +64,7 @@ struct Press {
   bool begins_in_touch = false;
 };
 
-struct Felt {
+struct PressOutcome {
   double peak_N = 0.0;
   double above_2_N_s = 0.0;
   double displaced_m = 0.0;  // from where the hand wants to be, in contact
@@ -82,7 +82,7 @@ Vec3 way_in(std::string_view preset) {
   return preset == "haply_pantograph" ? Vec3::UnitZ() : Vec3::UnitY();
 }
 
-Felt felt_in(const Press& press) {
+PressOutcome outcome_of(const Press& press) {
   const Vec3 out = way_in(press.preset);
   const Vec3 far = (press.begins_in_touch ? -press.depth_m : 0.006) * out;
   const Vec3 deep = -press.depth_m * out;
@@ -101,8 +101,8 @@ Felt felt_in(const Press& press) {
   const std::array objects = {wall.object()};
   host::Simulation simulation(config, objects, 0.001);
   drivers::JointSample homed;
-  Felt felt;
-  for (int tick = 0; tick < 4000 && felt.faults == 0; ++tick) {
+  PressOutcome outcome;
+  for (int tick = 0; tick < 4000 && outcome.faults == 0; ++tick) {
     const firmware::Mode mode = simulation.controller().mode();
     if (mode != firmware::Mode::active) {
       host::SimulatedDevice(simulation.device()).read(homed);
@@ -114,24 +114,25 @@ Felt felt_in(const Press& press) {
       return WrongDevice{device, press.joints, press.wrong, homed.position};
     });
     const double force_N = simulation.device().motor_force_B().norm();
-    felt.peak_N = std::max(felt.peak_N, force_N);
-    felt.above_2_N_s += force_N > 2.0 ? 0.001 : 0.0;
+    outcome.peak_N = std::max(outcome.peak_N, force_N);
+    outcome.above_2_N_s += force_N > 2.0 ? 0.001 : 0.0;
     if (simulation.record().contact != rendering::ContactKind::none) {
-      felt.displaced_m =
-          std::max(felt.displaced_m, (simulation.handle_W() - simulation.wish_W()).norm());
+      outcome.displaced_m =
+          std::max(outcome.displaced_m, (simulation.handle_W() - simulation.wish_W()).norm());
     }
-    felt.commanded_N =
-        std::max(felt.commanded_N, Vec3(simulation.record().force_commanded_W.data()).norm());
-    felt.unchecked_s += (simulation.record().limits & firmware::kLimitSignCheck) != 0 ? 0.001 : 0.0;
-    felt.faults = simulation.record().faults;
-    felt.joint = simulation.record().fault_joint;
+    outcome.commanded_N =
+        std::max(outcome.commanded_N, Vec3(simulation.record().force_commanded_W.data()).norm());
+    outcome.unchecked_s +=
+        (simulation.record().limits & firmware::kLimitSignCheck) != 0 ? 0.001 : 0.0;
+    outcome.faults = simulation.record().faults;
+    outcome.joint = simulation.record().fault_joint;
   }
-  return felt;
+  return outcome;
 }
 
-std::string fault_of(const Felt& felt) {
+std::string fault_of(const PressOutcome& outcome) {
   for (const firmware::FaultText& text : firmware::kFaultTexts) {
-    if ((felt.faults & text.bit) != 0) {
+    if ((outcome.faults & text.bit) != 0) {
       return std::string(text.name);
     }
   }
@@ -149,12 +150,13 @@ std::string named(const Press& press) {
          (press.begins_in_touch ? " in touch" : "");
 }
 
-void print(const Press& press, const Felt& felt) {
+void print(const Press& press, const PressOutcome& outcome) {
   std::printf(
       "torque x %5.2f, counts x %2.0f, %-44s: %5.2f N, above 2 N %4.0f ms, %4.1f mm, %s, "
       "joint %u\n",
-      press.wrong.torque, press.wrong.counts, named(press).c_str(), felt.peak_N,
-      1000.0 * felt.above_2_N_s, 1000.0 * felt.displaced_m, fault_of(felt).c_str(), felt.joint);
+      press.wrong.torque, press.wrong.counts, named(press).c_str(), outcome.peak_N,
+      1000.0 * outcome.above_2_N_s, 1000.0 * outcome.displaced_m, fault_of(outcome).c_str(),
+      outcome.joint);
 }
 
 // Each joint of the preset alone, and all of them.
@@ -192,10 +194,10 @@ void for_every_press(const Wrong& wrong, const Check& check) {
                             .joints = joints,
                             .wrong = wrong,
                             .begins_in_touch = begins_in_touch};
-          const Felt felt = felt_in(press);
-          print(press, felt);
+          const PressOutcome outcome = outcome_of(press);
+          print(press, outcome);
           SCOPED_TRACE(named(press));
-          check(press, felt);
+          check(press, outcome);
         }
       }
     }
@@ -204,12 +206,12 @@ void for_every_press(const Wrong& wrong, const Check& check) {
 
 // The bounds of a wrong sign: a fault that names a wrong joint before the hand is pushed hard or
 // far.
-void expect_found(const Press& press, const Felt& felt) {
-  EXPECT_EQ(felt.faults, firmware::kFaultMotorReversed);
-  EXPECT_NE(felt.joint, 0U);
-  EXPECT_EQ(press.joints >> (felt.joint - 1U) & 1U, 1U) << felt.joint;
-  EXPECT_LE(felt.above_2_N_s, 0.050);
-  EXPECT_LE(felt.displaced_m, 0.010);
+void expect_found(const Press& press, const PressOutcome& outcome) {
+  EXPECT_EQ(outcome.faults, firmware::kFaultMotorReversed);
+  EXPECT_NE(outcome.joint, 0U);
+  EXPECT_EQ(press.joints >> (outcome.joint - 1U) & 1U, 1U) << outcome.joint;
+  EXPECT_LE(outcome.above_2_N_s, 0.050);
+  EXPECT_LE(outcome.displaced_m, 0.010);
 }
 
 // An arm with weights that nobody holds lies on its stops, and a motor that pushes it against them
@@ -219,43 +221,43 @@ bool lies_on_its_stops(const Press& press) {
 }
 
 TEST(WrongJoint, AReversedMotorIsFoundOnEveryPresetInEveryHand) {
-  for_every_press(Wrong{.torque = -1.0}, [](const Press& press, const Felt& felt) {
+  for_every_press(Wrong{.torque = -1.0}, [](const Press& press, const PressOutcome& outcome) {
     if (!lies_on_its_stops(press)) {
-      expect_found(press, felt);
+      expect_found(press, outcome);
     }
   });
 }
 
 TEST(WrongJoint, AReversedEncoderIsFoundOnEveryPresetInEveryHand) {
-  for_every_press(Wrong{.counts = -1.0}, [](const Press& press, const Felt& felt) {
+  for_every_press(Wrong{.counts = -1.0}, [](const Press& press, const PressOutcome& outcome) {
     if (!lies_on_its_stops(press)) {
-      expect_found(press, felt);
+      expect_found(press, outcome);
     }
   });
 }
 
 // With a hand on it a device that is too strong may answer like a right one without.
 TEST(WrongJoint, ThreeTimesTheTorqueIsFoundWithoutAHand) {
-  for_every_press(Wrong{.torque = 3.0}, [](const Press& press, const Felt& felt) {
+  for_every_press(Wrong{.torque = 3.0}, [](const Press& press, const PressOutcome& outcome) {
     if (press.hand == "none" && !lies_on_its_stops(press)) {
-      EXPECT_EQ(felt.faults, firmware::kFaultEffortMismatch);
-      EXPECT_EQ(press.joints >> (felt.joint - 1U) & 1U, 1U) << felt.joint;
+      EXPECT_EQ(outcome.faults, firmware::kFaultEffortMismatch);
+      EXPECT_EQ(press.joints >> (outcome.joint - 1U) & 1U, 1U) << outcome.joint;
     }
   });
 }
 
 TEST(WrongJoint, FourTimesTheCountsAreFoundWithoutAHand) {
-  for_every_press(Wrong{.counts = 4.0}, [](const Press& press, const Felt& felt) {
+  for_every_press(Wrong{.counts = 4.0}, [](const Press& press, const PressOutcome& outcome) {
     if (press.hand == "none" && !lies_on_its_stops(press)) {
-      EXPECT_EQ(felt.faults, firmware::kFaultEffortMismatch);
-      EXPECT_EQ(press.joints >> (felt.joint - 1U) & 1U, 1U) << felt.joint;
+      EXPECT_EQ(outcome.faults, firmware::kFaultEffortMismatch);
+      EXPECT_EQ(press.joints >> (outcome.joint - 1U) & 1U, 1U) << outcome.joint;
     }
   });
 }
 
 TEST(WrongJoint, AThirdOfTheTorqueHurtsNobody) {
-  for_every_press(Wrong{.torque = 1.0 / 3.0}, [](const Press& press, const Felt& felt) {
-    EXPECT_EQ(felt.faults & firmware::kFaultMotorReversed, 0U) << felt.joint << press.hand;
+  for_every_press(Wrong{.torque = 1.0 / 3.0}, [](const Press& press, const PressOutcome& outcome) {
+    EXPECT_EQ(outcome.faults & firmware::kFaultMotorReversed, 0U) << outcome.joint << press.hand;
   });
 }
 
@@ -268,9 +270,9 @@ TEST(WrongJoint, TheForceIsSmallUntilAllHaveAnswered) {
                       .wrong = {.torque = 0.0},
                       .stiffness_N_per_m = 2000.0,
                       .depth_m = 0.008};
-    const Felt felt = felt_in(press);
-    EXPECT_EQ(felt.faults, firmware::kNoFault) << preset;
-    EXPECT_LE(felt.commanded_N, 1.05) << preset;
+    const PressOutcome outcome = outcome_of(press);
+    EXPECT_EQ(outcome.faults, firmware::kNoFault) << preset;
+    EXPECT_LE(outcome.commanded_N, 1.05) << preset;
   }
 }
 
@@ -280,7 +282,7 @@ TEST(WrongJoint, RightMotorsAnswerWithinTheSoftStart) {
     for (const std::string_view hand : {"finger", "pen", "firm"}) {
       for (const bool begins_in_touch : {false, true}) {
         const Press press{.preset = preset, .hand = hand, .begins_in_touch = begins_in_touch};
-        const double unchecked_s = felt_in(press).unchecked_s;
+        const double unchecked_s = outcome_of(press).unchecked_s;
         EXPECT_LE(unchecked_s, firmware::SafetyConfig{}.soft_start_s) << named(press);
         std::printf("%-40s: %3.0f ms\n", named(press).c_str(), 1000.0 * unchecked_s);
       }
@@ -305,7 +307,7 @@ TEST(WrongJoint, NoneIsSeenWhereAllAreRight) {
                               .press_s = press_s,
                               .depth_m = 0.008,
                               .begins_in_touch = begins_in_touch};
-            EXPECT_EQ(felt_in(press).faults & kFound, 0U)
+            EXPECT_EQ(outcome_of(press).faults & kFound, 0U)
                 << named(press) << ' ' << stiffness_N_per_m << ' ' << press_s;
           }
         }
