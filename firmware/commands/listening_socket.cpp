@@ -27,7 +27,7 @@ sockaddr_un address_of(std::string_view path) {
   return address;
 }
 
-// The interface of sockets takes every address as the general one.
+// Returns the address as the general type that the socket calls take.
 const sockaddr* general(const sockaddr_un& address) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
   return reinterpret_cast<const sockaddr*>(&address);

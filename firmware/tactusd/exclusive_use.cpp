@@ -12,7 +12,7 @@
 #include <span>
 #include <variant>
 
-#include "firmware/tactusd/told.h"
+#include "firmware/tactusd/messages.h"
 
 namespace tactus::firmware {
 namespace {
@@ -20,8 +20,8 @@ namespace {
 using Name = std::array<char, 100>;  // as long as a claim's name may be
 
 // For the calls of the system, which want a zero at the end.
-std::array<char, kMostWords> terminated(std::string_view text) {
-  std::array<char, kMostWords> room{};
+std::array<char, kMaxMessage> terminated(std::string_view text) {
+  std::array<char, kMaxMessage> room{};
   std::ranges::copy(text.substr(0, room.size() - 1), room.begin());
   return room;
 }

@@ -1,7 +1,7 @@
 // The device loop: wake to the phase -> take the request -> read, controller, write -> publish.
 //
 // Nothing in it allocates, locks or prints, and it waits for nothing but its phase and the boards'
-// bounded transfers. What goes in and out of it passes its doors.
+// bounded transfers. What goes in and out of it passes its hooks.
 #pragma once
 
 #include <concepts>
@@ -24,11 +24,11 @@ namespace tactus::firmware {
 //                 then part of this tick
 //   publish       the tick is over: controller.record() says what it did
 template <typename T>
-concept LoopDoors = requires(T& doors, Controller& controller, const LoopTick& tick) {
-  { doors.stopping() } -> std::same_as<bool>;
-  { doors.has_crashed() } -> std::same_as<bool>;
-  { doors.take_request(controller) } -> std::same_as<Request>;
-  doors.publish(controller, tick);
+concept LoopHooks = requires(T& hooks, Controller& controller, const LoopTick& tick) {
+  { hooks.stopping() } -> std::same_as<bool>;
+  { hooks.has_crashed() } -> std::same_as<bool>;
+  { hooks.take_request(controller) } -> std::same_as<Request>;
+  hooks.publish(controller, tick);
 };
 
 struct LoopConfig {
@@ -67,7 +67,7 @@ LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_cras
 // The phase's period for so many ticks a second.
 hal::Phase loop_phase(double rate_hz);
 
-// What the loop works with beside the device and its doors; all outlive it.
+// What the loop works with beside the device and its hooks; all outlive it.
 struct LoopParts {
   Controller& controller;
   hal::Clock& clock;
@@ -75,10 +75,10 @@ struct LoopParts {
   WatchdogOutput& watchdog;
 };
 
-// Ends when the doors or the configuration say so, or after a fault. The motors are the caller's to
+// Ends when the hooks or the configuration say so, or after a fault. The motors are the caller's to
 // stop.
-template <drivers::Device D, LoopDoors Doors>
-LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Doors& doors) {
+template <drivers::Device D, LoopHooks Hooks>
+LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Hooks& hooks) {
   auto& [controller, clock, timing, watchdog] = parts;
   LoopCourse course(config);
   bool stopping = false;
@@ -86,15 +86,15 @@ LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Do
   hal::Wake wake = clock.sleep_until(hal::next_instant_ns(config.phase, clock.now_ns()));
   for (;;) {
     LoopTick tick = timing.woke(wake);
-    const bool has_crashed = doors.has_crashed();
-    stopping = stopping || has_crashed || doors.stopping();
+    const bool has_crashed = hooks.has_crashed();
+    stopping = stopping || has_crashed || hooks.stopping();
     controller.note_loop(loop_report(tick, watchdog_driven, has_crashed));
-    const Request wanted = doors.take_request(controller);
+    const Request wanted = hooks.take_request(controller);
     const bool disable = stopping && controller.mode() == Mode::active;
     run_tick(controller, device, disable ? Request::disable : wanted);
     watchdog_driven = watchdog.tick(is_healthy(controller.mode(), tick));
     timing.done(tick, controller.record().stage_ns, clock.now_ns());
-    doors.publish(controller, tick);
+    hooks.publish(controller, tick);
     if (!course.goes_on(controller.mode(), stopping)) {
       return controller.mode() == Mode::fault ? LoopEnd::faulted : LoopEnd::ended;
     }

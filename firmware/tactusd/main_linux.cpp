@@ -14,7 +14,7 @@
 #include <limits>
 #include <optional>
 
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/command_server.h"
 #include "firmware/commands/telemetry_hooks.h"
 #include "firmware/realtime/crash_stop.h"
@@ -31,7 +31,7 @@
 #include "firmware/tactusd/run_inputs.h"
 #include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
-#include "firmware/tactusd/told.h"
+#include "firmware/tactusd/messages.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {
@@ -44,7 +44,7 @@ constexpr int kCouldNotStart = 2;
 // Where commands are taken it goes on until told to stop: somebody may reset it.
 constexpr double kAfterFault_s = 0.2;
 
-std::atomic<bool> told_to_stop{false};
+std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 // The signal that told it; 0: none.
@@ -53,7 +53,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 void on_end_signal(int signal) {
   end_signal.store(signal, std::memory_order_relaxed);
-  told_to_stop.store(true, std::memory_order_relaxed);
+  stop_requested.store(true, std::memory_order_relaxed);
 }
 
 std::uint64_t now_ns() {
@@ -73,8 +73,8 @@ struct Program {
   ServiceNotice notice;
   Supervisor supervisor;
   RunTelemetry telemetry;
-  CommandDesk desk;
-  CommandServer commands{desk, inputs.scenes()};
+  CommandQueue queue;
+  CommandServer commands{queue, inputs.scenes()};
 };
 
 Program program;
@@ -117,20 +117,20 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What passes the loop's doors: commands and the command line's wish in, every tick out.
-class Doors {
+// What passes the loop's hooks: commands and the command line's wish in, every tick out.
+class ProgramHooks {
  public:
-  Doors(const Options& options, const drivers::ComposedDevice& device)
+  ProgramHooks(const Options& options, const drivers::ComposedDevice& device)
       : enable_(options.enable), device_(&device) {}
 
-  [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool stopping() const { return stop_requested.load(std::memory_order_relaxed); }
   [[nodiscard]] bool has_crashed() const { return has_helper_crashed(); }
 
   // --enable acts until an operator does.
   [[nodiscard]] Request take_request(Controller& controller) const {
-    const Request commanded = program.desk.before_tick(controller);
+    const Request commanded = program.queue.before_tick(controller);
     const Mode mode = controller.mode();
-    if (!enable_ || program.desk.is_operated()) {
+    if (!enable_ || program.queue.is_operated()) {
       return commanded;
     }
     return mode == Mode::init    ? Request::home
@@ -139,7 +139,7 @@ class Doors {
   }
 
   void publish(Controller& controller, const LoopTick& tick) {
-    program.desk.after_tick(controller);
+    program.queue.after_tick(controller);
     program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
@@ -160,17 +160,17 @@ int run(drivers::ComposedDevice& device, const Options& options) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
-  Doors doors(options, device);
+  ProgramHooks hooks(options, device);
   const LoopParts parts{.controller = program.controller,
                         .clock = program.boards.clock(),
                         .timing = program.timing,
                         .watchdog = program.watchdog};
   LoopEnd end = LoopEnd::ended;
   if (options.allow_inject) {
-    InjectedDevice injected(device, program.desk.injector(), rate_hz, now_ns);
-    end = run_loop(config, parts, injected, doors);
+    InjectedDevice injected(device, program.queue.injector(), rate_hz, now_ns);
+    end = run_loop(config, parts, injected, hooks);
   } else {
-    end = run_loop(config, parts, device, doors);
+    end = run_loop(config, parts, device, hooks);
   }
   device.stop();
   end_real_time();
@@ -221,7 +221,7 @@ bool take_time(const Options& options) {
   return true;
 }
 
-bool start_telling() {
+bool start_reporting() {
   if (const int failed = program.notice.open(); failed != 0) {
     std::fprintf(stderr, "tactusd: $NOTIFY_SOCKET: %s\n", std::strerror(failed));
   }
@@ -257,11 +257,11 @@ bool take_run_folder(const Options& options) {
 // Opens the sockets of commands and of the stop. False: told.
 bool start_commands(const Options& options) {
   const char* const folder = run_folder(options);
-  std::array<char, kMostWords> path{};
-  std::array<char, kMostWords> stop_path{};
+  std::array<char, kMaxMessage> path{};
+  std::array<char, kMaxMessage> stop_path{};
   std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
   std::snprintf(stop_path.data(), stop_path.size(), "%s/stop.sock", folder);
-  program.desk.set_events(telemetry_events(program.telemetry.sinks()));
+  program.queue.set_events(telemetry_events(program.telemetry.sinks()));
   RunHooks hooks = telemetry_hooks(program.telemetry.sinks());
   hooks.enable_refusal = program.inputs.enable_refusal();
   hooks.homing_hint = program.inputs.homing_hint();
@@ -297,7 +297,7 @@ bool catch_signals() {
 }
 
 // After the motors have been stopped.
-void tell_end_signal() {
+void print_end_signal() {
   release_end_signals();
   if (const int signal = end_signal.load(std::memory_order_relaxed); signal != 0) {
     std::fprintf(stderr, "tactusd: ends at signal %d (%s)\n", signal, strsignal(signal));
@@ -328,7 +328,7 @@ int start_and_run(const Options& options) {
                                inputs.config().joint_count)) {
     return kCouldNotStart;
   }
-  if (!start_commands(options) || !take_time(options) || !start_telling()) {
+  if (!start_commands(options) || !take_time(options) || !start_reporting()) {
     return kCouldNotStart;
   }
   if (!catch_signals()) {
@@ -336,7 +336,7 @@ int start_and_run(const Options& options) {
   }
   device->start();
   const int code = run(*device, options);
-  tell_end_signal();
+  print_end_signal();
   if (has_helper_crashed()) {
     explain_fault(*device);
     end_in_crash();

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "firmware/limits.h"
-#include "firmware/tactusd/told.h"
+#include "firmware/tactusd/messages.h"
 
 namespace tactus::firmware {
 

@@ -35,7 +35,7 @@ bool copy(hal::ImageSlot& slot, const char* path) {
 
 void tell_refusal(const char* path, const rendering::SceneImage& scene,
                   const SceneRefusal& refusal) {
-  std::array<char, kMostWords> room{};
+  std::array<char, kMaxMessage> room{};
   const std::string_view words = refusal_words(refusal, names_of(refusal.part, scene), room);
   std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
@@ -96,7 +96,7 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
       return false;
     }
   }
-  std::array<char, kMostWords> words{};
+  std::array<char, kMaxMessage> words{};
   if (const auto warning = certificate_warning(config_.certification, words); !warning.empty()) {
     std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
                  warning.data());

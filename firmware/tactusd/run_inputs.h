@@ -13,7 +13,7 @@
 #include "firmware/control/controller.h"
 #include "firmware/device/device_image.h"
 #include "firmware/tactusd/options.h"
-#include "firmware/tactusd/told.h"
+#include "firmware/tactusd/messages.h"
 #include "hal/linux/image_slot.h"
 
 namespace tactus::firmware {
@@ -44,7 +44,7 @@ class RunInputs {
   DeviceSections sections_;
   DeviceConfig config_;
   std::string_view enable_refusal_;
-  std::array<char, kMostWords> homing_room_{};
+  std::array<char, kMaxMessage> homing_room_{};
   std::string_view homing_hint_;
   SceneStore scenes_;
 };

@@ -36,8 +36,8 @@ class Supervisor {
   static constexpr std::uint32_t kModesKept = 32;
 
   void run();
-  void tell_modes();
-  void tell_manager(hal::TimeNs now_ns);
+  void print_modes();
+  void notify_manager(hal::TimeNs now_ns);
 
   const ServiceNotice* notice_ = nullptr;
   std::optional<hal::TimeNs> watchdog_period_ns_;
@@ -51,7 +51,7 @@ class Supervisor {
   Mode last_ = Mode::init;
 
   // The thread's own.
-  std::uint32_t told_ = 0;
+  std::uint32_t reported_ = 0;
   std::uint64_t ticks_seen_ = 0;
   hal::TimeNs next_watchdog_ns_ = 0;
 };

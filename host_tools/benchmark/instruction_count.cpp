@@ -13,7 +13,7 @@
 
 #include "host_tools/bake/image_writer.h"
 #include "host_tools/bake/mapped_scene.h"
-#include "host_tools/benchmark/command.h"
+#include "host_tools/benchmark/shell_command.h"
 #include "host_tools/benchmark/percentile.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"

@@ -1,11 +1,11 @@
-// The plane linkages and the serial arms behind mechanism.h, one function for each question there.
+// The plane linkages and the serial arms behind simulated_mechanism.h, one function for each question there.
 //
 // Coordinates are tan(half an angle): the paddle's from straight up, a pantograph's crank from
 // straight toward the user, the arm's azimuth from straight toward the user, upper arm and forearm
 // from level.
 #pragma once
 
-#include "host_tools/simulation/mechanism.h"
+#include "host_tools/simulation/simulated_mechanism.h"
 
 namespace tactus::host {
 

@@ -1,4 +1,4 @@
-#include "host_tools/simulation/mechanism.h"
+#include "host_tools/simulation/simulated_mechanism.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host_tools/benchmark/command.h"
+#include "host_tools/benchmark/shell_command.h"
 
 #include <cstdlib>
 #include <system_error>

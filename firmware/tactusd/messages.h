@@ -6,7 +6,7 @@
 
 namespace tactus::firmware {
 
-inline constexpr std::size_t kMostWords = 512;  // of one message
+inline constexpr std::size_t kMaxMessage = 512;  // of one message
 
 // For "%.*s".
 inline int length(std::string_view text) {
