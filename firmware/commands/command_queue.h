@@ -109,7 +109,7 @@ class CommandQueue {
   EventSink events_;
 };
 
-// Returns true if the mode `after` the tick is one that the request asks for.
+// Returns true if the mode `after` the tick is what the request asks for, and for Request::none.
 bool took_effect(Request request, Mode after);
 
 }  // namespace tactus::firmware

@@ -76,7 +76,7 @@ class FrictionCompensation {
   // finite if the velocity is too large.
   FrictionPush push(const Vec3& position, const Vec3& velocity, const PushRoom& room);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

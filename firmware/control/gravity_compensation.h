@@ -39,7 +39,7 @@ class GravityCompensation {
   // Once in every active tick, at a good pose of these joints.
   GravityHold hold(const Mechanism& mechanism, const Vec3& joints, const Pose& pose);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -30,7 +30,7 @@ class VelocityFilter {
     return state_;
   }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -1,7 +1,7 @@
-// Writes the flight recorder out: after each fault, and when asked. The loop adds its ticks; a
-// thread beside it copies them to a file, which `tactus replay` lives once more.
+// Writes the flight recorder to a file after each fault and on request. The loop adds its ticks; a
+// thread beside it copies them to a file that `tactus replay` can replay.
 //
-// Static memory, no exceptions. One of the loop's ticks costs a copy.
+// It uses static memory and no exceptions. It costs the loop one copy per tick.
 #pragma once
 
 #include <array>
@@ -18,11 +18,12 @@
 
 namespace tactus::firmware {
 
-// Whatever it points to outlives the writer, but for the scene's image: see use_scene(). At most
-// AttachmentList::kMost - 1 images and 22 entries are kept.
+// The content of the files beside the ticks. All that it points to must outlive the writer, except
+// the scene's image (see use_scene()). At most AttachmentList::kMost - 1 images and 22 metadata
+// entries are kept.
 struct FlightPlan {
-  const char* folder = ".";  // of the files; it is there
-  double rate_hz = 1000.0;
+  const char* folder = ".";  // an existing folder for the files
+  double rate_hz = 1000.0;   // ticks per second
   RunDescription run;
   std::span<const Attachment> images;
 };
@@ -83,8 +84,8 @@ class FlightWriter {
   HelperThread thread_;
   std::array<char, 512> path_{};
 
-  Mode mode_ = Mode::init;           // the loop's
-  std::uint64_t ticks_to_wait_ = 0;  // the loop's: until a fault is written out
+  Mode mode_ = Mode::init;           // loop only: the mode of the last tick
+  std::uint64_t ticks_to_wait_ = 0;  // loop only: ticks until a fault is written
   std::atomic<bool> has_scene_{true};
   std::atomic<bool> waiting_{false};
   std::atomic<bool> wanted_{false};

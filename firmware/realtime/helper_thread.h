@@ -1,5 +1,5 @@
-// A thread beside the loop, for what may take its time: no heap, no exceptions, never in the loop's
-// way.
+// A thread beside the loop for work that is not real time. It uses no heap and no exceptions, and
+// the loop never waits for it.
 #pragma once
 
 #include <pthread.h>
@@ -13,7 +13,7 @@ namespace tactus::firmware {
 
 class HelperThread {
  public:
-  // All of it is locked in memory, as everything is: not the 8 MB that a thread has by default.
+  // The whole stack is locked in memory, so it is smaller than the default of 8 MB.
   static constexpr std::size_t kStack_bytes = std::size_t{256} << 10;
 
   using Body = void (*)(void* context);

@@ -1,4 +1,4 @@
-// Making the calling thread a real-time one, and keeping the processor awake for it.
+// Makes the calling thread a real-time thread, and keeps the processors awake for it.
 #pragma once
 
 #include <optional>
@@ -28,11 +28,11 @@ bool become_real_time(const RealTimeConfig& config, RealTimeError& error);
 // everything else. Memory stays locked.
 void end_real_time();
 
-// While it lives, no processor goes into a sleep from which it takes time to wake: the request that
-// Linux knows as /dev/cpu_dma_latency, with 0 us. Not real time.
+// Keeps all processors out of deep sleep states while it lives, by the Linux request
+// /dev/cpu_dma_latency with 0 us. Not real time.
 class CpuLatencyRequest {
  public:
-  // 0, or errno: EACCES where the device is root's.
+  // Starts the request. Returns 0 or errno; EACCES if only root may open the device.
   int hold();
 
  private:

@@ -1,4 +1,4 @@
-// Tells the service manager how the program is: systemd's datagrams to $NOTIFY_SOCKET.
+// Sends the program's state to the service manager: systemd's datagrams to $NOTIFY_SOCKET.
 #pragma once
 
 #include <optional>

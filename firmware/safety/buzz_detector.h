@@ -21,7 +21,7 @@ class BuzzDetector {
   // The force of this tick, N, `step_s` after the last. True while the contact buzzes.
   bool observe(double force_N, double step_s);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

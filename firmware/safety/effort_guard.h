@@ -47,7 +47,7 @@ class EffortGuard {
   EffortFinding check(const drivers::JointSample& sample, const Pose& pose,
                       const JointEfforts& held);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -36,7 +36,7 @@ class EncoderGuard {
   // Instead of check() for a sample that is not to be looked at: the joints go on meanwhile.
   void pass() { ++passed_ticks_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -51,7 +51,7 @@ class EnergyAccount {
   // The source that has given most so far.
   [[nodiscard]] EnergySource most_giving() const;
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -56,7 +56,7 @@ class ForceLimiter {
   // from it.
   void applied(const Vec3& force_W) { last_W_ = force_W; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -68,7 +68,7 @@ class HeldForces {
     return mean;
   }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

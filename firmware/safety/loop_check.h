@@ -31,7 +31,7 @@ class LoopCheck {
   // Late ticks since configure().
   [[nodiscard]] std::uint32_t late_count() const { return late_count_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

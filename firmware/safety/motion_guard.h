@@ -35,7 +35,7 @@ class MotionGuard {
   // Both finite.
   [[nodiscard]] SlowedForce slow(const Vec3& force_W, const Vec3& v_W) const;
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -72,7 +72,7 @@ class MotorSignCheck {
   // The largest rendered force while it is not done, N.
   [[nodiscard]] double force_limit_N() const { return kUncheckedForce_N - most_N_; }
 
-  // Writes its memory to bytes, or reads it back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -45,7 +45,7 @@ class PassivityControl {
   // E; below 0 it is a debt.
   [[nodiscard]] double credit_J() const { return credit_J_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

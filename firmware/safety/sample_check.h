@@ -21,7 +21,7 @@ class SampleCheck {
   // Samples too old, since configure().
   [[nodiscard]] std::uint32_t stale_count() const { return stale_count_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -1,5 +1,6 @@
-// tactusd: the controller on a Linux board. Reads the images, opens the boards, then ticks: read ->
-// controller -> write, at the device's rate, until told to stop or a fault has stopped the motors.
+// tactusd: the controller on a Linux machine. It reads the images, opens the boards and then runs
+// the loop (read -> controller -> write) at the device's rate, until a signal ends it or a fault
+// has stopped the motors.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,14 +41,14 @@ namespace {
 constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
-// After a fault the loop goes on for so long: the boards take the power away and hear what follows.
-// Where commands are taken it goes on until told to stop: somebody may reset it.
+// The loop goes on for this time after a fault, while the boards switch the motors' power off. With
+// a command socket it goes on until a signal ends it, because an operator may reset the fault.
 constexpr double kAfterFault_s = 0.2;
 
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// The signal that told it; 0: none.
+// The signal that requested the stop; 0: none.
 std::atomic<int> end_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -60,7 +61,7 @@ std::uint64_t now_ns() {
   return static_cast<std::uint64_t>(hal::monotonic_now_ns());
 }
 
-// Everything that lives as long as the program; none of it on the heap.
+// The objects that live as long as the program, in static storage.
 struct Program {
   ExclusiveUse exclusive_use;
   RunInputs inputs;
@@ -96,9 +97,10 @@ void complain(const OpenError& error) {
                error.what.data(), length(code), code.data(), error.error.errno_value);
 }
 
-// Null if a board does not open.
+// Opens all boards and the watchdog's line. Returns the device, or null after it has printed why to
+// stderr.
 drivers::ComposedDevice* open_boards() {
-  // Half of every period stays for the rest of the tick.
+  // Reading may take half of a period; the other half stays for the rest of the tick.
   const double half_period_s = 0.5 / program.inputs.config().controller.rate_hz;
   const double read_limit_s = std::min(program.inputs.config().read_limit_s, half_period_s);
   const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
@@ -117,7 +119,8 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What passes the loop's hooks: commands and the command line's wish in, every tick out.
+// Connects the loop with the rest of the program: requests come from the command queue and from
+// --enable, and every tick goes to telemetry and to the supervisor.
 class ProgramHooks {
  public:
   ProgramHooks(const Options& options, const drivers::ComposedDevice& device)
@@ -126,7 +129,7 @@ class ProgramHooks {
   [[nodiscard]] bool stopping() const { return stop_requested.load(std::memory_order_relaxed); }
   [[nodiscard]] bool has_crashed() const { return has_helper_crashed(); }
 
-  // --enable acts until an operator does.
+  // Returns the operator's request. With --enable, homes and enables until an operator sends one.
   [[nodiscard]] Request take_request(Controller& controller) const {
     const Request commanded = program.queue.before_tick(controller);
     const Mode mode = controller.mode();
@@ -199,7 +202,8 @@ void explain_fault(const drivers::ComposedDevice& device) {
   }
 }
 
-// False where the loop has no right to its time and must have it.
+// Makes this thread a real-time thread. Returns false after it has printed why to stderr, unless
+// --allow-non-realtime is given.
 bool take_time(const Options& options) {
   RealTimeError error;
   if (!become_real_time({.priority = options.priority, .cpu = options.cpu}, error)) {
@@ -236,7 +240,8 @@ const char* run_folder(const Options& options) {
   return options.run_dir != nullptr ? options.run_dir : kRunFolder;
 }
 
-// False: told. The default folder is made where it can be: nobody must run without a stop.
+// Claims the folder of the sockets. Creates the default folder if it may, because no program must
+// run without the stop socket. Returns false after it has printed why to stderr.
 bool take_run_folder(const Options& options) {
   constexpr mode_t kOwnerAndGroup = 0750;
   const char* const folder = run_folder(options);
@@ -254,7 +259,7 @@ bool take_run_folder(const Options& options) {
   return program.exclusive_use.of_run_folder(folder);
 }
 
-// Opens the sockets of commands and of the stop. False: told.
+// Opens the command socket and the stop socket. Returns false after it has printed why to stderr.
 bool start_commands(const Options& options) {
   const char* const folder = run_folder(options);
   std::array<char, kMaxMessage> path{};
@@ -285,7 +290,8 @@ void write_timing(const char* path) {
   }
 }
 
-// Every one that would end or stop the program, before there is torque. False: told.
+// Installs handlers for every signal that would end or stop the program. Call before there is
+// torque. Returns false after it has printed why to stderr.
 bool catch_signals() {
   int failed = catch_end_signals(on_end_signal, on_flight_signal);
   failed = failed != 0 ? failed : catch_crashes(stop_motors);
@@ -296,7 +302,7 @@ bool catch_signals() {
   return failed == 0;
 }
 
-// After the motors have been stopped.
+// Prints the signal that ended the loop, if any. Call after the motors have been stopped.
 void print_end_signal() {
   release_end_signals();
   if (const int signal = end_signal.load(std::memory_order_relaxed); signal != 0) {

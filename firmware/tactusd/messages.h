@@ -1,4 +1,4 @@
-// What tactusd tells on stderr, by printf: texts are views there, and messages have a fixed room.
+// Helpers for the messages that tactusd prints to stderr with printf.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 namespace tactus::firmware {
 
-inline constexpr std::size_t kMaxMessage = 512;  // of one message
+inline constexpr std::size_t kMaxMessage = 512;  // size of a message's buffer in bytes
 
-// For "%.*s".
+// Returns the length of a view as printf's "%.*s" takes it.
 inline int length(std::string_view text) {
   return static_cast<int>(text.size());
 }

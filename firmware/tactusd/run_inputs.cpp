@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostPath = 512;
 
-// Far more than a device's settings with its certificate, or the Falcon's firmware.
+// A file larger than this is refused. Device images and the Falcon's firmware are far smaller.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
 bool copy(hal::ImageSlot& slot, const char* path) {
@@ -48,7 +48,8 @@ bool is_slower_than_certified(const Options& options, const DeviceConfig& config
          options.rate_hz > 0.0 && options.rate_hz < config.controller.rate_hz;
 }
 
-// Baking has checked the device's own rate; --rate is another one. False: told.
+// Checks the rate given by --rate as baking checks the device's own rate. Returns false after it
+// has printed why to stderr.
 bool can_keep_rate(const Options& options, const DeviceConfig& config) {
   Words words;
   const Verdict verdict = check_rates(config, words);

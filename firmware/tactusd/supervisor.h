@@ -1,5 +1,5 @@
-// The thread that stands beside the loop and tells: people of every change of mode, on stderr, and
-// the service manager that the loop is alive. The loop leaves two numbers and never waits for it.
+// A thread that reports on the loop: it prints every change of mode to stderr, and notifies the
+// service manager that the loop is alive. The loop stores two numbers and never waits for it.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ class Supervisor {
   Supervisor& operator=(const Supervisor&) = delete;
   ~Supervisor() { stop(); }
 
-  // `notice` outlives this. READY=1 goes out with the first tick, WATCHDOG=1 twice a period for as
-  // long as ticks come. 0, or errno.
+  // Starts the thread. It sends READY=1 with the first tick, and WATCHDOG=1 twice per watchdog
+  // period while ticks come. `notice` must outlive this. Returns 0 or errno.
   int start(const ServiceNotice& notice);
 
   // Real time; from the loop, once a tick. Where the thread is kept from running for more than
@@ -44,13 +44,13 @@ class Supervisor {
   HelperThread thread_;
   std::atomic<bool> stopping_{false};
 
-  // Written by the loop.
+  // The loop writes these.
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint32_t> changes_{0};
   std::array<std::atomic<Mode>, kModesKept> modes_{};
   Mode last_ = Mode::init;
 
-  // The thread's own.
+  // Only the thread uses these.
   std::uint32_t reported_ = 0;
   std::uint64_t ticks_seen_ = 0;
   hal::TimeNs next_watchdog_ns_ = 0;
