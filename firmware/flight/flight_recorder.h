@@ -31,19 +31,22 @@ struct FlightWindow {
 // no locks, and never waits.
 class FlightRecorder {
  public:
-  // The loop's thread, between ticks: what the last one did. Copies it, and once in
-  // kFlightTicks / 4 ticks the controller's state.
+  // Adds the last tick. Copies it, and once in kFlightTicks / 4 ticks the controller's state. Call
+  // from the loop's thread between ticks.
   void add(const RecordedTick& tick, Controller& controller);
 
-  // The loop's thread: what there is cannot be replayed together with what comes, as after a change
-  // of the scene or configure(). The next add() begins anew.
+  // Drops all ticks at the next add(), because they cannot be replayed together with later ones:
+  // after a change of the scene or configure(). Call from the loop's thread.
   void forget() { begins_ = true; }
 
-  // From here on one other thread. The longest window that can be copied in peace; nothing if there
-  // is no state, as before the first tick. At most one at a time, until release().
+
+  // The next three are for one other thread.
+
+  // Holds the longest window that can be copied safely. Returns nothing if there is no state, as
+  // before the first tick. Hold one window at a time, until release().
   std::optional<FlightWindow> hold();
 
-  // A tick of the window. False if it was overwritten by now.
+  // Copies a tick of the window. Returns false if it has been overwritten.
   bool read(std::uint64_t number, RecordedTick& to) const;
 
   void release();

@@ -39,16 +39,16 @@ inline constexpr std::array kCrashSignals{SIGSEGV, SIGBUS,  SIGILL, SIGFPE,
 // Returns all signals but kCrashSignals: the ones that a thread may block.
 sigset_t all_signals_but_crashes();
 
-// Catches kCrashSignals of every thread. From the loop's thread.
-// `stop_motors` may be called at any point of a tick; should it hang, the program ends after a
-// second all the same. 0, or errno.
+// Catches kCrashSignals in all threads. Call from the loop's thread. The handler may call
+// `stop_motors` at any point of a tick; if it hangs, an alarm ends the program after a second.
+// Returns 0 or errno.
 int catch_crashes(void (*stop_motors)());
 
-// Real time.
+// Returns true if a thread other than the loop's has crashed. Real time.
 bool has_helper_crashed();
 
-// Lets the crashed thread, and the program with it, end: the motors are without torque. Only where
-// has_helper_crashed().
+// Ends the program by the signal of the crashed thread. Call only after has_helper_crashed() and
+// after the motors have been stopped.
 [[noreturn]] void end_in_crash();
 
 }  // namespace tactus::firmware

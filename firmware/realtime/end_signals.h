@@ -22,11 +22,12 @@ enum class SignalReaction : std::uint8_t {
 // Returns the reaction to a signal from 1 to SIGRTMAX.
 SignalReaction reaction_to(int signal);
 
-// Sets it for all signals but the crashes. `on_end` and `on_flight` are called in whichever thread
-// the signal finds, at any point of a tick. 0, or errno. Not real time.
+// Installs the reactions to all signals but crashes. Any thread may call `on_end` and `on_flight`,
+// at any point of a tick. Returns 0 or errno. Not real time.
 int catch_end_signals(void (*on_end)(int), void (*on_flight)(int));
 
-// After the motors have been stopped: a second signal ends a program that is slow to end.
+// Restores the default effect of the end signals, so that a second one ends a program that is slow
+// to end. Call after the motors have been stopped.
 void release_end_signals();
 
 }  // namespace tactus::firmware

@@ -30,12 +30,13 @@ inline constexpr std::array<std::string_view, 8> kTimedNames = {
 
 class LoopTiming {
  public:
-  // Before the first tick.
+  // Sets the period of the loop. Call before the first tick.
   void set_period(hal::TimeNs period_ns) { period_ns_ = period_ns; }
 
-  // Real time, both; in every tick, in this order. A tick is late if it woke later than half a
-  // period after its time, or if instants were skipped before it.
+  // Begins a tick. The tick is late if it woke more than half a period after its time, or if ticks
+  // were skipped before it. Real time.
   LoopTick woke(const hal::Wake& wake);
+  // Ends the tick at `now_ns` and adds its durations to the histograms. Real time.
   void done(LoopTick& tick, const StageTimes& stages, hal::TimeNs now_ns);
 
   [[nodiscard]] const TimeHistogram& of(Timed what) const {

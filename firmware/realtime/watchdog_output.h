@@ -14,11 +14,11 @@ class WatchdogOutput {
   // GpioLines::request. Not real time.
   hal::Result<void> open(hal::GpioLines& lines, const hal::GpioLineConfig& line);
 
-  // Real time: one system call where a line is held. Turns the line over in a healthy tick and
-  // leaves it alone in any other. False if the line cannot be set.
+  // Toggles the line in a healthy tick and leaves it unchanged in any other. Returns false if the
+  // line cannot be set; true without a line. Real time: one system call.
   bool tick(bool healthy);
 
-  // Ticks in which the line could not be set.
+  // Returns the number of ticks in which the line could not be set.
   [[nodiscard]] std::uint64_t failed() const { return failed_; }
 
  private:

@@ -25,11 +25,11 @@ class Supervisor {
   // period while ticks come. `notice` must outlive this. Returns 0 or errno.
   int start(const ServiceNotice& notice);
 
-  // Real time; from the loop, once a tick. Where the thread is kept from running for more than
-  // kModesKept changes, the oldest are not told.
+  // Notes the mode after a tick. Call from the loop once per tick; real time. If the thread cannot
+  // run for more than kModesKept changes, the oldest are not printed.
   void note(Mode mode);
 
-  // Tells what is left, says STOPPING=1 and ends the thread.
+  // Prints the remaining changes, sends STOPPING=1 and ends the thread.
   void stop();
 
  private:
