@@ -19,7 +19,7 @@ hal::FileDescriptor stream_socket() {
   return hal::FileDescriptor(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
-// The interface of sockets takes every kind of address as this one.
+// Returns the address as the general type that the socket calls take.
 const sockaddr* generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
