@@ -248,7 +248,8 @@ void CommandProcessor::refuse_waiting(CommandClient& client, std::string_view wh
   refuse(client, word_of(client.waiting), why);
 }
 
-void CommandProcessor::refuse(CommandClient& client, std::string_view command, std::string_view why) {
+void CommandProcessor::refuse(CommandClient& client, std::string_view command,
+                              std::string_view why) {
   write_refusal(client.out(), command, why);
   client.waiting.is_under_way = false;
 }

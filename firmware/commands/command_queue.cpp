@@ -184,7 +184,7 @@ void CommandQueue::set_scene(const Command& command, Controller& controller, Ans
 }
 
 void CommandQueue::tell(EventKind kind, std::uint64_t tick, std::string_view name,
-                       double value) const {
+                        double value) const {
   if (events_.tell == nullptr) {
     return;
   }

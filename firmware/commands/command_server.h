@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <expected>
 
-#include "firmware/commands/command_processor.h"
 #include "firmware/commands/command_client.h"
+#include "firmware/commands/command_processor.h"
 #include "firmware/commands/command_queue.h"
 #include "firmware/commands/listening_socket.h"
 #include "firmware/commands/scene_store.h"

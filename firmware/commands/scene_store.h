@@ -21,7 +21,7 @@ namespace tactus::firmware {
 
 struct SceneStoreError {
   std::string_view what;  // a text for the user
-  int errno_value = 0;  // 0: the file was read, and refused
+  int errno_value = 0;    // 0: the file was read, and refused
 };
 
 class SceneStore {

@@ -58,8 +58,8 @@ Solved solve(const PulseRecord& record, double step_s, std::size_t delay, double
     normal += row * row.transpose();
     right += row * effort_2;
     size += effort_2 * effort_2;
-    // An effort is held until the next sample, so its integral is exact; the others use the midpoint
-    // rule.
+    // An effort is held until the next sample, so its integral is exact; the others use the
+    // midpoint rule.
     const double effort = k >= delay ? record.effort[k - delay] : 0.0;
     effort_2 += step_s * (effort_1 + 0.5 * step_s * effort);
     effort_1 += step_s * effort;

@@ -52,7 +52,7 @@ double presliding_length(const JointFriction& joint);
 struct SafetyConfig {
   double max_force_N = 10.0;           // largest force on the hand, vector magnitude
   double force_slew_N_per_s = 4000.0;  // fastest change of the force vector
-  double soft_start_s = 0.5;      // after activation the force's gain rises from 0 to 1 in this time
+  double soft_start_s = 0.5;  // after activation the force's gain rises from 0 to 1 in this time
   double contact_start_s = 0.02;  // the same after the first contact since activation
   std::uint32_t max_sample_age_us = 5000;
   std::uint32_t stale_ticks_to_fault = 3;  // this many samples in a row that are too old
@@ -124,9 +124,9 @@ struct ConfigError {
 // Returns the first field that is out of range as the error. Not real time.
 std::expected<void, ConfigError> validate(const ControllerConfig& config);
 
-// Configurations of known mechanisms. configuration/presets.cpp says where the figures come from and
-// which are assumptions. The weights are zero, so that there is no gravity compensation, unless the
-// comment says otherwise.
+// Configurations of known mechanisms. configuration/presets.cpp says where the figures come from
+// and which are assumptions. The weights are zero, so that there is no gravity compensation, unless
+// the comment says otherwise.
 
 // Three prismatic axes of +-0.25 m and 10 N.
 ControllerConfig cartesian_config();

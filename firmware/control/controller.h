@@ -2,8 +2,8 @@
 // per tick.
 //
 // It has no thread and no locks: one thread configures it, loads a scene and then ticks it. No
-// member allocates, throws, blocks or prints. World frame W is right-handed, x right, y up, z toward
-// the user: the device frame D moved to workspace_origin_D.
+// member allocates, throws, blocks or prints. World frame W is right-handed, x right, y up, z
+// toward the user: the device frame D moved to workspace_origin_D.
 #pragma once
 
 #include <cstddef>
@@ -50,13 +50,13 @@ struct SceneRefusal {
 
 class Controller {
  public:
-  // Takes a configuration and starts anew in mode `init`, with the loaded scene. On an error nothing
-  // changes. If the loaded scene is beyond the configuration's certificate, the error's field is
-  // "certificate" and its value a stiffness, N/m.
+  // Takes a configuration and starts anew in mode `init`, with the loaded scene. On an error
+  // nothing changes. If the loaded scene is beyond the configuration's certificate, the error's
+  // field is "certificate" and its value a stiffness, N/m.
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
-  // Loads a scene; the memory behind the objects must outlive it. Refused in mode `active`, and if a
-  // part of it, or parts that push together, are stiffer than the certificate allows, unless
+  // Loads a scene; the memory behind the objects must outlive it. Refused in mode `active`, and if
+  // a part of it, or parts that push together, are stiffer than the certificate allows, unless
   // `allow_uncertified`. The world then keeps its scene. If the world refuses the scene, the world
   // is empty afterwards.
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,

@@ -1,12 +1,13 @@
 // Holds the mechanism's own weights, so that the hand does not have to.
 //
 // The effort is dU/dq of the weights in the mechanism's geometry, at this tick's joint positions
-// (kinematics/link_weight.h). It is a feed-forward and not part of the rendered force; the hand does
-// not feel it if the weights are right. It rises with the soft start and is zero in every mode but
-// `active`. It is off if all weights are zero.
+// (kinematics/link_weight.h). It is a feed-forward and not part of the rendered force; the hand
+// does not feel it if the weights are right. It rises with the soft start and is zero in every mode
+// but `active`. It is off if all weights are zero.
 //
-// It has priority: the rendered force is scaled into the rest of each joint's effort, because an arm
-// that sags while the hand presses makes the rendered force wrong. It is cut at a joint's own limit.
+// It has priority: the rendered force is scaled into the rest of each joint's effort, because an
+// arm that sags while the hand presses makes the rendered force wrong. It is cut at a joint's own
+// limit.
 #pragma once
 
 #include <array>

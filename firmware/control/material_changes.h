@@ -1,9 +1,9 @@
 // Applies changes of materials gradually while the motors are on.
 //
 // A stiffer surface under a pressed tool would push at once as if the hand had gone deeper.
-// Therefore each value moves linearly to the new one, in steps that change the force by no more than
-// a given amount per tick, for the stretch and speed of the last tick. Without contact the whole
-// change is applied at once.
+// Therefore each value moves linearly to the new one, in steps that change the force by no more
+// than a given amount per tick, for the stretch and speed of the last tick. Without contact the
+// whole change is applied at once.
 #pragma once
 
 #include <array>

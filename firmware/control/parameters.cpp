@@ -119,7 +119,8 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
     if (!is_certified(change.place.object, material)) {
       return std::unexpected(ParameterRefusal::uncertified);
     }
-    // The present material is set as a changed one first; the ticks then apply the change gradually.
+    // The present material is set as a changed one first; the ticks then apply the change
+    // gradually.
     const rendering::Material felt = world_.material(change.place.object);
     if (!world_.set_material(change.place.object, felt)) {
       return std::unexpected(ParameterRefusal::too_many_changed);

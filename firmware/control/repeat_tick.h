@@ -7,8 +7,8 @@
 
 namespace tactus::firmware {
 
-// Runs a tick with the recorded inputs. If the controller is in the state in which the recorded tick
-// began, its record is then equal to the bit, except for the stage times.
+// Runs a tick with the recorded inputs. If the controller is in the state in which the recorded
+// tick began, its record is then equal to the bit, except for the stage times.
 inline void repeat_tick(Controller& controller, const TelemetryRecord& recorded) {
   if (recorded.change.place.parameter != Parameter::none) {
     // The change was accepted when it was recorded, so it is accepted now.

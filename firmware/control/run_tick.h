@@ -6,9 +6,9 @@
 
 namespace tactus::firmware {
 
-// Reads a sample, runs a tick and writes the command. It takes as long as the device's two transfers
-// and the tick. The next tick gets the status of the write. A reset in mode `fault` first clears the
-// faults that the device has latched.
+// Reads a sample, runs a tick and writes the command. It takes as long as the device's two
+// transfers and the tick. The next tick gets the status of the write. A reset in mode `fault` first
+// clears the faults that the device has latched.
 template <drivers::Device D>
 void run_tick(Controller& controller, D& device, Request request) {
   if (request == Request::reset && controller.mode() == Mode::fault) {

@@ -39,7 +39,6 @@ class FlightRecorder {
   // after a change of the scene or configure(). Call from the loop's thread.
   void forget() { begins_ = true; }
 
-
   // The next three are for one other thread.
 
   // Holds the longest window that can be copied safely. Returns nothing if there is no state, as

@@ -15,7 +15,8 @@ namespace tactus::firmware {
 using MechanismGeometry = std::variant<CartesianGeometry, DeltaGeometry, PaddleGeometry,
                                        PantographGeometry, SerialArmGeometry>;
 
-// Returns the number of joints, 1 to 3. The mechanism uses the first ones of a sample and a command.
+// Returns the number of joints, 1 to 3. The mechanism uses the first ones of a sample and a
+// command.
 std::size_t joint_count(const MechanismGeometry& geometry);
 
 // Returns true if a weight is set. Without weights the gravity effort is zero everywhere.
@@ -30,8 +31,8 @@ class Mechanism {
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
   // Returns the efforts dU/dq that hold the mechanism's own weights at a good `pose` of these
-  // joints, N m or N. `gravity_D` is in m/s^2, in the direction in which things fall. The efforts of
-  // joints beyond the mechanism's are zero.
+  // joints, N m or N. `gravity_D` is in m/s^2, in the direction in which things fall. The efforts
+  // of joints beyond the mechanism's are zero.
   [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
                                     const Vec3& gravity_D) const;
 

@@ -22,7 +22,8 @@ using InPlane = Eigen::Vector2d;
 // distal links is 0.88 and the leverage 0.52; at the far end, arms at 90 degrees, 0.28 and 0.14.
 constexpr double kLeastSineOfRods = 0.1;
 constexpr double kLeastSineOfElbow = 0.05;
-// Below this distance between the elbows the direction from one to the other is only rounding error.
+// Below this distance between the elbows the direction from one to the other is only rounding
+// error.
 constexpr double kSmallestGap_m = 1e-9;
 
 Vec3 in_device(const InPlane& v) {

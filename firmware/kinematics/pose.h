@@ -32,15 +32,15 @@ inline Vec3 tool_velocity(const Pose& pose, const Vec3& joint_velocity) {
 }
 
 // Returns the joint efforts J^T f that put the force `force_D` (N, on the hand) at the tool. With
-// fewer than three joints the tool moves on a plane or an arc; the part of the force across it needs
-// no effort.
+// fewer than three joints the tool moves on a plane or an arc; the part of the force across it
+// needs no effort.
 inline Vec3 joint_effort(const Pose& pose, const Vec3& force_D) {
   return pose.jacobian_D.transpose() * force_D;
 }
 
-// Returns the force, N, that the efforts put on the hand at the tool, in the directions in which the
-// tool can move. `joint_count` is the mechanism's number of joints. Not finite unless the pose is
-// good.
+// Returns the force, N, that the efforts put on the hand at the tool, in the directions in which
+// the tool can move. `joint_count` is the mechanism's number of joints. Not finite unless the pose
+// is good.
 Vec3 tool_force(const Pose& pose, const Vec3& effort, std::size_t joint_count);
 
 }  // namespace tactus::firmware

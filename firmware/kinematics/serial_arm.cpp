@@ -17,8 +17,8 @@
 namespace tactus::firmware {
 namespace {
 
-// The thresholds of a singular pose: R as a share of the whole arm, and the cosine above. The PHANToM's
-// own limits (q2 - q3 from -55 to 65 degrees) leave 0.42 of the latter.
+// The thresholds of a singular pose: R as a share of the whole arm, and the cosine above. The
+// PHANToM's own limits (q2 - q3 from -55 to 65 degrees) leave 0.42 of the latter.
 constexpr double kLeastShareOfReach = 0.05;
 constexpr double kLeastSineOfLinks = 0.1;
 

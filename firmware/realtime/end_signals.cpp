@@ -98,7 +98,8 @@ int catch_end_signals(void (*on_end)(int), void (*on_flight)(int)) {
 void release_end_signals() {
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     if (reaction_to(signal) == SignalReaction::end) {
-      // Terminal output in the background, or to a terminal that has gone, must not stop the program.
+      // Terminal output in the background, or to a terminal that has gone, must not stop the
+      // program.
       const bool is_the_terminals = signal == SIGTTOU || signal == SIGTTIN || signal == SIGTSTP;
       (void)set_handler(signal, is_the_terminals ? SIG_IGN : SIG_DFL);
     }

@@ -26,8 +26,8 @@ class TimeHistogram {
   [[nodiscard]] std::int64_t max_ns() const { return max_ns_; }
   [[nodiscard]] double mean_ns() const;
 
-  // Returns the upper edge, us, of the bin that contains the given quantile. `share` is from 0 to 1.
-  // If the quantile is beyond the last bin, returns the longest duration.
+  // Returns the upper edge, us, of the bin that contains the given quantile. `share` is from 0
+  // to 1. If the quantile is beyond the last bin, returns the longest duration.
   [[nodiscard]] double percentile_us(double share) const;
 
  private:

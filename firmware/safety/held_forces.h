@@ -1,6 +1,6 @@
-// Keeps the forces that went out in the last ticks and computes the one that acts on the handle now.
-// The device answers a sample after SafetyConfig::device_delay_s, which need not be a whole number
-// of ticks.
+// Keeps the forces that went out in the last ticks and computes the one that acts on the handle
+// now. The device answers a sample after SafetyConfig::device_delay_s, which need not be a whole
+// number of ticks.
 #pragma once
 
 #include <algorithm>

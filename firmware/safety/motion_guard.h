@@ -29,8 +29,8 @@ class MotionGuard {
   // Sets the distance that the tool has run away to 0. Call when the tool's position starts anew.
   void rest() { runaway_m_ = 0.0; }
 
-  // Returns the FaultBits of a finite velocity, m/s. `held_W` is the force commanded by the previous
-  // tick, N.
+  // Returns the FaultBits of a finite velocity, m/s. `held_W` is the force commanded by the
+  // previous tick, N.
   std::uint64_t check(const Vec3& v_W, const Vec3& held_W);
 
   // Returns the force after the speed limit. Both arguments are finite, N and m/s.

@@ -28,11 +28,11 @@
 #include "firmware/tactusd/exclusive_use.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
+#include "firmware/tactusd/messages.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_inputs.h"
 #include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
-#include "firmware/tactusd/messages.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {

@@ -11,8 +11,8 @@
 #include "firmware/commands/scene_store.h"
 #include "firmware/control/controller.h"
 #include "firmware/device/device_image.h"
-#include "firmware/tactusd/options.h"
 #include "firmware/tactusd/messages.h"
+#include "firmware/tactusd/options.h"
 #include "hal/linux/image_slot.h"
 
 namespace tactus::firmware {

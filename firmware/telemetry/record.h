@@ -67,11 +67,11 @@ struct TelemetryRecord {
   Triple tool_v_W{};                                       // m/s, filtered
   Triple proxy_W{};                                        // m
   Triple normal_W{};                                       // unit contact normal, outward
-  Triple force_rendered_W{};   // N, the force that rendering computed
+  Triple force_rendered_W{};                               // N, the force that rendering computed
   Triple force_commanded_W{};  // N, the force of the commanded efforts on the hand, without the
                                // compensation of the joints' friction and of gravity
-  double depth_m = 0.0;      // penetration depth
-  double passivity_J = 0.0;  // credit of the passivity observer; below 0 the hand got energy
+  double depth_m = 0.0;        // penetration depth
+  double passivity_J = 0.0;    // credit of the passivity observer; below 0 the hand got energy
 
   TickCounters counters;
   std::uint64_t state_hash =

@@ -22,7 +22,8 @@ class Ring {
   static_assert(std::has_single_bit(kCapacity), "a power of two, so that the counts may wrap");
 
  public:
-  // Adds an item. Returns false, and counts the item as dropped, if the ring is full. Producer only.
+  // Adds an item. Returns false, and counts the item as dropped, if the ring is full. Producer
+  // only.
   bool push(const Item& item) {
     const std::size_t end = end_.load(std::memory_order_relaxed);
     if (end - seen_begin_ == kCapacity) {

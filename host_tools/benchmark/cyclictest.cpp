@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "host_tools/benchmark/shell_command.h"
 #include "host_tools/benchmark/jitter.h"
+#include "host_tools/benchmark/shell_command.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

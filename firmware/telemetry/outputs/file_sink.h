@@ -11,7 +11,7 @@
 
 namespace tactus::firmware {
 
-// What `open` does if a file of that name exists. Links are never followed.
+// The reaction of `open` to an existing file. Links are never followed.
 enum class IfThere : std::uint8_t {
   replace,  // empties a file, writes to a character device
   refuse,   // returns EEXIST

@@ -163,8 +163,8 @@ TEST_F(CommandQueueTest, AParameterOutOfRangeIsRefusedWithItsRange) {
 
 TEST_F(CommandQueueTest, AnInjectionIsForTheDevice) {
   queue_.post({.kind = CommandKind::inject,
-              .ticket = 1,
-              .injection = {.injection = Injection::lost, .ticks = 1}});
+               .ticket = 1,
+               .injection = {.injection = Injection::lost, .ticks = 1}});
   tick();
   drivers::JointSample sample;
   queue_.injector().change(sample, 1000.0);
@@ -174,8 +174,8 @@ TEST_F(CommandQueueTest, AnInjectionIsForTheDevice) {
 TEST_F(CommandQueueTest, WhatTookEffectIsToldAsAnEvent) {
   EventRing events;
   queue_.set_events({.to = &events, .tell = [](void* to, const TelemetryEvent& event) {
-                      static_cast<EventRing*>(to)->push(event);
-                    }});
+                       static_cast<EventRing*>(to)->push(event);
+                     }});
   const ParameterPlace damping{.parameter = Parameter::damping, .object = 0};
   queue_.post({.kind = CommandKind::set, .ticket = 1, .change = {.place = damping, .value = 2.0}});
   answer_to(Request::home);
