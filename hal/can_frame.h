@@ -65,9 +65,9 @@ enum CanControllerProblem : std::uint8_t {
 struct CanErrorReport {
   std::uint32_t classes = 0;         // CanErrorClass bits
   std::uint8_t controller = 0;       // CanControllerProblem bits
-  std::uint8_t protocol_type = 0;    // as the kernel's CAN_ERR_PROT_*
-  std::uint8_t protocol_place = 0;   // as the kernel's CAN_ERR_PROT_LOC_*
-  std::uint8_t transceiver = 0;      // as the kernel's CAN_ERR_TRX_*
+  std::uint8_t protocol_type = 0;    // a value of CAN_ERR_PROT_* of the kernel
+  std::uint8_t protocol_place = 0;   // a value of CAN_ERR_PROT_LOC_*
+  std::uint8_t transceiver = 0;      // a value of CAN_ERR_TRX_*
   std::uint8_t transmit_errors = 0;  // both counters are valid if kCanErrorCounters is set
   std::uint8_t receive_errors = 0;
 };

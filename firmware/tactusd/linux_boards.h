@@ -91,7 +91,7 @@ class LinuxBoards {
   std::optional<drivers::Falcon> falcon_;
   hal::LinuxSerialPort serial_;
   std::optional<drivers::Haply> haply_;
-  std::array<drivers::BoardRef, kMaxConnections> boards_;  // by connection
+  std::array<drivers::BoardRef, kMaxConnections> boards_;  // one per connection
   std::array<drivers::AxisAddress, kMaxAxes> addresses_{};
 };
 

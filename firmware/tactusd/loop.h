@@ -16,7 +16,7 @@
 
 namespace tactus::firmware {
 
-// The functions through which the program talks to the loop. The loop's thread calls each once per
+// The functions through which the program talks to the loop. The loop's thread calls them in every
 // tick, in the order has_crashed, stopping, take_request, publish. Each must be bounded and take no
 // lock.
 //   has_crashed   returns true if a thread beside the loop has crashed; the tick is then a fault,

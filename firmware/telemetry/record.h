@@ -74,8 +74,8 @@ struct TelemetryRecord {
   double passivity_J = 0.0;    // credit of the passivity observer; below 0 the hand got energy
 
   TickCounters counters;
-  std::uint64_t state_hash =
-      0;  // of all fields above, in order, and of the hash of the tick before
+  // Hash of all fields above, in order, and of the previous tick's hash.
+  std::uint64_t state_hash = 0;
   // The part of joint_effort that compensates friction. Not hashed, because joint_effort is.
   std::array<double, drivers::kMaxJoints> joint_compensation{};
   // The part of joint_effort that holds the mechanism's weights. Not hashed either.

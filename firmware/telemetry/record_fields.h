@@ -14,7 +14,7 @@ namespace tactus::firmware {
 // The names of a field. The name of a CSV column is `column`, then for arrays the element (1, 2, ..
 // for joints, x, y, z of a triple, or an energy source), then the unit: joint1, tool_x_m.
 struct FieldName {
-  std::string_view name;  // as in the struct
+  std::string_view name;  // the name in the struct
   std::string_view column;
   std::string_view unit;
 };

@@ -1,4 +1,4 @@
-// What the whole-loop tests share: a slab to press on and a hand that does so.
+// The scene of the whole-loop tests: a slab, and a hand that presses on it.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A device, a clock and hooks for the loop that do what a test wants and write down what they saw.
+// A device, a clock and hooks for the loop that follow a test's script and record their calls.
 #pragma once
 
 #include <cstdint>
