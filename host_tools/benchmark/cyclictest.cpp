@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host_tools/benchmark/jitter.h"
-#include "host_tools/benchmark/shell_command.h"
+#include "host_tools/benchmark/external_program.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

@@ -14,7 +14,7 @@
 #include "host_tools/bake/image_writer.h"
 #include "host_tools/bake/mapped_scene.h"
 #include "host_tools/benchmark/percentile.h"
-#include "host_tools/benchmark/shell_command.h"
+#include "host_tools/benchmark/external_program.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 #include "rendering/world/world.h"

@@ -1,4 +1,4 @@
-// The plane linkages and the serial arms behind simulated_mechanism.h, one function for each
+// The plane linkages and the serial arms behind plant_mechanism.h, one function for each
 // question there.
 //
 // Coordinates are tan(half an angle): the paddle's from straight up, a pantograph's crank from
@@ -6,7 +6,7 @@
 // from level.
 #pragma once
 
-#include "host_tools/simulation/simulated_mechanism.h"
+#include "host_tools/simulation/plant_mechanism.h"
 
 namespace tactus::host {
 

@@ -16,7 +16,7 @@
 #include <cstddef>
 
 #include "host_tools/simulation/joint_friction.h"
-#include "host_tools/simulation/simulated_mechanism.h"
+#include "host_tools/simulation/plant_mechanism.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::host {

@@ -1,4 +1,4 @@
-#include "host_tools/simulation/simulated_mechanism.h"
+#include "host_tools/simulation/plant_mechanism.h"
 
 #include <gtest/gtest.h>
 

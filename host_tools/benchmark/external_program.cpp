@@ -1,4 +1,4 @@
-#include "host_tools/benchmark/shell_command.h"
+#include "host_tools/benchmark/external_program.h"
 
 #include <cstdlib>
 #include <system_error>
