@@ -1,47 +1,46 @@
-// Every fixed size and bound of the controller, with what happens at it.
+// The fixed sizes and bounds of the controller. Each comment says what happens at the bound.
 #pragma once
 
 #include <cstddef>
 
 namespace tactus::firmware {
 
-// The Controller with its World, without the scene's image. Checked when control/controller.cpp
-// compiles.
+// The largest size of the Controller with its World, without the scene image. A static_assert in
+// control/controller.cpp checks it.
 inline constexpr std::size_t kMaxControllerBytes = std::size_t{4} << 20;
 
-// What Controller::save writes at the most for one tool: of 64 objects that move, the vertices and
-// nodes of those that deform, 512 triangles near the tool and 64 proxies of single objects. A test
-// saves such a scene. Beyond, with more tools: save() says no.
+// The most bytes that Controller::save writes for one tool: 64 moving objects, the vertices and
+// nodes of deforming ones, 512 triangles near the tool and 64 proxies of single objects. A test
+// saves such a scene. If a state is larger, save() returns 0.
 inline constexpr std::size_t kMaxCheckpointBytes = std::size_t{512} << 10;
 
-// Ticks that the flight recorder holds (firmware/flight); a power of two. At least five eighths of
-// them can be replayed: 10 s at 1 kHz, 1.3 s at 8 kHz. Beyond: the oldest are gone.
+// The number of ticks in the flight recorder (firmware/flight), a power of two. At least five
+// eighths of them can be replayed: 10 s at 1 kHz, 1.3 s at 8 kHz. Older ticks are overwritten.
 inline constexpr std::size_t kFlightTicks = 16384;
 
-// Joints that the mechanisms of this folder have at most. A sample's joints beyond those of the
-// mechanism are neither read nor recorded, and have no effort.
+// The largest number of joints of a mechanism. Further joints of a sample are neither read nor
+// recorded, and get no effort.
 inline constexpr std::size_t kJointCount = 3;
 
-// Stops between two links that a configuration may have.
+// The largest number of stops between two links in a configuration.
 inline constexpr std::size_t kMaxCoupledLimits = 2;
 
 inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
 
-// Newton steps of the delta's forward kinematics. From the pose of the tick before two or three are
-// enough; from the nominal pose seven reach every pose of the Falcon. Beyond:
-// kFaultKinematicsNotConverged.
+// The most Newton steps of the delta's forward kinematics. Two or three are enough from the pose of
+// the previous tick, seven from the nominal pose to every pose of the Falcon. After more steps the
+// fault is kFaultKinematicsNotConverged.
 inline constexpr int kMaxNewtonSteps = 24;
 
-// Loop rates that configure() accepts, Hz.
+// The range of loop rates that configure() accepts.
 inline constexpr double kMinRate_Hz = 50.0;
 inline constexpr double kMaxRate_Hz = 50'000.0;
 
-// The strongest force that a configuration may allow, N: above it a desktop device can hurt a
-// wrist.
+// The largest force that a configuration may allow. Above it a desktop device can hurt a wrist.
 inline constexpr double kMaxForce_N = 50.0;
 
-// The largest share of a joint's friction that a configuration may have compensated: what is left
-// is the room for a fit that is wrong.
+// The largest share of a joint's friction that a configuration may compensate. The rest is the
+// margin for errors of the fit.
 inline constexpr double kMaxCompensatedShare = 0.9;
 
 }  // namespace tactus::firmware

@@ -1,4 +1,4 @@
-// One node on a CAN bus: what a board offers to reach motor drives over CAN and CAN FD.
+// One node on a CAN bus, for motor drives over CAN and CAN FD.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace tactus::hal {
 inline constexpr std::size_t kMaxCanFilters = 64;
 
 enum class CanState : std::uint8_t {
-  error_active,   // well: both error counters below 96
+  error_active,   // normal: both error counters are below 96
   error_warning,  // a counter at 96 or more
   error_passive,  // a counter at 128 or more
-  bus_off,        // the transmit counter passed 255: silent and deaf until `restart`
+  bus_off,        // the transmit counter passed 255: no traffic until `restart`
   stopped,        // the interface is down
 };
 
@@ -27,26 +27,26 @@ struct CanStatus {
   std::uint8_t receive_errors = 0;
 };
 
-// Since opening; only ever grows.
+// Numbers counted since opening.
 struct CanCounters {
-  std::uint64_t sent = 0;             // frames the send queue took
-  std::uint64_t send_refused = 0;     // frames it did not take for want of room
-  std::uint64_t received = 0;         // frames handed out by `receive`
-  std::uint64_t error_reports = 0;    // error reports handed out by `receive`
+  std::uint64_t sent = 0;             // frames that the send queue took
+  std::uint64_t send_refused = 0;     // frames refused because the send queue was full
+  std::uint64_t received = 0;         // frames returned by `receive`
+  std::uint64_t error_reports = 0;    // error reports returned by `receive`
   std::uint64_t receive_dropped = 0;  // frames and reports lost because the receive queue was full
 };
 
-// Real time: send, receive, status and counters, after opening; they allocate nothing. Filters and
-// restart are not. Thread: one at a time for each object; not from an interrupt. Opening is the
-// implementation's own affair.
+// Real time: send, receive, status and counters are real time after opening and allocate nothing;
+// filters and restart are not. Thread: one at a time for each object; not from an interrupt. Each
+// implementation has its own way to open.
 class CanBus {
  public:
   CanBus(const CanBus&) = delete;
   CanBus& operator=(const CanBus&) = delete;
 
-  // Puts frames into the send queue, in order, and returns how many found room; never waits. Being
-  // taken does not mean being on the wire. No frame is taken if any is malformed.
-  //   queue_full        not even the first found room; count it and go on
+  // Puts frames into the send queue in order and returns how many it took; never waits. A frame in
+  // the queue is not on the wire yet. If any frame is malformed, none is taken.
+  //   queue_full        there was no room for the first frame; count it and go on
   //   link_down         the interface is down
   //   bus_off           the controller is off the bus
   //   disconnected      the interface is gone
@@ -56,28 +56,30 @@ class CanBus {
   Result<std::size_t> send(std::span<const CanFrame> frames);
   Result<void> send(const CanFrame& frame);
 
-  // Waits until something has arrived or the deadline has passed, then hands out what there is,
-  // oldest first, and returns how many (at least 1). What arrived before the link went down is
-  // handed out before link_down is.
+  // Waits until something has arrived or the deadline has passed. Then returns the number of items
+  // put into `received`, at least 1, oldest first. Items that arrived before the link went down are
+  // returned before link_down is.
   //   timeout           nothing arrived
   //   link_down         the interface is down
   //   disconnected      the interface is gone
   //   invalid_argument  `received` is empty
   //   io                anything else the system reports
-  // Off the bus it is a timeout: the bus-off report, if subscribed to, is in the queue.
+  // Off the bus it returns timeout; the queue contains the bus-off report if that was enabled.
   Result<std::size_t> receive(std::span<CanReceived> received, TimeNs deadline_ns);
 
-  // From now on a frame is queued if it passes any of these; with none, no frame is. As opened,
-  // every frame is. What is already queued stays. Error reports take no part in this.
+  // Sets the receive filters: from now on a frame is queued if it passes any of them. With no
+  // filter no frame is queued. After opening, every frame is. Queued frames stay, and error reports
+  // are not filtered.
   //   invalid_argument  more than kMaxCanFilters
   //   disconnected, io
   Result<void> set_filters(std::span<const CanFilter> filters);
 
-  // Which error reports (CanErrorClass bits) are queued from now on. As opened, none.
+  // Sets the error reports (CanErrorClass bits) that are queued from now on. After opening, none
+  // is.
   //   disconnected, io
   Result<void> set_error_classes(std::uint32_t classes);
 
-  // Goes back on the bus. Frames that waited to be sent at bus-off are lost.
+  // Brings the controller back on the bus. Frames that waited for sending at bus-off are lost.
   //   invalid_state  the controller is not off the bus
   //   link_down      the interface is down
   //   not_permitted  on Linux this takes CAP_NET_ADMIN
@@ -85,11 +87,11 @@ class CanBus {
   //   disconnected, io
   Result<void> restart();
 
-  // As far as known, without a system call.
+  // Returns the last known status, without a system call.
   CanStatus status() const { return DoStatus(); }
   CanCounters counters() const;
 
-  // Whether the bus carries CAN FD.
+  // Returns true if the bus carries CAN FD.
   bool fd_enabled() const { return DoFdEnabled(); }
 
  protected:
@@ -97,7 +99,7 @@ class CanBus {
   ~CanBus() = default;
 
  private:
-  // The arguments have been checked; `frames` and `received` are not empty.
+  // The public functions have checked the arguments; `frames` and `received` are not empty.
   virtual Result<std::size_t> DoSend(std::span<const CanFrame> frames) = 0;
   virtual Result<std::size_t> DoReceive(std::span<CanReceived> received, TimeNs deadline_ns) = 0;
   virtual Result<void> DoSetFilters(std::span<const CanFilter> filters) = 0;

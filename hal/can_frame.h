@@ -1,4 +1,4 @@
-// CAN and CAN FD frames, error reports and receive filters: plain data and the rules about it.
+// CAN and CAN FD frames, error reports and receive filters, with their rules.
 #pragma once
 
 #include <array>
@@ -30,22 +30,22 @@ struct CanFrame {
   }
 };
 
-// Whether identifier, flags and length go together.
+// Returns true if identifier, flags and length are consistent.
 bool is_valid(const CanFrame& frame);
 
-// The smallest length a CAN FD frame can have that holds `bytes` (at most 64): 9 -> 12.
+// Returns the smallest length of a CAN FD frame that holds `bytes` (at most 64): 9 -> 12.
 std::uint8_t padded_fd_length(std::size_t bytes);
 
-// What the controller reports about the bus; the bits are those of the Linux error frame.
+// The classes of error reports from the CAN controller. The bits are those of Linux error frames.
 enum CanErrorClass : std::uint32_t {
   kCanTransmitTimeout = 0x001,
   kCanLostArbitration = 0x002,
   kCanController = 0x004,  // see CanErrorReport::controller
   kCanProtocol = 0x008,
   kCanTransceiver = 0x010,
-  kCanNoAcknowledge = 0x020,  // nobody else is listening on the bus
+  kCanNoAcknowledge = 0x020,  // no other node is active on the bus
   kCanBusOff = 0x040,
-  kCanBusError = 0x080,  // one for every disturbed frame: may flood
+  kCanBusError = 0x080,  // one report for every disturbed frame: there may be very many
   kCanRestarted = 0x100,
   kCanErrorCounters = 0x200,
   kCanEveryErrorClass = 0x3FF,
@@ -65,14 +65,14 @@ enum CanControllerProblem : std::uint8_t {
 struct CanErrorReport {
   std::uint32_t classes = 0;         // CanErrorClass bits
   std::uint8_t controller = 0;       // CanControllerProblem bits
-  std::uint8_t protocol_type = 0;    // as the kernel's CAN_ERR_PROT_*
-  std::uint8_t protocol_place = 0;   // as the kernel's CAN_ERR_PROT_LOC_*
-  std::uint8_t transceiver = 0;      // as the kernel's CAN_ERR_TRX_*
-  std::uint8_t transmit_errors = 0;  // the controller's counters, if kCanErrorCounters is set
+  std::uint8_t protocol_type = 0;    // a value of CAN_ERR_PROT_* of the kernel
+  std::uint8_t protocol_place = 0;   // a value of CAN_ERR_PROT_LOC_*
+  std::uint8_t transceiver = 0;      // a value of CAN_ERR_TRX_*
+  std::uint8_t transmit_errors = 0;  // both counters are valid if kCanErrorCounters is set
   std::uint8_t receive_errors = 0;
 };
 
-// One thing out of the receive queue: a frame or an error report, in the order they came.
+// An item of the receive queue: a frame or an error report, in the order of arrival.
 struct CanReceived {
   enum class Kind : std::uint8_t { frame, error };
 
@@ -82,9 +82,9 @@ struct CanReceived {
   CanErrorReport error;  // if kind == error
 };
 
-// Lets a frame pass if (its word & mask) == (word & mask), or if not, when inverted. The word is
-// the kernel's can_id: the identifier, bit 31 extended, bit 30 remote. A mask without bit 31 lets
-// standard and extended frames pass alike.
+// A filter that lets a frame pass if (its word & mask) == (word & mask); an inverted one if not.
+// The word is the kernel's can_id: the identifier, bit 31 for extended, bit 30 for remote. A mask
+// without bit 31 does not distinguish standard and extended frames.
 struct CanFilter {
   static constexpr std::uint32_t kExtended = 0x8000'0000;
   static constexpr std::uint32_t kRemote = 0x4000'0000;
@@ -93,7 +93,7 @@ struct CanFilter {
   std::uint32_t mask = 0;
   bool inverted = false;
 
-  // Exactly one identifier, data frames only.
+  // Return a filter for the data frames of one identifier.
   static constexpr CanFilter standard(std::uint32_t id) {
     return {id, kExtended | kRemote | kMaxStandardId, false};
   }

@@ -2,7 +2,7 @@
 
 namespace tactus::hal {
 
-// Unsigned arithmetic wraps at 2^64 by itself, so that the sizes below hold for every ceiling.
+// Unsigned arithmetic wraps at 2^64, so the computation is right for every ceiling.
 std::int64_t count_difference(std::uint64_t from, std::uint64_t to, std::uint64_t ceiling) {
   const std::uint64_t up = to >= from ? to - from : to - from + ceiling + 1;
   const std::uint64_t down = to <= from ? from - to : from - to + ceiling + 1;

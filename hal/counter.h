@@ -13,7 +13,7 @@ namespace tactus::hal {
 enum class CountDirection : std::uint8_t { unknown, forward, backward };
 
 struct CounterConfig {
-  // The highest count: one more is 0 again, and one less than 0 is this. 0: as the hardware has it.
+  // The highest count; the counter wraps between it and 0. 0: the hardware's own ceiling.
   std::uint64_t ceiling = 0;
   bool watch_index = false;  // report the count at every index pulse
 };
@@ -26,19 +26,19 @@ struct CounterReading {
 };
 
 struct CounterIndexEvent {
-  std::uint64_t count = 0;  // at the pulse
-  TimeNs time_ns = 0;
+  std::uint64_t count = 0;  // the count at the pulse
+  TimeNs time_ns = 0;       // the time of the pulse, on the clock of Clock::now_ns
 };
 
-// The signed way from `from` to `to` on a counter that wraps after `ceiling`, the shorter way
-// round.
+// Returns the signed distance from `from` to `to` on a counter that wraps after `ceiling`, in the
+// shorter direction.
 std::int64_t count_difference(std::uint64_t from, std::uint64_t to, std::uint64_t ceiling);
 
-// Counts x4: every edge of both channels. A power cycle or another program may change the count,
-// only differences mean something.
+// It counts x4: every edge of both channels. A power cycle or another program may change the count,
+// so only differences are meaningful.
 //
-// Real time: read and read_index, after start; nothing is allocated. Thread: one at a time for each
-// object; not from an interrupt. Every call can return, besides what it lists:
+// Real time: read and read_index, after start; they allocate nothing. Thread: one at a time for
+// each object; not from an interrupt. Every call can return, besides the errors that it lists:
 //   disconnected   the counter is gone
 //   io             anything else the system reports
 class Counter {
@@ -46,21 +46,22 @@ class Counter {
   Counter(const Counter&) = delete;
   Counter& operator=(const Counter&) = delete;
 
-  // Sets it up and lets it count; again after it was started too. Not real time.
+  // Configures the counter and starts counting. It may be called again. Not real time.
   //   not_supported     it cannot count x4, not up to this ceiling, does not say what its ceiling
   //                     is, or has no index events
   //   not_permitted, busy
   Result<void> start(const CounterConfig& config);
 
-  // The ceiling in effect; 0 before `start`.
+  // Returns the ceiling in effect; 0 before `start`.
   std::uint64_t ceiling() const { return ceiling_; }
 
+  // Returns the count now.
   //   invalid_state  not started
   Result<CounterReading> read();
 
-  // Waits until an index pulse was seen or the deadline has passed, then hands out what there is,
-  // oldest first, and returns how many (at least 1). Pulses beyond what the system keeps are lost
-  // without a trace (Linux: 64).
+  // Waits until there is an index pulse or the deadline has passed. Then returns the number of
+  // events put into `events`, at least 1, oldest first. The system keeps a limited number of pulses
+  // (Linux: 64); further ones are lost without a report.
   //   timeout           no pulse
   //   invalid_argument  `events` is empty
   //   invalid_state     not started with watch_index
@@ -71,7 +72,8 @@ class Counter {
   ~Counter() = default;
 
  private:
-  // The arguments have been checked. Returns the ceiling in effect, above 0.
+  // The public functions have checked the arguments. DoStart returns the ceiling in effect, above
+  // 0.
   virtual Result<std::uint64_t> DoStart(const CounterConfig& config) = 0;
   virtual Result<CounterReading> DoRead() = 0;
   virtual Result<std::size_t> DoReadIndex(std::span<CounterIndexEvent> events,

@@ -1,4 +1,4 @@
-// What can go wrong on a board, in one small vocabulary shared by every hal interface.
+// The error codes of all hal interfaces.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace tactus::hal {
 
 enum class ErrorCode : std::uint8_t {
-  timeout,           // the deadline passed and nothing was done
+  timeout,           // the deadline passed before anything was done
   queue_full,        // a send queue has no room: the frame was not taken; try again next tick
   link_down,         // the network interface is down; it may come back
   bus_off,           // the CAN controller left the bus after too many errors; see CanBus::restart
@@ -17,19 +17,18 @@ enum class ErrorCode : std::uint8_t {
   stalled,           // the USB device refused the request
   overflow,          // the peer sent more than the buffer holds; the data is lost
   cancelled,         // the caller withdrew the transfer
-  busy,              // somebody else holds the line, the interface or the channel
+  busy,              // another program holds the line, the interface or the channel
   not_permitted,     // the process lacks the right; see the udev rules and capabilities
   not_found,         // no such device, chip or line
   not_supported,     // this board or this configuration cannot do it
-  invalid_argument,  // a value out of its range: an error in the caller
-  invalid_state,     // a call out of its order: an error in the caller
-  no_memory,         // the system had none left; only while opening
+  invalid_argument,  // a value is out of its range: an error in the caller
+  invalid_state,     // a call is out of order: an error in the caller
+  no_memory,         // the system had no memory left; only while opening
 };
 
 struct Error {
   ErrorCode code = ErrorCode::io;
-  // What lies behind the code, for the log: errno (> 0) of a system call, LIBUSB_ERROR_* (< 0), or
-  // 0.
+  // The original error, for the log: errno (> 0) of a system call, LIBUSB_ERROR_* (< 0), or 0.
   int errno_value = 0;
 
   friend constexpr bool operator==(const Error&, const Error&) = default;
@@ -42,7 +41,7 @@ constexpr std::unexpected<Error> failure(ErrorCode code, int errno_value = 0) {
   return std::unexpected(Error{code, errno_value});
 }
 
-// A few words for the user, without a full stop: "the deadline passed". Any thread; never fails.
+// Returns a short text for the user, without a full stop: "the deadline passed". Any thread.
 std::string_view words(ErrorCode code);
 
 }  // namespace tactus::hal

@@ -1,5 +1,5 @@
-// Several lines of one GPIO chip, requested together: encoders' edges, e-stop, enable and direction
-// lines.
+// Several lines of one GPIO chip, requested together, for encoder edges, emergency stop, enable and
+// direction.
 #pragma once
 
 #include <array>
@@ -15,48 +15,50 @@ namespace tactus::hal {
 
 inline constexpr std::size_t kMaxGpioLines = 64;
 inline constexpr std::size_t kMaxGpioEdgeBuffer = 1024;
-inline constexpr std::size_t kGpioEdgesPerLine = 16;  // the buffer, unless asked otherwise
+inline constexpr std::size_t kGpioEdgesPerLine = 16;  // default size of the edge buffer per line
 
 enum class GpioDirection : std::uint8_t { input, output };
 enum class GpioBias : std::uint8_t { as_is, disabled, pull_up, pull_down };
 enum class GpioDrive : std::uint8_t { push_pull, open_drain, open_source };
 enum class GpioEdges : std::uint8_t { none, rising, falling, both };
 
-// Values and edges are logical: active is 1, rising means from inactive to active. Active-low turns
-// them about.
+// Values and edges are logical: active is 1, and rising means from inactive to active. Active-low
+// inverts the physical level.
 struct GpioLineConfig {
-  std::uint32_t offset = 0;  // on the chip
+  std::uint32_t offset = 0;  // number of the line on the chip
   GpioDirection direction = GpioDirection::input;
   GpioBias bias = GpioBias::as_is;
   bool active_low = false;
   GpioEdges edges = GpioEdges::none;       // inputs only
   std::uint32_t debounce_us = 0;           // inputs only; 0 is off
   GpioDrive drive = GpioDrive::push_pull;  // outputs only
-  bool initial_active = false;             // outputs only; there from the first instant
+  bool initial_active = false;             // outputs only; the level from the request on
 };
 
 struct GpioRequest {
   std::span<const GpioLineConfig> lines;
-  std::string_view consumer = "tactus";  // shown as the holder; 31 characters count
-  std::size_t edge_buffer = 0;  // events; 0 is kGpioEdgesPerLine a line; the board may round it up
+  std::string_view consumer = "tactus";  // shown as the holder; the first 31 characters are used
+  std::size_t edge_buffer = 0;  // events; 0: kGpioEdgesPerLine per line; the board may round up
 };
 
-// Sequence numbers start at 1 and wrap at 2^32. When the buffer is full the oldest event goes, so a
-// gap tells of a loss; after one, a `rising` may be wrong as well: read the level. With a single
-// line in the request the kernel does not count the edges that its own interrupt missed; ask for
-// two or more lines where every edge matters.
+// Sequence numbers start at 1 and wrap at 2^32. If the buffer is full, the oldest event is dropped,
+// so a gap in the numbers shows a loss. After a loss `rising` may be wrong too: read the level.
+// With a single line in the request the kernel does not count edges that its own interrupt missed,
+// so request two or more lines if every edge matters.
 struct GpioEdgeEvent {
-  TimeNs time_ns = 0;  // on the clock of Clock::now_ns: the interrupt, or when it had settled
-  std::uint32_t offset = 0;
+  // Time of the interrupt, or with debouncing the time when the level had settled, on the clock of
+  // Clock::now_ns.
+  TimeNs time_ns = 0;
+  std::uint32_t offset = 0;         // number of the line on the chip
   std::uint32_t sequence = 0;       // among all lines of the request
   std::uint32_t line_sequence = 0;  // on this line
   bool rising = false;
 };
 
-// Counts what the sequence numbers show to be missing.
+// Counts the events that are missing in the sequence numbers.
 class GpioLossCounter {
  public:
-  // How many events are missing between the last one seen and this one.
+  // Returns how many events are missing between the last event and this one.
   std::uint32_t saw(const GpioEdgeEvent& event) {
     const std::uint32_t missing = event.sequence - last_ - 1U;
     last_ = event.sequence;
@@ -70,11 +72,11 @@ class GpioLossCounter {
   std::uint64_t lost_ = 0;
 };
 
-// Lines are named by bits in the order of the request: bit 0 is lines[0].
+// A bit of a mask stands for a line, in the order of the request: bit 0 is lines[0].
 //
-// Real time: get, set and read_edges, between request and release; nothing is allocated. Thread:
-// one at a time for each object; not from an interrupt. Which chip is the implementation's affair.
-// Every call can return, besides what it lists:
+// Real time: get, set and read_edges, between request and release; they allocate nothing. Thread:
+// one at a time for each object; not from an interrupt. Each implementation has its own way to
+// choose the chip. Every call can return, besides the errors that it lists:
 //   disconnected   the chip is gone
 //   invalid_state  nothing is requested
 //   io             anything else the system reports
@@ -83,7 +85,7 @@ class GpioLines {
   GpioLines(const GpioLines&) = delete;
   GpioLines& operator=(const GpioLines&) = delete;
 
-  // All lines or none. Not real time.
+  // Requests all lines or, on an error, none. Not real time.
   //   invalid_argument  no line or more than kMaxGpioLines, an offset twice, edges or debounce on
   //                     an output, a drive on an input, a buffer above kMaxGpioEdgeBuffer
   //   invalid_state     lines are held already
@@ -94,13 +96,13 @@ class GpioLines {
   //   not_permitted, no_memory
   Result<void> request(const GpioRequest& request);
 
-  // Gives the lines back. What an output does then is up to the board.
+  // Releases the lines. The level of an output afterwards depends on the board.
   void release();
 
   std::size_t line_count() const { return count_; }
 
-  // The levels of the lines in `mask`, outputs too; the other bits are 0. Debounced lines give the
-  // settled level.
+  // Returns the levels of the lines in `mask`, inputs and outputs; the other bits are 0. Debounced
+  // lines give the settled level.
   //   invalid_argument  the mask is 0 or names a line that was not requested
   Result<std::uint64_t> get(std::uint64_t mask);
 
@@ -108,8 +110,8 @@ class GpioLines {
   //   invalid_argument  the mask is 0, or names an input or a line that was not requested
   Result<void> set(std::uint64_t mask, std::uint64_t values);
 
-  // Waits until an edge is there or the deadline has passed, then hands out what there is, oldest
-  // first, and returns how many (at least 1).
+  // Waits until there is an edge or the deadline has passed. Then returns the number of events put
+  // into `events`, at least 1, oldest first.
   //   timeout           no edge
   //   invalid_argument  `events` is empty
   //   invalid_state     no line of the request watches edges
@@ -120,7 +122,7 @@ class GpioLines {
   ~GpioLines() = default;
 
  private:
-  // The arguments have been checked.
+  // The public functions have checked the arguments.
   virtual Result<void> DoRequest(const GpioRequest& request) = 0;
   virtual void DoRelease() = 0;
   virtual Result<std::uint64_t> DoGet(std::uint64_t mask) = 0;

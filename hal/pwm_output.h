@@ -1,4 +1,4 @@
-// One PWM channel: what a board offers to drive an H-bridge.
+// One PWM channel, for driving an H-bridge.
 #pragma once
 
 #include <cstdint>
@@ -20,36 +20,39 @@ struct PwmSettings {
   bool enabled = false;
 };
 
-// The level of a disabled output is up to the board. For a safe zero keep it enabled at duty 0, and
-// cut the bridge by a line of its own.
+// The level of a disabled output depends on the board. For a safe zero keep the output enabled at
+// duty 0, and switch the bridge off by a separate line.
 //
-// Real time: set_duty_ns and set_enabled, after opening; nothing is allocated. Thread: one at a
+// Real time: set_duty_ns and set_enabled, after opening; they allocate nothing. Thread: one at a
 // time for each object; not from an interrupt. An implementation opens the channel disabled, at
-// duty 0. Every call can return, besides what it lists:
+// duty 0. Every call can return, besides the errors that it lists:
 //   disconnected   the chip is gone
 //   not_supported  the hardware cannot do this period, duty or polarity
 //   io             anything else the system reports
-// After an error the settings are what they were.
+// After an error the settings are unchanged.
 class PwmOutput {
  public:
   PwmOutput(const PwmOutput&) = delete;
   PwmOutput& operator=(const PwmOutput&) = delete;
 
-  // The hardware may round to what its clock can divide. To shorten it below the duty, lower the
-  // duty first.
+  // Sets the period. The hardware may round it to what its clock can divide. To make it shorter
+  // than the duty, lower the duty first.
   //   invalid_argument  not above 0, or below the duty
   Result<void> set_period_ns(TimeNs period_ns);
 
+  // Sets the duty time.
   //   invalid_argument  below 0 or above the period
   Result<void> set_duty_ns(TimeNs duty_ns);
 
+  // Sets the polarity of a disabled output.
   //   invalid_state  the output is enabled
   Result<void> set_polarity(PwmPolarity polarity);
 
+  // Enables or disables the output.
   //   invalid_state  no period was set
   Result<void> set_enabled(bool enabled);
 
-  // As last set, without a system call.
+  // Returns the settings as last set, without a system call.
   const PwmSettings& settings() const { return settings_; }
 
  protected:
@@ -57,7 +60,7 @@ class PwmOutput {
   ~PwmOutput() = default;
 
  private:
-  // The arguments have been checked.
+  // The public functions have checked the arguments.
   virtual Result<void> DoSetPeriod(TimeNs period_ns) = 0;
   virtual Result<void> DoSetDuty(TimeNs duty_ns) = 0;
   virtual Result<void> DoSetPolarity(PwmPolarity polarity) = 0;

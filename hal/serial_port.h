@@ -1,4 +1,4 @@
-// A byte stream to one device: a UART, or the virtual one of a USB board.
+// A byte stream to one device: a UART, or the virtual serial port of a USB board.
 #pragma once
 
 #include <cstddef>
@@ -9,40 +9,40 @@
 
 namespace tactus::hal {
 
-// No framing, no acknowledgement, and on a real line nothing that finds a wrong byte: what the
-// bytes mean, and whether they can be true, is the driver's matter.
+// The stream has no framing and no acknowledgement, and a real line does not detect wrong bytes.
+// The driver must interpret and check the bytes.
 //
 // Real time: everything but reopen, after opening; nothing is allocated. Thread: one at a time for
-// each object; not from an interrupt. Every call can return, besides what it lists:
-//   disconnected  the device is gone; so until `reopen` succeeds
+// each object; not from an interrupt. Every call can return, besides the errors that it lists:
+//   disconnected  the device is gone, until `reopen` succeeds
 //   io            anything else the system reports
 class SerialPort {
  public:
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  // Hands over the bytes, in one piece as long as the send buffer has room for them, and returns
-  // how many were taken by the deadline; fewer than given is no error. Taken does not mean sent:
-  // the line is slower. No bytes are no error either.
-  //   timeout  not one byte was taken
+  // Puts the bytes into the send buffer, in one piece if they fit, and returns how many were taken
+  // by the deadline; fewer than given is no error, nor are no bytes. Bytes in the buffer are not
+  // sent yet.
+  //   timeout  no byte was taken
   Result<std::size_t> write(std::span<const std::byte> bytes, TimeNs deadline_ns);
 
-  // Waits for the first byte, then returns what is there without waiting for more.
+  // Waits for the first byte, then returns the number of bytes read without waiting for more.
   //   timeout           nothing arrived
-  //   invalid_argument  no room given
+  //   invalid_argument  `buffer` is empty
   Result<std::size_t> read(std::span<std::byte> buffer, TimeNs deadline_ns);
 
-  // Reads until the buffer is full or the deadline has passed; returns how many there are.
+  // Reads until the buffer is full or the deadline has passed. Returns the number of bytes read.
   //   timeout           nothing arrived
-  //   invalid_argument  no room given
+  //   invalid_argument  `buffer` is empty
   Result<std::size_t> read_all(std::span<std::byte> buffer, TimeNs deadline_ns);
 
-  // Forgets what has arrived and was not read.
+  // Drops the bytes that have arrived and were not read.
   Result<void> discard_input() { return DoDiscardInput(); }
 
-  // Opens the device that came back, or the same one anew. Not real time.
+  // Opens the device again, after it came back or while it is still there. Not real time.
   //   disconnected   it is not there
-  //   busy           another program has it for itself
+  //   busy           another program holds it exclusively
   //   not_permitted  no access to the device node
   //   not_supported  it is no serial port, or cannot do these settings
   Result<void> reopen() { return DoReopen(); }
@@ -52,7 +52,7 @@ class SerialPort {
   ~SerialPort() = default;
 
  private:
-  // The arguments have been checked: there is at least one byte, or room for one.
+  // The public functions have checked the arguments: there is at least one byte, or room for one.
   virtual Result<std::size_t> DoWrite(std::span<const std::byte> bytes, TimeNs deadline_ns) = 0;
   virtual Result<std::size_t> DoRead(std::span<std::byte> buffer, TimeNs deadline_ns) = 0;
   virtual Result<void> DoDiscardInput() = 0;

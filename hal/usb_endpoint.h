@@ -1,4 +1,4 @@
-// One claimed USB interface: the control pipe, one bulk pipe out and one in.
+// One claimed USB interface: the control pipe, one bulk-out pipe and one bulk-in pipe.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ namespace tactus::hal {
 inline constexpr std::size_t kMaxUsbControlBytes = 4096;
 inline constexpr std::size_t kMaxUsbTransfersInFlight = 16;
 
-// The first fields of a setup packet; the length is that of the data. `request_type` has bit 7 set
-// for device-to-host.
+// The fields of a setup packet but its length, which is that of the data. Bit 7 of `request_type`
+// is set for device-to-host.
 struct UsbSetup {
   std::uint8_t request_type = 0;
   std::uint8_t request = 0;
@@ -31,7 +31,7 @@ enum class UsbState : std::uint8_t {
 enum class UsbDirection : std::uint8_t { out, in };
 
 // A bulk transfer that may stay in flight across ticks. The caller owns it and its buffer; both
-// must stay where they are while it is in flight. It may be submitted again once done.
+// must stay in place while it is in flight. It may be submitted again when it is done.
 class UsbTransfer {
  public:
   static UsbTransfer in(std::span<std::byte> buffer) { return {UsbDirection::in, buffer, {}}; }
@@ -46,13 +46,13 @@ class UsbTransfer {
   std::span<std::byte> in_buffer() const { return in_buffer_; }
   std::span<const std::byte> out_data() const { return out_data_; }
 
-  // Bytes moved so far, also when the transfer failed half way.
+  // Returns the bytes transferred so far, also if the transfer failed half way.
   std::size_t transferred() const { return transferred_; }
 
-  // Once done: how many bytes moved, or why it failed. Before: invalid_state.
+  // Returns the bytes transferred, or why the transfer failed; invalid_state before it is done.
   Result<std::size_t> result() const;
 
-  // For implementations of UsbEndpoint.
+  // These are for implementations of UsbEndpoint.
   void begin();
   void progress(std::size_t bytes) { transferred_ += bytes; }
   void finish(Result<void> outcome);
@@ -70,29 +70,30 @@ class UsbTransfer {
 };
 
 // Real time: everything but reopen, after opening; nothing is allocated. Thread: one at a time for
-// each object; not from an interrupt. Every call can return, besides what it lists:
+// each object; not from an interrupt. Every call can return, besides the errors that it lists:
 //   disconnected   the device is gone
 //   io             the transfer failed
 //   invalid_state  the device returned but was not reopened
-// An unplug mostly shows as io first, and as disconnected some milliseconds later.
+// After an unplug, calls mostly return io first and disconnected some milliseconds later.
 class UsbEndpoint {
  public:
   UsbEndpoint(const UsbEndpoint&) = delete;
   UsbEndpoint& operator=(const UsbEndpoint&) = delete;
 
-  // A control transfer; returns the bytes moved.
+  // Runs a control transfer and returns the number of bytes transferred.
   //   timeout           the device did not answer
   //   stalled           the device does not know the request or refuses it
-  //   overflow          the device answered with more than `buffer` holds
-  //   invalid_argument  the setup's direction bit says otherwise, or above kMaxUsbControlBytes
+  //   overflow          the device answered with more bytes than `buffer` holds
+  //   invalid_argument  the setup's direction bit is wrong, or more than kMaxUsbControlBytes
   Result<std::size_t> control_out(const UsbSetup& setup, std::span<const std::byte> data,
                                   TimeNs deadline_ns);
   Result<std::size_t> control_in(const UsbSetup& setup, std::span<std::byte> buffer,
                                  TimeNs deadline_ns);
 
-  // Returns the bytes that moved before the deadline; fewer than asked is no error. A bulk-in ends
-  // at a short packet; give it whole packets of room. An empty bulk-out sends one empty packet.
-  //   timeout           not one byte moved
+  // Runs a bulk transfer and returns the bytes transferred before the deadline; fewer than
+  // requested is no error. A bulk-in ends at a short packet; its buffer should hold whole packets.
+  // An empty bulk-out sends one empty packet.
+  //   timeout           no byte was transferred
   //   stalled           the endpoint is halted
   //   overflow          in only: a packet was longer than the room left
   //   queue_full        kMaxUsbTransfersInFlight are in flight
@@ -100,10 +101,10 @@ class UsbEndpoint {
   Result<std::size_t> bulk_out(std::span<const std::byte> data, TimeNs deadline_ns);
   Result<std::size_t> bulk_in(std::span<std::byte> buffer, TimeNs deadline_ns);
 
-  // Starts a transfer and returns. Transfers of one direction are served in the order of their
-  // submission; keeping a bulk-in in flight while computing saves the wait for it later.
+  // Starts a transfer and returns. Transfers of one direction are served in the order of
+  // submission. A bulk-in that is in flight during a computation saves waiting for it afterwards.
   //   queue_full        kMaxUsbTransfersInFlight are in flight
-  //   invalid_state     this one is in flight already
+  //   invalid_state     this transfer is in flight already
   //   invalid_argument  a bulk-in with an empty buffer
   Result<void> submit(UsbTransfer& transfer);
 
@@ -113,15 +114,15 @@ class UsbEndpoint {
   //   invalid_state  it was never submitted
   Result<std::size_t> wait(UsbTransfer& transfer, TimeNs deadline_ns);
 
-  // Withdraws a transfer and returns when nothing touches its buffer any more (Linux: a few USB
-  // frames). It is done then: `cancelled`, or finished just before. Does nothing if it is not in
+  // Withdraws a transfer and returns when its buffer is no longer used (Linux: a few USB frames).
+  // The transfer is then done: `cancelled`, or finished just before. Does nothing if it is not in
   // flight.
   void cancel(UsbTransfer& transfer);
 
-  // Learns of arrival and departure when called.
+  // Returns the state. This call also notices arrival and departure.
   UsbState state() { return DoState(); }
 
-  // Opens the device that came back. Not real time. Nothing happens if attached.
+  // Opens a device that came back. Does nothing if it is attached. Not real time.
   //   disconnected   it is not back yet
   //   busy           another program has claimed it
   //   not_permitted  no access to the device node
@@ -135,8 +136,8 @@ class UsbEndpoint {
   ~UsbEndpoint() = default;
 
  private:
-  // The arguments have been checked. DoSubmit gets a transfer that has begun, and leaves it so if
-  // it succeeds.
+  // The public functions have checked the arguments. DoSubmit gets a transfer that has begun; if it
+  // succeeds, the transfer is still in that state.
   virtual Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,
                                            TimeNs deadline_ns) = 0;
   virtual Result<std::size_t> DoControlIn(const UsbSetup& setup, std::span<std::byte> buffer,

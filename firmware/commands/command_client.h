@@ -1,5 +1,6 @@
-// One program that is connected to the command socket: its lines on their way in, its reply on the
-// way out, and what it waits for. Fixed room; the command thread's.
+// One program that is connected to the command socket: the lines received from it, the reply being
+// sent to it, and the command whose answer it waits for. All buffers have a fixed size. Only the
+// command thread uses it.
 #pragma once
 
 #include <array>
@@ -22,42 +23,44 @@ class CommandClient {
   [[nodiscard]] bool is_connected() const { return socket_.is_open(); }
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
-  // Whether there is room for more, and more to come.
+  // Returns true if the buffer has room and the program may still send.
   [[nodiscard]] bool listens() const { return !has_ended_ && size_ < in_.size(); }
-  // Takes what has come, if it listens. False: the connection is broken.
+  // Receives the bytes that have come, if it listens. Returns false if the connection is broken.
   bool receive();
-  // It will say no more, and everything it said has been answered.
+  // Returns true if the program will send no more and has got all its replies.
   [[nodiscard]] bool is_done() const;
 
-  // The oldest complete line without its newline, valid until drop_line; nothing if there is none.
+  // Returns the oldest complete line without its newline, or nothing if there is none. The view is
+  // valid until drop_line.
   [[nodiscard]] std::optional<std::string_view> line() const;
   void drop_line();
-  // All that has come so far.
+  // Returns all bytes received and not dropped yet.
   [[nodiscard]] std::string_view received() const { return {in_.data(), size_}; }
 
-  // True once after a line that was too long: it is skipped up to its newline.
+  // Returns true once after a line that was too long. Such a line is skipped up to its newline.
   bool take_overlong();
 
-  // The reply under way; written by send.
+  // Returns the reply to be sent; `send` empties it.
   [[nodiscard]] TextLine& out() { return out_; }
   [[nodiscard]] bool has_sent() const { return out_.empty(); }
-  // Sends what fits. False: the program has gone, or has not read for kPatience_ns.
+  // Sends as much of the reply as the socket takes. Returns false if the program has gone or has
+  // read nothing for kPatience_ns.
   bool send(hal::TimeNs now_ns);
 
   static constexpr hal::TimeNs kPatience_ns = 2 * hal::kNsPerSecond;
   hal::TimeNs last_heard_ns = 0;
 
-  // What it waits for.
+  // The command whose answer the program waits for.
   struct Waiting {
-    Ticket ticket = 0;       // of the tick's answer; 0: for none
-    Command command;         // that the tick answers
-    bool is_posted = false;  // it has left for the desk; else there was no room for it yet
+    Ticket ticket = 0;       // ticket of the answer; 0: it waits for no tick
+    Command command;         // the command that the tick answers
+    bool is_posted = false;  // false: the queue had no room for the command yet
     Verb verb = Verb::help;  // `list` and `scene` take several answers
     bool is_under_way = false;
-    std::array<char, kMaxCommandLine> file{};  // of `scene`
+    std::array<char, kMaxCommandLine> file{};  // used by `scene`: the path, ends with a zero
     hal::TimeNs deadline_ns = 0;
-    std::uint32_t listed = 0;  // of `list`
-    bool is_asking = false;    // of `scene`: for the mode, before the file is opened
+    std::uint32_t listed = 0;  // used by `list`: parameters listed so far
+    bool is_asking = false;    // used by `scene`: it asks for the mode before it opens the file
   };
   Waiting waiting;
 

@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Takes the first word off; empty at the end.
+// Removes the first word from `rest` and returns it; returns an empty word at the end.
 std::string_view take_word(std::string_view& rest) {
   rest = trimmed(rest);
   const auto* const end = std::ranges::find_if(rest, is_gap);

@@ -9,10 +9,11 @@
 namespace tactus::firmware {
 namespace {
 
-// While somebody waits for a tick, its answer is looked for so often; else the end of the program.
+// The thread looks for answers at the first interval while a client waits for a tick, and otherwise
+// for the end of the program at the second.
 constexpr hal::TimeNs kLookForAnswer_ns = 1'000'000;
 constexpr hal::TimeNs kLookForEnd_ns = 100'000'000;
-// A checked scene is half a megabyte, and is handed over by value.
+// The stack must hold several checked scenes of half a megabyte, which are returned by value.
 constexpr std::size_t kThreadStack_bytes = std::size_t{4} << 20;
 static_assert(sizeof(rendering::SceneImage) < kThreadStack_bytes / 6);
 
@@ -24,7 +25,7 @@ bool is_estop(std::string_view line) {
 }  // namespace
 
 std::expected<void, ListenError> CommandServer::start(const CommandServerConfig& config) {
-  clerk_.configure(config.hooks, config.allow_inject);
+  processor_.configure(config.hooks, config.allow_inject);
   if (auto open = socket_.open(config.socket_path, config.group); !open) {
     return open;
   }
@@ -76,11 +77,11 @@ void CommandServer::run() {
 void CommandServer::turn() {
   wait();
   now_ns_ = hal::monotonic_now_ns();
-  clerk_.set_time(now_ns_);
+  processor_.set_time(now_ns_);
   for (CommandClient& client : clients_) {
     listen_to(client);
   }
-  clerk_.deliver_answers();
+  processor_.deliver_answers();
   for (CommandClient& client : clients_) {
     if (client.is_connected()) {
       serve(client);
@@ -91,7 +92,7 @@ void CommandServer::turn() {
   }
 }
 
-// Until there is something to do.
+// Waits until a socket is ready or it is time to look for answers.
 void CommandServer::wait() {
   hal::TimeNs wait_ns = kLookForEnd_ns;
   for (std::size_t i = 0; i < clients_.size(); ++i) {
@@ -117,14 +118,15 @@ void CommandServer::welcome() {
   }
 }
 
-// The one that has been silent longest makes room, so that an estop always finds the door open.
+// Returns a free client, after disconnecting the one that has been silent longest if all are in
+// use. So a program that sends an estop can always connect.
 CommandClient& CommandServer::place_for_one_more() {
   const auto heard = [](const CommandClient& client) {
     return client.is_connected() ? client.last_heard_ns : hal::TimeNs{0};
   };
   CommandClient& client = *std::ranges::min_element(clients_, {}, heard);
   if (client.is_connected() && client.has_sent()) {
-    clerk_.refuse(client, "connection", "another program needed the place; connect again");
+    processor_.refuse(client, "connection", "another program needed the place; connect again");
     client.send(now_ns_);
   }
   return client;
@@ -133,14 +135,15 @@ CommandClient& CommandServer::place_for_one_more() {
 void CommandServer::say_goodbye() {
   for (CommandClient& client : clients_) {
     if (client.is_connected() && client.waiting.is_under_way && client.has_sent()) {
-      clerk_.refuse_waiting(client, "the program ends");
+      processor_.refuse_waiting(client, "the program ends");
       client.send(now_ns_);
     }
     client.disconnect();
   }
 }
 
-// An estop is raised as soon as it is heard, whatever its program still waits for.
+// Receives lines. An estop among them is posted at once, even if its client still waits for the
+// answer to another command.
 void CommandServer::listen_to(CommandClient& client) {
   const auto i = static_cast<std::size_t>(&client - clients_.data());
   if (!client.is_connected() || !client.listens() || polled_[i].revents == 0) {
@@ -154,7 +157,7 @@ void CommandServer::listen_to(CommandClient& client) {
   std::string_view rest = client.received();
   for (auto end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
     if (is_estop(rest.substr(0, end))) {
-      clerk_.raise_estop();
+      processor_.raise_estop();
       return;
     }
     rest.remove_prefix(end + 1);
@@ -162,12 +165,12 @@ void CommandServer::listen_to(CommandClient& client) {
 }
 
 void CommandServer::serve(CommandClient& client) {
-  clerk_.look_after(client);
+  processor_.look_after(client);
   if (client.has_sent() && !client.waiting.is_under_way) {
     if (client.take_overlong()) {
-      clerk_.refuse(client, "line", "it is longer than 511 characters");
+      processor_.refuse(client, "line", "it is longer than 511 characters");
     } else if (const auto line = client.line()) {
-      clerk_.take(client, *line);
+      processor_.take(client, *line);
       client.drop_line();
     }
   }

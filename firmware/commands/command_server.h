@@ -1,7 +1,8 @@
-// The command thread: takes lines from the command socket for the clerk, and sends its replies.
+// The command thread: receives lines on the command socket, gives them to the CommandProcessor and
+// sends the replies.
 //
-// Not real time: a thread of its own without priority. It allocates nothing after the start, and
-// the loop never waits for it; a client that does not read its replies is dropped.
+// The thread has no real-time priority. It allocates nothing after the start, and the loop never
+// waits for it. A client that does not read its replies is disconnected.
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@
 #include <cstdint>
 #include <expected>
 
-#include "firmware/commands/command_clerk.h"
 #include "firmware/commands/command_client.h"
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_processor.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/listening_socket.h"
 #include "firmware/commands/scene_store.h"
 #include "firmware/commands/stop_listener.h"
@@ -20,36 +21,37 @@
 
 namespace tactus::firmware {
 
-// Programs that are connected at once. The next one is told so and closed.
+// The largest number of programs connected at once. One more takes the place of the program that
+// has been silent longest.
 inline constexpr std::size_t kMaxCommandClients = 8;
-// Between two times that the answers are taken, each says a request and raises an estop at most,
-// and one request is in the tick.
+// Between two times at which the answers are taken, each client posts at most one request and one
+// estop, and the tick holds one request more.
 static_assert(2 * kMaxCommandClients + 1 <= kMaxRequests);
 
 struct CommandServerConfig {
   const char* socket_path = nullptr;
-  const char* stop_socket_path = nullptr;  // of StopListener; null: there is none
-  const char* group = nullptr;             // of the sockets' files; null: the program's
-  int stop_priority = 0;                   // of the stop's thread: StopListenerConfig::priority
-  bool allow_inject = false;
+  const char* stop_socket_path = nullptr;  // socket of StopListener; null: no such socket
+  const char* group = nullptr;             // group of the socket files; null: the program's own
+  int stop_priority = 0;                   // priority of the stop's thread (stop_listener.h)
+  bool allow_inject = false;               // accept `inject` commands
   RunHooks hooks;
 };
 
 class CommandServer {
  public:
-  CommandServer(CommandDesk& desk, SceneStore& scenes)
-      : stop_listener_(desk), clerk_(desk, scenes, clients_) {}
+  CommandServer(CommandQueue& queue, SceneStore& scenes)
+      : stop_listener_(queue), processor_(queue, scenes, clients_) {}
   CommandServer(const CommandServer&) = delete;
   CommandServer& operator=(const CommandServer&) = delete;
   ~CommandServer() { stop(); }
 
-  // Opens the socket and starts the thread. Errors: of ListeningSocket::open, and that the system
-  // gives no thread.
+  // Opens the sockets and starts the threads. Errors are those of ListeningSocket::open, and that
+  // the system gives no thread.
   std::expected<void, ListenError> start(const CommandServerConfig& config);
 
-  // Ends the threads and removes the sockets' files. What was asked and has not been answered is
-  // told that the program ends. False: the thread hangs in a file system that does not answer, and
-  // is left alone after kMostEnd_ns; the program has to end without running destructors.
+  // Ends the threads and removes the socket files. Commands without an answer are refused because
+  // the program ends. Returns false if after kMostEnd_ns the thread still hangs in a file system
+  // that does not answer: the program must then end without running destructors.
   bool stop();
   static constexpr hal::TimeNs kMostEnd_ns = hal::kNsPerSecond;
 
@@ -69,7 +71,7 @@ class CommandServer {
   StopListener stop_listener_;
   ListeningSocket socket_;
   std::array<CommandClient, kMaxCommandClients> clients_;
-  CommandClerk clerk_;
+  CommandProcessor processor_;
   std::array<pollfd, kMaxCommandClients + 1> polled_{};
   hal::TimeNs now_ns_ = 0;
   HelperThread thread_;

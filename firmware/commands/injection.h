@@ -1,8 +1,8 @@
-// Faults on demand, for tests and drills: what a tick reads is changed on its way from the device
-// to the controller. The controller is not told, so that its own guards have to find the fault; and
-// the changed sample is what the record holds, so that a replay repeats it.
+// Injects faults for tests and drills: it changes the sample between device and controller. The
+// controller does not know, so its guards have to find the fault. The record holds the changed
+// sample, so a replay repeats it.
 //
-// All of it in the loop's thread.
+// Only the loop's thread uses it.
 #pragma once
 
 #include <array>
@@ -16,16 +16,16 @@
 namespace tactus::firmware {
 
 enum class Injection : std::uint8_t {
-  drop,        // no fresh sample: the last one again, growing old
-  stuck,       // the last position again, and nobody says so
-  jump,        // the first joint stands kInjectedJump farther
+  drop,        // the last sample again, with a growing age
+  stuck,       // the last positions again, with the age of a fresh sample
+  jump,        // the first joint's position plus kInjectedJump
   nan,         // the first joint's position is not a number
-  encoder,     // the device reports its encoder
-  drive,       // the device reports its motor drive
-  estop_line,  // the emergency stop line is open
-  lost,        // no way to reach the motors
-  not_ready,   // the device has lost its reference
-  delay        // the tick is late by so many periods
+  encoder,     // the device reports an encoder fault
+  drive,       // the device reports a motor drive fault
+  estop_line,  // the device reports an open emergency stop line
+  lost,        // the device reports that it cannot reach the motors
+  not_ready,   // the device reports that it has lost its reference
+  delay        // the tick is late by `ticks` periods
 };
 
 struct InjectionText {
@@ -34,7 +34,7 @@ struct InjectionText {
   std::string_view meaning;
 };
 
-// In order of Injection.
+// The names and meanings, in the order of Injection.
 inline constexpr auto kInjectionTexts = std::to_array<InjectionText>({
     {Injection::drop, "drop", "no fresh sample: the last one again, growing old"},
     {Injection::stuck, "stuck", "the last position again, and nobody says so"},
@@ -50,23 +50,23 @@ inline constexpr auto kInjectionTexts = std::to_array<InjectionText>({
 
 inline constexpr double kInjectedJump = 0.1;  // rad or m
 inline constexpr std::uint32_t kMaxInjectedTicks = 100'000;
-// A delay holds the loop, so it is shorter.
+// The largest delay in periods. It is smaller because a delay stops the loop.
 inline constexpr std::uint32_t kMaxInjectedDelay = 100;
 
 struct InjectionOrder {
   Injection injection = Injection::drop;
-  std::uint32_t ticks = 1;
+  std::uint32_t ticks = 1;  // how many ticks it lasts; the periods of a `delay`
 };
 
 class Injector {
  public:
-  // From the next tick on. What is under way of another kind goes on.
+  // Injects from the next tick on. Injections of other kinds that are active continue.
   void start(const InjectionOrder& order);
 
-  // Every tick, with what the device gave.
+  // Changes the device's sample as the active injections say. Call once per tick.
   void change(drivers::JointSample& sample, double rate_hz);
 
-  // Takes the periods that this tick shall be late by.
+  // Returns by how many periods this tick is to be late, and clears that number.
   std::uint32_t take_delay();
 
  private:
@@ -75,7 +75,7 @@ class Injector {
   double age_s_ = 0.0;
 };
 
-// A device with an injector between it and the controller.
+// A device whose samples pass an injector.
 template <drivers::Device D>
 class InjectedDevice {
  public:
@@ -93,7 +93,7 @@ class InjectedDevice {
   }
 
  private:
-  // Turns on the spot: a drill of a tick that takes too long.
+  // Busy-waits for so many periods, like a tick that takes too long.
   void hold(std::uint32_t periods) {
     if (periods == 0 || now_ns_ == nullptr) {
       return;

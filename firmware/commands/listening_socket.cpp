@@ -27,13 +27,13 @@ sockaddr_un address_of(std::string_view path) {
   return address;
 }
 
-// The interface of sockets takes every address as the general one.
+// Returns the address as the general type that the socket calls take.
 const sockaddr* general(const sockaddr_un& address) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
-bool somebody_listens(const sockaddr_un& address, int type) {
+bool has_listener(const sockaddr_un& address, int type) {
   const hal::FileDescriptor probe(::socket(AF_UNIX, type | SOCK_CLOEXEC, 0));
   return probe.is_open() && ::connect(probe.get(), general(address), sizeof address) == 0;
 }
@@ -56,7 +56,7 @@ std::expected<void, ListenError> ListeningSocket::open(const char* path, const c
     return listen_error("the socket's path is empty or longer than 107 characters", ENAMETOOLONG);
   }
   const sockaddr_un address = address_of(name);
-  if (somebody_listens(address, type)) {
+  if (has_listener(address, type)) {
     return listen_error("another program listens there; end it, or give another --run-dir",
                         EADDRINUSE);
   }

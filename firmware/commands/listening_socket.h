@@ -1,7 +1,7 @@
-// A Unix socket, of streams or datagrams, in the file system, with file permissions as its door:
-// mode 0660, and a group if one is named. Whoever may write to the file may connect.
+// A Unix socket, for streams or datagrams, with a file in the file system. The file has mode 0660
+// and the given group. Whoever may write to the file may connect.
 //
-// At the start; not for a tick.
+// Not real time: it is for the start of the program.
 #pragma once
 
 #include <array>
@@ -12,13 +12,12 @@
 
 namespace tactus::firmware {
 
-// What went wrong, with what to do about it.
 struct ListenError {
-  std::string_view what;
+  std::string_view what;  // says what went wrong and what to do
   int errno_value = 0;
 };
 
-// Removes its file at the end.
+// The destructor closes the socket and removes its file.
 class ListeningSocket {
  public:
   ListeningSocket() = default;
@@ -26,18 +25,20 @@ class ListeningSocket {
   ListeningSocket& operator=(const ListeningSocket&) = delete;
   ~ListeningSocket() { close(); }
 
-  // `group` nullptr or empty leaves the group of the program. A file that nobody listens behind any
-  // more is replaced. Only before other threads are started: it sets the file mode mask meanwhile.
+  // Opens a stream socket. A null or empty `group` leaves the file to the program's group. A file
+  // on which no program listens any more is replaced. Call it before other threads start, because
+  // it changes the process's file mode mask for a moment.
   std::expected<void, ListenError> open(const char* path, const char* group);
-  // The same, for datagrams: nobody connects.
+  // Opens a datagram socket; otherwise the same.
   std::expected<void, ListenError> open_datagrams(const char* path, const char* group);
   void close();
-  // Closes nothing: another thread may still use the descriptor.
+  // Removes the file and leaves the socket open, for another thread may still use it.
   void remove_file();
 
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
-  // A program that has connected, not blocking; not open if there is none.
+  // Returns the non-blocking socket of a program that has connected; it is not open if none has.
+  // Never waits.
   [[nodiscard]] hal::FileDescriptor accept() const;
 
  private:
@@ -45,7 +46,7 @@ class ListeningSocket {
   std::expected<void, ListenError> bind_and_listen(const char* group, int type);
 
   hal::FileDescriptor socket_;
-  std::array<char, 108> path_{};  // as long as a socket's address may be
+  std::array<char, 108> path_{};  // the size of sockaddr_un::sun_path
 };
 
 }  // namespace tactus::firmware

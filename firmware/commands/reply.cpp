@@ -8,7 +8,7 @@
 namespace tactus::firmware {
 namespace {
 
-// What stands in the way of a request in the mode that it met.
+// Returns the text that says why the request had no effect in its mode and what to do.
 std::string_view remedy(Request request, const Answer& answer) {
   if (answer.after == Mode::fault) {
     return request == Request::reset ? "remove the cause, then send reset again"

@@ -1,4 +1,4 @@
-// What the command socket says to an answer: "ok ...", or "refused ...: why; what to do".
+// Writes the replies of the command socket: "ok ...", or "refused ...: why; what to do".
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,25 @@
 
 namespace tactus::firmware {
 
-// "refused enable: why", where no tick was asked.
+// Writes "refused enable: why". For a command that is refused without asking a tick.
 void write_refusal(TextLine& line, std::string_view command, std::string_view why);
 
-// "ok enable tick=7 mode=active", or the refusal in words. While homing, the hint is added in
-// quotes as hint="...", if there is one.
+// Writes "ok enable tick=7 mode=active", or the refusal. In mode `homing` it adds hint="..." unless
+// the hint is empty.
 void write_request_reply(TextLine& line, const Answer& answer, std::string_view homing_hint);
 
-// "ok set tick=7 max_force_N=4 least=0 greatest=8 unit=N". Of `get` and `set`.
+// Writes "ok set tick=7 max_force_N=4 least=0 greatest=8 unit=N", or the refusal. For `get` and
+// `set`.
 void write_parameter_reply(TextLine& line, std::string_view command, const ParameterPlace& place,
                            const Answer& answer);
 
-// " max_force_N=4 least=0 greatest=8 unit=N"
+// Writes " max_force_N=4 least=0 greatest=8 unit=N".
 void write_parameter(TextLine& line, const ParameterPlace& place, const ParameterValue& value);
 
-// " tick=7 mode=active"
+// Writes " tick=7 mode=active".
 void write_tick(TextLine& line, const Answer& answer);
 
-// "joint_limit,drive", or "none".
+// Writes the names of the fault bits, as "joint_limit,drive", or "none".
 void write_faults(TextLine& line, std::uint64_t faults);
 
 }  // namespace tactus::firmware

@@ -1,7 +1,7 @@
-// Hands the newest request of an operator to the tick: a newer one takes the place of one that no
-// tick has taken yet, except that nothing but another estop takes the place of an estop.
+// Holds the operator's newest request for the tick. A newer request replaces one that no tick has
+// taken yet; only another estop replaces an estop.
 //
-// One thread posts, the loop takes. Lock-free; `take` is one exchange and never waits.
+// One thread posts, the loop's thread takes. Lock-free: `take` is one atomic exchange.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace tactus::firmware {
 
-// Numbers the commands, so that an answer finds the one who waits for it. 0 is nobody.
+// The number of a command; its answer carries the same number. 0 means that nobody waits.
 using Ticket = std::uint32_t;
 
 struct TicketedRequest {
@@ -23,7 +23,7 @@ class RequestSlot {
  public:
   struct Posted {
     bool accepted = false;     // false: an estop waits for its tick
-    TicketedRequest replaced;  // what no tick will see; none if there was none
+    TicketedRequest replaced;  // the request that no tick will see; Request::none if there was none
   };
 
   Posted post(const TicketedRequest& newer) {
@@ -37,7 +37,7 @@ class RequestSlot {
     return {.accepted = true, .replaced = unpack(waiting)};
   }
 
-  // The newest since the last call, or none.
+  // Returns the newest request since the last call, or Request::none.
   TicketedRequest take() { return unpack(word_.exchange(kEmpty, std::memory_order_acquire)); }
 
  private:

@@ -1,8 +1,9 @@
-// The scene in use, and the next one while the loop decides whether to take it: copies of files in
-// two rooms of fixed size, checked views, nothing on the heap. Static storage: a megabyte.
+// Holds the scene in use, and the next one while the loop decides whether to take it. Each is a
+// checked copy of a file in a memory block of fixed size; nothing is on the heap. The object
+// itself takes a megabyte of static storage.
 //
-// One thread: the one that starts the program, then the command thread. The loop only reads what it
-// was handed.
+// One thread uses it at a time: first the one that starts the program, then the command thread. The
+// loop only reads the image that it was given.
 #pragma once
 
 #include <array>
@@ -18,10 +19,9 @@
 
 namespace tactus::firmware {
 
-// In words for the user.
 struct SceneStoreError {
-  std::string_view what;
-  int errno_value = 0;  // 0: the file was read, and refused
+  std::string_view what;  // a text for the user
+  int errno_value = 0;    // 0: the file was read, and refused
 };
 
 class SceneStore {
@@ -29,25 +29,26 @@ class SceneStore {
   static constexpr std::size_t kMaxPath = 512;
   static constexpr std::size_t kMaxScene_bytes = std::size_t{256} << 20;
 
-  // The room of each of the two, in place of kMaxScene_bytes. Before the first open_next; pages are
-  // had for as much as a scene needs.
+  // Sets the size of each memory block; kMaxScene_bytes by default. Call before the first
+  // open_next. Memory pages are taken only for the bytes that a scene needs.
   void set_room(std::size_t bytes) { room_bytes_ = bytes; }
 
-  // Copies and checks a file beside the scene in use, which stays. Time grows with the image: 25 ms
-  // for 871,200 triangles. Give it up or make it the one in use before the next.
+  // Copies and checks a file as the next scene; the scene in use stays. The time grows with the
+  // size: 25 ms for 871,200 triangles. Call use_next or drop_next before the next open_next.
   std::expected<const rendering::SceneImage*, SceneStoreError> open_next(std::string_view path);
 
-  // The loop has taken it: the memory of the one before is given back.
+  // Makes the next scene the one in use and frees the memory of the previous one. Call after the
+  // loop has taken the scene.
   void use_next();
-  // The loop has refused it.
+  // Frees the next scene. Call after the loop has refused it.
   void drop_next();
 
-  // nullptr without a scene.
+  // Returns the scene in use, or nullptr.
   [[nodiscard]] const rendering::SceneImage* scene() const { return scene_of(places_[used_]); }
-  // Empty without one.
+  // Return the path and the bytes of the scene in use; empty without a scene.
   [[nodiscard]] std::string_view path() const;
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_of(places_[used_]); }
-  // Of the one that open_next has opened.
+  // Return the scene that open_next has opened, and its bytes.
   [[nodiscard]] const rendering::SceneImage* next_scene() const {
     return scene_of(places_[1 - used_]);
   }
@@ -55,7 +56,7 @@ class SceneStore {
     return bytes_of(places_[1 - used_]);
   }
 
-  // The first object of that name in the scene in use.
+  // Returns the index of the first object with that name in the scene in use, or nothing.
   [[nodiscard]] std::optional<std::uint32_t> find_object(std::string_view name) const;
 
  private:

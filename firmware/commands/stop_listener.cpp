@@ -16,10 +16,10 @@ namespace tactus::firmware {
 namespace {
 
 constexpr hal::TimeNs kLookForStopsEnd_ns = 100'000'000;
-// The tick that has the stop is looked for so often, and so long.
+// The thread looks for the tick that took the stop at this interval, this many times (50 ms).
 constexpr timespec kLookForTick{.tv_sec = 0, .tv_nsec = 200'000};
 constexpr int kMostLooksForTick = 250;
-// Senders that one tick answers; the next ones' stops are the next tick's.
+// The largest number of senders that one tick answers. Further ones wait for the next tick.
 constexpr std::size_t kMostSenders = 32;
 
 struct Sender {
@@ -27,7 +27,7 @@ struct Sender {
   socklen_t size = 0;
 };
 
-// The interface of sockets takes every address as the general one.
+// Returns the address as the general type that the socket calls take.
 sockaddr* as_plain(sockaddr_un& address) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
   return reinterpret_cast<sockaddr*>(&address);
@@ -74,7 +74,7 @@ void StopListener::stop() {
 void StopListener::run() {
   if (priority_ > 0) {
     const sched_param wanted{.sched_priority = priority_};
-    // Without the right the loop has none either, which the program has told.
+    // If the right is missing, the loop lacks it too and the program has already printed that.
     (void)sched_setscheduler(0, SCHED_FIFO, &wanted);
   }
   while (!is_ending_.load(std::memory_order_relaxed)) {
@@ -89,16 +89,16 @@ void StopListener::hear_all() {
   std::size_t heard = 0;
   std::uint32_t stop = 0;
   while (heard < senders.size() && receive(socket_.descriptor(), senders[heard])) {
-    stop = desk_.post_stop();
+    stop = queue_.post_stop();
     ++heard;
   }
   if (heard == 0) {
     return;
   }
-  std::optional<StopTaken> taken = desk_.stop_taken(stop);
+  std::optional<StopTaken> taken = queue_.stop_taken(stop);
   for (int look = 0; look < kMostLooksForTick && !taken; ++look) {
     ::nanosleep(&kLookForTick, nullptr);
-    taken = desk_.stop_taken(stop);
+    taken = queue_.stop_taken(stop);
   }
   TextLine line;
   write_stop_reply(line, taken);

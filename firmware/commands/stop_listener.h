@@ -1,15 +1,15 @@
-// The stop, heard whatever else is asked: a thread and a datagram socket of its own. Whatever
-// arrives there is an emergency stop. No client can occupy it, and no file, list or other command
-// stands before it.
+// A thread with a datagram socket for the emergency stop alone. Every datagram is an emergency
+// stop, whatever it contains. No client can occupy the socket, and no file, list or other command
+// delays it.
 //
-// The thread has the priority below the loop's. It allocates nothing and waits for nothing but a
-// datagram and the tick that has the stop. It answers each sender that has an address.
+// The thread has the priority just below the loop's. It allocates nothing and waits only for a
+// datagram and for the tick that takes the stop. It answers each sender that has an address.
 #pragma once
 
 #include <atomic>
 #include <expected>
 
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/listening_socket.h"
 #include "firmware/realtime/helper_thread.h"
 
@@ -17,19 +17,19 @@ namespace tactus::firmware {
 
 struct StopListenerConfig {
   const char* socket_path = nullptr;
-  const char* group = nullptr;  // of the socket's file; null: the program's
-  int priority = 0;             // SCHED_FIFO of the thread; 0, or without the right to it: ordinary
+  const char* group = nullptr;  // group of the socket's file; null: the program's own
+  int priority = 0;             // SCHED_FIFO; ordinary if 0 or if the right to it is missing
 };
 
 class StopListener {
  public:
-  explicit StopListener(CommandDesk& desk) : desk_(desk) {}
+  explicit StopListener(CommandQueue& queue) : queue_(queue) {}
   StopListener(const StopListener&) = delete;
   StopListener& operator=(const StopListener&) = delete;
   ~StopListener() { stop(); }
 
-  // Opens the socket and starts the thread. Errors: of ListeningSocket::open_datagrams, and that
-  // the system gives no thread.
+  // Opens the socket and starts the thread. Errors are those of ListeningSocket::open_datagrams,
+  // and that the system gives no thread.
   std::expected<void, ListenError> start(const StopListenerConfig& config);
 
   // Ends the thread, within 0.2 s, and removes the socket's file.
@@ -39,7 +39,7 @@ class StopListener {
   void run();
   void hear_all();
 
-  CommandDesk& desk_;
+  CommandQueue& queue_;
   ListeningSocket socket_;
   HelperThread thread_;
   int priority_ = 0;

@@ -1,25 +1,25 @@
-// Lets the commands `record` and `scene` reach the telemetry's writer.
+// Connects the commands `record` and `scene` to the telemetry's writers.
 #pragma once
 
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/command_server.h"
 #include "firmware/flight/flight_writer.h"
 #include "firmware/telemetry/outputs/telemetry_writer.h"
 
 namespace tactus::firmware {
 
-// Whom it reaches; all outlives the server.
+// The writers that commands reach. They must outlive the server.
 struct TelemetrySinks {
   TelemetryWriter* writer = nullptr;
   FlightWriter* flight = nullptr;  // null: there is none
 };
 
-// Recordings are plain names in the program's working folder, and replace no file: whoever may
-// connect shall not write where the program may. A scene of more than 64 MiB is not put into
-// recordings.
+// Returns hooks for `record` and `scene`. A recording's file is a plain name in the program's
+// working folder and never replaces a file, so that a client cannot write wherever the program may.
+// A scene larger than 64 MiB is left out of recordings.
 RunHooks telemetry_hooks(TelemetrySinks& sinks);
 
-// What took effect goes into the telemetry.
+// Returns a receiver that writes each event into the telemetry.
 EventSink telemetry_events(TelemetrySinks& sinks);
 
 }  // namespace tactus::firmware

@@ -1,6 +1,5 @@
-// One line of text in a fixed room; what does not fit is left off, and the line says so by ending
-// in
-// "...". No heap, no locale.
+// One line of text in a buffer of fixed size. Text that does not fit is cut, and the line then ends
+// in "...". No heap, no locale.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +23,7 @@ class TextLine {
     return *this;
   }
 
-  // Shortest text that reads back to the same number.
+  // Adds the shortest text that reads back to the same number.
   template <class Number>
     requires std::integral<Number> || std::floating_point<Number>
   TextLine& add(Number number) {
@@ -33,7 +32,8 @@ class TextLine {
     return add(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
   }
 
-  // Closes it with its newline; whatever was in it, it is one line that a terminal can show.
+  // Ends the line with its newline, after replacing control characters by '?' so that a terminal
+  // can show it as one line.
   TextLine& end() {
     std::replace_if(room_.begin(), room_.begin() + static_cast<std::ptrdiff_t>(size_), is_control,
                     '?');

@@ -6,7 +6,8 @@
 namespace tactus::firmware {
 namespace {
 
-// The push out, the push back, the brake: each pulse; then the pulse mirrored, and a rest.
+// Length of a quarter pulse. A pulse has a push out, a push back (two quarters) and a brake; the
+// mirrored pulse and a rest follow.
 constexpr double kQuarter_s = 0.02;
 constexpr std::size_t kQuartersOfAPulse = 4;
 constexpr std::size_t kQuarters = (2 * kQuartersOfAPulse) + 2;
@@ -16,7 +17,8 @@ constexpr double kLongestSettling_s = 10.0;
 constexpr double kBandShare = 0.1;  // of the wanted travel
 constexpr double kGrowth = 1.6;
 constexpr double kWantedQuanta = 25.0;
-// Of the pulse: more of it against friction, and the inertia is the difference of two like numbers.
+// The largest share of the pulse that friction may take. Above it the inertia would be the
+// difference of two nearly equal numbers.
 constexpr double kMostFriction = 0.2;
 
 bool is_well(const drivers::JointSample& sample, std::size_t joint) {
@@ -68,7 +70,7 @@ std::size_t JointTrial::samples() const {
   return std::min(kMaxPulseSamples, static_cast<std::size_t>(wanted));
 }
 
-// + - - +, then - + + -, then rest.
+// Returns the sign of the effort at sample k: + - - +, then - + + -, then 0.
 double JointTrial::pattern(std::size_t k) const {
   const std::size_t quarter = k * kQuarters / samples();
   if (quarter >= 2 * kQuartersOfAPulse) {

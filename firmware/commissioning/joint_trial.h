@@ -1,12 +1,12 @@
-// One joint's trial: gentle pulses of effort on it alone, from rest, stronger until it moves enough
-// to be measured.
+// Tries one joint with gentle pulses of effort, from rest. Each pulse is stronger, until the joint
+// moves far enough to be measured.
 //
-// A pulse pushes one way, twice as long the other way and back, then the same mirrored, so that a
-// free joint ends where it began. Nothing is fed back: a reversed motor cannot run away with it.
-// The effort ends at once if the joint leaves `largest_travel`, if a sample is not well, or at the
+// A pulse pushes one way, twice as long the other way, and back; then the same mirrored. So a free
+// joint ends where it began. There is no feedback, so that a reversed motor cannot run away. The
+// effort ends at once if the joint leaves `largest_travel`, if a sample reports trouble, or at the
 // time limit.
 //
-// One call a tick; no heap, real time.
+// Call it once per tick; it is real time and uses no heap.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@
 
 namespace tactus::firmware {
 
-// Of the joint, in rad and N m where it turns, in m and N where it slides.
+// Positions are in rad and efforts in N m for a revolute joint; m and N for a prismatic one.
 struct TrialConfig {
   std::size_t joint = 0;
   double rate_hz = 1000.0;
-  double first_effort = 0.0;   // of the first pulse; each is 1.6 times the one before
-  double most_effort = 0.0;    // never more
-  double wanted_travel = 0.0;  // enough to be measured, or 25 counts of the encoder if that is more
-  double largest_travel = 0.0;  // from where the pulse began: beyond it the trial ends
+  double first_effort = 0.0;    // effort of the first pulse; each next one is 1.6 times as large
+  double most_effort = 0.0;     // largest effort
+  double wanted_travel = 0.0;   // a pulse that moves this far, and 25 encoder counts, is measured
+  double largest_travel = 0.0;  // the trial ends beyond this distance from the pulse's start
 };
 
 enum class TrialEnd : std::uint8_t {
   running,
-  measured,      // the fit is of a pulse that moved the joint far enough, well above friction
+  measured,      // a pulse moved the joint far enough, well above friction; see fit()
   no_motion,     // even the strongest pulse moved it less than wanted
-  went_too_far,  // beyond largest_travel
+  went_too_far,  // it moved beyond largest_travel
   never_still,   // the handle was held, or the arm sinks
   sample_bad,    // the device reported trouble, or a number is not finite
 };
@@ -39,14 +39,15 @@ class JointTrial {
  public:
   explicit JointTrial(const TrialConfig& config) : config_(config) {}
 
-  // The newest sample; returns the effort of this joint until the next. 0 once it has ended.
+  // Takes the newest sample and returns the effort of this joint until the next one; 0 after the
+  // trial has ended.
   double tick(const drivers::JointSample& sample);
 
   [[nodiscard]] TrialEnd end() const { return end_; }
-  // Of the last pulse.
+  // Return the fit and the effort of the last pulse.
   [[nodiscard]] const PulseFit& fit() const { return fit_; }
   [[nodiscard]] double effort() const { return effort_; }
-  // How far each joint went in the last pulse, for motors that move another joint than theirs.
+  // Returns how far each joint moved in the last pulse, to find a motor that moves another joint.
   [[nodiscard]] const std::array<double, drivers::kMaxJoints>& travel() const { return travel_; }
 
  private:

@@ -14,9 +14,10 @@ namespace {
 using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
-// Slower than this share of the fastest step of the record, the joint counts as standing.
+// A joint slower than this share of the record's fastest step counts as standing still.
 constexpr double kStandingShare = 0.02;
-// Positions a smoothed step is taken over, so that single counts do not set the sign of friction.
+// The number of positions over which a step is smoothed, so that single encoder counts do not
+// determine the sign of friction.
 constexpr std::size_t kSmoothing = 3;
 
 double direction(std::span<const double> position, std::size_t k, double standing) {
@@ -40,7 +41,7 @@ struct Solved {
   double size = 0.0;
 };
 
-// Rows of the integrated equation for one delay, accumulated into normal equations.
+// Solves the integrated equation for one delay by normal equations.
 Solved solve(const PulseRecord& record, double step_s, std::size_t delay, double standing) {
   const std::span position(record.position.data(), record.count);
   Mat4 normal = Mat4::Zero();
@@ -57,7 +58,8 @@ Solved solve(const PulseRecord& record, double step_s, std::size_t delay, double
     normal += row * row.transpose();
     right += row * effort_2;
     size += effort_2 * effort_2;
-    // An effort is held from its sample to the next: exact for it, midpoint for the rest.
+    // An effort is held until the next sample, so its integral is exact; the others use the
+    // midpoint rule.
     const double effort = k >= delay ? record.effort[k - delay] : 0.0;
     effort_2 += step_s * (effort_1 + 0.5 * step_s * effort);
     effort_1 += step_s * effort;
@@ -67,7 +69,8 @@ Solved solve(const PulseRecord& record, double step_s, std::size_t delay, double
     const double next = k + 1 < record.count ? position[k + 1] : position[k];
     way += 0.5 * step_s * (position[k] + next - 2.0 * position[0]);
   }
-  // A trace of regularisation, far below what the data say: a record may not tell all four apart.
+  // A little regularisation, far below the data, because a record may not separate all four
+  // numbers.
   const Vec4 scale = normal.diagonal().cwiseMax(std::numeric_limits<double>::min());
   constexpr double kTrace = 1e-9;
   normal.diagonal() += kTrace * scale;

@@ -35,7 +35,8 @@ constexpr std::array<VerdictText, kVerdicts> kTexts = {{
     {Verdict::sample_bad, "sample_bad", "has a device in trouble", "see the device's own message"},
 }};
 
-// Another joint went so many times as far as this one, each as a share of its range.
+// The motor moves another joint if that one moves this many times as far, each measured as a share
+// of its range.
 constexpr double kMuchFarther = 4.0;
 
 bool another_moved(const JointTrial& trial, std::size_t joint, const JointExpectation& expected) {

@@ -1,5 +1,5 @@
-// Names every member of every struct that a configuration has: one that is added fails to compile
-// here until it is added to the bytes, and then kVersion changes.
+// Lists every member of every struct of a configuration. A new member does not compile until it is
+// added here; then change kVersion.
 #include "firmware/configuration/config_state.h"
 
 #include "rendering/state/state_archive.h"

@@ -1,4 +1,4 @@
-// A configuration as bytes, for a recording that is replayed on another day and another machine.
+// Saves a configuration as bytes, so that a recording can be replayed on any machine.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace tactus::firmware {
 
-// Every configuration fits.
+// The largest size of a saved configuration.
 inline constexpr std::size_t kMaxConfigBytes = 4096;
 
-// Without the certificate, which a run that was recorded has passed. How many bytes; 0 if a number
-// is not finite.
+// Writes the configuration to `room`. The certificate is left out, because a recorded run has
+// passed it. Returns the number of bytes, or 0 if a number is not finite.
 std::size_t save_config(const ControllerConfig& config, std::span<std::byte, kMaxConfigBytes> room);
 
-// False, and the defaults, if the bytes are of no configuration of this version. What they say is
-// for configure() to check.
+// Reads a configuration. Returns false, and the defaults in `config`, if the bytes are not a
+// configuration of this version. It does not check ranges; configure() does.
 bool read_config(std::span<const std::byte> bytes, ControllerConfig& config);
 
 }  // namespace tactus::firmware

@@ -9,7 +9,7 @@
 namespace tactus::firmware {
 namespace {
 
-// A device on a desk, in any unit that a joint has: metres, radians, newtons, newton metres.
+// The bound of a joint's range and effort for a desktop device, in m, rad, N or N m.
 constexpr double kWidest = 10.0;
 constexpr double kStrongest = 1000.0;
 constexpr double kMostSignCheck_N = 1.5;  // of the 2 N that a hand may feel unchecked

@@ -3,7 +3,7 @@
 namespace tactus::firmware {
 namespace {
 
-// A device on a desk.
+// The bounds of dimensions and weights of a desktop device.
 constexpr double kShortestLink_m = 0.001;
 constexpr double kLongestLink_m = 1.0;
 constexpr double kHeaviestLink_kg = 10.0;

@@ -1,4 +1,4 @@
-// Where a figure is an assumption, it says so; the others are published for the device.
+// The figures are published for the device unless a comment calls them assumed.
 #include <numbers>
 
 #include "firmware/configuration/controller_config.h"
@@ -19,8 +19,8 @@ ControllerConfig falcon_config() {
   const DeltaGeometry geometry;
   config.mechanism = geometry;
   config.workspace_origin_D = {0.0, 0.0, geometry.nominal_height_m};
-  // Contains every pose within 50 mm of the workspace's middle (-43 to 75 degrees). 0.67 N m is
-  // what 8 N takes at the worst place and direction within 40 mm of it; the Falcon's true limit is
+  // The range contains every pose within 50 mm of the workspace's middle (-43 to 75 degrees). 8 N
+  // need 0.67 N m at the worst place and direction within 40 mm of it; the Falcon's true limit is
   // not published.
   config.joints.fill({.lower = -0.80, .upper = 1.45, .max_effort = 0.7});
   config.safety.device_delay_s = 0.002;  // assumed: a tick, and its motors' slow amplifiers
@@ -46,7 +46,8 @@ ControllerConfig haply_pantograph_config() {
   ControllerConfig config;
   config.mechanism = PantographGeometry{};
   config.workspace_origin_D = {0.01, 0.0, 0.075};
-  // From home (180 and 0 degrees) inward; assumed, the stops are not published.
+  // The range goes from home (180 and 0 degrees) inward. It is assumed: the stops are not
+  // published.
   config.joints[0] = {.lower = 80.0 * kDegree, .upper = 185.0 * kDegree, .max_effort = 0.123};
   config.joints[1] = {.lower = -5.0 * kDegree, .upper = 100.0 * kDegree, .max_effort = 0.123};
   config.safety.max_force_N = 2.4;  // what the motors give in the worst direction
@@ -54,7 +55,7 @@ ControllerConfig haply_pantograph_config() {
 }
 
 ControllerConfig phantom_premium_config() {
-  // Maxon RE 25 118743: 28.6 mN m for good (129 at stall), times the capstans' ratios.
+  // Maxon RE 25 118743: 28.6 mN m continuous (129 at stall), times the capstans' ratios.
   constexpr double kNominal_Nm = 0.0286;
   ControllerConfig config;
   const SerialArmGeometry geometry;
@@ -82,7 +83,7 @@ ControllerConfig woodenhaptics_config() {
                                        .upper = {.mass_kg = 0.17, .centre_m = 0.051},
                                        .forearm = {.mass_kg = 0.11, .centre_m = 0.091}};
   config.workspace_origin_D = {0.0, 0.080, 0.220};
-  // The stops are not published: these are assumed.
+  // These are assumed: the stops are not published.
   config.joints = {
       {{.lower = -70.0 * kDegree, .upper = 70.0 * kDegree, .max_effort = kFirstRatio * kMotor_Nm},
        {.lower = -20.0 * kDegree, .upper = 135.0 * kDegree, .max_effort = kRatio * kMotor_Nm},

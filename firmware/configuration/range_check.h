@@ -1,4 +1,4 @@
-// How a configuration is checked: field by field, until one is out of its range.
+// Checks a configuration field by field and keeps the first error.
 #pragma once
 
 #include <expected>

@@ -16,7 +16,7 @@ Vec3 joints_of(const std::array<double, drivers::kMaxJoints>& values) {
   return {values[0], values[1], values[2]};
 }
 
-// A device may report more joints than the mechanism has: nobody looks at those.
+// Clears the joints beyond those of the mechanism, which a device may report.
 void forget_beyond(std::size_t joint_count, drivers::JointSample& sample) {
   for (std::size_t joint = joint_count; joint < drivers::kMaxJoints; ++joint) {
     sample.position[joint] = 0.0;
@@ -38,7 +38,7 @@ bool all_finite(const rendering::Touch& touch) {
          std::isfinite(parts.driven_power);
 }
 
-// The limits that hold a force back, and so have a source.
+// The limits that hold a force back and therefore have a source.
 constexpr std::uint64_t kForceLimits =
     kLimitForce | kLimitSlew | kLimitEffort | kLimitWorkspace | kLimitSpeed | kLimitPassivity;
 
@@ -72,8 +72,8 @@ drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Reques
   return command;
 }
 
-// A fault stops at once, whatever stage finds it: the stages after it see the mode `fault` and put
-// out zero.
+// Raises faults and limits. A fault stops at once, in any stage: the later stages see the mode
+// `fault` and give zero.
 void Controller::raise(std::uint64_t bits) {
   bits &= ~config_.safety.guards_off;
   raised_ |= bits;
@@ -97,7 +97,7 @@ void Controller::step_mode(Event event) {
     case Mode::homing:
       break;
     case Mode::ready:
-      // Homing moves the joints' zero: the tool may be anywhere, so it starts free of all contact.
+      // Homing moves the joints' zero, so the tool starts at its new position without contact.
       if (from == Mode::homing) {
         world_.reset();
         velocity_filter_.reset();
@@ -149,7 +149,8 @@ void Controller::advance_mode(std::uint32_t status, Request request) {
   }
 }
 
-// Until the device has its reference, positions mean nothing, and homing gives them another zero.
+// Runs the encoder guard while the device is referenced. Before, positions mean nothing, and homing
+// changes their zero.
 void Controller::check_encoders(const drivers::JointSample& sample) {
   const bool referenced = configured_ && is_referenced(sample.status) &&
                           (mode_ == Mode::ready || mode_ == Mode::active || mode_ == Mode::fault);
@@ -164,7 +165,8 @@ void Controller::check_encoders(const drivers::JointSample& sample) {
   }
 }
 
-// While the motors have power; the first joint that is found keeps its name until a reset.
+// Runs the effort guards while the motors have power. The first joint found stays in fault_joint_
+// until a reset.
 void Controller::check_efforts(const drivers::JointSample& sample) {
   if (mode_ != Mode::active || pose_.status != kPoseGood) {
     effort_guard_.rest();
@@ -183,7 +185,7 @@ void Controller::check_efforts(const drivers::JointSample& sample) {
   raise(sign_check_.is_done() ? kNoFault : kLimitSignCheck);
 }
 
-// Raises what was found of a joint.
+// Raises the faults of a finding and notes its joint.
 void Controller::blame(const EffortFinding& found) {
   const std::uint64_t faults = found.faults & ~config_.safety.guards_off;
   if (faults != kNoFault && fault_joint_ == 0) {
@@ -192,8 +194,8 @@ void Controller::blame(const EffortFinding& found) {
   raise(faults);
 }
 
-// Finds the tool. False when the joints mean nothing yet or the tool cannot be found: it then stays
-// where it was, at rest.
+// Computes the tool's position and velocity. Returns false if the joints are not referenced or the
+// kinematics fail; the tool then stays where it was, at rest.
 bool Controller::locate(const drivers::JointSample& sample) {
   tool_.v_W.setZero();
   const bool expected = mode_ == Mode::ready || mode_ == Mode::active || mode_ == Mode::fault;
@@ -219,8 +221,8 @@ bool Controller::locate(const drivers::JointSample& sample) {
   return pose_.status == kPoseGood;
 }
 
-// A change moves the force no faster than the activation of the largest force would. Without force
-// it comes in at once.
+// Advances the changes of materials. They change the force no faster than an activation with the
+// largest force does; without force they act at once.
 void Controller::bring_changes_in() {
   if (!material_changes_.any()) {
     return;
@@ -235,8 +237,8 @@ void Controller::bring_changes_in() {
   raise(material_changes_.any() ? kLimitChange : kNoFault);
 }
 
-// `ready` touches too, without force: the proxy then waits on the surface that the tool is pushed
-// into, and activation brings the force up from there.
+// Computes the touch. It does so in `ready` too, without force: the proxy then rests on the surface
+// into which the tool is pushed, and activation raises the force from there.
 rendering::Touch Controller::touch(bool located) {
   rendering::Touch touch;
   touch.proxy_W = tool_.p_W;
@@ -281,7 +283,7 @@ Vec3 Controller::limit_force(const rendering::Touch& touch) {
   return limited.force_W;
 }
 
-// What the workspace's walls and the passivity controller push, if anything.
+// Returns the force of the workspace walls and of the passivity controller, N.
 Vec3 Controller::add_safety(bool pushes) {
   Vec3 added_W = passivity_.damp_W(tool_.v_W, pushes);
   raise(added_W != Vec3::Zero() ? kLimitPassivity : kNoFault);
@@ -323,7 +325,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
     }
   }
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
-    // Scaled down to the largest already, but for what that rounds and the push of the sign check.
+    // The efforts are within the limits except for rounding and the push of the sign check.
     const double most = config_.joints[joint].max_effort;
     const double push = sign_check_.push()[joint];
     command.effort[joint] =
@@ -333,7 +335,7 @@ drivers::JointCommand Controller::command_joints(const drivers::JointSample& sam
   return command;
 }
 
-// The efforts that hold the mechanism's own weights up.
+// Returns the efforts that hold the mechanism's own weights, N or N m.
 Vec3 Controller::hold_up(const drivers::JointSample& sample) {
   if (!gravity_compensation_.is_on()) {
     return Vec3::Zero();
@@ -347,7 +349,8 @@ Vec3 Controller::hold_up(const drivers::JointSample& sample) {
   return hold.effort;
 }
 
-// The efforts with the push against the joints' friction, for a rendered force of that size.
+// Returns `effort` plus the compensation of the joints' friction. `force_N` is the size of the
+// rendered force.
 Vec3 Controller::compensated(const drivers::JointSample& sample, const Vec3& effort,
                              double force_N) {
   const PushRoom room{.pose = pose_,

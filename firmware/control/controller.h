@@ -1,9 +1,9 @@
-// The controller: one object in static storage that turns a joint sample into a joint command, once
-// a tick.
+// The controller: one object in static storage that turns a joint sample into a joint command once
+// per tick.
 //
-// Thread: none of its own and no locks; one thread configures it, loads a scene and then ticks it.
-// No member allocates, throws, blocks or prints. World frame W: right-handed, x right, y up, z
-// toward the user; the device frame D moved to workspace_origin_D.
+// It has no thread and no locks: one thread configures it, loads a scene and then ticks it. No
+// member allocates, throws, blocks or prints. World frame W is right-handed, x right, y up, z
+// toward the user: the device frame D moved to workspace_origin_D.
 #pragma once
 
 #include <cstddef>
@@ -37,71 +37,71 @@
 
 namespace tactus::firmware {
 
-// Why a scene was not loaded.
+// The reason why a scene was not loaded.
 enum class SceneFault : std::uint8_t {
-  active,       // not while the motors are on
-  world,        // the world refused it: World::set_scene
+  active,       // the motors are on
+  world,        // World::set_scene refused it
   uncertified,  // a part of it is beyond the configuration's certificate
 };
 struct SceneRefusal {
   SceneFault fault = SceneFault::active;
-  UncertifiedPart part;  // which, if uncertified
+  UncertifiedPart part;  // the part, if uncertified
 };
 
 class Controller {
  public:
-  // Takes a valid configuration and starts afresh in `init`; keeps the scene. An invalid one
-  // changes nothing, and neither does one whose certificate the loaded scene is beyond: the field
-  // is then "certificate" and the value a stiffness. A wall of the workspace beyond the certificate
-  // is refused too, by the name of its stiffness or its damping.
+  // Takes a configuration and starts anew in mode `init`, with the loaded scene. On an error
+  // nothing changes. If the loaded scene is beyond the configuration's certificate, the error's
+  // field is "certificate" and its value a stiffness, N/m. A wall of the workspace beyond the
+  // certificate is refused too, by the name of its stiffness or its damping.
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
-  // Gives the world a scene; the memory behind the objects must outlive it. Refused while active
-  // and when a part of it, or parts that push together or with a wall of the workspace, are stiffer
-  // than the configuration's certificate allows, unless `allow_uncertified`: both keep the world as
-  // it is. When the world refuses it, it is empty.
+  // Loads a scene; the memory behind the objects must outlive it. Refused in mode `active`, and if
+  // a part of it, or parts that push together or with a wall of the workspace, are stiffer than the
+  // certificate allows, unless `allow_uncertified`. The world then keeps its scene. If the world
+  // refuses the scene, the world is empty afterwards.
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);
 
-  // Between ticks: from the next one on the parameter has that value, and its record says so. At
-  // most one a tick gets into the record. Nothing changed if refused. Bounded, for a tick's edge.
+  // Changes a parameter from the next tick on, which records the change. Call it between ticks, at
+  // most once per tick, because a record holds one change. On a refusal nothing changes. Real time.
   std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
   [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
       const ParameterPlace& place) const;
-  // Names what the last set_parameter that was `uncertified` would have put beyond the certificate.
+  // Returns the part that the last `uncertified` set_parameter would have made too stiff.
   [[nodiscard]] const UncertifiedPart& uncertified_part() const { return uncertified_part_; }
 
-  // One tick: the same state and inputs give the same command and the same record, to the bit.
-  // Whatever comes in, the command is finite and within its limits.
+  // Runs one tick and returns the efforts. Equal state and inputs give the same command and record,
+  // to the bit. For any input the command is finite and within its limits. Real time.
   drivers::JointCommand tick(const drivers::JointSample& fresh, Request request);
 
-  // Between ticks: writes all that the next ticks depend on, for restore() in any process and on
-  // any processor. The number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is
-  // too small, nothing is configured, or a number is not finite, as it can be after a fault. For a
-  // tick's slack: it copies, at the most half a megabyte.
+  // Writes all that the next ticks depend on, for restore() in any process and on any processor.
+  // Returns the number of bytes, at most kMaxCheckpointBytes for one tool; 0 if the room is too
+  // small, nothing is configured, or a number is not finite, as can happen after a fault. Call it
+  // between ticks; it copies up to half a megabyte.
   std::size_t save(std::span<std::byte> room);
 
-  // Goes on where save() was called: the ticks after it give the same bits. To be called on a
-  // controller of the same configuration and scene, both set before. False if the bytes are not of
-  // such a one: then configure and load the scene again.
+  // Continues from the state of save(): the next ticks give the same bits. The controller must have
+  // the same configuration and scene. Returns false if the bytes do not belong to them: then
+  // configure and load the scene again.
   bool restore(std::span<const std::byte> bytes);
 
-  // What the last tick did.
+  // Returns the record of the last tick.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
-  // What the next tick's record will count itself.
+  // Returns the number of the next tick.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
-  // The clock for the record's stage times; null, as at the start, leaves them zero.
+  // Sets the clock for the record's stage times. Without one they are 0.
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
   [[nodiscard]] NowNs clock() const { return now_ns_; }
 
-  // Before a tick, from the loop: how its time went. The next tick takes it, and only that one.
+  // Takes the loop's report for the next tick. The loop calls it before the tick.
   void note_loop(const LoopReport& report) { loop_report_ = report; }
 
-  // After each tick, from the device loop: what the write reported, which the next tick takes as
-  // part of its sample's status, and the transfers' times.
+  // Takes the status of the device's write and the times of both transfers, ns. The next tick adds
+  // the status to that of its sample. The loop calls it after each tick.
   void note_transfers(std::uint32_t write_status, std::uint32_t read_ns, std::uint32_t write_ns);
 
  private:
@@ -129,7 +129,8 @@ class Controller {
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   void apply_own(const ParameterChange& change);
-  // The loaded scene as it comes to feel, with one object's material in place of its own, if any.
+  // The materials of the loaded scene after all changes, with `changed` (if not null) in place of
+  // that of `object`.
   struct WantedMaterials {
     const Controller* controller = nullptr;
     const rendering::Material* changed = nullptr;
@@ -140,9 +141,9 @@ class Controller {
   bool is_certified(std::uint32_t object, const rendering::Material& material);
   void retune();
 
-  ControllerConfig config_;         // with what set_parameter has changed
-  SafetyConfig configured_safety_;  // as configure() got it: the ends of the parameters' ranges
-  ParameterChange change_;          // for the next tick's record
+  ControllerConfig config_;         // includes the changes of set_parameter
+  SafetyConfig configured_safety_;  // as given to configure(): the ends of the parameters' ranges
+  ParameterChange change_;          // the change for the next tick's record
   bool configured_ = false;
   Mechanism mechanism_;
   SampleCheck sample_check_;
@@ -160,18 +161,18 @@ class Controller {
   FrictionCompensation friction_compensation_;
   rendering::World world_;
   MaterialChanges material_changes_;
-  std::span<const rendering::Object> objects_;  // of the world's scene
+  std::span<const rendering::Object> objects_;  // objects of the loaded scene
   std::span<const rendering::Effect> effects_;
   double tool_radius_m_ = 0.0;
-  UncertifiedPart uncertified_part_;  // for people alone
+  UncertifiedPart uncertified_part_;  // used in messages only
 
   Mode mode_ = Mode::init;
-  std::uint64_t faults_ = 0;        // latched
-  std::uint32_t fault_joint_ = 0;   // that a latched fault of effort_guard_ is about
+  std::uint64_t faults_ = 0;        // latched faults
+  std::uint32_t fault_joint_ = 0;   // joint of a latched fault of effort_guard_ or sign_check_
   std::uint64_t raised_ = 0;        // faults and limits of this tick
-  std::uint32_t write_status_ = 0;  // of the last write
-  LoopReport loop_report_;          // for the next tick
-  JointEfforts held_effort_{};      // commanded by the last tick
+  std::uint32_t write_status_ = 0;  // DeviceStatus of the last write
+  LoopReport loop_report_;          // report for the next tick
+  JointEfforts held_effort_{};      // efforts commanded by the last tick
   Pose pose_;
   rendering::ToolState tool_;
   TelemetryRecord record_;

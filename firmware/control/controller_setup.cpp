@@ -1,4 +1,4 @@
-// What a controller is given before it ticks: a configuration and a scene.
+// Controller::configure and Controller::load_scene.
 #include <optional>
 
 #include "firmware/control/controller.h"
@@ -7,7 +7,7 @@
 namespace tactus::firmware {
 namespace {
 
-// Finds a part of a scene that this configuration does not allow.
+// Returns a part of the scene that this configuration does not allow, or nothing.
 std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
                                             const FeltScene& scene) {
   return config.allow_uncertified

@@ -1,5 +1,5 @@
-// What the controller remembers from tick to tick, to bytes or back; see
-// rendering/state/state_archive.h. What the configuration and the scene say is not part of it.
+// Saves and restores the controller's memory (see rendering/state/state_archive.h). Configuration
+// and scene are not part of it.
 #include <bit>
 
 #include "firmware/control/controller.h"
@@ -149,7 +149,7 @@ void Controller::transfer_guards(StateArchive& archive) {
           held_effort_);
 }
 
-// What set_parameter may have changed.
+// Transfers the values that set_parameter can change.
 void Controller::transfer_parameters(StateArchive& archive) {
   auto& [place, value] = change_;
   archive.choice(place.parameter, Parameter::viscous_friction);
@@ -166,7 +166,7 @@ void Controller::transfer_pose(StateArchive& archive) {
   archive(p_D, jacobian_D, status);
 }
 
-// Of the record, what a tick takes from the one before.
+// Transfers the fields of the record that the next tick uses.
 void Controller::transfer_record(StateArchive& archive) {
   auto& [stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks] =
       record_.counters;
@@ -185,7 +185,7 @@ bool Controller::restore(std::span<const std::byte> bytes) {
   transfer(archive);
   configured_ = configured_ && archive.good() && archive.at_end();
   if (!configured_) {
-    // Nothing of what was refused stays: beyond its end an archive reads zeros.
+    // Clear everything that the refused bytes set: an empty archive reads zeros.
     StateArchive nothing = StateArchive::reader({});
     transfer(nothing);
   }

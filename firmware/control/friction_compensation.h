@@ -1,37 +1,37 @@
 // Pushes each joint along its motion, against the joint's own friction, so that the hand feels less
-// of it. Off unless a joint has a share.
+// of it. It is off unless a joint has a compensated_share.
 //
-// What is pushed. A joint's friction is at least its Coulomb level Fc and its viscous term,
-// whatever the Stribeck hump adds on top near rest. A share s of those two is given back:
+// The push. A joint's friction is at least its Coulomb level Fc plus its viscous term; the Stribeck
+// effect adds more near rest. The compensation gives a share s of those two back:
 //   c = s Fc u + s sigma2 v,   du/dq = (sgn(v) - u) / l.
-// u is a bristle without unit, between -1 and 1: Dahl's model (rendering/friction/dahl.h), and not
-// sgn(v), which would jump from -1 to 1 with every count of an encoder at rest. It turns round over
-// the displacement l, the longer of the friction's own presliding length Fs / sigma0 and of
-// `turn_length`. It is driven by the joint's position; v is the device's estimate of its velocity,
-// through the controller's low-pass.
+// u is a bristle without unit, between -1 and 1, by Dahl's model (rendering/friction/dahl.h).
+// sgn(v) itself would jump between -1 and 1 with every count of an encoder at rest. u changes its
+// sign over the displacement l, the longer of the friction's presliding length Fs / sigma0 and
+// `turn_length`. The joint's position drives u; v is the device's estimate of the velocity after
+// the controller's low-pass.
 //
-// Why it does not move the device by itself. Let the true friction be at least s Fc and s sigma2 v:
-// let s be less than one by what the fit may be wrong.
-//  - While a joint slides, its friction takes at least Fc |dq|, and the bristle gives at most
-//    s Fc |dq|: whatever the delay, the counting of the encoder and the state of the bristle.
-//  - While it sticks, the friction is a spring of sigma0 that yields, and the push a negative
-//  spring
-//    of s Fc / l <= s sigma0 that yields alike: what is left is a positive spring and the share
-//    1 - s of the loop that the friction takes. A step of one count moves a stuck joint by less
-//    than a count, so that it causes no further step. That is why l is not shorter than the
-//    friction's own: a push that turns round sooner than the friction takes over gives out more in
-//    a small loop than the friction takes, and hums.
-//  - Being late makes it give less: a held push is that of an earlier place, and u grows along the
-//    motion, so that for either direction the push held is below the one due. The viscous part
-//    passes a low-pass and a delay, whose gain is at most 1 at every frequency: over a whole motion
-//    it gives at most s sigma2 times the integral of v^2.
-//  - A push that faded with time at rest would give out more than it took: the bristle keeps it,
-//    s Fc at most, which is below what a joint at rest holds.
+// Stability: why it does not move the device by itself. Choose s so that the true friction is at
+// least s Fc and s sigma2 v.
+//  - While a joint slides, its friction dissipates at least Fc |dq| and the bristle gives at most
+//    s Fc |dq|, for any delay, encoder resolution and state of the bristle.
+//  - While it sticks, the friction is a yielding spring of stiffness sigma0 and the push a negative
+//    yielding spring of s Fc / l <= s sigma0. The sum is a positive spring, and the share 1 - s of
+//    the friction's hysteresis loop. A step of one count moves a stuck joint by less than a count,
+//    so it causes no further step. Therefore l must not be shorter than the friction's presliding
+//    length: otherwise the push would give more energy in a small loop than the friction
+//    dissipates, and the device would hum.
+//  - A delay makes the push smaller: the held push belongs to an earlier position, and u grows
+//  along
+//    the motion in either direction. The viscous part passes a low-pass and a delay with a gain of
+//    at most 1 at every frequency, so over a whole motion it gives at most s sigma2 times the
+//    integral of v^2.
+//  - The push does not fade at rest, because a fading push would give more energy than it took. It
+//    is at most s Fc, below the friction that holds a joint at rest.
 //
-// Limits. All pushes are scaled alike so that each joint's whole effort stays within its limit, and
-// the force that they would be at the tool, if there were no friction at all, fits into what the
-// rendered force leaves of max_force_N: the rendered force goes first. They rise with the soft
-// start. In every mode but `active` there is none, and nothing is remembered.
+// Limits. All pushes are scaled by one factor so that each joint's whole effort stays within its
+// limit, and so that their force at the tool without any friction fits into the part of max_force_N
+// that the rendered force leaves: the rendered force has priority. The pushes rise with the soft
+// start. In every mode but `active` they are zero and the memory is cleared.
 #pragma once
 
 #include <array>
@@ -46,37 +46,37 @@
 
 namespace tactus::firmware {
 
-// What the pushes have to fit into.
+// The limits of the pushes in a tick.
 struct PushRoom {
   const Pose& pose;
-  Vec3 effort = Vec3::Zero();  // what the joints give already, within their limits
-  double force_N = 0.0;        // that max_force_N leaves at the tool
+  Vec3 effort = Vec3::Zero();  // efforts already commanded, within their limits, N or N m
+  double force_N = 0.0;        // force at the tool that is left up to max_force_N
 };
 
 struct FrictionPush {
-  Vec3 effort = Vec3::Zero();  // N or N m, along the motion
-  bool is_held_back = false;   // by the room
+  Vec3 effort = Vec3::Zero();  // efforts along the motion, N or N m
+  bool is_held_back = false;   // true if the limits scaled it down
 };
 
 class FrictionCompensation {
  public:
   void configure(const ControllerConfig& config);
 
-  // Takes the soft start and the velocity's cutoff alone: bristles and gain go on from where they
-  // are.
+  // Takes a new soft start and velocity cutoff. Bristles and gain continue from where they are.
   void retune(const ControllerConfig& config);
 
-  // Whether any joint has a share.
+  // Returns true if any joint has a compensated_share.
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // In every tick that is not active: the next push starts from none.
+  // Clears the memory, so that the next push starts from zero. Call in every tick that is not
+  // active.
   void rest();
 
-  // Once in every active tick, with the joints' positions and velocities. The result may be not
-  // finite if the velocity is too large.
+  // Returns the pushes for the joints' positions and velocities. Call once in every active tick.
+  // The result may be not finite if a velocity is too large.
   FrictionPush push(const Vec3& position, const Vec3& velocity, const PushRoom& room);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
@@ -94,7 +94,7 @@ class FrictionCompensation {
   double gain_per_tick_ = 1.0;
   double gain_ = 0.0;
   VelocityFilter velocity_filter_;
-  bool is_placed_ = false;  // last_position_ is the tick's before
+  bool is_placed_ = false;  // last_position_ is valid
   Vec3 last_position_ = Vec3::Zero();
   std::array<Joint, kJointCount> joints_{};
   std::array<JointLimits, kJointCount> limits_{};

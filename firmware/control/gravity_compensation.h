@@ -1,13 +1,13 @@
-// Holds the mechanism's own weights up, so that the hand does not have to.
+// Holds the mechanism's own weights, so that the hand does not have to.
 //
-// What is given is dU/dq of the weights in the mechanism's geometry, at the joints' positions of
-// this tick (kinematics/link_weight.h). It is a feed-forward: it takes no part in the rendered
-// force, and the hand feels none of it as long as the weights are right. It rises with the soft
-// start, and is none in every mode but `active`. Off while all weights are zero.
+// The effort is dU/dq of the weights in the mechanism's geometry, at this tick's joint positions
+// (kinematics/link_weight.h). It is a feed-forward and not part of the rendered force; the hand
+// does not feel it if the weights are right. It rises with the soft start and is zero in every mode
+// but `active`. It is off if all weights are zero.
 //
-// It goes first: the rendered force is scaled into what it leaves of each joint's effort, since an
-// arm that sagged while the hand pressed would make the rendered force wrong. Beyond a joint's own
-// limit it is cut there.
+// It has priority: the rendered force is scaled into the rest of each joint's effort, because an
+// arm that sags while the hand presses makes the rendered force wrong. It is cut at a joint's own
+// limit.
 #pragma once
 
 #include <array>
@@ -21,25 +21,25 @@ namespace tactus::firmware {
 
 struct GravityHold {
   Vec3 effort = Vec3::Zero();  // N or N m
-  bool is_held_back = false;   // by a joint's effort limit
+  bool is_held_back = false;   // true if a joint's effort limit cut it
 };
 
 class GravityCompensation {
  public:
   void configure(const ControllerConfig& config);
 
-  // Takes the soft start alone: a gain that rises goes on from where it is.
+  // Takes a new soft start. A rising gain continues from where it is.
   void retune(const ControllerConfig& config);
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // In every tick that is not active: the next hold starts from none.
+  // Clears the gain, so that the next hold starts from zero. Call in every tick that is not active.
   void rest() { gain_ = 0.0; }
 
-  // Once in every active tick, at a good pose of these joints.
+  // Returns the efforts at a good pose of these joints. Call once in every active tick.
   GravityHold hold(const Mechanism& mechanism, const Vec3& joints, const Pose& pose);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

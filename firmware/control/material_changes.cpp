@@ -8,7 +8,7 @@ namespace {
 
 using rendering::Material;
 
-// The force that the difference makes at most, N: of the spring and the damper, and of friction,
+// Returns the largest change of force between two materials, N: of spring, damper and friction,
 // which is a share of the spring's force.
 double force_between(const Material& a, const Material& b, double stretch_m, double speed_m_per_s) {
   const double stiffness = std::max(a.stiffness_N_per_m, b.stiffness_N_per_m);
@@ -25,7 +25,7 @@ void go_on(double& value, double wanted, double share) {
   value += share * (wanted - value);
 }
 
-// In between lie materials as sound as both ends.
+// Interpolates between two materials. If both ends are valid, so is the result.
 Material between(const Material& from, const Material& wanted, double share) {
   Material now = from;
   go_on(now.stiffness_N_per_m, wanted.stiffness_N_per_m, share);

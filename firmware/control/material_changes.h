@@ -1,9 +1,9 @@
-// Materials that were changed while the motors are on, and are still coming in.
+// Applies changes of materials gradually while the motors are on.
 //
-// A stiffer surface under a pressed tool would push at once as if the hand had gone deeper. Each
-// value therefore goes its straight way to the new one by no more than lets the force, at the
-// stretch and the speed of the last tick, change by a given step a tick. Where nothing is touched
-// the whole change comes in at once.
+// A stiffer surface under a pressed tool would push at once as if the hand had gone deeper.
+// Therefore each value moves linearly to the new one, in steps that change the force by no more
+// than a given amount per tick, for the stretch and speed of the last tick. Without contact the
+// whole change is applied at once.
 #pragma once
 
 #include <array>
@@ -22,20 +22,21 @@ class MaterialChanges {
   [[nodiscard]] bool any() const { return count_ > 0; }
   void clear() { count_ = 0; }
 
-  // An object of the world, whose material was changed before, shall come to feel like that.
+  // Sets the material that the object shall get. The object must be among the world's changed ones.
   void set(std::uint32_t object, const rendering::Material& wanted);
 
-  // What the object comes to feel like, or feels like already.
+  // Returns the material that the object shall get, or has already.
   [[nodiscard]] rendering::Material wanted(const rendering::World& world,
                                            std::uint32_t object) const;
 
-  // Between two ticks: takes the changes on by at most `most_N` in all, at a speed of the tool.
+  // Advances the changes so that the force changes by at most `most_N` in all at the given speed of
+  // the tool. Call between two ticks.
   void step(rendering::World& world, double most_N, double speed_m_per_s);
 
-  // All of them at once.
+  // Completes all changes at once.
   void finish(rendering::World& world);
 
-  // What it remembers, to bytes or back; of a world that has been read before.
+  // Writes its memory to the archive, or reads it back. `world` must have been read before.
   void transfer(rendering::StateArchive& archive, const rendering::World& world);
 
  private:

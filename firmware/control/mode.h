@@ -1,8 +1,8 @@
-// The controller's modes and the one table that moves between them.
+// The controller's modes and the table of transitions between them.
 //
-// Only `active` puts effort on the motors; every other mode commands zero and motor power off. In
-// `homing` the device finds its own reference (or the user moves it there) while the controller
-// waits.
+// Only `active` puts effort on the motors; every other mode commands zero effort and motor power
+// off. In `homing` the device finds its own reference, or the user moves it there, while the
+// controller waits.
 #pragma once
 
 #include <array>
@@ -17,13 +17,13 @@ inline constexpr std::size_t kModeCount = 5;
 inline constexpr std::array<std::string_view, kModeCount> kModeNames = {"init", "homing", "ready",
                                                                         "active", "fault"};
 
-// What an operator or a program asks for, at most one a tick.
+// The requests of an operator or a program; at most one per tick.
 enum class Request : std::uint8_t { none, home, enable, disable, reset, estop };
 inline constexpr std::array<std::string_view, 6> kRequestNames = {"none",    "home",  "enable",
                                                                   "disable", "reset", "estop"};
 
-// What moves the mode. `reset` is sent only when this tick's inputs are healthy; `fault` by any
-// fault, estop included.
+// The events that change the mode. `reset` occurs only if this tick's inputs are healthy; any fault
+// causes `fault`, and so does an estop.
 enum class Event : std::uint8_t {
   device_ready,
   device_not_ready,
@@ -37,7 +37,7 @@ inline constexpr std::size_t kEventCount = 7;
 inline constexpr std::array<std::string_view, kEventCount> kEventNames = {
     "device_ready", "device_not_ready", "home", "enable", "disable", "reset", "fault"};
 
-// Row: the mode now; column: the event, in the order of Event.
+// The next mode, by present mode (row) and event (column, in the order of Event).
 inline constexpr std::array<std::array<Mode, kEventCount>, kModeCount> kTransitions = [] {
   using enum Mode;
   return std::array<std::array<Mode, kEventCount>, kModeCount>{{

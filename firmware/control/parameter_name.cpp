@@ -8,7 +8,7 @@ namespace tactus::firmware {
 namespace {
 
 constexpr std::string_view kObjectPrefix = "object.";
-// A dot and the digits of the largest number.
+// The size of a dot and the digits of the largest number.
 constexpr std::size_t kMaxNumber = 1 + std::numeric_limits<std::uint32_t>::digits10 + 1;
 
 static_assert(std::ranges::all_of(kParameterTexts, [](const ParameterText& text) {

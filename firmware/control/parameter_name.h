@@ -1,5 +1,6 @@
-// How a parameter is written: "max_force_N", and of an object "object.3.stiffness_N_per_m" or,
-// where the scene's names are known, "object.bunny.stiffness_N_per_m".
+// Parses and writes the names of parameters: "max_force_N", and for an object
+// "object.3.stiffness_N_per_m" or, if the scene's names are known,
+// "object.bunny.stiffness_N_per_m".
 //
 // Any thread; no heap.
 #pragma once
@@ -14,22 +15,24 @@
 
 namespace tactus::firmware {
 
-// The parts of a written name; views into it.
+// The parts of a written name, as views into it.
 struct ParameterName {
   Parameter parameter = Parameter::none;
-  std::string_view object;  // between the dots; empty for the controller's own
+  std::string_view object;  // the part between the dots; empty for the controller's own
 };
 
-// Nothing if there is no such parameter. Whether there is such an object is not known here.
+// Returns the parts of a name, or nothing if there is no such parameter. It does not check whether
+// the object exists.
 std::optional<ParameterName> parse_parameter_name(std::string_view text);
 
-// The object of a name that is all digits; nothing for any other.
+// Returns the number of an object written in digits, or nothing for any other text.
 std::optional<std::uint32_t> object_number(std::string_view object);
 
-// Room for the longest name with an object's number.
+// The size of the longest name with an object's number.
 inline constexpr std::size_t kMaxParameterName = 48;
 
-// Writes the name with the object's number; a view of what was written, empty for no parameter.
+// Writes the name with the object's number to `room` and returns a view of it; empty for
+// Parameter::none.
 std::string_view write_parameter_name(const ParameterPlace& place,
                                       std::span<char, kMaxParameterName> room);
 

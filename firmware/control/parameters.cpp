@@ -1,5 +1,5 @@
-// Controller::parameter and Controller::set_parameter: a list of cases rather than a table of
-// pointers, since a value reaches the parts that use it in more than one way.
+// Controller::parameter and Controller::set_parameter. They are lists of cases and not a table of
+// pointers, because values reach the parts that use them in more than one way.
 #include "firmware/control/parameters.h"
 
 #include <cmath>
@@ -9,8 +9,7 @@
 namespace tactus::firmware {
 namespace {
 
-// The stiffest and the rest of what a scene's numbers may become by a command, far beyond any
-// device.
+// The largest values that a command may set for an object, far beyond any device.
 constexpr double kStiffestSet_N_per_m = 1e6;
 constexpr double kMostDampingSet_Ns_per_m = 1e4;
 constexpr double kMostFrictionSet = 10.0;
@@ -120,7 +119,8 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
     if (!is_certified(change.place.object, material)) {
       return std::unexpected(ParameterRefusal::uncertified);
     }
-    // As it is now, so that it has a place among the changed: the ticks bring the change in.
+    // The present material is set as a changed one first; the ticks then apply the change
+    // gradually.
     const rendering::Material felt = world_.material(change.place.object);
     if (!world_.set_material(change.place.object, felt)) {
       return std::unexpected(ParameterRefusal::too_many_changed);
@@ -161,7 +161,7 @@ bool Controller::is_certified(std::uint32_t object, const rendering::Material& m
   return !part;
 }
 
-// One of the controller's own, within its range.
+// Applies a change of one of the controller's own parameters. The value is within its range.
 void Controller::apply_own(const ParameterChange& change) {
   switch (change.place.parameter) {
     case Parameter::max_force:
@@ -183,7 +183,7 @@ void Controller::apply_own(const ParameterChange& change) {
   retune();
 }
 
-// The parts that use the controller's own parameters take them.
+// Passes the controller's own parameters to the parts that use them.
 void Controller::retune() {
   force_limiter_.retune(config_);
   velocity_filter_.retune(config_.velocity_cutoff_hz, config_.rate_hz);

@@ -1,14 +1,14 @@
-// What may be changed while the controller runs: a table of names and units, and the rules that a
-// new value has to pass.
+// The parameters that may be changed while the controller runs: their names and units, and the
+// reasons to refuse a value.
 //
-// A change is applied between two ticks, by Controller::set_parameter, and is part of the record of
-// the tick that first had it: the same inputs with the same changes give the same ticks. While the
-// motors are on, what a scene says of an object and a higher largest force come in gradually, so
-// that no change pushes the hand (control/material_changes.h, safety/force_limiter.h).
+// Controller::set_parameter applies a change between two ticks. The record of the first tick with
+// the change contains it, so equal inputs and changes give equal ticks. While the motors are on,
+// changes of materials and a higher largest force act gradually, so that no change pushes the hand
+// (control/material_changes.h, safety/force_limiter.h).
 //
-// The limits of safety can be made gentler than the device's file says, never harder: its values
-// are the end of their range. What a scene says of its objects can be changed either way, up to the
-// stiffness that the device is certified for, if it is.
+// Safety limits can be made gentler than in the device's file, never harder: the file's values are
+// the ends of their ranges. Materials can be changed either way, up to the certified stiffness if
+// the device has a certificate.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace tactus::firmware {
 
-// Numbered for good: recordings keep the numbers.
+// The numbers are stable, because recordings contain them.
 enum class Parameter : std::uint8_t {
   none = 0,
   max_force = 1,
@@ -25,7 +25,7 @@ enum class Parameter : std::uint8_t {
   soft_start = 3,
   contact_start = 4,
   velocity_cutoff = 5,
-  stiffness = 16,  // from here on of an object
+  stiffness = 16,  // this and the following belong to an object
   damping = 17,
   static_friction = 18,
   dynamic_friction = 19,
@@ -44,7 +44,7 @@ struct ParameterText {
   std::string_view meaning;  // for people
 };
 
-// In order of number.
+// The texts, in the order of the numbers.
 inline constexpr auto kParameterTexts = std::to_array<ParameterText>({
     {Parameter::max_force, "max_force_N", "N", "largest force on the hand"},
     {Parameter::force_slew, "force_slew_N_per_s", "N/s", "fastest change of the force"},
@@ -64,7 +64,7 @@ inline constexpr auto kParameterTexts = std::to_array<ParameterText>({
      "friction of an object that grows with the speed, per newton of normal force"},
 });
 
-// The row of kParameterTexts; nullptr for `none` and for a number that is not there.
+// Returns the row of kParameterTexts; nullptr for `none` and for an unknown number.
 constexpr const ParameterText* text_of(Parameter parameter) {
   for (const ParameterText& text : kParameterTexts) {
     if (text.parameter == parameter) {
@@ -74,27 +74,27 @@ constexpr const ParameterText* text_of(Parameter parameter) {
   return nullptr;
 }
 
-// One parameter, of the controller or of one object of the scene.
+// A parameter of the controller or of an object of the scene.
 struct ParameterPlace {
   Parameter parameter = Parameter::none;
-  std::uint32_t object = 0;  // counts the scene's objects; not looked at for the controller's own
+  std::uint32_t object = 0;  // index of the object; ignored for the controller's own parameters
 
   bool operator==(const ParameterPlace&) const = default;
 };
 
-// `parameter` is `none` where nothing was changed.
+// A new value of a parameter, in its unit. `place.parameter` is `none` if nothing changed.
 struct ParameterChange {
   ParameterPlace place;
   double value = 0.0;
 };
 
-// A change as it took effect.
+// A change that took effect.
 struct ParameterEvent {
-  std::uint64_t tick = 0;  // the first that has it
+  std::uint64_t tick = 0;  // number of the first tick with the change
   ParameterChange change;
 };
 
-// A value and what it may become, both ends included.
+// A value and its allowed range, both ends included, in the parameter's unit.
 struct ParameterValue {
   double value = 0.0;
   double least = 0.0;
@@ -109,10 +109,10 @@ enum class ParameterRefusal : std::uint8_t {
   not_while_active,   // disable first
   too_many_changed,   // kMaxChangedMaterials objects have been changed since the scene was loaded
   not_of_this_model,  // the object's friction model has no such term
-  uncertified,        // beyond the device's certificate, alone or with what pushes there too
+  uncertified,        // beyond the device's certificate, alone or with other parts that push there
 };
 
-// For people, with what to do.
+// Returns a text for people that says why and what to do.
 constexpr std::string_view describe(ParameterRefusal refusal) {
   switch (refusal) {
     case ParameterRefusal::no_such_parameter:

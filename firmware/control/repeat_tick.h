@@ -1,4 +1,4 @@
-// A recorded tick once more.
+// Repeats a recorded tick.
 #pragma once
 
 #include "drivers/device.h"
@@ -7,11 +7,11 @@
 
 namespace tactus::firmware {
 
-// Gives the controller what the record says came in. In the state in which the recorded tick began
-// it then has the same record, to the bit but for the stage times.
+// Runs a tick with the recorded inputs. If the controller is in the state in which the recorded
+// tick began, its record is then equal to the bit, except for the stage times.
 inline void repeat_tick(Controller& controller, const TelemetryRecord& recorded) {
   if (recorded.change.place.parameter != Parameter::none) {
-    // It was accepted then, and is now.
+    // The change was accepted when it was recorded, so it is accepted now.
     static_cast<void>(controller.set_parameter(recorded.change));
   }
   drivers::JointSample sample;

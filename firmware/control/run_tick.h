@@ -1,4 +1,4 @@
-// One turn of the device loop: read -> tick -> write, on any device.
+// One cycle of the device loop: read -> tick -> write, for any device.
 #pragma once
 
 #include "drivers/device.h"
@@ -6,9 +6,9 @@
 
 namespace tactus::firmware {
 
-// Takes as long as the device's two transfers and the tick. Trouble in `write` comes to the
-// controller with the next tick's sample; a reset of a faulted controller first clears what the
-// device has latched.
+// Reads a sample, runs a tick and writes the command. It takes as long as the device's two
+// transfers and the tick. The next tick gets the status of the write. A reset in mode `fault` first
+// clears the faults that the device has latched.
 template <drivers::Device D>
 void run_tick(Controller& controller, D& device, Request request) {
   if (request == Request::reset && controller.mode() == Mode::fault) {

@@ -1,5 +1,5 @@
-// First-order low-pass on the tool's velocity, by backward Euler: y += a (x - y), a = 2 pi f T / (1
-// + 2 pi f T).
+// First-order low-pass of the tool's velocity, by backward Euler:
+//   y += a (x - y),   a = 2 pi f T / (1 + 2 pi f T).
 #pragma once
 
 #include <numbers>
@@ -11,13 +11,13 @@ namespace tactus::firmware {
 
 class VelocityFilter {
  public:
-  // A cutoff of 0 passes everything.
+  // Sets the cutoff and clears the state. A cutoff of 0 switches the filter off.
   void configure(double cutoff_hz, double rate_hz) {
     retune(cutoff_hz, rate_hz);
     state_.setZero();
   }
 
-  // Goes on from where it is.
+  // Sets the cutoff and keeps the state.
   void retune(double cutoff_hz, double rate_hz) {
     const double w = 2.0 * std::numbers::pi * cutoff_hz / rate_hz;
     share_ = cutoff_hz > 0.0 ? w / (1.0 + w) : 1.0;
@@ -30,7 +30,7 @@ class VelocityFilter {
     return state_;
   }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -1,5 +1,5 @@
-// What a recording holds beside its ticks, so that it can be replayed anywhere: the names of its
-// attachments, and the keys of what it notes of the run.
+// The names of the attachments and metadata keys of a recording. With them a recording can be
+// replayed on any machine.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 
 namespace tactus::firmware {
 
-// Images as they were given to the program.
+// The device image and the scene image, as they were given to the program.
 inline constexpr std::string_view kDeviceAttachment = "device.tactus";
 inline constexpr std::string_view kSceneAttachment = "scene.tactus";
-// ControllerConfig, by save_config(): of a run without a device image.
+// The ControllerConfig written by save_config(), for a run without a device image.
 inline constexpr std::string_view kConfigAttachment = "controller.config";
-// Controller::save() before the first tick, of a recording that does not begin with tick 0.
+// The bytes of Controller::save() before the first recorded tick, if that is not tick 0.
 inline constexpr std::string_view kStateAttachment = "controller.state";
 
 // The checksums in the images' headers, 16 hexadecimal digits.
@@ -33,7 +33,8 @@ inline std::uint64_t checksum_of(std::span<const std::byte> image) {
   return header.checksum;
 }
 
-// A larger image is not put into recordings; its file and checksum are.
+// Returns the attachment of an image. An image larger than 64 MiB is left out (empty bytes); the
+// recording then has only its file name and checksum.
 inline Attachment attachment_of(std::string_view name, std::span<const std::byte> image) {
   constexpr std::size_t kLargest_bytes = std::size_t{64} << 20U;
   return {.name = name,

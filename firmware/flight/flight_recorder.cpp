@@ -17,7 +17,8 @@ void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
   }
 }
 
-// Whoever finds a word of a later tick finds end_tick_ to be later, too.
+// Writes a tick into its slot. The release order makes sure that a reader who sees a word of a
+// later tick also sees a later end_tick_.
 void FlightRecorder::put(Slot& slot, const RecordedTick& tick) {
   std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
   std::memcpy(words.data(), &tick, sizeof tick);
@@ -58,11 +59,11 @@ void FlightRecorder::take_state(std::uint64_t next_tick, Controller& controller)
   }
 }
 
-// The loop's from now on, if the reader does not have all of them. One without a state first.
+// Takes the oldest state for the loop, an empty one first. Returns null if the reader holds it.
 FlightRecorder::State* FlightRecorder::oldest_free() {
   State* best = nullptr;
   for (State& state : states_) {
-    // kNoTick + 1 is 0.
+    // An empty state gets age 0, because kNoTick + 1 is 0.
     const std::uint64_t age = state.first_tick.load(std::memory_order_relaxed) + 1;
     const bool older =
         best == nullptr || age < best->first_tick.load(std::memory_order_relaxed) + 1;
@@ -112,7 +113,7 @@ std::optional<FlightWindow> FlightRecorder::hold() {
 bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
   const auto is_there = [&] {
     const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
-    // The loop may be writing into the place of the oldest.
+    // The oldest tick is excluded, because the loop may be overwriting it.
     return number < end_tick && end_tick - number < kFlightTicks &&
            number >= begin_tick_.load(std::memory_order_acquire);
   };

@@ -1,10 +1,10 @@
-// The last ticks of a run, always in static memory: every input, what the controller made of it,
-// and states of the controller to begin a replay with.
+// Keeps the last ticks of a run in static memory: the inputs and results of every tick, and states
+// of the controller from which a replay can start.
 //
-// The loop adds each tick. Four states are kept, taken a quarter of the memory apart, so that there
-// is always one with at least five eighths of the memory behind it. One other thread holds a window
-// of it and copies it out while the loop goes on: a held state is not overwritten, and a tick that
-// was overwritten says so.
+// The loop adds each tick. Four states are kept, at distances of a quarter of the memory, so that
+// at least five eighths of the memory can always be replayed. One other thread can hold a window
+// and copy it while the loop goes on. A held state is not overwritten; reading a tick that has been
+// overwritten fails.
 #pragma once
 
 #include <array>
@@ -20,29 +20,32 @@
 
 namespace tactus::firmware {
 
-// What a replay needs: a state, and the ticks that follow it.
+// A state and the ticks that follow it: the input of a replay.
 struct FlightWindow {
-  std::uint64_t first_tick = 0;  // the state is of the moment before it
-  std::uint64_t end_tick = 0;    // one beyond the last that there was
+  std::uint64_t first_tick = 0;  // the first tick after the state
+  std::uint64_t end_tick = 0;    // one beyond the last tick
   std::span<const std::byte> state;
 };
 
-// Lives in static storage: kFlightTicks ticks and four states. No heap, no locks, no waiting.
+// Holds kFlightTicks ticks and four states, so it belongs into static storage. It uses no heap and
+// no locks, and never waits.
 class FlightRecorder {
  public:
-  // The loop's thread, between ticks: what the last one did. Copies it, and once in
-  // kFlightTicks / 4 ticks the controller's state.
+  // Adds the last tick. Copies it, and once in kFlightTicks / 4 ticks the controller's state. Call
+  // from the loop's thread between ticks.
   void add(const RecordedTick& tick, Controller& controller);
 
-  // The loop's thread: what there is cannot be replayed together with what comes, as after a change
-  // of the scene or configure(). The next add() begins anew.
+  // Drops all ticks at the next add(), because they cannot be replayed together with later ones:
+  // after a change of the scene or configure(). Call from the loop's thread.
   void forget() { begins_ = true; }
 
-  // From here on one other thread. The longest window that can be copied in peace; nothing if there
-  // is no state, as before the first tick. At most one at a time, until release().
+  // The next three are for one other thread.
+
+  // Holds the longest window that can be copied safely. Returns nothing if there is no state, as
+  // before the first tick. Hold one window at a time, until release().
   std::optional<FlightWindow> hold();
 
-  // A tick of the window. False if it was overwritten by now.
+  // Copies a tick of the window. Returns false if it has been overwritten.
   bool read(std::uint64_t number, RecordedTick& to) const;
 
   void release();
@@ -50,9 +53,9 @@ class FlightRecorder {
  private:
   static constexpr std::size_t kStates = 4;
   static constexpr std::uint64_t kTicksBetweenStates = kFlightTicks / 4;
-  // A state that could not be taken is tried again so much later.
+  // After a state could not be taken, the next attempt comes this many ticks later.
   static constexpr std::uint64_t kTicksToRetry = 256;
-  // What is older than this is left to the loop, which overwrites it soon.
+  // A window does not begin with an older tick, because the loop overwrites it soon.
   static constexpr std::uint64_t kOldest = kFlightTicks - kFlightTicks / 8;
   static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
   static constexpr std::size_t kNoState = kStates;
@@ -60,14 +63,14 @@ class FlightRecorder {
   enum class Use : std::uint8_t { nobody, loop, reader };
   struct State {
     std::atomic<Use> use{Use::nobody};
-    std::atomic<std::uint64_t> first_tick{kNoTick};  // that follows it
+    std::atomic<std::uint64_t> first_tick{kNoTick};  // the first tick after the state
     std::size_t size = 0;
     std::array<std::byte, kMaxCheckpointBytes> bytes{};
   };
   static_assert(std::atomic<Use>::is_always_lock_free &&
                 std::atomic<std::uint64_t>::is_always_lock_free);
 
-  // A tick in words, which the loop may write while the other thread reads them.
+  // A tick as atomic 64-bit words, which the loop may write while the other thread reads.
   using Slot =
       std::array<std::atomic<std::uint64_t>,
                  (sizeof(RecordedTick) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)>;
@@ -81,8 +84,8 @@ class FlightRecorder {
 
   bool begins_ = true;
   std::uint64_t state_due_ = 0;
-  std::atomic<std::uint64_t> begin_tick_{0};  // nothing before it belongs to what follows
-  std::atomic<std::uint64_t> end_tick_{0};    // one beyond the last
+  std::atomic<std::uint64_t> begin_tick_{0};  // the first tick since forget()
+  std::atomic<std::uint64_t> end_tick_{0};    // one beyond the last tick
   std::size_t held_ = kNoState;
   std::array<State, kStates> states_{};
   std::array<Slot, kFlightTicks> ticks_{};

@@ -126,7 +126,8 @@ void FlightWriter::name_file(std::uint64_t tick) {
                 time.data(), tick);
 }
 
-// Ticks `first` to one before `end` are in the file. 0, or errno.
+// Writes the window to a file. The file then holds the ticks from `first` to one before `end`.
+// Returns 0 or errno.
 int FlightWriter::write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end) {
   name_file(window.end_tick);
   if (const int failed = file_.open(path_.data(), plan_.run.clock_offset_ns,

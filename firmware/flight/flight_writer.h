@@ -1,7 +1,7 @@
-// Writes the flight recorder out: after each fault, and when asked. The loop adds its ticks; a
-// thread beside it copies them to a file, which `tactus replay` lives once more.
+// Writes the flight recorder to a file after each fault and on request. The loop adds its ticks; a
+// thread beside it copies them to a file that `tactus replay` can replay.
 //
-// Static memory, no exceptions. One of the loop's ticks costs a copy.
+// It uses static memory and no exceptions. It costs the loop one copy per tick.
 #pragma once
 
 #include <array>
@@ -18,11 +18,12 @@
 
 namespace tactus::firmware {
 
-// Whatever it points to outlives the writer, but for the scene's image: see use_scene(). At most
-// AttachmentList::kMost - 1 images and 22 entries are kept.
+// The content of the files beside the ticks. All that it points to must outlive the writer, except
+// the scene's image (see use_scene()). At most AttachmentList::kMost - 1 images and 22 metadata
+// entries are kept.
 struct FlightPlan {
-  const char* folder = ".";  // of the files; it is there
-  double rate_hz = 1000.0;
+  const char* folder = ".";  // an existing folder for the files
+  double rate_hz = 1000.0;   // ticks per second
   RunDescription run;
   std::span<const Attachment> images;
 };
@@ -34,31 +35,32 @@ class FlightWriter {
   FlightWriter& operator=(const FlightWriter&) = delete;
   ~FlightWriter() { stop(); }
 
-  // Before the loop begins. 0, or errno.
+  // Starts the thread. Call before the loop begins. Returns 0 or errno.
   int start(const FlightPlan& plan);
 
-  // The loop's thread, after each tick. A fault is written out a little later, so that what follows
-  // it is in the file, too.
+  // Adds a tick. A fault is written kAfterFault_s later, so that the file holds the ticks after it.
+  // Call from the loop's thread after each tick.
   void add(const RecordedTick& tick, Controller& controller);
-  // The loop's thread: the controller has another scene from the next tick on. What there is is
-  // forgotten, and nothing is written until use_scene() has named the image.
+  // Drops all ticks, because the controller has another scene from the next tick on. Nothing is
+  // written until use_scene() has given the image. Call from the loop's thread.
   void leave_scene() {
     recorder_.forget();
     has_scene_.store(false, std::memory_order_release);
   }
-  // Another thread: the image of that scene, which outlives the writer or is followed by another.
-  // Waits while a file is being written; then the one before may go.
+  // Sets the image of the new scene. It must outlive the writer or the next use_scene(). Waits
+  // while a file is being written; when it returns, the previous image is no longer used. Call from
+  // another thread than the loop's.
   void use_scene(std::span<const std::byte> image);
 
-  // Any thread, or a signal's handler: writes out what there is now.
+  // Asks for a file with the ticks that there are. Any thread, or a signal handler.
   void ask() { wanted_.store(true, std::memory_order_release); }
 
-  // After the loop's last tick: a fault that was not yet written out is.
+  // Writes a fault that is not written yet and ends the thread. Call after the loop's last tick.
   void stop();
 
-  // Files written so far; any thread.
+  // Returns the number of files written so far. Any thread.
   [[nodiscard]] std::uint32_t files() const { return files_.load(std::memory_order_acquire); }
-  // The last of them; after stop().
+  // Returns the path of the last file. Call after stop().
   [[nodiscard]] const char* path() const { return path_.data(); }
 
  private:
@@ -83,8 +85,8 @@ class FlightWriter {
   HelperThread thread_;
   std::array<char, 512> path_{};
 
-  Mode mode_ = Mode::init;           // the loop's
-  std::uint64_t ticks_to_wait_ = 0;  // the loop's: until a fault is written out
+  Mode mode_ = Mode::init;           // loop only: the mode of the last tick
+  std::uint64_t ticks_to_wait_ = 0;  // loop only: ticks until a fault is written
   std::atomic<bool> has_scene_{true};
   std::atomic<bool> waiting_{false};
   std::atomic<bool> wanted_{false};

@@ -23,12 +23,12 @@
 namespace tactus::firmware {
 namespace {
 
-// Newton converges quadratically: after a step below this the next would be lost in rounding (1e-17
-// m).
+// The last Newton step is below this: convergence is quadratic, so the next step would be below
+// rounding (1e-17 m).
 constexpr double kLastStep_m = 1e-10;
 constexpr double kLongestStep_m = 0.03;
 
-// How well posed a pose must be. -det N, the volume that the rods span, is 0.82 at the Falcon's
+// The threshold of a singular pose. -det N, the volume that the rods span, is 0.82 at the Falcon's
 // centre, 0.18 at the farthest reach on its axis (z = 0.18 m); D/a is 0.96 at the centre and 0.06
 // at the nearest (z = 0.06 m). The signs are those of the Falcon's own assembly; the mirrored ones
 // fail the same tests.
@@ -112,8 +112,8 @@ Pose Delta::assemble(const Arms& arms, const Vec3& seed_D) const {
   return {found->p_D, found->rods_D.inverse() * (g.arm_m * leverage).asDiagonal(), kPoseGood};
 }
 
-// A seed far away may lead to none or to a folded assembly where the nominal one leads to the true
-// pose.
+// Tries the nominal pose as a second seed: a seed far away may lead to no pose or to a folded
+// assembly.
 Pose Delta::forward(const Vec3& joints, const Vec3& seed_D) const {
   const Arms arms = {rendering::sine_cosine(joints.x()), rendering::sine_cosine(joints.y()),
                      rendering::sine_cosine(joints.z())};
@@ -135,8 +135,8 @@ std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {
     if (!(std::abs(across) < 1.0)) {
       return std::nullopt;
     }
-    // A triangle in the leg's plane: arm a, rod and hinge offsets q, motor axis to platform hinge
-    // l.
+    // The triangle in the leg's plane has the sides a (arm), q (rod and hinge offsets) and l (motor
+    // axis to platform hinge).
     const double q = g.rod_m * std::sqrt(1.0 - across * across) + g.hinge_offset_m;
     const double l = std::hypot(hinge.x(), hinge.z());
     const double cosine = (g.arm_m * g.arm_m + l * l - q * q) / (2.0 * g.arm_m * l);
@@ -148,7 +148,7 @@ std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {
   return joints;
 }
 
-// Half of the rods moves with the elbow, half with the platform.
+// Half of the rods' mass moves with the elbow, half with the platform.
 Vec3 Delta::gravity_effort(const Vec3& joints, const Pose& pose, const Vec3& gravity_D) const {
   const DeltaGeometry& g = geometry_;
   const double arm_kg_m = g.arm.moment_kg_m() + 0.5 * g.rods_kg * g.arm_m;

@@ -23,48 +23,49 @@ struct DeltaGeometry {
   double rod_m = 0.1025;               // between the parallelogram's hinges
   double hinge_offset_m = 0.0225;      // elbow to rod hinge plus platform to rod hinge
   double base_radius_m = 0.0400;       // base axis to motor axis, along the arm's azimuth
-  double base_tangent_m = -0.02309;    // the same, across it
+  double base_tangent_m = -0.02309;    // base axis to motor axis, across the azimuth
   double platform_radius_m = 0.01443;  // tool to platform hinge, along the azimuth
-  double platform_tangent_m = -0.025;  // the same, across it
+  double platform_tangent_m = -0.025;  // tool to platform hinge, across the azimuth
   std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
                                        -15.0 * std::numbers::pi / 180.0,
                                        -135.0 * std::numbers::pi / 180.0};
-  double nominal_height_m = 0.12;  // z well inside the workspace: Newton starts there when lost
-  LinkWeight arm;                  // each of the three, from the motor axis toward the elbow
-  double rods_kg = 0.0;            // the pair of rods of one leg
-  double platform_kg = 0.0;        // with the grip
+  double nominal_height_m = 0.12;  // z inside the workspace: Newton starts there without a seed
+  LinkWeight arm;                  // of each arm, from the motor axis toward the elbow
+  double rods_kg = 0.0;            // mass of the pair of rods of one leg
+  double platform_kg = 0.0;        // mass of the platform with the grip
 };
 
 class Delta {
  public:
   explicit Delta(const DeltaGeometry& geometry);
 
-  // Joint angles (finite, rad) to pose. `seed_D` is a guess, best the pose of the tick before: it
-  // changes the time taken, and the answer by no more than 1e-12 m. Bounded work.
+  // Returns the pose for finite joint angles, rad. `seed_D` is a guess of the tool's position, best
+  // that of the previous tick. It changes the time taken, and the answer by no more than 1e-12 m.
+  // The time is bounded.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
-  // Tool position to joint angles in closed form, for simulators and tests: not part of the tick,
-  // and uses the C library's arc functions. Nothing when the tool is out of reach.
+  // Returns the joint angles for a tool position in closed form, or nothing if it is out of reach.
+  // For simulators and tests: it is not part of the tick and uses the C library's arc functions.
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D) const;
 
-  // N m that hold arms, rods and platform up at a good `pose`; gravity in m/s^2. The rods' centre
-  // is taken halfway between elbow and platform hinge.
+  // Returns the efforts that hold arms, rods and platform at a good `pose`, N m. `gravity_D` is in
+  // m/s^2. The rods' centre of mass is taken halfway between elbow and platform hinge.
   [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
                                     const Vec3& gravity_D) const;
 
  private:
   struct Rods {
     Mat3 direction_D;  // row i: unit vector along rod i, elbow to platform
-    Vec3 excess_m;     // by how much rod i would have to stretch, to first order
+    Vec3 excess_m;     // missing length of rod i, to first order
     Vec3 reach;  // share of rod i in its leg's plane: positive unless folded back past its hinges
   };
 
   struct Solution {
     Vec3 p_D;
-    Mat3 rods_D;  // Rods::direction_D there
+    Mat3 rods_D;  // Rods::direction_D at p_D
   };
 
-  // Per leg, in its frame: elbow to platform hinge for a tool at the origin.
+  // For each leg, in its frame: the vector from elbow to platform hinge for a tool at the origin.
   using Offsets = std::array<Vec3, 3>;
   using Arms = std::array<rendering::SineCosine, 3>;
 

@@ -1,4 +1,4 @@
-// Alternatives are taken by get_if: std::visit refers to an exception.
+// The functions use get_if because std::visit needs exceptions.
 #include "firmware/kinematics/mechanism.h"
 
 namespace tactus::firmware {

@@ -1,5 +1,4 @@
-// The mechanisms that the controller knows, as a closed sum type: adding one is a new alternative
-// here.
+// The mechanisms that the controller knows. A new one is a new alternative here.
 #pragma once
 
 #include <cstddef>
@@ -16,22 +15,24 @@ namespace tactus::firmware {
 using MechanismGeometry = std::variant<CartesianGeometry, DeltaGeometry, PaddleGeometry,
                                        PantographGeometry, SerialArmGeometry>;
 
-// 1 to 3: how many joints of a sample and a command it uses, from the first on.
+// Returns the number of joints, 1 to 3. The mechanism uses the first ones of a sample and a
+// command.
 std::size_t joint_count(const MechanismGeometry& geometry);
 
-// Whether gravity pulls on it: without weights its gravity effort is zero everywhere.
+// Returns true if a weight is set. Without weights the gravity effort is zero everywhere.
 bool has_weight(const MechanismGeometry& geometry);
 
 class Mechanism {
  public:
   explicit Mechanism(const MechanismGeometry& geometry = CartesianGeometry{});
 
-  // Joint positions (finite) to pose in frame D; `seed_D` is a guess of the tool's position for the
-  // mechanisms that iterate.
+  // Returns the pose in frame D for finite joint positions, rad or m. `seed_D` is a guess of the
+  // tool's position, m, for mechanisms that iterate.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
-  // The efforts that hold the mechanism's own weights up at a good `pose` of these joints: dU/dq.
-  // Gravity in m/s^2, the direction in which things fall. Zero for joints that there are not.
+  // Returns the efforts dU/dq that hold the mechanism's own weights at a good `pose` of these
+  // joints, N m or N. `gravity_D` is in m/s^2, in the direction in which things fall. The efforts
+  // of joints beyond the mechanism's are zero.
   [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
                                     const Vec3& gravity_D) const;
 

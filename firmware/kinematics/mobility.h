@@ -1,4 +1,4 @@
-// How strongly each joint answers an effort when a mass hangs at the tool.
+// The mobility of the joints with a mass at the tool.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace tactus::firmware {
 
-// The diagonal of (m J^T J)^-1: the acceleration of each of the first `joint_count` joints for one
-// unit of its own effort, the other joints free. Not finite in a singular pose.
+// Returns the diagonal of (m J^T J)^-1: the acceleration of each of the first `joint_count` joints
+// for one unit of its own effort while the other joints are free. Not finite in a singular pose.
 inline Vec3 joint_mobility(const Pose& pose, std::size_t joint_count, double mass_kg) {
   Mat3 inertia = mass_kg * pose.jacobian_D.transpose() * pose.jacobian_D;
   for (auto i = static_cast<Eigen::Index>(joint_count); i < inertia.rows(); ++i) {

@@ -16,7 +16,7 @@ namespace tactus::firmware {
 
 struct PaddleGeometry {
   double handle_radius_m = 0.065659;  // axis to handle: Stanford's Hapkit
-  LinkWeight paddle;                  // with its handle, from the axis toward the handle
+  LinkWeight paddle;                  // the paddle with its handle, from the axis to the handle
 };
 
 inline Pose paddle_forward(const PaddleGeometry& g, double joint) {
@@ -27,8 +27,8 @@ inline Pose paddle_forward(const PaddleGeometry& g, double joint) {
   return pose;
 }
 
-// The angle of the handle that is nearest to p_D, -pi to pi; not part of the tick. Nothing for a
-// point on the axis.
+// Returns the joint at which the handle is nearest to p_D, -pi to pi; nothing for a point on the
+// axis. Not part of the tick.
 inline std::optional<double> paddle_inverse(const Vec3& p_D) {
   if (!(std::hypot(p_D.x(), p_D.y()) > 0.0)) {
     return std::nullopt;
@@ -40,7 +40,7 @@ inline bool has_weight(const PaddleGeometry& g) {
   return g.paddle.moment_kg_m() != 0.0;
 }
 
-// N m that hold the paddle up at `pose`; gravity in m/s^2.
+// Returns the effort that holds the paddle at `pose`, N m. `gravity_D` is in m/s^2.
 inline double paddle_gravity_effort(const PaddleGeometry& g, const Pose& pose,
                                     const Vec3& gravity_D) {
   return -g.paddle.moment_kg_m() / g.handle_radius_m * pose.jacobian_D.col(0).dot(gravity_D);

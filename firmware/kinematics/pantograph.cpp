@@ -15,14 +15,15 @@
 namespace tactus::firmware {
 namespace {
 
-// In the plane of the linkage: x and z of D.
+// A vector in the plane of the linkage: x and z of D.
 using InPlane = Eigen::Vector2d;
 
-// How well posed a pose must be. At the Haply's home (180 and 0 degrees) the sine between the
+// The threshold of a singular pose. At the Haply's home (180 and 0 degrees) the sine between the
 // distal links is 0.88 and the leverage 0.52; at the far end, arms at 90 degrees, 0.28 and 0.14.
 constexpr double kLeastSineOfRods = 0.1;
 constexpr double kLeastSineOfElbow = 0.05;
-// Below this distance between the elbows the direction from one to the other is rounding.
+// Below this distance between the elbows the direction from one to the other is only rounding
+// error.
 constexpr double kSmallestGap_m = 1e-9;
 
 Vec3 in_device(const InPlane& v) {
@@ -89,7 +90,7 @@ std::optional<PantographJoints> Pantograph::inverse(const Vec3& p_D) const {
   return joints;
 }
 
-// A distal link's centre is at the share c / L of the way from its elbow to the tool.
+// A distal link's centre of mass is at the share c / L of the link, from its elbow to the tool.
 Vec3 Pantograph::gravity_effort(const Vec3& joints, const Pose& pose, const Vec3& gravity_D) const {
   const PantographGeometry& g = geometry_;
   const double toward_tool_kg = g.distal.moment_kg_m() / g.distal_m;

@@ -29,16 +29,17 @@ class Pantograph {
  public:
   explicit Pantograph(const PantographGeometry& geometry) : geometry_(geometry) {}
 
-  // Closed form. The assembly is the one with the tool on the left of the way from the first elbow
-  // to the second (as x runs right and z up): the one farther from the base while the links are not
-  // crossed. Elbows too far apart, or in one place: kPoseNotConverged, and p_D is the seed.
+  // Returns the pose in closed form. Of the two assemblies it takes the one with the tool to the
+  // left of the line from the first elbow to the second (drawn with x right and z up): the one
+  // farther from the base while the links do not cross. If the elbows are too far apart or
+  // coincide, the status is kPoseNotConverged and p_D is the seed.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
-  // The joints of the assembly with both elbows outward, for simulators and tests: not part of the
-  // tick. The distance from the plane is left out. Nothing when the tool is out of reach.
+  // Returns the joints of the assembly with both elbows outward, rad, or nothing if the tool is out
+  // of reach. It ignores the distance from the plane. For simulators and tests, not for the tick.
   [[nodiscard]] std::optional<PantographJoints> inverse(const Vec3& p_D) const;
 
-  // N m that hold the links up at a good `pose`; gravity in m/s^2.
+  // Returns the efforts that hold the links at a good `pose`, N m. `gravity_D` is in m/s^2.
   [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
                                     const Vec3& gravity_D) const;
 

@@ -5,7 +5,7 @@
 namespace tactus::firmware {
 namespace {
 
-// The unit vector of an axis that stands well off `v`, turned square to it.
+// Returns a unit vector perpendicular to `v`.
 Vec3 square_to(const Vec3& v) {
   Eigen::Index flattest = 0;
   v.cwiseAbs().minCoeff(&flattest);
@@ -14,8 +14,8 @@ Vec3 square_to(const Vec3& v) {
 
 }  // namespace
 
-// effort = J^T f. In place of a missing joint's column stands a direction in which the tool cannot
-// move: along it the force is zero.
+// Solves effort = J^T f. The column of a missing joint is replaced by a direction in which the tool
+// cannot move; the force along it is zero.
 Vec3 tool_force(const Pose& pose, const Vec3& effort, std::size_t joint_count) {
   Mat3 columns = pose.jacobian_D;
   Vec3 known = effort;

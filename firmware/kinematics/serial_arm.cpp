@@ -17,12 +17,12 @@
 namespace tactus::firmware {
 namespace {
 
-// How well posed a pose must be: R as a share of the whole arm, and the cosine above. The PHANToM's
-// own limits (q2 - q3 from -55 to 65 degrees) leave 0.42 of the latter.
+// The thresholds of a singular pose: R as a share of the whole arm, and the cosine above. The
+// PHANToM's own limits (q2 - q3 from -55 to 65 degrees) leave 0.42 of the latter.
 constexpr double kLeastShareOfReach = 0.05;
 constexpr double kLeastSineOfLinks = 0.1;
 
-// The slopes of u and f by the joints, and the directions themselves.
+// The directions u and f and their derivatives by the joints.
 struct Links {
   Vec3 upper_D;
   Vec3 forearm_D;
@@ -46,7 +46,7 @@ Links links(const Vec3& joints) {
           .sine_between = c2 * c3 + s2 * s3};
 }
 
-// The same angle within half a turn of `near`.
+// Returns the same angle within half a turn of `near`.
 double unwound(double angle, double near) {
   return near + std::remainder(angle - near, 2.0 * std::numbers::pi);
 }

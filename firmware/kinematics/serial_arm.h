@@ -21,9 +21,9 @@ namespace tactus::firmware {
 struct SerialArmGeometry {
   double upper_m = 0.209550;       // shoulder to elbow
   double forearm_m = 0.169545;     // elbow to tool
-  double shoulder_height_m = 0.0;  // of the second axis above the origin
-  // What turns with the upper arm's direction, from the shoulder, and with the forearm's, from the
-  // elbow. A bar of the parallelogram counts to the link that it stays parallel to.
+  double shoulder_height_m = 0.0;  // height of the second axis above the origin
+  // The parts that turn with the upper arm's direction, measured from the shoulder, and with the
+  // forearm's, from the elbow. A bar of the parallelogram belongs to the link parallel to it.
   LinkWeight upper;
   LinkWeight forearm;
   double tool_kg = 0.0;
@@ -33,16 +33,16 @@ class SerialArm {
  public:
   explicit SerialArm(const SerialArmGeometry& geometry) : geometry_(geometry) {}
 
-  // Closed form. Singular where the tool is over or under the first axis, and where upper arm and
-  // forearm lie in one line.
+  // Returns the pose in closed form. It is singular if the tool is over or under the first axis, or
+  // if upper arm and forearm lie in one line.
   [[nodiscard]] Pose forward(const Vec3& joints) const;
 
-  // Of up to four solutions (facing or turned away, elbow to either side) the one whose joints are
-  // nearest to `near`, each within half a turn of it. Not part of the tick. Nothing when the tool
-  // is out of reach.
+  // Returns the joints, rad, for a tool position, or nothing if it is out of reach. Of up to four
+  // solutions (facing or turned away, elbow to either side) it takes the one nearest to `near`,
+  // each joint within half a turn of it. Not part of the tick.
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D, const Vec3& near) const;
 
-  // N m that hold the arm up; gravity in m/s^2.
+  // Returns the efforts that hold the arm, N m. `gravity_D` is in m/s^2.
   [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Vec3& gravity_D) const;
 
  private:

@@ -9,12 +9,13 @@
 namespace tactus::firmware {
 namespace {
 
-// Of stopping the motors from a handler. An alarm nobody catches ends the program.
+// The longest time in which the handler may stop the motors. Then an uncaught alarm ends the
+// program.
 constexpr unsigned kMostStop_s = 1;
-// A loop that has not stopped the motors by then has itself died.
+// The longest time that a crashed helper thread waits for the loop to stop the motors.
 constexpr int kMostWait_ms = 1000;
 
-// What a signal's handler may reach.
+// The variables that the signal handler uses.
 void (*stop_motors)() = nullptr;
 pid_t loop_thread = 0;
 std::atomic<bool> helper_crashed{false};
@@ -33,7 +34,8 @@ int set_handler(void (*handler)(int)) {
   return 0;
 }
 
-// An alarm ends the program, whatever it did before: it would only tell the loop to end.
+// Starts an alarm that ends the program. It resets SIGALRM's handler, which would only ask the loop
+// to end.
 void set_alarm() {
   sigset_t alarm_only;
   sigemptyset(&alarm_only);
@@ -53,8 +55,8 @@ void wait_for_the_loop() {
   }
 }
 
-// Async-signal-safe, but for what a driver does to stop. Raised again, the signal waits until this
-// returns, and then has its default effect.
+// The handler. It is async-signal-safe except for the driver's own stop. It raises the signal
+// again, which has its default effect after the handler has returned.
 void on_crash(int crash) {
   if (gettid() == loop_thread) {
     set_handler(SIG_DFL);

@@ -1,10 +1,9 @@
-// A crash anywhere in the program leaves motors without torque behind, and then takes its course:
-// a core dump, and the signal as the exit status by which a service manager starts anew.
+// Takes the torque away when the program crashes. Afterwards the crash has its normal effect: a
+// core dump and an exit by the signal, so that a service manager restarts the program.
 //
-// One in the loop's thread stops the motors from within the signal's handler. One in a thread
-// beside it waits in the handler for the loop, whose next tick is a fault (kLoopHelperCrashed).
-// What no program can catch, SIGKILL and a kernel that dies, is left to the drives' own watchdogs
-// and to the watchdog output.
+// If the loop's thread crashes, the signal handler stops the motors. If another thread crashes, the
+// handler waits for the loop, whose next tick is a fault (kLoopHelperCrashed). SIGKILL and a kernel
+// that dies cannot be caught: the drives' own watchdogs and the watchdog output act then.
 #pragma once
 
 #include <array>
@@ -13,10 +12,10 @@
 
 namespace tactus::firmware {
 
-// A thread whose own stack has run over has this one for the handler. Outlives its use.
+// The stack on which a thread's crash handler runs, so that it also works after a stack overflow.
 using CrashStack = std::array<std::byte, 16384>;
 
-// Gives the calling thread that stack, from here to the end of the scope.
+// Gives the calling thread that stack until the end of the scope. `stack` must outlive this.
 class UseCrashStack {
  public:
   explicit UseCrashStack(CrashStack& stack);
@@ -24,31 +23,32 @@ class UseCrashStack {
   UseCrashStack& operator=(const UseCrashStack&) = delete;
   ~UseCrashStack();
 
-  [[nodiscard]] int error() const { return error_; }  // 0, or errno: there is none
+  // Returns 0, or the errno with which the system refused the stack.
+  [[nodiscard]] int error() const { return error_; }
 
  private:
   stack_t before_{};
   int error_ = 0;
 };
 
-// Signals that a thread's own instructions raise. A system call that a sandbox forbids is SIGSYS, a
-// breakpoint SIGTRAP.
+// The signals that a thread's own instructions raise. SIGSYS is a system call that a sandbox
+// forbids, SIGTRAP a breakpoint.
 inline constexpr std::array kCrashSignals{SIGSEGV, SIGBUS,  SIGILL, SIGFPE,
                                           SIGABRT, SIGTRAP, SIGSYS};
 
-// What a thread may block.
+// Returns all signals but kCrashSignals: the ones that a thread may block.
 sigset_t all_signals_but_crashes();
 
-// Catches kCrashSignals of every thread. From the loop's thread.
-// `stop_motors` may be called at any point of a tick; should it hang, the program ends after a
-// second all the same. 0, or errno.
+// Catches kCrashSignals in all threads. Call from the loop's thread. The handler may call
+// `stop_motors` at any point of a tick; if it hangs, an alarm ends the program after a second.
+// Returns 0 or errno.
 int catch_crashes(void (*stop_motors)());
 
-// Real time.
+// Returns true if a thread other than the loop's has crashed. Real time.
 bool has_helper_crashed();
 
-// Lets the crashed thread, and the program with it, end: the motors are without torque. Only where
-// has_helper_crashed().
+// Ends the program by the signal of the crashed thread. Call only after has_helper_crashed() and
+// after the motors have been stopped.
 [[noreturn]] void end_in_crash();
 
 }  // namespace tactus::firmware

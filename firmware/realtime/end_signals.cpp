@@ -13,8 +13,8 @@
 namespace tactus::firmware {
 namespace {
 
-// The C library keeps these two to itself (pthread_cancel, setuid), and its sigaction refuses them.
-// Nothing here uses either. The kernel is asked itself.
+// The C library reserves these two signals (pthread_cancel, setuid), and its sigaction refuses
+// them. The program uses neither, so it sets them with the kernel's call.
 constexpr int kLibraryCancel = 32;
 constexpr int kLibrarySetId = 33;
 
@@ -22,14 +22,15 @@ constexpr bool is_the_librarys(int signal) {
   return signal == kLibraryCancel || signal == kLibrarySetId;
 }
 
-// The kernel's own form of the call: handler, flags, restorer, mask. All zero but SIG_IGN.
+// Ignores the signal by the kernel's call. Its argument is handler, flags, restorer and mask; all
+// but the handler SIG_IGN are zero.
 void ignore_in_kernel(int signal) {
   constexpr std::size_t kMask_bytes = 8;
   struct {
     void (*handler)(int) = SIG_IGN;
     std::array<unsigned long, 4> rest{};
   } action;
-  // The C library has no other way to this call.
+  // The C library has no wrapper for this call.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
   (void)syscall(SYS_rt_sigaction, signal, &action, nullptr, kMask_bytes);
 }
@@ -88,7 +89,7 @@ int catch_end_signals(void (*on_end)(int), void (*on_flight)(int)) {
       return failed;
     }
   }
-  // Whoever started the program may have blocked some.
+  // The parent process may have blocked some signals.
   sigset_t all;
   sigfillset(&all);
   return pthread_sigmask(SIG_UNBLOCK, &all, nullptr);
@@ -97,7 +98,8 @@ int catch_end_signals(void (*on_end)(int), void (*on_flight)(int)) {
 void release_end_signals() {
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     if (reaction_to(signal) == SignalReaction::end) {
-      // What is written to a terminal in the background, or one that has gone, does not stop it.
+      // Terminal output in the background, or to a terminal that has gone, must not stop the
+      // program.
       const bool is_the_terminals = signal == SIGTTOU || signal == SIGTTIN || signal == SIGTSTP;
       (void)set_handler(signal, is_the_terminals ? SIG_IGN : SIG_DFL);
     }

@@ -26,7 +26,7 @@ int HelperThread::start(const char* name, Body body, void* context, std::size_t 
   pthread_attr_setschedpolicy(&attributes, SCHED_OTHER);
   pthread_attr_setschedparam(&attributes, &ordinary);
 
-  // A thread begins with the signals of the one that makes it.
+  // A new thread inherits the signal mask of its creator.
   const hal::SignalMask only_crashes(SIG_SETMASK, all_signals_but_crashes());
   const int failed = pthread_create(&thread_, &attributes, enter, this);
   pthread_attr_destroy(&attributes);

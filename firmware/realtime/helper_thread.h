@@ -1,5 +1,5 @@
-// A thread beside the loop, for what may take its time: no heap, no exceptions, never in the loop's
-// way.
+// A thread beside the loop for work that is not real time. It uses no heap and no exceptions, and
+// the loop never waits for it.
 #pragma once
 
 #include <pthread.h>
@@ -13,7 +13,7 @@ namespace tactus::firmware {
 
 class HelperThread {
  public:
-  // All of it is locked in memory, as everything is: not the 8 MB that a thread has by default.
+  // The whole stack is locked in memory, so it is smaller than the default of 8 MB.
   static constexpr std::size_t kStack_bytes = std::size_t{256} << 10;
 
   using Body = void (*)(void* context);
@@ -23,16 +23,16 @@ class HelperThread {
   HelperThread& operator=(const HelperThread&) = delete;
   ~HelperThread() { join(); }
 
-  // Runs `body(context)` at ordinary priority whatever the caller's is, with all signals left to
-  // the caller's thread, but for those of its own crashes (crash_stop.h). `name` has at most 15
-  // characters. 0, or errno. Before the loop begins; again only after join().
+  // Runs `body(context)` in a thread of ordinary priority, whatever the caller's priority is. The
+  // thread blocks all signals but its own crashes (crash_stop.h). `name` has at most 15 characters.
+  // Call before the loop begins, and again only after join(). Returns 0 or errno.
   int start(const char* name, Body body, void* context, std::size_t stack_bytes = kStack_bytes);
 
-  // Waits until the body has returned; at once if none was started.
+  // Waits until the body has returned. Returns at once if no thread was started.
   void join();
 
-  // Waits so long at most. False: the body hangs in a call of the system; the thread is left alone
-  // for good, and the program has to end without running destructors.
+  // Waits at most `limit_ns`. Returns false if the body still hangs in a system call: the thread is
+  // then abandoned, and the program must end without running destructors.
   bool join_within(hal::TimeNs limit_ns);
 
  private:

@@ -1,5 +1,5 @@
-// How well the loop keeps its time: wake-up latency, the time of the tick and of each of its
-// stages, ticks missed and ticks late.
+// Measures how well the loop keeps its time: wake-up latency, duration of the tick and of each of
+// its stages, and the numbers of missed and late ticks.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace tactus::firmware {
 
-// A tick as the loop saw it from outside; times by CLOCK_MONOTONIC.
+// The times of one tick, ns of CLOCK_MONOTONIC.
 struct LoopTick {
-  hal::TimeNs scheduled_ns = 0;
-  hal::TimeNs woke_ns = 0;
-  hal::TimeNs done_ns = 0;   // after the device's write
-  std::int64_t skipped = 0;  // instants that passed without a tick since the one before
-  bool late = false;
+  hal::TimeNs scheduled_ns = 0;  // when it should have begun
+  hal::TimeNs woke_ns = 0;       // when it began
+  hal::TimeNs done_ns = 0;       // when the device's write had returned
+  std::int64_t skipped = 0;      // scheduled ticks missed since the previous tick
+  bool late = false;             // see LoopTiming::woke
 };
 
-// What a histogram is of. `tick` is from the wake-up to the end of the device's write.
+// The durations that have a histogram. `tick` is from the wake-up to the end of the device's write.
 enum class Timed : std::uint8_t { wake_up, tick, read, check, kinematics, touch, safety, write };
 
 inline constexpr std::array<std::string_view, 8> kTimedNames = {
@@ -30,18 +30,19 @@ inline constexpr std::array<std::string_view, 8> kTimedNames = {
 
 class LoopTiming {
  public:
-  // Before the first tick.
+  // Sets the period of the loop. Call before the first tick.
   void set_period(hal::TimeNs period_ns) { period_ns_ = period_ns; }
 
-  // Real time, both; in every tick, in this order. A tick is late if it woke later than half a
-  // period after its time, or if instants were skipped before it.
+  // Begins a tick. The tick is late if it woke more than half a period after its time, or if ticks
+  // were skipped before it. Real time.
   LoopTick woke(const hal::Wake& wake);
+  // Ends the tick at `now_ns` and adds its durations to the histograms. Real time.
   void done(LoopTick& tick, const StageTimes& stages, hal::TimeNs now_ns);
 
   [[nodiscard]] const TimeHistogram& of(Timed what) const {
     return histograms_[static_cast<std::size_t>(what)];
   }
-  [[nodiscard]] std::uint64_t missed() const { return missed_; }  // instants without a tick
+  [[nodiscard]] std::uint64_t missed() const { return missed_; }  // scheduled ticks not run
   [[nodiscard]] std::uint64_t late() const { return late_; }
 
  private:

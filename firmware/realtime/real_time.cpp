@@ -15,12 +15,12 @@ namespace tactus::firmware {
 
 namespace {
 
-// Far more than a tick needs: its largest frames are of 9 kB (CAN frames in flight, the programs of
-// implicit surfaces).
+// The part of the stack that is loaded. A tick needs far less: its largest frames have 9 kB (CAN
+// frames in flight, the programs of implicit surfaces).
 constexpr std::size_t kStack_bytes = std::size_t{256} << 10;
 constexpr std::size_t kPage_bytes = 4096;
 
-// Pages of a stack exist from their first use on; this is their first use.
+// Uses the stack's pages once, because the kernel loads a page at its first use.
 [[gnu::noinline]] void touch_stack() {
   std::array<volatile std::byte, kStack_bytes> stack;
   for (std::size_t i = 0; i < stack.size(); i += kPage_bytes) {

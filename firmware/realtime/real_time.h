@@ -1,4 +1,4 @@
-// Making the calling thread a real-time one, and keeping the processor awake for it.
+// Makes the calling thread a real-time thread, and keeps the processors awake for it.
 #pragma once
 
 #include <optional>
@@ -18,21 +18,21 @@ struct RealTimeError {
   int errno_value = 0;
 };
 
-// In this order: pins the thread; locks every page of the process, present and future, in memory
-// and has it there; does the same for as much of the thread's stack as a tick can ever use;
-// SCHED_FIFO. Not real time itself. False, with the first reason, where the process has no right to
-// something or the machine does not have it; the rest is done all the same.
+// Pins the thread to its processor; loads and locks all present and future pages of the process in
+// memory; does the same for the part of the stack that a tick can use; and sets SCHED_FIFO, in this
+// order. Returns false if the process has no right to a step or the machine does not support it.
+// `error` then holds the first reason, and the other steps are done all the same. Not real time.
 bool become_real_time(const RealTimeConfig& config, RealTimeError& error);
 
-// Back to an ordinary thread, for what is done after the loop: it would keep the machine from
-// everything else. Memory stays locked.
+// Makes the thread an ordinary one again, so that work after the loop does not block the machine.
+// Memory stays locked.
 void end_real_time();
 
-// While it lives, no processor goes into a sleep from which it takes time to wake: the request that
-// Linux knows as /dev/cpu_dma_latency, with 0 us. Not real time.
+// Keeps all processors out of deep sleep states while it lives, by the Linux request
+// /dev/cpu_dma_latency with 0 us. Not real time.
 class CpuLatencyRequest {
  public:
-  // 0, or errno: EACCES where the device is root's.
+  // Starts the request. Returns 0 or errno; EACCES if only root may open the device.
   int hold();
 
  private:

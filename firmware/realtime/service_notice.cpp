@@ -46,7 +46,7 @@ int ServiceNotice::open() {
   }
   hal::FileDescriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + name.size());
-  // The interface of sockets takes any address as this one.
+  // The socket calls take every address as this general type.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
   const auto* plain = reinterpret_cast<const sockaddr*>(&address);
   if (!socket.is_open() || connect(socket.get(), plain, length) != 0) {

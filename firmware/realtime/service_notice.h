@@ -1,4 +1,4 @@
-// Tells the service manager how the program is: systemd's datagrams to $NOTIFY_SOCKET.
+// Sends the program's state to the service manager: systemd's datagrams to $NOTIFY_SOCKET.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@ namespace tactus::firmware {
 
 class ServiceNotice {
  public:
-  // Reads $NOTIFY_SOCKET, a path or, with @ in front, an abstract name. 0, also without a service
-  // manager, when every notice goes nowhere; or errno. Not real time.
+  // Opens the socket that $NOTIFY_SOCKET names: a path, or an abstract name after an @. Without
+  // the variable it succeeds, and notices are dropped. Returns 0 or errno. Not real time.
   int open();
 
-  // One notice a line: "READY=1", "STATUS=...". Never waits: one that finds the socket full is
-  // lost. Any thread.
+  // Sends notices, one per line: "READY=1", "STATUS=...". Never waits; the notices are lost if the
+  // socket is full. Any thread.
   void send(std::string_view notices) const;
 
-  // How often the manager wants to hear "WATCHDOG=1", by $WATCHDOG_USEC; nothing if it does not, or
-  // if $WATCHDOG_PID means another process.
+  // Returns the period within which the manager expects "WATCHDOG=1", from $WATCHDOG_USEC. Returns
+  // nothing if it expects none, or if $WATCHDOG_PID names another process.
   [[nodiscard]] static std::optional<hal::TimeNs> watchdog_period();
 
  private:

@@ -1,4 +1,4 @@
-// How often something took how long: bins of one microsecond in static memory.
+// A histogram of durations, with bins of one microsecond in static memory.
 #pragma once
 
 #include <array>
@@ -7,27 +7,27 @@
 
 namespace tactus::firmware {
 
-// A thousand bins: at 1 kHz, and faster, what does not fit has missed a tick anyway.
+// The number of bins. At 1 kHz or faster, a longer duration has missed a tick.
 inline constexpr std::size_t kTimeBins = 1000;
 
 // Bin i counts times from i up to, but not including, i + 1 us; longer ones share the overflow.
 // Times below zero count as zero. One thread at a time.
 class TimeHistogram {
  public:
-  // Real time.
+  // Counts one duration. Real time.
   void add(std::int64_t time_ns);
 
   [[nodiscard]] const std::array<std::uint64_t, kTimeBins>& bins() const { return bins_; }
   [[nodiscard]] std::uint64_t overflow() const { return overflow_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
-  // All zero while empty.
+  // Return the shortest, longest and mean duration; all are 0 while nothing has been counted.
   [[nodiscard]] std::int64_t min_ns() const { return min_ns_; }
   [[nodiscard]] std::int64_t max_ns() const { return max_ns_; }
   [[nodiscard]] double mean_ns() const;
 
-  // The upper edge, in us, of the bin in which the given share (0 to 1) of all times is reached;
-  // the longest time where that is the overflow.
+  // Returns the upper edge, us, of the bin that contains the given quantile. `share` is from 0
+  // to 1. If the quantile is beyond the last bin, returns the longest duration.
   [[nodiscard]] double percentile_us(double share) const;
 
  private:

@@ -1,5 +1,5 @@
-// A line that changes with every healthy tick: a circuit outside takes the motors' power away when
-// it stops changing, whatever has become of this program.
+// A GPIO line that toggles with every healthy tick. An external circuit takes the motors' power
+// away when the line stops toggling, whatever has happened to this program.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@ namespace tactus::firmware {
 
 class WatchdogOutput {
  public:
-  // Holds the line, inactive at first. `lines` must outlive this. Not real time. Errors are those
-  // of GpioLines::request.
+  // Requests the line and sets it inactive. `lines` must outlive this. Errors are those of
+  // GpioLines::request. Not real time.
   hal::Result<void> open(hal::GpioLines& lines, const hal::GpioLineConfig& line);
 
-  // Real time: one system call where a line is held. Turns the line over in a healthy tick and
-  // leaves it alone in any other. False if the line cannot be set.
+  // Toggles the line in a healthy tick and leaves it unchanged in any other. Returns false if the
+  // line cannot be set; true without a line. Real time: one system call.
   bool tick(bool healthy);
 
-  // Ticks in which the line could not be set.
+  // Returns the number of ticks in which the line could not be set.
   [[nodiscard]] std::uint64_t failed() const { return failed_; }
 
  private:

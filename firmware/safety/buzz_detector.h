@@ -1,6 +1,6 @@
-// Tells a contact that buzzes: the force of the surfaces falls to a quarter and rises again, twelve
-// times a second or faster, and does not die away. No hand taps that fast, and a tool that bounces
-// to rest strikes ever more weakly.
+// Detects a contact that buzzes: the force of the surfaces falls to a quarter and rises again,
+// twelve times a second or faster, and does not die away. No hand taps that fast, and the blows of
+// a tool that bounces to rest become weaker.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@ namespace tactus::firmware {
 
 class BuzzDetector {
  public:
-  // Peaks weaker than that, N, are none.
+  // Starts anew and ignores peaks below `weakest_peak_N`.
   void configure(double weakest_peak_N) {
     weakest_peak_N_ = weakest_peak_N;
     restart();
   }
   void restart();
 
-  // The force of this tick, N, `step_s` after the last. True while the contact buzzes.
+  // Takes the force of this tick, N, `step_s` after the last one. Returns true while the contact
+  // buzzes.
   bool observe(double force_N, double step_s);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
@@ -29,7 +30,7 @@ class BuzzDetector {
 
   double weakest_peak_N_ = 0.0;
   double first_peak_N_ = 0.0;
-  double extreme_N_ = 0.0;  // the highest since the last trough, or the lowest since the last peak
+  double extreme_N_ = 0.0;  // the maximum since the last trough, or the minimum since the last peak
   double since_peak_s_ = 0.0;
   std::uint32_t peaks_ = 0;
   bool is_rising_ = false;

@@ -87,7 +87,7 @@ bool EffortGuard::is_driven_against(Joint& joint, double force_N, double speed_m
   return joint.growth > kGrowth;
 }
 
-// A measurement that is not a number is none that agrees.
+// Counts a measurement that is not finite as a mismatch.
 bool EffortGuard::is_mismatched(Joint& joint, double commanded, double measured) const {
   const double finite = std::isfinite(measured) ? measured : -commanded;
   joint.commanded += effort_share_ * (commanded - joint.commanded);

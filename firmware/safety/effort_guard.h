@@ -1,4 +1,4 @@
-// Motors that answer the wrong way, or with another effort than commanded.
+// Finds motors that push the wrong way, or with another effort than commanded.
 //
 // Joint i moves the tool by L_i metres a unit of it, the length of column i of the Jacobian. In a
 // hand's units its effort is then f = tau / L and its speed u = q' L, and
@@ -33,31 +33,32 @@ namespace tactus::firmware {
 
 struct EffortFinding {
   std::uint64_t faults = 0;  // FaultBits
-  std::uint32_t joint = 0;   // that they are about, 1 for the first; 0 is none
+  std::uint32_t joint = 0;   // the joint that has the fault, 1 for the first; 0: none
 };
 
 class EffortGuard {
  public:
   void configure(const ControllerConfig& config);
 
-  // Forgets what it saw: no motor has power.
+  // Forgets all samples. Call while the motors have no power.
   void rest();
 
-  // Of a finite sample and a good pose; `held` are the efforts commanded by the tick before.
+  // Returns the fault found with this sample. The sample must be finite and the pose good; `held`
+  // are the efforts commanded by the previous tick, N or N m.
   EffortFinding check(const drivers::JointSample& sample, const Pose& pose,
                       const JointEfforts& held);
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
   struct Joint {
     double force_N = 0.0;        // smoothed
     double speed_m_per_s = 0.0;  // smoothed
-    double growth = 0.0;         // powers of e
+    double growth = 0.0;         // natural logarithm of the growth
     double commanded = 0.0;      // smoothed
     double measured = 0.0;       // smoothed
-    double largest = 1.0;        // effort, by the configuration
+    double largest = 1.0;        // the joint's largest effort, N or N m
     std::uint32_t wrong_ticks = 0;
   };
 
@@ -67,7 +68,7 @@ class EffortGuard {
   std::array<Joint, kJointCount> joints_{};
   std::size_t joint_count_ = kJointCount;
   double step_s_ = 0.001;
-  double motion_share_ = 1.0;  // of the way to a new value, a tick
+  double motion_share_ = 1.0;  // low-pass: share of the step to a new value per tick
   double effort_share_ = 1.0;
   std::uint32_t wrong_ticks_to_fault_ = 1;
 };

@@ -8,7 +8,8 @@
 namespace tactus::firmware {
 namespace {
 
-// A joint that takes longer than this for frozen_travel stands still: its velocity is noise.
+// A joint that would need longer than this for frozen_travel counts as standing still: its velocity
+// is noise.
 constexpr double kStandstill_s = 1.0;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Encoders that stand still, jump, or do not answer to their motor.
+// Finds encoders that stand still, jump, or do not move with their motor.
 //
 //  jump     |q - last| > max_joint_speed T (ticks since the last fresh sample)
 //  frozen   q is the same to the bit while the integral of |q'| since it last changed, which is how
@@ -25,26 +25,27 @@ class EncoderGuard {
  public:
   void configure(const ControllerConfig& config);
 
-  // Forgets where the joints were: they have, or will get, another zero.
+  // Forgets the joints' positions. Call when their zero changes.
   void rest() { is_placed_ = false; }
 
-  // FaultBits of a finite sample of a referenced device. `held` are the efforts commanded by the
-  // tick before; `missed_ticks` have no sample at all.
+  // Returns the FaultBits of a finite sample of a referenced device. `held` are the efforts
+  // commanded by the previous tick, N or N m. `missed_ticks` is the number of ticks since then
+  // without any sample.
   std::uint64_t check(const drivers::JointSample& sample, const JointEfforts& held,
                       std::uint32_t missed_ticks);
 
-  // Instead of check() for a sample that is not to be looked at: the joints go on meanwhile.
+  // Replaces check() for a sample that must not be used. The joints may move on in that tick.
   void pass() { ++passed_ticks_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
   struct Joint {
     double position = 0.0;
-    double travel = 0.0;        // by its velocity, since the position last changed
-    double effort = 0.0;        // when it last changed
-    double blocked_step = 0.0;  // a larger change of effort has to move it
+    double travel = 0.0;        // integral of |velocity| since the position last changed
+    double effort = 0.0;        // effort when the position last changed
+    double blocked_step = 0.0;  // a larger change of effort must move the joint
     std::uint32_t blocked_ticks = 0;
   };
 

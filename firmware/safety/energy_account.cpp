@@ -10,7 +10,7 @@ double& entry(EnergyLedger& ledger, EnergySource source) {
   return ledger[static_cast<std::size_t>(source)];
 }
 
-// c, by least squares, in [0, 1].
+// Returns c, the share of the rendered force that is held, by least squares; in [0, 1].
 double share_of(const Vec3& held, const Vec3& rendered) {
   const double size = rendered.squaredNorm();
   return size > 0.0 ? std::clamp(held.dot(rendered) / size, 0.0, 1.0) : 1.0;

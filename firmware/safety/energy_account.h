@@ -1,4 +1,4 @@
-// Keeps the ledger of what the hand gets from the device.
+// Keeps the ledger of the energy that the device gives to the hand.
 //
 // The device answers the sample at x with the force f after its delay d and holds it for a tick, so
 // the hand gets f_d . (x' - x) while the tool goes from x to x': f_d is the force of d before
@@ -22,49 +22,51 @@
 
 namespace tactus::firmware {
 
-// Of one tick, J.
+// The energy of one tick.
 struct TickEnergy {
-  double given_J = 0.0;    // to the hand, of all sources
-  double passive_J = 0.0;  // of it, what has to be passive: without effects and coupling
-  double way_m2 = 0.0;     // |x' - x|^2
-  double contact_N = 0.0;  // rendered now, without friction, textures and effects
-  double step_s = 0.0;
+  double given_J = 0.0;    // given to the hand by all sources
+  double passive_J = 0.0;  // the part that has to be passive: without effects and coupling
+  double way_m2 = 0.0;     // squared length of the tool's motion, |x' - x|^2, m^2
+  double contact_N = 0.0;  // contact force rendered now, without friction, textures and effects
+  double step_s = 0.0;     // length of the tick
 };
 
 class EnergyAccount {
  public:
-  // Without, the force of a tick acts at once.
+  // Takes the rate and the device's delay. Before the first call, a force acts without delay.
   void configure(const ControllerConfig& config);
 
-  // Activation: nothing is held, nothing given.
+  // Clears the ledger and the held forces. Call at activation.
   void restart();
 
-  // The tool has come to p_W and the touch is of there, `step_s` after the tick before. Finite.
+  // Adds the energy of the tool's motion to p_W, where `touch` was computed, `step_s` after the
+  // previous tick. All must be finite. Returns the energy of this tick.
   TickEnergy settle(const Vec3& p_W, const rendering::Touch& touch, double step_s);
 
-  // What goes out in this tick, and stays until the next.
+  // Sets the force that goes out in this tick and is held until the next, N.
   void hold(const Vec3& force_W);
   [[nodiscard]] const Vec3& held_W() const { return held_.newest().all_W; }
 
   [[nodiscard]] const EnergyLedger& ledger_J() const { return ledger_J_; }
 
-  // The source that has given most so far.
+  // Returns the source that has given most energy so far.
   [[nodiscard]] EnergySource most_giving() const;
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
   double tick_s_ = 0.001;
   HeldForces held_;
   EnergyLedger ledger_J_{};
-  rendering::ForceParts parts_;  // of the tick before, as rendered
+  rendering::ForceParts parts_;  // the rendered force of the previous tick, by source
   Vec3 rendered_W_ = Vec3::Zero();
   Vec3 p_W_ = Vec3::Zero();
   bool is_placed_ = false;
 };
 
-// The part of the rendered force that is largest, N, or safety if `added_W` is larger still.
+// Returns the source with the largest part of the rendered force, or safety if `added_W` (N) is
+// larger.
 EnergySource strongest_part(const rendering::Touch& touch, const Vec3& added_W);
 
 }  // namespace tactus::firmware

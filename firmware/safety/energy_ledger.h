@@ -1,4 +1,4 @@
-// Where the energy that the hand gets from the device comes from, by name.
+// The sources of the energy that the device gives to the hand, with their names.
 #pragma once
 
 #include <array>
@@ -8,21 +8,21 @@
 
 namespace tactus::firmware {
 
-// Whose force it is, or, of coupling and delay, whose energy.
+// All but coupling and delay are sources of a force; those two are sources of energy only.
 enum class EnergySource : std::uint8_t {
-  contact,   // surfaces: what holds the tool out, along the normal, and their damping
-  friction,  // what holds it back along the surface
-  texture,   // what bumps and shading change of that
+  contact,   // stiffness and damping of surfaces, along the normal
+  friction,  // friction, along the surface
+  texture,   // the change that bumps and force shading make to contact and friction
   effect,    // fields, springs and signals without a surface
-  coupling,  // objects that move by themselves, through the surface that pushes the tool
-  safety,    // the controller's own: workspace walls, passivity damping, what limits change
-  delay,     // what a force that is held for a tick gives more than one that follows at once
+  coupling,  // objects that move by themselves and push the tool with their surface
+  safety,    // the controller's own force: workspace walls, passivity damping, effect of limits
+  delay,     // the energy that a force held for a tick gives beyond one that follows at once
 };
 inline constexpr std::size_t kEnergySourceCount = 7;
 inline constexpr std::array<std::string_view, kEnergySourceCount> kEnergySourceNames = {
     "contact", "friction", "texture", "effect", "coupling", "safety", "delay"};
 
-// J to the hand since activation, by source; negative where the hand has given it.
+// The energy given to the hand since activation, J, by source. It is negative if the hand gave it.
 using EnergyLedger = std::array<double, kEnergySourceCount>;
 
 }  // namespace tactus::firmware

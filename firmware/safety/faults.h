@@ -1,10 +1,10 @@
-// What can go wrong in a tick, numbered for good: a code is never given a new meaning. This is the
-// one table of trigger, reaction and recovery; `tactus faults --markdown` writes the README's from
-// it.
+// The faults and limits of a tick, with stable codes: a code never gets a new meaning. This is the
+// only table of trigger, reaction and recovery; `tactus faults --markdown` writes the table of the
+// README from it.
 //
-// Faults (codes 0 to 15 and 32 to 47) stop: zero effort and motor power off in the same tick,
-// latched until a reset with healthy inputs. Limits (codes 16 to 31 and 48 to 63) do not stop: they
-// say that this tick's output was held back.
+// A fault (codes 0 to 15 and 32 to 47) stops the device: zero effort and motor power off in the
+// same tick, latched until a reset with healthy inputs. A limit (codes 16 to 31 and 48 to 63) does
+// not stop: it says that this tick's output was held back.
 #pragma once
 
 #include <array>
@@ -72,11 +72,11 @@ struct FaultText {
   FaultBits bit;
   std::string_view name;      // for programs
   std::string_view meaning;   // the trigger, for people
-  std::string_view reaction;  // beyond the zero effort of every fault
+  std::string_view reaction;  // in addition to the zero effort of every fault
   std::string_view recovery;  // "reset": remove the cause, then reset, home, enable
 };
 
-// In order of code.
+// The texts, in the order of the codes.
 inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kFaultNotConfigured, "not_configured", "tick before a successful configure", "stop",
      "call `configure`"},
@@ -178,12 +178,12 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
      "force stays within 2 N; small pushes", "by itself; hold the handle loosely if it stays"},
 });
 
-// The stable code of a single bit, 0 to 63.
+// Returns the stable code of a single bit, 0 to 63.
 constexpr int fault_code(FaultBits bit) {
   return std::countr_zero(static_cast<std::uint64_t>(bit));
 }
 
-// The name of a single bit; "unknown" for a bit without a meaning.
+// Returns the name of a single bit, or "unknown" for a bit without a meaning.
 constexpr std::string_view fault_name(FaultBits bit) {
   for (const FaultText& text : kFaultTexts) {
     if (text.bit == bit) {

@@ -8,8 +8,8 @@
 namespace tactus::firmware {
 namespace {
 
-// The vector at most `limit` long, same direction. Dividing by the length first keeps 1e300 N from
-// overflowing.
+// Returns the vector, shortened to `limit` if it is longer. It divides by the length first, so that
+// 1e300 N does not overflow.
 Vec3 shortened(const Vec3& v, double length, double limit) {
   return v / length * limit;
 }

@@ -1,17 +1,17 @@
-// Makes a rendered force fit for a hand. In this order, once a tick:
+// Limits a rendered force to one that is safe for a hand. Once per tick, in this order:
 //
 //  soft start  f1 = (e + s g(ticks since first contact / contact_start_s))
 //                   g(ticks since activation / soft_start_s),
-//              g(x) = x below 1, then 1, e what the effects give and s all the rest. First contact
-//              is the first tick in contact after activation, which is the tick of activation
-//              itself when the tool is already pressed into something. Effects need no contact: a
-//              first contact neither brings them in nor holds them back.
-//  clamp       |f2| <= max_force_N, same direction as f1. A limit that is raised while the force
-//              is on comes in within soft_start_s; one that is lowered holds at once.
+//              g(x) = min(x, 1), with e the force of the effects and s the rest. First contact is
+//              the first tick in contact after activation; it is the tick of activation itself if
+//              the tool is pressed into something then. The ramp of the first contact does not act
+//              on effects, because they need no contact.
+//  clamp       |f2| <= max_force_N, in the direction of f1. A limit that is raised while there is
+//              force takes soft_start_s to come in; a lowered one acts at once.
 //  slew        |f3 - last| <= force_slew_N_per_s / rate_hz, straight from the last force toward f2
 //
-// The slew works both ways, on the force vector. Zero force by a fault or a disable does not pass
-// through here.
+// The slew limits rise and fall of the force vector. The zero force of a fault or a disable does
+// not pass through this class.
 #pragma once
 
 #include <algorithm>
@@ -25,43 +25,43 @@ namespace tactus::firmware {
 
 struct LimitedForce {
   Vec3 force_W = Vec3::Zero();  // N
-  std::uint64_t limits = 0;     // FaultBits: which of the limits held the force back
+  std::uint64_t limits = 0;     // FaultBits: the limits that held the force back
 };
 
 class ForceLimiter {
  public:
   void configure(const ControllerConfig& config);
 
-  // Takes the limits alone: ramps and slew go on from where they are, and the largest force rises
-  // from the one that held before.
+  // Takes new limits. Ramps and slew continue from where they are, and the largest force rises
+  // gradually from its present value.
   void retune(const ControllerConfig& config);
 
-  // Activation: both ramps and the slew start again from zero force.
+  // Starts both ramps and the slew from zero force. Call at activation.
   void restart();
 
-  // The largest force is no more than this now, and rises again from there, N.
+  // Lowers the largest force to `force_N` now; it rises again from there.
   void hold_below(double force_N) { max_force_N_ = std::min(max_force_N_, force_N); }
 
-  // Soft start, the first stage: `force_W` is all of the force and `effect_W` the effects' part of
-  // it, both finite.
+  // Returns the force after the soft start, the first stage. `force_W` is the whole force and
+  // `effect_W` the effects' part of it; both are finite, N.
   LimitedForce soften(const Vec3& force_W, const Vec3& effect_W, bool in_contact);
 
-  // Clamp and slew, of what soften() gave. Finite.
+  // Returns the force after clamp and slew. `force_W` is finite and comes from soften().
   LimitedForce limit(const Vec3& force_W);
 
-  // The largest force of this tick, N.
+  // Returns the largest force of this tick, N.
   [[nodiscard]] double max_force_N() const { return max_force_N_; }
 
-  // The force that in the end went out (the effort limit may have scaled it): the next slew starts
-  // from it.
+  // Sets the force that went out in the end, N, from which the next slew starts. The effort limit
+  // may have scaled it.
   void applied(const Vec3& force_W) { last_W_ = force_W; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
   double wanted_max_force_N_ = 0.0;
-  double max_force_N_ = 0.0;  // now; it rises to the wanted one
+  double max_force_N_ = 0.0;  // the present limit; it rises to the wanted one
   double max_step_N_ = 0.0;
   double activation_gain_per_tick_ = 1.0;
   double contact_gain_per_tick_ = 1.0;
@@ -71,14 +71,14 @@ class ForceLimiter {
   Vec3 last_W_ = Vec3::Zero();
 };
 
-// What a gain from 0 to 1 rises a tick.
+// Returns by how much a gain rises per tick to go from 0 to 1 in `duration_s`.
 double gain_per_tick(double duration_s, double rate_hz);
 
-// Euclidean length that does not overflow for finite vectors.
+// Returns the Euclidean length. It does not overflow for finite vectors.
 double length_of(const Vec3& v);
 
-// The factor in [0, 1] that brings every joint's effort, on top of the one it already has to give,
-// within its limit and keeps their ratios. Efforts finite, and `given` within the limits.
+// Returns the factor in [0, 1] by which all of `effort` must be scaled so that `given` plus the
+// scaled effort is within each joint's limit. All are finite, and `given` is within the limits.
 double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCount>& limits,
                     const Vec3& given = Vec3::Zero());
 

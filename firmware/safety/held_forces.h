@@ -1,5 +1,6 @@
-// The forces that went out in the last ticks, and which of them acts on the handle now: the device
-// answers a sample after a while (SafetyConfig::device_delay_s), which need not be whole ticks.
+// Keeps the forces that went out in the last ticks and computes the one that acts on the handle
+// now. The device answers a sample after SafetyConfig::device_delay_s, which need not be a whole
+// number of ticks.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +12,16 @@
 
 namespace tactus::firmware {
 
-// Of one tick, N.
+// The force of one tick and its parts, N, in the world frame.
 struct HeldForce {
-  Vec3 all_W = Vec3::Zero();       // as it went out
-  Vec3 rendered_W = Vec3::Zero();  // of it, what the surfaces and effects asked for
-  Vec3 effect_W = Vec3::Zero();    // of that, the effects
+  Vec3 all_W = Vec3::Zero();       // the whole force that went out
+  Vec3 rendered_W = Vec3::Zero();  // the part of it that comes from surfaces and effects
+  Vec3 effect_W = Vec3::Zero();    // the part of rendered_W that comes from effects
 };
 
 class HeldForces {
  public:
-  // A longer delay counts as this many ticks.
+  // The longest delay in ticks. A longer one is cut to it.
   static constexpr std::size_t kMost = 15;
 
   void configure(double delay_ticks) {
@@ -30,7 +31,7 @@ class HeldForces {
     restart();
   }
 
-  // Nothing went out.
+  // Sets all forces to zero.
   void restart() {
     ring_.fill({});
     newest_ = 0;
@@ -43,8 +44,8 @@ class HeldForces {
 
   [[nodiscard]] const HeldForce& newest() const { return ring_[newest_]; }
 
-  // Between the newest force and the next: on a straight line between the two forces that the
-  // delay lies between.
+  // Returns the force that acts until the next push: the linear interpolation between the two
+  // forces on both sides of the delay.
   [[nodiscard]] HeldForce acting() const {
     const HeldForce& late = back(whole_);
     const HeldForce& later = back(whole_ + 1);
@@ -53,7 +54,8 @@ class HeldForces {
             .effect_W = late.effect_W + share_ * (later.effect_W - late.effect_W)};
   }
 
-  // The mean of `ticks` such, while the newest force stays.
+  // Returns the mean of acting() over `ticks` ticks in which the newest force is held. Pushes the
+  // newest force again for each further tick.
   HeldForce acting_over(std::size_t ticks) {
     HeldForce mean = acting();
     const std::size_t more = std::min(ticks, kMost) - 1;
@@ -68,7 +70,7 @@ class HeldForces {
     return mean;
   }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

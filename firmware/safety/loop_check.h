@@ -1,4 +1,4 @@
-// The guard of the controller's own time: what the loop reports becomes faults.
+// Guards the controller's own time: turns the loop's reports into faults and limits.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace tactus::firmware {
 
-// What the loop says of its time, one bit each: an input of the tick, recorded with it.
+// The bits of the loop's report. They are an input of the tick and are recorded with it.
 enum LoopStatus : std::uint32_t {
   kLoopOnTime = 0,
-  kLoopLate = 1U << 0,           // this tick began later after its time than the loop allows
+  kLoopLate = 1U << 0,           // this tick began later than the loop allows
   kLoopWatchdogLost = 1U << 1,   // the watchdog output could not be driven
-  kLoopHelperCrashed = 1U << 2,  // a thread beside the loop has crashed, and the program is to end
+  kLoopHelperCrashed = 1U << 2,  // a thread beside the loop has crashed; the program will end
 };
 
 struct LoopReport {
@@ -25,13 +25,13 @@ class LoopCheck {
  public:
   void configure(const ControllerConfig& config);
 
-  // FaultBits of this tick, faults and limits. A tick that follows missed ones is late, too.
+  // Returns the FaultBits of this tick, faults and limits. A tick after missed ones is late, too.
   std::uint64_t check(const LoopReport& report);
 
-  // Late ticks since configure().
+  // Returns the number of late ticks since configure().
   [[nodiscard]] std::uint32_t late_count() const { return late_count_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

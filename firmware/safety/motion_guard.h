@@ -1,4 +1,4 @@
-// A tool that is too fast, or runs away.
+// Finds a tool that is too fast or runs away, and slows it.
 //
 //  speed limit  from max_tool_speed / 2 on, force along the motion is taken away, linearly up to
 //               all of it at max_tool_speed: the device does not drive the hand faster
@@ -26,16 +26,17 @@ class MotionGuard {
  public:
   void configure(const ControllerConfig& config);
 
-  // The tool is not where it was: the way that it ran away starts again.
+  // Sets the distance that the tool has run away to 0. Call when the tool's position starts anew.
   void rest() { runaway_m_ = 0.0; }
 
-  // FaultBits of a finite velocity; `held_W` is the force commanded by the tick before.
+  // Returns the FaultBits of a finite velocity, m/s. `held_W` is the force commanded by the
+  // previous tick, N.
   std::uint64_t check(const Vec3& v_W, const Vec3& held_W);
 
-  // Both finite.
+  // Returns the force after the speed limit. Both arguments are finite, N and m/s.
   [[nodiscard]] SlowedForce slow(const Vec3& force_W, const Vec3& v_W) const;
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

@@ -28,7 +28,7 @@ constexpr double kLeastLever = 1e-6;
 
 constexpr std::size_t kCubic = 4;  // powers
 
-// The scalar product of the first `count` entries.
+// Returns the scalar product of the first `count` entries.
 template <std::size_t kSize>
 double dot(const std::array<double, kSize>& a, const std::array<double, kSize>& b,
            std::size_t count) {
@@ -49,7 +49,7 @@ void MotorSignCheck::configure(const ControllerConfig& config) {
   moving_mass_kg_ = config.safety.moving_mass_kg;
   unit_s_ = ticks_a_unit_ / config.rate_hz;
   quarter_ = static_cast<std::size_t>(std::max(1.0, std::round(kQuarter_s / unit_s_)));
-  // The half tick for which an effort is held before its middle is in the integral already.
+  // The integral already contains half a tick of the delay: the hold of an effort up to its middle.
   const double delay_s = std::max(0.0, config.safety.device_delay_s - 0.5 / config.rate_hz);
   delay_ = std::min(kMaxDelay, static_cast<std::size_t>(std::round(delay_s / unit_s_)));
   samples_ = std::min(kMaxSamples, kQuarters * quarter_ + delay_ + 1);
@@ -58,7 +58,7 @@ void MotorSignCheck::configure(const ControllerConfig& config) {
   restart();
 }
 
-// By Gram and Schmidt, twice, which is exact enough for four powers.
+// Computes the orthonormal powers by two passes of Gram-Schmidt, which is exact enough here.
 void MotorSignCheck::prepare_tables() {
   powers_ = {};
   instrument_ = {};
@@ -186,7 +186,8 @@ void MotorSignCheck::begin_pulse(const drivers::JointSample& sample, const Pose&
   sums_ = Sums{};
 }
 
-// The reciprocal of the inertia that the joint feels of the moving mass; 0 where that is not known.
+// Returns the reciprocal of the inertia that the moving mass has at the joint; 0 if the mass is not
+// known.
 double MotorSignCheck::free_gain(const Pose& pose) const {
   if (moving_mass_kg_ <= 0.0) {
     return 0.0;
@@ -196,7 +197,7 @@ double MotorSignCheck::free_gain(const Pose& pose) const {
   return std::isfinite(gain) ? gain : 0.0;
 }
 
-// The first sample, 0 in all, adds nothing.
+// Adds a sample to the sums. The first one is 0 and adds nothing.
 void MotorSignCheck::take_sample(double position, double mean_effort) {
   const std::size_t n = ticks_ / ticks_a_unit_;
   efforts_[n % efforts_.size()] = mean_effort;
@@ -242,7 +243,8 @@ EffortFinding MotorSignCheck::judge() {
           .joint = static_cast<std::uint32_t>(asked_ + 1)};
 }
 
-// The same joint again until it has answered, or has been unclear for long enough.
+// Chooses the joint of the next pulse: the same one until it has answered or has been unclear for
+// long enough.
 void MotorSignCheck::choose_next() {
   Joint& joint = joints_[asked_];
   const bool is_answered = (unanswered_ >> asked_ & 1U) == 0;

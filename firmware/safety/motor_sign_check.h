@@ -1,5 +1,5 @@
-// Asks each motor, with small pushes after every activation, whether it moves its joint the way it
-// is told. Until all have answered, the rendered force stays small.
+// Checks after every activation, with small pushes, whether each motor moves its joint in the
+// commanded direction. Until all have answered, the rendered force stays small.
 //
 // A push that the controller knows and the hand does not is the only evidence that cannot be
 // mistaken for the hand: the motion behind a reversed motor is, without it, that of a hand that
@@ -46,43 +46,44 @@
 
 namespace tactus::firmware {
 
-// The rendered force and a pulse together stay within this until all motors have answered, N.
+// The largest sum of the rendered force and a pulse, N, until all motors have answered.
 inline constexpr double kUncheckedForce_N = 2.0;
 
 class MotorSignCheck {
  public:
   void configure(const ControllerConfig& config);
 
-  // Activation: all joints are asked anew.
+  // Checks all joints anew. Call at activation.
   void restart();
 
-  // Once a tick while the motors have power, with a finite sample, a good pose, and the efforts
-  // that the tick before commanded. Chooses push() for this tick.
+  // Takes a finite sample, a good pose and the efforts commanded by the previous tick (N or N m),
+  // and chooses push() for this tick. Call once per tick while the motors have power. Returns the
+  // fault found, if any.
   EffortFinding step(const drivers::JointSample& sample, const Pose& pose,
                      const JointEfforts& held);
 
-  // A tick whose sample says nothing: the pulse under way is given up.
+  // Replaces step() for a sample that must not be used, and gives up the present pulse.
   void pass();
 
-  // The pulse's part of this tick's efforts, N or N m; the caller adds it to the others.
+  // Returns the pulse's part of this tick's efforts, N or N m. The caller adds it to the others.
   [[nodiscard]] const JointEfforts& push() const { return push_; }
 
   [[nodiscard]] bool is_done() const { return unanswered_ == 0; }
 
-  // The largest rendered force while it is not done, N.
+  // Returns the largest rendered force while the check is not done, N.
   [[nodiscard]] double force_limit_N() const { return kUncheckedForce_N - most_N_; }
 
-  // Writes its memory to bytes, or reads it back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
   static constexpr std::size_t kMaxSamples = 80;
-  static constexpr std::size_t kPowers = 6;  // of time that are projected out
+  static constexpr std::size_t kPowers = 6;  // powers of time that are projected out
   static constexpr std::size_t kMaxDelay = 7;
 
   struct Joint {
-    double force_N = 0.0;     // of the next pulse at the handle, with the sign that it begins with
-    std::uint32_t right = 0;  // pulses in a row
+    double force_N = 0.0;     // next pulse at the handle, with the sign with which it begins
+    std::uint32_t right = 0;  // pulses in a row, as the three below
     std::uint32_t wrong = 0;
     std::uint32_t strong = 0;
     std::uint32_t unclear = 0;
@@ -107,7 +108,7 @@ class MotorSignCheck {
   [[nodiscard]] double free_gain(const Pose& pose) const;
   [[nodiscard]] double pattern(std::size_t unit) const;
 
-  // By the configuration. A unit is a whole number of ticks, about a millisecond.
+  // These are set by the configuration. A unit is a whole number of ticks, about a millisecond.
   std::size_t joint_count_ = kJointCount;
   std::array<double, kJointCount> max_effort_{};
   double most_N_ = 0.0;
@@ -116,7 +117,7 @@ class MotorSignCheck {
   std::uint32_t ticks_a_unit_ = 1;
   std::size_t quarter_ = 6;  // units: the T above
   std::size_t delay_ = 0;    // units
-  std::size_t samples_ = 0;  // of a pulse
+  std::size_t samples_ = 0;  // samples of a pulse
   std::uint32_t pause_ticks_ = 0;
   std::array<std::array<double, kPowers>, kMaxSamples> powers_{};  // orthonormal
   std::array<double, kMaxSamples> instrument_{};  // z, of length 1, without the powers
@@ -126,14 +127,14 @@ class MotorSignCheck {
   std::size_t asked_ = 0;         // the joint whose turn it is
   bool is_pulsing_ = false;
   std::uint32_t ticks_to_wait_ = 0;
-  std::uint32_t ticks_ = 0;                      // since the pulse began
-  double start_ = 0.0;                           // rad or m
-  double effort_sum_ = 0.0;                      // of this unit's ticks
-  std::array<double, kMaxDelay + 1> efforts_{};  // of the last units, by unit modulo the length
+  std::uint32_t ticks_ = 0;                      // ticks since the pulse began
+  double start_ = 0.0;                           // position at the pulse's start, rad or m
+  double effort_sum_ = 0.0;                      // sum over this unit's ticks
+  std::array<double, kMaxDelay + 1> efforts_{};  // the last units, by unit modulo the length
   double effort_integral_ = 0.0;
   double effort_double_integral_ = 0.0;
   double amplitude_ = 0.0;  // effort, with sign
-  double most_gain_ = 0.0;  // of the joint in the pose of the pulse, in units; 0: not known
+  double most_gain_ = 0.0;  // largest gain of the joint in this pose, in units; 0: not known
   Sums sums_;
   JointEfforts push_{};
 };

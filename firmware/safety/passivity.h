@@ -1,21 +1,20 @@
 // Time-domain passivity observer and controller, in the impedance form: B. Hannaford and J.-H. Ryu,
 // "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and
-// Automation 18(1), 2002. Whatever the surfaces are made of, they give the hand no energy that it
-// has not given them: what sampling, delay or a badly made scene gives beyond that is taken back by
-// a damper that is there for as long as it is needed.
+// Automation 18(1), 2002. Surfaces of any material give the hand no more energy than it has given
+// them. If sampling, delay or a badly made scene gives more, a damper takes it back.
 //
-//  observer    E += -E_held + b |way|^2 / T    J the hand has given and not got back
+//  observer    E += -E_held + b |dx|^2 / T    energy that the hand has given and not got back, J
 //  controller  F = -a v, a = min(-E / (T |v|^2), passivity_damping), while E < 0
 //
-// E_held is what the force of the past tick gave over the way of that same tick, the damper's
-// included (safety/energy_account.h). Pairing the force of this tick with that way, as a first
-// sketch would, hides just the energy that holding the force makes. b is the damping that the
-// device has at least, without a hand: that much of the way's energy it takes itself.
+// E_held is the energy that the force of the past tick gave over the motion dx of the same tick,
+// including the damper's force (safety/energy_account.h). The force of this tick must not be paired
+// with that motion: that hides the energy which holding the force makes. b is the least damping of
+// the device without a hand; the device itself dissipates that energy.
 //
-// Contact begins without credit: what the hand gave in one touch does not pay for the next (the
-// paper's reset, section V). A debt is paid in contact only, for nothing drags in the air, and is
-// forgotten with a time constant of a second: an encoder's steps make a small one in every long
-// touch. A debt while the contact buzzes is a fault however small it is.
+// Contact begins without credit: energy given in one touch does not pay for the next (the paper's
+// reset, section V). A debt is paid in contact only, so that the tool never drags in free space. It
+// decays with a time constant of a second, because encoder steps make a small debt in every long
+// touch. Any debt while the contact buzzes is a fault.
 #pragma once
 
 #include <cstdint>
@@ -32,20 +31,21 @@ class PassivityControl {
  public:
   void configure(const ControllerConfig& config);
 
-  // Activation: nobody owes anything.
+  // Sets the credit to 0. Call at activation.
   void restart();
 
-  // First in a tick. kFaultNotPassive when the contact buzzes, or the debt is
-  // beyond max_force_N times passivity_fault_travel_m.
+  // Adds the energy of the past tick. Call before damp_W. Returns kFaultNotPassive if the contact
+  // buzzes with a debt, or if the debt is above max_force_N times passivity_fault_travel_m.
   std::uint64_t observe(const TickEnergy& energy, bool in_contact);
 
-  // N, to be added to the force; zero out of contact and without debt. The velocity is finite.
+  // Returns the damper's force, N, to be added to the rendered force; zero without contact or
+  // debt. The velocity is finite, m/s.
   [[nodiscard]] Vec3 damp_W(const Vec3& v_W, bool in_contact) const;
 
-  // E; below 0 it is a debt.
+  // Returns E, J. A negative value is a debt.
   [[nodiscard]] double credit_J() const { return credit_J_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:

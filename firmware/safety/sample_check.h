@@ -1,4 +1,4 @@
-// The first guard of a tick: is this sample fit to compute with?
+// Checks whether a sample may be used: the first guard of a tick.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ class SampleCheck {
  public:
   void configure(const ControllerConfig& config);
 
-  // FaultBits of this sample, faults and limits. Looks at the joints that the mechanism has.
-  // Positions are held against the joint limits only
-  // when the device is referenced: before that they mean nothing.
+  // Returns the FaultBits of this sample, faults and limits, for the joints of the mechanism.
+  // Positions are compared with the joint limits only while the device is referenced, because they
+  // mean nothing before.
   std::uint64_t check(const drivers::JointSample& sample);
 
-  // Samples too old, since configure().
+  // Returns the number of samples since configure() that were too old.
   [[nodiscard]] std::uint32_t stale_count() const { return stale_count_; }
 
-  // What it remembers, to bytes or back.
+  // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
@@ -37,10 +37,10 @@ class SampleCheck {
   std::uint32_t stale_count_ = 0;
 };
 
-// True when the device knows where its joints are and can be commanded.
+// Returns true if the device knows its joints' positions and can be commanded.
 bool is_referenced(std::uint32_t device_status);
 
-// The fault of each device trouble that stops.
+// Returns the FaultBits of the device troubles in `device_status` that stop.
 std::uint64_t device_faults(std::uint32_t device_status);
 
 }  // namespace tactus::firmware

@@ -12,21 +12,22 @@
 #include <span>
 #include <variant>
 
-#include "firmware/tactusd/told.h"
+#include "firmware/tactusd/messages.h"
 
 namespace tactus::firmware {
 namespace {
 
 using Name = std::array<char, 100>;  // as long as a claim's name may be
 
-// For the calls of the system, which want a zero at the end.
-std::array<char, kMostWords> terminated(std::string_view text) {
-  std::array<char, kMostWords> room{};
+// Returns the text with a zero at its end, as system calls need it.
+std::array<char, kMaxMessage> terminated(std::string_view text) {
+  std::array<char, kMaxMessage> room{};
   std::ranges::copy(text.substr(0, room.size() - 1), room.begin());
   return room;
 }
 
-// By what it is, not by its path: a link names the same thing. Empty: it is not there.
+// Names a file by its device and inode, so that a link to it has the same name. Returns an empty
+// name if there is no such file.
 Name file_claim(const char* kind, std::string_view path, unsigned channel = 0) {
   Name name{};
   struct stat status{};

@@ -1,6 +1,6 @@
-// One tactusd per run folder, CAN interface, serial port and PWM channel. Pins and USB devices the
-// kernel gives to one program alone. What another program holds is told on stderr, with its
-// process.
+// Makes sure that only one tactusd uses a run folder, CAN interface, serial port or PWM channel.
+// (The kernel itself gives pins and USB devices to one program only.) If another program holds one
+// of them, a message on stderr names it and its process.
 #pragma once
 
 #include <array>
@@ -12,12 +12,13 @@
 
 namespace tactus::firmware {
 
-// Held until the end of the program. Before anything is opened.
+// Claims resources until the end of the program. Claim them before any of them is opened.
 class ExclusiveUse {
  public:
-  // False: told.
+  // Returns false after it has printed why to stderr.
   bool of_run_folder(const char* folder);
-  // What is not there is left to its own opening, which says so; the same.
+  // Claims every connection of the device. One that does not exist is skipped, because opening it
+  // reports that. Returns false after it has printed why to stderr.
   bool of_boards(const DeviceConfig& config);
 
  private:

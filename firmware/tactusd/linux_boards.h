@@ -1,5 +1,5 @@
-// The boards of a device on the interfaces of a Linux board: opens what the configuration names and
-// composes the device of it. The one place that knows the concrete classes of both.
+// Opens the boards of a device on the interfaces of a Linux machine and composes the device of
+// them. Only this class knows the concrete classes of drivers and of hal/linux together.
 #pragma once
 
 #include <array>
@@ -30,10 +30,9 @@
 
 namespace tactus::firmware {
 
-// What could not be opened, and what to do.
 struct OpenError {
-  std::string_view connection;
-  std::string_view what;
+  std::string_view connection;  // its name in the device's file
+  std::string_view what;        // says what failed and what to do
   hal::Error error;
 };
 
@@ -44,13 +43,14 @@ class LinuxBoards {
   LinuxBoards& operator=(const LinuxBoards&) = delete;
   ~LinuxBoards() = default;
 
-  // Opens every connection and adds boards and joints to the device, which this must outlive. The
-  // Falcon's firmware, if a file is named, is in `falcon_firmware`. Not real time.
+  // Opens every connection of `config` and adds boards and joints to `device`. This object must
+  // outlive the device. `falcon_firmware` holds the bytes of the Falcon's firmware, or is empty.
+  // Not real time.
   std::expected<void, OpenError> open(const DeviceConfig& config,
                                       std::span<const std::byte> falcon_firmware,
                                       drivers::ComposedDevice& device);
 
-  // The watchdog's line, if the device has one.
+  // Opens the GPIO line of the watchdog, if the device has one.
   std::expected<void, OpenError> open_watchdog(const DeviceConfig& config,
                                                WatchdogOutput& watchdog);
 
@@ -91,7 +91,7 @@ class LinuxBoards {
   std::optional<drivers::Falcon> falcon_;
   hal::LinuxSerialPort serial_;
   std::optional<drivers::Haply> haply_;
-  std::array<drivers::BoardRef, kMaxConnections> boards_;  // by connection
+  std::array<drivers::BoardRef, kMaxConnections> boards_;  // one per connection
   std::array<drivers::AxisAddress, kMaxAxes> addresses_{};
 };
 

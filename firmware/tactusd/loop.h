@@ -1,7 +1,7 @@
 // The device loop: wake to the phase -> take the request -> read, controller, write -> publish.
 //
-// Nothing in it allocates, locks or prints, and it waits for nothing but its phase and the boards'
-// bounded transfers. What goes in and out of it passes its doors.
+// The loop does not allocate, lock or print. It waits only for its phase and for the boards'
+// bounded transfers. The program gives it requests and gets its records through LoopHooks.
 #pragma once
 
 #include <concepts>
@@ -16,32 +16,35 @@
 
 namespace tactus::firmware {
 
-// The way in and out of the loop, called from its thread once a tick in this order; each bounded,
-// without locks:
-//   stopping      the program is to end: the loop disables, then leaves
-//   has_crashed   something beside the loop has: a fault, after which the loop leaves
-//   take_request  what somebody wants of this tick; may set the controller's parameters, which is
-//                 then part of this tick
-//   publish       the tick is over: controller.record() says what it did
+// The functions through which the program talks to the loop. The loop's thread calls them in every
+// tick, in the order has_crashed, stopping, take_request, publish. Each must be bounded and take no
+// lock.
+//   has_crashed   returns true if a thread beside the loop has crashed; the tick is then a fault,
+//                 and the loop ends after it
+//   stopping      returns true if the program is to end; the loop then disables and ends
+//   take_request  returns the request for this tick; it may set the controller's parameters, and
+//                 this tick then uses them
+//   publish       gets the finished tick: controller.record() says what it did
 template <typename T>
-concept LoopDoors = requires(T& doors, Controller& controller, const LoopTick& tick) {
-  { doors.stopping() } -> std::same_as<bool>;
-  { doors.has_crashed() } -> std::same_as<bool>;
-  { doors.take_request(controller) } -> std::same_as<Request>;
-  doors.publish(controller, tick);
+concept LoopHooks = requires(T& hooks, Controller& controller, const LoopTick& tick) {
+  { hooks.stopping() } -> std::same_as<bool>;
+  { hooks.has_crashed() } -> std::same_as<bool>;
+  { hooks.take_request(controller) } -> std::same_as<Request>;
+  hooks.publish(controller, tick);
 };
 
 struct LoopConfig {
-  hal::Phase phase;
-  std::uint64_t ticks =
-      std::numeric_limits<std::uint64_t>::max();  // ends after so many, if not before
-  // In fault the loop goes on for so many: the boards take the power away and hear what follows.
+  hal::Phase phase;  // period and offset of the ticks
+  // The loop ends after this many ticks at the latest.
+  std::uint64_t ticks = std::numeric_limits<std::uint64_t>::max();
+  // The loop ends after this many ticks in a row in mode `fault`. Meanwhile the boards switch the
+  // motors' power off.
   std::uint64_t ticks_after_fault = 0;
 };
 
 enum class LoopEnd : std::uint8_t { ended, faulted };
 
-// Decides after each tick whether there is a next one.
+// Decides after each tick whether the loop goes on.
 class LoopCourse {
  public:
   explicit LoopCourse(const LoopConfig& config)
@@ -55,19 +58,20 @@ class LoopCourse {
   std::uint64_t in_fault_ = 0;
 };
 
-// Whether a tick deserves the watchdog's edge.
+// Returns true if the tick shall toggle the watchdog's line.
 inline bool is_healthy(Mode mode, const LoopTick& tick) {
   return mode != Mode::fault && !tick.late;
 }
 
-// What the controller's guards are told of the loop before a tick: of the tick itself, whether the
-// tick before could drive the watchdog, and whether something beside the loop has crashed.
+// Returns the loop's report to the controller before a tick. `watchdog_driven` says whether the
+// previous tick could set the watchdog's line, `has_crashed` whether a thread beside the loop has
+// crashed.
 LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_crashed);
 
-// The phase's period for so many ticks a second.
+// Returns the phase with the period of `rate_hz` and no offset.
 hal::Phase loop_phase(double rate_hz);
 
-// What the loop works with beside the device and its doors; all outlive it.
+// The objects that the loop uses beside the device and the hooks. They must outlive it.
 struct LoopParts {
   Controller& controller;
   hal::Clock& clock;
@@ -75,10 +79,11 @@ struct LoopParts {
   WatchdogOutput& watchdog;
 };
 
-// Ends when the doors or the configuration say so, or after a fault. The motors are the caller's to
-// stop.
-template <drivers::Device D, LoopDoors Doors>
-LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Doors& doors) {
+// Runs ticks until the hooks or the configuration end it, or until ticks_after_fault ticks in
+// `fault` have passed. Returns `faulted` if it ended in mode `fault`. The caller must stop the
+// motors afterwards.
+template <drivers::Device D, LoopHooks Hooks>
+LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Hooks& hooks) {
   auto& [controller, clock, timing, watchdog] = parts;
   LoopCourse course(config);
   bool stopping = false;
@@ -86,15 +91,15 @@ LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Do
   hal::Wake wake = clock.sleep_until(hal::next_instant_ns(config.phase, clock.now_ns()));
   for (;;) {
     LoopTick tick = timing.woke(wake);
-    const bool has_crashed = doors.has_crashed();
-    stopping = stopping || has_crashed || doors.stopping();
+    const bool has_crashed = hooks.has_crashed();
+    stopping = stopping || has_crashed || hooks.stopping();
     controller.note_loop(loop_report(tick, watchdog_driven, has_crashed));
-    const Request wanted = doors.take_request(controller);
+    const Request wanted = hooks.take_request(controller);
     const bool disable = stopping && controller.mode() == Mode::active;
     run_tick(controller, device, disable ? Request::disable : wanted);
     watchdog_driven = watchdog.tick(is_healthy(controller.mode(), tick));
     timing.done(tick, controller.record().stage_ns, clock.now_ns());
-    doors.publish(controller, tick);
+    hooks.publish(controller, tick);
     if (!course.goes_on(controller.mode(), stopping)) {
       return controller.mode() == Mode::fault ? LoopEnd::faulted : LoopEnd::ended;
     }

@@ -1,5 +1,6 @@
-// tactusd: the controller on a Linux board. Reads the images, opens the boards, then ticks: read ->
-// controller -> write, at the device's rate, until told to stop or a fault has stopped the motors.
+// tactusd: the controller on a Linux machine. It reads the images, opens the boards and then runs
+// the loop (read -> controller -> write) at the device's rate, until a signal ends it or a fault
+// has stopped the motors.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,7 +15,7 @@
 #include <limits>
 #include <optional>
 
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/command_server.h"
 #include "firmware/commands/telemetry_hooks.h"
 #include "firmware/realtime/crash_stop.h"
@@ -27,11 +28,11 @@
 #include "firmware/tactusd/exclusive_use.h"
 #include "firmware/tactusd/linux_boards.h"
 #include "firmware/tactusd/loop.h"
+#include "firmware/tactusd/messages.h"
 #include "firmware/tactusd/options.h"
 #include "firmware/tactusd/run_inputs.h"
 #include "firmware/tactusd/run_telemetry.h"
 #include "firmware/tactusd/supervisor.h"
-#include "firmware/tactusd/told.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {
@@ -40,27 +41,27 @@ namespace {
 constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
-// After a fault the loop goes on for so long: the boards take the power away and hear what follows.
-// Where commands are taken it goes on until told to stop: somebody may reset it.
+// The loop goes on for this time after a fault, while the boards switch the motors' power off. With
+// a command socket it goes on until a signal ends it, because an operator may reset the fault.
 constexpr double kAfterFault_s = 0.2;
 
-std::atomic<bool> told_to_stop{false};
+std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// The signal that told it; 0: none.
+// The signal that requested the stop; 0: none.
 std::atomic<int> end_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void on_end_signal(int signal) {
   end_signal.store(signal, std::memory_order_relaxed);
-  told_to_stop.store(true, std::memory_order_relaxed);
+  stop_requested.store(true, std::memory_order_relaxed);
 }
 
 std::uint64_t now_ns() {
   return static_cast<std::uint64_t>(hal::monotonic_now_ns());
 }
 
-// Everything that lives as long as the program; none of it on the heap.
+// The objects that live as long as the program, in static storage.
 struct Program {
   ExclusiveUse exclusive_use;
   RunInputs inputs;
@@ -73,8 +74,8 @@ struct Program {
   ServiceNotice notice;
   Supervisor supervisor;
   RunTelemetry telemetry;
-  CommandDesk desk;
-  CommandServer commands{desk, inputs.scenes()};
+  CommandQueue queue;
+  CommandServer commands{queue, inputs.scenes()};
 };
 
 Program program;
@@ -96,9 +97,10 @@ void complain(const OpenError& error) {
                error.what.data(), length(code), code.data(), error.error.errno_value);
 }
 
-// Null if a board does not open.
+// Opens all boards and the watchdog's line. Returns the device, or null after it has printed why to
+// stderr.
 drivers::ComposedDevice* open_boards() {
-  // Half of every period stays for the rest of the tick.
+  // Reading may take half of a period; the other half stays for the rest of the tick.
   const double half_period_s = 0.5 / program.inputs.config().controller.rate_hz;
   const double read_limit_s = std::min(program.inputs.config().read_limit_s, half_period_s);
   const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
@@ -117,20 +119,21 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// What passes the loop's doors: commands and the command line's wish in, every tick out.
-class Doors {
+// Connects the loop with the rest of the program: requests come from the command queue and from
+// --enable, and every tick goes to telemetry and to the supervisor.
+class ProgramHooks {
  public:
-  Doors(const Options& options, const drivers::ComposedDevice& device)
+  ProgramHooks(const Options& options, const drivers::ComposedDevice& device)
       : enable_(options.enable), device_(&device) {}
 
-  [[nodiscard]] bool stopping() const { return told_to_stop.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool stopping() const { return stop_requested.load(std::memory_order_relaxed); }
   [[nodiscard]] bool has_crashed() const { return has_helper_crashed(); }
 
-  // --enable acts until an operator does.
+  // Returns the operator's request. With --enable, homes and enables until an operator sends one.
   [[nodiscard]] Request take_request(Controller& controller) const {
-    const Request commanded = program.desk.before_tick(controller);
+    const Request commanded = program.queue.before_tick(controller);
     const Mode mode = controller.mode();
-    if (!enable_ || program.desk.is_operated()) {
+    if (!enable_ || program.queue.is_operated()) {
       return commanded;
     }
     return mode == Mode::init    ? Request::home
@@ -139,7 +142,7 @@ class Doors {
   }
 
   void publish(Controller& controller, const LoopTick& tick) {
-    program.desk.after_tick(controller);
+    program.queue.after_tick(controller);
     program.telemetry.publish(controller, tick, *device_);
     program.supervisor.note(controller.mode());
   }
@@ -160,17 +163,17 @@ int run(drivers::ComposedDevice& device, const Options& options) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
-  Doors doors(options, device);
+  ProgramHooks hooks(options, device);
   const LoopParts parts{.controller = program.controller,
                         .clock = program.boards.clock(),
                         .timing = program.timing,
                         .watchdog = program.watchdog};
   LoopEnd end = LoopEnd::ended;
   if (options.allow_inject) {
-    InjectedDevice injected(device, program.desk.injector(), rate_hz, now_ns);
-    end = run_loop(config, parts, injected, doors);
+    InjectedDevice injected(device, program.queue.injector(), rate_hz, now_ns);
+    end = run_loop(config, parts, injected, hooks);
   } else {
-    end = run_loop(config, parts, device, doors);
+    end = run_loop(config, parts, device, hooks);
   }
   device.stop();
   end_real_time();
@@ -199,7 +202,8 @@ void explain_fault(const drivers::ComposedDevice& device) {
   }
 }
 
-// False where the loop has no right to its time and must have it.
+// Makes this thread a real-time thread. Returns false after it has printed why to stderr, unless
+// --allow-non-realtime is given.
 bool take_time(const Options& options) {
   RealTimeError error;
   if (!become_real_time({.priority = options.priority, .cpu = options.cpu}, error)) {
@@ -221,7 +225,7 @@ bool take_time(const Options& options) {
   return true;
 }
 
-bool start_telling() {
+bool start_reporting() {
   if (const int failed = program.notice.open(); failed != 0) {
     std::fprintf(stderr, "tactusd: $NOTIFY_SOCKET: %s\n", std::strerror(failed));
   }
@@ -236,7 +240,8 @@ const char* run_folder(const Options& options) {
   return options.run_dir != nullptr ? options.run_dir : kRunFolder;
 }
 
-// False: told. The default folder is made where it can be: nobody must run without a stop.
+// Claims the folder of the sockets. Creates the default folder if it may, because no program must
+// run without the stop socket. Returns false after it has printed why to stderr.
 bool take_run_folder(const Options& options) {
   constexpr mode_t kOwnerAndGroup = 0750;
   const char* const folder = run_folder(options);
@@ -254,14 +259,14 @@ bool take_run_folder(const Options& options) {
   return program.exclusive_use.of_run_folder(folder);
 }
 
-// Opens the sockets of commands and of the stop. False: told.
+// Opens the command socket and the stop socket. Returns false after it has printed why to stderr.
 bool start_commands(const Options& options) {
   const char* const folder = run_folder(options);
-  std::array<char, kMostWords> path{};
-  std::array<char, kMostWords> stop_path{};
+  std::array<char, kMaxMessage> path{};
+  std::array<char, kMaxMessage> stop_path{};
   std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
   std::snprintf(stop_path.data(), stop_path.size(), "%s/stop.sock", folder);
-  program.desk.set_events(telemetry_events(program.telemetry.sinks()));
+  program.queue.set_events(telemetry_events(program.telemetry.sinks()));
   RunHooks hooks = telemetry_hooks(program.telemetry.sinks());
   hooks.enable_refusal = program.inputs.enable_refusal();
   hooks.homing_hint = program.inputs.homing_hint();
@@ -285,7 +290,8 @@ void write_timing(const char* path) {
   }
 }
 
-// Every one that would end or stop the program, before there is torque. False: told.
+// Installs handlers for every signal that would end or stop the program. Call before there is
+// torque. Returns false after it has printed why to stderr.
 bool catch_signals() {
   int failed = catch_end_signals(on_end_signal, on_flight_signal);
   failed = failed != 0 ? failed : catch_crashes(stop_motors);
@@ -296,8 +302,8 @@ bool catch_signals() {
   return failed == 0;
 }
 
-// After the motors have been stopped.
-void tell_end_signal() {
+// Prints the signal that ended the loop, if any. Call after the motors have been stopped.
+void print_end_signal() {
   release_end_signals();
   if (const int signal = end_signal.load(std::memory_order_relaxed); signal != 0) {
     std::fprintf(stderr, "tactusd: ends at signal %d (%s)\n", signal, strsignal(signal));
@@ -328,7 +334,7 @@ int start_and_run(const Options& options) {
                                inputs.config().joint_count)) {
     return kCouldNotStart;
   }
-  if (!start_commands(options) || !take_time(options) || !start_telling()) {
+  if (!start_commands(options) || !take_time(options) || !start_reporting()) {
     return kCouldNotStart;
   }
   if (!catch_signals()) {
@@ -336,7 +342,7 @@ int start_and_run(const Options& options) {
   }
   device->start();
   const int code = run(*device, options);
-  tell_end_signal();
+  print_end_signal();
   if (has_helper_crashed()) {
     explain_fault(*device);
     end_in_crash();

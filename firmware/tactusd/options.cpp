@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "firmware/limits.h"
-#include "firmware/tactusd/told.h"
+#include "firmware/tactusd/messages.h"
 
 namespace tactus::firmware {
 
@@ -22,7 +22,7 @@ bool complain(std::string_view what, std::string_view argument) {
   return false;
 }
 
-// Takes the value behind an option.
+// Reads the value of an option. Returns false if the option is unknown or the value is not valid.
 bool read_value(std::string_view option, const char* value, Options& options) {
   double number = 0.0;
   if (option == "--record") {

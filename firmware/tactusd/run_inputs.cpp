@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostPath = 512;
 
-// Far more than a device's settings with its certificate, or the Falcon's firmware.
+// A file larger than this is refused. Device images and the Falcon's firmware are far smaller.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
 bool copy(hal::ImageSlot& slot, const char* path) {
@@ -35,7 +35,7 @@ bool copy(hal::ImageSlot& slot, const char* path) {
 
 void tell_refusal(const char* path, const rendering::SceneImage& scene,
                   const SceneRefusal& refusal) {
-  std::array<char, kMostWords> room{};
+  std::array<char, kMaxMessage> room{};
   const std::string_view words = refusal_words(refusal, names_of(refusal.part, scene), room);
   std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
 }
@@ -48,7 +48,8 @@ bool is_slower_than_certified(const Options& options, const DeviceConfig& config
          options.rate_hz > 0.0 && options.rate_hz < config.controller.rate_hz;
 }
 
-// Baking has checked the device's own rate; --rate is another one. False: told.
+// Checks the rate given by --rate as baking checks the device's own rate. Returns false after it
+// has printed why to stderr.
 bool can_keep_rate(const Options& options, const DeviceConfig& config) {
   Words words;
   const Verdict verdict = check_rates(config, words);
@@ -96,7 +97,7 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
       return false;
     }
   }
-  std::array<char, kMostWords> words{};
+  std::array<char, kMaxMessage> words{};
   if (const auto warning = certificate_warning(config_.certification, words); !warning.empty()) {
     std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
                  warning.data());

@@ -1,7 +1,6 @@
-// The files that a run of tactusd starts from: the device's image, the scene's, the Falcon's
-// firmware. Copied into memory and checked there before the loop: no later write
-// reaches them. Nothing on the heap. What is wrong with one is told
-// on stderr, with its name.
+// The files that a run of tactusd starts from: the device image, the scene image and the Falcon's
+// firmware. Each is copied into memory and checked there before the loop, so that a later write to
+// the file has no effect. Nothing is on the heap.
 #pragma once
 
 #include <array>
@@ -12,30 +11,31 @@
 #include "firmware/commands/scene_store.h"
 #include "firmware/control/controller.h"
 #include "firmware/device/device_image.h"
+#include "firmware/tactusd/messages.h"
 #include "firmware/tactusd/options.h"
-#include "firmware/tactusd/told.h"
 #include "hal/linux/image_slot.h"
 
 namespace tactus::firmware {
 
 class RunInputs {
  public:
-  // Configures the controller as the device's image and the command line say. False: told, and
-  // nothing of use.
+  // Each load function returns false after it has printed the file and the reason to stderr.
+
+  // Configures the controller as the device image and the command line say.
   bool load_device(const Options& options, Controller& controller);
-  // The scene into the controller, if one is named; the same.
+  // Loads the scene into the controller, if the command line names one.
   bool load_scene(const Options& options, Controller& controller);
-  // If the device names one; the same.
+  // Loads the Falcon's firmware, if the device names a file.
   bool load_falcon_firmware();
 
-  // Why this device may not be enabled, and what to do; empty if it may.
+  // Returns why this device may not be enabled and what to do; empty if it may.
   [[nodiscard]] std::string_view enable_refusal() const { return enable_refusal_; }
-  // What the user does while the device is homed; empty: nothing.
+  // Returns what the user has to do while the device homes; empty if nothing.
   [[nodiscard]] std::string_view homing_hint() const { return homing_hint_; }
   [[nodiscard]] const DeviceConfig& config() const { return config_; }
   [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
   [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
-  // Which the command thread changes later.
+  // Returns the scene's memory. The command thread uses it once the loop runs.
   [[nodiscard]] SceneStore& scenes() { return scenes_; }
 
  private:
@@ -44,7 +44,7 @@ class RunInputs {
   DeviceSections sections_;
   DeviceConfig config_;
   std::string_view enable_refusal_;
-  std::array<char, kMostWords> homing_room_{};
+  std::array<char, kMaxMessage> homing_room_{};
   std::string_view homing_hint_;
   SceneStore scenes_;
 };

@@ -22,7 +22,8 @@ std::int64_t realtime_offset_ns() {
   return hal::to_ns(now) - hal::monotonic_now_ns();
 }
 
-bool tell(const char* what, int failed) {
+// Returns true if `failed` is 0; otherwise prints `what` and the error to stderr.
+bool succeeds(const char* what, int failed) {
   if (failed != 0) {
     std::fprintf(stderr, "tactusd: %s: %s\n", what, std::strerror(failed));
   }
@@ -39,18 +40,19 @@ bool RunTelemetry::start(const Options& options, const RunImages& images, std::s
   }
   if (options.udp_port != 0) {
     const auto every = static_cast<std::uint32_t>(images.config.rate_hz / kUdpRate_Hz);
-    if (!tell("--udp-json", writer_.open_udp(options.udp_port, every))) {
+    if (!succeeds("--udp-json", writer_.open_udp(options.udp_port, every))) {
       return false;
     }
   }
-  if (options.record != nullptr && !tell(options.record, writer_.record(options.record))) {
+  if (options.record != nullptr && !succeeds(options.record, writer_.record(options.record))) {
     return false;
   }
-  return tell("no thread for telemetry", writer_.start()) &&
-         tell("no thread for the flight recorder", flight_.start({.folder = options.flight_dir,
-                                                                  .rate_hz = images.config.rate_hz,
-                                                                  .run = description_,
-                                                                  .images = images_}));
+  return succeeds("no thread for telemetry", writer_.start()) &&
+         succeeds("no thread for the flight recorder",
+                  flight_.start({.folder = options.flight_dir,
+                                 .rate_hz = images.config.rate_hz,
+                                 .run = description_,
+                                 .images = images_}));
 }
 
 template <class Write>

@@ -1,5 +1,5 @@
-// What tactusd lets others see of its run: the recording, the flight recorder, the live socket and
-// PlotJuggler, as the command line asks.
+// The telemetry of a run of tactusd, as the command line asks for it: the recording, the flight
+// recorder, the live socket and the JSON datagrams for PlotJuggler.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@
 
 namespace tactus::firmware {
 
-// What the run is of; all outlives it.
+// The inputs of the run, for its recordings. They must outlive the telemetry.
 struct RunImages {
-  const ControllerConfig& config;  // as the controller was configured
+  const ControllerConfig& config;  // the controller's configuration
   std::span<const std::byte> device;
   std::span<const std::byte> scene;  // empty: free space
 };
@@ -33,27 +33,28 @@ class RunTelemetry {
   RunTelemetry& operator=(const RunTelemetry&) = delete;
   ~RunTelemetry() = default;
 
-  // Opens what is wanted and starts the thread, before the calling thread becomes a real-time one.
-  // False, after telling the user on stderr, if something cannot be had that was asked for.
+  // Opens the outputs and starts the thread. Call before the calling thread becomes a real-time
+  // thread. Returns false after it has printed why to stderr.
   bool start(const Options& options, const RunImages& images, std::size_t joints);
 
-  // Real time.
+  // Publishes the tick that has ended. Real time: for the loop's thread.
   void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
   void publish(const TelemetryEvent& event) { writer_.publish(event); }
 
-  // After the loop; tells on stderr what is missing from the recording.
+  // Ends the outputs after the loop. Prints to stderr how much is missing from the recording, if
+  // anything is.
   void stop(const Options& options);
 
-  // For what commands change while the loop runs.
+  // Returns the writers that commands may switch while the loop runs.
   TelemetrySinks& sinks() { return sinks_; }
-  // Writes the last seconds out; from a signal's handler, too.
+  // Asks the flight recorder to write its last seconds. May be called from a signal handler.
   void ask_for_flight() { flight_.ask(); }
 
  private:
   void describe(const Options& options, const RunImages& images, std::size_t joints);
   void attach(const RunImages& images);
   void note(std::string_view key, std::string_view value);
-  // Puts what `write` writes where it stays.
+  // Copies the text that `write` adds to the buffer into `memory_` and returns a view of it.
   template <class Write>
   std::string_view keep(Write write);
   bool open_live_socket(const Options& options);

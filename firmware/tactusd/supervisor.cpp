@@ -43,25 +43,25 @@ void Supervisor::run() {
   hal::LinuxClock clock;
   const hal::TimeNs look_ns = std::min(kLook_ns, watchdog_period_ns_.value_or(hal::kForever) / 4);
   while (!stopping_.load(std::memory_order_relaxed)) {
-    tell_modes();
-    tell_manager(clock.now_ns());
+    print_modes();
+    notify_manager(clock.now_ns());
     clock.sleep_until(clock.now_ns() + look_ns);
   }
-  tell_modes();
+  print_modes();
   notice_->send("STOPPING=1\n");
 }
 
-void Supervisor::tell_modes() {
+void Supervisor::print_modes() {
   const std::uint32_t changes = changes_.load(std::memory_order_acquire);
-  told_ = std::max(told_, changes - std::min(changes, kModesKept));
-  for (; told_ != changes; ++told_) {
+  reported_ = std::max(reported_, changes - std::min(changes, kModesKept));
+  for (; reported_ != changes; ++reported_) {
     const std::string_view name =
-        mode_name(modes_[told_ % kModesKept].load(std::memory_order_relaxed));
+        mode_name(modes_[reported_ % kModesKept].load(std::memory_order_relaxed));
     std::fprintf(stderr, "tactusd: %.*s\n", static_cast<int>(name.size()), name.data());
   }
 }
 
-void Supervisor::tell_manager(hal::TimeNs now_ns) {
+void Supervisor::notify_manager(hal::TimeNs now_ns) {
   const std::uint64_t ticks = ticks_.load(std::memory_order_relaxed);
   if (ticks == ticks_seen_) {
     return;

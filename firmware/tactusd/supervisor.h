@@ -1,5 +1,5 @@
-// The thread that stands beside the loop and tells: people of every change of mode, on stderr, and
-// the service manager that the loop is alive. The loop leaves two numbers and never waits for it.
+// A thread that reports on the loop: it prints every change of mode to stderr, and notifies the
+// service manager that the loop is alive. The loop stores two numbers and never waits for it.
 #pragma once
 
 #include <array>
@@ -21,37 +21,37 @@ class Supervisor {
   Supervisor& operator=(const Supervisor&) = delete;
   ~Supervisor() { stop(); }
 
-  // `notice` outlives this. READY=1 goes out with the first tick, WATCHDOG=1 twice a period for as
-  // long as ticks come. 0, or errno.
+  // Starts the thread. It sends READY=1 with the first tick, and WATCHDOG=1 twice per watchdog
+  // period while ticks come. `notice` must outlive this. Returns 0 or errno.
   int start(const ServiceNotice& notice);
 
-  // Real time; from the loop, once a tick. Where the thread is kept from running for more than
-  // kModesKept changes, the oldest are not told.
+  // Notes the mode after a tick. Call from the loop once per tick; real time. If the thread cannot
+  // run for more than kModesKept changes, the oldest are not printed.
   void note(Mode mode);
 
-  // Tells what is left, says STOPPING=1 and ends the thread.
+  // Prints the remaining changes, sends STOPPING=1 and ends the thread.
   void stop();
 
  private:
   static constexpr std::uint32_t kModesKept = 32;
 
   void run();
-  void tell_modes();
-  void tell_manager(hal::TimeNs now_ns);
+  void print_modes();
+  void notify_manager(hal::TimeNs now_ns);
 
   const ServiceNotice* notice_ = nullptr;
   std::optional<hal::TimeNs> watchdog_period_ns_;
   HelperThread thread_;
   std::atomic<bool> stopping_{false};
 
-  // Written by the loop.
+  // The loop writes these.
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint32_t> changes_{0};
   std::array<std::atomic<Mode>, kModesKept> modes_{};
   Mode last_ = Mode::init;
 
-  // The thread's own.
-  std::uint32_t told_ = 0;
+  // Only the thread uses these.
+  std::uint32_t reported_ = 0;
   std::uint64_t ticks_seen_ = 0;
   hal::TimeNs next_watchdog_ns_ = 0;
 };

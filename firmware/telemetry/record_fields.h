@@ -1,4 +1,4 @@
-// Every field of a record under its name: what a CSV file, a comparison or a display goes through.
+// Visits every field of a record with its name, for CSV files, comparisons and displays.
 //
 // A new field of TelemetryRecord or RecordedTick gets its line here, its place in record.fbs, and
 // its lines in outputs/record_encoder.cpp and host_tools/recording/record_decoder.cpp; tests hold
@@ -11,10 +11,10 @@
 
 namespace tactus::firmware {
 
-// A column of a CSV file is called column, then what tells the elements of an array apart (1, 2, ..
-// for joints, x, y, z in a triple, a source of energy), then the unit: joint1, tool_x_m.
+// The names of a field. The name of a CSV column is `column`, then for arrays the element (1, 2, ..
+// for joints, x, y, z of a triple, or an energy source), then the unit: joint1, tool_x_m.
 struct FieldName {
-  std::string_view name;  // as in the struct
+  std::string_view name;  // the name in the struct
   std::string_view column;
   std::string_view unit;
 };
@@ -73,7 +73,8 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"stage_ns.write", "write", "ns"}, record.stage_ns.write);
 }
 
-// Those of the loop behind those of the record. Tick: RecordedTick, const or not.
+// Calls visit for the fields of the record, then for those of the loop. Tick: RecordedTick, const
+// or not.
 template <class Tick, class Visit>
 void visit_tick_fields(Tick& tick, Visit&& visit) {
   visit_record_fields(tick.record, visit);

@@ -1,8 +1,7 @@
-// Carries fixed-size items from one thread to one other, without locks.
+// A ring buffer that carries fixed-size items from one thread to one other, without locks.
 //
-// The producer is the real-time loop: `push` is wait-free, copies the item and never waits for the
-// consumer; what finds the ring full is dropped and counted. The consumer takes the items in order,
-// in its own time.
+// The producer is the real-time loop: `push` is wait-free and copies the item. An item that finds
+// the ring full is dropped and counted. The consumer takes the items in order.
 #pragma once
 
 #include <array>
@@ -23,7 +22,8 @@ class Ring {
   static_assert(std::has_single_bit(kCapacity), "a power of two, so that the counts may wrap");
 
  public:
-  // Producer. False, and one more dropped, when the ring is full.
+  // Adds an item. Returns false, and counts the item as dropped, if the ring is full. Producer
+  // only.
   bool push(const Item& item) {
     const std::size_t end = end_.load(std::memory_order_relaxed);
     if (end - seen_begin_ == kCapacity) {
@@ -38,7 +38,7 @@ class Ring {
     return true;
   }
 
-  // Consumer. The oldest item, or null when there is none; it stays valid until `pop`.
+  // Returns the oldest item, or null if there is none. It is valid until `pop`. Consumer only.
   const Item* front() {
     const std::size_t begin = begin_.load(std::memory_order_relaxed);
     if (begin == seen_end_) {
@@ -50,16 +50,16 @@ class Ring {
     return &items_[begin % kCapacity];
   }
 
-  // Consumer. Gives the place of `front`, which was not null, back to the producer.
+  // Removes the item of `front`, which must not have been null. Consumer only.
   void pop() {
     begin_.store(begin_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
 
-  // Any thread. Items that found no room since the start.
+  // Returns the number of items dropped since the start. Any thread.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
  private:
-  // What the one thread writes stands apart from what the other writes.
+  // The variables of the two threads are in separate cache lines.
   static constexpr std::size_t kCacheLine = 64;
 
   alignas(kCacheLine) std::atomic<std::size_t> end_{0};
@@ -72,7 +72,7 @@ class Ring {
   static_assert(std::atomic<std::size_t>::is_always_lock_free);
 };
 
-// 4 s of ticks at 1 kHz, half a second at 8 kHz: longer than a disk stalls.
+// Holds 4 s of ticks at 1 kHz, half a second at 8 kHz. A disk stalls for less.
 using RecordRing = Ring<RecordedTick, 4096>;
 using EventRing = Ring<TelemetryEvent, 256>;
 

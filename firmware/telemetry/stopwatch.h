@@ -1,4 +1,4 @@
-// Times the stages of a tick with whatever clock the caller has.
+// Measures the stages of a tick with the caller's clock.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace tactus::firmware {
 
-// A monotonic clock in ns, callable from the tick; null for none.
+// A function that returns a monotonic time in ns and may be called from the tick; null: no clock.
 using NowNs = std::uint64_t (*)();
 
 class Stopwatch {
  public:
   explicit Stopwatch(NowNs now_ns) : now_ns_(now_ns), last_ns_(now_ns != nullptr ? now_ns() : 0) {}
 
-  // ns since construction or the lap before, at most 4.29 s; 0 without a clock.
+  // Returns the ns since construction or the previous lap, at most 4.29 s; 0 without a clock.
   std::uint32_t lap_ns() {
     if (now_ns_ == nullptr) {
       return 0;

@@ -1,5 +1,5 @@
-// What came into the loop beside its samples: published when it took effect, so that a recording
-// tells how to repeat the run.
+// An input of the loop beside its samples. It is published when it takes effect, so that a
+// recording holds all that is needed to repeat the run.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,21 @@ enum class EventKind : std::uint8_t {
   scene,      // the scene changed to the attachment `name` before the tick
   request,    // a request of this `name` was handed to the tick
   inject,     // a fault of this `name`, with `value`, was injected before the tick
-  note        // something worth knowing: recording on, a reader refused
+  note        // information: recording on, a reader refused
 };
 inline constexpr std::array<std::string_view, 5> kEventKindNames = {"parameter", "scene", "request",
                                                                     "inject", "note"};
 
 struct TelemetryEvent {
-  std::uint64_t tick = 0;    // the first that it holds for
-  std::int64_t time_ns = 0;  // when that tick was due, as LoopTimes::scheduled_ns
+  std::uint64_t tick = 0;    // the first tick with it
+  std::int64_t time_ns = 0;  // LoopTimes::scheduled_ns of that tick
   EventKind kind = EventKind::note;
   std::array<char, 47> name{};  // ends with the first zero, if it has one
   double value = 0.0;
 };
 static_assert(std::is_trivially_copyable_v<TelemetryEvent>);
 
-// What does not fit is cut.
+// Sets the name of the event and cuts it if it is too long.
 inline void set_name(TelemetryEvent& event, std::string_view name) {
   event.name = {};
   std::copy_n(name.begin(), std::min(name.size(), event.name.size()), event.name.begin());

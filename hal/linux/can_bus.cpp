@@ -16,7 +16,7 @@ namespace tactus::hal {
 namespace {
 
 constexpr int kReceiveBuffer_bytes = 1 << 20;
-// Always asked of the kernel: the state is known from them.
+// These classes are always enabled, because the state is derived from them.
 constexpr std::uint32_t kOwnErrorClasses = kCanBusOff | kCanRestarted | kCanController;
 
 Result<void> open_failure(int error) {
@@ -48,14 +48,15 @@ Result<void> set_option(int socket, int level, int name, int value) {
   return set_option(socket, level, name, &value, sizeof(value));
 }
 
-// The kernel stamps with CLOCK_REALTIME.
+// Returns the difference between CLOCK_REALTIME, which the kernel's time stamps use, and
+// CLOCK_MONOTONIC, ns.
 TimeNs realtime_minus_monotonic_ns() {
   timespec real{};
   clock_gettime(CLOCK_REALTIME, &real);
   return to_ns(real) - monotonic_now_ns();
 }
 
-// Room for one batch of either direction, on the stack.
+// The buffers of one batch in either direction, on the stack.
 template <std::size_t kCount>
 struct Batch {
   std::array<CanWireFrame, kCount> wire;
@@ -99,7 +100,7 @@ Result<void> LinuxCanBus::open(std::string_view interface) {
 
 Result<void> LinuxCanBus::configure_socket() {
   const int socket = socket_.get();
-  // Without the privilege to exceed it, the system's limit holds.
+  // Without the privilege to exceed it, the system's limit applies.
   if (!set_option(socket, SOL_SOCKET, SO_RCVBUFFORCE, kReceiveBuffer_bytes)) {
     (void)set_option(socket, SOL_SOCKET, SO_RCVBUF, kReceiveBuffer_bytes);
   }
@@ -160,7 +161,7 @@ Result<std::size_t> LinuxCanBus::DoSend(std::span<const CanFrame> frames) {
   return sent;
 }
 
-// After a send that failed: nothing if it is worth another, else why not.
+// Judges a failed send. Succeeds if it may be tried again; otherwise returns the error.
 Result<void> LinuxCanBus::may_send_again(int error, int tries) {
   switch (error) {
     case ENOBUFS:
@@ -169,7 +170,7 @@ Result<void> LinuxCanBus::may_send_again(int error, int tries) {
     case ENETDOWN:
     case ENXIO:
     case ENODEV: {
-      // The socket reports once that the link was down, also when it is up again.
+      // The socket reports once that the link was down, even if it is up again.
       const auto link = check_link();
       return link && tries > 0 ? failure(ErrorCode::disconnected, error) : link;
     }
@@ -202,7 +203,7 @@ Result<std::size_t> LinuxCanBus::DoReceive(std::span<CanReceived> received, Time
   }
 }
 
-// What is there now; 0 if nothing is.
+// Receives the waiting items without waiting and returns their number, which may be 0.
 Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
   Batch<kBatch> batch;
   alignas(cmsghdr) std::array<std::array<std::byte, 128>, kBatch> control;
@@ -217,7 +218,7 @@ Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
     const int got = recvmmsg(socket_.get(), batch.messages.data(), static_cast<unsigned>(room),
                              MSG_DONTWAIT, nullptr);
     if (got < 0) {
-      // The news of a link that went down comes before the frames that came before it.
+      // The error of a link that went down comes before the frames that were received before it.
       if (errno == ENETDOWN || errno == ENODEV) {
         link_down_ = true;
         continue;
@@ -237,7 +238,7 @@ Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
         note_drops(ancillary.drops);
       }
       CanReceived& item = received[count];
-      // The kernel begins to stamp a little after the first socket asked for it.
+      // The kernel begins to add time stamps a little after the first socket requested them.
       item.time_ns =
           ancillary.realtime_ns > 0 ? ancillary.realtime_ns - offset_ns : monotonic_now_ns();
       const canfd_frame& wire = batch.wire[i].frame;
@@ -257,7 +258,7 @@ Result<std::size_t> LinuxCanBus::take_waiting(std::span<CanReceived> received) {
   return count;
 }
 
-// Nothing if the link is up; else why it is not.
+// Succeeds if the link is up; otherwise returns link_down or disconnected.
 Result<void> LinuxCanBus::check_link() {
   const auto up = interface_.is_up(socket_.get());
   if (!up) {
@@ -272,7 +273,7 @@ Result<void> LinuxCanBus::check_link() {
   return {};
 }
 
-// Frames always; reports, if the caller asked for one of their classes.
+// Returns true if the caller shall get the item: a frame, or a report of an enabled class.
 bool LinuxCanBus::hand_out(CanReceived& item) {
   if (item.kind == CanReceived::Kind::frame) {
     return true;

@@ -1,4 +1,4 @@
-// A CAN interface of the board through SocketCAN.
+// A CAN interface of a Linux machine, through SocketCAN.
 #pragma once
 
 #include <array>
@@ -13,8 +13,9 @@
 
 namespace tactus::hal {
 
-// One raw socket on one interface. Several programs may share an interface, each with its own
-// filters; this node does not hear itself. What the system really does is in hal/README.md.
+// It uses one raw socket on one interface. Several programs may share an interface, each with its
+// own filters. The node does not receive its own frames. hal/README.md describes the behaviour of
+// the system.
 class LinuxCanBus final : public CanBus {
  public:
   LinuxCanBus() = default;
@@ -22,8 +23,8 @@ class LinuxCanBus final : public CanBus {
   LinuxCanBus& operator=(const LinuxCanBus&) = delete;
   ~LinuxCanBus() = default;
 
-  // Opens the interface, "can0"; again after the interface was gone. An interface that is down is
-  // no error: `send` and `receive` say link_down until it is up.
+  // Opens an interface, such as "can0"; also again after the interface was gone. An interface that
+  // is down is no error: `send` and `receive` return link_down until it is up.
   //   not_found         no such interface
   //   invalid_argument  it is no CAN interface, or its name is too long
   //   not_supported     the kernel has no CAN, or no raw CAN (modprobe can-raw)
@@ -32,7 +33,7 @@ class LinuxCanBus final : public CanBus {
   void close() { socket_.reset(); }
 
  private:
-  static constexpr std::size_t kBatch = 32;  // frames a system call
+  static constexpr std::size_t kBatch = 32;  // frames per system call
 
   Result<std::size_t> DoSend(std::span<const CanFrame> frames) override;
   Result<std::size_t> DoReceive(std::span<CanReceived> received, TimeNs deadline_ns) override;
@@ -54,7 +55,7 @@ class LinuxCanBus final : public CanBus {
   CanInterface interface_;
   FileDescriptor socket_;
   CanStatus status_;
-  std::uint32_t error_classes_ = 0;  // that the caller asked for
+  std::uint32_t error_classes_ = 0;  // CanErrorClass bits that the caller enabled
   std::uint64_t receive_dropped_ = 0;
   std::uint32_t drops_seen_ = 0;  // the socket's own count, which wraps
   bool link_down_ = false;

@@ -28,7 +28,7 @@ ifreq request_for(const std::array<char, IFNAMSIZ>& name) {
   return request;
 }
 
-// A netlink message under construction: attributes may nest.
+// Builds a netlink message; attributes may be nested.
 class LinkMessage {
  public:
   explicit LinkMessage(int interface_index) {
@@ -126,7 +126,7 @@ Result<bool> CanInterface::is_up(int socket) const {
   if (ioctl(socket, SIOCGIFFLAGS, &request) < 0) {
     return failure(errno == ENODEV ? ErrorCode::disconnected : ErrorCode::io, errno);
   }
-  // The flags are a short whose bits are used as unsigned.
+  // The flags are a signed short used as bits.
   return (static_cast<unsigned>(request.ifr_flags) & static_cast<unsigned>(IFF_UP)) != 0;
 }
 

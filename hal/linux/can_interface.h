@@ -1,5 +1,4 @@
-// A CAN network interface by its name: what it can do, whether it is up, and bringing its
-// controller back on the bus.
+// A CAN network interface by its name: its abilities, its state, and the restart of its controller.
 #pragma once
 
 #include <net/if.h>
@@ -13,18 +12,18 @@ namespace tactus::hal {
 
 class CanInterface {
  public:
-  // `socket` is any CAN socket.
+  // Finds the interface. `socket` is any CAN socket.
   //   not_found, invalid_argument, io
   Result<void> find(int socket, std::string_view name);
 
   [[nodiscard]] int index() const { return index_; }
-  [[nodiscard]] bool fd() const { return fd_; }  // its frames may be CAN FD
+  [[nodiscard]] bool fd() const { return fd_; }  // true if it carries CAN FD frames
 
-  // Asks the system.
+  // Returns true if the interface is up. One system call.
   //   disconnected  the interface is gone
   Result<bool> is_up(int socket) const;
 
-  // Asks the kernel, by netlink, to start the controller again after bus-off. Not real time.
+  // Restarts the controller after bus-off, by a netlink message to the kernel. Not real time.
   //   not_permitted, invalid_state, not_supported, io: see CanBus::restart
   Result<void> restart() const;
 

@@ -1,4 +1,5 @@
-// What a raw CAN socket takes and gives: frames, error frames, and what comes beside them.
+// Converts between CanFrame and the structures of a raw CAN socket: frames, error frames and
+// ancillary data.
 #pragma once
 
 #include <linux/can.h>
@@ -12,7 +13,7 @@
 
 namespace tactus::hal {
 
-// The same bytes serve both kinds: a classic frame is the beginning of an FD frame.
+// A frame as the socket takes it. A classic frame has the layout of the beginning of an FD frame.
 struct CanWireFrame {
   canfd_frame frame{};
   std::size_t bytes = 0;
@@ -21,14 +22,14 @@ struct CanWireFrame {
 CanWireFrame to_wire(const CanFrame& frame);
 CanFrame from_wire(const canfd_frame& wire, bool fd);
 
-// Of a frame with CAN_ERR_FLAG.
+// Converts a frame with CAN_ERR_FLAG.
 CanErrorReport error_from_wire(const canfd_frame& wire);
 
-// What the kernel says beside a frame.
+// The ancillary data of a received frame.
 struct CanAncillary {
-  TimeNs realtime_ns = 0;   // of its arrival, CLOCK_REALTIME; 0: not stamped
-  std::uint32_t drops = 0;  // that the socket has had so far
-  bool tells_drops = false;
+  TimeNs realtime_ns = 0;    // time of arrival, CLOCK_REALTIME; 0: no time stamp
+  std::uint32_t drops = 0;   // frames that the socket has dropped so far
+  bool tells_drops = false;  // true if `drops` is valid
 };
 CanAncillary read_ancillary(msghdr& message);
 

@@ -5,7 +5,7 @@
 
 namespace tactus::hal {
 
-// CLOCK_MONOTONIC; sleeping is clock_nanosleep to an absolute time. Any thread.
+// Uses CLOCK_MONOTONIC and sleeps by clock_nanosleep to an absolute time. Any thread.
 class LinuxClock final : public Clock {
  private:
   TimeNs DoNowNs() const override;

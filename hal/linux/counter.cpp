@@ -8,7 +8,7 @@ namespace tactus::hal {
 
 namespace {
 
-// An attribute that not every driver has.
+// Opens an attribute that not every driver has. Succeeds without opening it if it is missing.
 Result<void> open_if_there(SysfsFile& file, const std::string& path) {
   const auto opened = file.open(path, SysfsFile::Use::read);
   return opened || opened.error().code == ErrorCode::not_found ? Result<void>{} : opened;
@@ -25,7 +25,8 @@ Result<CountDirection> direction_of(const SysfsFile& file) {
                                : CountDirection::unknown;
 }
 
-// The kernel has words for it, such as "No excessive noise is present at the count inputs".
+// Returns true if the counter reports noise. The attribute is a text such as "No excessive noise is
+// present at the count inputs".
 Result<bool> is_noisy(const SysfsFile& file) {
   std::array<char, 96> room;
   const auto line = file.read_line(room);
@@ -54,7 +55,7 @@ Result<void> LinuxCounter::open(const CounterPlace& place) {
   return count_.open(folder_ + "/count", SysfsFile::Use::read);
 }
 
-// Sets an attribute to a value if it is there and says otherwise.
+// Sets an attribute if it exists and has another value.
 Result<void> LinuxCounter::choose(const char* attribute, std::string_view value) const {
   SysfsFile file;
   const std::string path = folder_ + "/" + attribute;

@@ -1,4 +1,5 @@
-// A counter of Linux's Counter subsystem: the count by sysfs, index pulses by the character device.
+// A counter of the Linux Counter subsystem. The count is read from sysfs, index pulses from the
+// character device.
 #pragma once
 
 #include <array>
@@ -14,21 +15,21 @@ namespace tactus::hal {
 
 struct CounterPlace {
   std::string_view counter;  // the folder's name below `root`: "counter0"
-  unsigned count = 0;        // which of the counter's counts: the folder "count0"
+  unsigned count = 0;        // number of the count: 0 for the folder "count0"
   std::string_view root = "/sys/bus/counter/devices";
-  std::string_view device_root = "/dev";  // where the character device of the same name is
+  std::string_view device_root = "/dev";  // folder of the character device with the same name
 };
 
-// A reading costs one system call for each of `count`, `direction` and `error_noise` that the
-// driver has. Needs a driver that decodes quadrature (ti-eqep, stm32-timer-cnt, ftm-quaddec,
-// intel-qep, 104-quad-8...); interrupt-cnt counts in one direction only and is refused.
+// A reading costs one system call for each of the files `count`, `direction` and `error_noise` that
+// the driver has. The driver must decode quadrature (ti-eqep, stm32-timer-cnt, ftm-quaddec,
+// intel-qep, 104-quad-8...). interrupt-cnt counts in one direction only and is refused.
 //
-// Thread: as Counter.
+// Threads: see Counter.
 class LinuxCounter final : public Counter {
  public:
-  // Once for each object; not real time.
+  // Opens the counter. Call once for each object; not real time.
   //   not_found      no such counter or count
-  //   not_permitted  no right: a udev rule gives it
+  //   not_permitted  the right is missing; a udev rule gives it
   //   invalid_state  opened already
   //   disconnected, io
   Result<void> open(const CounterPlace& place);
@@ -46,8 +47,8 @@ class LinuxCounter final : public Counter {
   std::string device_;
   std::uint8_t number_ = 0;
   SysfsFile count_;
-  SysfsFile direction_;    // closed where the driver has none
-  SysfsFile error_noise_;  // the same
+  SysfsFile direction_;    // closed if the driver has no such file
+  SysfsFile error_noise_;  // closed if the driver has no such file
   FileDescriptor events_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "tactus/";
 
-// The interface of sockets takes every address as the general one.
+// Returns the address as the general type that the socket calls take.
 const sockaddr* general(const sockaddr_un& address) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
   return reinterpret_cast<const sockaddr*>(&address);
@@ -36,7 +36,7 @@ ClaimOutcome ExclusiveClaim::take(std::string_view name) {
   constexpr int kProbes = 64;
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  // A name that begins with a zero is of the abstract name space.
+  // A name that begins with a zero belongs to the abstract name space.
   if (1 + kPrefix.size() + name.size() > sizeof address.sun_path) {
     return {.errno_value = ENAMETOOLONG};
   }
@@ -49,7 +49,7 @@ ClaimOutcome ExclusiveClaim::take(std::string_view name) {
     const int error = errno;
     return {.holder = error == EADDRINUSE ? listener_of(address, size) : 0, .errno_value = error};
   }
-  // Whoever asks for the holder connects, and is never answered.
+  // Other programs connect to learn the holder's process; they get no answer.
   if (::listen(socket.get(), kProbes) != 0) {
     return {.errno_value = errno};
   }

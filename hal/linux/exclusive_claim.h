@@ -1,7 +1,7 @@
-// A thing of this machine that one program at a time may use, by a name that all agree on. The
-// claim is a socket in the abstract name space of Unix sockets: it vanishes with the program,
-// however that ends, and asks for no folder. It is seen within one network name space, as CAN
-// interfaces are.
+// A claim on a resource of this machine that one program at a time may use, by a common name. The
+// claim is a socket in the abstract name space of Unix sockets. It vanishes when the program ends
+// in any way, and it needs no folder. It is visible within one network name space, like CAN
+// interfaces.
 #pragma once
 
 #include <sys/types.h>
@@ -13,15 +13,15 @@
 namespace tactus::hal {
 
 struct ClaimOutcome {
-  bool is_held = false;  // by this object, from now on
-  pid_t holder = 0;      // of the program that holds it; 0: not known
-  int errno_value = 0;   // why not; EADDRINUSE: another holds it
+  bool is_held = false;  // true: this object holds it from now on
+  pid_t holder = 0;      // process of the program that holds it; 0: not known
+  int errno_value = 0;   // the reason if not held; EADDRINUSE: another program holds it
 };
 
-// Held until it is destroyed. Not real time.
+// Holds the claim until it is destroyed. Not real time.
 class ExclusiveClaim {
  public:
-  // `name` has at most 100 characters; all claims of it begin with "tactus/".
+  // Takes the claim. `name` has at most 100 characters. The socket's name is "tactus/" and `name`.
   ClaimOutcome take(std::string_view name);
 
  private:

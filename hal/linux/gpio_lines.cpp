@@ -71,7 +71,7 @@ gpiod_line_value to_gpiod(bool active) {
   return active ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
 }
 
-// The values are in range, so that no setter can fail.
+// Applies a line's configuration. The values are in range, so no setter can fail.
 void apply(const GpioLineConfig& line, gpiod_line_settings* settings) {
   gpiod_line_settings_reset(settings);
   gpiod_line_settings_set_bias(settings, to_gpiod(line.bias));
@@ -94,7 +94,7 @@ bool same_settings(const GpioLineConfig& a, const GpioLineConfig& b) {
          a.initial_active == b.initial_active;
 }
 
-// Adds the lines in the order of the request, one call for neighbours of equal settings.
+// Adds the lines in the order of the request, with one call for neighbours of equal settings.
 Result<void> add_lines(std::span<const GpioLineConfig> lines, gpiod_line_config* configs) {
   const LineSettings settings(gpiod_line_settings_new());
   if (settings == nullptr) {

@@ -1,4 +1,4 @@
-// Lines of a GPIO chip of Linux, by libgpiod 2.
+// Lines of a Linux GPIO chip, through libgpiod 2.
 #pragma once
 
 #include <array>
@@ -8,25 +8,25 @@
 
 #include "hal/gpio_lines.h"
 
-// libgpiod's own types stay out of sight: users need not have its header.
+// The types of libgpiod are only declared, so that users of this header do not need its header.
 struct gpiod_edge_event_buffer;
 struct gpiod_line_request;
 
 namespace tactus::hal {
 
-// Between request and release get, set and read_edges allocate nothing: libgpiod 2.1 keeps their
-// arguments on the stack and its edges in the buffer made by `request`. What they cost beside the
-// system call: reading edges zeroes that buffer, 88 bytes an event, each time, so it is made for 64
-// events however many the kernel keeps; more come with the next call.
+// Between request and release, get, set and read_edges allocate nothing: libgpiod 2.1 keeps their
+// arguments on the stack and the edges in the buffer made by `request`. Each read of edges zeroes
+// that buffer, 88 bytes per event, so it holds 64 events even if the kernel keeps more; the rest
+// comes with the next call.
 //
-// Edges of two lines may change places when the interrupts of the lines are served by different
-// processors; it shows as a gap in `sequence`. Pin them to one.
+// Edges of two lines may be swapped if different processors serve the lines' interrupts. It shows
+// as a gap in `sequence`. Pin the interrupts to one processor.
 //
-// A chip that goes away while read_edges waits may be noticed only at the deadline.
+// If a chip goes away while read_edges waits, that may be noticed only at the deadline.
 class LinuxGpioLines final : public GpioLines {
  public:
-  // As open_gpio_chip: a label, or a path. Looked up in each `request`, so that a chip that was
-  // gone and came back can be requested again. `request` also returns:
+  // `chip` is a label or a path, see open_gpio_chip. Each `request` looks it up, so that a chip
+  // that came back can be requested again. `request` also returns:
   //   not_found         no such chip
   //   invalid_argument  two chips have that label
   explicit LinuxGpioLines(std::string_view chip) : chip_(chip) {}
@@ -41,7 +41,7 @@ class LinuxGpioLines final : public GpioLines {
   Result<void> DoSet(std::uint64_t mask, std::uint64_t values) override;
   Result<std::size_t> DoReadEdges(std::span<GpioEdgeEvent> events, TimeNs deadline_ns) override;
 
-  // The offsets of the lines in `mask`, at the front of `offsets`; how many.
+  // Writes the offsets of the lines in `mask` to the front of `offsets` and returns their number.
   std::size_t offsets_in(std::uint64_t mask, std::array<unsigned, kMaxGpioLines>& offsets) const;
 
   std::string chip_;

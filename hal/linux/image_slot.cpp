@@ -32,7 +32,7 @@ FileError cannot_read(int error) {
 }  // namespace
 
 FileError open_regular_file(const char* path, FileDescriptor& file, std::size_t& size) {
-  // Opening some devices and pipes has an effect, so the kind is asked for before and after.
+  // Opening some devices and pipes has an effect, so the kind is checked before and after.
   struct stat status{};
   if (::stat(path, &status) != 0) {
     return cannot_read(errno);
@@ -95,7 +95,8 @@ FileError ImageSlot::copy(int file, std::size_t size) {
     return cannot_read(errno);
   }
   committed_ = pages;
-  // ENOMEM and EPERM where there is no right to it: become_real_time tells of that.
+  // Without the right to lock memory this fails with ENOMEM or EPERM; become_real_time reports
+  // that.
   (void)::mlock(room_.data(), pages);
   std::size_t have = 0;
   while (have < size) {

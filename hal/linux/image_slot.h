@@ -1,9 +1,8 @@
-// Room of a fixed size for one file that is used in place: the file is copied into it, so that no
-// later write, truncation or unplugged disk reaches what was read. Whoever checks the bytes checks
-// what runs.
+// A memory block of fixed size for one file that is used in place. The file is copied into it, so
+// that no later write, truncation or unplugged disk changes the bytes that were checked.
 //
-// The addresses are reserved once and stay. Pages are had, and locked, for as much as the file
-// needs; without the right to lock memory they are had all the same.
+// The addresses are reserved once and stay. Only the pages that the file needs are allocated, and
+// they are locked in memory if the process has the right to it.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +13,10 @@
 
 namespace tactus::hal {
 
-// Words for the user; empty: it went well.
+// An error text for the user; empty on success.
 struct FileError {
   std::string_view what;
-  int errno_value = 0;  // 0: the words say all
+  int errno_value = 0;  // 0: the text is complete without it
 
   [[nodiscard]] bool is_error() const { return !what.empty(); }
 };
@@ -30,15 +29,15 @@ class ImageSlot {
   ImageSlot& operator=(const ImageSlot&) = delete;
   ~ImageSlot();
 
-  // Once, before read; `bytes` of address space. 0, or errno.
+  // Reserves `bytes` of address space. Call once, before read. Returns 0 or errno.
   int reserve(std::size_t bytes);
 
-  // Copies the file in place of what was there. Never waits for another program: what is no regular
-  // file is refused unopened. Refused too: an empty file, one larger than the slot, one that grew
-  // shorter meanwhile. Time grows with the file, and with a slow disk.
+  // Replaces the content by a copy of the file. It refuses an empty file, one larger than the slot,
+  // and one that became shorter meanwhile. It never waits for another program: anything but a
+  // regular file is refused before it is opened. The time grows with the file's size.
   FileError read(const char* path);
 
-  // Gives the pages back.
+  // Frees the pages.
   void clear();
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return room_.first(used_); }
@@ -52,7 +51,7 @@ class ImageSlot {
   std::size_t used_ = 0;
 };
 
-// Opens a regular file for reading, and neither waits nor opens if it is none.
+// Opens a regular file for reading and gives its size. Refuses anything else without opening it.
 FileError open_regular_file(const char* path, FileDescriptor& file, std::size_t& size);
 
 }  // namespace tactus::hal

@@ -1,4 +1,4 @@
-// What libusb calls, and its errors in ours: shared by the two files of LinuxUsbEndpoint.
+// The callbacks of libusb and the conversion of its errors, for the two files of LinuxUsbEndpoint.
 #pragma once
 
 #include <libusb.h>

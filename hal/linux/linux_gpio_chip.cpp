@@ -23,7 +23,7 @@ Result<LinuxGpioChip> open_path(const std::string& path) {
   if (chip != nullptr) {
     return chip;
   }
-  // ENODEV: there is a device, but it is no GPIO chip.
+  // ENODEV means that there is a device, but it is no GPIO chip.
   return errno == ENODEV ? failure(ErrorCode::not_found, errno) : gpio_failure(errno);
 }
 
@@ -77,7 +77,7 @@ Result<LinuxGpioChip> open_gpio_chip(std::string_view label_or_path) {
     }
     auto chip = open_path("/dev/" + std::string(name));
     if (!chip) {
-      // A chip that may not be opened may be the one; one that is going away is not.
+      // A chip without permission may be the right one; one that is going away is skipped.
       if (chip.error().code == ErrorCode::not_permitted) {
         why = std::unexpected(chip.error());
       }

@@ -1,4 +1,4 @@
-// Finding a GPIO chip by its label or its path.
+// Finds a GPIO chip by its label or its path.
 #pragma once
 
 #include <gpiod.h>
@@ -15,7 +15,7 @@ struct CloseGpioChip {
 };
 using LinuxGpioChip = std::unique_ptr<gpiod_chip, CloseGpioChip>;
 
-// What errno means in the calls of libgpiod:
+// Converts the errno of a libgpiod call:
 //   disconnected   ENODEV: the chip is gone
 //   busy           EBUSY
 //   not_supported  E2BIG, ENXIO, EOPNOTSUPP and the kernel's own ENOTSUPP, ENOSYS, EINVAL: the line
@@ -26,15 +26,15 @@ using LinuxGpioChip = std::unique_ptr<gpiod_chip, CloseGpioChip>;
 //   io             the rest
 std::unexpected<Error> gpio_failure(int errno_value);
 
-// A name with a slash is a path ("/dev/gpiochip0"), any other the label that the chip's driver
-// gives it ("pinctrl-bcm2711"). Paths are numbered in the order in which drivers load; labels stay.
-// Not real time.
+// Opens a chip. A name with a slash is a path ("/dev/gpiochip0"); any other is the label that the
+// chip's driver gives it ("pinctrl-bcm2711"). The numbers in paths depend on the order in which
+// drivers load; labels do not. Not real time.
 //   not_found         no chip has that label, or nothing is at the path
 //   invalid_argument  two chips have that label: use a path, such as a link that a udev rule makes
 //   not_permitted, no_memory, io
 Result<LinuxGpioChip> open_gpio_chip(std::string_view label_or_path);
 
-// 0 if the system does not say.
+// Returns the number of lines of the chip; 0 if it is not known.
 std::size_t line_count_of(gpiod_chip& chip);
 
 }  // namespace tactus::hal

@@ -11,7 +11,7 @@ namespace tactus::hal {
 
 MappedFile::~MappedFile() {
   if (!bytes_.empty()) {
-    // The interface of munmap takes what mmap gave, which was never written to.
+    // munmap takes a non-const pointer; nothing is written.
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
     munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
   }

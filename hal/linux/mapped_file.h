@@ -1,6 +1,6 @@
-// A file mapped whole, for images that are used in place. The bytes stay where they are when it is
-// moved. For tools that run once: the
-// file must not be written to meanwhile. The controller copies what it uses (image_slot.h).
+// A file mapped whole, for images that are used in place. The bytes keep their addresses when the
+// object is moved. It is for tools that run once, because nobody may write to the file meanwhile.
+// The controller copies its files instead (image_slot.h).
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class MappedFile {
   MappedFile& operator=(const MappedFile&) = delete;
   ~MappedFile();
 
-  // 0, or errno. Once.
+  // Maps the file. Call once. Returns 0 or errno.
   int open(const char* path);
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 

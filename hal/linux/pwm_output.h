@@ -1,4 +1,4 @@
-// A PWM channel of Linux, by sysfs.
+// A PWM channel of Linux, through sysfs.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,24 @@ namespace tactus::hal {
 
 inline constexpr std::string_view kPwmRoot = "/sys/class/pwm";
 
-// One write costs one system call, no path lookup and no allocation. A write that asks for what the
-// channel already has is left out while no period is set, as the kernel refuses everything until
-// then.
+// One write costs one system call, without path lookup or allocation. While no period is set, a
+// write that would change nothing is skipped, because the kernel refuses all writes then.
 //
-// Thread: as PwmOutput.
+// Threads: see PwmOutput.
 class LinuxPwmOutput final : public PwmOutput {
  public:
   LinuxPwmOutput() = default;
   LinuxPwmOutput(const LinuxPwmOutput&) = delete;
   LinuxPwmOutput& operator=(const LinuxPwmOutput&) = delete;
-  // Leaves the channel disabled, at duty 0 and exported.
+  // Disables the channel at duty 0 and leaves it exported.
   ~LinuxPwmOutput();
 
-  // Exports the channel if nobody has, disables it and sets its duty to 0: the last program may
-  // have left it running. `chip` is the folder's name below `root`, such as "pwmchip0"; the kernel
-  // may number chips otherwise after the next start, `device/of_node` below the folder tells them
-  // apart. Once for each object; not real time.
+  // Exports the channel if necessary, disables it and sets its duty to 0, because the last program
+  // may have left it running. `chip` is the folder's name below `root`, such as "pwmchip0". The
+  // kernel may number chips differently after a reboot; `device/of_node` in the folder identifies
+  // them. Call once for each object; not real time.
   //   not_found      no such chip or channel
-  //   not_permitted  no right to write: a udev rule gives it
+  //   not_permitted  the right to write is missing; a udev rule gives it
   //   busy           a driver in the kernel holds the channel
   //   invalid_state  opened already
   //   disconnected, io
@@ -47,7 +46,7 @@ class LinuxPwmOutput final : public PwmOutput {
 
   SysfsFile period_;
   SysfsFile duty_;
-  SysfsFile polarity_;  // closed where the hardware has none
+  SysfsFile polarity_;  // closed if the hardware has no polarity
   SysfsFile enable_;
 };
 

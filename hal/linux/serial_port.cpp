@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::uint32_t, speed_t>, 10> kSerialSpeeds = {{
     {2000000, B2000000},
 }};
 
-// What the kernel says when the device behind a tty has gone.
+// Returns true for an errno by which the kernel reports that the device behind a tty has gone.
 bool means_gone(int errno_value) {
   return errno_value == EIO || errno_value == ENODEV || errno_value == ENXIO;
 }
@@ -60,7 +60,7 @@ bool set_raw(int descriptor, speed_t speed) {
     return false;
   }
   cfmakeraw(&settings);
-  // One byte makes a read worth while: with none the kernel would report an end of file.
+  // A read waits for at least one byte; with 0 the kernel would report an end of file.
   settings.c_cc[VMIN] = 1;
   settings.c_cc[VTIME] = 0;
   settings.c_cflag |= static_cast<tcflag_t>(CLOCAL | CREAD);

@@ -10,20 +10,21 @@
 
 namespace tactus::hal {
 
-// Raw bytes, eight bits, no parity, no flow control; the tty is held exclusively. The kernel's own
-// buffers are those of the driver (4 kB on the way in), so that `discard_input` is complete.
-// Closing waits until the device has taken what was written, at most 30 s, unless it is gone: the
-// last command before an end gets through.
+// It transfers raw bytes with eight bits, no parity and no flow control, and holds the tty
+// exclusively. The kernel has only the driver's buffers (4 kB for input), so `discard_input` drops
+// everything. Closing waits until the device has taken the written bytes, at most 30 s, unless it
+// is gone, so that the last command arrives.
 class LinuxSerialPort final : public SerialPort {
  public:
-  // Not real time. `baud` is one of the rates of termios; a board with a USB of its own ignores it.
+  // Opens a tty. `baud` is one of the rates of termios; a board with its own USB ignores it. Not
+  // real time.
   //   not_found         no such device node
-  //   invalid_argument  no such rate, or a path that is too long
-  //   busy, not_permitted, not_supported, io   as in reopen
+  //   invalid_argument  no such rate, or the path is too long
+  //   busy, not_permitted, not_supported, io   see reopen
   Result<void> open(std::string_view path, std::uint32_t baud);
 
-  // Takes over an open descriptor, of the master side of a pseudo-terminal for example, as it is.
-  // `reopen` then cannot bring it back.
+  // Takes over an open descriptor with its settings, for example of the master side of a
+  // pseudo-terminal. `reopen` then fails.
   void adopt(int descriptor);
 
  private:
@@ -33,13 +34,13 @@ class LinuxSerialPort final : public SerialPort {
   Result<void> DoReopen() override;
 
   Result<void> open_node();
-  // An errno of a read, a write or an ioctl; a device that is gone closes the node.
+  // Converts the errno of a read, a write or an ioctl. Closes the node if the device is gone.
   std::unexpected<Error> failed(int errno_value);
-  // Waits until the tty can be read or written. False at the deadline.
+  // Waits until the tty can be read or written. Returns false at the deadline.
   Result<bool> wait_for(short events, TimeNs deadline_ns);
 
   std::array<char, 256> path_{};
-  std::uint32_t speed_ = 0;  // B115200 and so on
+  std::uint32_t speed_ = 0;  // a constant of termios, such as B115200
   FileDescriptor node_;
 };
 

@@ -44,7 +44,7 @@ Result<void> SysfsFile::open(const std::string& path, Use use) {
   return {};
 }
 
-// The kernel composes an attribute anew whenever it is read from its start.
+// Reads from the start, because the kernel updates an attribute only then.
 Result<std::string_view> SysfsFile::read_line(std::span<char> room) const {
   const ssize_t length = ::pread(descriptor_.get(), room.data(), room.size(), 0);
   if (length < 0) {

@@ -11,7 +11,7 @@
 
 namespace tactus::hal {
 
-// What errno means in the calls of sysfs:
+// Converts the errno of a sysfs call:
 //   disconnected   ENODEV, ENXIO: the device behind the file is gone
 //   not_found      ENOENT
 //   not_permitted  EACCES, EPERM
@@ -21,22 +21,22 @@ namespace tactus::hal {
 //   io             the rest
 std::unexpected<Error> sysfs_failure(int errno_value);
 
-// Ordinary files work too: a test or an emulator lays out a folder as the kernel would. What is
-// written begins at the file's start and ends with a line feed; only the first line counts.
+// Ordinary files work too, so that a test or an emulator can imitate the kernel's folders. A write
+// begins at the file's start and ends with a line feed; only the first line counts.
 //
 // Real time: read and write. Opening is not.
 class SysfsFile {
  public:
   enum class Use : std::uint8_t { read, read_and_write, write };
 
-  // Closes what was open.
+  // Opens a file, after closing the previous one.
   Result<void> open(const std::string& path, Use use);
   void close() { descriptor_.reset(); }
   [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
 
-  // The first line, in `room`, which must hold all of it.
+  // Reads the first line into `room`, which must hold all of it, and returns it.
   Result<std::string_view> read_line(std::span<char> room) const;
-  // The first line as a decimal number that is not negative. `io` if it is none.
+  // Returns the first line as a non-negative decimal number, or `io` if it is not one.
   Result<std::uint64_t> read_number() const;
 
   Result<void> write(std::string_view line) const;

@@ -54,7 +54,7 @@ int wait_for_descriptors(std::span<pollfd> descriptors, TimeNs deadline_ns) {
 
 bool wait_readable(int descriptor, TimeNs deadline_ns) {
   pollfd wanted{.fd = descriptor, .events = POLLIN, .revents = 0};
-  // The read that follows a failed wait reports it.
+  // If the wait failed, the read that follows reports the error.
   return wait_for_descriptors({&wanted, 1}, deadline_ns) != 0;
 }
 

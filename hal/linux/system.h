@@ -1,5 +1,5 @@
-// Small things that every Linux implementation needs: a file descriptor that closes itself, times,
-// blocked signals, waiting for a descriptor.
+// Helpers for the Linux implementations: an owned file descriptor, conversion of times, blocked
+// signals, and waiting for a descriptor.
 #pragma once
 
 #include <poll.h>
@@ -19,7 +19,7 @@ timespec to_timespec(TimeNs time_ns);
 TimeNs to_ns(const timespec& time);
 TimeNs monotonic_now_ns();
 
-// Owns a descriptor; -1 is none.
+// Owns a descriptor and closes it. -1 means none.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -39,7 +39,7 @@ class FileDescriptor {
 };
 
 // Changes the calling thread's blocked signals, as pthread_sigmask does, until the end of the
-// scope. What threads it makes meanwhile begin with them.
+// scope. Threads created meanwhile inherit them.
 class SignalMask {
  public:
   SignalMask(int how, const sigset_t& signals) { pthread_sigmask(how, &signals, &before_); }
@@ -51,12 +51,12 @@ class SignalMask {
   sigset_t before_{};
 };
 
-// ppoll to an absolute time, taken up again after a signal. How many are ready, 0 at the deadline,
-// -1 with errno otherwise. Real time.
+// Calls ppoll until an absolute time, again after a signal. Returns how many descriptors are ready,
+// 0 at the deadline, or -1 with errno. Real time.
 int wait_for_descriptors(std::span<pollfd> descriptors, TimeNs deadline_ns);
 
-// Waits until there is something to read, or an error to fetch, or the deadline has passed; says
-// whether there is. Real time.
+// Waits until there is something to read or an error to fetch. Returns false at the deadline. Real
+// time.
 bool wait_readable(int descriptor, TimeNs deadline_ns);
 
 }  // namespace tactus::hal

@@ -11,7 +11,7 @@ namespace {
 
 constexpr TimeNs kWithdrawalRound_ns = 10'000'000;
 
-// libusb takes one type for both directions; it does not write to what goes out.
+// Returns the buffer as libusb takes it for both directions. It does not write to an outgoing one.
 unsigned char* transfer_buffer(const UsbTransfer& transfer) {
   if (transfer.direction() == UsbDirection::in) {
     return reinterpret_cast<unsigned char*>(transfer.in_buffer().data());

@@ -27,13 +27,13 @@ struct LinuxUsbConfig {
   std::uint8_t endpoint_in = 0x81;
 };
 
-// The device is recognised by vendor, product and serial number, so that it may come back at
-// another port. Arrival is only ever told where a udev daemon runs; departure is then told within
+// The device is identified by vendor, product and serial number, so that it may come back at
+// another port. An arrival is noticed only if a udev daemon runs; a departure then within
 // milliseconds.
 //
 // Transfers are allocated in `open`, and this class allocates nothing afterwards. libusb itself
-// takes one block of 56 bytes for each submission and frees it at its completion. Deadlines are
-// kept by a ppoll of libusb's descriptors: libusb's own waits round to milliseconds.
+// allocates 56 bytes for each submission and frees them at its completion. The class waits by ppoll
+// on libusb's descriptors, because libusb's own waits round to milliseconds.
 class LinuxUsbEndpoint final : public UsbEndpoint {
  public:
   LinuxUsbEndpoint() = default;
@@ -41,14 +41,15 @@ class LinuxUsbEndpoint final : public UsbEndpoint {
   LinuxUsbEndpoint& operator=(const LinuxUsbEndpoint&) = delete;
   ~LinuxUsbEndpoint();
 
-  // Once. Not real time. A kernel driver bound to the interface is detached for the while.
-  //   not_found      no such device; `state` tells when it comes, then `reopen`
+  // Opens the device and detaches a kernel driver from the interface meanwhile. Call once; not real
+  // time.
+  //   not_found      no such device; call `reopen` when `state` says that it has come
   //   invalid_state  opened already
-  //   busy, not_permitted, no_memory, io   as in reopen
+  //   busy, not_permitted, no_memory, io   see reopen
   Result<void> open(const LinuxUsbConfig& config);
 
  private:
-  // One libusb transfer and the caller's that it carries; free while that is null.
+  // A libusb transfer and the caller's transfer that it carries; free if that is null.
   struct Flight {
     LinuxUsbEndpoint* endpoint = nullptr;
     libusb_transfer* transfer = nullptr;
@@ -83,7 +84,7 @@ class LinuxUsbEndpoint final : public UsbEndpoint {
   bool serve_until(TimeNs deadline_ns, Done done);
   void withdraw(libusb_transfer* transfer, const bool& done);
 
-  // The callbacks of libusb, all called from `serve` or from `open_device`.
+  // libusb calls its callbacks only from within `serve` and `open_device`.
   friend struct LibusbCallbacks;
   void add_descriptor(int descriptor, short events);
   void remove_descriptor(int descriptor);

@@ -1,4 +1,4 @@
-// Finding, claiming and closing the device, and knowing when it comes and goes.
+// Finds, claims and closes the device, and notices its arrival and departure.
 #include <algorithm>
 
 #include "hal/linux/libusb_callbacks.h"

@@ -6,7 +6,7 @@ namespace tactus::hal {
 
 namespace {
 
-// ISO 11898-1 fault confinement.
+// The thresholds of fault confinement in ISO 11898-1.
 constexpr std::uint32_t kWarningThreshold = 96;
 constexpr std::uint32_t kPassiveThreshold = 128;
 constexpr std::uint32_t kBusOffThreshold = 256;

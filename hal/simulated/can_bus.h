@@ -12,17 +12,16 @@
 namespace tactus::hal {
 
 struct SimulatedCanBusConfig {
-  bool fd = true;                  // whether the node may send CAN FD on a network that carries it
-  std::size_t send_capacity = 32;  // frames; at most SimulatedCanBus::kMaxSendQueue
+  bool fd = true;                      // the node may send CAN FD on a network that carries it
+  std::size_t send_capacity = 32;      // frames; at most SimulatedCanBus::kMaxSendQueue
   std::size_t receive_capacity = 256;  // frames; at most SimulatedCanBus::kMaxReceiveQueue
 };
 
-// Fakes: bounded queues either way (a full receive queue drops what comes and counts it), kernel
-// filters, error reports, error counters and the states they lead to, bus-off and restart, a link
-// that goes down, a removed interface.
-// Does not fake: receive errors, a node that nobody acknowledges (a lone node's frames count as
-// sent), the kernel's habit to take and lose frames while the controller is off the bus (here
-// `send` says bus_off).
+// Simulated: bounded queues in both directions (a full receive queue drops and counts), kernel
+// filters, error reports, error counters and their states, bus-off and restart, a link that goes
+// down, a removed interface.
+// Not simulated: receive errors; missing acknowledgement (a single node's frames count as sent);
+// the kernel's loss of frames while the controller is off the bus (here `send` returns bus_off).
 class SimulatedCanBus final : public CanBus {
  public:
   static constexpr std::size_t kMaxSendQueue = 64;
@@ -33,14 +32,14 @@ class SimulatedCanBus final : public CanBus {
   SimulatedCanBus& operator=(const SimulatedCanBus&) = delete;
   ~SimulatedCanBus();
 
-  // Faults. A link that is down keeps what it received, loses what it had to send, and hears
-  // nothing.
+  // These cause faults. A link that is down keeps the received frames, loses the frames to send,
+  // and receives nothing.
   void set_link_up(bool up);
   void remove_interface();
   void force_bus_off();
-  void inject_error(const CanErrorReport& report);  // as if the controller had reported it
-  void fail_transmissions(
-      std::uint32_t count);  // each costs 8 on the transmit counter and is tried again
+  void inject_error(const CanErrorReport& report);  // like a report from the controller
+  // Makes the next `count` transmissions fail. Each adds 8 to the transmit counter and is repeated.
+  void fail_transmissions(std::uint32_t count);
 
   std::size_t waiting_to_send() const { return send_queue_.size(); }
   std::size_t waiting_to_be_read() const { return receive_queue_.size(); }
@@ -57,7 +56,7 @@ class SimulatedCanBus final : public CanBus {
   std::uint64_t DoReceiveDropped() const override { return receive_dropped_; }
   bool DoFdEnabled() const override { return config_.fd && network_.config().fd; }
 
-  // The network's side.
+  // The network calls these.
   bool may_send() const { return !send_queue_.empty() && state_ != CanState::bus_off && up_; }
   bool transmission_fails();
   void note_transmitted();
@@ -73,7 +72,7 @@ class SimulatedCanBus final : public CanBus {
   FixedQueue<CanFrame, kMaxSendQueue> send_queue_;
   FixedQueue<CanReceived, kMaxReceiveQueue> receive_queue_;
   std::array<CanFilter, kMaxCanFilters> filters_{};
-  std::size_t filter_count_ = 1;  // one that lets everything pass
+  std::size_t filter_count_ = 1;  // at first one filter that lets everything pass
   std::uint32_t error_classes_ = 0;
   CanState state_ = CanState::error_active;
   std::uint32_t transmit_errors_ = 0;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr TimeNs kNsPerSecond = 1'000'000'000;
 
-// Bits outside and inside the data phase of ISO 11898-1 frames, from start of frame to the end of
-// the interframe space.
+// The numbers of bits outside and inside the data phase of an ISO 11898-1 frame, from the start of
+// frame to the end of the interframe space.
 struct BitCount {
   TimeNs nominal = 0;
   TimeNs data = 0;
@@ -26,8 +26,8 @@ BitCount count_bits(const CanFrame& frame) {
           .data = 1 + 4 + payload + stuff_count + checksum};
 }
 
-// The bits that decide arbitration, most significant first: at equal base identifiers a standard
-// frame beats an extended one and data beats a request.
+// Returns the bits that decide arbitration, most significant first. At equal base identifiers a
+// standard frame wins over an extended one, and data over a remote request.
 std::uint64_t arbitration_key(const CanFrame& frame) {
   const std::uint64_t base = frame.extended ? frame.id >> 18U : frame.id;
   const std::uint64_t rest = frame.extended ? frame.id & 0x3FFFFU : 0U;
@@ -113,7 +113,7 @@ SimulatedCanBus* SimulatedCanNetwork::arbitrate() {
   return winner;
 }
 
-// The frame on the wire has ended: the sender forgets it, everybody else gets it.
+// Ends the frame on the wire: removes it from the sender's queue and gives it to all other nodes.
 void SimulatedCanNetwork::deliver() {
   SimulatedCanBus& sender = *sender_;
   sender_ = nullptr;

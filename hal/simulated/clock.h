@@ -1,4 +1,4 @@
-// Simulated time, shared by everything simulated.
+// Simulated time, shared by all simulated parts.
 #pragma once
 
 #include "hal/clock.h"
@@ -7,23 +7,23 @@ namespace tactus::hal {
 
 class SimulatedEventSource;
 
-// The place of a source in the clock's list.
+// The link of a source in the clock's list.
 class SimulatedEventLink {
   friend class SimulatedClock;
   SimulatedEventSource* next_ = nullptr;
 };
 
-// Something that acts at a time of its own: a frame that ends on the wire, a line that settles, an
-// emulated drive.
+// A simulated part that acts at its own time: a frame that ends on the wire, a line that settles,
+// an emulated drive.
 class SimulatedEventSource : public SimulatedEventLink {
  public:
   SimulatedEventSource(const SimulatedEventSource&) = delete;
   SimulatedEventSource& operator=(const SimulatedEventSource&) = delete;
 
-  // When it acts next; kForever if it has nothing to do. A time that has passed means now.
+  // Returns when it acts next; kForever if it has nothing to do. A past time means now.
   virtual TimeNs next_event_ns() const = 0;
 
-  // The clock stands at the event's time. Afterwards next_event_ns must be later, or the clock
+  // Runs the event; the clock shows its time. Afterwards next_event_ns must be later, or the clock
   // cannot move on.
   virtual void run_event() = 0;
 
@@ -32,21 +32,21 @@ class SimulatedEventSource : public SimulatedEventLink {
   ~SimulatedEventSource() = default;
 };
 
-// Fakes: a monotonic clock that moves only when told, by advance_* or by somebody waiting. Waiting
-// takes simulated time and no real time; what is due on the way happens, in the order of time, then
-// of attachment. So a deadline is exact and a run repeats to the nanosecond.
-// Does not fake: latency (whoever sleeps wakes on the nanosecond), threads (one only).
+// Simulated: a monotonic clock that moves only by advance_* and while a caller waits. Waiting takes
+// simulated time and no real time. Events on the way run in the order of their time, then of
+// attachment. So a deadline is exact and a run repeats to the nanosecond.
+// Not simulated: latency (a sleeper wakes exactly on time), threads (there is one only).
 class SimulatedClock final : public Clock {
  public:
   explicit SimulatedClock(TimeNs start_ns = 1'000'000'000) : now_ns_(start_ns) {}
 
-  // Events up to and at that time happen. Does not go back.
+  // Moves to that time and runs the events up to and at it. Never moves back.
   void advance_to(TimeNs time_ns);
   void advance_by(TimeNs duration_ns) { advance_to(now_ns_ + duration_ns); }
 
-  // Lets time pass until `ready()` or the deadline, and says which. A wait without end that no
-  // event can end is over at once. Inside an event time stands still: whatever waits there gets
-  // what is there.
+  // Lets time pass until `ready()` or the deadline. Returns true if ready. A wait without a
+  // deadline that no event can end returns at once. Within an event time does not pass, so a wait
+  // returns at once there too.
   template <class Ready>
   bool wait_until(TimeNs deadline_ns, Ready ready) {
     while (!ready()) {
@@ -65,8 +65,8 @@ class SimulatedClock final : public Clock {
   TimeNs DoNowNs() const override { return now_ns_; }
   void DoSleepUntil(TimeNs wake_ns) override { advance_to(wake_ns); }
 
-  // Moves on to the next event and runs it; if there is none up to the limit, moves to the limit
-  // and returns false.
+  // Moves to the next event and runs it. If there is none up to the limit, moves to the limit and
+  // returns false.
   bool step(TimeNs limit_ns);
   SimulatedEventSource* earliest() const;
 

@@ -10,23 +10,23 @@
 
 namespace tactus::hal {
 
-// Fakes: a count that wraps, index pulses kept until read (the newest is lost when 64 wait, as in
+// Simulated: a count that wraps, index pulses kept until read (the newest is lost if 64 wait, as in
 // the kernel), noise, removal.
-// Does not fake: the signals, a count that is missed.
+// Not simulated: the signals, a missed count.
 class SimulatedCounter final : public Counter {
  public:
   static constexpr std::size_t kIndexEvents = 64;
 
-  // `hardware_ceiling` is what it wraps at unless told otherwise, and the most that it can.
+  // `hardware_ceiling` is the default ceiling and the largest possible one.
   explicit SimulatedCounter(SimulatedClock& clock, std::uint64_t hardware_ceiling = 0xFFFF)
       : clock_(clock), hardware_ceiling_(hardware_ceiling), ceiling_now_(hardware_ceiling) {}
 
-  // The outside world's side: the encoder moves that many steps, at most half the ceiling.
+  // Moves the encoder by `steps`, at most half the ceiling.
   void move(std::int64_t steps);
   void pulse_index();
   void set_noisy(bool noisy) { noisy_ = noisy; }
 
-  // Every call sees `disconnected` from now on, or again what is there.
+  // After remove() every call returns `disconnected`, until plug_in().
   void remove() { present_ = false; }
   void plug_in() { present_ = true; }
 

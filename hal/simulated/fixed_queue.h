@@ -13,13 +13,13 @@ class FixedQueue {
   std::size_t size() const { return size_; }
   bool full() const { return size_ == kCapacity; }
 
-  // Only if not full.
+  // Appends an item. The queue must not be full.
   void push(const T& item) {
     items_[(first_ + size_) % kCapacity] = item;
     ++size_;
   }
 
-  // Only if not empty.
+  // Return or remove the oldest item. The queue must not be empty.
   T& front() { return items_[first_]; }
   const T& front() const { return items_[first_]; }
   void pop() {

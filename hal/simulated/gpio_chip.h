@@ -1,4 +1,4 @@
-// The pins of a simulated GPIO chip: the outside world's side.
+// The pins of a simulated GPIO chip, as seen from outside the board.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@ namespace tactus::hal {
 
 class SimulatedGpioLines;
 
-// Fakes: pins that the outside drives or leaves open, pulls, open-drain and open-source outputs,
-// lines held by one request at a time, removal of the chip.
-// Does not fake: currents. An output wins over whatever drives the pin from outside; an open pin
-// without a pull is low.
+// Simulated: pins that are driven from outside or left open, pulls, open-drain and open-source
+// outputs, lines held by one request at a time, removal of the chip.
+// Not simulated: currents. An output wins over an outside driver; an open pin without a pull is
+// low.
 class SimulatedGpioChip {
  public:
   explicit SimulatedGpioChip(SimulatedClock& clock, std::size_t line_count = kMaxGpioLines);
 
-  // Physical levels, whatever active-low says. The offset must be below the line count.
+  // Levels here are physical, independent of active-low. The offset must be below the line count.
   void drive(std::size_t offset, bool high);
   void leave_open(std::size_t offset);
   bool level(std::size_t offset) const { return pins_[offset].level; }
 
-  // Every request of a line sees `disconnected` from now on.
+  // Makes every call of a request return `disconnected` from now on.
   void remove() { present_ = false; }
 
   SimulatedClock& clock() { return clock_; }
@@ -41,7 +41,7 @@ class SimulatedGpioChip {
     bool output_active = false;
     GpioLineConfig config;
     SimulatedGpioLines* holder = nullptr;
-    std::size_t index = 0;  // of the line in the holder's request
+    std::size_t index = 0;  // index of the line in the holder's request
   };
 
   static bool resolve(const Pin& pin);

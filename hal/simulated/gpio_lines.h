@@ -12,11 +12,11 @@
 
 namespace tactus::hal {
 
-// Fakes: edges with times and sequence numbers in a bounded buffer that loses the oldest,
-// debouncing the kernel's way (an edge is reported when the level has stood still for the period,
-// with that time), edges that the interrupt missed.
-// Does not fake: the wrong polarity that a loss can leave, interrupt latency, the kernel's debounce
-// that is rounded to its timer tick.
+// Simulated: edges with times and sequence numbers in a bounded buffer that loses the oldest; the
+// kernel's debouncing (an edge is reported when the level has been stable for the period, with that
+// time); edges that the interrupt missed.
+// Not simulated: a wrong `rising` after a loss, interrupt latency, the rounding of the debounce
+// period to the kernel's timer tick.
 class SimulatedGpioLines final : public GpioLines, private SimulatedEventSource {
  public:
   explicit SimulatedGpioLines(SimulatedGpioChip& chip);
@@ -24,7 +24,7 @@ class SimulatedGpioLines final : public GpioLines, private SimulatedEventSource 
   SimulatedGpioLines& operator=(const SimulatedGpioLines&) = delete;
   ~SimulatedGpioLines();
 
-  // Faults. The next `count` edges are numbered but never reported.
+  // Causes a fault: the next `count` edges are numbered but never reported.
   void lose_next_edges(std::uint32_t count) { losing_ = count; }
 
   std::size_t edges_waiting() const { return edges_.size(); }

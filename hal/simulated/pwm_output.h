@@ -12,26 +12,26 @@ namespace tactus::hal {
 
 struct SimulatedPwmWrite {
   TimeNs time_ns = 0;
-  PwmSettings settings;  // after the write
+  PwmSettings settings;  // the settings after the write
 };
 
-// Fakes: a channel that records what was written and when, and can fail.
-// Does not fake: the waveform, the rounding to a hardware clock, the time a write takes.
+// Simulated: a channel that records each write with its time, and that can fail.
+// Not simulated: the waveform, the rounding to a hardware clock, the duration of a write.
 class SimulatedPwmOutput final : public PwmOutput {
  public:
   static constexpr std::size_t kRecorded = 256;
 
   explicit SimulatedPwmOutput(const Clock& clock) : clock_(clock) {}
 
-  // The writes since opening, at most the first kRecorded; `write_count` counts them all.
+  // Returns the writes since opening, at most the first kRecorded. `write_count` counts all.
   std::span<const SimulatedPwmWrite> writes() const;
   std::size_t write_count() const { return write_count_; }
 
-  // The average level of the pin from 0 to 1: duty over period, the other way round if inversed, 0
-  // if disabled.
+  // Returns the average level of the pin, 0 to 1: duty / period, 1 minus that if inversed, 0 if
+  // disabled.
   double mean_level() const;
 
-  // The next `count` writes fail with `code` and change nothing.
+  // Makes the next `count` writes fail with `code` and change nothing.
   void fail_next(std::uint32_t count, ErrorCode code);
 
  private:

@@ -13,15 +13,15 @@
 namespace tactus::hal {
 
 struct SimulatedSerialConfig {
-  TimeNs byte_time_ns = 0;  // on the line: 86,806 at 115,200 baud; 0: a virtual port over USB
-  TimeNs latency_ns = 0;    // on top, for each byte
+  TimeNs byte_time_ns = 0;  // duration of a byte: 86,806 at 115,200 baud; 0: virtual port over USB
+  TimeNs latency_ns = 0;    // additional delay of each byte
 };
 
-// One end of a line; `connect` it to the other end, where an emulated device or a test sits.
+// One end of a line. `connect` it to the other end, which an emulated device or a test uses.
 //
-// Fakes: bytes that take time, bounded buffers at the receiving end, a device that takes only part,
-// failing calls, unplugging and coming back.
-// Does not fake: baud rates that differ, framing errors, flow control.
+// Simulated: the time that bytes take, bounded buffers at the receiving end, a device that takes
+// only a part, failing calls, unplugging and coming back.
+// Not simulated: different baud rates, framing errors, flow control.
 class SimulatedSerialPort final : public SerialPort, private SimulatedEventSource {
  public:
   static constexpr std::size_t kBufferBytes = 4096;
@@ -31,14 +31,14 @@ class SimulatedSerialPort final : public SerialPort, private SimulatedEventSourc
   SimulatedSerialPort& operator=(const SimulatedSerialPort&) = delete;
   ~SimulatedSerialPort();
 
-  // The two ends of one line. Both must outlive its use.
+  // Connects the two ends of a line. Both must outlive its use.
   void connect(SimulatedSerialPort& other);
 
-  // Faults. What is written beyond `bytes` waits for a taker; kTakeAll ends it.
+  // These cause faults. Bytes written beyond `bytes` wait; kTakeAll ends the fault.
   void take_only(std::size_t bytes) { will_take_ = bytes; }
   void fail_next(std::uint32_t count, ErrorCode code);  // reads and writes
-  // Every call fails with disconnected, and what is on the line is lost, until plugged in and
-  // reopened. The other end notices nothing but silence.
+  // Loses the bytes on the line and makes every call return `disconnected`, until plug_in() and
+  // reopen(). The other end only sees that no bytes come.
   void unplug();
   void plug_in();
 
@@ -65,9 +65,9 @@ class SimulatedSerialPort final : public SerialPort, private SimulatedEventSourc
   SimulatedClock& clock_;
   SimulatedSerialConfig config_;
   SimulatedSerialPort* other_ = nullptr;
-  FixedQueue<OnTheLine, kBufferBytes> line_;  // on the way to us
-  FixedQueue<std::byte, kBufferBytes> input_;
-  TimeNs line_free_ns_ = 0;  // when the last byte that we sent has left
+  FixedQueue<OnTheLine, kBufferBytes> line_;   // bytes on the way to this end
+  FixedQueue<std::byte, kBufferBytes> input_;  // bytes that have arrived
+  TimeNs line_free_ns_ = 0;                    // when the last byte sent by this end has left
   std::size_t will_take_ = kTakeAll;
   std::uint32_t failing_ = 0;
   ErrorCode failure_code_ = ErrorCode::io;

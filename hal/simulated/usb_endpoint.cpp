@@ -183,7 +183,7 @@ const SimulatedUsbEndpoint::Flight* SimulatedUsbEndpoint::oldest(UsbDirection di
   return found == flights.end() ? nullptr : &*found;
 }
 
-// The peer may answer while it is served; what it adds is served by the loop already running.
+// Serves the transfers. The peer may answer meanwhile; the running loop serves its answers too.
 void SimulatedUsbEndpoint::serve() {
   if (serving_) {
     return;

@@ -1,4 +1,4 @@
-// A USB interface in memory, with the device behind it.
+// A USB interface in memory, and the device connected to it.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace tactus::hal {
 
-// The device. It is called while the transfer runs, and sends packets back through
-// SimulatedUsbEndpoint::answer, then or later (as a SimulatedEventSource).
+// The device. The endpoint calls it during a transfer. It sends packets back through
+// SimulatedUsbEndpoint::answer, at once or later (as a SimulatedEventSource).
 class SimulatedUsbPeer {
  public:
   SimulatedUsbPeer(const SimulatedUsbPeer&) = delete;
   SimulatedUsbPeer& operator=(const SimulatedUsbPeer&) = delete;
 
-  // Return the bytes taken or given, or what the host is to see: mostly
+  // Return the number of bytes taken or given, or the error for the host, mostly
   // failure(ErrorCode::stalled).
   virtual Result<std::size_t> control_out(const UsbSetup& setup,
                                           std::span<const std::byte> data) = 0;
@@ -33,14 +33,14 @@ class SimulatedUsbPeer {
 
 struct SimulatedUsbConfig {
   std::size_t max_packet_bytes = 64;  // at most SimulatedUsbEndpoint::kMaxPacketBytes
-  TimeNs out_time_ns = 0;             // what a bulk-out takes
+  TimeNs out_time_ns = 0;             // duration of a bulk-out
 };
 
-// Fakes: control and bulk transfers with deadlines, several in flight, short packets, packets
-// longer than the room left, a device that stops answering, takes only part, halts, fails;
-// unplugging the way it looks on Linux, and coming back.
-// Does not fake: enumeration, the frames of the bus and its bandwidth (an answer is there when the
-// peer says so), the milliseconds that a cancelled transfer takes to come back.
+// Simulated: control and bulk transfers with deadlines, several in flight, short packets, packets
+// longer than the room left; a device that stops answering, takes only a part, halts or fails;
+// unplugging as on Linux, and coming back.
+// Not simulated: enumeration, frames and bandwidth of the bus (the peer decides when an answer is
+// there), the milliseconds that the cancellation of a transfer takes.
 class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSource {
  public:
   static constexpr std::size_t kMaxPacketBytes = 512;
@@ -52,19 +52,19 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   SimulatedUsbEndpoint& operator=(const SimulatedUsbEndpoint&) = delete;
   ~SimulatedUsbEndpoint();
 
-  // The device's side: queues bytes for bulk-in, cut into packets; nothing makes one empty packet.
-  // They can be read `delay_ns` from now, after what was queued before. False, and nothing queued,
-  // if there is no room or no device.
+  // Queues bytes for bulk-in, cut into packets; no bytes make one empty packet. The device calls
+  // it. The host can read them `delay_ns` from now, after the packets queued before. Returns false
+  // and queues nothing if there is no room or no device.
   bool answer(std::span<const std::byte> bytes, TimeNs delay_ns = 0);
-  // Packets that the host has not read yet.
+  // Returns the number of packets that the host has not read yet.
   std::size_t packets_waiting() const { return packets_.size(); }
 
-  // Faults. A stopped device answers nothing and takes nothing: every deadline passes.
+  // These cause faults. A stopped device neither answers nor takes bytes: every deadline passes.
   void set_stopped(bool stopped);
-  void take_only(std::size_t bytes);  // bulk-out beyond these waits; kTakeAll ends it
+  void take_only(std::size_t bytes);  // bulk-out beyond these bytes waits; kTakeAll ends it
   void set_halted(bool halted);       // bulk transfers stall
   void fail_next(std::uint32_t count, ErrorCode code);  // bulk transfers
-  // From now on every transfer fails with io, and from `departure_ns` later with disconnected.
+  // Makes every transfer fail with io, and after `departure_ns` with disconnected.
   void unplug(TimeNs departure_ns = 0);
   void plug_in();
 
@@ -78,7 +78,7 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   };
   struct Flight {
     UsbTransfer* transfer = nullptr;
-    TimeNs due_ns = 0;  // bulk-out: when the device has it
+    TimeNs due_ns = 0;  // bulk-out: when the device has the data
   };
 
   Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,

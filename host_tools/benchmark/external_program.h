@@ -1,4 +1,4 @@
-// Other programs that the benchmark starts.
+// Runs other programs for the benchmark.
 #pragma once
 
 #include <filesystem>
@@ -6,14 +6,14 @@
 
 namespace tactus::host {
 
-// Runs it in a shell, silently; whether it ended with 0.
+// Runs a command in a shell without output. Returns true if it ended with 0.
 bool command_succeeds(const std::string& command);
 
-// Quotes the path so that a shell takes it as one word, whatever characters it has.
+// Returns the path quoted as one word of a shell command.
 std::string shell_quoted(const std::filesystem::path& path);
 
-// A folder of one's own, made now and gone, with all that is in it, at the end of the scope. Throws
-// std::filesystem::filesystem_error when it cannot be made.
+// Creates a folder and removes it with its content at the end of the scope. Throws
+// std::filesystem::filesystem_error if the folder cannot be created.
 class FolderGuard {
  public:
   explicit FolderGuard(std::filesystem::path path);

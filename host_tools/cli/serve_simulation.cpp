@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/command_server.h"
 #include "firmware/commands/scene_store.h"
 #include "firmware/commands/telemetry_hooks.h"
@@ -124,7 +124,7 @@ class ServedSimulation {
   void start_commands() {
     const std::string socket = (options_.run_dir / kCommandSocket).string();
     const std::string stop_socket = (options_.run_dir / kStopSocket).string();
-    desk_->set_events(firmware::telemetry_events(sinks_));
+    queue_->set_events(firmware::telemetry_events(sinks_));
     const auto started = server_->start({.socket_path = socket.c_str(),
                                          .stop_socket_path = stop_socket.c_str(),
                                          .allow_inject = options_.allow_inject,
@@ -136,11 +136,11 @@ class ServedSimulation {
 
   void tick(const hal::Wake& wake) {
     firmware::Controller& controller = simulation_->controller();
-    const firmware::Request request = desk_->before_tick(controller);
+    const firmware::Request request = queue_->before_tick(controller);
     simulation_->tick(request, [this](SimulatedDevice& device) {
-      return firmware::InjectedDevice(device, desk_->injector(), rate_hz_, clock_now_ns);
+      return firmware::InjectedDevice(device, queue_->injector(), rate_hz_, clock_now_ns);
     });
-    desk_->after_tick(controller);
+    queue_->after_tick(controller);
     firmware::RecordedTick recorded{.record = controller.record(),
                                     .loop = {.scheduled_ns = wake.scheduled_ns,
                                              .woke_ns = wake.woke_ns,
@@ -167,9 +167,9 @@ class ServedSimulation {
   std::unique_ptr<firmware::TelemetryWriter> writer_ =
       std::make_unique<firmware::TelemetryWriter>();
   firmware::TelemetrySinks sinks_{.writer = writer_.get()};
-  std::unique_ptr<firmware::CommandDesk> desk_ = std::make_unique<firmware::CommandDesk>();
+  std::unique_ptr<firmware::CommandQueue> queue_ = std::make_unique<firmware::CommandQueue>();
   std::unique_ptr<firmware::CommandServer> server_ =
-      std::make_unique<firmware::CommandServer>(*desk_, *scenes_);
+      std::make_unique<firmware::CommandServer>(*queue_, *scenes_);
 };
 
 }  // namespace

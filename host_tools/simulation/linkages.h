@@ -1,4 +1,5 @@
-// The plane linkages and the serial arms behind mechanism.h, one function for each question there.
+// The plane linkages and the serial arms behind plant_mechanism.h, one function for each
+// question there.
 //
 // Coordinates are tan(half an angle): the paddle's from straight up, a pantograph's crank from
 // straight toward the user, the arm's azimuth from straight toward the user, upper arm and forearm

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/flight/flight_writer.h"
 #include "firmware/tactusd/loop.h"
 #include "firmware/tactusd/supervisor.h"
@@ -45,15 +45,15 @@ static_assert(drivers::Device<StrokingDevice>);
 // The objects beside the loop; static, as in tactusd.
 struct Beside {
   firmware::Supervisor supervisor;
-  firmware::CommandDesk desk;
+  firmware::CommandQueue desk;
   firmware::TelemetryWriter telemetry;
   firmware::FlightWriter flight;
 };
 
 // Commands every hundredth tick, all of it published.
-class BusyDoors {
+class BusyHooks {
  public:
-  explicit BusyDoors(Beside& beside) : beside_(&beside) {}
+  explicit BusyHooks(Beside& beside) : beside_(&beside) {}
 
   static bool stopping() { return false; }
   static bool has_crashed() { return false; }
@@ -121,7 +121,7 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   ASSERT_EQ(beside.telemetry.start(), 0);
   ASSERT_EQ(beside.flight.start({.folder = folder.c_str()}), 0);
   StrokingDevice device;
-  BusyDoors doors(beside);
+  BusyHooks hooks(beside);
   const firmware::LoopConfig config{.phase = firmware::loop_phase(1000.0), .ticks = kTicks};
   const firmware::LoopParts parts{
       .controller = controller, .clock = clock, .timing = timing, .watchdog = watchdog};
@@ -130,7 +130,7 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   firmware::LoopEnd end{};
   {
     const HeapTrap trap;
-    end = firmware::run_loop(config, parts, device, doors);
+    end = firmware::run_loop(config, parts, device, hooks);
     while (beside.flight.files() == 0) {
       usleep(1000);
     }
@@ -143,8 +143,8 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   EXPECT_EQ(calls, 0U);
   EXPECT_EQ(end, firmware::LoopEnd::ended);
   EXPECT_EQ(controller.mode(), firmware::Mode::active);
-  EXPECT_EQ(doors.changes, static_cast<int>(kTicks / 100));
-  EXPECT_GT(doors.contacts, static_cast<int>(kTicks / 2));
+  EXPECT_EQ(hooks.changes, static_cast<int>(kTicks / 100));
+  EXPECT_GT(hooks.contacts, static_cast<int>(kTicks / 2));
 }
 
 }  // namespace

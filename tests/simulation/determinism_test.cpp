@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tests/simulation/loop.h"
+#include "tests/simulation/slab_press.h"
 
 namespace tactus::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "firmware/safety/faults.h"
-#include "tests/simulation/loop.h"
+#include "tests/simulation/slab_press.h"
 
 namespace tactus::testing {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "host_tools/input_error.h"
 #include "host_tools/simulation/wish_path_file.h"
-#include "tests/simulation/loop.h"
+#include "tests/simulation/slab_press.h"
 
 namespace tactus::testing {
 namespace {

@@ -1,4 +1,4 @@
-// What goes into a recording beside its ticks, each once by its name.
+// The attachments of a recording; each name occurs once.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace tactus::firmware {
 
-// A file that goes into the recording whole. Name and bytes stay where they are while it is known.
+// A file that is stored whole in the recording. `name` and `bytes` must outlive the list.
 struct Attachment {
   std::string_view name;
   std::span<const std::byte> bytes;
@@ -19,7 +19,7 @@ class AttachmentList {
  public:
   static constexpr std::size_t kMost = 8;
 
-  // In place of one of the same name. False if there is no room.
+  // Adds an attachment or replaces the one with the same name. Returns false if the list is full.
   bool set(const Attachment& attachment) {
     const auto known = std::span(attachments_).first(count_);
     const auto place = std::ranges::find(known, attachment.name, &Attachment::name);

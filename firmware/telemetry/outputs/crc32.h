@@ -1,4 +1,4 @@
-// CRC-32 of IEEE 802.3 (reflected polynomial 0xEDB88320), which MCAP files carry.
+// Computes the CRC-32 of IEEE 802.3 (reflected polynomial 0xEDB88320), which MCAP files contain.
 #pragma once
 
 #include <array>

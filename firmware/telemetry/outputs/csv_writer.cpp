@@ -19,7 +19,7 @@ void put_column(TextBuffer& text, const FieldName& name, std::string_view before
   text.text(name.unit.empty() ? "" : "_").text(name.unit);
 }
 
-// The columns of a field: of its own, of its axes, or of its joints.
+// Writes the column names of a field: one, or one for each axis or joint.
 class ColumnNames {
  public:
   ColumnNames(TextBuffer& text, std::size_t joints) : text_(&text), joints_(joints) {}

@@ -1,5 +1,5 @@
-// Writes ticks as a CSV file: a line of column names, then a line a tick. record_fields.h says what
-// the columns are. Memory of its own, no heap; not real time; one thread.
+// Writes ticks as a CSV file: a line of column names, then one line per tick. record_fields.h
+// defines the columns. It has its own memory and uses no heap. Not real time; one thread.
 #pragma once
 
 #include <array>
@@ -18,13 +18,14 @@ class CsvWriter {
   CsvWriter& operator=(const CsvWriter&) = delete;
   ~CsvWriter() = default;
 
-  // Columns for so many joints. 0, or errno.
+  // Creates the file with columns for `joints` joints. Returns 0 or errno.
   int open(const char* path, std::size_t joints, IfThere if_there = IfThere::replace);
-  // Numbers read back as they were; a mode and a request are words, the state hash hexadecimal.
+  // Adds a line. Numbers read back to the same bits; mode and request are names, the state hash is
+  // hexadecimal.
   void add(const RecordedTick& tick);
-  // Puts what there is into the file.
+  // Writes the buffer to the file.
   void flush();
-  // 0, or the errno of the first failure.
+  // Writes the buffer and closes the file. Returns 0 or the errno of the first failure.
   int close();
 
   [[nodiscard]] bool is_open() const { return sink_.is_open(); }

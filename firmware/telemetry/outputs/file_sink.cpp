@@ -10,11 +10,11 @@ namespace tactus::firmware {
 
 namespace {
 
-// -1, with errno, if it is something that must not be emptied.
+// Creates or opens the file. Returns -1 with errno if it exists and must not be emptied.
 int make_file(const char* path, IfThere if_there) {
   constexpr mode_t kReadableByAll = 0644;
   const int exclusive = if_there == IfThere::refuse ? O_EXCL : 0;
-  // The variadic interface of open has no other form. A pipe is not waited for.
+  // open has only a variadic form. O_NONBLOCK keeps it from waiting at a pipe.
   hal::FileDescriptor file(
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
       ::open(path, O_CREAT | exclusive | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_RDWR | O_CLOEXEC,
@@ -52,7 +52,7 @@ void FileSink::write(std::span<const std::byte> bytes) {
       written += static_cast<std::size_t>(count);
     } else if (count == 0 || errno != EINTR) {
       error_ = count == 0 ? EIO : errno;
-      // If this fails too, the file ends in half a record, which readers leave out.
+      // If this fails too, the file ends in an incomplete record, which readers skip.
       [[maybe_unused]] const int cut = ftruncate(file_.get(), static_cast<off_t>(size_));
       return;
     }

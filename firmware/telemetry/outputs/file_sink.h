@@ -1,5 +1,5 @@
-// A file that grows at its end, with its length and the checksum of what was written. Not real
-// time.
+// A file to which bytes are appended, with its length and the checksum of what was written. Not
+// real time.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,25 @@
 
 namespace tactus::firmware {
 
-// A file of that name that is there already. Links are never followed.
+// The reaction of `open` to an existing file. Links are never followed.
 enum class IfThere : std::uint8_t {
-  replace,  // a file is emptied, a character device written to
-  refuse,   // EEXIST
+  replace,  // empties a file, writes to a character device
+  refuse,   // returns EEXIST
 };
 
 class FileSink {
  public:
-  // Makes the file. 0, or errno: EEXIST too for a pipe, a socket or a disk, ELOOP
-  // where it is a link.
+  // Creates the file. Returns 0 or errno; EEXIST also for a pipe, a socket or a disk, and ELOOP for
+  // a link.
   int open(const char* path, IfThere if_there = IfThere::replace);
 
-  // All of it or, where there is no more room, nothing: then `error` is set and everything after is
-  // left out, so that the file ends where it was still whole.
+  // Appends all bytes. On a failure, such as a full disk, it appends none of them, sets `error` and
+  // ignores all later writes, so that the file ends after a complete record.
   void write(std::span<const std::byte> bytes);
-  // 0, or the errno of the first failure.
+  // Closes the file. Returns 0 or the errno of the first failure.
   int close();
 
-  // Of what is written from now on.
+  // Starts the checksum anew for the bytes written from now on.
   void restart_crc() { crc_ = {}; }
   [[nodiscard]] std::uint32_t crc() const { return crc_.value(); }
   [[nodiscard]] std::uint64_t size() const { return size_; }

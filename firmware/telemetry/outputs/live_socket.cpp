@@ -19,12 +19,12 @@ hal::FileDescriptor stream_socket() {
   return hal::FileDescriptor(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
 }
 
-// The interface of sockets takes every kind of address as this one.
+// Returns the address as the general type that the socket calls take.
 const sockaddr* generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
-bool somebody_listens(const sockaddr_un& address) {
+bool has_listener(const sockaddr_un& address) {
   const hal::FileDescriptor probe = stream_socket();
   return connect(probe.get(), generic(address), sizeof(address)) == 0 || errno == EAGAIN;
 }
@@ -47,7 +47,7 @@ int LiveSocket::open(const char* path) {
   }
   int failed = bind(listening.get(), generic(address_), sizeof(address_));
   if (failed != 0 && errno == EADDRINUSE) {
-    if (somebody_listens(address_)) {
+    if (has_listener(address_)) {
       return EADDRINUSE;
     }
     unlink(address_.sun_path);

@@ -1,11 +1,11 @@
-// Gives the run to whoever connects to a Unix socket: a stream of messages, each behind its length
-// as a 32-bit little-endian number. The first is the run's information (run_info.fbs), then come
-// ticks (record.fbs) and events (event.fbs); bytes 4 to 7 of each message say which ("TRUN",
-// "TREC", "TEVT"). Readers only read.
+// Sends the run to every program that connects to a Unix socket. The stream is a sequence of
+// messages, each after its length as a 32-bit little-endian number. The first message is the run's
+// information (run_info.fbs); ticks (record.fbs) and events (event.fbs) follow. Bytes 4 to 7 of a
+// message are its type: "TRUN", "TREC" or "TEVT". Readers send nothing.
 //
-// Each reader has a bounded buffer. A message that does not fit whole is skipped for that reader
-// and counted: a slow reader misses ticks, a stuck one loses its place after a while, and neither
-// costs the others anything. Never waits. Not real time; one thread.
+// Each reader has a bounded buffer. A message that does not fit is skipped for that reader and
+// counted. So a slow reader misses ticks, a stuck one is disconnected after kPatience_ns, and
+// neither affects the others. It never waits. Not real time; one thread.
 #pragma once
 
 #include <sys/un.h>
@@ -21,18 +21,18 @@
 namespace tactus::firmware {
 
 struct LiveCounts {
-  std::uint32_t readers = 0;   // now
-  std::uint64_t accepted = 0;  // since the start, as all below
-  std::uint64_t refused = 0;   // readers, for want of a place
-  std::uint64_t lost = 0;      // readers that went, or took nothing for kPatience_ns
-  std::uint64_t skipped = 0;   // messages, summed over the readers
+  std::uint32_t readers = 0;   // connected now
+  std::uint64_t accepted = 0;  // readers accepted since the start, like the numbers below
+  std::uint64_t refused = 0;   // readers refused because all places were taken
+  std::uint64_t lost = 0;      // readers that disconnected or read nothing for kPatience_ns
+  std::uint64_t skipped = 0;   // messages skipped, summed over the readers
 };
 
 class LiveSocket {
  public:
   static constexpr std::size_t kMaxReaders = 8;
   static constexpr std::size_t kBufferBytes = std::size_t{256} << 10U;
-  // A reader that takes nothing for so long while there is something for it is let go.
+  // A reader that reads nothing for this time while messages wait for it is disconnected.
   static constexpr hal::TimeNs kPatience_ns = 10'000'000'000;
 
   LiveSocket() = default;
@@ -40,18 +40,18 @@ class LiveSocket {
   LiveSocket& operator=(const LiveSocket&) = delete;
   ~LiveSocket() { close(); }
 
-  // Makes the socket, of which owner and group may read; takes the place of one that nobody listens
-  // to any more. 0, or errno: EADDRINUSE if another program listens there, ENAMETOOLONG.
+  // Creates the socket, readable for owner and group. Replaces a socket on which no program listens
+  // any more. Returns 0 or errno: EADDRINUSE if another program listens there, ENAMETOOLONG.
   int open(const char* path);
-  // Removes it.
+  // Closes the socket and removes its file.
   void close();
   [[nodiscard]] bool is_open() const { return listening_.is_open(); }
 
-  // Lets in who waits, each with this as its first message.
+  // Accepts the waiting readers; each gets `greeting` as its first message.
   void accept_readers(std::span<const std::byte> greeting, hal::TimeNs now_ns);
-  // For every reader.
+  // Puts a message into the buffer of every reader.
   void publish(std::span<const std::byte> message);
-  // Hands on as much as the readers take now.
+  // Sends as much of the buffers as the readers take now.
   void send(hal::TimeNs now_ns);
 
   [[nodiscard]] const LiveCounts& counts() const { return counts_; }
@@ -61,7 +61,7 @@ class LiveSocket {
     hal::FileDescriptor socket;
     std::size_t begin = 0;
     std::size_t end = 0;
-    hal::TimeNs moved_ns = 0;  // when it last took something, or there was nothing for it
+    hal::TimeNs moved_ns = 0;  // when it last read something or its buffer was empty
     std::array<std::byte, kBufferBytes> buffer{};
   };
 

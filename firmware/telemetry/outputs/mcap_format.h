@@ -1,5 +1,5 @@
-// What a writer and a reader of MCAP files share: https://mcap.dev/spec. All numbers are little
-// endian.
+// The parts of the MCAP format (https://mcap.dev/spec) that writer and reader share. All numbers
+// are little endian.
 #pragma once
 
 #include <array>
@@ -31,14 +31,14 @@ enum class Opcode : std::uint8_t {
   data_end = 0x0F
 };
 
-// In front of every record: its opcode and the length of what follows.
+// The header of every record: its opcode and the length of its content.
 inline constexpr std::size_t kRecordHeaderBytes = 1 + 8;
-// Of an uncompressed chunk, in front of its records.
+// The header of an uncompressed chunk, before its records.
 inline constexpr std::size_t kChunkHeaderBytes = 8 + 8 + 8 + 4 + 4 + 8;
 inline constexpr std::size_t kMessageHeaderBytes = 2 + 4 + 8 + 8;
 
-// Puts values into bytes one after the other. What finds no room is not put, and `overflowed` says
-// so.
+// Writes values into a buffer one after the other. A value that does not fit is left out, and
+// `overflowed` then returns true.
 class Packer {
  public:
   explicit Packer(std::span<std::byte> room) : room_(room) {}
@@ -81,8 +81,8 @@ class Packer {
   bool overflowed_ = false;
 };
 
-// Takes values out of bytes one after the other. Behind the end it gives zeros and nothing, and
-// `failed` says so.
+// Reads values from a buffer one after the other. Beyond the end it returns zeros and empty views,
+// and `failed` then returns true.
 class Unpacker {
  public:
   explicit Unpacker(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -112,7 +112,7 @@ class Unpacker {
   std::uint64_t u64() { return number<std::uint64_t>(); }
   std::string_view text() {
     const auto stored = bytes(u32());
-    // Bytes as text: char may alias anything.
+    // The cast is allowed because char may alias any type.
     return {reinterpret_cast<const char*>(stored.data()), stored.size()};
   }
 

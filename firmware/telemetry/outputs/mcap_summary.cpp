@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxChannels = 8;   // of ids 1 to 8
 constexpr std::size_t kFrontBytes = 512;  // of a record, enough for all but its bulk
 
-// A record in the file: where, and its first bytes.
+// A record in the file: its place and its first bytes.
 struct Found {
   Opcode opcode{};
   std::uint64_t offset = 0;
@@ -31,13 +31,13 @@ struct Found {
   }
 };
 
-// Goes through the records of a file's data section.
+// Reads the records of a file's data section one after the other.
 class Walk {
  public:
   explicit Walk(const FileSink& sink, std::uint64_t end)
       : descriptor_(sink.descriptor()), end_(end) {}
 
-  // False at the end.
+  // Reads the next record. Returns false at the end.
   bool next(Found& found) {
     if (offset_ + mcap::kRecordHeaderBytes > end_) {
       return false;
@@ -75,7 +75,7 @@ struct Statistics {
   std::array<std::uint64_t, kMaxChannels> messages{};
 };
 
-// The indexes of the chunk before, as they are met.
+// Collects the indexes that follow a chunk.
 struct ChunkIndexes {
   std::uint64_t bytes = 0;
   std::array<std::uint64_t, kMaxChannels> offsets{};  // 0: none

@@ -1,14 +1,14 @@
-// The end of an MCAP file: what makes it quick to look into. Not real time; no heap.
+// Writes the summary at the end of an MCAP file, the index of viewers. Not real time; no heap.
 #pragma once
 
 #include "firmware/telemetry/outputs/file_sink.h"
 
 namespace tactus::firmware {
 
-// Closes the data section of a file that ends with a whole record, and adds copies of its schemas
-// and channels, the indexes of chunks, attachments and metadata, statistics, offsets and footer.
-// They are gathered by reading the file, so that a long run needs no more memory than a short one.
-// Errors are the sink's; a file that does not read back loses its summary.
+// Ends the data section of a file whose last record is complete. Then adds copies of its schemas
+// and channels, the indexes of chunks, attachments and metadata, statistics, offsets and footer. It
+// collects them by reading the file, so that a long run needs no more memory than a short one. The
+// sink holds errors. A file that cannot be read back gets no summary.
 void write_mcap_summary(FileSink& sink);
 
 }  // namespace tactus::firmware

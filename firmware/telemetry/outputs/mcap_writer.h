@@ -1,8 +1,8 @@
 // Writes a run as an MCAP file: ticks and events as FlatBuffers in uncompressed chunks with their
 // indexes and checksums, the run's metadata, and attachments.
 //
-// A file that is not closed, by a crash, lacks its summary and what was in the last chunk; what is
-// before is readable. Memory of its own, no heap, no exceptions; not real time; one thread.
+// After a crash, a file lacks its summary and the last chunk; the chunks before are readable. The
+// writer has its own memory, no heap and no exceptions. Not real time; one thread.
 #pragma once
 
 #include <array>
@@ -24,26 +24,26 @@ inline constexpr std::string_view kMetadataName = "tactus";
 
 class McapWriter {
  public:
-  // Begins the file. `clock_offset_ns` is added to LoopTimes::scheduled_ns to give the messages'
-  // log time, ns since 1970. 0, or errno.
+  // Creates the file. `clock_offset_ns` is added to LoopTimes::scheduled_ns to give the log time of
+  // a message, ns since 1970. Returns 0 or errno.
   int open(const char* path, std::int64_t clock_offset_ns, std::span<const MetadataEntry> run_info,
            IfThere if_there = IfThere::replace);
   void attach(const Attachment& attachment);
 
   void add(const RecordedTick& tick) { add(tick, encoder_.encode(tick)); }
   void add(const TelemetryEvent& event) { add(event, encoder_.encode(event)); }
-  // The same where they have been encoded already.
+  // Add a tick or an event that has been encoded already.
   void add(const RecordedTick& tick, std::span<const std::byte> message);
   void add(const TelemetryEvent& event, std::span<const std::byte> message);
-  // Puts what there is into the file, as a chunk.
+  // Writes the open chunk to the file.
   void flush();
 
-  // Adds the summary, without which viewers have no index. 0, or the errno of the first failure:
-  // what came before is in the file.
+  // Writes the open chunk and the summary and closes the file. Returns 0 or the errno of the first
+  // failure; the file then holds what came before it.
   int close();
 
   [[nodiscard]] bool is_open() const { return sink_.is_open(); }
-  // 0, or the errno that ended the recording.
+  // Returns 0 or the errno that ended the recording.
   [[nodiscard]] int error() const { return sink_.error(); }
 
  private:
@@ -58,7 +58,7 @@ class McapWriter {
 
   struct IndexEntry {
     std::uint64_t log_time_ns = 0;
-    std::uint32_t offset = 0;  // from the first record of the chunk
+    std::uint32_t offset = 0;  // bytes from the first record of the chunk
     Channel channel = Channel::tick;
   };
 
@@ -72,7 +72,7 @@ class McapWriter {
   std::int64_t clock_offset_ns_ = 0;
   std::array<std::uint32_t, kChannelCount> sequence_{};
 
-  // The open chunk: room for its header, its records, room for the indexes behind it.
+  // The open chunk: its header, its records and the indexes after it.
   std::array<std::byte, kFrontBytes + kChunkBytes + kIndexBytes> chunk_{};
   std::size_t records_bytes_ = 0;
   std::array<IndexEntry, kMaxChunkMessages> index_{};

@@ -16,7 +16,7 @@ telemetry::Vector3 stored(const Triple& triple) {
   return {triple[0], triple[1], triple[2]};
 }
 
-// A constant in place of the enumerator's name: both have the same values, which a test holds.
+// Converts an enumerator to the schema's type. Both have the same values; a test checks that.
 template <class Stored, class Ours>
 Stored stored_enum(Ours value) {
   return static_cast<Stored>(value);

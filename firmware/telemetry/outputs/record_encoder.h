@@ -1,5 +1,5 @@
-// Ticks and events as FlatBuffers, by record.fbs, event.fbs and run_info.fbs. In memory of its own:
-// no heap. One thread.
+// Encodes ticks, events and run information as FlatBuffers (record.fbs, event.fbs, run_info.fbs).
+// It has its own memory and uses no heap. One thread.
 #pragma once
 
 #include <flatbuffers/flatbuffer_builder.h>
@@ -15,8 +15,8 @@
 
 namespace tactus::firmware {
 
-// A message is never longer, with room for what a builder notes beside it; run information that
-// would be is cut.
+// The size of the buffer for a message and the builder's notes. No tick or event is longer; run
+// information that would be longer is cut.
 inline constexpr std::size_t kMaxMessageBytes = 8192;
 
 struct MetadataEntry {
@@ -31,13 +31,14 @@ class RecordEncoder {
   RecordEncoder& operator=(const RecordEncoder&) = delete;
   ~RecordEncoder() = default;
 
-  // Each valid until the next call of any. The same numbers give the same bytes.
+  // Return the encoded bytes, valid until the next call of any encode function. Equal input gives
+  // equal bytes.
   std::span<const std::byte> encode(const RecordedTick& tick);
   std::span<const std::byte> encode(const TelemetryEvent& event);
   std::span<const std::byte> encode(std::span<const MetadataEntry> run_info);
 
  private:
-  // Hands out the one block that there is.
+  // Allocates the one buffer.
   class Memory final : public flatbuffers::Allocator {
    public:
     std::uint8_t* allocate(std::size_t size) override;

@@ -1,5 +1,4 @@
-// One recording of a run: an MCAP file, or CSV where the file's name ends in .csv. Not real time;
-// one thread.
+// Records a run to a file: CSV if its name ends in .csv, MCAP otherwise. Not real time; one thread.
 #pragma once
 
 #include <array>
@@ -12,29 +11,29 @@
 
 namespace tactus::firmware {
 
-// What is noted of a run; whatever it points to outlives the recordings.
+// The description of a run in its recordings. All that it points to must outlive them.
 struct RunDescription {
-  std::span<const MetadataEntry> info;  // by the keys of firmware/telemetry/README.md
+  std::span<const MetadataEntry> info;  // the keys are in firmware/telemetry/README.md
   std::size_t joints = 0;
-  std::int64_t clock_offset_ns = 0;  // from the ticks' clock to ns since 1970
+  std::int64_t clock_offset_ns = 0;  // ns since 1970 at time 0 of the ticks' clock
 };
 
 class RunRecorder {
  public:
-  // Before the first recording.
+  // Sets the description. Call before the first recording.
   void describe(const RunDescription& run) { run_ = run; }
 
-  // Goes into each MCAP file from now on, in place of one of the same name; into an open one at
-  // once. False if there is no room. `name` and `bytes` stay where they are.
+  // Adds an attachment to each MCAP file from now on, and to an open one at once. It replaces the
+  // one with the same name. `name` and `bytes` must stay valid. Returns false if there is no room.
   bool attach(const Attachment& attachment);
 
-  // Ends the recording before, if there is one. 0, or errno.
+  // Ends the present recording, if there is one, and starts another. Returns 0 or errno.
   int open(const char* path, IfThere if_there = IfThere::replace);
   void add(const RecordedTick& tick, std::span<const std::byte> message);
   void add(const TelemetryEvent& event, std::span<const std::byte> message);
-  // Puts what there is into the file.
+  // Writes the buffer to the file.
   void flush();
-  // 0, or the errno that ended it early: what came before is in the file.
+  // Closes the file. Returns 0 or the errno that ended it early; the file holds what came before.
   int close();
 
   [[nodiscard]] bool is_open() const { return mcap_.is_open() || csv_.is_open(); }

@@ -8,9 +8,9 @@
 namespace tactus::firmware {
 namespace {
 
-// How often the thread looks: a display's delay, against the processor's time.
+// The thread's cycle: a longer one delays displays, a shorter one costs processor time.
 constexpr hal::TimeNs kCycle_ns = 5'000'000;
-// What is older is in the file, also if the program is killed.
+// Ticks older than this are in the file, even if the program is killed.
 constexpr hal::TimeNs kFlush_ns = 1'000'000'000;
 constexpr hal::TimeNs kOrderWait_ns = 500'000;
 

@@ -1,12 +1,12 @@
-// Takes the ticks from the loop and hands them, from a thread of its own, to whoever wants them: a
-// recording, the readers of the live socket, PlotJuggler.
+// Takes the ticks from the loop and, in its own thread, passes them to a recording, to the readers
+// of the live socket and to PlotJuggler.
 //
 //   loop --RecordRing, EventRing--> thread --> MCAP or CSV file
 //                                          --> live socket, for any number of readers
 //                                          --> UDP on this machine
-// The loop's part is a copy into a ring. Whatever happens to a disk or to a reader, it costs the
-// loop nothing: what the thread is too slow for is dropped in the ring and counted there, and every
-// tick tells how many were before it.
+// The loop only copies each tick into a ring, so a slow disk or reader costs the loop nothing. If
+// the thread is too slow, ticks are dropped and counted; every tick holds the number dropped before
+// it.
 #pragma once
 
 #include <atomic>
@@ -27,36 +27,38 @@ class TelemetryWriter {
   TelemetryWriter& operator=(const TelemetryWriter&) = delete;
   ~TelemetryWriter() { stop(); }
 
-  // Before `start`, each; 0, or errno.
+  // Call these before `start`. All but `describe` return 0 or errno.
   void describe(const RunDescription& run);
   int open_live_socket(const char* path) { return live_.open(path); }
-  // One tick of so many goes out.
+  // Sends one of `every` ticks as JSON to a port of this machine.
   int open_udp(std::uint16_t port, std::uint32_t every);
   int start();
 
-  // Real time, from the loop's thread: wait-free.
+  // Publish a tick or an event. Call from the loop's thread; real time, wait-free.
   void publish(RecordedTick& tick) {
     tick.dropped = ticks_.dropped();
     ticks_.push(tick);
   }
   void publish(const TelemetryEvent& event) { events_.push(event); }
 
-  // From one other thread, before `start` or after, while nobody else calls these; waits for the
-  // writer's thread, which is as long as the file takes. `path`, names and bytes stay where they
-  // are: `path` for the call, the others for good.
-  int record(const char* path, IfThere if_there = IfThere::replace);  // 0, or errno
-  int end_recording();  // 0, or the errno that had ended it early
+  // Call these from one other thread at a time, before or after `start`. They wait for the writer's
+  // thread, as long as the file system takes. Names and bytes of attachments must stay valid.
+  // `record` returns 0 or errno; `end_recording` 0 or the errno that had ended it early; `attach`
+  // false if there is no room.
+  int record(const char* path, IfThere if_there = IfThere::replace);
+  int end_recording();
   bool attach(const Attachment& attachment);
 
-  // After the loop's last tick: writes what is left, closes everything. What end_recording says.
+  // Writes the remaining ticks and closes all outputs. Call after the loop's last tick. Returns the
+  // same as end_recording.
   int stop();
 
-  // Any thread.
+  // These may be called from any thread.
   [[nodiscard]] std::uint64_t dropped_ticks() const { return ticks_.dropped(); }
   [[nodiscard]] std::uint64_t dropped_events() const { return events_.dropped(); }
-  // 0, or the errno that ended the recording.
+  // Returns 0 or the errno that ended the recording.
   [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
-  // The thread's own; after `stop`.
+  // Returns the counts of the live socket. Call after `stop`.
   [[nodiscard]] const LiveCounts& live_counts() const { return live_.counts(); }
 
  private:
@@ -76,14 +78,15 @@ class TelemetryWriter {
   bool started_ = false;
   std::atomic<bool> stopping_{false};
 
-  // Another thread's order to this one; `path_` and `attachment_` belong to who has it.
+  // An order from another thread to the writer's. `path_` and `attachment_` belong to the thread
+  // that holds the order.
   std::atomic<Order> order_{Order::none};
   const char* path_ = nullptr;
   IfThere if_there_ = IfThere::replace;
   Attachment attachment_;
   int answer_ = 0;
 
-  // The thread's own.
+  // Only the writer's thread uses these.
   std::span<const MetadataEntry> run_info_;
   RecordEncoder encoder_;
   RunRecorder recorder_;

@@ -1,4 +1,4 @@
-// Puts numbers and words into a fixed piece of memory as text. No heap.
+// Writes numbers and texts into a buffer of fixed size. No heap.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class TextBuffer {
  public:
   explicit TextBuffer(std::span<char> room) : room_(room) {}
 
-  // What does not fit whole is left out.
+  // Adds a text, or nothing if it does not fit.
   TextBuffer& text(std::string_view text) {
     if (text.size() <= room_.size() - size_) {
       std::ranges::copy(text, room_.subspan(size_).begin());
@@ -25,16 +25,16 @@ class TextBuffer {
     }
     return *this;
   }
-  // The shortest text that reads back as the same number.
+  // Adds the shortest text that reads back as the same number.
   template <class Number>
   TextBuffer& number(Number value) {
     return take(std::to_chars(end(), limit(), value));
   }
-  // With that many digits at most.
+  // Adds a number with at most `digits` digits.
   TextBuffer& rounded(double value, int digits) {
     return take(std::to_chars(end(), limit(), value, std::chars_format::general, digits));
   }
-  // Sixteen digits.
+  // Adds a number with sixteen hexadecimal digits.
   TextBuffer& hex(std::uint64_t value) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     for (unsigned shift = 64; shift > 0; shift -= 4) {

@@ -95,7 +95,7 @@ int UdpJson::open(std::uint16_t port) {
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  // The interface of sockets takes every kind of address as this one.
+  // The socket calls take every address as this general type.
   if (connect(opened.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
     return errno;
   }
@@ -105,7 +105,7 @@ int UdpJson::open(std::uint16_t port) {
 
 void UdpJson::send(const RecordedTick& tick) {
   const auto datagram = write_json(tick, room_);
-  // A refusal tells that nobody listened to the datagram before: that is no failure.
+  // ECONNREFUSED only means that nobody listened to the previous datagram; it is not a failure.
   if (::send(socket_.get(), datagram.data(), datagram.size(), MSG_DONTWAIT) < 0 &&
       errno != ECONNREFUSED) {
     ++failed_;

@@ -1,5 +1,5 @@
-// Sends ticks as JSON over UDP, one a datagram, as PlotJuggler's UDP server takes them. Never
-// waits; nobody need listen. Not real time; one thread.
+// Sends ticks as JSON over UDP, one per datagram, for PlotJuggler's UDP server. It never waits and
+// needs no listener. Not real time; one thread.
 #pragma once
 
 #include <array>
@@ -15,18 +15,19 @@ namespace tactus::firmware {
 inline constexpr std::size_t kMaxDatagramBytes = 2000;
 inline constexpr std::uint16_t kPlotJugglerPort = 9870;
 
-// A tick as one JSON object, in `room`; numbers with nine digits, what is not finite as null.
+// Writes a tick into `room` as one JSON object and returns the text. Numbers have nine digits;
+// values that are not finite become null.
 std::span<const char> write_json(const RecordedTick& tick,
                                  std::array<char, kMaxDatagramBytes>& room);
 
 class UdpJson {
  public:
-  // To this port of this machine. 0, or errno.
+  // Opens the socket to a port of this machine. Returns 0 or errno.
   int open(std::uint16_t port);
   [[nodiscard]] bool is_open() const { return socket_.is_open(); }
 
   void send(const RecordedTick& tick);
-  // Datagrams that the system did not take.
+  // Returns the number of datagrams that the system did not take.
   [[nodiscard]] std::uint64_t failed() const { return failed_; }
 
  private:

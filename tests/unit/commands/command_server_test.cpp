@@ -74,8 +74,8 @@ class CommandServerTest : public ::testing::Test {
       drivers::JointSample sample;
       sample.position = {0.0, 0.2, 0.0};
       while (looping_) {
-        controller_->tick(sample, desk_->before_tick(*controller_));
-        desk_->after_tick(*controller_);
+        controller_->tick(sample, queue_->before_tick(*controller_));
+        queue_->after_tick(*controller_);
         std::this_thread::sleep_for(std::chrono::microseconds(100));
       }
     });
@@ -106,9 +106,9 @@ class CommandServerTest : public ::testing::Test {
   std::filesystem::path folder_ = new_folder();
   std::string socket_path_;
   std::unique_ptr<Controller> controller_ = std::make_unique<Controller>();
-  std::unique_ptr<CommandDesk> desk_ = std::make_unique<CommandDesk>();
+  std::unique_ptr<CommandQueue> queue_ = std::make_unique<CommandQueue>();
   std::unique_ptr<SceneStore> scenes_ = std::make_unique<SceneStore>();
-  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*desk_, *scenes_);
+  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*queue_, *scenes_);
   std::atomic<bool> looping_{false};
   std::thread loop_;
 };
@@ -138,7 +138,7 @@ TEST_F(CommandServerTest, AnUnknownGroupIsRefusedAtTheStart) {
 
 TEST_F(CommandServerTest, ASecondServerDoesNotTakeTheDoorAndADeadOneDoesNotHoldIt) {
   serve();
-  CommandServer second(*desk_, *scenes_);
+  CommandServer second(*queue_, *scenes_);
   EXPECT_FALSE(second.start({.socket_path = socket_path_.c_str()}));
   server_->stop();
   {
@@ -283,7 +283,7 @@ TEST_F(CommandServerTest, AnEstopIsHeardBeforeWhatItsProgramStillWaitsFor) {
   Remote busy(folder_);
   // Nothing ticks: `get` waits, and the estop stands behind it in the same bytes.
   std::thread sender([&] { busy.send("get max_force_N\nestop"); });
-  while (desk_->before_tick(*controller_) != Request::estop) {
+  while (queue_->before_tick(*controller_) != Request::estop) {
     std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
   start_loop();

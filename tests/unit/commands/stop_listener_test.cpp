@@ -105,14 +105,14 @@ class StopTest : public ::testing::Test {
     drivers::JointSample sample;
     sample.position = {0.0, 0.2, 0.0};
     while (looping_) {
-      const Request asked = desk_->before_tick(*controller_);
+      const Request asked = queue_->before_tick(*controller_);
       sample.status = homing_takes_long_ ? drivers::kDeviceNotReady : drivers::kDeviceOk;
       const Request by_itself = mode_ == Mode::fault   ? Request::reset
                                 : mode_ == Mode::init  ? Request::home
                                 : mode_ == Mode::ready ? Request::enable
                                                        : Request::none;
       controller_->tick(sample, asked == Request::none && recovers_ ? by_itself : asked);
-      desk_->after_tick(*controller_);
+      queue_->after_tick(*controller_);
       mode_ = controller_->mode();
       std::this_thread::sleep_for(kTick);
     }
@@ -144,9 +144,9 @@ class StopTest : public ::testing::Test {
 
   std::filesystem::path folder_;
   std::unique_ptr<Controller> controller_ = std::make_unique<Controller>();
-  std::unique_ptr<CommandDesk> desk_ = std::make_unique<CommandDesk>();
+  std::unique_ptr<CommandQueue> queue_ = std::make_unique<CommandQueue>();
   std::unique_ptr<SceneStore> scenes_ = std::make_unique<SceneStore>();
-  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*desk_, *scenes_);
+  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*queue_, *scenes_);
   std::atomic<bool> looping_{true};
   std::atomic<bool> loading_{true};
   std::atomic<bool> recovers_{true};

@@ -22,16 +22,16 @@ class RunLoop : public ::testing::Test {
         watchdog_.open(lines_, {.offset = kWatchdogLine, .direction = hal::GpioDirection::output}));
   }
 
-  template <class Doors>
-  LoopEnd run(const LoopConfig& config, Doors& doors) {
+  template <class Hooks>
+  LoopEnd run(const LoopConfig& config, Hooks& hooks) {
     timing_.set_period(config.phase.period_ns);
     return run_loop(
         config,
         {.controller = controller_, .clock = clock_, .timing = timing_, .watchdog = watchdog_},
-        device_, doors);
+        device_, hooks);
   }
-  auto doors() {
-    return testing::EnablingDoors([](std::size_t) {});
+  auto hooks() {
+    return testing::EnablingHooks([](std::size_t) {});
   }
 
   hal::SimulatedClock clock_{1'000'000'123};
@@ -44,7 +44,7 @@ class RunLoop : public ::testing::Test {
 };
 
 TEST_F(RunLoop, TicksOnThePhaseAndPublishesEveryTick) {
-  auto open = doors();
+  auto open = hooks();
   EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks = 50}, open), LoopEnd::ended);
   ASSERT_EQ(open.seen.size(), 50U);
   for (std::size_t i = 0; i < open.seen.size(); ++i) {
@@ -59,7 +59,7 @@ TEST_F(RunLoop, TicksOnThePhaseAndPublishesEveryTick) {
 
 TEST_F(RunLoop, TakesEveryRateFromOneToEightKilohertz) {
   for (const double rate_hz : {1000.0, 2000.0, 4000.0, 8000.0}) {
-    auto open = doors();
+    auto open = hooks();
     device_.read_ns = 50'000;
     const hal::TimeNs before_ns = clock_.now_ns();
     run({.phase = loop_phase(rate_hz), .ticks = 800}, open);
@@ -69,7 +69,7 @@ TEST_F(RunLoop, TakesEveryRateFromOneToEightKilohertz) {
 }
 
 TEST_F(RunLoop, LosesTicksButNotItsPhaseWhenATransferTakesTooLong) {
-  testing::EnablingDoors open(
+  testing::EnablingHooks open(
       [this](std::size_t tick) { device_.read_ns = tick == 20 ? 2'500'000 : 100'000; });
   run({.phase = loop_phase(1000.0), .ticks = 30}, open);
   EXPECT_EQ(timing_.missed(), 2U);
@@ -82,7 +82,7 @@ TEST_F(RunLoop, LosesTicksButNotItsPhaseWhenATransferTakesTooLong) {
 }
 
 TEST_F(RunLoop, DisablesBeforeItEndsWhenToldToStop) {
-  auto open = doors();
+  auto open = hooks();
   open.stop_at = 20;
   EXPECT_EQ(run({.phase = loop_phase(1000.0)}, open), LoopEnd::ended);
   ASSERT_EQ(open.seen.size(), 21U);
@@ -92,7 +92,7 @@ TEST_F(RunLoop, DisablesBeforeItEndsWhenToldToStop) {
 }
 
 TEST_F(RunLoop, GoesOnForAWhileAfterAFaultThenSaysSo) {
-  testing::EnablingDoors open([this](std::size_t tick) {
+  testing::EnablingHooks open([this](std::size_t tick) {
     device_.next.status = tick == 20 ? drivers::kDeviceDriveFault : drivers::kDeviceOk;
   });
   const LoopConfig config{.phase = loop_phase(1000.0), .ticks = 1000, .ticks_after_fault = 10};
@@ -103,7 +103,7 @@ TEST_F(RunLoop, GoesOnForAWhileAfterAFaultThenSaysSo) {
 
 TEST_F(RunLoop, GivesTheWatchdogAnEdgeForEachHealthyTickAndNoneInFault) {
   std::vector<bool> levels;
-  testing::EnablingDoors open([&](std::size_t tick) {
+  testing::EnablingHooks open([&](std::size_t tick) {
     levels.push_back(chip_.level(kWatchdogLine));
     device_.next.status = tick == 20 ? drivers::kDeviceDriveFault : drivers::kDeviceOk;
   });
@@ -118,7 +118,7 @@ TEST_F(RunLoop, TellsTheControllerOfThreeLateTicksInARowWhichIsAFault) {
   for (const std::size_t late : {2U, 3U}) {
     ASSERT_TRUE(controller_.configure(cartesian_config()));
     // Each takes longer than the period, so the one after it is late.
-    testing::EnablingDoors open([&](std::size_t tick) {
+    testing::EnablingHooks open([&](std::size_t tick) {
       device_.read_ns = tick >= 20 && tick < 20 + late ? 1'100'000 : 100'000;
     });
     const LoopEnd end = run({.phase = loop_phase(1000.0), .ticks = 60}, open);
@@ -129,7 +129,7 @@ TEST_F(RunLoop, TellsTheControllerOfThreeLateTicksInARowWhichIsAFault) {
 }
 
 TEST_F(RunLoop, TellsTheControllerThatTheWatchdogCannotBeDriven) {
-  testing::EnablingDoors open([this](std::size_t tick) {
+  testing::EnablingHooks open([this](std::size_t tick) {
     if (tick == 20) {
       chip_.remove();
     }
@@ -141,7 +141,7 @@ TEST_F(RunLoop, TellsTheControllerThatTheWatchdogCannotBeDriven) {
 }
 
 TEST_F(RunLoop, TakesThePowerAwayAndEndsInTheTickThatSeesACrashBesideIt) {
-  auto open = doors();
+  auto open = hooks();
   open.crash_at = 20;
   EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks_after_fault = 10}, open), LoopEnd::faulted);
   ASSERT_EQ(open.seen.size(), 21U);
@@ -152,7 +152,7 @@ TEST_F(RunLoop, TakesThePowerAwayAndEndsInTheTickThatSeesACrashBesideIt) {
 }
 
 TEST_F(RunLoop, TellsTheControllerOfManySkippedTicksAtOnceWhichIsAFault) {
-  testing::EnablingDoors open(
+  testing::EnablingHooks open(
       [this](std::size_t tick) { device_.read_ns = tick == 20 ? 20'000'000 : 100'000; });
   EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks = 30}, open), LoopEnd::faulted);
   EXPECT_NE(controller_.record().faults & kFaultTickOverrun, 0U);
@@ -168,7 +168,7 @@ TEST(LoopReportTest, SaysWhatTheTickKnowsOfItself) {
 
 TEST_F(RunLoop, GivesTheWatchdogNoEdgeForALateTick) {
   std::vector<bool> levels;
-  testing::EnablingDoors open([&](std::size_t tick) {
+  testing::EnablingHooks open([&](std::size_t tick) {
     levels.push_back(chip_.level(kWatchdogLine));
     device_.read_ns = tick == 20 ? 2'500'000 : 100'000;
   });

@@ -1,4 +1,4 @@
-// A device, a clock and doors for the loop that do what a test wants and write down what they saw.
+// A device, a clock and hooks for the loop that follow a test's script and record their calls.
 #pragma once
 
 #include <cstdint>
@@ -45,9 +45,9 @@ struct SeenTick {
 
 // Homes and enables; `in_tick` acts before the tick of that number.
 template <class InTick>
-class EnablingDoors {
+class EnablingHooks {
  public:
-  explicit EnablingDoors(InTick in_tick) : in_tick_(in_tick) {}
+  explicit EnablingHooks(InTick in_tick) : in_tick_(in_tick) {}
 
   [[nodiscard]] bool stopping() const { return seen.size() >= stop_at; }
   [[nodiscard]] bool has_crashed() const { return seen.size() >= crash_at; }

@@ -1,4 +1,4 @@
-// Parts that the whole-loop tests share: a slab, and a hand that presses on it.
+// The scene of the whole-loop tests: a slab, and a hand that presses on it.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
-// What the command thread does with a line: hands it to the tick through the desk, and writes to
-// whoever asked what the tick made of it.
+// Carries out the command lines of all clients: parses a line, posts the command to the queue, and
+// writes the tick's answer as a reply to the client.
 //
-// The command thread's; not real time, no heap.
+// Only the command thread uses it. It is not real time and uses no heap.
 #pragma once
 
 #include <array>
@@ -11,51 +11,55 @@
 #include <string_view>
 
 #include "firmware/commands/command_client.h"
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/commands/scene_store.h"
 #include "firmware/device/certificate_words.h"
 
 namespace tactus::firmware {
 
-// What else of the run a command reaches, each from the command thread; null: there is none.
+// The parts of the program, beside the loop, that a command can reach. The command thread calls the
+// functions; a null function means that the program does not have that part.
 struct RunHooks {
-  void* run = nullptr;
-  // Empty if it went well, or what is wrong and what to do.
+  void* run = nullptr;  // passed to each function
+  // Both return an empty text on success, or what is wrong and what to do.
   std::string_view (*start_recording)(void* run, std::string_view file) = nullptr;
   std::string_view (*stop_recording)(void* run) = nullptr;
-  // The loop has taken another scene; when this returns, nobody may hold the one before.
+  // Called after the loop has taken another scene. When it returns, nothing may refer to the
+  // previous image.
   void (*scene_changed)(void* run, std::span<const std::byte> image) = nullptr;
-  // Why nobody may enable this device, and what to do; empty if they may. Outlives the server.
+  // Says why this device may not be enabled and what to do; empty if it may. Outlives the server.
   std::string_view enable_refusal;
-  // What the user does while the device is homed; empty: nothing. Outlives the server.
+  // Says what the user has to do while the device homes; empty if nothing. Outlives the server.
   std::string_view homing_hint;
 };
 
-class CommandClerk {
+class CommandProcessor {
  public:
-  // All outlive it. Answers go to those of the clients that wait for them.
-  CommandClerk(CommandDesk& desk, SceneStore& scenes, std::span<CommandClient> clients)
-      : desk_(desk), scenes_(scenes), clients_(clients) {}
+  // All arguments must outlive this. Each answer goes to the client of `clients` that waits for it.
+  CommandProcessor(CommandQueue& queue, SceneStore& scenes, std::span<CommandClient> clients)
+      : queue_(queue), scenes_(scenes), clients_(clients) {}
 
   void configure(const RunHooks& hooks, bool allow_inject);
 
-  // The time of what follows, on hal::monotonic_now_ns.
+  // Sets the time that the next calls use, ns of hal::monotonic_now_ns.
   void set_time(hal::TimeNs now_ns) { now_ns_ = now_ns; }
 
-  // A line that the client has said, complete and without its newline.
+  // Carries out one line of the client. `line` is complete and has no newline.
   void take(CommandClient& client, std::string_view line);
 
-  // An estop that was heard among lines whose turn has not come yet; the line gets its reply later.
+  // Posts an estop that stands behind lines not carried out yet. Its line gets its reply later.
   void raise_estop();
 
-  // Writes the answers that the ticks have left.
+  // Writes the replies to all answers that the ticks have given since the last call.
   void deliver_answers();
 
-  // For a client that waits: the next of a list, or that the loop has not answered for too long.
+  // Serves a client that waits: posts a command that found no room, asks for the next parameter of
+  // a list, or refuses the command if the loop has not answered it for a second.
   void look_after(CommandClient& client);
 
+  // Writes the reply "refused COMMAND: WHY".
   void refuse(CommandClient& client, std::string_view command, std::string_view why);
-  // What the client waits for cannot come any more.
+  // Refuses the command that the client waits for, and ends the wait.
   void refuse_waiting(CommandClient& client, std::string_view why);
 
  private:
@@ -76,15 +80,15 @@ class CommandClerk {
   void reply_status(CommandClient& client, const Answer& answer);
   void reply_list(CommandClient& client, const Answer& answer);
 
-  CommandDesk& desk_;
+  CommandQueue& queue_;
   SceneStore& scenes_;
   std::span<CommandClient> clients_;
   RunHooks hooks_;
   bool allow_inject_ = false;
   hal::TimeNs now_ns_ = 0;
   Ticket last_ticket_ = 0;
-  PartNames refused_names_{};  // of the scene that was refused last
-  Ticket scene_ticket_ = 0;    // of the scene that the loop has not answered yet; 0: none
+  PartNames refused_names_{};  // names of the parts of the scene that was refused last
+  Ticket scene_ticket_ = 0;    // ticket of the `scene` command without an answer yet; 0: none
 };
 
 }  // namespace tactus::firmware

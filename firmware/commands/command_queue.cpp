@@ -1,4 +1,4 @@
-#include "firmware/commands/command_desk.h"
+#include "firmware/commands/command_queue.h"
 
 #include <array>
 
@@ -26,7 +26,7 @@ bool took_effect(Request request, Mode after) {
   return false;
 }
 
-std::optional<Answer> CommandDesk::post(const Command& command) {
+std::optional<Answer> CommandQueue::post(const Command& command) {
   Answer answer{.ticket = command.ticket, .kind = command.kind, .request = command.request};
   if (command.kind != CommandKind::request) {
     commands_.push(command);
@@ -48,7 +48,7 @@ std::optional<Answer> CommandDesk::post(const Command& command) {
   return answer;
 }
 
-std::optional<Answer> CommandDesk::next_answer() {
+std::optional<Answer> CommandQueue::next_answer() {
   const Answer* const front = answers_.front();
   if (front == nullptr) {
     return std::nullopt;
@@ -61,10 +61,10 @@ std::optional<Answer> CommandDesk::next_answer() {
 
 static_assert(std::atomic<Mode>::is_always_lock_free);
 
-Request CommandDesk::before_tick(Controller& controller) {
+Request CommandQueue::before_tick(Controller& controller) {
   before_ = controller.mode();
   if (const Command* const front = commands_.front(); front != nullptr) {
-    // Whoever has its answer may post the next one, so its place is free before.
+    // The place is freed before the answer, because the answer allows the next post.
     const Command command = *front;
     commands_.pop();
     carry_out(command, controller);
@@ -77,8 +77,8 @@ Request CommandDesk::before_tick(Controller& controller) {
   return is_stop ? Request::estop : pending_.request;
 }
 
-std::optional<StopTaken> CommandDesk::stop_taken(std::uint32_t stop) const {
-  // Numbers go round.
+std::optional<StopTaken> CommandQueue::stop_taken(std::uint32_t stop) const {
+  // The signed difference is right also after the 32-bit numbers have wrapped.
   const auto ahead =
       static_cast<std::int32_t>(stops_answered_.load(std::memory_order_acquire) - stop);
   if (ahead < 0) {
@@ -88,7 +88,7 @@ std::optional<StopTaken> CommandDesk::stop_taken(std::uint32_t stop) const {
                    .after = stop_mode_.load(std::memory_order_relaxed)};
 }
 
-void CommandDesk::answer_stop(const TelemetryRecord& record) {
+void CommandQueue::answer_stop(const TelemetryRecord& record) {
   if (stops_seen_ == stops_answered_.load(std::memory_order_relaxed)) {
     return;
   }
@@ -99,8 +99,8 @@ void CommandDesk::answer_stop(const TelemetryRecord& record) {
        0.0);
 }
 
-// A request in the tick of a stop has had none of its effect.
-void CommandDesk::after_tick(const Controller& controller) {
+// A request that fell into the tick of a stop is answered as without effect.
+void CommandQueue::after_tick(const Controller& controller) {
   const TelemetryRecord& record = controller.record();
   answer_stop(record);
   if (pending_.request == Request::none) {
@@ -120,7 +120,7 @@ void CommandDesk::after_tick(const Controller& controller) {
   pending_ = {};
 }
 
-void CommandDesk::carry_out(const Command& command, Controller& controller) {
+void CommandQueue::carry_out(const Command& command, Controller& controller) {
   Answer answer{.ticket = command.ticket,
                 .kind = command.kind,
                 .before = controller.mode(),
@@ -155,8 +155,8 @@ void CommandDesk::carry_out(const Command& command, Controller& controller) {
   answers_.push(answer);
 }
 
-// The value of the answer is the new one, or where the old one is and may go.
-void CommandDesk::set(const Command& command, Controller& controller, Answer& answer) {
+// The answer holds the new value, or after a refusal the unchanged value and its range.
+void CommandQueue::set(const Command& command, Controller& controller, Answer& answer) {
   const auto done = controller.set_parameter(command.change);
   if (!done) {
     answer.outcome = Outcome::parameter;
@@ -172,7 +172,7 @@ void CommandDesk::set(const Command& command, Controller& controller, Answer& an
   }
 }
 
-void CommandDesk::set_scene(const Command& command, Controller& controller, Answer& answer) {
+void CommandQueue::set_scene(const Command& command, Controller& controller, Answer& answer) {
   const auto loaded =
       controller.load_scene(command.scene->objects(), rendering::world_of(*command.scene));
   if (!loaded) {
@@ -183,8 +183,8 @@ void CommandDesk::set_scene(const Command& command, Controller& controller, Answ
   tell(EventKind::scene, answer.tick, kSceneAttachment, 0.0);
 }
 
-void CommandDesk::tell(EventKind kind, std::uint64_t tick, std::string_view name,
-                       double value) const {
+void CommandQueue::tell(EventKind kind, std::uint64_t tick, std::string_view name,
+                        double value) const {
   if (events_.tell == nullptr) {
     return;
   }

@@ -1,4 +1,4 @@
-#include "firmware/commands/command_clerk.h"
+#include "firmware/commands/command_processor.h"
 
 #include <algorithm>
 #include <cstring>
@@ -9,14 +9,15 @@
 namespace tactus::firmware {
 namespace {
 
-// A loop that takes longer over a tick has stopped.
+// A command that no tick has answered within this time is refused: the loop has stopped.
 constexpr hal::TimeNs kMostWait_ns = hal::kNsPerSecond;
 
 constexpr std::string_view kHelp =
     "ok help: home | enable | disable | reset | estop | status | list | get NAME | set NAME VALUE "
     "| scene FILE | record on FILE | record off | inject FAULT [TICKS]";
 
-// The parameters in the order of `list`: the controller's own, then object by object.
+// Returns the place of the parameter at `index` of a list: the controller's own parameters come
+// first, then those of each object. Returns nothing beyond the last.
 std::optional<ParameterPlace> listed_place(std::size_t index, std::size_t objects) {
   const auto own = static_cast<std::size_t>(std::ranges::count_if(
       kParameterTexts, [](const ParameterText& text) { return !is_of_object(text.parameter); }));
@@ -58,12 +59,12 @@ std::string_view word_of(const CommandClient::Waiting& waiting) {
 
 }  // namespace
 
-void CommandClerk::configure(const RunHooks& hooks, bool allow_inject) {
+void CommandProcessor::configure(const RunHooks& hooks, bool allow_inject) {
   hooks_ = hooks;
   allow_inject_ = allow_inject;
 }
 
-void CommandClerk::take(CommandClient& client, std::string_view line) {
+void CommandProcessor::take(CommandClient& client, std::string_view line) {
   constexpr std::size_t kMostOfAWord = 32;
   const std::string_view word = first_word(line).substr(0, kMostOfAWord);
   if (word.empty()) {
@@ -78,14 +79,14 @@ void CommandClerk::take(CommandClient& client, std::string_view line) {
   carry_out(client, *command);
 }
 
-void CommandClerk::raise_estop() {
-  const auto replaced = desk_.post({.kind = CommandKind::request, .request = Request::estop});
+void CommandProcessor::raise_estop() {
+  const auto replaced = queue_.post({.kind = CommandKind::request, .request = Request::estop});
   if (replaced) {
     deliver(*replaced);
   }
 }
 
-void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) {
+void CommandProcessor::carry_out(CommandClient& client, const CommandLine& command) {
   switch (command.verb) {
     case Verb::request:
       if (command.request == Request::enable && !hooks_.enable_refusal.empty()) {
@@ -124,7 +125,7 @@ void CommandClerk::carry_out(CommandClient& client, const CommandLine& command) 
   }
 }
 
-void CommandClerk::ask(CommandClient& client, Command command) {
+void CommandProcessor::ask(CommandClient& client, Command command) {
   last_ticket_ = std::max<Ticket>(last_ticket_ + 1, 1);
   command.ticket = last_ticket_;
   client.waiting.ticket = command.ticket;
@@ -135,20 +136,20 @@ void CommandClerk::ask(CommandClient& client, Command command) {
   post(client);
 }
 
-// Programs that asked and went may have filled the desk: then it waits here, and look_after tries
-// again.
-void CommandClerk::post(CommandClient& client) {
+// Posts the client's command. If the queue is full of commands of clients that have gone, the
+// command waits in the client and look_after tries again.
+void CommandProcessor::post(CommandClient& client) {
   CommandClient::Waiting& waiting = client.waiting;
-  if (waiting.command.kind != CommandKind::request && !desk_.has_room()) {
+  if (waiting.command.kind != CommandKind::request && !queue_.has_room()) {
     return;
   }
   waiting.is_posted = true;
-  if (const auto known = desk_.post(waiting.command)) {
+  if (const auto known = queue_.post(waiting.command)) {
     deliver(*known);
   }
 }
 
-void CommandClerk::ask_parameter(CommandClient& client, const CommandLine& command) {
+void CommandProcessor::ask_parameter(CommandClient& client, const CommandLine& command) {
   ParameterPlace place{.parameter = command.name.parameter};
   if (!command.name.object.empty()) {
     auto number = object_number(command.name.object);
@@ -163,15 +164,15 @@ void CommandClerk::ask_parameter(CommandClient& client, const CommandLine& comma
                .change = {.place = place, .value = command.value}});
 }
 
-// First for the mode: opening an image takes its time, in which nobody is heard, so it is not begun
-// while there is power on the motors.
-void CommandClerk::ask_scene(CommandClient& client, std::string_view file) {
+// Asks for the mode before it opens the file: no command is carried out while a file is read, so a
+// file is never read while the motors have power.
+void CommandProcessor::ask_scene(CommandClient& client, std::string_view file) {
   std::ranges::copy(file, client.waiting.file.begin());
   client.waiting.is_asking = true;
   ask(client, {.kind = CommandKind::look});
 }
 
-void CommandClerk::hand_scene_over(CommandClient& client, const Answer& answer) {
+void CommandProcessor::hand_scene_over(CommandClient& client, const Answer& answer) {
   client.waiting.is_asking = false;
   if (answer.after == Mode::active) {
     refuse(client, "scene", "the mode is active; send disable first");
@@ -197,12 +198,12 @@ void CommandClerk::hand_scene_over(CommandClient& client, const Answer& answer) 
     return;
   }
   now_ns_ = hal::monotonic_now_ns();
-  // There is room: an answer has just been taken.
+  // The queue has room, because an answer has just been taken.
   ask(client, {.kind = CommandKind::scene, .scene = *opened});
   scene_ticket_ = client.waiting.ticket;
 }
 
-void CommandClerk::ask_next_of_list(CommandClient& client) {
+void CommandProcessor::ask_next_of_list(CommandClient& client) {
   const rendering::SceneImage* const scene = scenes_.scene();
   const auto place =
       listed_place(client.waiting.listed, scene == nullptr ? 0 : scene->objects().size());
@@ -215,7 +216,7 @@ void CommandClerk::ask_next_of_list(CommandClient& client) {
   ask(client, {.kind = CommandKind::get, .change = {.place = *place}});
 }
 
-void CommandClerk::switch_recording(CommandClient& client, std::string_view file) {
+void CommandProcessor::switch_recording(CommandClient& client, std::string_view file) {
   if (hooks_.start_recording == nullptr || hooks_.stop_recording == nullptr) {
     refuse(client, "record", "nothing here records");
     return;
@@ -226,11 +227,11 @@ void CommandClerk::switch_recording(CommandClient& client, std::string_view file
     refuse(client, "record", wrong);
     return;
   }
-  // The tick by which it took effect.
+  // The answer gives the tick by which the recording changed.
   ask(client, {.kind = CommandKind::look});
 }
 
-void CommandClerk::look_after(CommandClient& client) {
+void CommandProcessor::look_after(CommandClient& client) {
   CommandClient::Waiting& waiting = client.waiting;
   if (waiting.is_under_way && now_ns_ > waiting.deadline_ns) {
     waiting.ticket = 0;
@@ -243,22 +244,23 @@ void CommandClerk::look_after(CommandClient& client) {
   }
 }
 
-void CommandClerk::refuse_waiting(CommandClient& client, std::string_view why) {
+void CommandProcessor::refuse_waiting(CommandClient& client, std::string_view why) {
   refuse(client, word_of(client.waiting), why);
 }
 
-void CommandClerk::refuse(CommandClient& client, std::string_view command, std::string_view why) {
+void CommandProcessor::refuse(CommandClient& client, std::string_view command,
+                              std::string_view why) {
   write_refusal(client.out(), command, why);
   client.waiting.is_under_way = false;
 }
 
-void CommandClerk::deliver_answers() {
-  while (const auto answer = desk_.next_answer()) {
+void CommandProcessor::deliver_answers() {
+  while (const auto answer = queue_.next_answer()) {
     deliver(*answer);
   }
 }
 
-void CommandClerk::deliver(const Answer& answer) {
+void CommandProcessor::deliver(const Answer& answer) {
   take_over_scene(answer);
   const bool is_stop = answer.kind == CommandKind::request && answer.request == Request::estop;
   // An estop that a newer one has replaced is answered with that one.
@@ -277,8 +279,8 @@ void CommandClerk::deliver(const Answer& answer) {
   }
 }
 
-// Whoever asked for it may have gone.
-void CommandClerk::take_over_scene(const Answer& answer) {
+// Takes over the scene also when the client that asked for it has gone.
+void CommandProcessor::take_over_scene(const Answer& answer) {
   if (answer.kind != CommandKind::scene || answer.ticket != scene_ticket_) {
     return;
   }
@@ -296,7 +298,7 @@ void CommandClerk::take_over_scene(const Answer& answer) {
   scenes_.use_next();
 }
 
-void CommandClerk::reply(CommandClient& client, const Answer& answer) {
+void CommandProcessor::reply(CommandClient& client, const Answer& answer) {
   TextLine& out = client.out();
   client.waiting.is_under_way = false;
   switch (client.waiting.verb) {
@@ -330,7 +332,7 @@ void CommandClerk::reply(CommandClient& client, const Answer& answer) {
   }
 }
 
-void CommandClerk::reply_set(CommandClient& client, const Answer& answer) {
+void CommandProcessor::reply_set(CommandClient& client, const Answer& answer) {
   const rendering::SceneImage* const scene = scenes_.scene();
   if (answer.outcome == Outcome::parameter && answer.refusal == ParameterRefusal::uncertified &&
       scene != nullptr) {
@@ -343,7 +345,7 @@ void CommandClerk::reply_set(CommandClient& client, const Answer& answer) {
                         answer);
 }
 
-void CommandClerk::reply_scene(CommandClient& client, const Answer& answer) {
+void CommandProcessor::reply_scene(CommandClient& client, const Answer& answer) {
   if (client.waiting.is_asking) {
     client.waiting.is_under_way = true;
     hand_scene_over(client, answer);
@@ -362,8 +364,8 @@ void CommandClerk::reply_scene(CommandClient& client, const Answer& answer) {
   out.add(" file=").add(scenes_.path()).end();
 }
 
-// Of `status` and `record`.
-void CommandClerk::reply_status(CommandClient& client, const Answer& answer) {
+// Writes the reply to `status` and to `record`.
+void CommandProcessor::reply_status(CommandClient& client, const Answer& answer) {
   TextLine& out = client.out();
   out.add("ok ").add(word_of(client.waiting));
   write_tick(out, answer);
@@ -373,7 +375,7 @@ void CommandClerk::reply_status(CommandClient& client, const Answer& answer) {
   out.add(" scene=").add(scene.empty() ? "none" : scene).end();
 }
 
-void CommandClerk::reply_list(CommandClient& client, const Answer& answer) {
+void CommandProcessor::reply_list(CommandClient& client, const Answer& answer) {
   client.waiting.is_under_way = true;
   if (answer.outcome != Outcome::done) {
     return;

@@ -1,0 +1,16 @@
+// Helpers for the messages that tactusd prints to stderr with printf.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace tactus::firmware {
+
+inline constexpr std::size_t kMaxMessage = 512;  // size of a message's buffer in bytes
+
+// Returns the length of a view as printf's "%.*s" takes it.
+inline int length(std::string_view text) {
+  return static_cast<int>(text.size());
+}
+
+}  // namespace tactus::firmware
