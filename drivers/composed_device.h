@@ -1,9 +1,8 @@
 // A device composed of boards. For each joint it knows which axis of which board senses it and
 // which one moves it. It satisfies drivers::Device, so the controller sees only joints.
 //
-// read   takes every board's newest samples within one deadline and converts them to joint
-// positions,
-//        velocities and ages
+// read   takes every board's newest samples within one deadline and converts them to positions,
+//        velocities and ages of joints
 // write  converts joint efforts to torques at the motors' shafts, clamps them and sends them
 //
 // During homing (`command.home`) the motors follow the searches of the joints instead. A fault of

@@ -76,7 +76,8 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
   update_status();
 }
 
-// The command waits for no sample that comes after its tick; the next tick waits for its own.
+// Puts the newest state into the sample. The caller leaves out a state that comes after its tick,
+// since the next tick waits for its own.
 void Cia402Can::take_sample() {
   sample_.time_ns = sync_ns_;
   sample_.position_rad = shaft_.position_rad();

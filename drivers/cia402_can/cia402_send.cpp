@@ -18,7 +18,8 @@ constexpr double kResetEvery_s = 1.0;  // finds a drive that is switched on late
 constexpr double kStartEvery_s = 0.1;
 constexpr double kHeartbeatsPerWatchdog = 4.0;
 constexpr double kFaultResetEdge_s = 0.02;  // the fault reset bit stays low and high for so long
-// The driver ignores the drive's state until it has taken the last controlword.
+// For this time a state without power is no fault, since the drive may not have taken the last
+// controlword yet.
 constexpr double kPowerSettles_s = 0.01;
 constexpr double kUnitsPerTorque = 1e3;  // of the rated torque
 
@@ -114,7 +115,8 @@ void Cia402Can::bring_up(const AxisCommand& command, CanOutbox& outbox) {
   }
 }
 
-// Clears the drive's faults. While the power is to be off the proof waits, however long that takes.
+// Leaves the phase once the drive is ready to switch on. While the power is to be off the drive
+// gets none for the proof, which waits however long that takes.
 void Cia402Can::clear_drive(const AxisCommand& command) {
   if (cia402::power_state(state_.statusword) != PowerState::ready_to_switch_on) {
     return;

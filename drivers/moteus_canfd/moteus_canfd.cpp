@@ -13,7 +13,7 @@ namespace tactus::drivers {
 
 namespace {
 
-// Stands for a missing value. encoder_check refuses it as it refuses an infinite one.
+// Stands for a missing value. encoder_check refuses it as it refuses a NaN from the servo.
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // The interval of queries to a servo that has not answered yet. More frames would fill the queue

@@ -39,7 +39,7 @@ struct ODriveConfig {
   double torque_constant_Nm_per_A = 0.0;
 
   ODriveEstimates estimates = ODriveEstimates::cyclic;
-  // False for USB adapters that cannot send remote frames.
+  // Set it to false for USB adapters that cannot send remote frames.
   bool ask_by_remote_frame = true;
 
   // The deadlines, 0.001 to 10 s. They must rise in this order.
