@@ -51,6 +51,7 @@ struct JointTrouble {
   Trouble trouble;
 };
 
+// A Device. All calls come from one thread.
 class ComposedDevice {
  public:
   // `read` waits for fresh samples for read_limit_ns at most. The clock must outlive the device.

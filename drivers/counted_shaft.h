@@ -8,6 +8,7 @@
 
 namespace tactus::drivers {
 
+// The scale of the counts and the bounds of a possible one.
 struct CountedShaftConfig {
   double rad_per_count = 0.0;        // not 0
   double max_speed_rad_per_s = 0.0;  // a count that implies a faster shaft is rejected

@@ -27,6 +27,7 @@ struct HardStopLimits {
   hal::TimeNs time_ns = 0;  // for each move
 };
 
+// The search of one joint, tick by tick.
 class HardStopSearch {
  public:
   // The share of the range that must be free. It is below 1 because the limits are not exact and

@@ -15,6 +15,7 @@ enum class RatedTorque : std::uint8_t {
   configured,  // rated_torque_Nm, whatever 6076:00 says
 };
 
+// The settings of one drive. Angles and torque are those of the motor's shaft.
 struct Cia402Config {
   std::uint8_t node = 1;  // 1..127
   // The highest heartbeat node of the host, 1..127. The host sends each drive a heartbeat of its

@@ -26,12 +26,15 @@ inline constexpr std::int16_t kFalconMotorLimit = 4095;
 inline constexpr double kFalconRadPerCount = 2.0 * std::numbers::pi / 1280.0 * (0.01425 / 0.110);
 inline constexpr double kFalconZeroRad = 35.0 * std::numbers::pi / 180.0;
 
+// The lights of the device; true is on.
 struct FalconLights {
   bool red = false;
   bool green = false;
   bool blue = false;
 };
 
+// The content of a packet to the device. Motor values are in motor units, in the order top, right,
+// left.
 struct FalconCommand {
   std::array<std::int16_t, kFalconArms> motor{};  // clamped to kFalconMotorLimit when encoded
   FalconLights lights;
@@ -46,6 +49,7 @@ enum FalconButton : std::uint8_t {
   kFalconButtonLeft = 1U << 3,    // minus
 };
 
+// The content of a packet from the device, in the order top, right, left.
 struct FalconReply {
   std::array<std::int16_t, kFalconArms> counts{};
   std::uint8_t buttons = 0;

@@ -10,18 +10,21 @@
 
 namespace tactus::drivers {
 
+// An input line of the GPIO chip.
 struct InputPin {
   std::uint32_t offset = 0;  // number of the line on the chip
   bool active_low = false;
   hal::GpioBias bias = hal::GpioBias::as_is;
 };
 
+// An output line of the GPIO chip; `offset` is its number on the chip.
 struct OutputPin {
   std::uint32_t offset = 0;
   bool active_low = false;
   hal::GpioDrive drive = hal::GpioDrive::push_pull;
 };
 
+// The encoder of the axis and the checks of its counts.
 struct EncoderConfig {
   std::uint32_t counts_per_rev = 0;  // four times the lines; 4 to 10'000'000
   double max_speed_rad_per_s = 0.0;  // of the encoder's shaft; faster is a fault. Above 0, to 1e5
@@ -49,6 +52,7 @@ enum class TorqueLaw : std::uint8_t {
   square_root  // to its square, as the Hapkit's bridge: duty = sqrt(torque / full torque)
 };
 
+// The bridge of the axis and its limits.
 struct BridgeConfig {
   BridgeMode mode = BridgeMode::sign_magnitude;
   TorqueLaw law = TorqueLaw::linear;
@@ -77,6 +81,7 @@ struct AxisPins {
   std::optional<OutputPin> heartbeat;      // toggled by every write while the motor has power
 };
 
+// The whole axis.
 struct GpioAxisConfig {
   EncoderConfig encoder;
   BridgeConfig bridge;

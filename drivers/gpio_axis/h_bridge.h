@@ -9,6 +9,7 @@ namespace tactus::drivers {
 // Returns the duty for a share of the full torque, both from 0 to 1.
 double duty_of(TorqueLaw law, double torque_part);
 
+// The outputs to the bridge: the time of a period for which the PWM is on, and the direction.
 struct BridgeOutput {
   hal::TimeNs duty_ns = 0;
   bool reverse = false;  // the direction line; false for locked anti-phase

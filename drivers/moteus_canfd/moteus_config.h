@@ -12,6 +12,7 @@ namespace tactus::drivers {
 // at the start of each tick; this costs bus time and gives samples a fraction of a millisecond old.
 enum class MoteusQuery : std::uint8_t { with_command, before_command };
 
+// The settings of one servo. Angles and torque are those of its output shaft.
 struct MoteusConfig {
   std::uint8_t servo_id = 1;    // 1 to 126
   std::uint8_t host_id = 0;     // 0 to 127

@@ -11,6 +11,7 @@ namespace tactus::drivers {
 // costs a frame and an answer a tick, but gives samples of the same age.
 enum class ODriveEstimates : std::uint8_t { cyclic, requested };
 
+// The settings of one axis. Angles and torque are those of the motor shaft.
 struct ODriveConfig {
   std::uint8_t node_id = 0;            // 0 to 62
   double max_torque_Nm = 0.2;          // clamps every command; above 0, up to 100

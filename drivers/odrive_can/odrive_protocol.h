@@ -37,6 +37,7 @@ enum class Command : std::uint8_t {
 
 enum class AxisState : std::uint8_t { idle = 1, closed_loop = 8 };
 
+// The drive's versions of hardware and firmware (major.minor.revision).
 struct Version {
   std::uint8_t protocol = 0;  // 2
   std::uint8_t product_line = 0;
@@ -48,37 +49,44 @@ struct Version {
   bool unreleased = false;
 };
 
+// The content of a heartbeat.
 struct Heartbeat {
   std::uint32_t error = 0;            // 0.5: the axis's errors; 0.6: all active errors
   std::uint8_t state = 0;             // AxisState and others
   std::uint8_t procedure_result = 0;  // 0.6 only: result of the last request for a state
 };
 
+// The drive's estimates of its shaft.
 struct Estimates {
   double position_rad = 0.0;
   double velocity_rad_per_s = 0.0;
 };
 
+// Firmware 0.6: error bits that are active now, and those that took the axis out of closed loop.
 struct Errors {
   std::uint32_t active = 0;
   std::uint32_t disarm_reason = 0;
 };
 
+// The temperatures of the inverter and of the motor.
 struct Temperature {
   double inverter_C = 0.0;
   double motor_C = 0.0;
 };
 
+// Voltage and current of the drive's supply (its DC bus).
 struct BusPower {
   double bus_V = 0.0;
   double bus_A = 0.0;  // always zero in 0.5.5 and older
 };
 
+// The motor current that makes torque (Iq).
 struct Current {
   double setpoint_A = 0.0;
   double measured_A = 0.0;
 };
 
+// Firmware 0.6: the commanded torque and the drive's estimate of it, at the motor shaft.
 struct Torques {
   double target_Nm = 0.0;
   double estimate_Nm = 0.0;

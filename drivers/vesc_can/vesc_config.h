@@ -7,6 +7,7 @@
 
 namespace tactus::drivers {
 
+// The settings of one VESC.
 struct VescConfig {
   std::uint8_t vesc_id = 0;    // 0..254
   std::uint8_t host_id = 253;  // the host's own; no VESC may have it; 0..254

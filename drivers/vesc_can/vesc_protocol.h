@@ -29,17 +29,21 @@ hal::CanFrame held_current_frame(std::uint8_t vesc, std::int32_t current_mA,
 // Returns a command of zero current that releases the motor.
 hal::CanFrame release_frame(std::uint8_t vesc);
 
+// Status message 1. The current is that of the motor; the duty is from -1 to 1.
 struct Status {
   std::int32_t erpm = 0;  // electrical turns a minute: pole pairs times the shaft's turns
   double current_A = 0.0;
   double duty = 0.0;
 };
+// Status message 4: temperatures of the transistors and of the motor, the supply current, and the
+// position of the shaft.
 struct Status4 {
   double fet_C = 0.0;
   double motor_C = 0.0;
   double input_A = 0.0;
   double position_deg = 0.0;
 };
+// Status message 5: the count of the motor's turns and the supply voltage.
 struct Status5 {
   std::int32_t tachometer = 0;  // six counts an electrical turn
   double input_V = 0.0;

@@ -30,19 +30,23 @@ inline constexpr std::size_t kMaxConnections = 4;
 inline constexpr std::size_t kMaxAxes = drivers::kMaxJoints;
 inline constexpr std::uint32_t kMaxPlantDelay = 8;
 
+// A CAN interface of the system.
 struct CanConnection {
   std::string_view interface;  // "can0"
   double bit_rate = 1e6;       // bit/s, 10'000 to 1'000'000
   double data_bit_rate = 5e6;  // of CAN FD payloads, bit/s, bit_rate to 8'000'000
 };
+// A Falcon on USB.
 struct FalconConnection {
   std::string_view firmware_file;  // uploaded when the device has none; empty: none
   drivers::FalconConfig falcon;
 };
+// A Haply board on a serial port.
 struct HaplyConnection {
   std::string_view port;  // "/dev/ttyACM0"
   drivers::HaplyConfig haply;
 };
+// The pins, the PWM channel and the counter of one axis on a board.
 struct GpioConnection {
   std::string_view chip;        // the GPIO chip's label, or its path
   std::string_view pwm_folder;  // "/sys/class/pwm/pwmchip0"
@@ -53,6 +57,7 @@ struct GpioConnection {
   std::uint32_t counter_channel = 0;
 };
 
+// A connection to hardware, by the name that axes use for it.
 struct ConnectionConfig {
   std::string_view name;
   std::variant<CanConnection, FalconConnection, HaplyConnection, GpioConnection> line;
@@ -70,6 +75,7 @@ enum class EncoderKind : std::uint8_t {
   absolute,       // over all turns; a moteus: within one turn of the output's own encoder
 };
 
+// An axis: its connection, its drive and what its encoder knows after power-up.
 struct AxisConfig {
   std::string_view name;
   std::string_view connection_name;
@@ -88,7 +94,7 @@ struct JointConfig {
   std::string_view name;
   std::string_view motor_name;
   std::string_view encoder_name;
-  std::size_t motor = 0;  // index into DeviceConfig::axes
+  std::size_t motor = 0;  // indices into DeviceConfig::axes
   std::size_t encoder = 0;
   drivers::Transmission transmission;
   drivers::Reference reference;
@@ -127,6 +133,8 @@ struct Commissioning {
   std::string_view measured_with;
 };
 
+// The whole device. The first connection_count, axis_count and joint_count entries of the arrays
+// are in use.
 struct DeviceConfig {
   std::string_view name;
   ControllerConfig controller;  // its joints' limits are those of `joints`
