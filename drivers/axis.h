@@ -56,8 +56,8 @@ inline std::uint32_t heat_status(const Trouble& trouble) {
 }
 
 // A board serves one or several axes over one connection: the drives on a CAN bus, a USB device, or
-// an input board. No call throws, allocates or waits beyond its deadline. All calls come from one
-// thread.
+// an input board. No call throws, allocates or waits beyond its deadline. No two calls may run at
+// the same time.
 //   start        begins to bring the axes up. It may be called again after `stop`. Not real time
 //   read         fills in the newest samples, one for each axis. It waits for fresh ones until the
 //                deadline at most

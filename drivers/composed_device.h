@@ -51,7 +51,7 @@ struct JointTrouble {
   Trouble trouble;
 };
 
-// A Device. All calls come from one thread.
+// A Device. No two calls may run at the same time.
 class ComposedDevice {
  public:
   // `read` waits for fresh samples for read_limit_ns at most. The clock must outlive the device.

@@ -53,7 +53,7 @@ struct JointCommand {
 };
 
 // A device has these calls. None throws, allocates or waits beyond the device's own deadline. All
-// come from the loop's thread.
+// come from one thread.
 //   read         fills in the newest sample. Faults come as DeviceStatus bits in it
 //   write        sends a command and returns DeviceStatus bits
 //   clear_faults forgets latched faults

@@ -3,13 +3,12 @@
 // Before that the encoder counts from its position at power-up. A joint with an `absolute`
 // reference needs no homing. The other kinds wait for the controller's `home`:
 //   board        the board finds its own reference (the Falcon's homing bits)
-//   known_pose   the user holds the joint still in a known pose for kStill_ns while `home` is asked
-//                for
+//   known_pose   the user holds the joint still in a known pose for kStill_ns while `home` is
+//                asked for
 //   index        the encoder's index pulse is at a known position. The user moves the joint over
-//   it,
-//                or the motor does if search_effort is not 0
-//   hard_stop    the motor pushes the joint gently against a stop at a known position, and checks
-//                that it is the stop (drivers/hard_stop_search.h)
+//                it, or the motor does if search_effort is not 0
+//   hard_stop    the motor pushes the joint gently against a stop at a known position, and
+//                checks that it is the stop (drivers/hard_stop_search.h)
 // A motor that searches pushes with search_effort at most. Its push rises slowly and is damped to
 // search_speed. Each of its moves takes no longer than `time_limit_s`.
 #pragma once

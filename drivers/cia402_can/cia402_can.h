@@ -29,13 +29,13 @@
 //                        set-up; or does not stop when the host is silent
 //   kDeviceTooHot        beside it, if the drive reports over-temperature
 //   kDeviceReferenceLost beside kDeviceLost and kDeviceEncoderFault, after a restart, and after
-//   errors
-//                        of supply or encoder, also after another fault and in the bring-up after
-//                        clear_faults, since the drive is still watched. 'Not ready to switch on'
-//                        and leaving operational without an error count as a restart. A loss of the
-//                        motor's supply alone keeps the reference
-//   kDeviceEncoderFault  a position that the shaft cannot have reached; the sample keeps the last
-//   one kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, or not up in time
+//                        errors of supply or encoder, also after another fault and in the
+//                        bring-up after clear_faults, since the drive is still watched. 'Not
+//                        ready to switch on' and leaving operational without an error count as a
+//                        restart. A loss of the motor's supply alone keeps the reference
+//   kDeviceEncoderFault  a position that the shaft cannot have reached; the sample keeps the
+//                        last good one
+//   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, or not up in time
 // After a fault each tick sends torque zero and 'disable voltage'. The driver cannot detect samples
 // that are late by a constant time from the very start.
 #pragma once

@@ -4,8 +4,8 @@
 //
 //   normal mode -> probe -+-> up
 //                         +-> handshake at 9600 baud -> loader at 143 kbaud -> image in chunks,
-//                             each sent back by the device and compared -> normal mode -> probe ->
-//                             up
+//                             each sent back by the device and compared -> normal mode
+//                             -> probe -> up
 //
 // The firmware is volatile: it is needed after each power cycle, but not after reopening. It
 // belongs to the device's maker, and comes from a file that the user has.

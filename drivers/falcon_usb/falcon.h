@@ -54,10 +54,11 @@ struct FalconConfig {
 //   kDeviceHoming        without torque, until the user has pulled the grip out and pushed it in
 //   kDeviceStale         if no answer came before the deadline, or an impossible one
 //   kDeviceLost          latched: unplugged, a transfer failed, or three answers in a row are
-//   missing kDeviceEncoderFault  latched: three impossible answers in a row, or the reference was
-//   lost kDeviceDriveFault    latched: the bring-up failed, or unproven_watchdog is false
-//   kDeviceReferenceLost latched with every fault of a device that was homed, until its own homing
-//                        bits are all there again
+//                        missing
+//   kDeviceEncoderFault  latched: three impossible answers in a row, or the reference was lost
+//   kDeviceDriveFault    latched: the bring-up failed, or unproven_watchdog is false
+//   kDeviceReferenceLost latched with every fault of a device that was homed, until its own
+//                        homing bits are all there again
 // After a latched fault every packet carries zero torque, as long as packets can be sent.
 class Falcon {
  public:

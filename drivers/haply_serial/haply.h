@@ -50,13 +50,12 @@ struct HaplyConfig {
 // read and write are real time. The status of the axes:
 //   kDeviceNotReady      while the board is identified and set up (some 50 ms)
 //   kDeviceStale         if no answer came before the deadline, or an impossible one
-//   kDeviceLost          latched: unplugged, it does not take commands, or three answers in a row
-//   are
-//                        missing
-//   kDeviceEncoderFault  latched: three impossible answers in a row, or it took the setup wrongly
+//   kDeviceLost          latched: unplugged, it does not take commands, or three answers in a
+//                        row are missing
+//   kDeviceEncoderFault  latched: three impossible answers in a row, or it took the setup
+//                        wrongly
 //   kDeviceReferenceLost latched with these two once the board was set up, until it is set up
-//   again,
-//                        since the setup sets the encoders' angles anew
+//                        again, since the setup sets the encoders' angles anew
 //   kDeviceDriveFault    latched at `start` without unproven_watchdog; nothing is sent
 // After a latched fault every command carries zero torque, as long as commands can be sent. The
 // board has no watchdog, so the driver cannot end its last torque when the cable breaks.
