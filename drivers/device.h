@@ -52,10 +52,11 @@ struct JointCommand {
   bool power_off = false;
 };
 
-// A device has these calls. None throws, allocates or waits beyond the device's own deadline. All
-// come from one thread.
+// A device has these calls. `read` and `write` never throw, allocate, or wait beyond the device's
+// own deadline. No two calls may run at the same time.
+//   joint_count  returns the number of joints, at most kMaxJoints
 //   read         fills in the newest sample. Faults come as DeviceStatus bits in it
-//   write        sends a command and returns DeviceStatus bits
+//   write        sends a command and returns faults as DeviceStatus bits
 //   clear_faults forgets latched faults
 template <class D>
 concept Device = requires(D device, JointSample& sample, const JointCommand& command) {
