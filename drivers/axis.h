@@ -1,8 +1,8 @@
-// One axis of a motor drive or an input board, before gears and mechanism: what stands between a
-// device's protocol and its joints.
+// One axis of a motor drive or an input board, before gears and mechanism. An axis is the interface
+// between a device's protocol and its joints.
 //
 // Angles are those of the shaft that the device senses, in rad and rad/s; the torque is at the
-// shaft that it drives, in N m. drivers/transmission.h takes both to the joint.
+// shaft that it drives, in N m. drivers/transmission.h converts both to the joint.
 #pragma once
 
 #include <concepts>
@@ -16,49 +16,55 @@
 
 namespace tactus::drivers {
 
+// A reading of one axis. The protocol makes it, once a tick.
 struct AxisSample {
   double position_rad = 0.0;
   double velocity_rad_per_s = 0.0;
-  double torque_Nm = 0.0;   // as the device measures it; only if has_torque
-  bool has_torque = false;  // the device reports torque or current, and has done so
-  hal::TimeNs time_ns = 0;  // when the position was true, as well as is known; 0: never
-  std::uint32_t status = kDeviceNotReady;  // DeviceStatus bits, faults latched
-  // Where the encoder's index pulse was last seen, for a reference by index.
+  double torque_Nm = 0.0;   // measured by the device; valid only if has_torque
+  bool has_torque = false;  // the device reports torque or current, and has sent one
+  hal::TimeNs time_ns = 0;  // best estimate of when the position was true; 0: no position yet
+  std::uint32_t status = kDeviceNotReady;  // DeviceStatus bits; faults are latched
+  // The position at which the encoder's index pulse was last seen, rad, for a reference by index.
+  // It is valid only if index_seen.
   double index_rad = 0.0;
   bool index_seen = false;
 };
 
+// The command to one axis in a tick.
 struct AxisCommand {
   double torque_Nm = 0.0;
   bool enable = false;  // motor power; false makes the torque zero at the device
-  // After a fault: the power stage goes off, also where `enable` false alone leaves it on at zero
-  // torque. Never together with `enable`.
+  // The controller sets it after a fault. The power stage then goes off, even in a device that
+  // keeps it on at zero torque while `enable` is false. It is never set together with `enable`.
   bool power_off = false;
 };
 
-// What is wrong with an axis, latched with its status bit, for the log and the operator. The texts
-// live as long as the program.
+// A fault of an axis in words, for the log and the operator. It is latched with its status bit. The
+// texts live as long as the program.
 struct Trouble {
-  std::string_view what;    // "drive reports that its watchdog expired"; empty: nothing
+  std::string_view what;    // "drive reports that its watchdog expired"; empty: no fault
   std::string_view remedy;  // "check the cable and the host's load, then reset"
-  std::uint32_t code = 0;   // the device's own number, in the words of its manual
-  bool is_heat = false;     // over-temperature: kDeviceTooHot beside what it is latched with
+  std::uint32_t code = 0;   // the number that the device's manual gives the fault
+  bool is_heat = false;     // over-temperature: kDeviceTooHot is latched as well
 
   explicit operator bool() const { return !what.empty(); }
 };
 
+// Returns kDeviceTooHot for a trouble that is_heat, and kDeviceOk for any other.
 inline std::uint32_t heat_status(const Trouble& trouble) {
   return trouble.is_heat ? kDeviceTooHot : kDeviceOk;
 }
 
-// Something that serves one or several axes over one connection: the drives on a CAN bus, a USB
-// device, an input board. No call throws, allocates or waits beyond its deadline.
-//   start        begins to bring the axes up; may be called again after `stop`. Not real time
-//   read         the newest samples, one for each axis; waits for fresh ones no longer than the
-//                deadline
-//   write        sends a command to each axis; what went wrong comes back with the next samples
-//   clear_faults forgets latched trouble and brings the axes up again
-//   stop         torque zero and power off, for an orderly end; not real time
+// A board serves one or several axes over one connection: the drives on a CAN bus, a USB device, or
+// an input board. No call throws, allocates or waits beyond its deadline. No two calls may run at
+// the same time.
+//   start        begins to bring the axes up. It may be called again after `stop`. Not real time
+//   read         fills in the newest samples, one for each axis. It waits for fresh ones until the
+//                deadline at most
+//   write        sends a command to each axis. Errors come back with the next samples
+//   clear_faults forgets latched faults and brings the axes up again
+//   stop         commands zero torque and power off, for an orderly end. Not real time
+//   trouble      returns the latched fault of an axis, or an empty Trouble
 template <class B>
 concept Board =
     requires(B board, const B& constant, std::span<AxisSample> samples,

@@ -1,5 +1,5 @@
-// Any board behind one small handle, so that a device can be composed of several kinds without a
-// heap or a base class.
+// A small handle for any kind of board. A device can so be composed of several kinds without a heap
+// or a base class.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace tactus::drivers {
 
-// A reference to a board that outlives it; refers to none until it is given one.
+// A reference to a board, which must outlive it. A default-constructed BoardRef refers to none, and
+// only its operator bool may be called.
 class BoardRef {
  public:
   BoardRef() = default;

@@ -1,10 +1,10 @@
-// Motor drives on one CAN bus, as one board.
+// A board of motor drives on one CAN bus.
 //
-// A tick is two exchanges: `read` sends what the drives want sent before a sample and waits until
-// every healthy drive that has a position at all has given a fresh one or the deadline has passed;
-// `write` sends the commands. What the bus itself reports counts for every axis: a link that is
-// down, an interface that is gone, a controller off the bus, or a send queue that stays full latch
-// kDeviceLost.
+// A tick has two exchanges. `read` sends the frames that the drives need before a sample. It then
+// waits until every healthy drive that reports a position has sent a fresh one, or until the
+// deadline. `write` sends the commands. An error of the bus itself counts for every axis: a link
+// that is down, an interface that is gone, a controller that is off the bus, or a send queue that
+// stays full latches kDeviceLost.
 #pragma once
 
 #include <array>
@@ -22,14 +22,15 @@
 
 namespace tactus::drivers {
 
-// Kinds are the drives that this board may carry, in any mix.
+// `Kinds` are the types of drives that the board may carry, in any mix.
 template <CanDrive... Kinds>
 class CanBoard {
  public:
-  // Both must outlive the board.
+  // The bus and the clock must outlive the board.
   CanBoard(hal::CanBus& bus, const hal::Clock& clock) : bus_(&bus), clock_(&clock) {}
 
-  // Before `start`. False when there are kMaxJoints already.
+  // Adds a copy of the drive. Call before `start`. Returns false if there are kMaxJoints drives
+  // already.
   template <class Kind>
   bool add(const Kind& drive) {
     if (count_ == drives_.size()) {
@@ -50,9 +51,9 @@ class CanBoard {
     for_each([now_ns](auto& drive, std::size_t) { drive.start(now_ns); });
   }
 
-  // `samples` has room for axis_count().
+  // Fills in the samples; the span has room for axis_count() of them.
   void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
-    receive(hal::kNoWait);  // first, or a drive would miss in `request` what lies in the queue
+    receive(hal::kNoWait);  // first: `request` must know the frames that wait in the queue
     outbox_.clear();
     const hal::TimeNs now_ns = clock_->now_ns();
     for_each([&](auto& drive, std::size_t i) {
@@ -81,7 +82,7 @@ class CanBoard {
     send();
   }
 
-  // Tries to get back on the bus if that is what was wrong.
+  // Also restarts the bus interface if it was off the bus.
   void clear_faults() {
     if (watch_.is_off_the_bus()) {
       (void)bus_->restart();
@@ -110,7 +111,7 @@ class CanBoard {
     return trouble;
   }
 
-  // The i-th drive as it was added; null if it is of another kind.
+  // Returns the i-th drive in the order of adding, or null if it is of another kind or not there.
   template <class Kind>
   [[nodiscard]] const Kind* drive(std::size_t i) const {
     return i < count_ ? std::get_if<Kind>(&drives_[i]) : nullptr;
@@ -155,7 +156,7 @@ class CanBoard {
     }
   }
 
-  // Hands out what arrives by the deadline; false if nothing did.
+  // Hands the frames that arrive by the deadline to all drives. Returns false if none arrived.
   bool receive(hal::TimeNs deadline_ns) {
     const auto received = bus_->receive(received_, deadline_ns);
     if (!received) {
@@ -169,7 +170,8 @@ class CanBoard {
     return true;
   }
 
-  // What came since the bus was opened is old, and can be more than a tick has time for.
+  // Drops the frames that came since the bus was opened. They are old, and can be more than a tick
+  // has time for.
   void forget_what_waits() {
     while (bus_->receive(received_, hal::kNoWait)) {
     }

@@ -1,4 +1,4 @@
-// Whether the bus itself still carries frames: the trouble that all its drives share, latched.
+// Detects and latches the faults of the bus itself, which all its drives share.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace tactus::drivers {
 
-// Sends in a row that did not find room in the queue before the bus counts as lost: nobody
-// acknowledges, or it is overloaded.
+// The bus counts as lost after so many sends in a row that did not find room in the queue. Either
+// nobody acknowledges the frames, or the bus is overloaded.
 inline constexpr std::uint32_t kFullQueuesToLoss = 3;
 
 class CanBusWatch {
  public:
-  // How setting up filters went.
+  // Takes the result of setting up filters or error classes. An error is a loss of the bus.
   void note(const hal::Result<void>& outcome);
-  // How many of the frames were taken.
+  // Takes the result of a send: how many of the `offered` frames the queue took.
   void note_sent(const hal::Result<std::size_t>& sent, std::size_t offered);
-  // Why nothing was received; a timeout is no trouble.
+  // Takes the error of a receive. A timeout is no fault.
   void note_received(const hal::Error& error);
-  // Looks for error reports.
+  // Looks at a received item for an error report of the bus.
   void take(const hal::CanReceived& received);
 
   [[nodiscard]] const Trouble& trouble() const { return trouble_; }

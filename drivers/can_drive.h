@@ -1,4 +1,4 @@
-// What every motor drive on a CAN bus is to us: a state machine that takes frames and makes frames,
+// The interface of a motor drive on a CAN bus: a state machine that takes frames and makes frames,
 // without input or output of its own. CanBoard puts drives on a bus.
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace tactus::drivers {
 
-// The frames of one turn, in the order of sending. Fixed size: what does not fit is refused.
+// The frames of one exchange, in the order of sending. Its size is fixed.
 class CanOutbox {
  public:
   static constexpr std::size_t kCapacity = 48;
 
-  // False, and nothing added, when full.
+  // Adds a frame. Returns false, and adds nothing, if the outbox is full.
   bool add(const hal::CanFrame& frame) {
     if (size_ == kCapacity) {
       return false;
@@ -37,19 +37,21 @@ class CanOutbox {
 
 inline constexpr std::size_t kMaxFiltersPerDrive = 8;
 
-// Time comes in through the arguments, so that a recorded or fuzzed run repeats. A drive has its
-// own deadlines: a device that falls silent, reports an error or leaves torque mode latches a fault
-// in `sample().status` and says so in `trouble()`.
-//   filters      the frames it wants off the bus, written to the span (kMaxFiltersPerDrive); how
-//                many
+// Time comes in through the arguments, so a recorded or fuzzed run can be repeated. A drive has its
+// own deadlines. A device that falls silent, reports an error or leaves torque mode latches a fault
+// in `sample().status` and explains it in `trouble()`.
+//   filters      writes the filters for the frames that the drive wants to the span, which has
+//                room for kMaxFiltersPerDrive, and returns their number
 //   start        forgets everything and begins to bring the device up at that time
-//   take         one frame off the bus, its own or not
-//   request      frames to send at the start of a tick, before the samples are waited for
-//   command      frames to send at its end, with the torque clamped to the drive's limit. Until the
-//                device is up, and from a fault on, these bring it up or take its power away,
-//                whatever the command says
-//   sample       the newest; its time tells whether it is fresh
-//   shutdown     torque zero and power off, for an orderly end
+//   take         takes one frame off the bus, the drive's own or not
+//   request      adds the frames to send at the start of a tick, before the wait for samples
+//   command      adds the frames to send at its end, with the torque clamped to the drive's limit.
+//                Until the device is up, and after a fault, these frames bring it up or take its
+//                power away, and ignore the command
+//   sample       returns the newest sample; its time shows whether it is fresh
+//   trouble      returns the latched fault in words, or an empty Trouble
+//   clear_faults forgets latched faults and brings the device up again
+//   shutdown     adds frames for zero torque and power off, for an orderly end
 template <class D>
 concept CanDrive = requires(D drive, const D& constant, std::span<hal::CanFilter> filters,
                             const hal::CanReceived& received, hal::TimeNs now_ns,

@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint32_t kLatchedStatus = kDeviceEncoderFault | kDeviceDriveFault |
                                          kDeviceEmergencyStop | kDeviceLost | kDeviceTooHot |
                                          kDeviceReferenceLost;
-// After these an encoder may count from somewhere else: a device that is out of reach may have
-// restarted or been moved by then, and nobody saw it.
+// After these faults an encoder may count from another zero. A device that could not be reached may
+// have restarted or been moved in the meantime.
 constexpr std::uint32_t kLosesReference = kDeviceEncoderFault | kDeviceLost | kDeviceReferenceLost;
 
 std::uint32_t age_us(hal::TimeNs now_ns, hal::TimeNs then_ns) {
@@ -93,13 +93,13 @@ void ComposedDevice::read(JointSample& sample) {
   sample.status |= latched_;
 }
 
-// Fills the joint's numbers; returns its DeviceStatus bits.
+// Fills in the joint's values and returns its DeviceStatus bits.
 std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, JointSample& sample) {
   Joint& joint = joints_[i];
   const AxisSample& encoder = encoder_sample(i);
   const AxisSample& motor = sample_at(joint.wiring.motor);
-  // Only the encoder's zero matters, and only where it is no absolute one: `follow_reference`
-  // tells.
+  // Only the encoder's kDeviceReferenceLost counts, and only for an encoder that is not absolute;
+  // `follow_reference` reports it.
   std::uint32_t status =
       (encoder.status | motor.status) & ~static_cast<std::uint32_t>(kDeviceReferenceLost);
   status |= follow_reference(i);
@@ -124,15 +124,15 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
     sample.effort[i] = joint_effort(transmission, motor.torque_Nm);
     sample.effort_known |= 1U << i;
   }
-  // Before it is up and referenced a position is worth nothing, however old.
+  // Before the joint is up and referenced its position is meaningless, so its age does not matter.
   if ((status & (kDeviceNotReady | kDeviceHoming)) == 0) {
     sample.age_us = std::max(sample.age_us, age_us(now_ns, encoder.time_ns));
   }
   return status;
 }
 
-// Takes the joint's reference away once its encoder's zero may have moved: in any mode, in any
-// order with other faults. kDeviceReferenceLost in the tick that takes it, else nothing.
+// Removes the joint's reference once its encoder's zero may have moved, in any mode and also after
+// other faults. Returns kDeviceReferenceLost in the tick that removes it, else no bit.
 std::uint32_t ComposedDevice::follow_reference(std::size_t i) {
   Joint& joint = joints_[i];
   if ((encoder_sample(i).status & kLosesReference) == 0) {
@@ -161,7 +161,8 @@ JointTrouble ComposedDevice::lost_reference() const {
   return {};
 }
 
-// The first joint's, in its newest words: a link that goes down first shows as silent drives.
+// Keeps the fault of the first joint that has one and updates its words: a link that goes down
+// first shows as silent drives.
 void ComposedDevice::note_trouble(std::size_t i) {
   if (troubled_joint_ == kNoJoint) {
     troubled_joint_ = i;

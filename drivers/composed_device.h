@@ -1,14 +1,16 @@
-// A device made of boards: which axis of which board senses and moves each joint. Satisfies
-// drivers::Device, so the controller sees joints and nothing else.
+// A device composed of boards. For each joint it knows which axis of which board senses it and
+// which one moves it. It satisfies drivers::Device, so the controller sees only joints.
 //
-// read   every board's newest samples within one deadline -> joint positions, velocities, age
-// write  joint efforts -> torques at the motors' shafts, clamped -> every board
-// While the controller is homing (`command.home`) the motors follow the joints' searches instead.
-// Trouble of any axis is the whole device's: all motors lose their power.
+// read   takes every board's newest samples within one deadline and converts them to positions,
+//        velocities and ages of joints
+// write  converts joint efforts to torques at the motors' shafts, clamps them and sends them
 //
-// A joint's reference is lost for good when its encoder's axis reports kDeviceReferenceLost,
+// During homing (`command.home`) the motors follow the searches of the joints instead. A fault of
+// any axis counts for the whole device: all motors lose their power.
+//
+// A joint loses its reference when its encoder's axis reports kDeviceReferenceLost,
 // kDeviceEncoderFault or kDeviceLost, also beside other faults and long after them. clear_faults
-// does not bring it back, only homing does; a joint with an absolute reference keeps it.
+// does not restore it; only homing does. A joint with an absolute reference keeps it.
 #pragma once
 
 #include <array>
@@ -27,55 +29,59 @@ namespace tactus::drivers {
 
 inline constexpr std::size_t kMaxBoards = kMaxJoints;
 
-// An axis of one of the device's boards, in the order of adding.
+// The address of an axis: its board, in the order of add_board, and its number on that board.
 struct AxisAddress {
   std::size_t board = 0;
   std::size_t axis = 0;
 };
 
+// The axes of one joint and the conversion between them and the joint.
 struct JointWiring {
-  std::string_view name;  // for messages; outlives the device
+  std::string_view name;  // for messages; must outlive the device
   AxisAddress encoder;
   AxisAddress motor;
   Transmission transmission;
   Reference reference;
-  double max_torque_Nm = 0.0;  // at the motor's shaft; never more is commanded
+  double max_torque_Nm = 0.0;  // at the motor's shaft; larger commands are clamped
 };
 
-// What is wrong, and with which joint.
+// A fault and the name of the joint that has it.
 struct JointTrouble {
   std::string_view joint;
   Trouble trouble;
 };
 
+// A Device. No two calls may run at the same time.
 class ComposedDevice {
  public:
-  // `read` waits no longer than this for fresh samples.
+  // `read` waits for fresh samples for read_limit_ns at most. The clock must outlive the device.
   ComposedDevice(const hal::Clock& clock, hal::TimeNs read_limit_ns)
       : clock_(&clock), read_limit_ns_(read_limit_ns) {}
 
-  // Before `start`. False when there is no room, or the wiring names an axis that is not there, or
-  // its numbers are out of range.
+  // These two are called before `start`. They return false if there is no room, if the wiring names
+  // an axis that does not exist, or if one of its numbers is out of range.
   bool add_board(const BoardRef& board);
   bool add_joint(const JointWiring& wiring);
 
-  // Not real time.
+  // These two are not real time.
   void start();
   void stop();
 
-  // Device.
+  // These are the calls of drivers::Device.
   [[nodiscard]] std::size_t joint_count() const { return joint_count_; }
   void read(JointSample& sample);
   std::uint32_t write(const JointCommand& command);
   void clear_faults();
 
-  // Of the joint that was first in trouble, in its board's newest words; empty if all is well.
-  // Latched until clear_faults.
+  // Returns the fault of the joint that had one first, in the newest words of its board, or an
+  // empty one if all is well. It is latched until clear_faults.
   [[nodiscard]] JointTrouble trouble() const { return trouble_; }
-  // The first joint that must be homed again, and what its encoder's board said when the reference
-  // went; empty when there is none. Stays over clear_faults until that joint is homed.
+  // Returns the first joint that must be homed again, with the fault that its encoder's board
+  // reported when the reference was lost. Empty if there is none. clear_faults keeps it; homing
+  // that joint removes it.
   [[nodiscard]] JointTrouble lost_reference() const;
-  // The last tick's, for a log: shaft angles, and what was asked of the motors.
+  // These return values of the last tick for a log: the sample of the encoder's shaft, and the
+  // torque that was commanded to the motor (N m).
   [[nodiscard]] const AxisSample& encoder_sample(std::size_t joint) const;
   [[nodiscard]] double commanded_torque_Nm(std::size_t joint) const;
 
@@ -85,7 +91,7 @@ class ComposedDevice {
   struct Joint {
     JointWiring wiring;
     Homing homing;
-    Trouble why_lost;  // the reference; empty: it is there, or never was
+    Trouble why_lost;  // the cause of a lost reference; empty if none was lost
   };
   struct BoardState {
     BoardRef ref;

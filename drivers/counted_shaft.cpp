@@ -7,7 +7,7 @@ namespace tactus::drivers {
 
 namespace {
 
-// Unsigned subtraction wraps as the counter does.
+// Returns to - from. Unsigned subtraction wraps as the counter does.
 std::int32_t counts_between(std::int32_t from, std::int32_t to) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) -
                                    static_cast<std::uint32_t>(from));

@@ -1,5 +1,5 @@
-// The per-tick device seam: what the controller asks of a haptic device, whether wired to a board
-// or simulated.
+// The interface between the controller and a haptic device, which may be wired to a board or
+// simulated. The controller uses it once a tick.
 #pragma once
 
 #include <array>
@@ -11,47 +11,53 @@ namespace tactus::drivers {
 
 inline constexpr std::size_t kMaxJoints = 6;
 
-// Device trouble, one bit each; 0 is well. A driver latches what the device reports until
-// `clear_faults`.
+// The state and the faults of a device, one bit each; 0 means that all is well. A driver latches
+// each fault that the device reports until `clear_faults`.
 enum DeviceStatus : std::uint32_t {
   kDeviceOk = 0,
   kDeviceNotReady = 1U << 0,  // not homed, or the drive is still starting
-  kDeviceStale = 1U << 1,     // no fresh sample before the deadline: the last one is repeated
+  kDeviceStale = 1U << 1,     // no fresh sample before the deadline; the last one is repeated
   kDeviceEncoderFault = 1U << 2,
   kDeviceDriveFault = 1U << 3,
   kDeviceEmergencyStop = 1U << 4,
-  kDeviceLost = 1U << 5,    // unplugged, bus off: no way to reach the motors
-  kDeviceHoming = 1U << 6,  // moving or being moved to its reference
+  kDeviceLost = 1U << 5,    // unplugged or bus off: the motors cannot be reached
+  kDeviceHoming = 1U << 6,  // moves, or is moved, to its reference
   kDeviceTooHot = 1U << 7,  // a drive or a motor reports over-temperature
-  // The encoder may count from another zero than before: its drive or board lost power, restarted,
-  // or stopped answering. The joint's reference is lost with it, and only homing brings it back.
+  // The encoder may count from another zero than before, because its drive or board lost power,
+  // restarted, or stopped answering. The joint has lost its reference, and only homing restores it.
   kDeviceReferenceLost = 1U << 8,
 };
 
-// A revolute joint is in rad, rad/s, N m; a prismatic one in m, m/s, N.
+// A reading of all joints. A revolute joint is in rad, rad/s and N m; a prismatic one in m, m/s and
+// N.
 struct JointSample {
   std::array<double, kMaxJoints> position{};
   std::array<double, kMaxJoints> velocity{};
-  // As the motors' drives measure it, through the transmission, N m or N. Meaningful where the
-  // joint's bit is set in effort_known: not every device reports torque or current.
+  // The effort that the motors' drives measure, converted by the transmission to N m or N at the
+  // joint. It is valid only for joints whose bit is set in effort_known, since not every device
+  // reports torque or current.
   std::array<double, kMaxJoints> effort{};
-  std::uint32_t effort_known = 0;  // a bit per joint, joint 0 the lowest
-  std::uint32_t age_us = 0;        // from the encoder's reading to now
+  std::uint32_t effort_known = 0;  // one bit per joint; joint 0 is the lowest
+  std::uint32_t age_us = 0;        // time since the encoders were read
   std::uint32_t status = kDeviceOk;
 };
 
+// The command to all joints in a tick.
 struct JointCommand {
   std::array<double, kMaxJoints> effort{};  // N m or N
   bool enable = false;  // motor power; false makes every effort zero at the device
-  bool home = false;    // find the reference: the device may move by itself, gently
-  // The controller is in fault: the power stage goes off, also where `enable` false alone leaves it
-  // on at zero torque so that enabling takes no bring-up.
+  bool home = false;    // finds the reference: the device may move by itself, gently
+  // The controller is in fault. The power stage goes off, even in a device that keeps it on at zero
+  // torque while `enable` is false (it does so to be enabled without a bring-up).
   bool power_off = false;
 };
 
-// `read` fills the newest sample within the device's own deadline; `write` sends a command. Neither
-// throws, allocates or waits beyond that deadline; trouble comes back as DeviceStatus bits, in the
-// sample and from write.
+// A device has these calls. `read` and `write` never throw, allocate, or wait beyond the device's
+// own deadline. No two calls may run at the same time.
+//   joint_count  returns the number of joints, at most kMaxJoints
+//   read         fills in the newest sample. Faults come as DeviceStatus bits in it
+//   write        sends a command and returns faults as DeviceStatus bits
+//   clear_faults forgets latched faults
 template <class D>
 concept Device = requires(D device, JointSample& sample, const JointCommand& command) {
   { device.joint_count() } -> std::convertible_to<std::size_t>;

@@ -1,4 +1,4 @@
-// What went wrong with one axis, kept until it is cleared.
+// The faults of one axis, kept until they are cleared.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace tactus::drivers {
 
-// The first trouble stays in words, since what follows is mostly its consequence; the status bits
-// of all of them add up.
+// The words are those of the first fault, since later ones are mostly its consequences. The status
+// bits of all faults add up.
 class FaultLatch {
  public:
   void latch(DeviceStatus bit, const Trouble& trouble) {
@@ -17,7 +17,8 @@ class FaultLatch {
       trouble_ = trouble;
     }
   }
-  // For a device that names the cause of its fault only later.
+  // Replaces the words. Use it for a device that reports the cause of its fault later than the
+  // fault.
   void explain(const Trouble& trouble) {
     status_ |= heat_status(trouble);
     trouble_ = trouble;

@@ -1,4 +1,4 @@
-// Why a configuration is refused.
+// The reason for which a configuration is refused.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace tactus::drivers {
 
-// The texts live as long as the program.
+// Names one field and the rule that it breaks. The texts live as long as the program.
 struct FieldError {
   std::string_view field;  // its name in the struct
   std::string_view rule;   // "must lie between 0.001 and 1"
@@ -15,7 +15,7 @@ struct FieldError {
 
 using Checked = std::expected<void, FieldError>;
 
-// For checks: false for what is not a number.
+// Returns true if low <= value <= high; false for NaN and infinity.
 inline bool lies_between(double value, double low, double high) {
   return std::isfinite(value) && value >= low && value <= high;
 }

@@ -7,12 +7,12 @@ namespace tactus::drivers {
 
 namespace {
 
-// Lengths in times of the search speed: what a joint travels in them.
+// Lengths, as the time in which a joint travels them at the search speed.
 constexpr double kBackOff_s = 0.2;
 constexpr double kBackOffWrongWay_s = 0.02;
 constexpr double kStillBand_s = 0.01;  // in kStanding_ns: a twentieth of the search speed
-// Parts of the way that it backs off.
-constexpr double kBackOffShare = 0.1;  // of the free travel, at most
+// Shares of the length of the back-off move.
+constexpr double kBackOffShare = 0.1;  // the largest share of the free travel
 constexpr double kSamePlaceShare = 0.2;
 constexpr double kWrongWayShare = 0.25;
 constexpr double kBackOffStillShare = 0.1;

@@ -7,15 +7,15 @@ namespace tactus::drivers {
 
 namespace {
 
-// A joint that is pushed and slower than this part of its search speed stands.
-// How far a joint may move while it counts as held still: a part of its range, and where that is
-// not known a part of what it travels in a second of the search speed.
+// A joint that is held still may move by this share of its range. Without a known range it may move
+// as far as it travels in this time at the search speed.
 constexpr double kStillShare = 0.01;
 constexpr double kStillSpeed_s = 0.02;
-// What an index search by motor takes for a wrong sign and for standing, in the same way.
+// The same for an index search by motor: a move against the push that shows a wrong sign, and a
+// band in which the joint stands. Both are times at the search speed.
 constexpr double kWrongWay_s = 0.02;
 constexpr double kStand_s = 0.01;
-// An index may put the joint this part of its range outside the limits.
+// An index may put the joint outside its limits by this share of its range.
 constexpr double kOutsideShare = 0.05;
 
 double still_band(const Reference& reference) {
@@ -37,7 +37,7 @@ HardStopLimits stop_limits(const Reference& reference) {
       .time_ns = in_ns(reference.time_limit_s)};
 }
 
-// The stop lies on the side of the range to which the search pushes.
+// Returns true if the stop lies on the side of the range to which the search pushes.
 bool stop_is_at_its_end(const Reference& reference) {
   const double range = reference.upper - reference.lower;
   if (reference.kind != ReferenceKind::hard_stop || !std::isfinite(range)) {
@@ -170,7 +170,8 @@ void Homing::hold_still(const AxisSample& sample, hal::TimeNs now_ns) {
   }
 }
 
-// A pulse from before the search may have been seen in a count that is worth nothing now.
+// Returns true if the pulse was seen in this search. A pulse from before may have been counted from
+// another zero.
 bool Homing::is_new_index(const AxisSample& sample) const {
   return sample.index_seen && (!had_index_ || sample.index_rad != old_index_rad_);
 }

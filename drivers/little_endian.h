@@ -1,4 +1,4 @@
-// Numbers in the payload of a frame, least significant byte first.
+// Reads and writes numbers in the payload of a frame, least significant byte first.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace tactus::drivers {
 
 static_assert(std::endian::native == std::endian::little);
 
-// The number at that byte; the caller has checked that it fits.
+// These read or write the number at byte `at`. The caller has checked that it fits.
 template <class T>
 T load_little_endian(std::span<const std::byte> bytes, std::size_t at) {
   std::array<std::byte, sizeof(T)> raw;

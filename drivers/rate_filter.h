@@ -1,4 +1,4 @@
-// A velocity from positions, for devices that measure none: the difference, smoothed.
+// Computes a velocity from positions, for devices that measure none: the smoothed difference.
 #pragma once
 
 #include <numbers>
@@ -7,16 +7,17 @@
 
 namespace tactus::drivers {
 
-// First-order low-pass of the given cut-off over the difference quotient, for samples at any
-// distance in time.
+// A first-order low-pass filter over the difference quotient. The samples may have any spacing in
+// time.
 class RateFilter {
  public:
   explicit RateFilter(double cutoff_Hz) : pole_per_s_(2.0 * std::numbers::pi * cutoff_Hz) {}
 
-  // The next position has no past: the rate is zero.
+  // Forgets the past: the rate at the next position is zero.
   void restart() { fresh_ = true; }
 
-  // The rate, in the position's unit per second.
+  // Takes the next position and returns the rate, in the position's unit per second. A time that is
+  // not later than the last one changes nothing.
   double update(double position, hal::TimeNs time_ns) {
     if (fresh_) {
       rate_ = 0.0;

@@ -8,11 +8,12 @@ namespace tactus::drivers {
 
 namespace {
 
-// The part of the effort that is always asked for, so that the motor keeps its power in the move.
+// The share of the effort that is always commanded, so that the motor keeps its power in the move.
 constexpr double kLeastShare = 0.01;
-// A push that counts as the whole.
+// A push of this share of the effort counts as the full push.
 constexpr double kFullShare = 0.95;
-// Speeds are judged over so long, with so much of the search speed's travel for noise.
+// Speeds are judged over this time. The travel at this share of the search speed is allowed for
+// noise.
 constexpr hal::TimeNs kSpeedWindow_ns = 100'000'000;
 constexpr double kSpeedSlack_s = 0.02;
 
@@ -133,7 +134,8 @@ void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
   stands_ = now_ns - still_since_ns_ >= kStanding_ns;
 }
 
-// From the last tick, and over a window that is long against the encoder's counts.
+// Checks the speed since the last tick, and over a window that is long against the encoder's
+// counts.
 bool SearchMove::moves_too_fast(double position, hal::TimeNs now_ns) const {
   const auto farthest = [&](hal::TimeNs since_ns) {
     return limits_.speed * (kFastest * in_seconds(now_ns - since_ns) + kSpeedSlack_s);
@@ -147,7 +149,8 @@ void SearchMove::push(double velocity, hal::TimeNs now_ns) {
   const double speed = velocity / limits_.speed;
   double share = way_ * std::clamp(risen - std::abs(speed), kLeastShare, 1.0);
   if (follows_) {
-    // Full push when it stands, none at the search speed, as much the other way at twice that.
+    // The push is full when the joint stands, zero at the search speed, and full in the other
+    // direction at twice that speed.
     share = std::clamp(way_ * risen - speed, -1.0, 1.0);
   }
   if (std::abs(share) < kLeastShare) {

@@ -1,10 +1,11 @@
-// One move of a homing search: the motor pushes a joint one way, gently, and the joint's answer is
-// watched. No input or output; all in the joint's units, rad or m, N m or N.
+// One move of a homing search: the motor pushes a joint gently in one direction, and the move
+// watches how the joint answers. It has no input or output. All values are in the joint's units:
+// rad or m, N m or N.
 //
-// The push never rises faster than to the whole in kRise_ns, at the start, when it turns about and
-// when the joint meets something. It is damped to the search speed. The damping trusts
-// the encoder's sign only after the joint has followed a push: with a wrong sign it would drive the
-// joint on. Until then the push shrinks with the size of the speed and never turns about.
+// The push rises to the full effort in kRise_ns and never faster: at the start, when it reverses,
+// and when the joint meets something. It is damped to the search speed. The damping trusts the sign
+// of the encoder only after the joint has followed a push, because with a wrong sign it would drive
+// the joint on. Until then the push shrinks with the size of the speed and never reverses.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +15,13 @@
 
 namespace tactus::drivers {
 
+// The reason why a search failed.
 enum class HomingFailure : std::uint8_t {
   none,
-  not_a_number,     // position or velocity
+  not_a_number,     // the position or the velocity
   too_fast,         // a jump, or a motion beyond kFastest times the search speed
-  wrong_way,        // it moves against the push
-  did_not_move,     // neither way
+  wrong_way,        // the joint moves against the push
+  did_not_move,     // in neither direction
   took_too_long,    // a move beyond the time limit
   stop_moved,       // the second approach did not stop where the first did
   short_travel,     // less free travel than the range asks for
@@ -30,38 +32,41 @@ enum class HomingFailure : std::uint8_t {
   not_still,        // the joint did not stand still in its known pose
 };
 
-// In words, with a remedy; nothing for `none`.
+// Returns the failure in words with a remedy, or an empty Trouble for `none`.
 Trouble describe(HomingFailure failure);
 
 class SearchMove {
  public:
   static constexpr hal::TimeNs kRise_ns = 300'000'000;
-  // A joint that is pushed in full and stays in place for so long stands: longer than stiction or a
-  // gear's play holds it.
+  // A joint that gets the full push and stays in place for so long stands. The time is longer than
+  // stiction or the play of a gear holds it.
   static constexpr hal::TimeNs kStanding_ns = 200'000'000;
   static constexpr double kFastest = 3.0;  // times the search speed
 
+  // The limits of the move, in the joint's units.
   struct Limits {
     double effort = 0.0;      // above 0
     double speed = 0.0;       // above 0
-    double wrong_way = 0.0;   // travel against the push that is a wrong sign
-    double still_band = 0.0;  // within this band a joint stands
+    double wrong_way = 0.0;   // travel against the push that shows a wrong sign
+    double still_band = 0.0;  // a joint that stays within this band stands
     hal::TimeNs time_ns = 0;  // for the move
   };
 
   SearchMove() = default;
   explicit SearchMove(const Limits& limits) : limits_(limits) {}
 
-  // `way` is 1 or -1; 0 brings the joint to rest.
+  // Starts the move. `way` is the direction, 1 or -1; 0 brings the joint to rest.
   void begin(double way, double position, hal::TimeNs now_ns);
-  // One tick.
+  // Advances by one tick.
   void advance(double position, double velocity, hal::TimeNs now_ns);
-  // A tick without a fresh sample: standing still is not shown by it.
+  // Replaces `advance` in a tick without a fresh sample, which does not show that the joint stands.
   void skip(hal::TimeNs now_ns) { still_since_ns_ = now_ns; }
 
+  // Returns the effort for the motor now.
   [[nodiscard]] double effort() const { return effort_; }
-  // Along the way, since the move began.
+  // Returns the travel in the direction of the push since the move began.
   [[nodiscard]] double travel() const { return travel_; }
+  // Returns true if the joint gets the full push and has stood for kStanding_ns.
   [[nodiscard]] bool stands() const { return stands_; }
   [[nodiscard]] HomingFailure failure() const { return failure_; }
 

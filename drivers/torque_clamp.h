@@ -1,4 +1,4 @@
-// What is left of a torque command on its way into a frame.
+// Clamps the torque of a command for a frame.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace tactus::drivers {
 
-// Zero without `enable` or if not a number; never beyond the limit, also not by the rounding to
-// single precision.
+// Returns the torque to send, N m in single precision. It is zero without `enable` or for NaN, and
+// never beyond the limit, even after rounding.
 inline float clamped_torque_Nm(const AxisCommand& command, double max_torque_Nm) {
   if (!command.enable || std::isnan(command.torque_Nm)) {
     return 0.0F;

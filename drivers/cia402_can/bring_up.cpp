@@ -12,12 +12,13 @@ namespace {
 
 using enum Meaning;
 
-// Bit 31 of a PDO's COB-ID switches it off, bit 30 of a transmit PDO's forbids remote requests.
+// Bit 31 of a PDO's COB-ID switches the PDO off. Bit 30 of a transmit PDO's forbids remote
+// requests.
 constexpr std::uint32_t kOff = 0x8000'0000;
 constexpr std::uint32_t kNoRemote = 0x4000'0000;
 
-// A PDO is switched off and its mapping emptied before it is changed. The PDOs that are not used
-// are switched off: what a drive maps there by default would only load the bus.
+// A PDO is switched off and its mapping emptied before it is changed. Unused PDOs are switched off,
+// since a drive's default mapping would only load the bus.
 constexpr std::array kSetUpSteps = std::to_array<SdoStep>({
     {{0x1000, 0}, 0, device_type, 0, false, "1000:00 (device type) cannot be read"},
     {{0x1018, 1}, 0, vendor, 0, true, "1018:01 (vendor) cannot be read"},
@@ -103,7 +104,8 @@ constexpr std::uint32_t kAtEverySync = 1;
 constexpr std::uint32_t kAtEvery20thSync = 20;  // enough for the mode
 constexpr std::uint32_t kOnReceipt = 255;
 
-// 60C2 holds value * 10^exponent seconds; milliseconds are what every drive takes.
+// Returns true if the period is a whole number of milliseconds. 60C2 holds value * 10^exponent
+// seconds, and every drive accepts milliseconds.
 bool is_in_ms(double period_s) {
   return std::abs(1e3 * period_s - std::round(1e3 * period_s)) < 1e-6;
 }

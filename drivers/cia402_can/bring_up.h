@@ -1,4 +1,5 @@
-// The objects that a drive is asked for and told before it may run, in their order.
+// The objects that the driver reads from a drive and writes to it before the drive may run, in
+// order.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,9 @@
 
 namespace tactus::drivers::cia402 {
 
-// What an object's value has to do with: `fixed` is written as the table has it, `plus_node` with
-// the drive's number added; the others come from the configuration or are read and judged.
+// The source of an object's value. A `fixed` value is written as it stands in the table, a
+// `plus_node` value with the drive's number added. The others come from the configuration, or are
+// read and checked.
 enum class Meaning : std::uint8_t {
   fixed,
   plus_node,
@@ -29,37 +31,38 @@ enum class Meaning : std::uint8_t {
   rated_torque,
 };
 
+// One object to read or write.
 struct SdoStep {
   canopen::ObjectAddress object;
   std::uint8_t size = 0;  // bytes to write; 0: read
   Meaning meaning = Meaning::fixed;
   std::uint32_t value = 0;
-  bool may_be_missing = false;  // a drive that has no such object is well without it
-  std::string_view what;        // for a Trouble, if the drive refuses or keeps silent
+  bool may_be_missing = false;  // the drive may lack the object
+  std::string_view what;        // words for a Trouble if the drive refuses or does not answer
 };
 
-// The code of the drive's last fault.
+// The object that holds the code of the drive's last fault.
 inline constexpr canopen::ObjectAddress kErrorCodeObject{0x603F, 0};
 
-// Before the drive is operational.
+// Returns the steps before the drive is operational.
 std::span<const SdoStep> set_up_steps();
-// After that.
+// Returns the step after that: torque mode.
 const SdoStep& torque_mode_step();
 
-// What the drive has told, and what follows from it.
+// The values that the drive reported, and what follows from them.
 struct DriveFacts {
   std::uint32_t vendor = 0;
   double rated_torque_Nm = 0.0;
   std::int16_t torque_limit = 0;  // 0.1 % of the rated torque; what is written to 6072:00
 };
 
-// What to write in this step.
+// Returns the value to write in this step.
 std::uint32_t value_to_write(const SdoStep& step, const Cia402Config& config,
                              const DriveFacts& facts);
-// Takes in what was read; trouble if the drive cannot be used.
+// Stores a value that was read. Returns a Trouble if the drive cannot be used.
 Trouble judge(const SdoStep& step, std::uint32_t value, const Cia402Config& config,
               DriveFacts& facts);
-// Whether a drive that refused the step so may go on without it.
+// Returns true if the drive may run although it refused the step with this abort code.
 bool may_go_on_without(const SdoStep& step, std::uint32_t abort_code);
 
 }  // namespace tactus::drivers::cia402

@@ -1,5 +1,5 @@
-// CANopen (CiA 301) as far as the master of a motor drive needs it: frames to meanings and back.
-// No input or output, no state. All numbers are little-endian.
+// The part of CANopen (CiA 301) that the master of a motor drive needs: encodes and decodes frames.
+// It has no input or output and no state. All numbers are little-endian.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace tactus::drivers::canopen {
 
-// What a frame is for stands in its identifier: one of these, plus the node's number 1..127 except
-// for the first two. "Transmit" and "receive" are seen from the drive.
+// The purpose of a frame. A frame's identifier is one of these, plus the node's number 1..127
+// except for the first two. "Transmit" and "receive" are seen from the drive.
 enum Service : std::uint32_t {
   kNmt = 0x000,
   kSync = 0x080,
@@ -40,21 +40,23 @@ enum class NmtState : std::uint8_t {
   pre_operational = 0x7F,
 };
 
+// The content of an emergency message (EMCY).
 struct Emergency {
-  std::uint16_t code = 0;           // 0: errors are over
+  std::uint16_t code = 0;           // error code; 0: the errors are over
   std::uint8_t error_register = 0;  // as object 1001
   std::array<std::uint8_t, 5> vendor{};
 };
 
-// A classic data frame with an 11-bit identifier; anything else is no CANopen.
+// Returns true if the frame is of this service and node. It must be a classic data frame with an
+// 11-bit identifier, since CANopen uses no other.
 bool is_from(const hal::CanFrame& frame, std::uint32_t service, std::uint8_t node);
 
 hal::CanFrame nmt_frame(NmtCommand command, std::uint8_t node);
 hal::CanFrame sync_frame();
 hal::CanFrame heartbeat_frame(std::uint8_t node, NmtState state);
 
-// Nothing if it is not this node's, or malformed. A state that does not exist comes out as it is:
-// it is no reason to believe that the drive is operational.
+// These decode a frame. They return nothing if it is not this node's, or malformed. An undefined
+// state is returned as it is, so that the drive is not taken for operational.
 std::optional<NmtState> heartbeat_of(const hal::CanFrame& frame, std::uint8_t node);
 std::optional<Emergency> emergency_of(const hal::CanFrame& frame, std::uint8_t node);
 

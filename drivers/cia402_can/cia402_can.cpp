@@ -41,7 +41,7 @@ void Cia402Can::start(hal::TimeNs now_ns) {
   begin(now_ns);
 }
 
-// A loss of the reference stays until a read has shown it.
+// A loss of the reference stays until a read has reported it.
 void Cia402Can::clear_faults(hal::TimeNs now_ns) {
   if (faults_ && is_shown_) {
     begin(now_ns);
@@ -95,8 +95,8 @@ void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
   update_status();
 }
 
-// The reference goes only where there may be one: since the drive was ready and as long as its
-// position was followed.
+// Latches the loss only if the joint may have a reference: from the time that the drive was ready
+// and as long as its position was followed.
 void Cia402Can::lose_reference(DeviceStatus bit, const Trouble& trouble) {
   if (is_followed_) {
     is_followed_ = false;
@@ -116,8 +116,8 @@ void Cia402Can::shutdown(CanOutbox& outbox) {
     return;
   }
   is_followed_ = false;
-  // The PDO waits for a SYNC, of which there may be no more; the SDO acts by itself. Out of
-  // operational the drive listens to no torque at all.
+  // The PDO acts at a SYNC, and no more may come; the SDO acts at once. A drive that is not
+  // operational ignores all torques.
   outbox.add(cia402::command_frame(config_.node, {}));
   outbox.add(cia402::disable_voltage_frame(config_.node));
   outbox.add(canopen::nmt_frame(canopen::NmtCommand::enter_pre_operational, config_.node));

@@ -1,41 +1,43 @@
 // A CANopen drive with the CiA 402 profile in cyclic synchronous torque mode.
 //
-// Frames are those of canopen.h, sdo.h and drive_profile.h.
+// The frames are those of canopen.h, sdo.h and drive_profile.h.
 //
-// Where the SYNC stands in a tick: it opens the request, ahead of everything else. The drives take
-// their position at the SYNC and send it right after, so the sample that the tick computes with is
-// as fresh as the bus allows; and the torques that the last tick computed act at the same instant
-// in every axis, without the jitter of the computation. A SYNC behind the commands would have the
-// torque act sooner by as much as it would make the sample older: the delay around the loop is one
-// period either way. `torque_on_receipt` gets below that, on drives that can.
+// The SYNC opens the request of a tick, ahead of everything else. The drives take their position at
+// the SYNC and send it right after, so the tick computes with the freshest sample that the bus
+// allows. The torques of the last tick act at the same instant in every axis, without the jitter of
+// the computation. A SYNC behind the commands would make the torque act earlier and the sample
+// older by the same time: the delay around the loop is one period either way. `torque_on_receipt`
+// makes it shorter, for drives that support it.
 //
-// From start to ready: reset of the drive's communication, boot-up, the set-up of bring_up.h, NMT
-// start, torque mode, a fault of the drive reset, 'ready to switch on'. Then sample().status is
-// kDeviceOk, and the power follows the command: up to a second may pass between `enable` and
-// torque.
+// The bring-up has these steps: reset of the drive's communication, boot-up, the set-up of
+// bring_up.h, NMT start, torque mode, reset of a fault of the drive, 'ready to switch on'. Then
+// sample().status is kDeviceOk, and the power follows the command. Up to a second may pass between
+// `enable` and torque.
 //
-// Before the first 'ready' the drive's watchdog is proven. With power on and at zero torque nothing
-// is sent to the drive but the SYNC, until it says that it has let the motor go because the host is
-// silent; then it is started again. The proof holds as long as the position is followed: after a
-// fault that leaves it, the drive is brought up without another. `power_off` puts it off.
+// The bring-up proves the drive's watchdog before the first 'ready'. With power on and at zero
+// torque the drive is sent nothing but the SYNC, until it reports that it released the motor
+// because the host is silent. Then it is started again. The proof stays valid while the position is
+// followed: a bring-up after a fault that leaves the position alone is without a proof. While
+// `power_off` is set the proof waits.
 //
-// A sample that did not come in time shows by its time alone, without kDeviceStale: the board does
-// not wait for a stale axis, and the next SYNC is answered again.
+// A sample that did not come in time has an old time but not kDeviceStale, because the board does
+// not wait for a stale axis. The drive answers the next SYNC again.
 //
-// Latched, until clear_faults:
-//   kDeviceDriveFault    the drive reports a fault (EMCY, statusword), leaves torque mode, its
-//                        power or operational by itself, restarts, does not switch its power on,
-//                        refuses the set-up, or does not stop when the host is silent
-//   kDeviceTooHot        with it, if that is what the drive reports
-//   kDeviceReferenceLost with lost, encoder fault, restart ('not ready to switch on' and an
-//                        operational that was left without an error are one) and errors of supply
-//                        or encoder, also after another fault and in the bring-up after
-//                        clear_faults: the drive goes on being watched. A motor that lost its
-//                        supply alone keeps its reference
-//   kDeviceEncoderFault  a position that the shaft cannot have reached; the last good one stays
-//   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, not up in time
-// From then on each tick sends torque zero and 'disable voltage'. What cannot be seen: samples that
-// are late by the same time from the very start.
+// These faults are latched until clear_faults:
+//   kDeviceDriveFault    the drive reports a fault (EMCY, statusword); leaves torque mode, power or
+//                        operational by itself; restarts; does not switch its power on; refuses the
+//                        set-up; or does not stop when the host is silent
+//   kDeviceTooHot        beside it, if the drive reports over-temperature
+//   kDeviceReferenceLost beside kDeviceLost and kDeviceEncoderFault, after a restart, and after
+//                        errors of supply or encoder, also after another fault and in the
+//                        bring-up after clear_faults, since the drive is still watched. 'Not
+//                        ready to switch on' and leaving operational without an error count as a
+//                        restart. A loss of the motor's supply alone keeps the reference
+//   kDeviceEncoderFault  a position that the shaft cannot have reached; the sample keeps the
+//                        last good one
+//   kDeviceLost          no sample for lost_after_s, no heartbeat, no answer, or not up in time
+// After a fault each tick sends torque zero and 'disable voltage'. The driver cannot detect samples
+// that are late by a constant time from the very start.
 #pragma once
 
 #include <cstddef>
@@ -55,6 +57,7 @@
 
 namespace tactus::drivers {
 
+// A CanDrive.
 class Cia402Can {
  public:
   // The configuration has passed `check`.
@@ -71,19 +74,20 @@ class Cia402Can {
   void shutdown(CanOutbox& outbox);
 
   [[nodiscard]] const Cia402Config& config() const { return config_; }
-  // For the log; complete once the drive is ready.
+  // Returns the values that the drive reported, for the log. They are complete once the drive is
+  // ready.
   [[nodiscard]] const cia402::DriveFacts& facts() const { return facts_; }
 
  private:
   enum class Phase : std::uint8_t {
     off,
-    booting,        // until the drive says that it has booted
+    booting,        // until the drive reports its boot-up
     setting_up,     // bring_up.h
-    starting,       // until it is operational and sends samples
-    choosing_mode,  // until it says that it is in torque mode
-    clearing,       // until it is out of fault and ready to switch on
-    powering,       // until it has power, at zero torque
-    proving,        // nothing but SYNC, until its watchdog trips; then starting again
+    starting,       // until the drive is operational and sends samples
+    choosing_mode,  // until the drive reports torque mode
+    clearing,       // until the drive has no fault and is ready to switch on
+    powering,       // until the drive has power, at zero torque
+    proving,        // only SYNC, until the drive's watchdog trips; then `starting` again
     ready,
   };
 
@@ -147,33 +151,33 @@ class Cia402Can {
 
   Phase phase_ = Phase::off;
   hal::TimeNs now_ns_ = 0;
-  hal::TimeNs begun_ns_ = 0;  // the bring-up
-  hal::TimeNs phase_ns_ = 0;  // this phase of it
+  hal::TimeNs begun_ns_ = 0;  // start of the bring-up
+  hal::TimeNs phase_ns_ = 0;  // start of its phase
   hal::TimeNs sync_ns_ = 0;
   hal::TimeNs sent_nmt_ns_ = 0;
   hal::TimeNs sent_heartbeat_ns_ = 0;
   hal::TimeNs heard_heartbeat_ns_ = 0;
-  hal::TimeNs wants_power_ns_ = 0;  // since when
+  hal::TimeNs wants_power_ns_ = 0;  // start of the wish for power
   std::size_t step_ = 0;
   std::uint32_t unanswered_syncs_ = 0;
   bool has_sent_nmt_ = false;
   bool has_sent_heartbeat_ = false;
   bool is_operational_ = false;
   bool is_pre_operational_ = false;
-  bool is_followed_ = false;  // the position, since the drive was ready
-  bool is_shown_ = true;      // the loss of the reference, by a read
+  bool is_followed_ = false;  // the position, since the drive was first ready
+  bool is_shown_ = true;      // a read has reported the loss of the reference
   bool has_state_ = false;    // in this bring-up
   bool mode_is_set_ = false;
   bool in_torque_mode_ = false;
   bool wants_power_ = false;
-  bool had_power_ = false;     // since it was wanted, long enough to be sure
-  bool had_supply_ = false;    // of the motor, since then
-  bool is_proven_ = false;     // the watchdog, and the drive has not restarted since
-  bool has_let_go_ = false;    // of the motor, in the proof
-  bool was_told_why_ = false;  // in the proof: because the host is silent
-  bool is_late_ = false;       // the last sample
-  bool tick_is_over_ = false;  // its command has been sent, the next SYNC has not
-  bool is_cut_off_ = false;    // by an SDO, since the fault
+  bool had_power_ = false;     // long enough to be sure, since it was wanted
+  bool had_supply_ = false;    // the motor had its supply since then
+  bool is_proven_ = false;     // the watchdog is, and the drive has not restarted since
+  bool has_let_go_ = false;    // the drive released the motor in the proof
+  bool was_told_why_ = false;  // the drive reported in the proof that the host is silent
+  bool is_late_ = false;       // the last sample is
+  bool tick_is_over_ = false;  // its command was sent, the next SYNC was not
+  bool is_cut_off_ = false;    // power was taken away by an SDO since the fault
   bool reads_error_code_ = false;
   cia402::DriveState state_;
   std::uint16_t emergency_code_ = 0;

@@ -1,9 +1,10 @@
-// How a Cia402Can proves that the drive takes the torque away when the host falls silent.
+// The part of Cia402Can that proves that the drive takes the torque away when the host falls
+// silent.
 //
-// The drive has power and zero torque; it hears the SYNC, by which the other drives live, and
-// nothing else. It must leave every state that may have torque, and say that the reason is the
-// silence: with an emergency message, or in 603F:00. A drive that stops for another reason, an
-// emergency stop for example, proves nothing.
+// The drive has power and zero torque. It receives the SYNC, which the other drives need, and
+// nothing else. It must leave every state that may have torque, and report that the reason is the
+// silence: in an emergency message, or in 603F:00. A drive that stops for another reason, such as
+// an emergency stop, proves nothing.
 #include <cstdint>
 #include <optional>
 
@@ -19,11 +20,11 @@ using canopen::SdoClient;
 
 constexpr canopen::ObjectAddress kStatuswordObject{0x6041, 0};
 
-// Drives look at their watchdogs every few milliseconds, and then let go.
+// Drives check their watchdogs every few milliseconds, and then release the motor.
 constexpr double kDriveLooks_s = 0.02;
-// Ticks until the drive's states and reasons have been asked for and answered.
+// The ticks in which the drive's states and reasons are asked for and answered.
 constexpr double kTicksToTell = 8.0;
-// A drive that leaves operational sends no more PDOs: after so many SYNCs it is asked.
+// A drive that leaves operational sends no more PDOs. It is asked after so many SYNCs.
 constexpr std::uint32_t kSilentSyncs = 3;
 
 constexpr Trouble kNoWatchdog{
@@ -34,8 +35,8 @@ constexpr Trouble kNoWatchdog{
 
 }  // namespace
 
-// First the motor must be let go, then the reason must be known. An error code that is read counts
-// in a fault alone: else it may be that of an earlier one.
+// The drive must first release the motor, and then the reason must be known. An error code that is
+// read counts only in a fault; otherwise it may belong to an earlier one.
 void Cia402Can::prove(CanOutbox& outbox) {
   if (!has_let_go_) {
     if (unanswered_syncs_ >= kSilentSyncs) {
@@ -108,7 +109,7 @@ void Cia402Can::watch_proof() {
   sdo_.reset();
 }
 
-// The drive may have left operational, and is in a fault.
+// Starts the drive again, which may have left operational and is in a fault.
 void Cia402Can::start_again() {
   sdo_.reset();
   is_operational_ = false;
@@ -120,7 +121,8 @@ void Cia402Can::start_again() {
   enter(Phase::starting);
 }
 
-// Its value once it has been read. Until then nothing: asks, and asks again after a refusal.
+// Returns the value of the object once it has been read, else nothing. It asks for the object, and
+// asks again after a refusal.
 std::optional<std::uint32_t> Cia402Can::read_object(canopen::ObjectAddress object,
                                                     CanOutbox& outbox) {
   if (sdo_.state() == SdoClient::State::idle) {

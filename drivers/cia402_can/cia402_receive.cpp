@@ -1,4 +1,4 @@
-// How a Cia402Can takes the drive's frames, and notices those that do not come.
+// The part of Cia402Can that takes the drive's frames, and detects missing ones.
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +53,7 @@ void Cia402Can::take(const hal::CanReceived& received) {
   }
 }
 
-// The position was taken at the last SYNC.
+// Takes a TPDO1. Its position was measured at the last SYNC.
 void Cia402Can::take_state(const cia402::DriveState& state) {
   state_ = state;
   has_state_ = true;
@@ -69,14 +69,15 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
     take_sample();
   }
   const PowerState power = cia402::power_state(state.statusword);
-  if (is_followed_ && power == PowerState::not_ready_to_switch_on) {  // so it is after a boot alone
+  if (is_followed_ && power == PowerState::not_ready_to_switch_on) {  // the state after a boot only
     lose_reference(kDeviceDriveFault, kRestarted);
   }
   check_power();
   update_status();
 }
 
-// Not of a sample that comes after its tick: the next tick waits for its own.
+// Puts the newest state into the sample. The caller leaves out a state that comes after its tick,
+// since the next tick waits for its own.
 void Cia402Can::take_sample() {
   sample_.time_ns = sync_ns_;
   sample_.position_rad = shaft_.position_rad();
@@ -180,7 +181,7 @@ void Cia402Can::take_heartbeat(NmtState state) {
   }
 }
 
-// Without an error before, it is what a restart looks like whose boot-up message got lost.
+// Leaving operational without an earlier error looks like a restart whose boot-up message was lost.
 void Cia402Can::leave_operational(NmtState state) {
   const Trouble trouble{"drive left the state 'operational' by itself",
                         "look for a second master on the bus and for bus errors, then reset",
@@ -192,7 +193,7 @@ void Cia402Can::leave_operational(NmtState state) {
   }
 }
 
-// During the bring-up it is mostly what is to be cleared there.
+// An emergency message during the bring-up is mostly the fault that the bring-up clears.
 void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
   emergency_code_ = emergency.code;
   if (is_silent()) {
@@ -229,8 +230,8 @@ void Cia402Can::watch() {
   }
 }
 
-// While the position is followed: in every phase, and after a fault too. A drive that loses its
-// supply is silent first.
+// Watches the heartbeat while the position is followed: in every phase, and after a fault too. A
+// drive that loses its supply falls silent first.
 void Cia402Can::watch_heartbeat() {
   if (is_followed_ && has_passed(heard_heartbeat_ns_,
                                  kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
@@ -239,7 +240,8 @@ void Cia402Can::watch_heartbeat() {
   }
 }
 
-// A host that overslept has asked for no sample meanwhile: that is not the drive's fault.
+// Watches the samples. If the host missed its ticks it asked for no samples, and the drive is not
+// to blame.
 void Cia402Can::watch_samples() {
   if (unanswered_syncs_ > 1 && has_passed(sample_.time_ns, config_.lost_after_s)) {
     lose_reference(

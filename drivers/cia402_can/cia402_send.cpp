@@ -1,4 +1,4 @@
-// The frames that a Cia402Can sends: SYNC, heartbeat, the bring-up, the torque.
+// The part of Cia402Can that sends frames: SYNC, heartbeat, the bring-up and the torque.
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +14,12 @@ using canopen::NmtCommand;
 using canopen::SdoClient;
 using cia402::PowerState;
 
-constexpr double kResetEvery_s = 1.0;  // a drive that is switched on later is found
+constexpr double kResetEvery_s = 1.0;  // finds a drive that is switched on later
 constexpr double kStartEvery_s = 0.1;
 constexpr double kHeartbeatsPerWatchdog = 4.0;
-constexpr double kFaultResetEdge_s = 0.02;  // the fault reset bit stays so long, low and high
-// What the drive did before it took the last controlword is not held against it.
+constexpr double kFaultResetEdge_s = 0.02;  // the fault reset bit stays low and high for so long
+// For this time a state without power is no fault, since the drive may not have taken the last
+// controlword yet.
 constexpr double kPowerSettles_s = 0.01;
 constexpr double kUnitsPerTorque = 1e3;  // of the rated torque
 
@@ -30,7 +31,7 @@ void Cia402Can::request(hal::TimeNs now_ns, CanOutbox& outbox) {
     return;
   }
   watch();
-  is_shown_ = true;  // the sample of this read has all of the status
+  is_shown_ = true;  // the sample of this read has the whole status
   tick_is_over_ = false;
   sync_ns_ = now_ns;
   ++unanswered_syncs_;
@@ -62,14 +63,15 @@ void Cia402Can::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
   tick_is_over_ = true;
 }
 
-// A drive that is no more operational takes no PDO; if it has kept its power, this takes it away.
+// Takes the power away. A drive that is no longer operational takes no PDO; the SDO still acts on
+// it.
 void Cia402Can::cut_power(CanOutbox& outbox) {
   if (faults_ && is_live() && is_pre_operational_ && !is_cut_off_) {
     is_cut_off_ = outbox.add(cia402::disable_voltage_frame(config_.node));
   }
 }
 
-// Behind the torque: it tells that a whole tick was done.
+// Sends the heartbeat behind the torque, so that it shows that a whole tick was completed.
 void Cia402Can::feed_watchdog(CanOutbox& outbox) {
   if (!has_sent_heartbeat_ ||
       has_passed(sent_heartbeat_ns_, 1e-3 * config_.watchdog_ms / kHeartbeatsPerWatchdog)) {
@@ -113,7 +115,8 @@ void Cia402Can::bring_up(const AxisCommand& command, CanOutbox& outbox) {
   }
 }
 
-// Nothing gets power for the proof while it is to have none, however long that lasts.
+// Leaves the phase once the drive is ready to switch on. While the power is to be off the drive
+// gets none for the proof, which waits however long that takes.
 void Cia402Can::clear_drive(const AxisCommand& command) {
   if (cia402::power_state(state_.statusword) != PowerState::ready_to_switch_on) {
     return;
@@ -124,12 +127,13 @@ void Cia402Can::clear_drive(const AxisCommand& command) {
   } else if (command.power_off) {
     begun_ns_ = now_ns_;
   } else {
-    has_sent_heartbeat_ = false;  // the drive watches from the first on that it hears
+    has_sent_heartbeat_ = false;  // the drive watches from the first one that it receives
     enter(Phase::powering);
   }
 }
 
-// A drive whose position is followed is not reset: its boot-up would hide a restart of its own.
+// Starts the bring-up. A drive whose position is followed is not reset, because its boot-up would
+// hide a restart of its own.
 void Cia402Can::boot(CanOutbox& outbox) {
   if (!is_followed_) {
     repeat_nmt(NmtCommand::reset_communication, kResetEvery_s, outbox);
@@ -166,7 +170,8 @@ void Cia402Can::choose_mode(CanOutbox& outbox) {
   }
 }
 
-// True when the step is done. Otherwise it has asked, waits, or has latched why it cannot be done.
+// Returns true when the step is done. Otherwise it has asked, waits for an answer, or has latched
+// why the step failed.
 bool Cia402Can::run_step(const cia402::SdoStep& step, CanOutbox& outbox) {
   if (sdo_.state() == SdoClient::State::idle) {
     if (step.size == 0) {
@@ -211,7 +216,7 @@ void Cia402Can::refuse(const cia402::SdoStep& step) {
   sdo_.reset();
 }
 
-// After a fault that came without an emergency message.
+// Asks for the error code after a fault that came without an emergency message.
 void Cia402Can::read_error_code(CanOutbox& outbox) {
   if (!reads_error_code_) {
     return;
@@ -283,7 +288,7 @@ cia402::TorqueCommand Cia402Can::powered_command(const AxisCommand& command) {
   return {cia402::controlword_toward(power, true), 0};
 }
 
-// What is no number is no torque.
+// Returns the torque in the drive's units. NaN gives zero.
 std::int16_t Cia402Can::torque_units(double torque_Nm) const {
   const double units = kUnitsPerTorque * torque_Nm / facts_.rated_torque_Nm;
   if (!std::isfinite(units)) {

@@ -1,5 +1,5 @@
 // The motor drive profile (CiA 402) in cyclic synchronous torque mode: its states, and the process
-// data that this driver maps. Bytes to meanings and back; no input or output, no state.
+// data that this driver maps. Encodes and decodes frames, without input, output or state.
 #pragma once
 
 #include <cstdint>
@@ -23,43 +23,46 @@ enum class PowerState : std::uint8_t {
   quick_stop_active,
   fault_reaction_active,
   fault,
-  unknown,  // a pattern that the profile does not have
+  unknown,  // a pattern that the profile does not define
 };
 
-// 6040:00
+// The controlword 6040:00.
 inline constexpr std::uint16_t kDisableVoltage = 0x0000;
 inline constexpr std::uint16_t kShutdown = 0x0006;
 inline constexpr std::uint16_t kSwitchOn = 0x0007;
 inline constexpr std::uint16_t kEnableOperation = 0x000F;
-inline constexpr std::uint16_t kFaultReset = 0x0080;  // at its rising edge
+inline constexpr std::uint16_t kFaultReset = 0x0080;  // acts at its rising edge
 
-// 6041:00 beside the state: the motor's supply is there.
+// A bit of the statusword 6041:00 beside the state: the motor has its supply.
 inline constexpr std::uint16_t kVoltageEnabled = 0x0010;
 
+// Returns the state that the statusword shows.
 PowerState power_state(std::uint16_t statusword);
 
-// True where the motor may have torque: also while a quick stop or the reaction to a fault brakes,
-// and in a state that the profile does not have.
+// Returns true if the motor may have torque: also while a quick stop or the reaction to a fault
+// brakes, and in an unknown state.
 bool may_have_torque(PowerState state);
 
-// What is wrong with a drive that stays in that state or goes there unasked; for a Trouble.
+// Returns words for a Trouble: a drive stays in that state, or goes there unasked.
 std::string_view power_state_words(PowerState state);
 
-// The next step on the way to ready_to_switch_on or, with `power`, to operation_enabled. A fault is
-// not left on this way.
+// Returns the next controlword toward ready_to_switch_on or, with `power`, toward
+// operation_enabled. It does not lead out of a fault.
 std::uint16_t controlword_toward(PowerState state, bool power);
 
-// RPDO1: controlword 6040:00, target torque 6071:00 in 0.1 % of the rated torque.
+// The content of RPDO1: controlword 6040:00, and target torque 6071:00 in 0.1 % of the rated
+// torque.
 struct TorqueCommand {
   std::uint16_t controlword = kDisableVoltage;
   std::int16_t torque = 0;
 };
 hal::CanFrame command_frame(std::uint8_t node, const TorqueCommand& command);
 
-// 'Disable voltage' as an SDO, which acts by itself: also out of operational, and without a SYNC.
+// Returns 'disable voltage' as an SDO. It acts at once, without a SYNC and also out of operational.
 hal::CanFrame disable_voltage_frame(std::uint8_t node);
 
-// TPDO1: statusword 6041:00, position 6064:00 in counts, torque 6077:00 in 0.1 % of the rated one.
+// The content of TPDO1: statusword 6041:00, position 6064:00 in counts, and torque 6077:00 in 0.1 %
+// of the rated torque.
 struct DriveState {
   std::uint16_t statusword = 0;
   std::int32_t position = 0;
@@ -67,7 +70,7 @@ struct DriveState {
 };
 std::optional<DriveState> drive_state_of(const hal::CanFrame& frame, std::uint8_t node);
 
-// TPDO2: velocity 606C:00 in the drive's own unit, mode 6061:00.
+// The content of TPDO2: velocity 606C:00 in the drive's own unit, and mode 6061:00.
 struct DriveMotion {
   std::int32_t velocity = 0;
   std::int8_t mode = 0;

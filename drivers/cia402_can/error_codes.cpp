@@ -7,7 +7,7 @@ namespace tactus::drivers::cia402 {
 
 namespace {
 
-// Codes of which the bits in `mask` agree with `code`; the narrower ones first.
+// Words for the codes whose bits in `mask` equal those of `code`. Narrower masks come first.
 struct ErrorWords {
   std::uint16_t mask = 0;
   std::uint16_t code = 0;

@@ -7,15 +7,15 @@
 
 namespace tactus::drivers::cia402 {
 
-// What the drive reports and what to do about it; the code itself in `code`. Codes that makers
-// define for themselves give the class that the code belongs to.
+// Returns the error in words with a remedy; `code` is the error code itself. A code that a maker
+// defined gets the words of its class.
 Trouble error_code_trouble(std::uint16_t code);
 
-// True for codes of a supply, of the encoder and of a restarted program: the position may count
-// from another zero.
+// Returns true for codes of a supply, of the encoder and of a restarted program, after which the
+// position may count from another zero.
 bool may_move_zero(std::uint16_t code);
 
-// True for codes by which a drive says that the host fell silent.
+// Returns true for codes with which a drive reports that the host fell silent.
 bool is_host_silent(std::uint16_t code);
 
 }  // namespace tactus::drivers::cia402

@@ -10,8 +10,8 @@ namespace tactus::drivers::canopen {
 
 namespace {
 
-// The first byte: command specifier in bits 5..7, then for expedited transfers how many of the four
-// data bytes are not used (bits 2..3), expedited (bit 1), size indicated (bit 0).
+// The first byte has the command specifier in bits 5..7. In expedited transfers the number of
+// unused data bytes (of four) is in bits 2..3, 'expedited' in bit 1, and 'size indicated' in bit 0.
 constexpr std::uint8_t kReadRequest = 0x40;
 constexpr std::uint8_t kWriteRequest = 0x23;  // expedited, size indicated
 constexpr std::uint8_t kWriteAnswer = 0x60;

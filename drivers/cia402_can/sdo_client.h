@@ -1,4 +1,4 @@
-// Asks a drive for one object after the other, and repeats a question that got lost once.
+// Reads or writes one object of a drive at a time, and repeats a question once if no answer comes.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@ class SdoClient {
  public:
   enum class State : std::uint8_t {
     idle,
-    asking,      // no answer yet
+    asking,      // waits for the answer
     done,        // value()
     refused,     // value() is the abort code
-    too_long,    // the answer would be segmented: this client aborted the transfer
-    unanswered,  // nor to the repeated question
+    too_long,    // the answer would be segmented; the client aborted the transfer
+    unanswered,  // no answer, also not to the repeated question
   };
 
   SdoClient(std::uint8_t node, hal::TimeNs timeout_ns) : node_(node), timeout_ns_(timeout_ns) {}
 
-  // A question that is still open is given up.
+  // These begin a question. One that is still open is dropped.
   void read(ObjectAddress object);
   void write(ObjectAddress object, std::uint32_t value, std::uint8_t size);
   void reset() { state_ = State::idle; }
 
-  // Answers to what was not asked are ignored.
+  // Takes a frame of the drive. Answers to other questions are ignored.
   void take(const hal::CanFrame& frame);
-  // Sends what is to be sent.
+  // Adds the frames that are due to the outbox.
   void run(hal::TimeNs now_ns, CanOutbox& outbox);
 
   [[nodiscard]] State state() const { return state_; }

@@ -16,7 +16,7 @@ constexpr hal::TimeNs kChunkPatience_ns = 500 * kMs;
 constexpr std::uint32_t kAttempts = 10;
 constexpr std::uint32_t kSettingsRefusals = 10;
 
-// Requests of the FTDI chip.
+// Control requests of the FTDI chip.
 enum FtdiRequest : std::uint8_t {
   kFtdiReset = 0,
   kFtdiModemControl = 1,
@@ -170,7 +170,7 @@ FalconBringUp::Action FalconBringUp::shake_hands(hal::TimeNs now_ns) {
 }
 
 FalconBringUp::Action FalconBringUp::call_loader(hal::TimeNs now_ns) {
-  if (tries_ > 0) {  // called once, and nothing came
+  if (tries_ > 0) {  // the loader was called once and did not answer
     begin_attempt(now_ns);
     return {};
   }
@@ -190,7 +190,7 @@ FalconBringUp::Action FalconBringUp::send_image(hal::TimeNs now_ns) {
 
 void FalconBringUp::refused(hal::TimeNs now_ns) {
   if (outcome_ != Outcome::under_way || phase_ == Phase::probe || phase_ == Phase::handshake) {
-    return;  // these are tried again anyway
+    return;  // refusals here are tried again anyway
   }
   if (phase_ == Phase::normal_mode) {
     ++refusals_;

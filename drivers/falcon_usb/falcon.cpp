@@ -62,7 +62,7 @@ void Falcon::clear_faults() {
   }
   const bool was_homed = homed_ || reference_lost_;
   if (endpoint_->state() == hal::UsbState::returned) {
-    (void)endpoint_->reopen();  // if it fails, starting says so
+    (void)endpoint_->reopen();  // if it fails, `start` reports it
   }
   start();
   reference_lost_ = was_homed;
@@ -148,7 +148,7 @@ void Falcon::come_up(hal::TimeNs deadline_ns) {
   note_outcome();
 }
 
-// True if there may be more to do at once.
+// Carries the action out. Returns true if there may be another one at once.
 bool Falcon::act(const FalconBringUp::Action& action) {
   using Kind = FalconBringUp::Action::Kind;
   if (action.kind == Kind::nothing || latched_ != kDeviceOk) {
@@ -193,7 +193,8 @@ void Falcon::write(std::span<const AxisCommand> commands) {
   send(command);
 }
 
-// A positive motor value pulls the arm toward the base: the sign of both sources.
+// Returns the motor units of a torque. A positive motor value pulls the arm toward the base,
+// according to both sources.
 std::int16_t Falcon::motor_units(const AxisCommand& command) const {
   if (!command.enable || !std::isfinite(command.torque_Nm)) {
     return 0;
@@ -210,7 +211,7 @@ FalconLights Falcon::lights(bool powered) const {
   return {.red = !well, .green = well && !powered, .blue = well && powered};
 }
 
-// Whether the packets before arrived.
+// Checks the outcomes of the packets that were sent before.
 void Falcon::check_writes() {
   for (Write& write : writes_) {
     if (!write.on_its_way) {

@@ -1,11 +1,11 @@
-// The Novint Falcon as a board of three axes: the arms, top, right and left as the user sees them.
+// The Novint Falcon as a board of three axes: its arms top, right and left, as the user sees them.
 //
-// Axis: the arm's angle from the base plane, rad, growing toward the user; the torque is at the
-// arm, N m. firmware/kinematics/delta.h makes positions and forces of them.
+// An axis has the arm's angle from the base plane, in rad, growing toward the user, and the torque
+// at the arm, in N m. firmware/kinematics/delta.h converts them to positions and forces.
 //
-// The device answers each packet of motor values with one of encoder counts. `write` sends, and the
-// next `read` takes the answer: its positions were true shortly after that `write`, which is the
-// time they are given. Transfers are kept in flight, so that no tick waits for the bus twice.
+// The device answers each packet of motor values with a packet of encoder counts. `write` sends,
+// and the next `read` takes the answer. Its positions were true shortly after that `write`, whose
+// time they get. Transfers stay in flight, so that no tick waits for the bus twice.
 #pragma once
 
 #include <array>
@@ -21,67 +21,69 @@
 
 namespace tactus::drivers {
 
-// What the endpoint must be opened with.
+// The ids and addresses with which the endpoint must be opened.
 inline constexpr std::uint16_t kFalconVendor = 0x0403;
 inline constexpr std::uint16_t kFalconProduct = 0xCB48;
 inline constexpr std::uint8_t kFalconEndpointOut = 0x02;
 inline constexpr std::uint8_t kFalconEndpointIn = 0x81;
 
+// The settings of one Falcon.
 struct FalconConfig {
-  // The image to upload when the device has none; must outlive the driver. Empty: none.
+  // The image to upload when the device has none; it must outlive the driver. Empty: there is none.
   std::span<const std::byte> firmware;
-  // Motor units for a newton-metre at the arm. Nobody has published a calibrated value: this is
-  // libnifalcon's; a fit of Novint's own packets gives about 3400. Calibrate before trusting
-  // forces.
+  // Motor units for 1 N m at the arm. Nobody has published a calibrated value. This one is that of
+  // libnifalcon; a fit of Novint's own packets gives about 3400. Calibrate before you trust forces.
   double motor_units_per_Nm = 10'000.0;
-  // Besides the device's own limit, which is kFalconMotorLimit / motor_units_per_Nm.
+  // The largest torque at the arm. The device's own limit, kFalconMotorLimit / motor_units_per_Nm,
+  // applies too.
   double torque_limit_Nm = 0.4095;
   double velocity_cutoff_Hz = 100.0;
-  // No hand turns an arm faster; what looks faster is a damaged packet.
+  // No hand turns an arm faster. A faster motion is a damaged packet.
   double fastest_rad_per_s = 60.0;
 
-  // True: the owner accepts that no watchdog of the device was proven, and with it that the motors
-  // may keep their torque when the host dies.
+  // True: the owner accepts that no watchdog of the device was proven, so that the motors may keep
+  // their torque when the host dies.
   bool unproven_watchdog = false;
 };
 
-// Real time from the moment it is up: until then a read takes as long as a control request does,
-// some milliseconds. `clear_faults` opens a device that came back, which is not real time either.
+// Calls are real time once the device is up. Before that a read takes as long as a control request,
+// some milliseconds. `clear_faults` also opens a device that came back, and is not real time.
 //
-// The axes are
+// The status of the axes:
 //   kDeviceNotReady      while the device is set up and its firmware uploaded (some seconds)
-//   kDeviceHoming        until the user has pulled the grip out and pushed it in: no torque until
-//   then kDeviceStale         when no answer came before the deadline, or one that cannot be true
+//   kDeviceHoming        without torque, until the user has pulled the grip out and pushed it in
+//   kDeviceStale         if no answer came before the deadline, or an impossible one
 //   kDeviceLost          latched: unplugged, a transfer failed, or three answers in a row are
-//   missing kDeviceEncoderFault  latched: three in a row that cannot be true, or a reference lost
-//   kDeviceDriveFault    latched: it could not be brought up, or unproven_watchdog is not said
-//   kDeviceReferenceLost latched with every fault of a device that was homed, and until its own
-//   homing bits are all there again
-// From a latched fault on every packet carries zero torque, as long as packets can be sent.
+//                        missing
+//   kDeviceEncoderFault  latched: three impossible answers in a row, or the reference was lost
+//   kDeviceDriveFault    latched: the bring-up failed, or unproven_watchdog is false
+//   kDeviceReferenceLost latched with every fault of a device that was homed, until its own
+//                        homing bits are all there again
+// After a latched fault every packet carries zero torque, as long as packets can be sent.
 class Falcon {
  public:
-  // Both must outlive the driver; the endpoint is open.
+  // The endpoint and the clock must outlive the driver. The endpoint is open.
   Falcon(hal::UsbEndpoint& endpoint, const hal::Clock& clock, const FalconConfig& config);
   Falcon(const Falcon&) = delete;
   Falcon& operator=(const Falcon&) = delete;
   ~Falcon();
 
-  // drivers::Board
+  // These are the calls of drivers::Board.
   [[nodiscard]] static std::size_t axis_count() { return kFalconArms; }
   void start();
   void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns);
   void write(std::span<const AxisCommand> commands);
-  // Does nothing to a device that is well. After a fault it brings the device up anew.
+  // Leaves a device without a fault alone. After a fault it brings the device up again.
   void clear_faults();
   void stop();
   [[nodiscard]] Trouble trouble(std::size_t axis) const;
 
-  // FalconButton bits; 0 while they are not known.
+  // Returns FalconButton bits; 0 while they are not known.
   [[nodiscard]] std::uint8_t buttons() const {
     return state_ == State::running && latched_ == kDeviceOk ? buttons_ : std::uint8_t{0};
   }
   [[nodiscard]] const FalconBringUp& bring_up() const { return bring_up_; }
-  // Motor units in the packet sent last.
+  // Returns the motor units in the packet that was sent last.
   [[nodiscard]] const std::array<std::int16_t, kFalconArms>& motors() const { return motors_; }
 
  private:
@@ -98,7 +100,7 @@ class Falcon {
   struct Write {
     FalconPacket packet{};
     hal::UsbTransfer transfer = hal::UsbTransfer::out(packet);
-    bool on_its_way = false;  // submitted, and its outcome not looked at
+    bool on_its_way = false;  // submitted, its outcome not checked yet
   };
 
   void come_up(hal::TimeNs deadline_ns);
@@ -108,7 +110,7 @@ class Falcon {
   void drain();
   void judge();
 
-  // One packet from the device, if it comes by the deadline.
+  // Receives one packet. Returns false if none comes by the deadline.
   bool receive(hal::TimeNs deadline_ns);
   void take(std::span<const std::byte> payload);
   void accept(const FalconReply& reply);
@@ -139,7 +141,7 @@ class Falcon {
   std::array<Write, kWritesInFlight> writes_;
   std::size_t next_write_ = 0;
 
-  // When the packets were sent whose answers have not come, oldest first.
+  // Send times of the packets whose answers have not come, oldest first.
   std::array<hal::TimeNs, kRemembered> sent_ns_{};
   std::uint32_t sent_ = 0;
   std::uint32_t answered_ = 0;
@@ -152,18 +154,18 @@ class Falcon {
     hal::TimeNs time_ns = 0;
   };
   Believed believed_;          // the newest
-  Believed reference_;         // the newest of an older packet: what a jump is measured from
-  hal::TimeNs answer_ns_ = 0;  // when the packet was sent that the last answer belongs to
+  Believed reference_;         // the newest of an older packet; a jump is measured from it
+  hal::TimeNs answer_ns_ = 0;  // send time of the packet of the last answer
   bool homed_ = false;
-  bool reference_lost_ = false;  // it was homed before the fault that was cleared
+  bool reference_lost_ = false;  // the device was homed before the cleared fault
   std::uint32_t homed_in_a_row_ = 0;
   std::uint8_t buttons_ = 0;
   std::array<std::int16_t, kFalconArms> motors_{};
 
-  // Of this read.
+  // The state of this read.
   bool fresh_ = false;    // a believable answer came
   bool payload_ = false;  // anything came
-  Trouble doubt_;         // why an answer was not believed
+  Trouble doubt_;         // the reason why an answer was rejected
 
   std::uint32_t bad_score_ = 0;  // rises with a bad read, falls more slowly with good ones
   std::uint32_t blocked_in_a_row_ = 0;

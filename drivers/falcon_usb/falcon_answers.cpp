@@ -1,4 +1,5 @@
-// What the Falcon makes of the device's answers: when they come, and whether they can be true.
+// The part of Falcon that takes the device's answers. It checks when they come, and whether they
+// are possible.
 #include <algorithm>
 #include <cstdlib>
 
@@ -9,11 +10,11 @@ namespace tactus::drivers {
 
 namespace {
 
-// A read without a believable answer counts kFalconBadRead, a good one takes 1 back: three bad ones
-// in a row are a fault, and so is any mix in the long run of which a quarter is bad.
+// A read without a possible answer adds kFalconBadRead, a good one subtracts 1. Three bad reads in
+// a row are a fault, and so is a long run of which a quarter is bad.
 constexpr std::uint32_t kFalconBadRead = 3;
 constexpr std::uint32_t kFalconFaultScore = 9;
-// The origin moves when the reference is found: so many equal answers before it is believed.
+// The origin moves when the reference is found, so it is trusted after so many equal answers.
 constexpr std::uint32_t kFalconHomedToBelieve = 8;
 constexpr int kFalconCountsOfSlack = 4;
 constexpr hal::TimeNs kFalconLongestGap_ns = 10'000'000;

@@ -1,4 +1,4 @@
-// What may be wrong with a Falcon, and what to do about it, in words.
+// The faults of a Falcon in words, each with a remedy.
 #pragma once
 
 #include "drivers/axis.h"
@@ -32,7 +32,7 @@ inline constexpr Trouble kFalconNoWatchdog{
         "keep its power switch within reach and say unproven_watchdog = true at its "
         "connection"};
 
-// Nothing while it is under way, and when it is up.
+// Returns the fault of a bring-up, or an empty Trouble while it is under way or when it is up.
 Trouble trouble_of(FalconBringUp::Outcome outcome);
 
 }  // namespace tactus::drivers

@@ -13,7 +13,7 @@ constexpr std::size_t kFalconFlagsAt = 13;
 constexpr std::size_t kFalconUnusedAt = 14;
 constexpr std::size_t kFtdiStatusBytes = 2;
 
-// The flags of a host's packet.
+// The flags in a host's packet.
 constexpr unsigned kFalconHoming = 0x01;
 constexpr unsigned kFalconGreen = 0x02;
 constexpr unsigned kFalconBlue = 0x04;

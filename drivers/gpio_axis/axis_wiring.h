@@ -1,4 +1,4 @@
-// The lines of an axis as one request, and which bit of it is which.
+// Maps the lines of an axis to one request of the chip and to the bits of its masks.
 #pragma once
 
 #include <array>
@@ -27,7 +27,8 @@ enum class AxisLine : std::uint8_t {
 };
 inline constexpr std::size_t kAxisLines = 11;
 
-// Outputs begin inactive: direction forward, bridge off, brake closed.
+// The lines that are connected. Outputs begin inactive: direction forward, bridge off, brake
+// closed.
 class AxisWiring {
  public:
   AxisWiring() = default;
@@ -36,13 +37,15 @@ class AxisWiring {
   [[nodiscard]] std::span<const hal::GpioLineConfig> lines() const {
     return {lines_.data(), count_};
   }
-  // The line's bit in a mask of the request; 0 if it is not connected.
+  // Returns the line's bit in a mask of the request, or 0 if it is not connected.
   [[nodiscard]] std::uint64_t bit(AxisLine line) const {
     return bits_[static_cast<std::size_t>(line)];
   }
+  // Returns the mask of all inputs.
   [[nodiscard]] std::uint64_t inputs() const { return inputs_; }
+  // Returns true if any line is watched for edges.
   [[nodiscard]] bool watches_edges() const { return watches_edges_; }
-  // Empty for an offset that was not requested.
+  // Returns the line at an offset of the chip, or nothing if it was not requested.
   [[nodiscard]] std::optional<AxisLine> line_at(std::uint32_t offset) const;
 
  private:

@@ -1,4 +1,4 @@
-// Velocity from the times at which an encoder's edges came.
+// Computes a velocity from the times at which an encoder's edges came.
 #pragma once
 
 #include <array>
@@ -9,11 +9,12 @@
 
 namespace tactus::drivers {
 
-// Above one edge in the window: the way between the oldest edge in the window and the newest over
-// the time between them, so that neither the tick nor the resolution shows. Below: one count over
-// the time between the last two edges. When no edge comes, the next one is at least a count away:
-// the estimate cannot exceed one count over the time since the last, and decays with it, to zero
-// after kStandstill_ns. An edge crossed forth and back is no way at all.
+// With two or more edges in the window, the velocity is the travel between the oldest and the
+// newest of them over the time between them, so neither the tick nor the resolution shows. With
+// fewer, it is one count over the time between the last two edges. Without a new edge the shaft has
+// moved less than a count since the last one. The estimate is therefore at most one count over that
+// time, and decays to zero after kStandstill_ns. An edge that is crossed forth and back is no
+// travel.
 class CountVelocity {
  public:
   static constexpr hal::TimeNs kStandstill_ns = 200'000'000;
@@ -22,10 +23,11 @@ class CountVelocity {
 
   void restart() { size_ = 0; }
 
-  // The place of an edge in half counts: 2 k + 1 between count k and k + 1. Times do not go back.
+  // Takes an edge, in half counts: 2 k + 1 is the edge between count k and k + 1. Times do not go
+  // back.
   void saw(std::int64_t half_counts, hal::TimeNs time_ns);
 
-  // Counts per second.
+  // Returns the velocity in counts per second.
   [[nodiscard]] double at(hal::TimeNs now_ns) const;
 
  private:
@@ -35,7 +37,7 @@ class CountVelocity {
   };
   static constexpr std::size_t kPoints = 32;
 
-  // 0 is the newest.
+  // Returns a remembered edge; age 0 is the newest.
   [[nodiscard]] const Point& point(std::size_t age) const {
     return points_[(newest_ + kPoints - age) % kPoints];
   }

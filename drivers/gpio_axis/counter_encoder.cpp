@@ -7,7 +7,7 @@ namespace tactus::drivers {
 
 namespace {
 
-// A channel's edges need not stand evenly: two counts may be nearer than the rest.
+// The edges of a channel may be uneven, so two counts may be closer together than the rest.
 constexpr double kCountsOfGrace = 2.0;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// An encoder on a hardware counter. Protocol only: no input or output.
+// An encoder on a hardware counter. It has no input or output.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace tactus::drivers {
 
-// Follows the count over its wraps. Doubts that end the position, until the next restart: a way
-// that the shaft cannot have made in the time since the last reading, a time so long that it could
-// have gone half round, noise that the counter reports, an index out of its place.
+// Follows the count over its wraps. A doubt ends the position until the next restart: more travel
+// than the shaft can make in the time since the last reading, a time in which it could have turned
+// half the counter's range, noise that the counter reports, or an index in another place.
 class CounterEncoder {
  public:
   explicit CounterEncoder(const EncoderConfig& config);
 
-  // Begins at count 0 with that reading.
+  // Starts at count 0 with that reading. `ceiling` is the largest value of the counter.
   void restart(const hal::CounterReading& reading, std::uint64_t ceiling);
 
-  // The index pulses since the last reading, before the reading that they came before.
+  // Takes an index pulse. Call it for the pulses since the last reading, before the next `take`.
   void take_index(const hal::CounterIndexEvent& event);
   void take(const hal::CounterReading& reading);
 

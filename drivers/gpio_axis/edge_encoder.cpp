@@ -34,7 +34,7 @@ void EdgeEncoder::restart(bool a, bool b, bool index, hal::TimeNs now_ns) {
   velocity_.restart();
   index_.restart(count_);
   index_high_ = index;
-  latched_ = true;  // a pulse that began before is not latched: it may have been entered either way
+  latched_ = true;  // an earlier pulse is not latched: its direction is unknown
 }
 
 void EdgeEncoder::take(EncoderChannel channel, bool rising, hal::TimeNs time_ns) {
@@ -74,7 +74,8 @@ void EdgeEncoder::take_index(bool rising) {
   latch_if_gated();
 }
 
-// One state of the four gates the pulse, so that the same count is latched from either side.
+// Latches the count of the index in one of the four states of A and B, so that it is the same from
+// either direction.
 void EdgeEncoder::latch_if_gated() {
   if (has_index_ && index_high_ && !latched_ && state_ == gate_) {
     latched_ = true;

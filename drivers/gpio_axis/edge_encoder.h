@@ -1,4 +1,4 @@
-// An encoder decoded from the edges of GPIO lines. Protocol only: no input or output.
+// An encoder decoded from the edges of GPIO lines. It has no input or output.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,36 @@ namespace tactus::drivers {
 
 enum class EncoderChannel : std::uint8_t { a, b, index };
 
-// A position is worth nothing after the first doubt, until the next restart: a missing sequence
-// number, a level that repeats, edges of both channels closer in time than the fastest shaft makes
-// them, levels that stay otherwise than the edges left them.
+// Decodes edges to counts. After the first doubt the position is invalid until the next restart.
+// The doubts are: a missing sequence number, a level that repeats, edges of both channels closer in
+// time than the fastest shaft makes them, and levels that differ from those after the last edges.
 //
 // Too close is less than a quarter of the time between edges at the fastest speed, and less than
-// kInterrupts_ns: both channels changed at once, or interrupts that waited were served one after
-// the other. Their order is chance then, and so is the direction. Interrupts that ran together
-// leave no gap in the numbers; what they hide shows as one of these or as a repeated level.
+// kInterrupts_ns. Then both channels changed at once, or interrupts that waited were served one
+// after the other, and their order and the direction are random. Interrupts that merged leave no
+// gap in the numbers, but show as edges that are too close or as a repeated level.
 class EdgeEncoder {
  public:
-  // How far apart the kernel's times of interrupts that waited together may be: one thread each.
+  // The largest distance of the kernel's time stamps of interrupts that waited together. Each
+  // interrupt has a thread of its own.
   static constexpr hal::TimeNs kInterrupts_ns = 20'000;
-  // How long levels may disagree with the edges: an interrupt that is late is no fault.
+  // The time for which levels may disagree with the edges, since a late interrupt is no fault.
   static constexpr hal::TimeNs kDisagreement_ns = 5'000'000;
 
   EdgeEncoder(const EncoderConfig& config, bool has_index);
 
-  // Begins at count 0 with the levels as they were at that time. Edges from before are in them
-  // already and are ignored.
+  // Starts at count 0 with the levels as they were at that time. Edges from before are ignored,
+  // because the levels contain them.
   void restart(bool a, bool b, bool index, hal::TimeNs now_ns);
 
-  // An edge, in the order of the sequence numbers. The board's word counts, whatever the channel.
+  // Takes an edge, in the order of the sequence numbers, on any channel. `rising` and the time are
+  // the board's.
   void take(EncoderChannel channel, bool rising, hal::TimeNs time_ns);
 
-  // The levels, read while no edge was waiting.
+  // Compares the levels with the edges. They were read while no edge was waiting.
   void compare(bool a, bool b, hal::TimeNs now_ns);
 
-  // What somebody else found wrong. The first fault stays.
+  // Sets a fault that the caller found. The first fault stays.
   void fail(EncoderFault fault) {
     if (fault_ == EncoderFault::none) {
       fault_ = fault;
@@ -67,7 +69,7 @@ class EdgeEncoder {
   hal::TimeNs restarted_ns_ = 0;
   hal::TimeNs last_edge_ns_ = 0;
   EncoderChannel last_channel_ = EncoderChannel::index;  // index: no edge yet
-  hal::TimeNs disagrees_since_ns_ = 0;                   // 0: agrees
+  hal::TimeNs disagrees_since_ns_ = 0;                   // 0: they agree
   bool index_high_ = false;
   bool latched_ = false;  // in this pulse
   EncoderFault fault_ = EncoderFault::none;

@@ -1,4 +1,4 @@
-// What an encoder tells a tick, from GPIO edges or from a counter.
+// The reading of an encoder in a tick, from GPIO edges or from a counter.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace tactus::drivers {
 
-// Counts from where the encoder stood at its restart, before any reversal.
+// Counts start at 0 at the restart. They are not reversed yet.
 struct EncoderReading {
-  std::int64_t count = 0;  // worth nothing when there is a fault
+  std::int64_t count = 0;  // invalid if there is a fault
   double counts_per_s = 0.0;
   hal::TimeNs time_ns = 0;  // when the count was true
   std::int64_t index_count = 0;

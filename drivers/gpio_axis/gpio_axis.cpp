@@ -1,5 +1,5 @@
-// Start and end, and what is latched; the two halves of a tick are in gpio_axis_read.cpp and
-// gpio_axis_write.cpp.
+// The part of GpioAxis that starts, ends and latches. The two halves of a tick are in
+// gpio_axis_read.cpp and gpio_axis_write.cpp.
 #include "drivers/gpio_axis/gpio_axis.h"
 
 namespace tactus::drivers {

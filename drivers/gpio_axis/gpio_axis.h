@@ -1,8 +1,13 @@
 // An axis wired to a board: an encoder on GPIO edges or on a hardware counter, a motor on an
-// H-bridge, a brake, and the lines that keep it safe. A Board of one axis.
+// H-bridge, a brake, and the lines that keep it safe. It is a Board of one axis.
 //
-// From whatever is wrong to a torque of zero: the next `read` sees it and cuts the power itself, so
-// one tick; without reads, when the heartbeat line has stopped, by the board's own hardware.
+// After any fault the next `read` cuts the power itself, so the torque is zero within one tick. If
+// reads stop, the heartbeat line stops, and the board's own hardware cuts the power. The position
+// is zero where the encoder stood at `start` or when an encoder fault was cleared; after either the
+// device must be homed again. A configuration that `check` refuses latches kDeviceNotReady at
+// `start`.
+//
+// read and write are real time. All calls come from one thread.
 #pragma once
 
 #include <array>
@@ -32,15 +37,16 @@ namespace tactus::drivers {
 // Real time: read and write. Thread: one.
 class GpioAxis {
  public:
-  // Everything must outlive the axis. `lines` must not be requested by anybody else; the PWM
-  // channel is open.
+  // All arguments but the configuration must outlive the axis. `lines` must not be requested by
+  // anybody else; the PWM channel is open.
   GpioAxis(const GpioAxisConfig& config, hal::GpioLines& lines, hal::PwmOutput& pwm,
            const hal::Clock& clock);
-  // The encoder is on a counter, already open, instead of GPIO lines.
+  // Takes the position from a counter, already open, instead of GPIO lines.
   GpioAxis(const GpioAxisConfig& config, hal::Counter& counter, hal::GpioLines& lines,
            hal::PwmOutput& pwm, const hal::Clock& clock);
 
-  // As Board has it. `read` waits for nothing: the newest position is always there.
+  // These are the calls of drivers::Board. `read` does not wait, since the newest position is
+  // always there.
   [[nodiscard]] std::size_t axis_count() const { return 1; }
   void start();
   void read(std::span<AxisSample> samples, hal::TimeNs deadline_ns);
@@ -49,7 +55,8 @@ class GpioAxis {
   void stop();
   [[nodiscard]] Trouble trouble(std::size_t axis) const;
 
-  // For the log: what the first trouble's system call said, and what was counted.
+  // These are for the log: the error of the system call behind the first fault, and counts of
+  // errors.
   [[nodiscard]] const hal::Error& error() const { return error_; }
   [[nodiscard]] std::uint64_t edges_lost() const { return loss_.lost(); }
   [[nodiscard]] std::uint64_t illegal_transitions() const { return edges_.illegal_transitions(); }

@@ -21,7 +21,7 @@ Checked first_broken_rule(const std::array<GpioAxisRule, kCount>& rules) {
   return {};
 }
 
-// False for a NaN.
+// Returns true if 0 < value <= most; false for NaN.
 bool is_above_zero_up_to(double value, double most) {
   return value > 0.0 && value <= most;
 }

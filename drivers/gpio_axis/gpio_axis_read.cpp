@@ -1,4 +1,4 @@
-// The first half of a tick: edges, levels and counts to a sample.
+// The first half of a tick of GpioAxis: it makes a sample from edges, levels and counts.
 #include <cmath>
 #include <numbers>
 
@@ -8,7 +8,8 @@ namespace tactus::drivers {
 
 namespace {
 
-// What a tick reads at most: twice what the kernel can keep. More is left to the next one.
+// The most reads of a tick: twice as many events as the kernel can keep. The rest waits for the
+// next tick.
 constexpr std::size_t kMaxReadsPerTick = 2 * hal::kMaxGpioEdgeBuffer / 64;
 
 }  // namespace
@@ -41,7 +42,7 @@ void GpioAxis::read(std::span<AxisSample> samples, hal::TimeNs /*deadline_ns*/) 
   samples[0] = sample_;
 }
 
-// True when none is left.
+// Reads the waiting edges. Returns true if none is left.
 bool GpioAxis::read_edges() {
   if (!wiring_.watches_edges()) {
     return true;
@@ -87,8 +88,8 @@ void GpioAxis::take(const hal::GpioEdgeEvent& event) {
   }
 }
 
-// After the edges, so that levels and edges can be compared: an edge that came in between only
-// starts the time that they may disagree.
+// Reads the levels, after the edges, so that both can be compared. An edge in between only starts
+// the time for which they may disagree.
 void GpioAxis::read_levels(hal::TimeNs now_ns) {
   if (wiring_.inputs() == 0) {
     return;

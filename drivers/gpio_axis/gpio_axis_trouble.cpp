@@ -14,7 +14,7 @@ struct TroubleText {
   std::string_view remedy;
 };
 
-// The encoder is counted from zero again once these are cleared.
+// After these faults are cleared the encoder counts from zero again.
 constexpr std::uint32_t kEncoderLost =
     std::uint32_t{kDeviceEncoderFault} | std::uint32_t{kDeviceReferenceLost};
 constexpr std::uint32_t kConnectionLost =

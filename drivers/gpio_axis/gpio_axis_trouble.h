@@ -1,5 +1,5 @@
-// Everything that can go wrong with an axis on GPIO, in words. The numbers are stable: they are
-// what the log and the README name.
+// The faults of an axis on GPIO, in words. Their numbers are stable; the log and the README use
+// them.
 #pragma once
 
 #include <cstdint>
@@ -37,10 +37,10 @@ constexpr GpioAxisTrouble trouble_of(EncoderFault fault) {
   return static_cast<GpioAxisTrouble>(fault);
 }
 
-// The DeviceStatus bit that goes with it.
+// Returns the DeviceStatus bits of the fault.
 std::uint32_t status_of(GpioAxisTrouble trouble);
 
-// What the log and the operator read; `code` is the number above.
+// Returns the words for the log and the operator. `code` is the number above.
 Trouble describe(GpioAxisTrouble trouble);
 
 }  // namespace tactus::drivers

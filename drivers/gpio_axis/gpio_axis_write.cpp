@@ -1,4 +1,4 @@
-// The second half of a tick: a command to duty and lines.
+// The second half of a tick of GpioAxis: it converts a command to duty and lines.
 #include <algorithm>
 #include <cmath>
 
@@ -63,8 +63,8 @@ void GpioAxis::beat() {
   }
 }
 
-// The bridge's enable goes first: it is what cuts both kinds of bridge, and one call. What fails is
-// tried again with the next tick.
+// Cuts the power. The bridge's enable goes first: it stops both kinds of bridge with one call.
+// Calls that fail are repeated in the next tick.
 void GpioAxis::cut_power() {
   powered_ = false;
   torque_Nm_ = 0.0;

@@ -1,4 +1,4 @@
-// From a torque to a duty and a direction. Protocol only: no input or output.
+// Converts a torque to a duty and a direction. It has no input or output.
 #pragma once
 
 #include "drivers/gpio_axis/gpio_axis_config.h"
@@ -6,23 +6,24 @@
 
 namespace tactus::drivers {
 
-// The part of the period for that part of the full torque, both from 0 to 1.
+// Returns the duty for a share of the full torque, both from 0 to 1.
 double duty_of(TorqueLaw law, double torque_part);
 
+// The outputs to the bridge: the time of a period for which the PWM is on, and the direction.
 struct BridgeOutput {
   hal::TimeNs duty_ns = 0;
   bool reverse = false;  // the direction line; false for locked anti-phase
 };
 
-// Whatever is asked for, the duty never stands for more than max_torque_Nm nor exceeds max_duty. A
-// torque that is not a number is none. Sign-magnitude keeps the direction line still until the
-// duty has been zero for the dead time.
+// Drives an H-bridge. The duty never exceeds max_duty or stands for more than max_torque_Nm. A
+// torque of NaN counts as zero. Sign-magnitude keeps the direction line still until the duty has
+// been zero for the dead time.
 class HBridge {
  public:
   explicit HBridge(const BridgeConfig& config);
 
   BridgeOutput drive(double torque_Nm, hal::TimeNs now_ns);
-  // Zero torque, at once.
+  // Returns the output for zero torque, which acts at once.
   BridgeOutput idle(hal::TimeNs now_ns) { return drive(0.0, now_ns); }
 
  private:

@@ -1,4 +1,4 @@
-// The index pulse: where it is, and whether it stays there.
+// Checks that the index pulse stays in its place.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 
 namespace tactus::drivers {
 
-// Every pulse must come a whole number of turns from the first one, and one must come in a turn and
-// a quarter: whatever loses counts without a trace, dirt or a grounded channel, shows here.
+// Every pulse must come a whole number of turns after the first one, and a pulse must come within a
+// turn and a quarter. This detects causes that lose counts without any other trace, such as dirt or
+// a grounded channel.
 class IndexWatch {
  public:
   IndexWatch(std::int64_t counts_per_rev, std::int64_t tolerance)
@@ -20,7 +21,7 @@ class IndexWatch {
     lowest_ = highest_ = count;
   }
 
-  // A pulse at that count. index_moved or none.
+  // Takes a pulse at that count. Returns index_moved or none.
   EncoderFault pulse(std::int64_t count) {
     lowest_ = highest_ = count;
     if (!seen_) {
@@ -40,7 +41,7 @@ class IndexWatch {
                                                        : EncoderFault::none;
   }
 
-  // Every count in between. index_missing or none.
+  // Takes a count between pulses. Returns index_missing or none.
   EncoderFault pass(std::int64_t count) {
     lowest_ = std::min(lowest_, count);
     highest_ = std::max(highest_, count);
@@ -50,7 +51,7 @@ class IndexWatch {
 
   [[nodiscard]] bool seen() const { return seen_; }
   [[nodiscard]] std::int64_t last() const { return last_; }    // the newest pulse's count
-  [[nodiscard]] std::int64_t error() const { return error_; }  // how far off that was, in counts
+  [[nodiscard]] std::int64_t error() const { return error_; }  // its error, in counts
 
  private:
   std::int64_t counts_per_rev_;

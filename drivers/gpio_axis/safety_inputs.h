@@ -1,4 +1,4 @@
-// What the board's safety lines say, latched. Protocol only: no input or output.
+// The states of the board's safety lines, latched. It has no input or output.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 namespace tactus::drivers {
 
+// True means that the condition holds now.
 struct SafetyLevels {
   bool emergency_stop = false;
   bool fault = false;
@@ -14,17 +15,17 @@ struct SafetyLevels {
   bool limit_high = false;
 };
 
-// The emergency stop acts at its first edge, however short; it is over when the chain has stood
-// closed for the release time. A fault of the bridge acts the same and is over with its level. Both
-// stay latched until a reset.
+// The emergency stop acts at its first edge, however short. It ends when the chain has been closed
+// for the release time. A fault of the bridge acts at its first edge too, and ends with its level.
+// Both stay latched until a reset.
 class SafetyInputs {
  public:
   explicit SafetyInputs(hal::TimeNs release_ns) : release_ns_(release_ns) {}
 
-  // Forgets everything; what is active latches again with the next levels.
+  // Forgets everything. Active lines latch again with the next levels.
   void restart() { *this = SafetyInputs(release_ns_); }
 
-  // An edge that made it active.
+  // These take an edge that made the line active.
   void emergency_stop_edge(hal::TimeNs now_ns) { open_chain(now_ns); }
   void fault_edge() { fault_ = true; }
 
@@ -36,7 +37,8 @@ class SafetyInputs {
     fault_ = fault_ || levels.fault;
   }
 
-  // For a reset. Keeps what is still active, and an emergency stop until the release time is over.
+  // Clears the latches at a reset, except active lines and an emergency stop within its release
+  // time.
   void clear(hal::TimeNs now_ns) {
     emergency_stop_ = limits_.emergency_stop || now_ns - opened_ns_ < release_ns_;
     fault_ = limits_.fault;
@@ -44,10 +46,10 @@ class SafetyInputs {
 
   [[nodiscard]] bool emergency_stop() const { return emergency_stop_; }
   [[nodiscard]] bool fault() const { return fault_; }
-  // Both switches: a wire is broken, or the end stop is.
+  // Returns true if both limit switches are active: a wire or an end stop is broken.
   [[nodiscard]] bool limits_contradict() const { return limits_.limit_low && limits_.limit_high; }
 
-  // The torque without what would push further into an open limit switch.
+  // Returns the torque without the part that pushes further into an active limit switch, N m.
   [[nodiscard]] double within_limits(double torque_Nm) const {
     const double low = limits_.limit_low ? std::max(torque_Nm, 0.0) : torque_Nm;
     return limits_.limit_high ? std::min(low, 0.0) : low;

@@ -7,8 +7,8 @@ namespace tactus::drivers {
 
 namespace {
 
-// A read without a believable answer counts kHaplyBadRead, a good one takes 1 back: three bad ones
-// in a row are a fault, and so is any mix in the long run of which a quarter is bad.
+// A read without a possible answer adds kHaplyBadRead, a good one subtracts 1. Three bad reads in a
+// row are a fault, and so is a long run of which a quarter is bad.
 constexpr std::uint32_t kHaplyBadRead = 3;
 constexpr std::uint32_t kHaplyFaultScore = 9;
 constexpr std::uint32_t kHaplyAnswersToBelieve = 3;
@@ -18,8 +18,8 @@ constexpr hal::TimeNs kHaplyLongestGap_ns = 10'000'000;
 constexpr hal::TimeNs kHaplySettling_ns = 20'000'000;
 constexpr hal::TimeNs kHaplyWritePatience_ns = 20'000'000;
 constexpr std::size_t kHaplyAnswersATick = 16;
-// The angles that a board is asked to show differ from home_rad by so many tolerances at least, and
-// from each other and from start to start by parts of one.
+// The angles that the first setup tells a board differ from home_rad by at least so many
+// tolerances. They differ from each other and from start to start by fractions of one.
 constexpr double kHaplyAskedTolerances = 5.0;
 constexpr std::uint32_t kHaplyAskedSteps = 11;
 
@@ -113,7 +113,7 @@ void Haply::set_up() {
   const std::uint8_t id = config_.device_id;
   const hal::TimeNs by_ns = clock_->now_ns() + kHaplyWritePatience_ns;
   const Torques none{};
-  // A reset leaves the motors as they are: zero before it.
+  // A reset leaves the motors' torque as it is, so zero is sent before it.
   (void)(send(haply_torques(id, std::span(none).first(config_.axes)), by_ns) &&
          send(haply_reset(id), by_ns) &&
          send(haply_setup(id, std::span(axes).first(config_.axes)), by_ns));
@@ -126,7 +126,7 @@ void Haply::clear_faults() {
   }
   const bool was_set_up = set_up_ || reference_lost_;
   if ((latched_ & kDeviceLost) != 0) {
-    (void)port_->reopen();  // if it fails, starting says so
+    (void)port_->reopen();  // if it fails, `start` reports it
   }
   start();
   reference_lost_ = was_set_up;
@@ -234,13 +234,13 @@ bool Haply::receive(hal::TimeNs deadline_ns) {
     accept(*angles);
   } else {
     doubt_ = kHaplyGarbled;
-    (void)port_->discard_input();  // what follows starts anywhere
+    (void)port_->discard_input();  // the next byte may be in the middle of an answer
   }
   return true;
 }
 
-// A board that lost its setup sends answers that are too short: they must not add up to a whole
-// one.
+// Drops a part of an answer that came late. A board that lost its setup sends answers that are too
+// short, and they must not add up to a whole one.
 void Haply::drop_late_piece() {
   reply_late_ = reply_size_ > 0 ? reply_late_ + 1 : 0;
   if (reply_late_ < kHaplyReadsForAnAnswer) {
@@ -268,8 +268,8 @@ void Haply::accept(const HaplyAngles& angles) {
   }
 }
 
-// Answers that follow what the setup told, twice with other angles, are a board's. A line that says
-// the same for ever, or what it hears, says the one or the other at most.
+// Identifies a board by answers that follow the setup twice, with different angles. A line that
+// repeats one message, or echoes, cannot do both.
 void Haply::find_home(const HaplyAngles& angles) {
   if (!says_what_it_was_told(angles) || (at_home_in_a_row_ > 0 && !moved_plausibly(angles))) {
     at_home_in_a_row_ = 0;
@@ -368,7 +368,8 @@ void Haply::send_torques(const Torques& torque_Nm) {
   send(haply_torques(config_.device_id, std::span(torque_Nm).first(config_.axes)), hal::kNoWait);
 }
 
-// The whole message or a lost board: the rest of a piece would be read as another command.
+// Sends the whole message, or counts the board as lost: the rest of a partial one would be read as
+// another command.
 bool Haply::send(const HaplyMessage& message, hal::TimeNs deadline_ns) {
   const auto taken = port_->write(message.bytes(), deadline_ns);
   if (taken && *taken == message.bytes().size()) {

@@ -19,7 +19,7 @@ std::uint8_t mask_of_ports(std::size_t count) {
   return static_cast<std::uint8_t>((1U << count) - 1U);
 }
 
-// Toward zero where the nearest float lies beyond the limit.
+// Returns the clamped torque, rounded toward zero if the nearest float lies beyond the limit.
 float limited_torque(double torque_Nm) {
   if (!std::isfinite(torque_Nm)) {
     return 0.0F;

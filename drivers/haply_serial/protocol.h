@@ -1,15 +1,15 @@
 // The byte protocol of the Haply boards of the first generation (hAPI: Haply board M0, M3 and
-// development kit), bytes to numbers and back. No input or output.
+// development kit). It encodes and decodes messages, without input or output.
 //
 //   host  00 id                                   reset: forget the setup
-//   host  01 id setup                             which ports have motors and encoders; no answer
+//   host  01 id setup                             the ports with motors and encoders; no answer
 //   host  02 id torques (f32, N m)                answered by
 //   board id angles (f32, degrees)
 //
-// Numbers are little-endian. No frame, no checksum, no acknowledgement, and no watchdog: the board
-// keeps the last torque. A command that reaches it in pieces is misunderstood, so each goes out in
-// one write. A command of zeros is safe even for a board that was never set up: it reads the rest
-// as resets.
+// Numbers are little-endian. There is no frame, no checksum, no acknowledgement and no watchdog:
+// the board keeps the last torque. The board misreads a command that reaches it in pieces, so each
+// goes out in one write. A command of zeros is safe even for a board that was never set up, which
+// reads the rest of it as resets.
 #pragma once
 
 #include <array>
@@ -21,17 +21,18 @@
 namespace tactus::drivers {
 
 inline constexpr std::size_t kHaplyMaxAxes = 4;
-// What the board itself clamps to.
+// The torque to which the board itself clamps.
 inline constexpr double kHaplyTorqueLimit_Nm = 0.123;
 
+// The setup of one port.
 struct HaplyAxisSetup {
   bool motor_counter_clockwise = false;
   bool encoder_counter_clockwise = false;
   double counts_per_turn = 13'824.0;
-  double angle_now_rad = 0.0;  // what the encoder is to say where it stands
+  double angle_now_rad = 0.0;  // the angle that the encoder shall report where it stands
 };
 
-// One command; it fits one USB packet.
+// One command. It fits into one USB packet.
 class HaplyMessage {
  public:
   void add(std::uint8_t value);
@@ -44,10 +45,11 @@ class HaplyMessage {
 };
 
 HaplyMessage haply_reset(std::uint8_t device_id);
-// Ports 1, 2... in this order, a motor and an encoder each; at most kHaplyMaxAxes. The board tells
-// ports apart only if none is left out.
+// Returns the setup of ports 1, 2... in this order, each with a motor and an encoder; at most
+// kHaplyMaxAxes. The board can tell ports apart only if none is left out.
 HaplyMessage haply_setup(std::uint8_t device_id, std::span<const HaplyAxisSetup> axes);
-// At most kHaplyMaxAxes. Clamped to +-kHaplyTorqueLimit_Nm; not finite counts as zero.
+// Returns a command of at most kHaplyMaxAxes torques, clamped to +-kHaplyTorqueLimit_Nm. A torque
+// that is not finite counts as zero.
 HaplyMessage haply_torques(std::uint8_t device_id, std::span<const double> torque_Nm);
 
 constexpr std::size_t haply_reply_bytes(std::size_t axes) {
@@ -56,8 +58,8 @@ constexpr std::size_t haply_reply_bytes(std::size_t axes) {
 
 using HaplyAngles = std::array<double, kHaplyMaxAxes>;  // rad
 
-// `reply` has haply_reply_bytes(axes) bytes. Nothing if it is another device's, or no angles of
-// this world (not finite, beyond a hundred turns).
+// Decodes a reply of haply_reply_bytes(axes) bytes. Returns nothing if it is another device's, or
+// if an angle is not finite or beyond a hundred turns.
 std::optional<HaplyAngles> decode_haply_reply(std::span<const std::byte> reply,
                                               std::uint8_t device_id, std::size_t axes);
 

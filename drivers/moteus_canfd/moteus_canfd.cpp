@@ -13,21 +13,23 @@ namespace tactus::drivers {
 
 namespace {
 
-// An answer without a number is as wrong as one with none: encoder_check refuses both.
+// Stands for a missing value. encoder_check refuses it as it refuses a NaN from the servo.
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// A servo that has not been heard is asked so often: what nobody acknowledges would fill the queue.
+// The interval of queries to a servo that has not answered yet. More frames would fill the queue
+// while nobody acknowledges them.
 constexpr double kAskAgain_s = 0.02;
-// One that has been heard and is not any more, while it is brought up.
+// The longest silence during the bring-up of a servo that has answered.
 constexpr double kSilence_s = 0.1;
-// A servo that has not stopped by so much after its watchdog's time has none.
+// A servo that has not stopped so long after its watchdog's time has no watchdog.
 constexpr double kProofMargin_s = 0.05;
 
 constexpr std::uint32_t kGone = kDeviceLost | kDeviceReferenceLost;
 constexpr std::uint32_t kMoved = kDeviceEncoderFault | kDeviceReferenceLost;
 constexpr std::uint32_t kRestarted = kDeviceDriveFault | kDeviceReferenceLost;
 
-// The supply fell, or the encoder did: the position may count from another zero.
+// Returns the status bits of a fault code. After a fault of supply or encoder the position may
+// count from another zero.
 std::uint32_t status_of_fault(std::uint8_t code) {
   constexpr std::array<std::uint8_t, 6> kSupplyOrEncoder = {33, 35, 40, 42, 43, 44};
   return std::ranges::find(kSupplyOrEncoder, code) != kSupplyOrEncoder.end()
@@ -46,7 +48,7 @@ MoteusCanFd::MoteusCanFd(const MoteusConfig& config)
       encoder_({.max_speed_rad_per_s = config.max_speed_rad_per_s,
                 .margin_rad = config.jump_margin_rad}) {}
 
-// Whether a servo sends a short identifier in a standard or an extended frame is its own choice.
+// A servo may send a short identifier in a standard or an extended frame, so both are wanted.
 std::size_t MoteusCanFd::filters(std::span<hal::CanFilter> filters) const {
   const std::uint32_t id = moteus::reply_id(address_);
   filters[0] = hal::CanFilter::extended(id);
@@ -63,14 +65,14 @@ void MoteusCanFd::start(hal::TimeNs now_ns) {
   begin(now_ns);
 }
 
-// A loss of the reference stays until a read has shown it.
+// A loss of the reference stays until a read has reported it.
 void MoteusCanFd::clear_faults(hal::TimeNs now_ns) {
   if (phase_ == Phase::failed && is_shown_) {
     begin(now_ns);
   }
 }
 
-// A position that is followed stays followed, without a gap in the replies.
+// A position that is followed stays so, if there is no gap in the replies.
 void MoteusCanFd::begin(hal::TimeNs now_ns) {
   if (!is_followed_) {
     sample_ = {};
@@ -96,7 +98,7 @@ void MoteusCanFd::enter(Phase phase, hal::TimeNs now_ns) {
   }
 }
 
-// The first trouble stays in words; the status bits of all of them add up.
+// The words are those of the first fault; the status bits of all faults add up.
 void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
   if (phase_ != Phase::failed) {
     phase_ = Phase::failed;
@@ -113,7 +115,7 @@ void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
 
 void MoteusCanFd::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   watch_deadlines(now_ns);
-  is_shown_ = true;  // the sample of this read has all of the status
+  is_shown_ = true;  // the sample of this read has the whole status
   const bool is_under_torque = phase_ == Phase::starting || phase_ == Phase::up;
   if (is_under_torque && config_.query == MoteusQuery::before_command) {
     outbox.add(moteus::query(address_));
@@ -142,7 +144,7 @@ void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOut
       return;
     }
     case Phase::proving:
-      outbox.add(moteus::query(address_));  // which feeds no watchdog
+      outbox.add(moteus::query(address_));  // a query feeds no watchdog
       return;
     case Phase::resting:
     case Phase::failed:
@@ -182,11 +184,11 @@ void MoteusCanFd::watch_deadlines(hal::TimeNs now_ns) {
   if (phase_ == Phase::off) {
     return;
   }
-  // No frame was received in the future, whatever its stamp says.
+  // Times of received frames may be stamped in the future; they count as now.
   phase_since_ns_ = std::min(phase_since_ns_, now_ns);
   reply_ns_ = std::min(reply_ns_, now_ns);
   heard_ns_ = std::min(heard_ns_, now_ns);
-  // A servo that restarts is silent meanwhile.
+  // A servo that restarts is silent for this time.
   if (is_followed_ && has_passed(config_.reply_lost_s, heard_ns_, now_ns)) {
     fail(kGone, {"the servo's replies stopped",
                  "check its power and the bus's cable, then reset and home"});
@@ -220,7 +222,7 @@ void MoteusCanFd::watch_proof(hal::TimeNs now_ns) {
   }
 }
 
-// Which step took too long.
+// Latches the bring-up step that took too long.
 void MoteusCanFd::watch_bring_up(hal::TimeNs now_ns) {
   if (!has_passed(config_.bring_up_s, phase_since_ns_, now_ns)) {
     return;
@@ -271,7 +273,7 @@ void MoteusCanFd::take_reply(const moteus::Reply& reply, hal::TimeNs time_ns) {
   take_position(reply, time_ns);
 }
 
-// A servo that knows less than before has restarted.
+// A servo whose home state falls has restarted.
 void MoteusCanFd::take_home_state(std::optional<std::uint8_t> home_state) {
   if (!home_state) {
     return;
@@ -333,7 +335,7 @@ void MoteusCanFd::take_mode_under_torque(moteus::Mode mode, std::uint8_t fault,
   }
 }
 
-// The silence counts from the last torque frame.
+// Takes a reply during the proof. The silence counts from the last torque frame.
 void MoteusCanFd::take_proof(moteus::Mode mode, std::uint8_t fault, hal::TimeNs time_ns) {
   if (mode == moteus::Mode::fault || fault != 0) {
     fail(status_of_fault(fault), moteus::fault_trouble(fault));
@@ -347,7 +349,7 @@ void MoteusCanFd::take_proof(moteus::Mode mode, std::uint8_t fault, hal::TimeNs 
   }
 }
 
-// The position is watched in every phase; one that jumps while it is followed is lost.
+// The position is watched in every phase. A jump while it is followed loses the reference.
 void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns) {
   const double position_rad = reply.position_rad.value_or(kNotANumber);
   const double velocity_rad_per_s = reply.velocity_rad_per_s.value_or(kNotANumber);

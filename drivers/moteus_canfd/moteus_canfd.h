@@ -1,13 +1,16 @@
 // A moteus servo in torque control over CAN FD.
 //
-// Bring-up: stop frames until it is stopped and without fault; torque frames of zero until it is in
-// position mode, which with all gains zero is pure torque. From then on a torque goes out every
-// tick and feeds the servo's watchdog.
-// Before the first torque the watchdog is proven: in position mode at zero torque only queries go
-// out until the servo says that it timed out, then it is stopped and started again.
-// `power_off` stops the servo (bridge off); `enable` false alone is zero torque in position mode.
-// From a fault on: a stop frame every tick, which also ends a servo's own fault or time-out; the
-// fault stays latched here until clear_faults.
+// The bring-up sends stop frames until the servo is stopped and has no fault. Then it sends torque
+// frames of zero until the servo is in position mode, which is pure torque because all gains are
+// zero. From then on a torque goes out every tick and feeds the servo's watchdog.
+//
+// The bring-up proves the watchdog before the first torque. In position mode at zero torque it
+// sends only queries until the servo reports its time-out; then the servo is stopped and started
+// again.
+//
+// `power_off` stops the servo, so the bridge is off. `enable` false alone is zero torque in
+// position mode. After a fault a stop frame goes out every tick. It also ends a fault or a time-out
+// of the servo; the driver keeps the fault latched until clear_faults.
 #pragma once
 
 #include <cstddef>
@@ -25,26 +28,25 @@
 
 namespace tactus::drivers {
 
-// Further values of the servo's replies; zero if it has not sent them.
+// Other values of the servo's replies; zero until the servo sends them.
 struct MoteusReadings {
   double voltage_V = 0.0;
   double temperature_C = 0.0;
   std::uint8_t limit = 0;       // 96 to 103: a limit on the torque, moteus::is_limit; else 0
   std::uint8_t home_state = 0;  // 0: relative, 1: within a turn of the rotor, 2: at the output
-  std::uint32_t malformed = 0;  // replies that lacked mode, position or velocity
+  std::uint32_t malformed = 0;  // replies without mode, position or velocity
 };
 
-// A CanDrive. Status bits:
+// A CanDrive. Its status bits:
 //   kDeviceNotReady      from start until torque mode
 //   kDeviceStale         no reply for reply_stale_s; not latched
 //   kDeviceLost          no reply in time
-//   kDeviceDriveFault    a fault code, the watchdog's time-out, a refused register, or torque mode
-//                        left
-//   kDeviceTooHot        with it, if that is what the fault code says
-//   kDeviceReferenceLost with lost and encoder fault, with a fault of supply or encoder, with
-//   torque
-//                        mode left for 'stopped', and with a home state that falls; also after
-//                        another fault, since a failed servo goes on being watched
+//   kDeviceDriveFault    a fault code, the watchdog's time-out, a refused register, or an end of
+//                        torque mode
+//   kDeviceTooHot        beside it, if the fault code is an over-temperature
+//   kDeviceReferenceLost beside kDeviceLost and kDeviceEncoderFault, with a fault of supply or
+//                        encoder, with 'stopped' during torque mode, and with a home state that
+//                        falls; also after another fault, since a failed servo is still watched
 //   kDeviceEncoderFault  a position that is not a number or that no shaft can have reached
 // With the last four the sample keeps the last good position.
 class MoteusCanFd {
@@ -59,7 +61,7 @@ class MoteusCanFd {
   void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
   [[nodiscard]] const AxisSample& sample() const { return sample_; }
   [[nodiscard]] Trouble trouble() const { return trouble_; }
-  // Without effect on an axis that is well.
+  // Leaves an axis without a fault alone.
   void clear_faults(hal::TimeNs now_ns);
   void shutdown(CanOutbox& outbox);
 
@@ -68,11 +70,11 @@ class MoteusCanFd {
  private:
   enum class Phase : std::uint8_t {
     off,
-    stopping,  // until it is stopped and without fault
-    starting,  // until it is in position mode
+    stopping,  // until the servo is stopped and has no fault
+    starting,  // until the servo is in position mode
     proving,   // no torque frames, until the watchdog trips
     up,
-    resting,  // stopped, since the power is to be off
+    resting,  // stopped, because the power is to be off
     failed,
   };
 
@@ -101,16 +103,16 @@ class MoteusCanFd {
   MoteusReadings readings_;
 
   hal::TimeNs phase_since_ns_ = 0;
-  hal::TimeNs reply_ns_ = 0;  // the newest with a good position
-  hal::TimeNs heard_ns_ = 0;  // the newest of any kind
+  hal::TimeNs reply_ns_ = 0;  // time of the newest reply with a good position
+  hal::TimeNs heard_ns_ = 0;  // time of the newest reply of any kind
   hal::TimeNs asked_ns_ = 0;
-  hal::TimeNs fed_ns_ = 0;  // the last torque frame
+  hal::TimeNs fed_ns_ = 0;  // time of the last torque frame
   std::uint8_t last_fault_ = 0;
   bool has_asked_ = false;    // since start
   bool has_replied_ = false;  // since start
   bool is_followed_ = false;  // the position, since the axis was up
-  bool is_proven_ = false;    // the watchdog, and the reference has not been lost since
-  bool is_shown_ = true;      // the loss of the reference, by a read
+  bool is_proven_ = false;    // the watchdog is, and the reference has not been lost since
+  bool is_shown_ = true;      // a read has reported the loss of the reference
 };
 
 static_assert(CanDrive<MoteusCanFd>);

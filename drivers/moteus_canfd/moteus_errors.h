@@ -1,4 +1,4 @@
-// The fault codes of a moteus in words.
+// The fault codes of a moteus, in words.
 #pragma once
 
 #include <cstdint>

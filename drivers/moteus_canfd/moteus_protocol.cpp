@@ -26,7 +26,7 @@ std::size_t size_of(ValueType type) {
   return kSizes[static_cast<std::size_t>(type)];
 }
 
-// Puts subframes into a frame, one behind the other; the sizes are known to fit.
+// Writes subframes into a frame, one behind the other. All of them are known to fit.
 class SubframeWriter {
  public:
   explicit SubframeWriter(hal::CanFrame& frame) : frame_(&frame) {}
@@ -60,7 +60,8 @@ hal::CanFrame moteus_frame(const Address& address, bool wants_reply) {
           .bit_rate_switch = address.bit_rate_switch};
 }
 
-// Mode; position, velocity and torque as floats; home state, voltage, temperature and fault.
+// Asks for the mode; for position, velocity and torque as floats; and for home state, voltage,
+// temperature and fault.
 void put_query(SubframeWriter& writer) {
   writer.header(kRead, ValueType::int8, 1, Register::mode);
   writer.header(kRead, ValueType::float32, 3, Register::position);
@@ -69,7 +70,7 @@ void put_query(SubframeWriter& writer) {
   writer.put(static_cast<std::uint8_t>(Register::home_state));
 }
 
-// Takes a payload apart; once it has run out of sense it stays empty.
+// Decodes a payload. After invalid bytes it returns nothing more.
 class SubframeReader {
  public:
   explicit SubframeReader(std::span<const std::byte> rest) : rest_(rest) {}
@@ -92,7 +93,7 @@ class SubframeReader {
     return std::nullopt;
   }
 
-  // The next value of that type; integers in `raw`, floats in `number`.
+  // A value: an integer in `raw`, a float in `number`.
   struct Value {
     ValueType type = ValueType::int8;
     std::int32_t raw = 0;
@@ -132,7 +133,8 @@ double number_of(const SubframeReader::Value& value, Quantity quantity) {
   return value.type == ValueType::float32 ? value.number : scaled(value.raw, value.type, quantity);
 }
 
-// A mode or a fault; 255, which is neither, for a number that is not one of a byte.
+// Returns a mode or a fault. 255, which is neither, stands for a value that does not fit into a
+// byte.
 std::uint8_t code_of(const SubframeReader::Value& value) {
   constexpr double kNone = 255.0;
   const double number = number_of(value, Quantity::plain);
@@ -222,7 +224,7 @@ hal::CanFrame torque(const Address& address, float torque_Nm, float watchdog_s, 
   writer.header(kWrite, ValueType::int8, 1, Register::mode);
   writer.put(Mode::position);
   writer.header(kWrite, ValueType::float32, 3, Register::command_position);
-  writer.put(std::numeric_limits<float>::quiet_NaN());  // wherever it is
+  writer.put(std::numeric_limits<float>::quiet_NaN());  // any position
   writer.put(0.0F);
   writer.put(torque_Nm);
   writer.header(kWrite, ValueType::float32, 2, Register::kp_scale);
@@ -259,7 +261,7 @@ Reply read_reply(std::span<const std::byte> payload) {
       read_values(reader, *header, reply);
     } else if (*header == kWriteError || *header == kReadError) {
       reply.refused_register = reader.varuint();
-      (void)reader.varuint();  // the error's number
+      (void)reader.varuint();  // the number of the error
     } else if (*header != kNothing) {
       reader.give_up();
     }

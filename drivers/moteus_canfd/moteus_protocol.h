@@ -1,8 +1,8 @@
-// moteus register protocol: subframes to numbers and back. No state.
+// Encodes and decodes the subframes of the moteus register protocol, without state.
 //
-// A CAN FD payload is a row of subframes, each a header, a first register and values of one type.
-// Everything is little endian; header, counts and registers are varuints: 7 bits a byte, the lowest
-// first. The drive counts in revolutions of its output shaft; here angles are in rad.
+// A CAN FD payload is a row of subframes. Each has a header, a first register and values of one
+// type. Everything is little endian. Headers, counts and registers are varuints: 7 bits a byte, the
+// lowest first. The servo counts in revolutions of its output shaft; here angles are in rad.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace tactus::drivers::moteus {
 
-inline constexpr std::uint8_t kMaxServo = 126;  // 127 is everybody
+inline constexpr std::uint8_t kMaxServo = 126;  // 127 addresses all servos
 inline constexpr std::uint8_t kMaxHost = 127;
 inline constexpr std::uint16_t kMaxPrefix = 0x1FFF;
 
@@ -48,7 +48,7 @@ enum class Mode : std::uint8_t {
 
 enum class ValueType : std::uint8_t { int8 = 0, int16 = 1, int32 = 2, float32 = 3 };
 
-// What a register's integers count.
+// The unit in which the integers of a register count.
 enum class Quantity : std::uint8_t {
   plain,  // a number of its own, such as a mode
   position_rev,
@@ -61,10 +61,10 @@ enum class Quantity : std::uint8_t {
   scale,  // of a gain or of PWM
 };
 
-// The home state of a position that is referenced to the output.
+// The home state of a position that is referenced to the output shaft.
 inline constexpr std::uint8_t kHomeOutput = 2;
 
-// What a servo answers to a query; NaN where it did not.
+// The answer of a servo to a query. Values that it did not send are empty.
 struct Reply {
   std::optional<std::uint8_t> mode;
   std::optional<double> position_rad;
@@ -74,11 +74,11 @@ struct Reply {
   std::optional<double> temperature_C;
   std::optional<std::uint8_t> fault;
   std::optional<std::uint8_t> home_state;
-  // The last register that it refused to write or read.
+  // The last register that the servo refused to write or read.
   std::optional<std::uint32_t> refused_register;
 };
 
-// Between servo and host; the same prefix on both sides.
+// The addresses of servo and host. Both use the same prefix.
 struct Address {
   std::uint8_t servo = 1;
   std::uint8_t host = 0;
@@ -89,18 +89,20 @@ struct Address {
 std::uint32_t command_id(const Address& address, bool wants_reply);
 std::uint32_t reply_id(const Address& address);
 
-// Takes power off and clears faults.
+// Returns a frame that takes the power off and clears faults.
 hal::CanFrame stop(const Address& address, bool wants_reply);
-// Torque by feed-forward, all gains zero. After `watchdog_s` without another the servo times out.
+// Returns a frame for a feed-forward torque with all gains at zero. The servo times out if no other
+// one follows within `watchdog_s`.
 hal::CanFrame torque(const Address& address, float torque_Nm, float watchdog_s, bool wants_reply);
-// Nothing but a query.
+// Returns a frame with a query only.
 hal::CanFrame query(const Address& address);
 
-// What a payload answers. Bytes that make no sense end the reading; what came before them counts.
-// Numbers may be NaN: a float that is, or the integer that stands for it.
+// Decodes a payload. Invalid bytes end the decoding; the values before them count. A number is NaN
+// if the float is NaN, or if the integer is the one that stands for NaN.
 Reply read_reply(std::span<const std::byte> payload);
 
-// An integer's value in the quantity's unit; NaN for the most negative one. Plain ones have no NaN.
+// Returns an integer's value in the quantity's unit. The most negative integer gives NaN, except
+// for plain ones.
 double scaled(std::int32_t raw, ValueType type, Quantity quantity);
 
 }  // namespace tactus::drivers::moteus

@@ -14,18 +14,19 @@ using odrive::AxisState;
 using odrive::Command;
 using odrive::Generation;
 
-// Firmware 0.5 is one that has not told its version in this time.
+// A drive that has not sent its version in this time has firmware 0.5.
 constexpr double kProbe_s = 0.1;
 constexpr double kProbeAgain_s = 0.02;
 constexpr double kSettleAgain_s = 0.1;
 constexpr double kArmAgain_s = 0.3;
 constexpr double kStopAgain_s = 0.01;
 constexpr double kExplainAgain_s = 0.02;
-// The questions for torque of drives with consecutive numbers fall into different ticks.
+// Offsets the questions for torque, so that drives with consecutive numbers are asked in different
+// ticks.
 constexpr hal::TimeNs kPollSpread_ns = 2'000'000;
 constexpr std::uint8_t kPollSpread = 5;
 
-// What is asked for in turn; the errors first, which alone matter after a fault.
+// The values that are asked for in turn. Errors come first; after a fault only they are asked for.
 constexpr std::array kPolled_0_5 = {Command::get_motor_error, Command::get_encoder_error,
                                     Command::get_controller_error, Command::get_bus,
                                     Command::get_iq};
@@ -60,7 +61,7 @@ void ODriveCan::clear_faults(hal::TimeNs now_ns) {
   }
 }
 
-// A position that is followed stays followed.
+// A position that is followed stays so.
 void ODriveCan::begin(hal::TimeNs now_ns) {
   if (!is_followed_) {
     sample_ = {};
@@ -106,11 +107,12 @@ void ODriveCan::request(hal::TimeNs now_ns, CanOutbox& outbox) {
 void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
   watch_deadlines(now_ns);
   switch_power(command.power_off, now_ns);
-  // Every frame to the node may feed its watchdog.
+  // Every frame to the node may feed its watchdog, so none is sent.
   if (phase_ == Phase::off || phase_ == Phase::proving) {
     return;
   }
-  // Nothing to a drive that has not been heard: what nobody acknowledges would fill the queue.
+  // A drive that has not been heard gets nothing more, since frames that nobody acknowledges would
+  // fill the queue.
   const bool speaks = phase_ != Phase::listening || !has_sent_;
   if (speaks) {
     send_torque(phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F,
@@ -122,7 +124,7 @@ void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
   }
 }
 
-// Without power wanted nothing goes into closed loop, nor stays there.
+// Keeps the axis out of closed loop while the power is to be off.
 void ODriveCan::switch_power(bool power_off, hal::TimeNs now_ns) {
   const bool has_power = phase_ == Phase::arming || phase_ == Phase::proving || phase_ == Phase::up;
   if (power_off && has_power) {
@@ -133,7 +135,7 @@ void ODriveCan::switch_power(bool power_off, hal::TimeNs now_ns) {
   }
 }
 
-// Beside the torque.
+// Sends the frames of the phase other than the torque.
 void ODriveCan::send_of_phase(hal::TimeNs now_ns, CanOutbox& outbox) {
   switch (phase_) {
     case Phase::listening:

@@ -1,17 +1,18 @@
 // An ODrive axis, firmware 0.5.x or 0.6.x, in torque mode over CANSimple.
 //
-// Bring-up: wait for a heartbeat; ask for the version, which only 0.6 answers; go idle, clear
-// errors, set torque mode and limits; ask for closed loop. In closed loop at zero torque nothing is
-// sent until the drive's watchdog has stopped the motor and the drive has said so; then errors are
-// cleared and closed loop is asked for again, and believed after two heartbeats 150 ms apart. A
-// drive that goes on without commands is refused. A torque goes out every tick but then, zero until
-// the axis is up, and feeds the drive's watchdog.
-// `power_off` makes the axis go idle; without it the axis comes up again.
-// From a fault on: torque zero every tick and the idle state asked for again and again, until
-// clear_faults. A failed axis goes on being watched, for its position may be lost later.
+// The bring-up waits for a heartbeat and asks for the version, which only 0.6 answers. It sets the
+// axis idle, clears errors, sets torque mode and limits, and asks for closed loop. In closed loop
+// at zero torque it sends nothing until the drive's watchdog has stopped the motor and the drive
+// has reported that. Then it clears errors and asks for closed loop again, and trusts it after two
+// heartbeats 150 ms apart. A drive that goes on without commands is refused. In all other phases a
+// torque goes out every tick, zero until the axis is up, and feeds the drive's watchdog.
+//
+// `power_off` makes the axis idle; without it the axis comes up again. After a fault each tick
+// sends torque zero and repeats the request for idle, until clear_faults. A failed axis is still
+// watched, because its position may be lost later.
 //
 // The position is followed from the first time that the axis was up, also through faults and
-// bring-ups, without a gap longer than estimate_lost_s: a drive that restarts counts from another
+// bring-ups, without a gap longer than estimate_lost_s. A drive that restarts counts from another
 // zero.
 #pragma once
 
@@ -29,7 +30,7 @@
 
 namespace tactus::drivers {
 
-// What the drive told besides; zero where it did not.
+// Other values that the drive sent; zero until it sends them.
 struct ODriveReadings {
   odrive::BusPower bus;
   odrive::Current current;
@@ -37,17 +38,17 @@ struct ODriveReadings {
   std::uint32_t malformed = 0;  // frames of this node with a wrong length
 };
 
-// A CanDrive. Status bits:
+// A CanDrive. Its status bits:
 //   kDeviceNotReady       from start until closed loop
 //   kDeviceStale          no estimate for estimate_stale_s; not latched
 //   kDeviceLost           no heartbeat or no estimate in time
-//   kDeviceDriveFault     an error bit, a refused bring-up, or closed loop left
-//   kDeviceEmergencyStop  with it, if that is what the drive says
-//   kDeviceTooHot         likewise
+//   kDeviceDriveFault     an error bit, a refused bring-up, or an end of closed loop
+//   kDeviceEmergencyStop  beside it, if the drive reports an emergency stop
+//   kDeviceTooHot         beside it, if the drive reports over-temperature
 //   kDeviceEncoderFault   a position that is not a number or that no shaft can have reached
-//   kDeviceReferenceLost  with either of lost and encoder fault; an error that tells of supply or
-//                         encoder; an error that went or closed loop that was left without a cause,
-//                         as a restart does
+//   kDeviceReferenceLost  beside kDeviceLost and kDeviceEncoderFault; with an error of supply or
+//                         encoder; and with an error that went away or a closed loop that ended
+//                         without a cause, as in a restart
 // With all but the first two the sample keeps the last good position.
 class ODriveCan {
  public:
@@ -61,7 +62,7 @@ class ODriveCan {
   void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
   [[nodiscard]] const AxisSample& sample() const { return sample_; }
   [[nodiscard]] Trouble trouble() const { return trouble_; }
-  // Without effect on an axis that is well.
+  // Leaves an axis without a fault alone.
   void clear_faults(hal::TimeNs now_ns);
   void shutdown(CanOutbox& outbox);
 
@@ -74,10 +75,10 @@ class ODriveCan {
     listening,  // for the first heartbeat
     probing,    // for the version
     settling,   // idle, errors cleared, torque mode
-    arming,     // closed loop asked for
+    arming,     // asks for closed loop
     proving,    // silent in closed loop, until the watchdog trips
     up,
-    resting,  // idle, since the power is to be off
+    resting,  // idle, because the power is to be off
     failed,
   };
 
@@ -125,21 +126,21 @@ class ODriveCan {
   hal::TimeNs phase_since_ns_ = 0;
   hal::TimeNs heartbeat_ns_ = 0;
   hal::TimeNs estimate_ns_ = 0;
-  hal::TimeNs first_sent_ns_ = 0;  // what the phase has to say
+  hal::TimeNs first_sent_ns_ = 0;  // first frame of the phase
   hal::TimeNs last_sent_ns_ = 0;
   hal::TimeNs polled_ns_ = 0;
-  hal::TimeNs torque_ns_ = 0;         // when the drive last told its torque
+  hal::TimeNs torque_ns_ = 0;         // when the drive last reported its torque
   hal::TimeNs torque_polled_ns_ = 0;  // when it was last asked for
   hal::TimeNs closed_since_ns_ = 0;
   std::uint32_t last_error_ = 0;        // in the newest heartbeat
   std::uint32_t refused_in_a_row_ = 0;  // heartbeats
-  std::uint32_t proofs_ = 0;            // begun since the watchdog may be another
+  std::uint32_t proofs_ = 0;            // begun since the drive may have restarted
   std::size_t next_poll_ = 0;
-  bool is_closed_ = false;          // while arming, by the newest heartbeat
+  bool is_closed_ = false;          // while arming, in the newest heartbeat
   bool has_sent_ = false;           // in this phase
-  bool wants_explanation_ = false;  // the fault's cause is to be asked for
+  bool wants_explanation_ = false;  // the driver must ask for the cause of the fault
   bool is_followed_ = false;        // the position, since the axis was up
-  bool is_proven_ = false;          // the watchdog, and the drive has not restarted since
+  bool is_proven_ = false;          // the watchdog is, and the drive has not restarted since
 };
 
 static_assert(CanDrive<ODriveCan>);

@@ -31,7 +31,7 @@ constexpr std::uint32_t kWatchdog_0_6 = 0x0100'0000;
 
 constexpr std::uint32_t kEncoderFailed = 0x100;
 constexpr std::uint32_t kUnknownPosition = 0x8'0000;
-// A supply voltage out of range shows at the motor as a fault of the whole system.
+// The motor reports a supply voltage out of range as a fault of the whole system.
 constexpr std::uint64_t kMotorSystemLevel = 0x100'0000;
 constexpr std::uint64_t kUnknownSupply = 0x8000'0000;
 constexpr std::uint32_t kNoValidEstimate = 0x20;  // of the controller
@@ -42,7 +42,7 @@ constexpr std::uint32_t kMissingEstimate = 0x8;
 constexpr std::uint32_t kUnderVoltage = 0x200;
 constexpr std::uint32_t kSpun_0_6 = 0x0400'0000;
 
-// The most telling first.
+// The most specific bits come first.
 constexpr std::array kAxisBits = {
     BitWords{kEmergencyStop_0_5, "an emergency stop was asked of the drive",
              "find out who stopped it, then reset"},

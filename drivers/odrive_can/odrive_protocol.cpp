@@ -29,7 +29,7 @@ std::uint8_t byte_at(const hal::CanFrame& frame, std::size_t at) {
   return std::to_integer<std::uint8_t>(frame.data[at]);
 }
 
-// What a reply of two floats holds.
+// Decodes a reply of two floats.
 template <class Pair>
 std::optional<Pair> read_pair(const hal::CanFrame& frame) {
   if (!is_reply(frame)) {
@@ -92,7 +92,8 @@ std::optional<Version> read_version(const hal::CanFrame& frame) {
                  .unreleased = byte_at(frame, 7) != 0};
 }
 
-// 0.5 before 0.5.3 sends the state in four bytes, later versions in one with flags behind it.
+// Firmware before 0.5.3 sends the state in four bytes, later versions in one byte with flags behind
+// it.
 std::optional<Heartbeat> read_heartbeat(const hal::CanFrame& frame) {
   if (!is_reply(frame)) {
     return std::nullopt;

@@ -1,4 +1,4 @@
-// What an ODrive sends, as ODriveCan takes it.
+// The part of ODriveCan that takes the frames of the drive.
 
 #include <cmath>
 #include <utility>
@@ -11,14 +11,14 @@ namespace tactus::drivers {
 
 namespace {
 
-// The drive may reach closed loop for a moment and drop out of it again: it takes two heartbeats
-// that far apart, and none between them in another state.
+// The drive may reach closed loop for a moment and leave it again. Two heartbeats must show it, so
+// far apart and with no other state between them.
 constexpr double kClosedHold_s = 0.15;
-// The first heartbeat after asking may still tell of an earlier procedure.
+// The first heartbeat after a request may still report an earlier procedure.
 constexpr std::uint32_t kClosedLoopRefusals = 2;
 
-// In how many attempts the watchdog is to be proven. The other axis of a 0.5 board may clear the
-// error before the heartbeat tells it.
+// The most attempts to prove the watchdog. The other axis of a 0.5 board may clear the error before
+// a heartbeat reports it.
 constexpr std::uint32_t kMostProofs = 3;
 
 bool loses_reference(odrive::Generation generation, std::uint32_t error) {
@@ -110,7 +110,7 @@ void ODriveCan::take_heartbeat(const odrive::Heartbeat& heartbeat, hal::TimeNs t
   }
 }
 
-// The watchdog has stopped the motor, or something else has.
+// Takes a heartbeat in the proof: the watchdog has stopped the motor, or something else has.
 void ODriveCan::take_while_proving(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
   if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
     return;
@@ -138,7 +138,8 @@ void ODriveCan::take_while_resting(const odrive::Heartbeat& heartbeat, hal::Time
   }
 }
 
-// Nobody clears a failed drive's error before clear_faults: an error that is gone is a restart.
+// Nobody clears the error of a failed drive before clear_faults, so an error that went away is a
+// restart.
 void ODriveCan::take_while_failed(const odrive::Heartbeat& heartbeat, std::uint32_t error_before) {
   if (heartbeat.error == 0) {
     if (error_before != 0) {
@@ -232,7 +233,7 @@ void ODriveCan::take_reply(const hal::CanFrame& frame, hal::TimeNs time_ns) {
     default:
       break;
   }
-  // The other commands mean one thing to one generation and another to the next.
+  // The meaning of the other commands depends on the generation.
   if (generation_ == odrive::Generation::v0_5) {
     take_reply_0_5(frame);
   } else if (generation_ == odrive::Generation::v0_6) {
@@ -301,7 +302,7 @@ void ODriveCan::take_reply_0_6(const hal::CanFrame& frame, hal::TimeNs time_ns) 
   }
 }
 
-// A word out of a heartbeat.
+// Latches the error of a heartbeat.
 void ODriveCan::fail_by_error(std::uint32_t error) {
   const bool is_0_6 = generation_ == odrive::Generation::v0_6;
   const bool is_emergency_stop =
@@ -319,8 +320,8 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
   fail(status, is_0_6 ? odrive::active_trouble(error) : odrive::axis_trouble(error));
 }
 
-// What the drive answered about its errors: the cause of a fault that is known already, or, if it
-// is an error of now, a fault. `status` is what the error means beside a drive fault.
+// Takes an error that the drive answered. It is the cause of a fault that is latched already or, if
+// it is an active error, a new fault. `status` is added to kDeviceDriveFault.
 void ODriveCan::explain(const Trouble& trouble, bool is_error, std::uint32_t status) {
   if (phase_ == Phase::failed && wants_explanation_) {
     trouble_ = trouble;

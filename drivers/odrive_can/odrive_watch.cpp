@@ -1,4 +1,4 @@
-// What an ODrive no longer does, or never did: the deadlines of ODriveCan and its faults.
+// The part of ODriveCan that watches deadlines and latches faults.
 
 #include <algorithm>
 
@@ -9,19 +9,19 @@ namespace tactus::drivers {
 
 namespace {
 
-// After these the drive may have restarted, with another zero and another watchdog.
+// After these faults the drive may have restarted, so its zero and its watchdog may differ.
 constexpr std::uint32_t kMayHaveRestarted =
     kDeviceLost | kDeviceEncoderFault | kDeviceReferenceLost;
-// The drive tells that its watchdog has tripped with its next heartbeat. heartbeat_lost_s is three
-// and a half of their periods.
+// The drive reports in its next heartbeat that its watchdog has tripped. heartbeat_lost_s is three
+// and a half heartbeat periods.
 constexpr double kToldWithin_heartbeats_lost = 0.4;
-// A torque is a report of now for so many of its periods, and for so long at least.
+// A reported torque is valid for so many of its periods, and at least for this time.
 constexpr double kTorqueHolds_periods = 5.0;
 constexpr double kTorqueHolds_s = 0.05;
 
 }  // namespace
 
-// A failed axis keeps the words of its first trouble; the status bits of all of them add up.
+// The words are those of the first fault; the status bits of all faults add up.
 void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
   if ((status & kMayHaveRestarted) != 0) {
     status &= ~static_cast<std::uint32_t>(kDeviceReferenceLost);
@@ -45,7 +45,7 @@ void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {
   if (phase_ == Phase::off) {
     return;
   }
-  // No frame was received in the future, whatever its stamp says.
+  // Times of received frames may be stamped in the future; they count as now.
   phase_since_ns_ = std::min(phase_since_ns_, now_ns);
   heartbeat_ns_ = std::min(heartbeat_ns_, now_ns);
   estimate_ns_ = std::min(estimate_ns_, now_ns);
@@ -59,7 +59,8 @@ void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {
   }
 }
 
-// Also of an axis that has failed: what falls silent may lose its position unseen.
+// Watches for silence, also after a fault: a drive that falls silent may lose its position
+// unnoticed.
 void ODriveCan::watch_silence(hal::TimeNs now_ns) {
   if (phase_ != Phase::listening && has_passed(config_.heartbeat_lost_s, heartbeat_ns_, now_ns)) {
     fail(kDeviceLost,
@@ -81,7 +82,7 @@ void ODriveCan::watch_samples(hal::TimeNs now_ns) {
   }
 }
 
-// Which step took too long.
+// Latches the bring-up step that took too long.
 void ODriveCan::watch_bring_up(hal::TimeNs now_ns) {
   if (phase_ == Phase::listening) {
     fail(kDeviceLost, {"no heartbeat comes from the drive",
@@ -100,7 +101,7 @@ void ODriveCan::watch_bring_up(hal::TimeNs now_ns) {
   }
 }
 
-// A drive that goes on without commands would keep its torque when the host dies.
+// A drive that goes on without commands is refused: it would keep its torque when the host dies.
 void ODriveCan::watch_proof(hal::TimeNs now_ns) {
   const double limit_s =
       config_.watchdog_s + kToldWithin_heartbeats_lost * config_.heartbeat_lost_s;

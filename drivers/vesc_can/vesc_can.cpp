@@ -15,9 +15,9 @@ constexpr double kCountsPerElectricalTurn = 6.0;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr double kStaleAfter_statuses = 1.5;
 constexpr std::uint32_t kUnansweredPolls = 5;
-// A VESC looks at its timeout that often.
+// A VESC checks its timeout at this interval.
 constexpr double kTimeoutLook_s = 0.01;
-// So many questions may be lost or under way until it has told.
+// So many questions may be lost or under way before the VESC reports its timeout.
 constexpr double kToldWithin_polls = 4.0;
 constexpr double kMilli = 1e3;
 constexpr double kLargestCurrent_mA = 1e9;
@@ -87,7 +87,7 @@ void VescCan::latch(DeviceStatus bit, const Trouble& trouble) {
   update_status();
 }
 
-// With another zero of its tachometer, and another timeout.
+// A restarted VESC has another zero of its tachometer, and maybe another timeout.
 void VescCan::may_have_restarted(const Trouble& trouble) {
   if (is_followed_) {
     faults_.latch(kDeviceReferenceLost, trouble);
@@ -134,8 +134,8 @@ void VescCan::take_status(const vesc::Status& status) {
     return;
   }
   sample_.velocity_rad_per_s = velocity_rad_per_s;
-  // The current's sign is that of the power, positive when it drives; the duty's is that of the
-  // voltage. Together they give the torque's, unless the duty is too small to tell.
+  // The sign of the current is that of the power: positive when it drives. The sign of the duty is
+  // that of the voltage. Together they give the sign of the torque, unless the duty is too small.
   sample_.torque_Nm =
       config_.torque_constant_Nm_per_A * std::copysign(1.0, status.duty) * status.current_A;
   sample_.has_torque = status.duty != 0.0 || status.current_A == 0.0;
@@ -143,7 +143,7 @@ void VescCan::take_status(const vesc::Status& status) {
   update_status();
 }
 
-// A VESC sends its status at times of its own: the position is as old as its frame.
+// A VESC sends its status at its own times, so the position is as old as its frame.
 void VescCan::take_position(const vesc::Status5& status, hal::TimeNs received_ns) {
   readings_.input_V = status.input_V;
   if (!config_.offers_position) {
@@ -271,7 +271,7 @@ Trouble VescCan::missing() const {
           "look for another host that commands it, then reset", flags_};
 }
 
-// A VESC that goes on without commands would keep its torque when the host dies.
+// A VESC that goes on without commands is refused: it would keep its torque when the host dies.
 void VescCan::watch_proof() {
   const double limit_s =
       config_.watchdog_s + kTimeoutLook_s + kToldWithin_polls * config_.poll_period_s;
@@ -284,7 +284,7 @@ void VescCan::watch_proof() {
   }
 }
 
-// Also of a VESC that has failed: what falls silent may lose its position unseen.
+// Watches the position, also after a fault: a VESC that falls silent may lose it unnoticed.
 void VescCan::watch_position() {
   if (is_followed_ && has_passed_since(position_ns_, config_.lost_after_s)) {
     latch(kDeviceLost, {"VESC sends no position any more",
@@ -314,8 +314,8 @@ bool VescCan::is_poll_due() const {
   return !has_polled_ || has_passed_since(polled_ns_, config_.poll_period_s);
 }
 
-// The two fields in turn; nothing but the fault until that is known, and nothing but the flags
-// while the timeout is to be proven.
+// Asks for the two fields in turn: only for the fault until that is known, and only for the flags
+// during the proof of the timeout.
 void VescCan::poll(CanOutbox& outbox) {
   if (!is_poll_due() ||
       !outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, next_query_))) {
@@ -329,7 +329,8 @@ void VescCan::poll(CanOutbox& outbox) {
   next_query_ = asks_for_flags ? vesc::Query::flags : vesc::Query::fault;
 }
 
-// What is no number is no torque. The limit is rounded down, so that rounding cannot pass it.
+// Returns the current of a torque; zero for NaN. The limit is rounded down, so that rounding cannot
+// exceed it.
 std::int32_t VescCan::current_mA(double torque_Nm) const {
   const double wanted_mA = kMilli * torque_Nm / config_.torque_constant_Nm_per_A;
   if (!std::isfinite(wanted_mA)) {

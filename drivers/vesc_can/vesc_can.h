@@ -1,23 +1,23 @@
-// A VESC as a torque amplifier: a motor current for each tick, torque over torque constant.
+// A VESC as a torque amplifier: each tick commands a motor current, torque over torque constant.
 //
-// Bring-up: wait for status 1 (and 5, if it offers a position) and for an answer to the question
-// for faults that says none; zero current all the while, so that the VESC's own timeout runs from
-// the host's commands. Then no command is sent, only the question for the timeout's flag, until the
-// timeout has let the motor go; a VESC that goes on without commands is refused. Without power
-// wanted the motor is let go: that is the bridge off. From a fault on the motor is let go in each
-// tick, until clear_faults: a VESC forgets its faults after half a second and would obey again.
+// The bring-up waits for status 1 (and 5, if the VESC offers a position) and for an answer that it
+// has no fault. It sends zero current all the while, so that the VESC's own timeout runs from the
+// host's commands. Then it sends no command, only the question for the timeout's flag, until the
+// timeout has released the motor. A VESC that goes on without commands is refused. Without power
+// wanted the motor is released, so the bridge is off. After a fault the motor is released in each
+// tick until clear_faults, because a VESC forgets its faults after half a second and would obey
+// again.
 //
 // Status bits:
 //   kDeviceNotReady       until the bring-up is done
 //   kDeviceStale          no status in time; not latched
-//   kDeviceLost           no status for lost_after_s, or five questions unanswered
-//   kDeviceDriveFault     a fault code, its timeout expired, or what it should send is switched off
-//   kDeviceTooHot         with it, if that is what the fault code says
+//   kDeviceLost           no status for lost_after_s, or five questions without an answer
+//   kDeviceDriveFault     a fault code, its timeout expired, or a required message is switched off
+//   kDeviceTooHot         beside it, if the fault code is an over-temperature
 //   kDeviceEmergencyStop  its kill switch
-//   kDeviceEncoderFault   a speed or a position that the shaft cannot have; not reported
-//   kDeviceReferenceLost  if it offers a position: with lost and encoder fault, and with a fault
-//                         code that tells of supply, restart or sensor, also of a VESC that has
-//                         failed already
+//   kDeviceEncoderFault   an impossible speed or position, which is not reported
+//   kDeviceReferenceLost  if it offers a position: beside kDeviceLost and kDeviceEncoderFault, and
+//                         with a fault code of supply, restart or sensor, also after another fault
 #pragma once
 
 #include <cstddef>
@@ -34,12 +34,13 @@
 
 namespace tactus::drivers {
 
-// What a VESC tells besides; zero until it has.
+// Other values that the VESC sent; zero until it sends them.
 struct VescReadings {
   vesc::Status4 status_4;
   double input_V = 0.0;
 };
 
+// A CanDrive.
 class VescCan {
  public:
   // The configuration has passed `check`.
@@ -88,7 +89,7 @@ class VescCan {
   Phase phase_ = Phase::off;
   hal::TimeNs now_ns_ = 0;
   hal::TimeNs begun_ns_ = 0;
-  hal::TimeNs proving_ns_ = 0;  // since when nothing is commanded
+  hal::TimeNs proving_ns_ = 0;  // start of the proof; no command was sent since
   hal::TimeNs status_ns_ = 0;
   hal::TimeNs position_ns_ = 0;
   hal::TimeNs polled_ns_ = 0;
@@ -97,10 +98,10 @@ class VescCan {
   bool has_position_ = false;
   bool has_polled_ = false;
   bool is_stale_ = false;
-  bool is_followed_ = false;  // the position, since it was ready
-  bool is_proven_ = false;    // the timeout, and the VESC has not restarted since
+  bool is_followed_ = false;  // the position, since the VESC was ready
+  bool is_proven_ = false;    // the timeout is, and the VESC has not restarted since
   vesc::Query next_query_ = vesc::Query::fault;
-  std::optional<std::uint8_t> fault_;  // the last answer
+  std::optional<std::uint8_t> fault_;  // the last answer to Query::fault
   std::uint8_t flags_ = 0;
 };
 

@@ -7,10 +7,10 @@
 
 namespace tactus::drivers::vesc {
 
-// Nothing for 0.
+// Returns the words and a remedy, or an empty Trouble for 0.
 Trouble fault_trouble(std::uint8_t code);
-// Whether the code tells of the supply, of a restart or of the sensor: the tachometer may have
-// another zero afterwards.
+// Returns true for codes of the supply, of a restart or of the sensor. After them the tachometer
+// may count from another zero.
 bool loses_reference(std::uint8_t code);
 
 }  // namespace tactus::drivers::vesc

@@ -7,7 +7,7 @@ namespace tactus::drivers::vesc {
 namespace {
 
 constexpr std::uint8_t kGetSelectedValues = 0x32;
-constexpr std::uint8_t kSendAnswer = 0x00;  // what the VESC shall do with the answer
+constexpr std::uint8_t kSendAnswer = 0x00;  // tells the VESC to send the answer
 constexpr double kPerTenth = 0.1;
 constexpr double kDutyUnit = 1e-3;
 constexpr double kPositionUnit_deg = 1.0 / 50.0;
@@ -96,7 +96,7 @@ hal::CanFrame query_frame(std::uint8_t vesc, std::uint8_t host, Query query) {
   return frame;
 }
 
-// The answers of all VESCs go to the host's identifier; the first byte tells whose it is.
+// All VESCs answer to the host's identifier; the first byte names the VESC.
 std::optional<Answer> answer_of(const hal::CanFrame& frame, std::uint8_t vesc, std::uint8_t host) {
   if (!is_packet(frame, Packet::process_short_buffer, host) || load_big(frame, 0, 1) != vesc ||
       load_big(frame, 2, 1) != kGetSelectedValues) {

@@ -1,4 +1,4 @@
-// Of the axes, a driver after the other.
+// The keys of the axes, one driver after the other.
 #include "firmware/device/device_settings.h"
 #include "firmware/device/pin_setting.h"
 

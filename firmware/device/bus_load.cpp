@@ -9,8 +9,8 @@ namespace {
 
 enum class Identifier : bool { standard, extended };
 
-// Of a classic frame, to the end of the space behind it. The part before the checksum's end may
-// have a stuff bit after each four bits (the first after five).
+// Returns the bits of a classic frame, with the space behind it. The part up to the end of the
+// checksum may have a stuff bit after each four bits (the first after five).
 double classic_bits(Identifier identifier, int bytes) {
   const int stuffed = (identifier == Identifier::standard ? 34 : 54) + 8 * bytes;
   constexpr int kNeverStuffed = 13;
@@ -18,8 +18,9 @@ double classic_bits(Identifier identifier, int bytes) {
   return stuffed + kNeverStuffed + stuff_bits;
 }
 
-// A CAN FD frame has its identifier at the nominal rate and its payload at the data rate. Both
-// parts may have a stuff bit after each four bits; the checksum has them at fixed places.
+// Returns the seconds of a CAN FD frame. Its identifier has the nominal rate and its payload the
+// data rate. Both parts may have a stuff bit after each four bits; the checksum has them at fixed
+// places.
 double fd_seconds(const CanConnection& can, bool switches_rate, Identifier identifier, int bytes) {
   const int head = identifier == Identifier::standard ? 17 : 36;
   constexpr int kTail = 13;
@@ -33,11 +34,11 @@ double fd_seconds(const CanConnection& can, bool switches_rate, Identifier ident
   return nominal / can.bit_rate + fast / (switches_rate ? can.data_bit_rate : can.bit_rate);
 }
 
-constexpr double kTick_s = 0.001;  // of a drive that sends by its own clock as often as it can
+constexpr double kTick_s = 0.001;  // fastest period of a drive that sends by its own clock
 
-// Bits a second. An estimate has eight bytes, a torque four.
+// Returns bits a second. An estimate has eight bytes, a torque four.
 double odrive_bits(const drivers::ODriveConfig& drive, double rate_hz) {
-  constexpr double kHeartbeat_s = 0.01;  // as README.md has it set
+  constexpr double kHeartbeat_s = 0.01;  // the setting in README.md
   const double message = classic_bits(Identifier::standard, 8);
   const double question = classic_bits(Identifier::standard, 0);
   const bool asks = drive.estimates == drivers::ODriveEstimates::requested;
@@ -56,8 +57,9 @@ double vesc_bits(const drivers::VescConfig& drive, double rate_hz) {
          2.0 * message / drive.poll_period_s;
 }
 
-// PDOs with each SYNC: controlword and torque; statusword, position and torque; and, where asked
-// for, velocity and mode. Heartbeats of the drive and, for it alone, of the host.
+// Returns bits a second. Each SYNC has PDOs with controlword and torque, with statusword, position
+// and torque, and, if asked for, with velocity and mode. The drive sends heartbeats, and the host
+// sends some for it alone.
 double cia402_bits(const drivers::Cia402Config& drive, double rate_hz) {
   constexpr double kMilliseconds = 1000.0;
   constexpr double kHeartbeatsPerWatchdog = 4.0;

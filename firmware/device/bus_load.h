@@ -1,5 +1,5 @@
-// How full a CAN bus is: the frames of all its drives at the controller's rate, with as many stuff
-// bits as a frame can have.
+// Computes the load of a CAN bus from the frames of all its drives at the controller's rate. Each
+// frame has as many stuff bits as possible.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace tactus::firmware {
 
-// Above it a tick's frames may not get through in their tick.
+// Above this load the frames of a tick may not get through in their tick.
 inline constexpr double kMaxBusLoad = 0.9;
 
-// Of what the bus can carry: 0 to 1, or more where it cannot. `connection` is an index into
-// config.connections; 0 for one that is no CAN bus.
+// Returns the load of the bus as a share of its capacity; above 1 it cannot carry the frames.
+// `connection` is an index into config.connections. Returns 0 for one that is no CAN bus.
 double bus_load(const DeviceConfig& config, std::size_t connection);
 
 }  // namespace tactus::firmware

@@ -11,7 +11,7 @@ namespace tactus::firmware {
 
 namespace {
 
-// What one drive sends, obeys or listens to.
+// The identifiers that one drive sends, obeys or listens to.
 class Identifiers {
  public:
   void add(std::uint32_t id, bool extended) {
@@ -34,7 +34,7 @@ void collect(const drivers::ODriveConfig& drive, Identifiers& ids) {
   }
 }
 
-// NMT and SYNC belong to all drives of the bus.
+// Collects NMT and SYNC as well, which all drives of the bus share.
 void collect(const drivers::Cia402Config& drive, Identifiers& ids) {
   namespace canopen = drivers::canopen;
   for (const std::uint32_t service :
@@ -56,7 +56,7 @@ void collect(const drivers::VescConfig& drive, Identifiers& ids) {
   ids.add(kShortBuffer << 8U | drive.host_id, true);
 }
 
-// A servo takes and sends short identifiers in either form.
+// A servo takes and sends short identifiers in standard and extended frames.
 void collect(const drivers::MoteusConfig& drive, Identifiers& ids) {
   constexpr std::uint32_t kWantsAnswer = 0x8000;
   constexpr std::uint32_t kShortest = 0x800;

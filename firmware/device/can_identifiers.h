@@ -1,4 +1,4 @@
-// Which identifiers the drives on a CAN bus use.
+// Finds the identifiers that the drives on a CAN bus use, and their collisions.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 
 namespace tactus::firmware {
 
+// An identifier of 11 bits, or of 29 bits if extended.
 struct CanIdentifier {
   std::uint32_t id = 0;
   bool extended = false;
@@ -16,14 +17,14 @@ struct CanIdentifier {
   bool operator==(const CanIdentifier&) const = default;
 };
 
-// The key of the drive's number on its bus; empty for an axis that is not on CAN.
+// Returns the key of the drive's number on its bus; empty for an axis that is not on CAN.
 std::string_view number_key(const AxisConfig& axis);
 
-// Whether both are of one driver and would answer to the same number, or one to the number of the
-// other's host.
+// Returns true if both have the same driver and would answer to the same number, or if one would
+// answer to the number of the other's host.
 bool have_same_number(const AxisConfig& one, const AxisConfig& other);
 
-// An identifier that both use, of drives of different drivers.
+// Returns an identifier that both use, if their drivers differ.
 std::optional<CanIdentifier> shared_identifier(const AxisConfig& one, const AxisConfig& other);
 
 }  // namespace tactus::firmware

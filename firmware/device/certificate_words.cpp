@@ -8,7 +8,7 @@ namespace tactus::firmware {
 
 namespace {
 
-// Words one after another in a room, cut at its end.
+// Puts words behind each other in a room, cut at its end.
 class Sentence {
  public:
   explicit Sentence(std::span<char> room) : room_(room) {}
@@ -77,7 +77,7 @@ bool is_at_wall(const UncertifiedPart& part) {
       others, [](const UncertifiedPart::Other& other) { return other.kind == Kind::wall; });
 }
 
-// How the user mends it, in the scene.
+// Returns the remedy in the scene.
 const char* remedy_for(const UncertifiedPart& part) {
   if (part.kind == Kind::wall) {
     return "lower workspace_stiffness_N_per_m and workspace_damping_Ns_per_m";

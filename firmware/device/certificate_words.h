@@ -1,4 +1,4 @@
-// What a device's certificate means for its user, in words. Not for a tick.
+// Explains a device's certificate to its user in words. Not for a tick.
 #pragma once
 
 #include <array>
@@ -11,20 +11,22 @@
 
 namespace tactus::firmware {
 
-// Why scenes will not be checked, and the command that mends it; empty if they will be. Written
-// into `room`, cut at its end.
+// Returns the reason why scenes are not checked, with the command that changes that; empty if they
+// are checked. The text is written into `room` and cut at its end.
 std::string_view certificate_warning(const Certification& certification, std::span<char> room);
 
-// The names of the objects that a refusal is about, which outlive the scene: first the part's own,
-// then those of the others. Empty for an effect, and for an object without one. Cut at 63 bytes.
+// The names of the objects that a refusal is about: first that of the part itself, then those of
+// the others. They outlive the scene. Effects and objects without a name have an empty one. Names
+// are cut at 63 bytes.
 using PartNames = std::array<std::array<char, 64>, 1 + UncertifiedPart::kMostOthers>;
 PartNames names_of(const UncertifiedPart& part, const rendering::SceneImage& scene);
 
-// What is beyond the certificate, and what to do.
+// Returns which part is beyond the certificate, and a remedy, written into `room`.
 std::string_view uncertified_words(const UncertifiedPart& part, const PartNames& names,
                                    std::span<char> room);
 
-// Why a scene was refused, and what to do. The names are those of `refusal.part`.
+// Returns the reason why a scene was refused and a remedy, written into `room`. The names are those
+// of `refusal.part`.
 std::string_view refusal_words(const SceneRefusal& refusal, const PartNames& names,
                                std::span<char> room);
 

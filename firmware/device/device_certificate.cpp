@@ -57,7 +57,7 @@ bool touches_stability(const DeviceSection& section) {
   return is_written_by_people(section) && section.kind != "connection";
 }
 
-// Whatever the order of the settings.
+// Returns a hash that does not depend on the order of the settings.
 std::uint64_t hash_of(const DeviceSection& section) {
   std::uint64_t sum = 0;
   for (const Setting& setting : section.all()) {
@@ -88,7 +88,7 @@ bool has_type(const Setting* setting, SettingType type) {
   return setting != nullptr && setting->type == type;
 }
 
-// The first key that is missing, unknown or of the wrong type.
+// Returns an error for the first key that is missing, unknown or of the wrong type.
 std::expected<void, DeviceError> check_keys(const DeviceSection& section, std::size_t index) {
   constexpr std::array<std::pair<std::string_view, SettingType>, 5> kKeys = {
       {{kCertificateDampings, SettingType::numbers},

@@ -14,7 +14,7 @@ namespace {
 using drivers::Checked;
 using drivers::FieldError;
 
-// What CiA 402 drives on one bus have to agree about.
+// Checks the settings in which the CiA 402 drives of one bus must agree.
 Checked check_shared_buses(const DeviceConfig& device) {
   for (std::size_t connection = 0; connection < device.connection_count; ++connection) {
     std::array<drivers::Cia402Config, kMaxAxes> drives{};

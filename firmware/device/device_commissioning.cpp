@@ -14,7 +14,7 @@ const Setting* setting_of(const DeviceSection& section, std::string_view key) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// The first key that is missing, unknown or of the wrong type.
+// Returns an error for the first key that is missing, unknown or of the wrong type.
 std::expected<void, DeviceError> check_types(const DeviceSection& section, std::size_t index) {
   using Key = std::pair<std::string_view, SettingType>;
   constexpr std::array<Key, 7> kKeys = {{{kCommissioningPassed, SettingType::flag},

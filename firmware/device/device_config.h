@@ -1,5 +1,5 @@
-// Everything about one device: what is connected how, which axis moves which joint, the mechanism
-// and the limits. What device.toml says, in the units of the drivers and the controller.
+// The configuration of one device: its connections, the axis of each joint, the mechanism and the
+// limits. It has the content of device.toml, in the units of the drivers and the controller.
 //
 // The texts are views into the image, which must outlive it.
 #pragma once
@@ -30,46 +30,52 @@ inline constexpr std::size_t kMaxConnections = 4;
 inline constexpr std::size_t kMaxAxes = drivers::kMaxJoints;
 inline constexpr std::uint32_t kMaxPlantDelay = 8;
 
+// A CAN interface of the system.
 struct CanConnection {
   std::string_view interface;  // "can0"
   double bit_rate = 1e6;       // bit/s, 10'000 to 1'000'000
   double data_bit_rate = 5e6;  // of CAN FD payloads, bit/s, bit_rate to 8'000'000
 };
+// A Falcon on USB.
 struct FalconConnection {
   std::string_view firmware_file;  // uploaded when the device has none; empty: none
   drivers::FalconConfig falcon;
 };
+// A Haply board on a serial port.
 struct HaplyConnection {
   std::string_view port;  // "/dev/ttyACM0"
   drivers::HaplyConfig haply;
 };
+// The pins, the PWM channel and the counter of one axis on a board.
 struct GpioConnection {
   std::string_view chip;        // the GPIO chip's label, or its path
   std::string_view pwm_folder;  // "/sys/class/pwm/pwmchip0"
   std::uint32_t pwm_channel = 0;
-  // A hardware counter in place of encoder edges, by its name in /sys/bus/counter/devices; empty
+  // The name of a hardware counter that replaces encoder edges, in /sys/bus/counter/devices; empty
   // without one.
   std::string_view counter;  // "counter0"
   std::uint32_t counter_channel = 0;
 };
 
+// A connection to hardware, by the name that axes use for it.
 struct ConnectionConfig {
   std::string_view name;
   std::variant<CanConnection, FalconConnection, HaplyConnection, GpioConnection> line;
 };
 
-// An axis that its board has anyway, by its number there.
+// An axis that the board has by itself, with its number there.
 struct BoardAxis {
   std::uint8_t number = 0;
 };
 
-// How far the encoder of an axis knows its position after power-up.
+// The extent to which an axis' encoder knows its position after power-up.
 enum class EncoderKind : std::uint8_t {
-  incremental,    // not at all: it counts from wherever it was
+  incremental,    // not at all: it counts from where it was
   absolute_turn,  // within one turn of its shaft
   absolute,       // over all turns; a moteus: within one turn of the output's own encoder
 };
 
+// An axis: its connection, its drive and what its encoder knows after power-up.
 struct AxisConfig {
   std::string_view name;
   std::string_view connection_name;
@@ -78,63 +84,66 @@ struct AxisConfig {
                drivers::VescConfig, drivers::GpioAxisConfig>
       drive;
   EncoderKind encoder = EncoderKind::incremental;
-  // The turn that an absolute encoder reads after power-up begins here and ends 2 pi later, rad at
-  // its shaft. Without it 0, or -pi for a moteus.
+  // The lower end of the turn in which an absolute encoder reads after power-up, rad at its shaft;
+  // the turn ends 2 pi later. Without it the turn begins at 0, or at -pi for a moteus.
   std::optional<double> encoder_turn_begins_rad;
 };
 
+// One joint: its axes, the conversion to them, its reference and its limits.
 struct JointConfig {
   std::string_view name;
   std::string_view motor_name;
   std::string_view encoder_name;
-  std::size_t motor = 0;  // index into DeviceConfig::axes
+  std::size_t motor = 0;  // indices into DeviceConfig::axes
   std::size_t encoder = 0;
   drivers::Transmission transmission;
   drivers::Reference reference;
-  bool has_reference = false;  // the file says it
+  bool has_reference = false;  // the file has one
   JointLimits limits;
 };
 
-// How the device moves by itself, for `tactus certify`; the controller does not look at it. What is
-// not given is the simulated preset's (host_tools/simulation). Friction and encoder are those of a
-// joint: N m and rad where it turns, N and m where it slides.
+// The dynamics of the device, for `tactus certify`. The controller ignores them. Missing values are
+// those of the simulated preset (host_tools/simulation). Friction and encoder are those of a joint:
+// N m and rad if it turns, N and m if it slides.
 struct PlantConfig {
-  std::optional<double> moving_mass_kg;      // what the hand feels of it at the handle
-  std::optional<double> viscous_Ns_per_m;    // likewise
-  std::optional<double> coulomb_friction;    // sliding
-  std::optional<double> breakaway_friction;  // not less
-  std::optional<double> encoder_resolution;  // a count
-  std::optional<double> velocity_cutoff_hz;  // of the velocity that the device reports
+  std::optional<double> moving_mass_kg;    // the device's mass at the handle, as the hand feels it
+  std::optional<double> viscous_Ns_per_m;  // at the handle, as the hand feels it
+  std::optional<double> coulomb_friction;  // while sliding
+  std::optional<double> breakaway_friction;  // at least coulomb_friction
+  std::optional<double> encoder_resolution;  // one count
+  std::optional<double> velocity_cutoff_hz;  // of the reported velocity
   std::optional<double> motor_time_constant_s;
   std::optional<std::uint32_t> delay_ticks;  // from a command to the motors, whole ticks
 };
 
-// What the image says about its certificate.
+// The certificate in the image.
 struct Certification {
   bool is_there = false;
   bool is_for_these_settings = false;  // false: something has been changed since
-  StiffnessCertificate limits;         // empty unless it is for these settings
+  StiffnessCertificate limits;         // empty if it is not for these settings
   std::string_view measured_with;
 };
 
-// What the image says about its commissioning.
+// The commissioning result in the image.
 struct Commissioning {
   bool is_there = false;
   bool is_for_these_settings = false;  // false: something has been changed since
   bool passed = false;                 // every joint answered its motor as it should
-  double moving_mass_kg = 0.0;         // at the handle, that the answers agreed with
+  double moving_mass_kg = 0.0;         // at the handle; it fits the joints' answers
   std::string_view measured_with;
 };
 
+// The whole device. The first connection_count, axis_count and joint_count entries of the arrays
+// are in use.
 struct DeviceConfig {
   std::string_view name;
   ControllerConfig controller;  // its joints' limits are those of `joints`
   PlantConfig plant;
   Certification certification;  // its limits are also the controller's
   Commissioning commissioning;
-  double read_limit_s = 0.0005;  // how long a tick waits for fresh samples
-  // A line that every healthy tick turns over, for a circuit that takes the motors' power away when
-  // it stops: on a GPIO chip, by its label or path.
+  double read_limit_s = 0.0005;  // a tick waits for fresh samples for so long at most
+  // A line that every healthy tick toggles. A circuit takes the motors' power away when it stops.
+  // It is on a GPIO chip, which is given by label or path.
   std::string_view watchdog_chip;
   std::optional<drivers::OutputPin> watchdog_line;
   std::array<ConnectionConfig, kMaxConnections> connections{};
@@ -143,7 +152,7 @@ struct DeviceConfig {
   std::size_t connection_count = 0;
   std::size_t axis_count = 0;
   std::size_t joint_count = 0;
-  Words refusal;  // why read_device has refused it
+  Words refusal;  // the reason why read_device refused it
 };
 
 }  // namespace tactus::firmware

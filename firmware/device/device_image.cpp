@@ -49,13 +49,13 @@ std::expected<std::span<const std::byte>, DeviceError> payload_of(
   return payload;
 }
 
-// An empty text if the stored setting is sound.
+// Reads a stored setting. Returns an empty text if it is sound.
 std::string_view read_setting(const image::Setting& stored, Setting& setting) {
   setting.key = view(stored.key());
   setting.type = static_cast<SettingType>(stored.type());
   setting.text = view(stored.text());
   if (const auto* numbers = stored.numbers()) {
-    // FlatBuffers' verifier asks for the alignment of a vector's length alone, four bytes; its
+    // FlatBuffers' verifier only demands the alignment of a vector's length, four bytes. Its
     // builder aligns an empty vector to no more.
     if (numbers->size() > 0 &&
         reinterpret_cast<std::uintptr_t>(numbers->Data()) % alignof(double) != 0) {

@@ -1,5 +1,5 @@
-// From sections to a configuration: a section's own kind or driver chooses the tables of keys,
-// every setting finds its field, and then the parts check themselves and each other.
+// Reads sections into a configuration. The kind or driver of a section chooses the tables of keys,
+// every setting is assigned to its field, and then the parts check themselves and each other.
 #include <algorithm>
 #include <span>
 #include <variant>
@@ -50,7 +50,8 @@ class DeviceReader {
   using Step = Outcome (DeviceReader::*)(std::size_t);
 
   Outcome for_each(std::string_view kind, Step step);
-  // Every setting of the section but the choosing one through `visit_tables`.
+  // Assigns every setting of the section, except the one that chooses the tables, through
+  // `visit_tables`.
   template <class VisitTables>
   Outcome assign_all(std::size_t section, std::string_view choosing, VisitTables&& visit_tables);
 
@@ -145,7 +146,7 @@ Outcome DeviceReader::read() {
   return finish();
 }
 
-// First of all: its preset also fills the controller's section.
+// The mechanism is read first, because its preset also fills the controller's section.
 Outcome DeviceReader::read_mechanism(std::size_t i) {
   const auto preset = preset_config(text_of(sections_.sections[i], kKindKey));
   if (!preset) {
@@ -341,7 +342,8 @@ Outcome DeviceReader::take_commissioning(std::size_t i) {
   return {};
 }
 
-// The mass that the tick holds the joints' answers against: as given, or as it was commissioned.
+// Sets the mass against which the tick checks the joints' answers: the given one, or the
+// commissioned one.
 void DeviceReader::choose_moving_mass() {
   const Commissioning& commissioning = config_.commissioning;
   const double commissioned = commissioning.is_for_these_settings && commissioning.passed
@@ -376,7 +378,7 @@ std::size_t DeviceReader::section_of(const Refusal& refusal) const {
   return 0;
 }
 
-// The board counts from where it is told that its arms are: their known pose.
+// Sets the angles from which the board counts: those of the arms' known pose.
 void DeviceReader::place_haply_arms() {
   for (const JointConfig& joint : std::span(config_.joints).first(config_.joint_count)) {
     const AxisConfig& axis = config_.axes[joint.encoder];

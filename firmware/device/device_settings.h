@@ -1,4 +1,4 @@
-// Which keys each section of device.toml may hold, and the fields behind them. A key for a new
+// The keys that each section of device.toml may have, and the fields behind them. A key for a new
 // field is one line in device_settings.cpp, axis_settings.cpp or joint_settings.cpp.
 #pragma once
 
@@ -9,23 +9,23 @@
 
 namespace tactus::firmware {
 
-// The two settings that say what else a section may hold: the kind of a connection or a mechanism,
-// and the driver of an axis.
+// The two settings that decide which other keys a section may have: the kind of a connection or a
+// mechanism, and the driver of an axis.
 inline constexpr std::string_view kKindKey = "kind";
 inline constexpr std::string_view kDriverKey = "driver";
 
 std::span<const Binding<DeviceConfig>> device_keys();
 std::span<const Binding<ControllerConfig>> controller_keys();
-// With the units of a joint that turns or slides.
+// The keys of the plant, with the units of a joint that turns or slides.
 std::span<const Binding<PlantConfig>> turning_plant_keys();
 std::span<const Binding<PlantConfig>> sliding_plant_keys();
 std::span<const Binding<ConnectionConfig>> connection_keys();
 std::span<const Binding<AxisConfig>> axis_keys();
-// Lengths and angles of a joint that turns are in rad and N m, of one that slides in m and N.
+// The keys of a joint. One that turns is in rad and N m, one that slides in m and N.
 std::span<const Binding<JointConfig>> turning_joint_keys();
 std::span<const Binding<JointConfig>> sliding_joint_keys();
 
-// Of what a section's choice makes it.
+// The keys that depend on the kind or driver of a section.
 std::span<const Binding<CanConnection>> can_keys();
 std::span<const Binding<FalconConnection>> falcon_keys();
 std::span<const Binding<HaplyConnection>> haply_keys();

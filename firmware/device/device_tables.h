@@ -1,5 +1,5 @@
-// Which tables of keys a section of device.toml has, object by object, and what goes over them: one
-// thing puts a setting into its field, another lists the keys for advice.
+// The tables of keys that a section of device.toml has, object by object, and two visitors of them:
+// one assigns a setting to its field, the other lists the keys for advice.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace tactus::firmware {
 
-// Puts one setting where one of the tables has its key.
+// Assigns one setting to the field of its key, if one of the tables has the key.
 class SettingAssigner {
  public:
   explicit SettingAssigner(const Setting& setting) : setting_(setting) {}
@@ -28,6 +28,7 @@ class SettingAssigner {
       }
     }
   }
+  // Returns the error, or an empty text if the setting was assigned.
   [[nodiscard]] std::string_view wrong() const { return found_ ? wrong_ : "unknown key"; }
 
  private:
@@ -36,7 +37,7 @@ class SettingAssigner {
   bool found_ = false;
 };
 
-// Takes down every key of the tables, as many as there is room for.
+// Collects every key of the tables, as many as there is room for.
 class KeyCollector {
  public:
   explicit KeyCollector(std::span<KnownKey> keys) : keys_(keys) {}
@@ -60,8 +61,8 @@ class KeyCollector {
   std::size_t count_ = 0;
 };
 
-// What goes over the tables of a section is called as visit(object, table of its bindings): an
-// assigner and a collector alike.
+// These call visit(object, table of its bindings) for each table of a section. An assigner and a
+// collector are visitors.
 template <class Visitor>
 void visit_connection(ConnectionConfig& connection, Visitor&& visit) {
   visit(connection, connection_keys());

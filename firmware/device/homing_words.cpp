@@ -13,7 +13,7 @@ using drivers::ReferenceKind;
 
 constexpr std::size_t kMostLength = 96;
 
-// Collects what homing asks, joint after joint.
+// Collects the instructions for homing, joint after joint.
 class Instructions {
  public:
   Instructions(std::span<char> room, bool is_prismatic)

@@ -1,4 +1,4 @@
-// What the user does while a device finds its reference, in words. Not for a tick.
+// Explains to the user in words how to home a device. Not for a tick.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace tactus::firmware {
 
-// Joint by joint, what homing asks of the user: "hold 'left' still at 180 deg, let 'right'
-// move by itself". Angles are in degrees, lengths in mm. Empty if it asks nothing. Written
-// into `room`, cut at its end.
+// Returns the instructions joint by joint: "hold 'left' still at 180 deg, let 'right' move by
+// itself". Angles are in degrees, lengths in mm. Empty if homing needs no action. The text is
+// written into `room` and cut at its end.
 std::string_view homing_words(const DeviceConfig& config, std::span<char> room);
 
 }  // namespace tactus::firmware

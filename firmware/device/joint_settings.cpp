@@ -1,4 +1,4 @@
-// Of the joints, and of the plant that stands in for what hangs on them.
+// The keys of the joints and of the plant.
 #include "firmware/device/device_settings.h"
 
 namespace tactus::firmware {

@@ -1,4 +1,4 @@
-// A line of a GPIO chip is used once, and a gpio connection by one axis.
+// Checks that a line of a GPIO chip is used once, and a gpio connection by one axis.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -30,7 +30,7 @@ std::array<UsedPin, 11> pins_of(const drivers::AxisPins& pins) {
            used("heartbeat", pins.heartbeat)}};
 }
 
-// The key of the first pin of `pins` that is the line `offset`, or none.
+// Returns the key of the first pin of `pins` that uses the line `offset`, or an empty text.
 std::string_view key_at(std::span<const UsedPin> pins, std::uint32_t offset) {
   const auto found = std::ranges::find(pins, std::optional(offset), &UsedPin::offset);
   return found == pins.end() ? std::string_view{} : found->key;
@@ -49,8 +49,8 @@ std::unexpected<Refusal> refuse_pin(std::size_t axis, std::string_view key, Word
   return std::unexpected(Refusal{Place::axis, axis, key, words.view()});
 }
 
-// Pin `p` of axis i, the line `offset`, against the pins before it and those of the axes before on
-// the same chip.
+// Checks pin `p` of axis i, which uses the line `offset`, against the pins before it and those of
+// earlier axes on the same chip.
 Verdict check_pin(const DeviceConfig& device, std::size_t i, std::size_t p, std::uint32_t offset,
                   Words& words) {
   const AxisConfig& axis = device.axes[i];
@@ -93,7 +93,7 @@ Verdict check_axis_pins(const DeviceConfig& device, std::size_t i, Words& words)
 
 }  // namespace
 
-// Two axes on one gpio connection would share its PWM channel.
+// Two axes on one gpio connection are refused: they would share its PWM channel.
 Verdict check_pins(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.axis_count; ++i) {
     const AxisConfig& axis = device.axes[i];

@@ -22,7 +22,8 @@ bool read_line_number(std::string_view word, std::uint32_t& number) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
-// The line's number, then every word to `take`, which says whether it knows it.
+// Reads the line's number, then gives every word to `take`, which returns true if it knows the
+// word.
 template <class Pin, class TakeWord>
 std::string_view read_pin(Pin& pin, const Setting& setting, std::string_view unknown_word,
                           TakeWord take) {

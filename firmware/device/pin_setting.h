@@ -1,4 +1,5 @@
-// A line of a GPIO chip as text: its number, then how it is wired: "4", "4 active_low pull_up".
+// Reads a line of a GPIO chip from text: its number, then its wiring, as "4" or "4 active_low
+// pull_up".
 #pragma once
 
 #include <string_view>
@@ -8,7 +9,7 @@
 
 namespace tactus::firmware {
 
-// The pin that the setting names; an error's words, or none.
+// These read a pin from a setting. They return an error in words, or an empty text.
 std::string_view assign(drivers::InputPin& pin, const Setting& setting);
 std::string_view assign(drivers::OutputPin& pin, const Setting& setting);
 

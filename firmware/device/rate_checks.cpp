@@ -1,4 +1,4 @@
-// Whether drives and buses are fast enough for the controller's rate.
+// Checks that drives and buses are fast enough for the controller's rate.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,7 +11,7 @@ namespace tactus::firmware {
 
 namespace {
 
-constexpr double kTolerance = 0.01;  // of a period: what a rounded one may be off
+constexpr double kTolerance = 0.01;  // of a period: allowed for rounding
 
 std::unexpected<Refusal> refuse_axis(std::size_t axis, std::string_view key, const Words& words) {
   return std::unexpected(Refusal{Place::axis, axis, key, words.view()});

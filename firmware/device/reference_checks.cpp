@@ -1,4 +1,4 @@
-// How a joint learns where it is after power-up, and whether its encoder can tell that.
+// Checks how a joint finds its reference after power-up, and whether its encoder allows that.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,8 @@ namespace {
 using drivers::ReferenceKind;
 
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
-// Part of a turn that must be left beyond the joint's travel: stops give, and are only assumed.
+// The share of a turn that must be left beyond the joint's travel, since stops give and are only
+// assumed.
 constexpr double kMarginShare = 0.05;
 
 bool has_index(const AxisConfig& axis) {
@@ -21,7 +22,7 @@ bool has_index(const AxisConfig& axis) {
   return gpio != nullptr && (gpio->pins.encoder_index || gpio->encoder.counter_index);
 }
 
-// The ways to a reference that fit the encoder's driver.
+// Returns the kinds of reference that fit the encoder's driver.
 std::string_view fitting(const AxisConfig& encoder, const DeviceConfig& device) {
   if (std::holds_alternative<FalconConnection>(device.connections[encoder.connection].line)) {
     return R"(a Falcon finds its own reference: write reference = "board")";
@@ -64,7 +65,7 @@ bool fits(ReferenceKind kind, const AxisConfig& encoder, const DeviceConfig& dev
   return true;
 }
 
-// Over how much of its shaft's way the encoder knows where it is.
+// Returns true if the encoder knows its position within one turn only.
 bool knows_one_turn_alone(const AxisConfig& encoder) {
   return encoder.encoder == EncoderKind::absolute_turn ||
          std::holds_alternative<drivers::MoteusConfig>(encoder.drive);
@@ -74,7 +75,7 @@ bool is_sliding(const DeviceConfig& device) {
   return std::holds_alternative<CartesianGeometry>(device.controller.mechanism);
 }
 
-// One turn of the encoder is less than the joint's travel.
+// Explains that one turn of the encoder is less than the joint's travel.
 void say_ambiguous(const JointConfig& joint, std::string_view unit, Words& words) {
   const double ratio = joint.transmission.encoder_ratio;
   words.clear();

@@ -1,5 +1,5 @@
 // Settings of a device as a person wrote them, and tables that bind their keys to the fields of a
-// struct: one table serves the controller, the check at baking and the advice on a wrong key.
+// struct. One table serves the controller, the check at baking and the advice on a wrong key.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace tactus::firmware {
 
 enum class SettingType : std::uint8_t { number, numbers, flag, text };
 
-// Views into the image.
+// One setting. Its texts and numbers are views into the image.
 struct Setting {
   std::string_view key;
   SettingType type = SettingType::number;
@@ -28,7 +28,7 @@ struct Setting {
   std::string_view text;
 };
 
-// The words of an enumeration as a file writes it, specialised for each that is bound:
+// The words of an enumeration as a file has them. They are specialised for each bound enumeration:
 //   template <> inline constexpr std::array kWords<E> = std::to_array<Word<E>>({{"a", E::a}});
 //   template <> inline constexpr std::string_view kWordList<E> = "must be \"a\"";
 template <class E>
@@ -119,7 +119,7 @@ std::string_view assign(std::optional<T>& field, const Setting& setting) {
   return wrong;
 }
 
-// The type of the struct that a pointer to a member begins at.
+// The type of the struct to which a pointer to a member belongs.
 template <class S, class T>
 S struct_of(T S::*);
 
@@ -134,15 +134,16 @@ auto& field_of(S& object) {
 
 }  // namespace detail
 
-// Puts a setting into a field; what is wrong with the value, or nothing.
+// Assigns a setting to a field. `assign` returns the error of the value, or an empty text.
 template <class S>
 struct Binding {
   std::string_view key;
-  std::string_view unit;  // the key's suffix that says it; empty without one
+  std::string_view unit;  // the suffix of the key that names it; empty without one
   std::string_view (*assign)(S& object, const Setting& setting);
 };
 
-// The binding of a member, or of a member's member: bind<&Joint::limits, &Limits::lower>(...).
+// Returns the binding of a member, or of a member's member: bind<&Joint::limits,
+// &Limits::lower>(...).
 template <auto kFirst, auto... kRest>
 constexpr auto bind(std::string_view key, std::string_view unit = {}) {
   using S = decltype(detail::struct_of(kFirst));

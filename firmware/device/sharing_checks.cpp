@@ -1,4 +1,4 @@
-// Nothing of a device is used twice, and every name is one that the system can have.
+// Checks that nothing of a device is used twice, and that every name is valid for the system.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -18,7 +18,7 @@ std::unexpected<Refusal> refuse(Place place, std::size_t index, std::string_view
   return std::unexpected(Refusal{place, index, key, rule});
 }
 
-// "is also that of axis "drive 0"; ".
+// Adds: is also that of axis "drive 0".
 Words& also_of(Words& words, std::string_view what, std::string_view name) {
   words.clear();
   return words.add("is also that of ").add(what).add(" \"").add(name).add("\"; ");
@@ -51,7 +51,7 @@ Verdict check_all_names(const DeviceConfig& device, Words& words) {
   return verdict;
 }
 
-// A motor or an encoder belongs to one joint: those of a mechanism move apart from each other.
+// A motor or an encoder belongs to one joint, because the joints of a mechanism move independently.
 Verdict check_joints(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.joint_count; ++i) {
     const JointConfig& joint = device.joints[i];
@@ -83,7 +83,7 @@ bool is_interface_name(std::string_view name) {
          });
 }
 
-// The names by which the system finds a connection.
+// Checks the names by which the system finds a connection.
 Verdict check_line(const DeviceConfig& device, std::size_t i) {
   const auto& line = device.connections[i].line;
   const auto is_path = [](std::string_view text) { return text.size() > 1 && text[0] == '/'; };
@@ -109,7 +109,7 @@ Verdict check_line(const DeviceConfig& device, std::size_t i) {
   return {};
 }
 
-// The key that two connections must not agree in, or none.
+// Returns the key in which two connections agree but must differ, or an empty text.
 std::string_view shared_key(const ConnectionConfig& one, const ConnectionConfig& other) {
   if (one.line.index() != other.line.index()) {
     return {};
@@ -174,7 +174,7 @@ Verdict check_board_numbers(const DeviceConfig& device, Words& words) {
   return {};
 }
 
-// Drives on one CAN bus whose numbers, or whose frames' identifiers, are the same.
+// Refuses drives on one CAN bus with the same number, or with a common identifier of their frames.
 Verdict check_can_pair(const DeviceConfig& device, std::size_t i, std::size_t k, Words& words) {
   const AxisConfig& axis = device.axes[i];
   const AxisConfig& other = device.axes[k];

@@ -1,4 +1,4 @@
-// A message that is composed without the heap: texts and numbers behind each other.
+// A message that is composed without the heap, from texts and numbers.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace tactus::firmware {
 
-// As many characters as fit; the rest is left out.
+// Keeps as many characters as fit and drops the rest.
 class Words {
  public:
   Words& add(std::string_view text) {
@@ -19,7 +19,7 @@ class Words {
     size_ += count;
     return *this;
   }
-  // Rounded to at most that many decimals, without zeros at the end.
+  // Adds a number, rounded to at most so many decimals and without trailing zeros.
   Words& add(double number, int decimals = 3);
   Words& add(std::uint32_t number, std::uint32_t base = 10);
 

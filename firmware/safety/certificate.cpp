@@ -8,7 +8,7 @@
 namespace tactus::firmware {
 namespace {
 
-// The part by itself.
+// Checks the part by itself.
 std::optional<UncertifiedPart> beyond_alone(const StiffnessCertificate& certificate,
                                             const FeltScene& scene, std::size_t number) {
   const CertifiedPoint felt = part_of(scene, number).felt;

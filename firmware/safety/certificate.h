@@ -1,8 +1,8 @@
-// How stiff a surface this device can render and stay stable, as `tactus certify` measured it, and
-// the check of a scene against that.
+// The largest stiffness that the device can render without instability, as `tactus certify`
+// measured it, and the check of a scene against it.
 //
-// Not for a tick: a scene is checked when it is loaded. Pure functions of their arguments; any
-// thread.
+// Not for a tick: a scene is checked when it is loaded. All are pure functions of their arguments,
+// for any thread.
 #pragma once
 
 #include <array>
@@ -17,28 +17,30 @@ namespace tactus::firmware {
 
 inline constexpr std::size_t kMaxCertifiedPoints = 16;
 
+// The certificate: the certified stiffness at several dampings.
 struct StiffnessCertificate {
-  std::array<CertifiedPoint, kMaxCertifiedPoints> points{};  // dampings rise
-  std::size_t count = 0;                                     // 0: no certificate, nothing refused
-  double margin = 1.0;  // up to this times its stiffness each point was stable
+  std::array<CertifiedPoint, kMaxCertifiedPoints> points{};  // in order of rising damping
+  std::size_t count = 0;  // 0: no certificate, so nothing is refused
+  double margin = 1.0;    // each point was stable up to this times its stiffness
 
   [[nodiscard]] bool exists() const { return count > 0; }
   [[nodiscard]] std::span<const CertifiedPoint> all() const { return {points.data(), count}; }
 };
 
-// N/m: on straight lines between the points; 0 outside of the dampings that were measured.
+// Returns the certified stiffness, N/m, by linear interpolation between the points. It is 0 outside
+// the measured dampings.
 double certified_stiffness(const StiffnessCertificate& certificate, double damping_Ns_per_m);
 
-// The smallest of those between two dampings.
+// Returns the smallest certified stiffness between two dampings, N/m.
 double least_certified_stiffness(const StiffnessCertificate& certificate, double from_Ns_per_m,
                                  double to_Ns_per_m);
 
-// True if that stiffness and damping is beyond the certificate.
+// Returns true if that stiffness and damping is beyond the certificate.
 bool is_beyond(const StiffnessCertificate& certificate, const CertifiedPoint& felt);
 
-// Names what is stiffer than certified in a scene: one part, or several that push at one place.
+// The part of a scene that is stiffer than certified, or several parts that push at one place.
 struct UncertifiedPart {
-  enum class Kind : std::uint8_t { object, effect, wall };  // wall: of the workspace
+  enum class Kind : std::uint8_t { object, effect, wall };  // wall: of the workspace box
   struct Other {
     Kind kind = Kind::object;
     std::size_t index = 0;
@@ -46,28 +48,28 @@ struct UncertifiedPart {
   static constexpr std::size_t kMostOthers = 3;
 
   Kind kind = Kind::object;
-  std::size_t index = 0;           // of the objects, the effects or the walls (FeltWalls)
-  double stiffness_N_per_m = 0.0;  // where a texture makes it stiffest; of all together
-  double damping_Ns_per_m = 0.0;   // of all together
-  double limit_N_per_m = 0.0;      // with that damping
+  std::size_t index = 0;           // index into the objects, effects or walls (FeltWalls)
+  double stiffness_N_per_m = 0.0;  // of all parts together; the largest value of a texture
+  double damping_Ns_per_m = 0.0;   // of all parts together
+  double limit_N_per_m = 0.0;      // certified with that damping
   double most_damping_Ns_per_m = 0.0;
-  std::size_t other_count = 0;  // parts that push there too
-  std::size_t listed = 0;       // of these, the first in `others`
+  std::size_t other_count = 0;  // number of other parts that push there
+  std::size_t listed = 0;       // number of them that are in `others`
   std::array<Other, kMostOthers> others{};
 };
 
-// Names part `number` of the scene.
+// Returns the kind and the index of part `number` of the scene.
 UncertifiedPart::Other name_of_part(const FeltScene& scene, std::size_t number);
 
-// The first object, or else the first effect with a spring or wall of the workspace, that is beyond
-// the certificate by itself; or else the first parts that are beyond it where they push together
-// (safety/pushing_together.h); nothing without a certificate.
+// Returns the first part that is beyond the certificate by itself: an object, or else an effect
+// with a spring or a wall of the workspace. Otherwise returns the first parts that are beyond it
+// where they push together (safety/pushing_together.h). Returns nothing without a certificate.
 std::optional<UncertifiedPart> first_uncertified(const StiffnessCertificate& certificate,
                                                  std::span<const rendering::Object> objects,
                                                  std::span<const rendering::Effect> effects,
                                                  const SceneFeel& feel = {});
 
-// The same of one object, and of what pushes together with it.
+// Returns the same for one object and the parts that push together with it.
 std::optional<UncertifiedPart> uncertified_with(const StiffnessCertificate& certificate,
                                                 const FeltScene& scene, std::uint32_t object);
 

@@ -7,16 +7,16 @@ namespace {
 
 using rendering::Bounds;
 
-// The smallest box along the axes of the world round a box along those of O.
+// Returns the smallest box along the axes of the world that contains a box along those of O.
 Bounds in_world(const rendering::RigidPose& X_WO, const Bounds& box_O) {
   const Vec3 middle_W = X_WO.point(0.5 * (box_O.lower_W + box_O.upper_W));
   const Vec3 half_W = X_WO.rotation.cwiseAbs() * (0.5 * (box_O.upper_W - box_O.lower_W));
   return {.lower_W = middle_W - half_W, .upper_W = middle_W + half_W};
 }
 
-// Of the piece on the side `sides`: 0 for an axis along which the tool is within the box, 1 and -1
-// beyond its upper and its lower side. On a face the piece goes on into the box as deep as the face
-// is the nearest one: half of the box's least length.
+// Returns the box of the piece on the side `sides`: 0 for an axis along which the tool is within
+// the box, 1 beyond its upper side, -1 beyond its lower side. The piece of a face extends into the
+// box as far as the face is the nearest one: half of the box's smallest length.
 Bounds piece_box_O(const Vec3& half_O, const std::array<int, 3>& sides, double beyond_m,
                    double slack_m) {
   const int beyond_count = std::abs(sides[0]) + std::abs(sides[1]) + std::abs(sides[2]);

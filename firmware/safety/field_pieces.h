@@ -1,8 +1,8 @@
-// Where a potential field of a box pushes which way. Each of its faces has a place of its own, in
-// which the push is along the face's normal; beyond the edges and corners a tool that is a sphere
-// is pushed every way between the normals of the faces that meet there.
+// Divides the potential field of a box into pieces by the direction of its push. In the region of
+// each face the push is along the face's normal. Beyond the edges and corners a spherical tool is
+// pushed in every direction between the normals of the faces that meet there.
 //
-// Not for a tick. Pure functions of their arguments; any thread.
+// Not for a tick. All are pure functions of their arguments, for any thread.
 #pragma once
 
 #include <array>
@@ -13,14 +13,15 @@
 
 namespace tactus::firmware {
 
+// One piece of the field.
 struct FieldPiece {
-  rendering::Bounds box;  // all of the piece lies in it; world frame
-  // The largest that n n^T can be, for every direction n of the push in the piece: the projection
-  // onto all of them.
+  rendering::Bounds box;  // contains the whole piece; world frame
+  // An upper bound of n n^T for every direction n of the push in the piece: the projection onto all
+  // of them.
   Mat3 directions_W = Mat3::Zero();
 };
 
-// 6 faces, 12 edges and 8 corners.
+// The pieces are 6 faces, 12 edges and 8 corners.
 inline constexpr std::size_t kMostFieldPieces = 26;
 
 struct FieldPieces {
@@ -28,7 +29,8 @@ struct FieldPieces {
   std::size_t count = 0;  // 6 for a tool without a radius
 };
 
-// The pieces of the field of a box, for a tool of that radius (m, >= 0), each larger by `slack_m`.
+// Returns the pieces of the field of a box, for a tool of that radius (m, >= 0). Each is enlarged
+// by `slack_m`.
 FieldPieces pieces_of_box(const rendering::Primitive& box, double tool_radius_m, double slack_m);
 
 }  // namespace tactus::firmware

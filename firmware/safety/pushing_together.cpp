@@ -14,8 +14,9 @@ namespace {
 
 using rendering::Bounds;
 
-// Parts in one set, and parts that a search looks at. Beyond: all that may be felt with the set
-// counts as felt with it. A look takes some 60 ns, and all of a scene of 1,024 objects 2 ms more.
+// The most parts in one set, and the most parts that a search looks at. Beyond these, all parts
+// that may push together with the set count as members. A look takes some 60 ns, and a scene of
+// 1,024 objects 2 ms more.
 constexpr std::size_t kMostTogether = 16;
 constexpr std::size_t kMostLooks = std::size_t{1} << 16U;       // while a scene is loaded
 constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;  // at the edge of an active tick
@@ -23,18 +24,18 @@ constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;  // at the edge o
 constexpr std::size_t kMostParts =
     rendering::kMaxObjects + rendering::kMaxEffects + FeltWalls::kCount;
 
-// Sums of several stiffnesses differ from the certified one by rounding.
+// The sum of several stiffnesses may differ from the certified one by rounding.
 constexpr double kRounding = 1e-9;
 
-// Single precision at the ends of the world.
+// The rounding of single precision at the ends of the world.
 constexpr float kSlack_m = 2e-5F;
 
-// A rough shape of a part, enough to tell most pairs apart.
+// A rough shape of a part, which separates most pairs.
 struct Outline {
-  std::array<float, 3> lower{};  // of the surface; of an effect, of its region
+  std::array<float, 3> lower{};  // of the surface, or of an effect's region
   std::array<float, 3> upper{};
-  float reach_m = 0.0F;    // how far from there it is felt
-  float contact_m = 0.0F;  // of the shared proxy's centre
+  float reach_m = 0.0F;    // the part is felt up to this distance from there
+  float contact_m = 0.0F;  // contact distance of the shared proxy's centre
   bool shares_proxy = false;
   bool is_felt = false;
 };
@@ -59,7 +60,7 @@ Outline outline_of(const ScenePart& part) {
   return outline;
 }
 
-// False only for a pair that is never felt together.
+// Returns false only for a pair that never pushes together.
 bool may_meet(const Outline& a, const Outline& b) {
   if (!a.is_felt || !b.is_felt) {
     return false;
@@ -75,7 +76,7 @@ bool may_meet(const Outline& a, const Outline& b) {
   if (!one_proxy) {
     return true;
   }
-  // Only where a side coincides.
+  // The two count together only if a side coincides.
   const float contact = a.contact_m - b.contact_m;
   constexpr float kNear_m = static_cast<float>(kSamePlace_m) + kSlack_m;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,10 +88,10 @@ bool may_meet(const Outline& a, const Outline& b) {
   return false;
 }
 
-// Goes through the sets of parts that can be felt together, each once, in order of their numbers.
+// Visits the sets of parts that can push together, each once, in the order of their numbers.
 class Search {
  public:
-  // A scene of at most kMostParts.
+  // The scene has at most kMostParts parts.
   Search(const StiffnessCertificate& certificate, const FeltScene& scene, std::size_t most_looks)
       : certificate_(certificate), scene_(scene), looks_left_(most_looks) {
     for (std::size_t i = 0; i < scene.size(); ++i) {
@@ -98,7 +99,8 @@ class Search {
     }
   }
 
-  // Of the sets of part `first` and parts from `next` on; true if one is beyond the certificate.
+  // Checks the sets of part `first` and parts from `next` on. Returns true if one is beyond the
+  // certificate.
   bool finds(std::size_t first, std::size_t next) {
     near_count_ = 0;
     for (std::size_t i = next; i < scene_.size(); ++i) {
@@ -128,7 +130,7 @@ class Search {
     for (std::size_t i = 0; i < part.listed; ++i) {
       part.others[i] = name_of_part(scene_, numbers_[i + 1]);
     }
-    // A wall of the workspace is always named; it stands behind all parts of the scene.
+    // A wall of the workspace is always named. Walls come after all other parts of the scene.
     if (part.listed > 0 && members_[count_ - 1].is_wall) {
       part.others[part.listed - 1] = name_of_part(scene_, numbers_[count_ - 1]);
     }
@@ -136,7 +138,7 @@ class Search {
   }
 
  private:
-  // What can be felt with the set.
+  // The parts that can push together with the set.
   struct Rest {
     CertifiedPoint felt;
     std::size_t count = 0;
@@ -144,8 +146,8 @@ class Search {
 
   [[nodiscard]] std::span<const ScenePart> members() const { return {members_.data(), count_}; }
 
-  // The set's own in the box. Walls of the workspace stand at right angles, so that one of their
-  // dampings counts.
+  // Returns the stiffness and damping of the set in the box. Walls of the workspace stand at right
+  // angles, so only one of their dampings counts.
   [[nodiscard]] CertifiedPoint felt_in(const Bounds& box) {
     CertifiedPoint sum;
     double of_wall = 0.0;
@@ -161,7 +163,7 @@ class Search {
     return sum;
   }
 
-  // Whether the part is felt somewhere in the box, together with all of the set.
+  // Returns true if the part pushes somewhere in the box together with the whole set.
   [[nodiscard]] bool fits(const ScenePart& part, const Bounds& box) const {
     const Bounds common = common_box(box, part.region.box);
     return is_felt(part) && has_point_in(common, part.region) &&
@@ -171,7 +173,8 @@ class Search {
            });
   }
 
-  // The part at `place` of those near the first, if it can be felt with the set.
+  // Gets the part at `place` among those near the first. Returns false if it cannot push together
+  // with the set.
   bool take(std::size_t place, const Bounds& box, ScenePart& part) {
     looks_left_ -= looks_left_ > 0 ? 1 : 0;
     part = part_of(scene_, near_[place]);
@@ -191,14 +194,14 @@ class Search {
     return rest;
   }
 
-  // Whether no set of these parts and some of the rest can be beyond the certificate.
+  // Returns true if no set of these parts and some of the rest can be beyond the certificate.
   [[nodiscard]] bool is_within(const CertifiedPoint& own, const CertifiedPoint& rest) const {
     return own.stiffness_N_per_m + rest.stiffness_N_per_m <=
            least_certified_stiffness(certificate_, own.damping_Ns_per_m,
                                      own.damping_Ns_per_m + rest.damping_Ns_per_m);
   }
 
-  // Adds parts near the first, from place `next` on, to the set, which is felt in the box.
+  // Adds parts near the first one, from place `next` on, to the set, which pushes in the box.
   bool grow(std::size_t next, const Bounds& box) {
     const CertifiedPoint own = felt_in(box);
     const Rest rest = rest_of(next, box);
@@ -232,11 +235,11 @@ class Search {
   std::array<std::size_t, kMostTogether> numbers_{};
   std::size_t count_ = 0;
   std::array<Outline, kMostParts> outlines_{};
-  std::array<std::uint16_t, kMostParts> near_{};  // parts that may be felt with the first
+  std::array<std::uint16_t, kMostParts> near_{};  // parts that may push together with the first
   std::size_t near_count_ = 0;
   std::size_t looks_left_ = 0;
   std::size_t unlisted_ = 0;  // parts that count in `felt_` without being members
-  CertifiedPoint felt_;       // of the set that was found
+  CertifiedPoint felt_;       // stiffness and damping of the set that was found
 };
 
 }  // namespace

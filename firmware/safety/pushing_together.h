@@ -1,17 +1,17 @@
-// The parts of a scene that push the tool at one place together, held against the certificate.
+// Checks the parts of a scene that push the tool at one place together against the certificate.
 //
-// A hand feels the sum of what objects with a touch of their own (potential fields, feature walks,
-// formulas) and effects do. Objects that share the proxy push as one, with a mean that is no larger
-// than the largest of them (rendering/world/world.h), so one of them counts at a place: any of
-// them. Those that coincide count with their sum all the same: nobody can tell which one is meant.
+// Objects with a contact of their own (potential fields, feature walks, formulas) and effects add
+// up. Objects that share the proxy push as one, with a mean that is no larger than the largest of
+// them (rendering/world/world.h), so one of them counts at a place, whichever it is. Objects that
+// coincide count with their sum, because it is ambiguous which one is meant.
 //
-// Stiffnesses add as K n n^T where the directions are known (safety/stiffness_sum.h), and are alike
+// Stiffnesses add as K n n^T where the directions are known (safety/stiffness_sum.h), and are equal
 // in all directions elsewhere. Dampings add. Walls of the workspace count as parts. Every set of
-// parts that can be felt together is held against the certificate, since fewer parts may have less
-// damping than all of them.
+// parts that can push together is checked, since fewer parts may have less damping than all of
+// them.
 //
-// Not for a tick, but for the edge of one: no heap, bounded work. Pure functions of their
-// arguments; any thread.
+// Not for a tick, but for the time between two ticks: it uses no heap, and its work is bounded. All
+// are pure functions of their arguments, for any thread.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +21,12 @@
 
 namespace tactus::firmware {
 
-// What is beyond the certificate where two parts or more are felt together; nothing if all of it is
-// within. Parts by themselves are not looked at. The scene has at most kMaxObjects and kMaxEffects.
+// Returns the first two or more parts that are beyond the certificate together, or nothing if there
+// are none. Single parts are not checked. The scene has at most kMaxObjects and kMaxEffects.
 std::optional<UncertifiedPart> first_uncertified_together(const StiffnessCertificate& certificate,
                                                           const FeltScene& scene);
 
-// The same of those sets that `object` belongs to.
+// Returns the same for the sets that contain `object`.
 std::optional<UncertifiedPart> first_uncertified_with(const StiffnessCertificate& certificate,
                                                       const FeltScene& scene, std::uint32_t object);
 

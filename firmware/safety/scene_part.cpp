@@ -10,10 +10,10 @@
 namespace tactus::firmware {
 namespace {
 
-// A direction is an axis of the world, and two planes are parallel, to within this.
+// Tolerance within which a direction is an axis of the world, or two planes are parallel.
 constexpr double kSameDirection = 1e-9;
 
-// A stiffness and the one that a texture makes of it.
+// The smallest and the largest stiffness that a texture makes.
 struct StiffnessRange {
   double least_N_per_m = 0.0;
   double most_N_per_m = 0.0;
@@ -32,10 +32,11 @@ StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Ma
           .most_N_per_m = high * material.stiffness_N_per_m};
 }
 
-// The slope of the magnet's pull is S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2) along the way to the pole,
-// and S / (d^2 + c^2)^(3/2) across it. A pole that pulls is a spring of S / c^3 at its middle, and
-// across the way elsewhere. One that pushes away is a spring along it, steepest at d^2 = 3 c^2 / 2,
-// with -2 S / (5/2)^(5/2) / c^3, and of less than -2 S / (d^2 + c^2)^(3/2) at every distance.
+// The slope of the magnet's pull is S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2) along the direction to the
+// pole, and S / (d^2 + c^2)^(3/2) across it. A pole that pulls is a spring of S / c^3 at its
+// middle, and across the direction elsewhere. A pole that pushes away is a spring along the
+// direction. It is steepest at d^2 = 3 c^2 / 2, with -2 S / (5/2)^(5/2) / c^3, and below -2 S /
+// (d^2 + c^2)^(3/2) at every distance.
 CertifiedPoint core_of(const rendering::Magnet& magnet) {
   const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
   const double away = -2.0 / (2.5 * 2.5 * std::sqrt(2.5));
@@ -50,14 +51,16 @@ Falloff falloff_of(const rendering::Magnet& magnet) {
           .steepness = middle >= 0.0 ? middle : -2.0 * middle};
 }
 
-// Beyond the distance at which the spring pulls with its largest force it only turns.
+// Beyond the distance at which the spring reaches its largest force, its force only changes
+// direction.
 Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
   return {.kind = Falloff::Kind::bounded_spring,
           .middle_W = spring.anchor_W,
           .largest_force_N = largest_force_N};
 }
 
-// The slope of the drag at the speed at which it reaches its largest force: it is steepest there.
+// The damping is the slope of the drag at the speed at which it reaches its largest force, where it
+// is steepest.
 CertifiedPoint drag_of(const rendering::FluidDrag& drag, double max_force_N) {
   const double linear = drag.linear_Ns_per_m;
   return {.damping_Ns_per_m =
@@ -81,7 +84,7 @@ rendering::Bounds around(const Vec3& p_W, double by_m) {
   return grown({.lower_W = p_W, .upper_W = p_W}, by_m);
 }
 
-// A plane's box ends at the plane where that is along an axis of the world.
+// Returns the box of a plane, which ends at the plane if the plane is along an axis of the world.
 rendering::Bounds half_space(const rendering::Primitive& plane) {
   rendering::Bounds box = FeltRegion{}.box;
   const Vec3 normal_W = plane.X_WO.rotation.col(1);
@@ -111,7 +114,8 @@ bool is_box_along_axes(const rendering::Object& object) {
          along_world_axis(rotation.col(0)) && along_world_axis(rotation.col(1));
 }
 
-// The stretch of the proxy is along the normal alone. A potential field knows no friction.
+// Returns true if the stretch of the proxy is along the normal only. A potential field has no
+// friction.
 bool is_smooth(const rendering::Object& object, const rendering::Material& material) {
   if (object.method == rendering::ContactMethod::potential_field) {
     return true;
@@ -125,14 +129,14 @@ bool has_bounds(const rendering::Object& object) {
   return object.surface != rendering::SurfaceKind::mesh || !object.mesh.nodes.empty();
 }
 
-// Whether it is touched by the tool's sphere, and not by its centre.
+// Returns true if the tool's sphere touches the object, and not only its centre.
 bool is_sphere_to(const rendering::Object& object) {
   return object.method == rendering::ContactMethod::sphere_proxy ||
          object.method == rendering::ContactMethod::potential_field;
 }
 
-// How far beyond its surface the tool can be and still feel it more the deeper it goes. A potential
-// field keeps no place: there it is the tool's radius alone.
+// Returns the largest distance beyond its surface at which the tool feels the object more the
+// deeper it goes, m. A potential field keeps no proxy, so this is only the tool's radius there.
 double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
                      const SceneFeel& feel) {
   if (object.method == rendering::ContactMethod::potential_field) {
@@ -142,8 +146,8 @@ double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
                                  : kBoundless_m;
 }
 
-// The tool is in contact with a smooth box along the axes only if it has come in through a side, so
-// that it goes out at the other with less depth left.
+// The tool is in contact with a smooth box along the axes only if it came in through a side, so it
+// leaves the other side with less depth left.
 rendering::Bounds felt_box(const rendering::Object& object, const rendering::Material& material,
                            const ScenePart& part, double beyond_m) {
   Vec3 beyond = Vec3::Constant(beyond_m);
@@ -159,7 +163,7 @@ FeltRegion slab(const Vec3& point_W, const Vec3& normal_W, double below_m, doubl
   return {.normal_W = normal_W, .lowest_m = height - below_m, .highest_m = height + above_m};
 }
 
-// The line goes on for ever: its region is a box where it is along an axis of the world.
+// The line is infinite, so its region is a box only if it is along an axis of the world.
 FeltRegion region_of(const rendering::SnapToLine& line) {
   FeltRegion region;
   const rendering::Bounds near = around(line.point_W, line.law.capture_m);
@@ -172,7 +176,7 @@ FeltRegion region_of(const rendering::SnapToLine& line) {
   return region;
 }
 
-// At this many cores from the pole the pull's slope is a hundredth of what it is in the middle.
+// At this many cores from the pole the slope of the pull is a hundredth of that in the middle.
 constexpr double kCoresFelt = 4.6;
 
 ScenePart part_of_drag(const rendering::FluidDrag& drag, double max_force_N) {
@@ -192,7 +196,7 @@ ScenePart part_of_snap(const rendering::SnapToPoint& point) {
   return part;
 }
 
-// A stiffness of I - d d^T: none along the line.
+// Returns a part with a stiffness of I - d d^T, which is zero along the line.
 ScenePart part_of_snap(const rendering::SnapToLine& line) {
   return {.felt = snap_of(line.law),
           .directions = SpringDirections::across_axis,
@@ -207,7 +211,8 @@ ScenePart part_of_snap(const rendering::SnapToPlane& plane) {
           .region = slab(plane.point_W, plane.normal_W, plane.law.capture_m, plane.law.capture_m)};
 }
 
-// The sides along one axis that are in contact with the tool at the same place of its centre.
+// Returns true if sides along one axis are in contact with the tool at the same position of its
+// centre.
 bool common_side(const ScenePart& a, const ScenePart& b, Eigen::Index axis) {
   const auto same = [](double one, double other) {
     return std::abs(one) < rendering::kWorldBound_m && std::abs(one - other) < kSamePlace_m;
@@ -216,7 +221,8 @@ bool common_side(const ScenePart& a, const ScenePart& b, Eigen::Index axis) {
          same(a.surface.upper_W[axis] + a.contact_m, b.surface.upper_W[axis] + b.contact_m);
 }
 
-// Sides that only meet at an edge, as those of tiles do, have no area in common.
+// Returns true if the sides have an area in common. Sides that only meet at an edge, as those of
+// tiles do, have none.
 bool common_area(const rendering::Bounds& common, Eigen::Index across) {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     if (axis != across && common.upper_W[axis] - common.lower_W[axis] < kSamePlace_m) {
@@ -247,7 +253,7 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
                  .shares_proxy = rendering::meets_proxy(object),
                  .surface = FeltRegion{}.box};
   if (rendering::is_mover(object) || !has_bounds(object)) {
-    return part;  // it may come anywhere
+    return part;  // the object may move anywhere
   }
   part.contact_m = is_sphere_to(object) ? feel.tool_radius_m : 0.0;
   if (is_plane(object)) {
@@ -303,11 +309,11 @@ ScenePart part_of_effect(const rendering::Effect& effect) {
   if (const auto* plane = std::get_if<rendering::SnapToPlane>(&law)) {
     return part_of_snap(*plane);
   }
-  return {};  // its force changes neither with place nor with speed
+  return {};  // its force depends neither on position nor on speed
 }
 
-// Wall 0 is the lower one across x, wall 1 the upper one, then y and z. A wall that no device
-// reaches is not there.
+// Wall 0 is the lower one across x, wall 1 the upper one, then y and z. A wall that no device can
+// reach does not count.
 ScenePart part_of_wall(const FeltWalls& walls, std::size_t wall) {
   const auto axis = static_cast<Eigen::Index>(wall / 2);
   const bool is_upper = wall % 2 == 1;

@@ -1,7 +1,7 @@
-// What one object or effect of a scene adds where the tool is: how stiff and how damped it is, in
-// which directions, and where the tool must be to feel it.
+// The contribution of one object or effect of a scene at the tool: its stiffness and damping, their
+// directions, and the region in which the tool feels it.
 //
-// Not for a tick. Pure functions of their arguments; any thread.
+// Not for a tick. All are pure functions of their arguments, for any thread.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,22 @@
 
 namespace tactus::firmware {
 
-// A stiffness with a damping: what a surface has, or the most that is certified with that damping.
+// A stiffness with a damping: those of a surface, or the largest stiffness that is certified with
+// that damping.
 struct CertifiedPoint {
   double damping_Ns_per_m = 0.0;
   double stiffness_N_per_m = 0.0;
 };
 
-// Two objects of the shared proxy whose sides are as near as this are in one place.
+// Two objects of the shared proxy whose sides are at most this far apart are in one place.
 inline constexpr double kSamePlace_m = 1e-4;
 
 inline constexpr double kBoundless_m = 1e3;  // beyond the world
 
-inline constexpr double kNoWall_m = 10.0;  // a wall of the workspace so far away is not there
+inline constexpr double kNoWall_m = 10.0;  // a wall of the workspace so far away does not count
 
-// The box that the tool is kept in (safety/workspace_walls.h); without a change, none.
+// The box that the tool is kept in, world frame (safety/workspace_walls.h). The default has no
+// walls.
 struct FeltWalls {
   static constexpr std::size_t kCount = 6;
 
@@ -35,20 +37,21 @@ struct FeltWalls {
   Vec3 upper_W = Vec3::Constant(kNoWall_m);
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
-  double reach_m = 0.0;  // how deep in a wall the tool can be while the motors are on
+  double reach_m = 0.0;  // deepest position in a wall while the motors are on
 };
 
-// How a scene is felt.
+// The tool and the settings that decide how a scene is felt.
 struct SceneFeel {
   double tool_radius_m = 0.0;
-  // A surface is felt until the force of its spring is this large.
+  // A surface is felt until the force of its spring reaches this value.
   double max_force_N = std::numeric_limits<double>::infinity();
-  // The material of an object in place of the scene's; null for the scene's.
+  // Returns the material of an object, to replace the scene's; null for the scene's.
   rendering::Material (*material)(const void* context, std::uint32_t object) = nullptr;
   const void* context = nullptr;
   FeltWalls walls;
 };
 
+// A scene as the certificate sees it. `size` is the number of its parts.
 struct FeltScene {
   std::span<const rendering::Object> objects;
   std::span<const rendering::Effect> effects;
@@ -59,8 +62,8 @@ struct FeltScene {
   }
 };
 
-// Where the tool is when it feels the part: in the box and, if it has a normal, at a height along
-// it between the two. World frame.
+// The region in which the tool feels a part, world frame. The tool is in the box and, if there is a
+// normal, its coordinate along the normal is between lowest_m and highest_m.
 struct FeltRegion {
   rendering::Bounds box{.lower_W = Vec3::Constant(-kBoundless_m),
                         .upper_W = Vec3::Constant(kBoundless_m)};
@@ -69,47 +72,49 @@ struct FeltRegion {
   double highest_m = kBoundless_m;
 };
 
-// Which moves of the tool a spring answers.
+// The directions of motion that a spring resists.
 enum class SpringDirections : std::uint8_t { all, along_axis, across_axis };
 
-// How the stiffness of an effect falls with the distance from its middle.
+// The decrease of an effect's stiffness with the distance d from its middle.
 struct Falloff {
   enum class Kind : std::uint8_t { none, pole, bounded_spring };
   Kind kind = Kind::none;
   Vec3 middle_W = Vec3::Zero();
   double core_m = 0.0;         // of a pole
-  double steepness = 0.0;      // of a pole, N/m: times (1 + (d / core)^2)^(-3/2)
-  double largest_force_N = 0;  // of a bounded spring: over d
+  double steepness = 0.0;      // of a pole, N/m; it is multiplied by (1 + (d / core)^2)^(-3/2)
+  double largest_force_N = 0;  // of a bounded spring; divided by d
 };
 
+// One part of a scene.
 struct ScenePart {
-  CertifiedPoint felt;  // the most
+  CertifiedPoint felt;  // the largest values
   Falloff falloff;
   SpringDirections directions = SpringDirections::all;
-  Vec3 axis_W = Vec3::Zero();  // unit, of along_axis and across_axis
+  Vec3 axis_W = Vec3::Zero();  // unit; for along_axis and across_axis
   FeltRegion region;
-  // Of an object that meets the shared proxy.
+  // These are for an object that the shared proxy touches.
   bool shares_proxy = false;
-  bool has_flat_sides = false;  // its box's sides are its own surface
-  rendering::Bounds surface;    // its box; beyond kWorldBound_m to all sides for one that moves
-  double contact_m = 0.0;       // the distance at which the tool's centre is in contact with it
-  // Of a potential field of a box: the box, which pushes along the normals of its faces; else null.
+  bool has_flat_sides = false;  // the sides of its box are its surface
+  rendering::Bounds surface;    // its box; larger than kWorldBound_m on all sides if it moves
+  double contact_m = 0.0;       // distance at which the tool's centre is in contact
+  // The box of a potential field, which pushes along the normals of its faces; else null.
   const rendering::Primitive* field_box = nullptr;
-  bool is_wall = false;  // of the workspace: damps along its own axis alone
+  bool is_wall = false;  // a wall of the workspace, which damps only along its own axis
 };
 
-// Part `number` of a scene: its objects come first, then its effects, then the workspace's walls.
+// Returns part `number` of a scene. The objects come first, then the effects, then the workspace's
+// walls.
 ScenePart part_of(const FeltScene& scene, std::size_t number);
 
-// Whether both share the proxy and the surfaces coincide: where they do, the proxy rests on both
-// along one normal. For boxes along the axes and planes a common side is enough; every other
-// object must have all the sides of its box in common.
+// Returns true if both share the proxy and their surfaces coincide, so that the proxy rests on both
+// along one normal. For boxes along the axes and planes a common side is enough; other objects must
+// have all sides of their boxes in common.
 bool coincide(const ScenePart& a, const ScenePart& b);
 
-// The box that both have in common; lower above upper where there is none.
+// Returns the intersection of both boxes; lower is above upper if it is empty.
 rendering::Bounds common_box(const rendering::Bounds& a, const rendering::Bounds& b);
 
-// Whether some point of the box is in the region. The box lies in the region's box.
+// Returns true if some point of the box is in the region. The box lies in the region's box.
 bool has_point_in(const rendering::Bounds& box, const FeltRegion& region);
 
 }  // namespace tactus::firmware

@@ -11,17 +11,17 @@ namespace {
 
 using rendering::Bounds;
 
-// The pieces of one more field, in looks of some 60 ns.
+// The cost of the pieces of one more field, in looks of some 60 ns.
 constexpr std::size_t kLooksOfAField = 32;
 
 double largest_eigenvalue(const Mat3& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
 
-// The stiffness matrix of parts whose directions are the same everywhere in the box.
+// The stiffness matrix of the parts whose directions are the same everywhere in the box.
 struct Fixed {
   Mat3 directed = Mat3::Zero();
-  double alike = 0.0;  // in all directions
+  double alike = 0.0;  // equal in all directions
 
   [[nodiscard]] double most() const {
     return alike + (directed.isZero(0.0) ? 0.0 : largest_eigenvalue(directed));
@@ -45,7 +45,7 @@ void add(const Bounds& box, const ScenePart& part, Fixed& sum) {
   }
 }
 
-// N/m, of all fields of boxes.
+// Returns the sum of the stiffnesses of all fields of boxes, N/m.
 double sum_of_fields(std::span<const ScenePart> parts) {
   double sum = 0.0;
   for (const ScenePart& part : parts) {
@@ -54,7 +54,7 @@ double sum_of_fields(std::span<const ScenePart> parts) {
   return sum;
 }
 
-// Goes through the choices of one piece for each field of a box.
+// Visits the choices of one piece for each field of a box.
 class PieceSum {
  public:
   PieceSum(std::span<const ScenePart> parts, const Fixed& fixed, std::size_t& looks_left)
@@ -85,7 +85,7 @@ class PieceSum {
         parts_, [&](const ScenePart& part) { return has_point_in(box, part.region); });
   }
 
-  // Goes on with parts from `next` on; `left_N_per_m` is what fields among them have.
+  // Continues with parts from `next` on. `left_N_per_m` is the stiffness of the fields among them.
   void choose(std::size_t next, const Bounds& box, const Fixed& sum, double left_N_per_m) {
     while (next < parts_.size() && parts_[next].field_box == nullptr) {
       ++next;
@@ -118,7 +118,7 @@ class PieceSum {
   std::size_t& looks_left_;
   double fields_N_per_m_;
   double most_possible_;
-  double largest_ = -1.0;  // of the choices so far
+  double largest_ = -1.0;  // the largest of the choices so far
 };
 
 }  // namespace

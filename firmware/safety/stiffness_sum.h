@@ -1,12 +1,13 @@
-// How stiff several parts of a scene are together, in the direction in which that is most.
+// Computes the stiffness of several parts of a scene together, in the direction in which it is
+// largest.
 //
-// A spring that pushes along n alone adds K n n^T, and one that is alike in all directions K. The
-// potential field of a box has another n on each of its faces (safety/field_pieces.h), so every
-// choice of one piece for each of them is looked at that has a place in common. Beyond edges and
-// corners n n^T is replaced by the projection onto all directions that are possible: the sum is
-// then an upper bound, and elsewhere it is exact but for the places, which are boxes.
+// A spring that pushes only along n adds K n n^T, and one that is equal in all directions adds K.
+// The potential field of a box has another n on each of its faces (safety/field_pieces.h), so every
+// choice of one piece for each field is checked whose pieces overlap. Beyond edges and corners n
+// n^T is replaced by the projection onto all possible directions, so the sum is an upper bound
+// there. Elsewhere it is exact, except that positions are bounded by boxes.
 //
-// Not for a tick. No heap, bounded work; any thread.
+// Not for a tick. It uses no heap, its work is bounded, and it may be called from any thread.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +17,13 @@
 
 namespace tactus::firmware {
 
-// The largest stiffness that the part has in the box, N/m.
+// Returns the largest stiffness of the part in the box, N/m.
 double stiffness_in(const rendering::Bounds& box, const ScenePart& part);
 
-// The largest stiffness that the parts have together in any direction somewhere in the box, N/m.
-// Fields of boxes count as alike in all directions if the sum is then at most `enough_N_per_m`, or
-// if the search of their pieces has used up `looks_left`.
+// Returns the largest stiffness that the parts have together in any direction somewhere in the box,
+// N/m. Fields of boxes count as equal in all directions if the sum is then at most
+// `enough_N_per_m`, or if the search of their pieces has used up `looks_left`. The search reduces
+// `looks_left`.
 double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts,
                           double enough_N_per_m, std::size_t& looks_left);
 

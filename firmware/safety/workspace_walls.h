@@ -1,6 +1,7 @@
-// A box in the world frame that the tool shall not leave. Its walls push back like springs with
-// dampers, which never pull: F = max(K depth - B v, 0) inward, v the velocity inward. Deeper than
-// workspace_overrun_m: kFaultWorkspace. The certificate binds them together with the scene.
+// A box in the world frame that the tool shall not leave. Its walls push back as springs with
+// dampers that never pull: F = max(K depth - B v, 0) inward, where v is the velocity inward. A tool
+// deeper than workspace_overrun_m is a kFaultWorkspace. The certificate limits the walls together
+// with the scene.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +13,20 @@
 
 namespace tactus::firmware {
 
-// How the walls count against the certificate, with what pushes at the same place.
+// Returns the walls as the certificate sees them, together with the parts that push at the same
+// place.
 FeltWalls felt_walls(const SafetyConfig& safety);
 
 class WorkspaceWalls {
  public:
+  // Takes over the box and the walls' stiffness and damping. Call before the first tick.
   void configure(const ControllerConfig& config);
 
-  // FaultBits: kLimitWorkspace in a wall, kFaultWorkspace through it. The tool is finite.
+  // Returns FaultBits: kLimitWorkspace in a wall, kFaultWorkspace beyond it. The position must be
+  // finite.
   [[nodiscard]] std::uint64_t check(const Vec3& p_W) const;
 
-  // N, on the hand.
+  // Returns the force on the hand, N.
   [[nodiscard]] Vec3 push_W(const rendering::ToolState& tool) const;
 
  private:
