@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "host_tools/bake/mesh_import.h"
-#include "host_tools/bake/placement.h"
+#include "host_tools/bake/scene/mesh_import.h"
+#include "host_tools/bake/scene/placement.h"
 #include "host_tools/benchmark/debian_bunny.h"
 #include "host_tools/benchmark/external_program.h"
 #include "host_tools/benchmark/stanford_dragon.h"

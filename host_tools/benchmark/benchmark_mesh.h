@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/scene/mesh_bake.h"
 #include "rendering/world/object.h"
 
 namespace tactus::host {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/scene/mesh_bake.h"
 #include "rendering/world/object.h"
 
 namespace tactus::host {

@@ -11,8 +11,8 @@
 #include <memory>
 #include <string>
 
-#include "host_tools/bake/image_writer.h"
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/image_writer.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/benchmark/external_program.h"
 #include "host_tools/benchmark/percentile.h"
 #include "host_tools/files/atomic_file.h"

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "host_tools/bake/bake.h"
-#include "host_tools/bake/certificate_file.h"
-#include "host_tools/bake/device_bake.h"
+#include "host_tools/bake/device/certificate_file.h"
+#include "host_tools/bake/device/device_bake.h"
+#include "host_tools/bake/scene/bake.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"

@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
-#include "host_tools/bake/certificate_file.h"
-#include "host_tools/bake/device_bake.h"
+#include "host_tools/bake/device/certificate_file.h"
+#include "host_tools/bake/device/device_bake.h"
 #include "host_tools/certify/z_width_report.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/input_error.h"

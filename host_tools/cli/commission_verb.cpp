@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "host_tools/bake/certificate_file.h"
-#include "host_tools/bake/device_bake.h"
+#include "host_tools/bake/device/certificate_file.h"
+#include "host_tools/bake/device/device_bake.h"
 #include "host_tools/certify/certified_device.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/commission/board_bench.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "host_tools/bake/device_bake.h"
+#include "host_tools/bake/device/device_bake.h"
 #include "host_tools/doctor/doctor.h"
 #include "host_tools/input_error.h"
 

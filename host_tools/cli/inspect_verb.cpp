@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "host_tools/bake/friction_description.h"
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/friction_description.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 
 namespace tactus::host {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"

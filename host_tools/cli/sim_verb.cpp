@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/cli/serve_simulation.h"
 #include "host_tools/files/output_place.h"

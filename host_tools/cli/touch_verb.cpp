@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/csv/csv_table.h"
 #include "host_tools/files/output_place.h"

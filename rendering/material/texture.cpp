@@ -104,9 +104,9 @@ Vec3 TextureView::texel(std::size_t level, std::uint32_t x, std::uint32_t y) con
 }
 
 // A level with texels of the size T holds no waves shorter than 2 T
-// (host_tools/bake/mip_pyramid.h), and a tick rate carries none shorter than two ticks' travel: so
-// T has to be a tick's travel at least. The finer of the two levels in use is up to an octave finer
-// than asked for, hence the 2.
+// (host_tools/bake/scene/mip_pyramid.h), and a tick rate carries none shorter than two ticks'
+// travel: so T has to be a tick's travel at least. The finer of the two levels in use is up to an
+// octave finer than asked for, hence the 2.
 double mip_level(const TextureView& texture, double travel_m, double texel_m) {
   const double texels = 2.0 * travel_m / texel_m;
   if (!(texels > 1.0)) {

@@ -1,6 +1,7 @@
 // An implicit surface's formula f(x, y, z) as a short list of instructions, and its evaluation: the
 // surface is where f = 0, the inside where f < 0. Baking compiles the list from text
-// (host_tools/bake/formula_parser.h); it is plain data and is stored in the scene's image as it is.
+// (host_tools/bake/formula/formula_parser.h); it is plain data and is stored in the scene's image
+// as it is.
 #pragma once
 
 #include <cstddef>

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "host_tools/bake/bake.h"
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/bake.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "rendering/scene/scene_world.h"
 #include "tests/replay/restore_check.h"
 #include "tests/support/example_scenes.h"

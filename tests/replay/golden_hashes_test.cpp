@@ -11,8 +11,8 @@
 #include <memory>
 #include <string>
 
-#include "host_tools/bake/bake.h"
-#include "host_tools/bake/mapped_scene.h"
+#include "host_tools/bake/scene/bake.h"
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "rendering/geometry/portable_math.h"
 #include "rendering/scene/scene_world.h"
 #include "tests/replay/restore_check.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "host_tools/bake/device_bake.h"
+#include "host_tools/bake/device/device_bake.h"
 #include "tests/unit/host_tools/doctor/recorded_machine.h"
 
 namespace tactus::host {

@@ -1,4 +1,4 @@
-#include "host_tools/bake/corner_normals.h"
+#include "host_tools/bake/scene/corner_normals.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "host_tools/bake/corner_normals.h"
-#include "host_tools/bake/mesh_bake.h"
-#include "host_tools/bake/mip_pyramid.h"
+#include "host_tools/bake/scene/corner_normals.h"
+#include "host_tools/bake/scene/mesh_bake.h"
+#include "host_tools/bake/scene/mip_pyramid.h"
 #include "rendering/world/world.h"
 #include "tests/support/shapes.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "host_tools/bake/formula_parser.h"
+#include "host_tools/bake/formula/formula_parser.h"
 #include "tests/support/csv.h"
 
 namespace tactus::rendering {

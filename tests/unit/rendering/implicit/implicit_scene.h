@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "host_tools/bake/formula_parser.h"
+#include "host_tools/bake/formula/formula_parser.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/surface/implicit_surface.h"
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "host_tools/bake/image_writer.h"
-#include "host_tools/bake/mesh_bake.h"
+#include "host_tools/bake/scene/image_writer.h"
+#include "host_tools/bake/scene/mesh_bake.h"
 #include "rendering/scene/image_format.h"
 
 namespace tactus::testing {

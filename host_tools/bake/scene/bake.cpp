@@ -1,0 +1,238 @@
+#include "host_tools/bake/scene/bake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <iterator>
+#include <numbers>
+
+#include "host_tools/bake/scene/corner_normals.h"
+#include "host_tools/bake/scene/friction_check.h"
+#include "host_tools/bake/scene/mesh_import.h"
+#include "host_tools/bake/scene/texture_bake.h"
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/files/output_place.h"
+#include "host_tools/input_error.h"
+#include "rendering/world/scene_objects.h"
+
+namespace tactus::host {
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void tell(const Progress& progress, const std::string& step) {
+  if (progress) {
+    progress(step);
+  }
+}
+
+std::vector<std::string> warnings_for(const ObjectDescription& object,
+                                      const rendering::BakeCounters& counters) {
+  std::vector<std::string> warnings;
+  if (object.sides == rendering::Sides::one &&
+      (counters.open_edges != 0 || counters.non_manifold_edges != 0 ||
+       counters.inconsistent_edges != 0)) {
+    warnings.push_back(fmt::format(
+        "{}: the mesh has {} open, {} non-manifold and {} inconsistently wound edges, so the tool "
+        "can get behind it; write sides = \"two\", or close the mesh",
+        object.mesh.string(), counters.open_edges, counters.non_manifold_edges,
+        counters.inconsistent_edges));
+  }
+  if (counters.degenerate_triangles != 0) {
+    warnings.push_back(fmt::format("{}: {} triangles without area are left out",
+                                   object.mesh.string(), counters.degenerate_triangles));
+  }
+  return warnings;
+}
+
+// A missing file is the scene's fault, so that is where the error points.
+void require_mesh_file(const ObjectDescription& object, const std::string& scene) {
+  std::error_code error;
+  if (!std::filesystem::exists(object.mesh, error)) {
+    throw InputError(
+        fmt::format("{}:{}: there is no mesh file {}; correct the path, it starts from the scene "
+                    "file's folder",
+                    scene, object.line, object.mesh.string()));
+  }
+}
+
+// Errors of the steps that know no file get the mesh's name.
+BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription& object) {
+  try {
+    return bake_mesh(place(imported, object.placement), object.mesh_options);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", object.mesh.string(), error.what()));
+  }
+}
+
+// Shading and textures; the texture coordinates go where no texture uses them.
+void add_detail(const ObjectDescription& object, const std::string& scene, BakedObject& baked) {
+  constexpr double kRadian = std::numbers::pi / 180.0;
+  BakedMesh& mesh = baked.mesh;
+  if (object.detail.angle_limit_deg) {
+    mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, mesh.neighbours,
+                                         kRadian * *object.detail.angle_limit_deg);
+  }
+  baked.textures = bake_textures(object.detail, !mesh.corner_places.empty(), scene);
+  if (std::ranges::none_of(baked.textures.layers, [](const rendering::TextureLayer& layer) {
+        return layer.projection == rendering::TextureProjection::uv;
+      })) {
+    mesh.corner_places.clear();
+  }
+}
+
+BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene) {
+  try {
+    return bake_mesh(picture_of(object.shape, object.placement));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}: {}", scene, object.line, error.what()));
+  }
+}
+
+// A shape's report counts the triangles of its picture.
+BakedObject bake_shape(const ObjectDescription& object, const std::string& scene,
+                       ObjectReport& report, const Progress& progress) {
+  const Stopwatch stopwatch;
+  tell(progress, fmt::format("{}: drawing the shape", object.name));
+  BakedObject baked{.name = object.name,
+                    .sides = object.sides,
+                    .material = object.material,
+                    .mesh = bake_picture(object, scene),
+                    .shape = object.shape,
+                    .placement = object.placement,
+                    .contact = object.contact,
+                    .motion = object.motion};
+  add_detail(object, scene, baked);
+  report = {.name = object.name,
+            .mesh = "",
+            .triangles = baked.mesh.triangles.size(),
+            .vertices = baked.mesh.vertices.size(),
+            .lines_and_points = 0,
+            .counters = baked.mesh.counters,
+            .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
+            .seconds = stopwatch.seconds(),
+            .warnings = {}};
+  return baked;
+}
+
+BakedObject bake_object(const ObjectDescription& object, const std::string& scene,
+                        ObjectReport& report, const Progress& progress) {
+  const Stopwatch stopwatch;
+  tell(progress, fmt::format("{}: reading {}", object.name, object.mesh.string()));
+  const ImportedMesh imported = import_mesh(object.mesh);
+  tell(progress, fmt::format("{}: baking {} triangles", object.name, imported.triangles.size()));
+  BakedObject baked{.name = object.name,
+                    .sides = object.sides,
+                    .material = object.material,
+                    .mesh = bake_object_mesh(imported, object),
+                    .shape = {},
+                    .placement = {},
+                    .contact = object.contact,
+                    .motion = object.motion};
+  add_detail(object, scene, baked);
+  report = {.name = object.name,
+            .mesh = object.mesh.string(),
+            .triangles = baked.mesh.triangles.size(),
+            .vertices = baked.mesh.vertices.size(),
+            .lines_and_points = imported.lines_and_points,
+            .counters = baked.mesh.counters,
+            .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
+            .seconds = stopwatch.seconds(),
+            .warnings = warnings_for(object, baked.mesh.counters)};
+  return baked;
+}
+
+rendering::Object counted(rendering::ContactMethod method, const MotionDescription& motion,
+                          const rendering::MeshView& mesh) {
+  rendering::Object object;
+  object.method = method;
+  object.mesh = mesh;
+  object.moves = motion.moves;
+  object.deforms = motion.deforms;
+  return object;
+}
+
+// Throws InputError if the scene needs more than the controller's fixed memory.
+void require_room(const rendering::SceneCapacityNeeds& needs, const std::string& file) {
+  if (!needs.fit()) {
+    throw InputError(fmt::format(
+        "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy "
+        "and "
+        "god_object, where {} fit; the {} that deform have {} vertices and {} boxes, where {} with "
+        "{} and {} fit; let some stand still, or simplify the meshes that deform",
+        file, needs.movers, rendering::kMaxMovers, needs.independent,
+        rendering::kMaxIndependentObjects, needs.deformables, needs.deformable_vertices,
+        needs.deformable_nodes, rendering::kMaxDeformables, rendering::kMaxDeformableVertices,
+        rendering::kMaxDeformableNodes));
+  }
+}
+
+// Everything that baking reads and the user may hold dear.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& scene,
+                                            const SceneDescription& description) {
+  std::vector<std::filesystem::path> files = {scene};
+  for (const ObjectDescription& object : description.objects) {
+    files.push_back(object.mesh);
+    for (const TextureDescription& texture : object.detail.textures) {
+      files.push_back(texture.image);
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::path& image,
+                     const Progress& progress) {
+  const Stopwatch stopwatch;
+  const SceneDescription description = read_scene_description(scene);
+  BakeReport report{.image = image.string(),
+                    .tool_radius_m = description.tool_radius_m,
+                    .bytes = 0,
+                    .seconds = 0.0,
+                    .objects = {}};
+  BakedScene baked{.tool_radius_m = description.tool_radius_m,
+                   .tool_count = description.tool_count,
+                   .objects = {},
+                   .effects = description.effects};
+  rendering::SceneCapacityNeeds needs;  // at first without the sizes of meshes
+  keep_inputs_safe(std::array{image}, files_of(scene, description));
+  for (const ObjectDescription& object : description.objects) {
+    if (!object.mesh.empty()) {
+      require_mesh_file(object, description.file);
+    }
+    require_stable_friction(object, description);
+    needs.add(counted(object.contact, object.motion, {}));
+  }
+  require_room(needs, description.file);
+  for (const ObjectDescription& object : description.objects) {
+    ObjectReport& own = report.objects.emplace_back();
+    baked.objects.push_back(object.mesh.empty()
+                                ? bake_shape(object, description.file, own, progress)
+                                : bake_object(object, description.file, own, progress));
+    std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
+  }
+  needs = {};
+  for (const BakedObject& object : baked.objects) {
+    needs.add(counted(object.contact, object.motion, object.mesh.view()));
+  }
+  require_room(needs, description.file);
+  tell(progress, fmt::format("writing {}", image.string()));
+  const std::vector<std::byte> bytes = write_image(baked);
+  write_file_atomically(image, bytes);
+  report.bytes = bytes.size();
+  report.seconds = stopwatch.seconds();
+  return report;
+}
+
+}  // namespace tactus::host

@@ -1,0 +1,184 @@
+#include "host_tools/bake/scene/image_writer.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "host_tools/bake/scene/effect_writer.h"
+#include "host_tools/input_error.h"
+#include "rendering/limits.h"
+#include "rendering/scene/image_format.h"
+#include "rendering/scene/scene_generated.h"
+
+namespace tactus::host {
+namespace {
+
+namespace image = rendering::image;
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+// Room for an object's tables, name and padding.
+constexpr std::uint64_t kObjectOverheadBytes = 4096;
+
+// One vector of structs, copied as bytes, its first element at a multiple of `alignment` from the
+// image's start, minus `shift`.
+template <class Stored, class T>
+Offset<flatbuffers::Vector<const Stored*>> write_vector(FlatBufferBuilder& builder,
+                                                        const std::vector<T>& values,
+                                                        std::size_t alignment,
+                                                        std::size_t shift = 0) {
+  static_assert(sizeof(Stored) == sizeof(T));
+  // FlatBuffers builds from the end: what is aligned is the distance from the end to the start of
+  // the vector.
+  builder.ForceVectorAlignment(values.size() * sizeof(T) + shift, 1, alignment);
+  const void* bytes = values.data();
+  return builder.CreateVectorOfStructs(static_cast<const Stored*>(bytes), values.size());
+}
+
+template <class Stored, class T>
+Offset<flatbuffers::Vector<const Stored*>> write_optional(FlatBufferBuilder& builder,
+                                                          const std::vector<T>& values) {
+  return values.empty() ? Offset<flatbuffers::Vector<const Stored*>>{}
+                        : write_vector<Stored>(builder, values, rendering::kCacheLine);
+}
+
+Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh) {
+  constexpr std::size_t kLine = rendering::kCacheLine;
+  const auto vertices = write_vector<image::Float3>(builder, mesh.vertices, kLine);
+  const auto triangles = write_vector<image::Triple>(builder, mesh.triangles, kLine);
+  const auto neighbours = write_vector<image::Triple>(builder, mesh.neighbours, kLine);
+  const auto normals = write_vector<image::Float3>(builder, mesh.vertex_normals, kLine);
+  // The root stands alone in the second half of a cache line, so that every pair of siblings, which
+  // the walk reads together, shares one.
+  const auto nodes =
+      write_vector<image::Node>(builder, mesh.nodes, kLine, sizeof(rendering::BvhNode));
+  const auto corner_normals = write_optional<image::CornerNormals>(builder, mesh.corner_normals);
+  const auto corner_places = write_optional<image::CornerPlaces>(builder, mesh.corner_places);
+  const rendering::BakeCounters& c = mesh.counters;
+  const image::BakeCounters counters(c.welded_vertices, c.degenerate_triangles, c.open_edges,
+                                     c.non_manifold_edges, c.inconsistent_edges);
+  return image::CreateMesh(builder, vertices, triangles, neighbours, nodes, normals, &counters,
+                           corner_normals, corner_places);
+}
+
+Offset<image::Material> write_material(FlatBufferBuilder& builder,
+                                       const rendering::Material& material) {
+  const rendering::FrictionParameters& model = material.friction;
+  const image::Friction friction(std::to_underlying(model.kind), model.coulomb, model.static_level,
+                                 model.viscous_s_per_m, model.stribeck_velocity_m_per_s,
+                                 model.stribeck_exponent, model.stiffness_N_per_m,
+                                 model.damping_s_per_m, model.damping_fade_m_per_s,
+                                 model.stick_velocity_m_per_s, model.elastic_fraction);
+  const rendering::Float3& way = material.grain.direction_O;
+  const image::Grain grain(image::Float3(way.x, way.y, way.z), material.grain.along,
+                           material.grain.across);
+  return image::CreateMaterial(builder, material.stiffness_N_per_m, material.damping_Ns_per_m,
+                               &friction, material.grain.differs() ? &grain : nullptr);
+}
+
+image::Pose pose_of(const Placement& placement) {
+  return stored(rendering::RigidPose{placement.rotation.toRotationMatrix(), placement.position_m});
+}
+
+Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) {
+  if (const auto* primitive = std::get_if<rendering::Primitive>(&object.shape)) {
+    return write_primitive(builder, *primitive).Union();
+  }
+  const image::Pose pose = pose_of(object.placement);
+  if (const auto* implicit = std::get_if<ImplicitDescription>(&object.shape)) {
+    const auto instructions = write_vector<image::Instruction>(
+        builder, implicit->formula.instructions, alignof(rendering::Instruction));
+    const image::Double3 lower = stored(implicit->bounds_O.lower);
+    const image::Double3 upper = stored(implicit->bounds_O.upper);
+    return image::CreateImplicit(builder, instructions, &pose, object.placement.scale, &lower,
+                                 &upper)
+        .Union();
+  }
+  return {};
+}
+
+image::Shape shape_type(const ShapeDescription& shape) {
+  constexpr std::array kTypes{image::Shape::NONE, image::Shape::Primitive, image::Shape::Implicit};
+  return kTypes[shape.index()];
+}
+
+std::optional<image::Motion> write_motion(const std::optional<rendering::Motion>& motion) {
+  if (!motion) {
+    return std::nullopt;
+  }
+  return image::Motion(stored(motion->velocity_W), stored(motion->sway_W), motion->sway_Hz,
+                       stored(motion->spin_W), stored(motion->pivot_W), motion->wave_m,
+                       motion->wave_Hz, stored(motion->wave_per_m));
+}
+
+Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject& object) {
+  const auto mesh = write_mesh(builder, object.mesh);
+  const auto material = write_material(builder, object.material);
+  const auto name = builder.CreateString(object.name);
+  const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
+  const auto shape = write_shape(builder, object);
+  const std::optional<image::Motion> motion = write_motion(object.motion.motion);
+  const auto layers = write_optional<image::TextureLayer>(builder, object.textures.layers);
+  const auto texels = object.textures.texels.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
+                                                     : builder.CreateVector(object.textures.texels);
+  return image::CreateObject(builder, name, sides, material, mesh,
+                             static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
+                             shape, object.motion.moves, layers, texels, object.motion.deforms,
+                             motion ? &*motion : nullptr);
+}
+
+std::uint64_t estimated_bytes(const BakedScene& scene) {
+  std::uint64_t bytes = kObjectOverheadBytes;
+  for (const BakedObject& object : scene.objects) {
+    bytes += image_bytes(object.mesh) + object.textures.texels.size() + object.name.size() +
+             kObjectOverheadBytes;
+  }
+  return bytes;
+}
+
+std::vector<std::byte> with_header(std::span<const std::uint8_t> payload) {
+  rendering::ImageHeader header;
+  header.payload_bytes = payload.size();
+  header.checksum = rendering::image_checksum(header, std::as_bytes(payload));
+  std::vector<std::byte> bytes(sizeof(header) + payload.size());
+  std::memcpy(bytes.data(), &header, sizeof(header));
+  std::memcpy(bytes.data() + sizeof(header), payload.data(), payload.size());
+  return bytes;
+}
+
+}  // namespace
+
+std::uint64_t image_bytes(const BakedMesh& mesh) {
+  return std::as_bytes(std::span(mesh.vertices)).size() +
+         std::as_bytes(std::span(mesh.triangles)).size() +
+         std::as_bytes(std::span(mesh.neighbours)).size() +
+         std::as_bytes(std::span(mesh.vertex_normals)).size() +
+         std::as_bytes(std::span(mesh.nodes)).size() +
+         std::as_bytes(std::span(mesh.corner_normals)).size() +
+         std::as_bytes(std::span(mesh.corner_places)).size();
+}
+
+std::vector<std::byte> write_image(const BakedScene& scene) {
+  if (scene.objects.empty() || scene.objects.size() > rendering::kMaxObjects) {
+    throw InputError(fmt::format("{} objects, where 1 to {} fit; split the scene",
+                                 scene.objects.size(), rendering::kMaxObjects));
+  }
+  const std::uint64_t estimate = estimated_bytes(scene);
+  if (estimate > rendering::kMaxPayloadBytes) {
+    throw InputError(fmt::format("the image would take {} MB, where 2147 fit; simplify the meshes",
+                                 estimate / 1'000'000));
+  }
+  FlatBufferBuilder builder(estimate);
+  std::vector<Offset<image::Object>> objects;
+  objects.reserve(scene.objects.size());
+  for (const BakedObject& object : scene.objects) {
+    objects.push_back(write_object(builder, object));
+  }
+  const auto effects = write_effects(builder, scene.effects);
+  const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects),
+                                       static_cast<std::uint8_t>(scene.tool_count), effects);
+  image::FinishSceneBuffer(builder, root);
+  return with_header({builder.GetBufferPointer(), builder.GetSize()});
+}
+
+}  // namespace tactus::host

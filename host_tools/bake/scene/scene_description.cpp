@@ -1,0 +1,167 @@
+#include "host_tools/bake/scene/scene_description.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host_tools/bake/scene/effect_description.h"
+#include "host_tools/bake/scene/friction_description.h"
+#include "host_tools/bake/scene/placement_description.h"
+#include "host_tools/bake/toml/toml_file.h"
+#include "host_tools/bake/toml/toml_section.h"
+#include "host_tools/files/atomic_file.h"
+#include "host_tools/input_error.h"
+#include "rendering/limits.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
+                                KeySpec{"device", ""}};
+constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
+constexpr std::array kOwnKeys{
+    KeySpec{"name", ""},
+    KeySpec{"mesh", ""},
+    KeySpec{"longest_side_m", "m"},
+    KeySpec{"scale", ""},
+    KeySpec{"position_m", "m"},
+    KeySpec{"rotation", ""},
+    KeySpec{"weld_m", "m"},
+    KeySpec{"sides", ""},
+    KeySpec{"stiffness_N_per_m", "N_per_m"},
+    KeySpec{"damping_Ns_per_m", "Ns_per_m"},
+    KeySpec{"friction", ""},
+    KeySpec{"grain", ""},
+    KeySpec{"contact", ""},
+    KeySpec{"shading", ""},
+    KeySpec{"texture", ""},
+    KeySpec{"moves", ""},
+    KeySpec{"deforms", ""},
+    KeySpec{"motion", ""},
+};
+constexpr auto kObjectKeys = [] {
+  std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
+  std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
+  return keys;
+}();
+
+rendering::Sides read_sides(const TomlSection& section) {
+  const std::string sides = section.text("sides").value_or("one");
+  if (sides != "one" && sides != "two") {
+    section.fail("sides", fmt::format(R"(sides is "{}"; write "one" or "two")", sides));
+  }
+  return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
+}
+
+ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
+                              const std::filesystem::path& folder) {
+  const TomlSection section(table, file, fmt::format("object {}", index + 1), kObjectKeys);
+  ObjectDescription object;
+  object.placement = read_placement(section, file);
+  object.shape = read_shape(section, object.placement);
+  object.contact = read_contact(section, object.shape);
+  if (const std::optional<std::string> mesh = section.text("mesh")) {
+    object.mesh = folder / *mesh;
+  }
+  object.line = section.line(section.has("mesh")        ? "mesh"
+                             : section.has("primitive") ? "primitive"
+                                                        : "formula");
+  object.name = section.text("name").value_or(object.mesh.empty()
+                                                  ? section.text("primitive").value_or("formula")
+                                                  : object.mesh.stem().string());
+  object.sides = read_sides(section);
+  object.material.stiffness_N_per_m =
+      section.number("stiffness_N_per_m", kZeroOrMore).value_or(kDefaultStiffness_N_per_m);
+  object.material.damping_Ns_per_m = section.number("damping_Ns_per_m", kZeroOrMore).value_or(0.0);
+  object.material.friction = read_friction(section, file, object.material.stiffness_N_per_m);
+  object.friction_line = section.line("friction");
+  object.material.grain = read_grain(section, file, object.contact);
+  object.motion =
+      read_motion(section, file, object.shape, object.contact, object.placement.position_m);
+  object.detail = read_detail(section, file, folder, object.shape, object.contact);
+  object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
+  return object;
+}
+
+// The tables of [[effect]], none if there are none.
+std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlSection& scene,
+                                            std::string_view file) {
+  std::vector<rendering::Effect> effects;
+  const toml::node* node = root.get("effect");
+  if (node == nullptr) {
+    return effects;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
+    scene.fail("effect", "[effect] is a single table; write [[effect]], with two brackets");
+  }
+  if (array->size() > rendering::kMaxEffects) {
+    scene.fail("effect", fmt::format("{} effects, where {} fit; leave some out", array->size(),
+                                     rendering::kMaxEffects));
+  }
+  for (const toml::node& effect : *array) {
+    effects.push_back(read_effect(*effect.as_table(), effects.size(), file));
+  }
+  return effects;
+}
+
+const toml::array& object_array(const toml::table& root, const TomlSection& scene) {
+  const toml::node* node = root.get("object");
+  const toml::array* array = node == nullptr ? nullptr : node->as_array();
+  if (node != nullptr && node->is_table()) {
+    scene.fail("object", "[object] is a single table; write [[object]], with two brackets");
+  }
+  if (array == nullptr || array->empty() || !array->is_homogeneous(toml::node_type::table)) {
+    scene.fail("object", "there is no [[object]]; add one with a mesh, a primitive or a formula");
+  }
+  if (array->size() > rendering::kMaxObjects) {
+    scene.fail("object", fmt::format("{} objects, where {} fit; leave some out", array->size(),
+                                     rendering::kMaxObjects));
+  }
+  return *array;
+}
+
+void require_distinct_name(std::span<const ObjectDescription> others, const std::string& name,
+                           std::string_view file, std::size_t line) {
+  if (std::ranges::find(others, name, &ObjectDescription::name) != others.end()) {
+    throw InputError(
+        fmt::format("{}:{}: two objects are named '{}'; give each its own name", file, line, name));
+  }
+}
+
+}  // namespace
+
+SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path) {
+  SceneDescription scene{.file = path.string(), .tool_radius_m = kDefaultToolRadius_m};
+  const toml::table root = parse_toml(text, scene.file);
+  const TomlSection section(root, scene.file, "scene", kSceneKeys);
+  if (const toml::table* tool = section.table("tool")) {
+    const TomlSection tool_section(*tool, scene.file, "[tool]", kToolKeys);
+    scene.tool_radius_m =
+        tool_section.number("radius_m", kZeroOrMore).value_or(kDefaultToolRadius_m);
+    if (scene.tool_radius_m > rendering::kMaxToolRadius_m) {
+      tool_section.fail(
+          "radius_m", fmt::format("radius_m is {} m, where {} m is the most; is it in millimetres?",
+                                  scene.tool_radius_m, rendering::kMaxToolRadius_m));
+    }
+    scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
+  }
+  scene.device = read_device(section, scene.file);
+  scene.effects = read_effects(root, section, scene.file);
+  for (const toml::node& node : object_array(root, section)) {
+    const toml::table& table = *node.as_table();
+    ObjectDescription object =
+        read_object(table, scene.objects.size(), scene.file, path.parent_path());
+    require_distinct_name(scene.objects, object.name, scene.file, table.source().begin.line);
+    scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
+SceneDescription read_scene_description(const std::filesystem::path& path) {
+  return parse_scene_description(read_file(path), path);
+}
+
+}  // namespace tactus::host
