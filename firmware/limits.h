@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxControllerBytes = std::size_t{4} << 20;
 // saves such a scene. If a state is larger, save() returns 0.
 inline constexpr std::size_t kMaxCheckpointBytes = std::size_t{512} << 10;
 
-// The number of ticks in the flight recorder (firmware/flight), a power of two. At least five
+// The number of ticks in the flight recorder (firmware/linux/flight), a power of two. At least five
 // eighths of them can be replayed: 10 s at 1 kHz, 1.3 s at 8 kHz. Older ticks are overwritten.
 inline constexpr std::size_t kFlightTicks = 16384;
 

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <thread>
 
-#include "firmware/realtime/real_time.h"
-#include "firmware/realtime/time_histogram.h"
+#include "firmware/linux/realtime/real_time.h"
+#include "firmware/linux/realtime/time_histogram.h"
 #include "hal/linux/clock.h"
 
 namespace tactus::host {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/device/device_config.h"
+#include "firmware/device_file/device_config.h"
 #include "host_tools/certify/wall_contact.h"
 
 namespace tactus::host {

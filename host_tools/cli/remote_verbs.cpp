@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kExitCodes =
     "\nExit codes: 0 done, 1 refused (the reply says why and what to do), 2 no controller could be "
-    "reached.\nThe replies are described in firmware/commands/README.md.";
+    "reached.\nThe replies are described in firmware/linux/commands/README.md.";
 
 struct RemoteOptions {
   std::string run_dir = std::string(kDefaultRunDir);

@@ -14,13 +14,13 @@
 #include <string>
 #include <utility>
 
-#include "firmware/commands/command_queue.h"
-#include "firmware/commands/command_server.h"
-#include "firmware/commands/scene_store.h"
-#include "firmware/commands/telemetry_hooks.h"
 #include "firmware/configuration/config_state.h"
-#include "firmware/flight/attachments.h"
-#include "firmware/telemetry/outputs/telemetry_writer.h"
+#include "firmware/linux/commands/command_queue.h"
+#include "firmware/linux/commands/command_server.h"
+#include "firmware/linux/commands/scene_store.h"
+#include "firmware/linux/commands/telemetry_hooks.h"
+#include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/telemetry/telemetry_writer.h"
 #include "hal/linux/clock.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"

@@ -11,12 +11,12 @@
 #include <cstring>
 #include <optional>
 
-#include "firmware/realtime/crash_stop.h"
-#include "firmware/realtime/end_signals.h"
-#include "firmware/realtime/real_time.h"
-#include "firmware/tactusd/exclusive_use.h"
-#include "firmware/tactusd/linux_boards.h"
-#include "firmware/tactusd/loop.h"
+#include "firmware/linux/realtime/crash_stop.h"
+#include "firmware/linux/realtime/end_signals.h"
+#include "firmware/linux/realtime/real_time.h"
+#include "firmware/linux/tactusd/exclusive_use.h"
+#include "firmware/linux/tactusd/linux_boards.h"
+#include "firmware/linux/tactusd/loop.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "firmware/device/device_config.h"
+#include "firmware/device_file/device_config.h"
 #include "host_tools/commission/bench.h"
 
 namespace tactus::host {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "firmware/commissioning/trial_verdict.h"
-#include "firmware/device/device_config.h"
+#include "firmware/device_file/device_config.h"
 #include "host_tools/commission/bench.h"
 
 namespace tactus::host {

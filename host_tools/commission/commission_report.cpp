@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "firmware/device/device_certificate.h"
-#include "firmware/device/device_commissioning.h"
+#include "firmware/device_file/device_certificate.h"
+#include "firmware/device_file/device_commissioning.h"
 #include "host_tools/files/atomic_file.h"
 
 namespace tactus::host {

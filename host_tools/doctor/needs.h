@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/device/device_config.h"
-#include "firmware/device/motor_stop.h"
+#include "firmware/device_file/device_config.h"
+#include "firmware/device_file/motor_stop.h"
 
 namespace tactus::host {
 

@@ -17,7 +17,7 @@ constexpr std::uint64_t kPriorityWanted = 80;  // tactusd's, unless told otherwi
 // A scene of a million triangles has 100 MB; the program and its libraries are small against it.
 constexpr std::uint64_t kLockedWanted_bytes = 256ULL << 20U;
 constexpr const char* kGroup = "tactus";
-// Puts the limits of firmware/tactusd/deploy/ on the group.
+// Puts the limits of firmware/linux/tactusd/deploy/ on the group.
 constexpr const char* kJoinGroup = "sudo usermod -aG tactus $USER   # then log in again";
 constexpr const char* kInstallLimits =
     "sudo cmake --install build/release --prefix /usr && sudo usermod -aG tactus $USER   # then "

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware/realtime/time_histogram.h"
+#include "firmware/linux/realtime/time_histogram.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "host_tools/recording/record_decoder.h"
 

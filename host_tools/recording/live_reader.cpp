@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "firmware/telemetry/outputs/mcap_format.h"
+#include "firmware/linux/telemetry/mcap_format.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "firmware/telemetry/outputs/crc32.h"
-#include "firmware/telemetry/outputs/mcap_format.h"
+#include "firmware/linux/telemetry/crc32.h"
+#include "firmware/linux/telemetry/mcap_format.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <memory>
 
-#include "firmware/telemetry/outputs/mcap_writer.h"
+#include "firmware/linux/telemetry/mcap_writer.h"
 #include "hal/linux/system.h"
 #include "host_tools/input_error.h"
 #include "host_tools/recording/record_decoder.h"

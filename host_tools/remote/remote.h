@@ -1,6 +1,6 @@
 // A running controller, reached through its command socket: one line there, its reply back.
 //
-// The lines and replies are in firmware/commands/README.md. Blocking; one thread.
+// The lines and replies are in firmware/linux/commands/README.md. Blocking; one thread.
 #pragma once
 
 #include <chrono>

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "firmware/configuration/config_state.h"
-#include "firmware/device/device_image.h"
-#include "firmware/flight/attachments.h"
-#include "firmware/telemetry/outputs/mcap_writer.h"
+#include "firmware/device_file/device_image.h"
+#include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/telemetry/mcap_writer.h"
 #include "host_tools/input_error.h"
 #include "rendering/scene/scene_world.h"
 

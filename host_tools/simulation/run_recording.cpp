@@ -11,7 +11,7 @@
 #include <string>
 
 #include "firmware/configuration/config_state.h"
-#include "firmware/flight/attachments.h"
+#include "firmware/linux/flight/attachments.h"
 #include "host_tools/input_error.h"
 #include "rendering/scene/image_format.h"
 

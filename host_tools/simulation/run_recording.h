@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "firmware/telemetry/outputs/mcap_writer.h"
+#include "firmware/linux/telemetry/mcap_writer.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/simulation/simulation.h"
 

@@ -23,6 +23,7 @@ expect_caught() {
 }
 
 check
+expect_caught firmware/safety '#include "hal/linux/image_slot.h"'
 expect_caught rendering '#include "firmware/control/controller.h"'
 expect_caught rendering/world '#include "../../hal/clock.h"'
 expect_caught rendering '#include <tactus/drivers/device.h>'

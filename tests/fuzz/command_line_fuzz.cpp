@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "firmware/commands/command_line.h"
-#include "firmware/commands/reply.h"
+#include "firmware/linux/commands/command_line.h"
+#include "firmware/linux/commands/reply.h"
 #include "tests/fuzz/fuzz_input.h"
 
 namespace tactus {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "firmware/device/device_image.h"
+#include "firmware/device_file/device_image.h"
 #include "rendering/scene/image_format.h"
 #include "tests/fuzz/fuzz_input.h"
 

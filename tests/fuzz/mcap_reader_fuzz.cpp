@@ -2,7 +2,7 @@
 // magic number is made right for three inputs in four.
 #include <vector>
 
-#include "firmware/telemetry/outputs/mcap_format.h"
+#include "firmware/linux/telemetry/mcap_format.h"
 #include "host_tools/input_error.h"
 #include "host_tools/recording/mcap_reader.h"
 #include "host_tools/recording/record_decoder.h"

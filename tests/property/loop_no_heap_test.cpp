@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <string>
 
-#include "firmware/commands/command_queue.h"
-#include "firmware/flight/flight_writer.h"
-#include "firmware/tactusd/loop.h"
-#include "firmware/tactusd/supervisor.h"
-#include "firmware/telemetry/outputs/telemetry_writer.h"
+#include "firmware/linux/commands/command_queue.h"
+#include "firmware/linux/flight/flight_writer.h"
+#include "firmware/linux/tactusd/loop.h"
+#include "firmware/linux/tactusd/supervisor.h"
+#include "firmware/linux/telemetry/telemetry_writer.h"
 #include "hal/simulated/gpio_chip.h"
 #include "hal/simulated/gpio_lines.h"
 #include "tests/support/heap_trap.h"

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "firmware/configuration/config_state.h"
-#include "firmware/flight/attachments.h"
-#include "firmware/telemetry/outputs/record_encoder.h"
-#include "firmware/telemetry/outputs/run_recorder.h"
+#include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/telemetry/record_encoder.h"
+#include "firmware/linux/telemetry/run_recorder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/replay/replay.h"
 #include "host_tools/replay/what_if.h"

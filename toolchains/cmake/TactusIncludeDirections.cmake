@@ -1,6 +1,7 @@
 # Fails when a file includes a folder that stands above its own:
 #   host_tools, tests  ->  firmware  ->  drivers -> hal
 #                                    ->  rendering
+# or when a portable room of firmware/ includes what needs Linux.
 # Checked when the project is configured, and again by every build that follows a change to a source file.
 
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -35,6 +36,9 @@ tactus_check_includes(hal rendering drivers firmware host_tools tests)
 tactus_check_includes(drivers rendering firmware host_tools tests)
 tactus_check_includes(firmware host_tools tests)
 tactus_check_includes(host_tools tests)
+foreach(room IN ITEMS commissioning configuration control device_file kinematics safety telemetry)
+  tactus_check_includes(firmware/${room} hal/linux firmware/linux)
+endforeach()
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   get_property(files GLOBAL PROPERTY TACTUS_CHECKED_FILES)

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "firmware/device/device_certificate.h"
+#include "firmware/device_file/device_certificate.h"
 #include "host_tools/files/atomic_file.h"
 
 namespace tactus::host {

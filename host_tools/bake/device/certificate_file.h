@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "firmware/device/device_image.h"
+#include "firmware/device_file/device_image.h"
 
 namespace tactus::host {
 

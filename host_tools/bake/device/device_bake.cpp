@@ -9,10 +9,10 @@
 #include <optional>
 #include <span>
 
-#include "firmware/device/bus_load.h"
-#include "firmware/device/device_certificate.h"
-#include "firmware/device/device_commissioning.h"
-#include "firmware/device/device_generated.h"
+#include "firmware/device_file/bus_load.h"
+#include "firmware/device_file/device_certificate.h"
+#include "firmware/device_file/device_commissioning.h"
+#include "firmware/device_file/device_generated.h"
 #include "host_tools/bake/device/certificate_file.h"
 #include "host_tools/bake/toml/key_advice.h"
 #include "host_tools/bake/toml/toml_file.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/device/device_image.h"
+#include "firmware/device_file/device_image.h"
 
 namespace tactus::host {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "firmware/device/device_certificate.h"
-#include "firmware/device/device_commissioning.h"
+#include "firmware/device_file/device_certificate.h"
+#include "firmware/device_file/device_commissioning.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/files/atomic_file.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "firmware/device/homing_words.h"
+#include "firmware/device_file/homing_words.h"
 #include "host_tools/input_error.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 

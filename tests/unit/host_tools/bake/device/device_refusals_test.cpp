@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "firmware/device/bus_load.h"
+#include "firmware/device_file/bus_load.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/input_error.h"
 #include "rendering/scene/image_format.h"

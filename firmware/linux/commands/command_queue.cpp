@@ -1,0 +1,196 @@
+#include "firmware/linux/commands/command_queue.h"
+
+#include <array>
+
+#include "firmware/control/parameter_name.h"
+#include "firmware/linux/flight/attachments.h"
+#include "rendering/scene/scene_world.h"
+
+namespace tactus::firmware {
+
+bool took_effect(Request request, Mode after) {
+  switch (request) {
+    case Request::none:
+      return true;
+    case Request::home:
+      return after == Mode::homing;
+    case Request::enable:
+      return after == Mode::active;
+    case Request::disable:
+      return after != Mode::active && after != Mode::homing;
+    case Request::reset:
+      return after != Mode::fault;
+    case Request::estop:
+      return after == Mode::fault;
+  }
+  return false;
+}
+
+std::optional<Answer> CommandQueue::post(const Command& command) {
+  Answer answer{.ticket = command.ticket, .kind = command.kind, .request = command.request};
+  if (command.kind != CommandKind::request) {
+    commands_.push(command);
+    ++waiting_;
+    return std::nullopt;
+  }
+  const auto [accepted, replaced] =
+      requests_.post({.request = command.request, .ticket = command.ticket});
+  if (!accepted) {
+    answer.outcome = Outcome::estop_waits;
+    return answer;
+  }
+  if (replaced.request == Request::none) {
+    return std::nullopt;
+  }
+  answer.ticket = replaced.ticket;
+  answer.request = replaced.request;
+  answer.outcome = Outcome::superseded;
+  return answer;
+}
+
+std::optional<Answer> CommandQueue::next_answer() {
+  const Answer* const front = answers_.front();
+  if (front == nullptr) {
+    return std::nullopt;
+  }
+  const Answer answer = *front;
+  answers_.pop();
+  waiting_ -= answer.kind == CommandKind::request ? 0U : 1U;
+  return answer;
+}
+
+static_assert(std::atomic<Mode>::is_always_lock_free);
+
+Request CommandQueue::before_tick(Controller& controller) {
+  before_ = controller.mode();
+  if (const Command* const front = commands_.front(); front != nullptr) {
+    // The place is freed before the answer, because the answer allows the next post.
+    const Command command = *front;
+    commands_.pop();
+    carry_out(command, controller);
+  }
+  pending_ = requests_.take();
+  const std::uint32_t stops = stops_posted_.load(std::memory_order_acquire);
+  const bool is_stop = stops != stops_seen_;
+  stops_seen_ = stops;
+  is_operated_ = is_operated_ || is_stop || pending_.request != Request::none;
+  return is_stop ? Request::estop : pending_.request;
+}
+
+std::optional<StopTaken> CommandQueue::stop_taken(std::uint32_t stop) const {
+  // The signed difference is right also after the 32-bit numbers have wrapped.
+  const auto ahead =
+      static_cast<std::int32_t>(stops_answered_.load(std::memory_order_acquire) - stop);
+  if (ahead < 0) {
+    return std::nullopt;
+  }
+  return StopTaken{.tick = stop_tick_.load(std::memory_order_relaxed),
+                   .after = stop_mode_.load(std::memory_order_relaxed)};
+}
+
+void CommandQueue::answer_stop(const TelemetryRecord& record) {
+  if (stops_seen_ == stops_answered_.load(std::memory_order_relaxed)) {
+    return;
+  }
+  stop_tick_.store(record.tick, std::memory_order_relaxed);
+  stop_mode_.store(record.mode, std::memory_order_relaxed);
+  stops_answered_.store(stops_seen_, std::memory_order_release);
+  tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(Request::estop)],
+       0.0);
+}
+
+// A request that fell into the tick of a stop is answered as without effect.
+void CommandQueue::after_tick(const Controller& controller) {
+  const TelemetryRecord& record = controller.record();
+  answer_stop(record);
+  if (pending_.request == Request::none) {
+    return;
+  }
+  tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(pending_.request)],
+       0.0);
+  answers_.push(
+      {.ticket = pending_.ticket,
+       .kind = CommandKind::request,
+       .outcome = took_effect(pending_.request, record.mode) ? Outcome::done : Outcome::no_effect,
+       .request = pending_.request,
+       .before = before_,
+       .after = record.mode,
+       .tick = record.tick,
+       .faults = record.faults});
+  pending_ = {};
+}
+
+void CommandQueue::carry_out(const Command& command, Controller& controller) {
+  Answer answer{.ticket = command.ticket,
+                .kind = command.kind,
+                .before = controller.mode(),
+                .after = controller.mode(),
+                .tick = controller.next_tick(),
+                .faults = controller.record().faults};
+  switch (command.kind) {
+    case CommandKind::request:
+    case CommandKind::look:
+      break;
+    case CommandKind::get:
+      if (const auto value = controller.parameter(command.change.place)) {
+        answer.value = *value;
+      } else {
+        answer.outcome = Outcome::parameter;
+        answer.refusal = value.error();
+      }
+      break;
+    case CommandKind::set:
+      set(command, controller, answer);
+      break;
+    case CommandKind::scene:
+      set_scene(command, controller, answer);
+      break;
+    case CommandKind::inject:
+      injector_.start(command.injection);
+      tell(EventKind::inject, answer.tick,
+           kInjectionTexts[static_cast<std::size_t>(command.injection.injection)].name,
+           command.injection.ticks);
+      break;
+  }
+  answers_.push(answer);
+}
+
+// The answer holds the new value, or after a refusal the unchanged value and its range.
+void CommandQueue::set(const Command& command, Controller& controller, Answer& answer) {
+  const auto done = controller.set_parameter(command.change);
+  if (!done) {
+    answer.outcome = Outcome::parameter;
+    answer.refusal = done.error();
+    answer.scene_refusal.part = controller.uncertified_part();
+  } else {
+    std::array<char, kMaxParameterName> name{};
+    tell(EventKind::parameter, answer.tick, write_parameter_name(command.change.place, name),
+         command.change.value);
+  }
+  if (const auto value = controller.parameter(command.change.place)) {
+    answer.value = *value;
+  }
+}
+
+void CommandQueue::set_scene(const Command& command, Controller& controller, Answer& answer) {
+  const auto loaded =
+      controller.load_scene(command.scene->objects(), rendering::world_of(*command.scene));
+  if (!loaded) {
+    answer.outcome = Outcome::scene;
+    answer.scene_refusal = loaded.error();
+    return;
+  }
+  tell(EventKind::scene, answer.tick, kSceneAttachment, 0.0);
+}
+
+void CommandQueue::tell(EventKind kind, std::uint64_t tick, std::string_view name,
+                        double value) const {
+  if (events_.tell == nullptr) {
+    return;
+  }
+  TelemetryEvent event{.tick = tick, .kind = kind, .value = value};
+  set_name(event, name);
+  events_.tell(events_.to, event);
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,115 @@
+// The queue between the command thread and the loop: commands one way, answers the other.
+//
+// The command thread posts commands and takes answers. The loop calls before_tick and after_tick.
+// There are no locks and no heap, and neither side waits for the other. A request goes through a
+// slot in which a newer request replaces an older one, and only an estop replaces an estop. All
+// other commands keep their order; the loop takes one per tick.
+//
+// post_stop bypasses the queue, and any thread may call it.
+//
+// No answer is lost as long as the command thread posts at most kMaxRequests requests between two
+// times at which it has taken all answers.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "firmware/control/controller.h"
+#include "firmware/linux/commands/command.h"
+#include "firmware/linux/commands/injection.h"
+#include "firmware/linux/commands/request_slot.h"
+#include "firmware/telemetry/ring.h"
+#include "firmware/telemetry/telemetry_event.h"
+
+namespace tactus::firmware {
+
+// The largest number of commands, and of requests, whose answers have not been taken yet.
+inline constexpr std::size_t kMaxWaiting = 16;
+inline constexpr std::size_t kMaxRequests = 48;
+
+// A receiver of events. The loop calls `tell`, so it must be bounded and take no lock. A null
+// `tell` drops the events.
+struct EventSink {
+  void* to = nullptr;  // passed to `tell`
+  void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
+};
+
+// The tick that carried out a stop, and the mode after it.
+struct StopTaken {
+  std::uint64_t tick = 0;
+  Mode after = Mode::init;
+};
+
+class CommandQueue {
+ public:
+  // These two may be called from any thread.
+
+  // Makes the next tick an estop, before anything that waits in the queue. Returns the number of
+  // the stop.
+  std::uint32_t post_stop() { return stops_posted_.fetch_add(1, std::memory_order_acq_rel) + 1; }
+
+  // Returns the tick that carried out the stop with that number, or nothing while none has.
+  [[nodiscard]] std::optional<StopTaken> stop_taken(std::uint32_t stop) const;
+
+  // These are for the command thread.
+
+  // Returns true if one more command fits. A request always fits.
+  [[nodiscard]] bool has_room() const { return waiting_ < kMaxWaiting; }
+
+  // Posts a command. A command other than a request needs has_room(). Returns an answer if one is
+  // known at once: to the request that this one replaces, or to this one if an estop waits.
+  std::optional<Answer> post(const Command& command);
+
+  // Returns the next answer that a tick has given, or nothing.
+  std::optional<Answer> next_answer();
+
+  // These are for the loop's thread.
+
+  // Takes the next command and changes the controller as it says. Call before a tick. Returns the
+  // request for the tick, or Request::none.
+  Request before_tick(Controller& controller);
+
+  // Answers the request of the tick. Call after a tick.
+  void after_tick(const Controller& controller);
+
+  // Returns true after the first request. Automatic requests (--enable) must stop then.
+  [[nodiscard]] bool is_operated() const { return is_operated_; }
+
+  // Returns the injector to put between device and controller. It changes nothing until an
+  // `inject` command arrives.
+  [[nodiscard]] Injector& injector() { return injector_; }
+
+  // Sets the receiver of an event for each command that took effect. Call before the loop starts.
+  void set_events(const EventSink& events) { events_ = events; }
+
+ private:
+  void answer_stop(const TelemetryRecord& record);
+  void carry_out(const Command& command, Controller& controller);
+  void set(const Command& command, Controller& controller, Answer& answer);
+  void set_scene(const Command& command, Controller& controller, Answer& answer);
+  void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) const;
+
+  RequestSlot requests_;
+  Ring<Command, kMaxWaiting> commands_;
+  Ring<Answer, kMaxWaiting + kMaxRequests> answers_;
+  std::size_t waiting_ = 0;  // command thread only: commands whose answers have not been taken
+  TicketedRequest pending_;  // loop only: the request of this tick
+  std::atomic<std::uint32_t> stops_posted_{0};
+  std::uint32_t stops_seen_ = 0;                  // loop only
+  std::atomic<std::uint32_t> stops_answered_{0};  // number of the newest stop carried out
+  // Tick of that stop, and the mode after it.
+  std::atomic<std::uint64_t> stop_tick_{0};
+  std::atomic<Mode> stop_mode_{Mode::init};
+  Mode before_ = Mode::init;
+  bool is_operated_ = false;
+  Injector injector_;
+  EventSink events_;
+};
+
+// Returns true if the mode `after` the tick is what the request asks for, and for Request::none.
+bool took_effect(Request request, Mode after);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,72 @@
+#include "firmware/linux/commands/telemetry_hooks.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "firmware/linux/flight/attachments.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::size_t kMaxRecordingName = 128;
+
+TelemetrySinks& sinks_of(void* run) {
+  return *static_cast<TelemetrySinks*>(run);
+}
+
+TelemetryWriter& writer_of(void* run) {
+  return *sinks_of(run).writer;
+}
+
+std::string_view start_recording(void* run, std::string_view name) {
+  const bool is_plain = !name.starts_with('.') && name.find('/') == std::string_view::npos;
+  const bool is_known = name.ends_with(".mcap") || name.ends_with(".csv");
+  std::array<char, kMaxRecordingName> path{};
+  if (!is_plain || !is_known || name.size() >= path.size()) {
+    return "give a plain name that ends in .mcap or .csv; it is put into the controller's working "
+           "folder";
+  }
+  std::ranges::copy(name, path.begin());
+  const int failed = writer_of(run).record(path.data(), IfThere::refuse);
+  if (failed == EEXIST) {
+    return "there is a file of that name; give another";
+  }
+  return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
+}
+
+std::string_view stop_recording(void* run) {
+  const int failed = writer_of(run).end_recording();
+  return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
+}
+
+void scene_changed(void* run, std::span<const std::byte> image) {
+  writer_of(run).attach(attachment_of(kSceneAttachment, image));
+  if (FlightWriter* const flight = sinks_of(run).flight; flight != nullptr) {
+    flight->use_scene(image);
+  }
+}
+
+void tell_event(void* to, const TelemetryEvent& event) {
+  writer_of(to).publish(event);
+  if (FlightWriter* const flight = sinks_of(to).flight;
+      flight != nullptr && event.kind == EventKind::scene) {
+    flight->leave_scene();
+  }
+}
+
+}  // namespace
+
+RunHooks telemetry_hooks(TelemetrySinks& sinks) {
+  return {.run = &sinks,
+          .start_recording = start_recording,
+          .stop_recording = stop_recording,
+          .scene_changed = scene_changed};
+}
+
+EventSink telemetry_events(TelemetrySinks& sinks) {
+  return {.to = &sinks, .tell = tell_event};
+}
+
+}  // namespace tactus::firmware

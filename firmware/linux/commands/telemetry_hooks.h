@@ -1,0 +1,25 @@
+// Connects the commands `record` and `scene` to the telemetry's writers.
+#pragma once
+
+#include "firmware/linux/commands/command_queue.h"
+#include "firmware/linux/commands/command_server.h"
+#include "firmware/linux/flight/flight_writer.h"
+#include "firmware/linux/telemetry/telemetry_writer.h"
+
+namespace tactus::firmware {
+
+// The writers that commands reach. They must outlive the server.
+struct TelemetrySinks {
+  TelemetryWriter* writer = nullptr;
+  FlightWriter* flight = nullptr;  // null: there is none
+};
+
+// Returns hooks for `record` and `scene`. A recording's file is a plain name in the program's
+// working folder and never replaces a file, so that a client cannot write wherever the program may.
+// A scene larger than 64 MiB is left out of recordings.
+RunHooks telemetry_hooks(TelemetrySinks& sinks);
+
+// Returns a receiver that writes each event into the telemetry.
+EventSink telemetry_events(TelemetrySinks& sinks);
+
+}  // namespace tactus::firmware

@@ -1,0 +1,44 @@
+// The names of the attachments and metadata keys of a recording. With them a recording can be
+// replayed on any machine.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include "firmware/linux/telemetry/attachment_list.h"
+#include "rendering/scene/image_format.h"
+
+namespace tactus::firmware {
+
+// The device image and the scene image, as they were given to the program.
+inline constexpr std::string_view kDeviceAttachment = "device.tactus";
+inline constexpr std::string_view kSceneAttachment = "scene.tactus";
+// The ControllerConfig written by save_config(), for a run without a device image.
+inline constexpr std::string_view kConfigAttachment = "controller.config";
+// The bytes of Controller::save() before the first recorded tick, if that is not tick 0.
+inline constexpr std::string_view kStateAttachment = "controller.state";
+
+// The checksums in the images' headers, 16 hexadecimal digits.
+inline constexpr std::string_view kDeviceChecksumKey = "device.checksum";
+inline constexpr std::string_view kSceneChecksumKey = "scene.checksum";
+inline constexpr std::string_view kSceneFileKey = "scene.file";
+
+inline std::uint64_t checksum_of(std::span<const std::byte> image) {
+  rendering::ImageHeader header;
+  std::memcpy(&header, image.data(), std::min(sizeof(header), image.size()));
+  return header.checksum;
+}
+
+// Returns the attachment of an image. An image larger than 64 MiB is left out (empty bytes); the
+// recording then has only its file name and checksum.
+inline Attachment attachment_of(std::string_view name, std::span<const std::byte> image) {
+  constexpr std::size_t kLargest_bytes = std::size_t{64} << 20U;
+  return {.name = name,
+          .bytes = image.size() <= kLargest_bytes ? image : std::span<const std::byte>{}};
+}
+
+}  // namespace tactus::firmware

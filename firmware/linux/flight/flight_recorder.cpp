@@ -1,0 +1,134 @@
+#include "firmware/linux/flight/flight_recorder.h"
+
+#include <cstring>
+#include <tuple>
+
+namespace tactus::firmware {
+
+void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
+  const std::uint64_t number = tick.record.tick;
+  if (begins_ || number != end_tick_.load(std::memory_order_relaxed)) {
+    begin(number);
+  }
+  put(ticks_[number % kFlightTicks], tick);
+  end_tick_.store(number + 1, std::memory_order_release);
+  if (number + 1 >= state_due_) {
+    take_state(number + 1, controller);
+  }
+}
+
+// Writes a tick into its slot. The release order makes sure that a reader who sees a word of a
+// later tick also sees a later end_tick_.
+void FlightRecorder::put(Slot& slot, const RecordedTick& tick) {
+  std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
+  std::memcpy(words.data(), &tick, sizeof tick);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    slot[i].store(words[i], std::memory_order_release);
+  }
+}
+
+void FlightRecorder::take(const Slot& slot, RecordedTick& to) {
+  std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = slot[i].load(std::memory_order_acquire);
+  }
+  std::memcpy(static_cast<void*>(&to), words.data(), sizeof to);
+}
+
+void FlightRecorder::begin(std::uint64_t tick) {
+  begins_ = false;
+  for (State& state : states_) {
+    state.first_tick.store(kNoTick, std::memory_order_relaxed);
+  }
+  begin_tick_.store(tick, std::memory_order_release);
+  state_due_ = tick + 1;
+}
+
+void FlightRecorder::take_state(std::uint64_t next_tick, Controller& controller) {
+  state_due_ = next_tick + kTicksToRetry;
+  State* const state = oldest_free();
+  if (state == nullptr) {
+    return;
+  }
+  state->size = controller.save(state->bytes);
+  const bool taken = state->size > 0;
+  state->first_tick.store(taken ? next_tick : kNoTick, std::memory_order_relaxed);
+  state->use.store(Use::nobody, std::memory_order_release);
+  if (taken) {
+    state_due_ = next_tick + kTicksBetweenStates;
+  }
+}
+
+// Takes the oldest state for the loop, an empty one first. Returns null if the reader holds it.
+FlightRecorder::State* FlightRecorder::oldest_free() {
+  State* best = nullptr;
+  for (State& state : states_) {
+    // An empty state gets age 0, because kNoTick + 1 is 0.
+    const std::uint64_t age = state.first_tick.load(std::memory_order_relaxed) + 1;
+    const bool older =
+        best == nullptr || age < best->first_tick.load(std::memory_order_relaxed) + 1;
+    Use nobody = Use::nobody;
+    if (older && state.use.compare_exchange_strong(nobody, Use::loop, std::memory_order_acquire)) {
+      if (best != nullptr) {
+        best->use.store(Use::nobody, std::memory_order_release);
+      }
+      best = &state;
+    }
+  }
+  return best;
+}
+
+bool FlightRecorder::can_serve(std::uint64_t first_tick, std::uint64_t end_tick) const {
+  return first_tick <= end_tick && end_tick - first_tick <= kOldest &&
+         first_tick > begin_tick_.load(std::memory_order_acquire);
+}
+
+std::optional<FlightWindow> FlightRecorder::hold() {
+  release();
+  const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
+  for (std::size_t i = 0; i < kStates; ++i) {
+    Use nobody = Use::nobody;
+    if (!states_[i].use.compare_exchange_strong(nobody, Use::reader, std::memory_order_acquire)) {
+      continue;
+    }
+    const std::uint64_t first_tick = states_[i].first_tick.load(std::memory_order_relaxed);
+    const bool better = can_serve(first_tick, end_tick) &&
+                        (held_ == kNoState ||
+                         first_tick < states_[held_].first_tick.load(std::memory_order_relaxed));
+    const std::size_t other = better ? held_ : i;
+    held_ = better ? i : held_;
+    if (other != kNoState) {
+      states_[other].use.store(Use::nobody, std::memory_order_release);
+    }
+  }
+  if (held_ == kNoState) {
+    return std::nullopt;
+  }
+  const State& state = states_[held_];
+  return FlightWindow{.first_tick = state.first_tick.load(std::memory_order_relaxed),
+                      .end_tick = end_tick,
+                      .state = std::span(state.bytes).first(state.size)};
+}
+
+bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
+  const auto is_there = [&] {
+    const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
+    // The oldest tick is excluded, because the loop may be overwriting it.
+    return number < end_tick && end_tick - number < kFlightTicks &&
+           number >= begin_tick_.load(std::memory_order_acquire);
+  };
+  if (!is_there()) {
+    return false;
+  }
+  take(ticks_[number % kFlightTicks], to);
+  return is_there();
+}
+
+void FlightRecorder::release() {
+  if (held_ != kNoState) {
+    states_[held_].use.store(Use::nobody, std::memory_order_release);
+    held_ = kNoState;
+  }
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,31 @@
+// Makes sure that only one tactusd uses a run folder, CAN interface, serial port or PWM channel.
+// (The kernel itself gives pins and USB devices to one program only.) If another program holds one
+// of them, a message on stderr names it and its process.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "firmware/device_file/device_config.h"
+#include "hal/linux/exclusive_claim.h"
+
+namespace tactus::firmware {
+
+// Claims resources until the end of the program. Claim them before any of them is opened.
+class ExclusiveUse {
+ public:
+  // Returns false after it has printed why to stderr.
+  bool of_run_folder(const char* folder);
+  // Claims every connection of the device. One that does not exist is skipped, because opening it
+  // reports that. Returns false after it has printed why to stderr.
+  bool of_boards(const DeviceConfig& config);
+
+ private:
+  bool take(std::string_view name, std::string_view what, std::string_view which);
+
+  std::array<hal::ExclusiveClaim, kMaxConnections + 1> claims_;
+  std::size_t taken_ = 0;
+};
+
+}  // namespace tactus::firmware

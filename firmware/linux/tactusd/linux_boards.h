@@ -1,0 +1,98 @@
+// Opens the boards of a device on the interfaces of a Linux machine and composes the device of
+// them. Only this class knows the concrete classes of drivers and of hal/linux together.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <expected>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "drivers/can_board.h"
+#include "drivers/cia402_can/cia402_can.h"
+#include "drivers/composed_device.h"
+#include "drivers/falcon_usb/falcon.h"
+#include "drivers/gpio_axis/gpio_axis.h"
+#include "drivers/haply_serial/haply.h"
+#include "drivers/moteus_canfd/moteus_canfd.h"
+#include "drivers/odrive_can/odrive_can.h"
+#include "drivers/vesc_can/vesc_can.h"
+#include "firmware/device_file/device_config.h"
+#include "firmware/linux/realtime/watchdog_output.h"
+#include "hal/linux/can_bus.h"
+#include "hal/linux/clock.h"
+#include "hal/linux/counter.h"
+#include "hal/linux/gpio_lines.h"
+#include "hal/linux/pwm_output.h"
+#include "hal/linux/serial_port.h"
+#include "hal/linux/usb_endpoint.h"
+
+namespace tactus::firmware {
+
+struct OpenError {
+  std::string_view connection;  // its name in the device's file
+  std::string_view what;        // says what failed and what to do
+  hal::Error error;
+};
+
+class LinuxBoards {
+ public:
+  LinuxBoards() = default;
+  LinuxBoards(const LinuxBoards&) = delete;
+  LinuxBoards& operator=(const LinuxBoards&) = delete;
+  ~LinuxBoards() = default;
+
+  // Opens every connection of `config` and adds boards and joints to `device`. This object must
+  // outlive the device. `falcon_firmware` holds the bytes of the Falcon's firmware, or is empty.
+  // Not real time.
+  std::expected<void, OpenError> open(const DeviceConfig& config,
+                                      std::span<const std::byte> falcon_firmware,
+                                      drivers::ComposedDevice& device);
+
+  // Opens the GPIO line of the watchdog, if the device has one.
+  std::expected<void, OpenError> open_watchdog(const DeviceConfig& config,
+                                               WatchdogOutput& watchdog);
+
+  [[nodiscard]] hal::LinuxClock& clock() { return clock_; }
+
+ private:
+  using Outcome = std::expected<void, OpenError>;
+  using DrivesOnCan = drivers::CanBoard<drivers::ODriveCan, drivers::MoteusCanFd,
+                                        drivers::Cia402Can, drivers::VescCan>;
+
+  struct CanLine {
+    hal::LinuxCanBus bus;
+    std::optional<DrivesOnCan> board;
+  };
+  struct GpioLine {
+    std::optional<hal::LinuxGpioLines> lines;
+    hal::LinuxPwmOutput pwm;
+    hal::LinuxCounter counter;
+    std::optional<drivers::GpioAxis> axis;
+  };
+
+  Outcome open_can(const DeviceConfig& config, std::size_t connection, const CanConnection& can);
+  Outcome open_falcon(const DeviceConfig& config, std::size_t connection,
+                      drivers::FalconConfig falcon, std::span<const std::byte> firmware);
+  Outcome open_haply(const DeviceConfig& config, std::size_t connection,
+                     const HaplyConnection& haply);
+  Outcome open_gpio(const DeviceConfig& config, std::size_t connection, const GpioConnection& gpio);
+  Outcome wire(const DeviceConfig& config, drivers::ComposedDevice& device) const;
+
+  // Numbers the axes of a connection's board in the order in which they were added to it.
+  void address_axes(const DeviceConfig& config, std::size_t connection);
+
+  hal::LinuxClock clock_;
+  std::array<CanLine, kMaxConnections> can_;
+  std::array<GpioLine, kMaxConnections> gpio_;
+  std::optional<hal::LinuxGpioLines> watchdog_lines_;
+  hal::LinuxUsbEndpoint usb_;
+  std::optional<drivers::Falcon> falcon_;
+  hal::LinuxSerialPort serial_;
+  std::optional<drivers::Haply> haply_;
+  std::array<drivers::BoardRef, kMaxConnections> boards_;  // one per connection
+  std::array<drivers::AxisAddress, kMaxAxes> addresses_{};
+};
+
+}  // namespace tactus::firmware

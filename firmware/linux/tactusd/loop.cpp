@@ -1,0 +1,27 @@
+#include "firmware/linux/tactusd/loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::firmware {
+
+bool LoopCourse::goes_on(Mode mode, bool stopping) {
+  --left_;
+  in_fault_ = mode == Mode::fault ? in_fault_ + 1 : 0;
+  const bool stopped = stopping && mode != Mode::active;
+  return left_ > 0 && in_fault_ <= ticks_after_fault_ && !stopped;
+}
+
+LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_crashed) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  return {.status = (tick.late ? kLoopLate : kLoopOnTime) |
+                    (watchdog_driven ? kLoopOnTime : kLoopWatchdogLost) |
+                    (has_crashed ? kLoopHelperCrashed : kLoopOnTime),
+          .missed_ticks = static_cast<std::uint32_t>(std::min(tick.skipped, kMost))};
+}
+
+hal::Phase loop_phase(double rate_hz) {
+  return {.period_ns = static_cast<hal::TimeNs>(std::llround(1e9 / rate_hz)), .offset_ns = 0};
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,74 @@
+// The telemetry of a run of tactusd, as the command line asks for it: the recording, the flight
+// recorder, the live socket and the JSON datagrams for PlotJuggler.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "drivers/composed_device.h"
+#include "firmware/configuration/config_state.h"
+#include "firmware/control/controller.h"
+#include "firmware/linux/commands/telemetry_hooks.h"
+#include "firmware/linux/flight/flight_writer.h"
+#include "firmware/linux/realtime/loop_timing.h"
+#include "firmware/linux/tactusd/options.h"
+#include "firmware/linux/telemetry/telemetry_writer.h"
+#include "firmware/linux/telemetry/text_buffer.h"
+
+namespace tactus::firmware {
+
+// The inputs of the run, for its recordings. They must outlive the telemetry.
+struct RunImages {
+  const ControllerConfig& config;  // the controller's configuration
+  std::span<const std::byte> device;
+  std::span<const std::byte> scene;  // empty: free space
+};
+
+class RunTelemetry {
+ public:
+  RunTelemetry() = default;
+  RunTelemetry(const RunTelemetry&) = delete;
+  RunTelemetry& operator=(const RunTelemetry&) = delete;
+  ~RunTelemetry() = default;
+
+  // Opens the outputs and starts the thread. Call before the calling thread becomes a real-time
+  // thread. Returns false after it has printed why to stderr.
+  bool start(const Options& options, const RunImages& images, std::size_t joints);
+
+  // Publishes the tick that has ended. Real time: for the loop's thread.
+  void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
+  void publish(const TelemetryEvent& event) { writer_.publish(event); }
+
+  // Ends the outputs after the loop. Prints to stderr how much is missing from the recording, if
+  // anything is.
+  void stop(const Options& options);
+
+  // Returns the writers that commands may switch while the loop runs.
+  TelemetrySinks& sinks() { return sinks_; }
+  // Asks the flight recorder to write its last seconds. May be called from a signal handler.
+  void ask_for_flight() { flight_.ask(); }
+
+ private:
+  void describe(const Options& options, const RunImages& images, std::size_t joints);
+  void attach(const RunImages& images);
+  void note(std::string_view key, std::string_view value);
+  // Copies the text that `write` adds to the buffer into `memory_` and returns a view of it.
+  template <class Write>
+  std::string_view keep(Write write);
+  bool open_live_socket(const Options& options);
+
+  TelemetryWriter writer_;
+  FlightWriter flight_;
+  TelemetrySinks sinks_{.writer = &writer_, .flight = &flight_};
+  std::array<Attachment, 3> images_{};
+  RunDescription description_;
+  std::array<std::byte, kMaxConfigBytes> config_{};
+  std::array<char, 1024> memory_{};
+  TextBuffer texts_{memory_};
+  std::array<MetadataEntry, 16> info_{};
+  std::size_t info_count_ = 0;
+};
+
+}  // namespace tactus::firmware

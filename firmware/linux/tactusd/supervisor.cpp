@@ -1,0 +1,80 @@
+#include "firmware/linux/tactusd/supervisor.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+
+#include "hal/linux/clock.h"
+
+namespace tactus::firmware {
+
+namespace {
+
+constexpr hal::TimeNs kLook_ns = 50'000'000;
+
+static_assert(std::atomic<Mode>::is_always_lock_free);
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+}  // namespace
+
+int Supervisor::start(const ServiceNotice& notice) {
+  notice_ = &notice;
+  watchdog_period_ns_ = ServiceNotice::watchdog_period();
+  return thread_.start(
+      "tactus-tells", [](void* self) { static_cast<Supervisor*>(self)->run(); }, this);
+}
+
+void Supervisor::note(Mode mode) {
+  if (mode != last_) {
+    const std::uint32_t change = changes_.load(std::memory_order_relaxed);
+    modes_[change % kModesKept].store(mode, std::memory_order_relaxed);
+    changes_.store(change + 1, std::memory_order_release);
+    last_ = mode;
+  }
+  ticks_.store(ticks_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
+void Supervisor::stop() {
+  stopping_.store(true, std::memory_order_relaxed);
+  thread_.join();
+}
+
+void Supervisor::run() {
+  hal::LinuxClock clock;
+  const hal::TimeNs look_ns = std::min(kLook_ns, watchdog_period_ns_.value_or(hal::kForever) / 4);
+  while (!stopping_.load(std::memory_order_relaxed)) {
+    print_modes();
+    notify_manager(clock.now_ns());
+    clock.sleep_until(clock.now_ns() + look_ns);
+  }
+  print_modes();
+  notice_->send("STOPPING=1\n");
+}
+
+void Supervisor::print_modes() {
+  const std::uint32_t changes = changes_.load(std::memory_order_acquire);
+  reported_ = std::max(reported_, changes - std::min(changes, kModesKept));
+  for (; reported_ != changes; ++reported_) {
+    const std::string_view name =
+        mode_name(modes_[reported_ % kModesKept].load(std::memory_order_relaxed));
+    std::fprintf(stderr, "tactusd: %.*s\n", static_cast<int>(name.size()), name.data());
+  }
+}
+
+void Supervisor::notify_manager(hal::TimeNs now_ns) {
+  const std::uint64_t ticks = ticks_.load(std::memory_order_relaxed);
+  if (ticks == ticks_seen_) {
+    return;
+  }
+  if (ticks_seen_ == 0) {
+    notice_->send("READY=1\n");
+    next_watchdog_ns_ = now_ns;
+  }
+  ticks_seen_ = ticks;
+  if (watchdog_period_ns_ && now_ns >= next_watchdog_ns_) {
+    notice_->send("WATCHDOG=1\n");
+    next_watchdog_ns_ = now_ns + *watchdog_period_ns_ / 2;
+  }
+}
+
+}  // namespace tactus::firmware

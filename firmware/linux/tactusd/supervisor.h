@@ -1,0 +1,59 @@
+// A thread that reports on the loop: it prints every change of mode to stderr, and notifies the
+// service manager that the loop is alive. The loop stores two numbers and never waits for it.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "firmware/control/mode.h"
+#include "firmware/linux/realtime/helper_thread.h"
+#include "firmware/linux/realtime/service_notice.h"
+#include "hal/clock.h"
+
+namespace tactus::firmware {
+
+class Supervisor {
+ public:
+  Supervisor() = default;
+  Supervisor(const Supervisor&) = delete;
+  Supervisor& operator=(const Supervisor&) = delete;
+  ~Supervisor() { stop(); }
+
+  // Starts the thread. It sends READY=1 with the first tick, and WATCHDOG=1 twice per watchdog
+  // period while ticks come. `notice` must outlive this. Returns 0 or errno.
+  int start(const ServiceNotice& notice);
+
+  // Notes the mode after a tick. Call from the loop once per tick; real time. If the thread cannot
+  // run for more than kModesKept changes, the oldest are not printed.
+  void note(Mode mode);
+
+  // Prints the remaining changes, sends STOPPING=1 and ends the thread.
+  void stop();
+
+ private:
+  static constexpr std::uint32_t kModesKept = 32;
+
+  void run();
+  void print_modes();
+  void notify_manager(hal::TimeNs now_ns);
+
+  const ServiceNotice* notice_ = nullptr;
+  std::optional<hal::TimeNs> watchdog_period_ns_;
+  HelperThread thread_;
+  std::atomic<bool> stopping_{false};
+
+  // The loop writes these.
+  std::atomic<std::uint64_t> ticks_{0};
+  std::atomic<std::uint32_t> changes_{0};
+  std::array<std::atomic<Mode>, kModesKept> modes_{};
+  Mode last_ = Mode::init;
+
+  // Only the thread uses these.
+  std::uint32_t reported_ = 0;
+  std::uint64_t ticks_seen_ = 0;
+  hal::TimeNs next_watchdog_ns_ = 0;
+};
+
+}  // namespace tactus::firmware

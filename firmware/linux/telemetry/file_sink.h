@@ -1,0 +1,47 @@
+// A file to which bytes are appended, with its length and the checksum of what was written. Not
+// real time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/linux/telemetry/crc32.h"
+#include "hal/linux/system.h"
+
+namespace tactus::firmware {
+
+// The reaction of `open` to an existing file. Links are never followed.
+enum class IfThere : std::uint8_t {
+  replace,  // empties a file, writes to a character device
+  refuse,   // returns EEXIST
+};
+
+class FileSink {
+ public:
+  // Creates the file. Returns 0 or errno; EEXIST also for a pipe, a socket or a disk, and ELOOP for
+  // a link.
+  int open(const char* path, IfThere if_there = IfThere::replace);
+
+  // Appends all bytes. On a failure, such as a full disk, it appends none of them, sets `error` and
+  // ignores all later writes, so that the file ends after a complete record.
+  void write(std::span<const std::byte> bytes);
+  // Closes the file. Returns 0 or the errno of the first failure.
+  int close();
+
+  // Starts the checksum anew for the bytes written from now on.
+  void restart_crc() { crc_ = {}; }
+  [[nodiscard]] std::uint32_t crc() const { return crc_.value(); }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] int descriptor() const { return file_.get(); }
+  [[nodiscard]] bool is_open() const { return file_.is_open(); }
+  [[nodiscard]] int error() const { return error_; }
+
+ private:
+  hal::FileDescriptor file_;
+  Crc32 crc_;
+  std::uint64_t size_ = 0;
+  int error_ = 0;
+};
+
+}  // namespace tactus::firmware

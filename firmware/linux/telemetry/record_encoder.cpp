@@ -1,0 +1,179 @@
+#include "firmware/linux/telemetry/record_encoder.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "firmware/telemetry/event_bfbs_generated.h"
+#include "firmware/telemetry/event_generated.h"
+#include "firmware/telemetry/record_bfbs_generated.h"
+#include "firmware/telemetry/record_generated.h"
+#include "firmware/telemetry/run_info_generated.h"
+
+namespace tactus::firmware {
+namespace {
+
+telemetry::Vector3 stored(const Triple& triple) {
+  return {triple[0], triple[1], triple[2]};
+}
+
+// Converts an enumerator to the schema's type. Both have the same values; a test checks that.
+template <class Stored, class Ours>
+Stored stored_enum(Ours value) {
+  return static_cast<Stored>(value);
+}
+
+telemetry::Joint stored_joint(const RecordedTick& tick, std::size_t i) {
+  const TelemetryRecord& record = tick.record;
+  return {record.joint_position[i], record.joint_velocity[i],
+          record.joint_effort[i],   record.joint_compensation[i],
+          record.joint_gravity[i],  tick.shaft_rad[i],
+          tick.torque_Nm[i]};
+}
+
+telemetry::EnergyLedger stored_energy(const EnergyLedger& energy_J) {
+  const auto of = [&](EnergySource source) { return energy_J[static_cast<std::size_t>(source)]; };
+  using enum EnergySource;
+  return {of(contact), of(friction), of(texture), of(effect), of(coupling), of(safety), of(delay)};
+}
+
+void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
+  table.add_tick(record.tick);
+  table.add_time_s(record.time_s);
+  table.add_mode(stored_enum<telemetry::Mode>(record.mode));
+  table.add_request(stored_enum<telemetry::Request>(record.request));
+  table.add_contact(stored_enum<telemetry::ContactKind>(record.contact));
+  table.add_friction(stored_enum<telemetry::FrictionState>(record.friction));
+  table.add_faults(record.faults);
+  table.add_limits(record.limits);
+  table.add_device_status(record.device_status);
+  table.add_sample_age_us(record.sample_age_us);
+  table.add_loop_status(record.loop_status);
+  table.add_missed_ticks(record.missed_ticks);
+  table.add_touch_flags(record.touch_flags);
+  table.add_object(record.object);
+  table.add_sub_goals(record.sub_goals);
+  table.add_planes(record.planes);
+  table.add_depth_m(record.depth_m);
+  table.add_passivity_j(record.passivity_J);
+  table.add_limited_source(stored_enum<telemetry::EnergySource>(record.limited_source));
+  table.add_state_hash(record.state_hash);
+  table.add_effort_known(record.effort_known);
+  table.add_fault_joint(record.fault_joint);
+}
+
+}  // namespace
+
+std::uint8_t* RecordEncoder::Memory::allocate(std::size_t size) {
+  if (size > bytes_.size()) {
+    std::terminate();  // a message longer than kMaxMessageBytes: broken invariant
+  }
+  return bytes_.data();
+}
+
+void RecordEncoder::Memory::deallocate(std::uint8_t* /*memory*/, std::size_t /*size*/) {}
+
+RecordEncoder::RecordEncoder() : builder_(kMaxMessageBytes, &memory_) {
+  builder_.ForceDefaults(true);  // every message of a kind has the same length
+}
+
+std::span<const std::byte> RecordEncoder::encode(const RecordedTick& tick) {
+  builder_.Clear();
+  const TelemetryRecord& record = tick.record;
+  const std::size_t count = std::min<std::size_t>(tick.joint_count, drivers::kMaxJoints);
+  std::array<telemetry::Joint, drivers::kMaxJoints> joints;
+  for (std::size_t i = 0; i < count; ++i) {
+    joints[i] = stored_joint(tick, i);
+  }
+  const auto stored_joints = builder_.CreateVectorOfStructs(joints.data(), count);
+  const auto measured = builder_.CreateVector(record.joint_measured.data(), count);
+  const telemetry::Vector3 tool_p = stored(record.tool_p_W);
+  const telemetry::Vector3 tool_v = stored(record.tool_v_W);
+  const telemetry::Vector3 proxy = stored(record.proxy_W);
+  const telemetry::Vector3 normal = stored(record.normal_W);
+  const telemetry::Vector3 rendered = stored(record.force_rendered_W);
+  const telemetry::Vector3 commanded = stored(record.force_commanded_W);
+  const telemetry::Counters counters(record.counters.stale_samples, record.counters.faults_entered,
+                                     record.counters.limited_ticks, record.counters.touch_flagged,
+                                     record.counters.late_ticks);
+  const telemetry::EnergyLedger energy = stored_energy(record.energy_J);
+  const ParameterPlace& place = record.change.place;
+  const telemetry::ParameterChange change(static_cast<std::uint8_t>(place.parameter), place.object,
+                                          record.change.value);
+  const StageTimes& stages = record.stage_ns;
+  const telemetry::StageTimes stage_ns(stages.read, stages.check, stages.kinematics, stages.touch,
+                                       stages.safety, stages.write);
+  const telemetry::LoopTimes loop(tick.loop.scheduled_ns, tick.loop.woke_ns, tick.loop.done_ns,
+                                  tick.loop.sample_ns);
+  telemetry::RecordBuilder table(builder_);
+  add_state(table, record);
+  table.add_joints(stored_joints);
+  table.add_tool_p_w(&tool_p);
+  table.add_tool_v_w(&tool_v);
+  table.add_proxy_w(&proxy);
+  table.add_normal_w(&normal);
+  table.add_force_rendered_w(&rendered);
+  table.add_force_commanded_w(&commanded);
+  table.add_counters(&counters);
+  table.add_energy_j(&energy);
+  table.add_change(&change);
+  table.add_stage_ns(&stage_ns);
+  table.add_loop(&loop);
+  table.add_dropped(tick.dropped);
+  table.add_measured(measured);
+  builder_.Finish(table.Finish(), telemetry::RecordIdentifier());
+  return message();
+}
+
+std::span<const std::byte> RecordEncoder::encode(const TelemetryEvent& event) {
+  builder_.Clear();
+  const std::string_view name = name_of(event);
+  const auto stored_name = builder_.CreateString(name.data(), name.size());
+  telemetry::EventBuilder table(builder_);
+  table.add_tick(event.tick);
+  table.add_time_ns(event.time_ns);
+  table.add_kind(stored_enum<telemetry::EventKind>(event.kind));
+  table.add_name(stored_name);
+  table.add_value(event.value);
+  builder_.Finish(table.Finish(), telemetry::EventIdentifier());
+  return message();
+}
+
+std::span<const std::byte> RecordEncoder::encode(std::span<const MetadataEntry> run_info) {
+  constexpr std::size_t kMaxEntries = 64;
+  constexpr std::size_t kPerEntry = 64;  // more than the tables around the two texts
+  builder_.Clear();
+  std::array<flatbuffers::Offset<telemetry::Entry>, kMaxEntries> entries;
+  std::size_t count = 0;
+  for (const MetadataEntry& entry : run_info.first(std::min(run_info.size(), kMaxEntries))) {
+    if (builder_.GetSize() + entry.key.size() + entry.value.size() + kPerEntry >
+        kMaxMessageBytes / 2) {
+      break;
+    }
+    const auto key = builder_.CreateString(entry.key.data(), entry.key.size());
+    const auto value = builder_.CreateString(entry.value.data(), entry.value.size());
+    entries[count] = telemetry::CreateEntry(builder_, key, value);
+    ++count;
+  }
+  const auto stored_entries = builder_.CreateVector(entries.data(), count);
+  builder_.Finish(telemetry::CreateRunInfo(builder_, stored_entries),
+                  telemetry::RunInfoIdentifier());
+  return message();
+}
+
+std::span<const std::byte> RecordEncoder::message() const {
+  return std::as_bytes(std::span(builder_.GetBufferPointer(), builder_.GetSize()));
+}
+
+MessageSchema record_schema() {
+  using Schema = telemetry::RecordBinarySchema;
+  return {.name = "tactus.telemetry.Record",
+          .bytes = std::as_bytes(std::span(Schema::data(), Schema::size()))};
+}
+
+MessageSchema event_schema() {
+  using Schema = telemetry::EventBinarySchema;
+  return {.name = "tactus.telemetry.Event",
+          .bytes = std::as_bytes(std::span(Schema::data(), Schema::size()))};
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,100 @@
+// Takes the ticks from the loop and, in its own thread, passes them to a recording, to the readers
+// of the live socket and to PlotJuggler.
+//
+//   loop --RecordRing, EventRing--> thread --> MCAP or CSV file
+//                                          --> live socket, for any number of readers
+//                                          --> UDP on this machine
+// The loop only copies each tick into a ring, so a slow disk or reader costs the loop nothing. If
+// the thread is too slow, ticks are dropped and counted; every tick holds the number dropped before
+// it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "firmware/linux/realtime/helper_thread.h"
+#include "firmware/linux/telemetry/live_socket.h"
+#include "firmware/linux/telemetry/run_recorder.h"
+#include "firmware/linux/telemetry/udp_json.h"
+#include "firmware/telemetry/ring.h"
+
+namespace tactus::firmware {
+
+class TelemetryWriter {
+ public:
+  TelemetryWriter() = default;
+  TelemetryWriter(const TelemetryWriter&) = delete;
+  TelemetryWriter& operator=(const TelemetryWriter&) = delete;
+  ~TelemetryWriter() { stop(); }
+
+  // Call these before `start`. All but `describe` return 0 or errno.
+  void describe(const RunDescription& run);
+  int open_live_socket(const char* path) { return live_.open(path); }
+  // Sends one of `every` ticks as JSON to a port of this machine.
+  int open_udp(std::uint16_t port, std::uint32_t every);
+  int start();
+
+  // Publish a tick or an event. Call from the loop's thread; real time, wait-free.
+  void publish(RecordedTick& tick) {
+    tick.dropped = ticks_.dropped();
+    ticks_.push(tick);
+  }
+  void publish(const TelemetryEvent& event) { events_.push(event); }
+
+  // Call these from one other thread at a time, before or after `start`. They wait for the writer's
+  // thread, as long as the file system takes. Names and bytes of attachments must stay valid.
+  // `record` returns 0 or errno; `end_recording` 0 or the errno that had ended it early; `attach`
+  // false if there is no room.
+  int record(const char* path, IfThere if_there = IfThere::replace);
+  int end_recording();
+  bool attach(const Attachment& attachment);
+
+  // Writes the remaining ticks and closes all outputs. Call after the loop's last tick. Returns the
+  // same as end_recording.
+  int stop();
+
+  // These may be called from any thread.
+  [[nodiscard]] std::uint64_t dropped_ticks() const { return ticks_.dropped(); }
+  [[nodiscard]] std::uint64_t dropped_events() const { return events_.dropped(); }
+  // Returns 0 or the errno that ended the recording.
+  [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
+  // Returns the counts of the live socket. Call after `stop`.
+  [[nodiscard]] const LiveCounts& live_counts() const { return live_.counts(); }
+
+ private:
+  enum class Order : std::uint8_t { none, record, end, attach };
+
+  int carry_out(Order order);
+  int obey(Order order);
+  void run();
+  void cycle();
+  void hand_on_events();
+  void hand_on_ticks();
+  void flush_at_times(hal::TimeNs now_ns);
+
+  RecordRing ticks_;
+  EventRing events_;
+  HelperThread thread_;
+  bool started_ = false;
+  std::atomic<bool> stopping_{false};
+
+  // An order from another thread to the writer's. `path_` and `attachment_` belong to the thread
+  // that holds the order.
+  std::atomic<Order> order_{Order::none};
+  const char* path_ = nullptr;
+  IfThere if_there_ = IfThere::replace;
+  Attachment attachment_;
+  int answer_ = 0;
+
+  // Only the writer's thread uses these.
+  std::span<const MetadataEntry> run_info_;
+  RecordEncoder encoder_;
+  RunRecorder recorder_;
+  LiveSocket live_;
+  UdpJson udp_;
+  std::uint32_t udp_every_ = 1;
+  hal::TimeNs flushed_ns_ = 0;
+  std::atomic<int> error_{0};
+};
+
+}  // namespace tactus::firmware

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "firmware/linux/telemetry/record_encoder.h"
+#include "firmware/telemetry/event_generated.h"
+#include "firmware/telemetry/record_generated.h"
+#include "host_tools/recording/record_decoder.h"
+#include "tests/unit/firmware/linux/telemetry/random_tick.h"
+
+namespace tactus::firmware {
+namespace {
+
+TEST(RecordMessage, CarriesEveryFieldOfATick) {
+  const auto seed = std::random_device{}();
+  RecordProperty("seed", std::to_string(seed));
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  RecordEncoder encoder;
+  for (int i = 0; i < 1000; ++i) {
+    const RecordedTick tick = random_tick(random);
+    const auto decoded = host::decode_tick(encoder.encode(tick));
+    ASSERT_TRUE(decoded.has_value());
+    expect_equal(tick, *decoded);
+  }
+}
+
+TEST(RecordMessage, LeavesRoomForWhatIsAddedLater) {
+  std::mt19937_64 random(1);
+  RecordEncoder encoder;
+  EXPECT_LT(encoder.encode(random_tick(random)).size(), kMaxMessageBytes / 4);
+}
+
+TEST(RecordMessage, CarriesOnlyTheJointsThatTheDeviceHas) {
+  RecordedTick tick;
+  RecordEncoder encoder;
+  const std::size_t without = encoder.encode(tick).size();
+  tick.joint_count = 2;
+  tick.record.joint_position = {1.0, 2.0, 0.0};
+  const auto message = encoder.encode(tick);
+  // A joint and its measured effort; the two vectors begin where doubles may.
+  constexpr std::size_t kAJoint = sizeof(telemetry::Joint) + sizeof(double);
+  EXPECT_GE(message.size(), without + 2 * kAJoint);
+  EXPECT_LE(message.size(), without + 2 * kAJoint + 2 * alignof(double));
+  const auto decoded = host::decode_tick(message);
+  ASSERT_TRUE(decoded.has_value());
+  expect_equal(tick, *decoded);
+}
+
+TEST(RecordMessage, CarriesAnEvent) {
+  TelemetryEvent event{.tick = 17, .time_ns = -5, .kind = EventKind::parameter, .value = -0.25};
+  set_name(event, "friction.static");
+  RecordEncoder encoder;
+  const auto decoded = host::decode_event(encoder.encode(event));
+  ASSERT_TRUE(decoded.has_value());
+  EXPECT_EQ(decoded->tick, 17U);
+  EXPECT_EQ(decoded->time_ns, -5);
+  EXPECT_EQ(decoded->kind, EventKind::parameter);
+  EXPECT_EQ(name_of(*decoded), "friction.static");
+  EXPECT_EQ(decoded->value, -0.25);
+}
+
+TEST(RecordMessage, CarriesRunInformationAndCutsWhatIsTooLong) {
+  const std::string long_text(kMaxMessageBytes, 'x');
+  const std::array<MetadataEntry, 3> entries{{{"rate_hz", "1000"}, {"", ""}, {"long", long_text}}};
+  RecordEncoder encoder;
+  const auto decoded = host::decode_run_info(encoder.encode(std::span(entries)));
+  ASSERT_TRUE(decoded.has_value());
+  const host::RunInfo expected{{"rate_hz", "1000"}, {"", ""}};
+  EXPECT_EQ(*decoded, expected);
+}
+
+TEST(RecordMessage, IsNotTakenForAnother) {
+  RecordEncoder encoder;
+  const auto message = encoder.encode(TelemetryEvent{});
+  EXPECT_FALSE(host::decode_tick(message).has_value());
+  EXPECT_FALSE(host::decode_run_info(message).has_value());
+}
+
+TEST(RecordMessage, IsRefusedWhenItIsShort) {
+  RecordEncoder encoder;
+  const auto message = encoder.encode(RecordedTick{});
+  for (std::size_t size = 0; size < message.size(); ++size) {
+    EXPECT_FALSE(host::decode_tick(message.first(size)).has_value()) << size;
+  }
+}
+
+TEST(RecordMessage, NumbersEnumerationsAsTheControllerDoes) {
+  EXPECT_EQ(static_cast<int>(telemetry::Mode::MAX), static_cast<int>(Mode::fault));
+  EXPECT_EQ(static_cast<int>(telemetry::Request::MAX), static_cast<int>(Request::estop));
+  EXPECT_EQ(static_cast<int>(telemetry::ContactKind::MAX),
+            static_cast<int>(rendering::ContactKind::vertex));
+  EXPECT_EQ(static_cast<int>(telemetry::FrictionState::MAX),
+            static_cast<int>(rendering::FrictionState::slip));
+  for (std::size_t i = 0; i < kModeNames.size(); ++i) {
+    EXPECT_EQ(telemetry::EnumNameMode(static_cast<telemetry::Mode>(i)), kModeNames[i]);
+  }
+  for (std::size_t i = 0; i < kRequestNames.size(); ++i) {
+    EXPECT_EQ(telemetry::EnumNameRequest(static_cast<telemetry::Request>(i)), kRequestNames[i]);
+  }
+  for (std::size_t i = 0; i < kEnergySourceNames.size(); ++i) {
+    EXPECT_EQ(telemetry::EnumNameEnergySource(static_cast<telemetry::EnergySource>(i)),
+              kEnergySourceNames[i]);
+  }
+  for (std::size_t i = 0; i < kEventKindNames.size(); ++i) {
+    EXPECT_EQ(telemetry::EnumNameEventKind(static_cast<telemetry::EventKind>(i)),
+              kEventKindNames[i]);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::firmware
