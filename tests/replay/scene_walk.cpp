@@ -76,14 +76,15 @@ void SceneWalk::choose_target() {
   const rendering::Object& object = objects_[object_];
   if (object.surface == rendering::SurfaceKind::mesh) {
     const auto& vertices = object.mesh.vertices;
-    target_ = rendering::to_vec3(vertices[random_() % vertices.size()]) + 0.005 * noise();
+    const Vec3 vertex = rendering::to_vec3(vertices[random_() % vertices.size()]);
+    target_ = vertex + 0.005 * noise();
   } else {
     const rendering::Bounds box = rendering::bounds_of(object);
     const Vec3 middle = (0.5 * (box.lower_W + box.upper_W)).cwiseMax(-0.2).cwiseMin(0.2);
     const Vec3 half = (0.5 * (box.upper_W - box.lower_W)).cwiseMin(0.1);
     target_ = middle + 1.1 * half.cwiseProduct(noise());
   }
-  speed_ = std::pow(10.0, -4.5 + 1.5 * unit());
+  speed_ = std::ldexp(1e-6, static_cast<int>(random_() % 11));
   ticks_left_ = 1 + static_cast<int>(60.0 * (1.0 + unit()));
 }
 

@@ -55,11 +55,8 @@ class TelemetryWriter {
 
   // These may be called from any thread.
   [[nodiscard]] std::uint64_t dropped_ticks() const { return ticks_.dropped(); }
-  [[nodiscard]] std::uint64_t dropped_events() const { return events_.dropped(); }
   // Returns 0 or the errno that ended the recording.
   [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
-  // Returns the counts of the live socket. Call after `stop`.
-  [[nodiscard]] const LiveCounts& live_counts() const { return live_.counts(); }
 
  private:
   enum class Order : std::uint8_t { none, record, end, attach };
