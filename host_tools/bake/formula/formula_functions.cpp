@@ -207,7 +207,7 @@ Result quartic(Builder& b, const Coordinates& at, Arguments /*a*/) {
   return b.add(sum(b, {part(at.x), part(at.y), part(at.z)}), b.constant(11.8));
 }
 
-constexpr std::size_t kAnyNumber = 64;
+constexpr std::size_t kAnyCount = 64;
 
 constexpr std::array kFunctions{
     FormulaFunction{"sqrt", "a", 1, 1, one_operand<Opcode::square_root>},
@@ -218,10 +218,10 @@ constexpr std::array kFunctions{
     FormulaFunction{"log", "a", 1, 1, one_operand<Opcode::logarithm>},
     FormulaFunction{"abs", "a", 1, 1, one_operand<Opcode::magnitude>},
     FormulaFunction{"length", "a, b, c", 2, 3, length},
-    FormulaFunction{"min", "a, b, ...", 2, kAnyNumber, all_of<&Builder::minimum>},
-    FormulaFunction{"max", "a, b, ...", 2, kAnyNumber, all_of<&Builder::maximum>},
-    FormulaFunction{"union", "a, b, ...", 2, kAnyNumber, all_of<&Builder::minimum>},
-    FormulaFunction{"intersection", "a, b, ...", 2, kAnyNumber, all_of<&Builder::maximum>},
+    FormulaFunction{"min", "a, b, ...", 2, kAnyCount, all_of<&Builder::minimum>},
+    FormulaFunction{"max", "a, b, ...", 2, kAnyCount, all_of<&Builder::maximum>},
+    FormulaFunction{"union", "a, b, ...", 2, kAnyCount, all_of<&Builder::minimum>},
+    FormulaFunction{"intersection", "a, b, ...", 2, kAnyCount, all_of<&Builder::maximum>},
     FormulaFunction{"difference", "a, b", 2, 2, difference},
     FormulaFunction{"ricci", "a, b, p", 3, 3, ricci},
     FormulaFunction{"blend_union", "a, b, p, w", 3, 4, blend_union},
