@@ -38,10 +38,10 @@ TickInput SceneWalk::next(Mode mode) {
     choose_target();
   }
   const Vec3 before = tool_;
-  const Vec3 way = target_ - tool_;
-  const double distance = way.norm();
+  const Vec3 to_target = target_ - tool_;
+  const double distance = to_target.norm();
   if (distance > 0.0) {
-    tool_ += std::min(1.0, speed_ / distance) * way;
+    tool_ += std::min(1.0, speed_ / distance) * to_target;
   }
   const Vec3 seen = tool_ + 0.05 * speed_ * noise();
   TickInput input;
