@@ -5,6 +5,12 @@
 
 namespace tactus::testing {
 
+namespace {
+
+constexpr double kFar_m = 0.01;
+
+}  // namespace
+
 using firmware::Mode;
 using firmware::Request;
 
@@ -67,8 +73,8 @@ TickInput SceneWalk::next(Mode mode) {
   return input;
 }
 
-// Near a surface, on either side of it; at speeds from a micrometre to a millimetre a tick. Mostly
-// of the same object as before: it takes many such ways to come to one.
+// Chooses a place near a surface, on either side of it, mostly of the same object as before. The
+// speed is a micrometre to a millimetre a tick, and a millimetre from far away.
 void SceneWalk::choose_target() {
   if (chance(0.1)) {
     object_ = random_() % objects_.size();
@@ -84,7 +90,8 @@ void SceneWalk::choose_target() {
     const Vec3 half = (0.5 * (box.upper_W - box.lower_W)).cwiseMin(0.1);
     target_ = middle + 1.1 * half.cwiseProduct(noise());
   }
-  speed_ = std::ldexp(1e-6, static_cast<int>(random_() % 11));
+  const int octave = static_cast<int>(random_() % 11);
+  speed_ = std::ldexp(1e-6, (target_ - tool_).norm() > kFar_m ? 10 : octave);
   ticks_left_ = 1 + static_cast<int>(60.0 * (1.0 + unit()));
 }
 
