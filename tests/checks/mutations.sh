@@ -9,7 +9,10 @@ export TACTUS_MUTANT_LIMIT_S=60 # a test that a fault keeps from ending has foun
 export TACTUS_PROPERTY_TICKS=20000 GTEST_FAIL_FAST=1
 
 tests/checks/build.sh release plant_faults
-faults="$(git ls-files --cached --others --exclude-standard | build/release/tests/plant_faults "$list" . "$tree")"
+sources="$(git ls-files --cached --others --exclude-standard | sort)"
+faults="$(build/release/tests/plant_faults "$list" . "$tree" <<<"$sources")"
+# A file that has gone since the last run goes from the copy, too.
+comm -13 <(echo "$sources") <(find "$tree" -type f -printf '%P\n' | sort) | sed "s|^|$tree/|" | xargs -r -d '\n' rm --
 
 root="$PWD/$tree"
 CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
