@@ -56,22 +56,27 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   is_shown_ = true;
   is_pre_operational_ = false;
   sample_.has_torque = false;
-  sdo_.reset();
   facts_ = {};
   state_ = {};
   emergency_code_ = 0;
   unanswered_syncs_ = 0;
   is_late_ = false;
   is_cut_off_ = false;
+  forget_drive();
+  tick_is_over_ = false;
+  reads_error_code_ = false;
+  enter(Phase::booting);
+}
+
+// Forgets what the drive has reported of itself since it was started.
+void Cia402Can::forget_drive() {
+  sdo_.reset();
   is_operational_ = false;
   has_state_ = false;
   mode_is_set_ = false;
   in_torque_mode_ = false;
   wants_power_ = false;
   had_power_ = false;
-  tick_is_over_ = false;
-  reads_error_code_ = false;
-  enter(Phase::booting);
 }
 
 void Cia402Can::enter(Phase phase) {

@@ -135,6 +135,7 @@ class Cia402Can {
   void judge_reason(std::uint16_t code);
   void watch_proof();
   void start_again();
+  void forget_drive();
   std::optional<std::uint32_t> read_object(canopen::ObjectAddress object, CanOutbox& outbox);
 
   [[nodiscard]] cia402::TorqueCommand next_command(const AxisCommand& command);

@@ -111,13 +111,7 @@ void Cia402Can::watch_proof() {
 
 // Starts the drive again, which may have left operational and is in a fault.
 void Cia402Can::start_again() {
-  sdo_.reset();
-  is_operational_ = false;
-  has_state_ = false;
-  mode_is_set_ = false;
-  in_torque_mode_ = false;
-  wants_power_ = false;
-  had_power_ = false;
+  forget_drive();
   enter(Phase::starting);
 }
 

@@ -157,7 +157,7 @@ class SphereProxy {
     double length = 0.0;  // m
     Vec3 end = Vec3::Zero();
   };
-  // How far the sphere may move toward a goal.
+  // The result of a sweep: the sphere may move toward the goal by `travel`.
   struct SweepResult {
     Vec3 direction = Vec3::Zero();          // unit
     double travel = 0.0;                    // m

@@ -7,7 +7,7 @@
 // unbends where z . v < 0.
 //
 // A tick is a straight path. Its first part, until |z| grows beyond z_ba, is elastic and exact.
-// From there on |z| does not fall below z_ba again on a straight path, and alpha is taken from the
+// On a straight path |z| does not fall below z_ba again after that, and alpha is taken from the
 // middle of short steps, on each of which the bristle yields exactly (bristle.h) with alpha held:
 // second order, passive whatever alpha is. The first is an eighth of z_ss, each next one and a
 // half times as long; after 32 z_ss the bristle lies along the path, at z_ss.

@@ -113,7 +113,8 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
       return false;
     }
   }
-  homing_hint_ = homing_words(config_, homing_room_);
+  homing_hint_.clear();
+  add_homing_words(config_, homing_hint_);
   config_.controller.allow_uncertified = options.allow_uncertified;
   const auto valid = controller.configure(config_.controller);
   if (!valid) {

@@ -3,13 +3,13 @@
 // the file has no effect. Nothing is on the heap.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
 
 #include "firmware/control/controller.h"
 #include "firmware/device_file/device_image.h"
+#include "firmware/device_file/words.h"
 #include "firmware/linux/commands/scene_store.h"
 #include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
@@ -31,7 +31,7 @@ class RunInputs {
   // Returns why this device may not be enabled and what to do; empty if it may.
   [[nodiscard]] std::string_view enable_refusal() const { return enable_refusal_; }
   // Returns what the user has to do while the device homes; empty if nothing.
-  [[nodiscard]] std::string_view homing_hint() const { return homing_hint_; }
+  [[nodiscard]] std::string_view homing_hint() const { return homing_hint_.view(); }
   [[nodiscard]] const DeviceConfig& config() const { return config_; }
   [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
   [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
@@ -44,8 +44,7 @@ class RunInputs {
   DeviceSections sections_;
   DeviceConfig config_;
   std::string_view enable_refusal_;
-  std::array<char, kMaxMessage> homing_room_{};
-  std::string_view homing_hint_;
+  Words homing_hint_;
   SceneStore scenes_;
 };
 

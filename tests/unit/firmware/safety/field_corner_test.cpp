@@ -1,5 +1,5 @@
-// How stiff potential fields of boxes are where several push, against the slope of the summed force
-// field by differences over a grid.
+// The stiffness of potential fields of boxes where several push is compared with the slope of the
+// summed force field, by differences over a grid.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>

@@ -72,8 +72,8 @@ TEST(TickBudget, IsNotSavedWithoutEnd) {
   }
 }
 
-// Whatever the ticks ask for: what they do beyond the usual is what was saved at the start and
-// since.
+// The ticks ask for any budget. In sum they spend no more beyond the usual one than was saved at
+// the start and since.
 TEST(TickBudget, OfManyTicksIsBounded) {
   std::mt19937 random(1);
   for (int round = 0; round < 100; ++round) {

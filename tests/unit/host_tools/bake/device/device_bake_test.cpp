@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -88,8 +87,9 @@ TEST_F(DeviceBake, SaysWhatTheFileSays) {
 TEST_F(DeviceBake, AnExampleSaysWhatHomingAsksOfTheUser) {
   const auto words_for = [](const std::string& device) {
     const LoadedDevice loaded = bake_device(TACTUS_EXAMPLE_DEVICES "/" + device + ".toml");
-    std::array<char, 512> room{};
-    return std::string(firmware::homing_words(loaded.config(), room));
+    firmware::Words words;
+    firmware::add_homing_words(loaded.config(), words);
+    return std::string(words.view());
   };
   EXPECT_EQ(words_for("haply"),
             "hold 'left arm' still at 180 deg, hold 'right arm' still at 0 deg");
