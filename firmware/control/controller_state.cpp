@@ -1,4 +1,4 @@
-// Saves and restores the controller's memory (see rendering/state/state_archive.h). Configuration
+// Saves and restores the controller's memory (see rendering/state_archive.h). Configuration
 // and scene are not part of it.
 #include <bit>
 
