@@ -20,7 +20,7 @@ struct End {
 
 // Returns the least possible F between two ends of a range, from its values there and its slope:
 // the lowest corner of the two lines that fall as steeply as the slope allows.
-double least(const End& a, const End& b, const Interval& slope) {
+double least_value(const End& a, const End& b, const Interval& slope) {
   if (slope.lower >= 0.0) {
     return a.value;
   }
@@ -52,7 +52,7 @@ class Search {
         return {.state = SegmentState::unknown, .free_to = a.t};
       }
       const SegmentRange range = field_.along(from_, segment_, {a.t, b.t});
-      if (range.value.lower >= 0.0 || least(a, b, range.slope) >= 0.0) {
+      if (range.value.lower >= 0.0 || least_value(a, b, range.slope) >= 0.0) {
         a = b;
         --depth;
         continue;

@@ -1,25 +1,32 @@
 // The proxy is the centre of a sphere that must stay clear of every triangle, as near to the tool
-// as possible. One tick is a sequence of sub-goals. In each of them
+// as possible. One tick is a sequence of sub-goals. Each of them takes these steps:
 //
-//   1. every triangle in contact gives a plane through the proxy, normal to the line from its
-//      nearest point. A triangle is convex and lies behind that plane, so no move on the plane's
-//      positive side can touch it (sphere_proxy_planes.cpp);
-//   2. the sub-goal is the point nearest to the tool in front of all planes (at most three of them
-//      are active), drawn back to the friction circle (sphere_proxy_goal.cpp);
-//   3. the sphere sweeps straight to the sub-goal and stops at the first triangle that gave no
-//   plane
-//      yet (sphere_proxy_sweep.cpp).
+//   1. gather: make the candidate set valid at the proxy (candidate_set.h);
+//   2. collect planes: every triangle in contact gives a plane through the proxy, normal to the
+//      line from its nearest point. A triangle is convex and lies behind that plane, so no move on
+//      the plane's positive side can touch it (plane_collection.h);
+//   3. project: find the point nearest to the tool in front of all planes. At most three of them
+//      are active (active_constraints.h);
+//   4. hold by friction: draw that point back to the friction circle (friction_hold.h). On a curved
+//      path the move is lengthened (curved_path.h);
+//   5. sweep: move the sphere straight to that sub-goal, or to the first triangle that gave no
+//      plane yet (candidate_sweep.h).
 //
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the segment to it. Each move shortens the distance to the tool, so the proxy
 // cannot cycle, and it ends at a local minimum of that distance. Two moves are exceptions: one that
 // lifts the sphere to the rest height of a plane, by less than the contact margin (would_cycle ends
-// the cycles of these), and one that is lengthened (follow_curvature bounds them). A sweep has
+// the cycles of these), and one that is lengthened (CurvedPath bounds them). A sweep has
 // proved every position on the path clear, so the proxy crosses nothing, also when a limit ends the
 // tick.
 #include "rendering/contact/sphere_proxy.h"
 
-#include <limits>
+#include "rendering/contact/active_constraints.h"
+#include "rendering/contact/candidate_sweep.h"
+#include "rendering/contact/constraint_memory.h"
+#include "rendering/contact/curved_path.h"
+#include "rendering/contact/friction_hold.h"
+#include "rendering/contact/plane_collection.h"
 
 namespace tactus::rendering {
 namespace {
@@ -44,16 +51,38 @@ void add_point(ProxyPath* path, std::size_t number, const Vec3& p) {
 
 }  // namespace
 
+// The memory of one tick: each sub-goal leaves it to the next.
+struct SphereProxy::Memory {
+  ConstraintMemory constraints;
+  CurvedPath path;
+  bool slipped = false;
+};
+
+// The end of the next straight move.
+struct SphereProxy::SubGoal {
+  Vec3 point = Vec3::Zero();
+  bool settled = false;     // there is no move: the proxy is where it belongs
+  bool lengthened = false;  // by CurvedPath
+};
+
+struct SphereProxy::Move {
+  SubGoal goal;
+  SweepResult sweep;  // toward the goal, unless that is settled
+};
+
+enum class SphereProxy::Next : std::uint8_t {
+  go_on,  // with the next step
+  again,  // with the first step of this sub-goal
+  end,    // the tick ends here
+};
+
 void SphereProxy::place(const Vec3& p_W) {
-  p_ = p_W;
-  friction_ = FrictionState::free;
-  model_ = {};
+  state_ = {.p_W = p_W};
   carried_W_ = Vec3::Zero();
-  last_contact_ = {};
-  contact_count_ = 0;
+  planes_.clear();
   just_placed_ = true;
   candidate_set_.start_over();
-  candidate_set_.move_to(p_);
+  candidate_set_.move_to(p_W);
 }
 
 std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
@@ -62,231 +91,299 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
     return kTouchClean;
   }
   const Carried carried =
-      carry_along(scene, margins_, p_, last_contact_, candidate_set_.left_out());
-  carried_W_ += carried.p_W - p_;
-  if (carried.p_W != p_) {
-    p_ = carried.p_W;
-    candidate_set_.move_to(p_);
+      carry_along(scene, margins_, state_.p_W, state_.last_contact, candidate_set_.left_out());
+  carried_W_ += carried.p_W - state_.p_W;
+  if (carried.p_W != state_.p_W) {
+    state_.p_W = carried.p_W;
+    candidate_set_.move_to(state_.p_W);
   }
   return carried.flags;
 }
 
 void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
-  model_.begin_tick(tool_step_W - carried_W_, tick_s);
+  state_.model.begin_tick(tool_step_W - carried_W_, tick_s);
   carried_W_ = Vec3::Zero();
 }
 
 ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
-  start_ = p_;
-  start_friction_ = friction_;
-  start_model_ = model_;
-  start_last_contact_ = last_contact_;
+  start_ = state_;
   candidate_set_.start_tick_budget();
   update_left_out(scene);
   return approach(scene, h_W, path);
 }
 
 ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
-  p_ = start_;
-  friction_ = start_friction_;
-  model_ = start_model_;
-  last_contact_ = start_last_contact_;
-  candidate_set_.move_to(p_);
+  state_ = start_;
+  candidate_set_.move_to(state_.p_W);
   candidate_set_.budget().allow_repeat();
   return approach(scene, h_W, path);
-}
-
-// Leaves out the objects that overlap the sphere when it is placed, and takes back objects once the
-// sphere is clear of them.
-void SphereProxy::update_left_out(const SceneObjects& scene) {
-  constexpr double kNoOverlap_m = 0.5e-6;  // within the contact margin
-  LeftOut& left_out = candidate_set_.left_out();
-  bool changed = false;
-  if (just_placed_) {
-    changed = left_out.add_overlapped(scene, margins_, p_, kNoOverlap_m);
-    just_placed_ = false;
-  } else if (left_out.any()) {
-    changed = left_out.take_back(scene, margins_, p_);
-  }
-  if (changed) {
-    candidate_set_.clear();
-  }
-}
-
-void SphereProxy::forget_left_out(ProxyRest& rest) {
-  rest.plane_count = 0;
-  contact_count_ = 0;
-  if (last_contact_.object != kNoObject && candidate_set_.left_out().has(last_contact_.object)) {
-    last_contact_ = {};
-  }
-  candidate_set_.clear();
-}
-
-void SphereProxy::escape_overfull_planes(const SceneObjects& scene, const Vec3& h_W,
-                                         ProxyRest& rest) {
-  if ((rest.flags & kTouchPlanesOverflow) == 0 || rest.sub_goals > 0) {
-    return;
-  }
-  sweep_to_tool(scene, h_W);
-  if (p_ == h_W) {
-    rest.plane_count = 0;
-    rest.normal_W = Vec3::Zero();
-    friction_ = FrictionState::free;
-  }
 }
 
 ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   ProxyRest rest = run_sub_goals(scene, h_W, path);
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
   if (rest.plane_count == 0 && (rest.flags & kUnfinished) != 0) {
-    keep_last_contact(scene, h_W, rest);
+    keep_last_contact(scene, state_.last_contact, state_.p_W, h_W, rest);
   }
-  last_contact_ = hardest_contact(rest);
+  state_.last_contact = hardest_contact(rest);
   rest.flags |= candidate_set_.left_out().any() ? kTouchOverlap : kTouchClean;
   return rest;
 }
 
-// Leaves out the objects that the proxy overlaps by more than kMostPushOut_m. Returns true if there
-// are any.
+ProxyRest SphereProxy::run_sub_goals(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
+  const NearbySurfaces near{.scene = scene, .margins = margins_, .candidates = candidate_set_};
+  Memory memory;
+  ProxyRest rest;
+  double max_push_m = kMaxPushOut_m;
+  for (;;) {
+    add_point(path, rest.sub_goals, state_.p_W);
+    Next next = gather(near, h_W, path, memory, rest);
+    if (next == Next::go_on) {
+      next = collect_planes(near, max_push_m, memory, rest);
+    }
+    if (next == Next::again) {
+      continue;
+    }
+    if (next == Next::end) {
+      return rest;
+    }
+    const Move move = find_move(near, h_W, max_push_m, memory, rest);
+    if (!may_move(near, h_W, move, rest)) {
+      return rest;
+    }
+    make_move(move, memory, rest);
+    if (stays_on_face(near, move, memory, rest)) {
+      add_point(path, rest.sub_goals, state_.p_W);
+      return rest;
+    }
+    max_push_m = 0.0;
+  }
+}
+
+// Makes the candidate set valid at the proxy.
+SphereProxy::Next SphereProxy::gather(const NearbySurfaces& near, const Vec3& h_W, ProxyPath* path,
+                                      Memory& memory, ProxyRest& rest) {
+  const std::size_t before = candidate_set_.gatherings();
+  const Gathering gathering = candidate_set_.ensure(near.scene, margins_, state_.p_W);
+  if (rest.sub_goals == 0 || candidate_set_.gatherings() != before) {
+    memory.constraints.clear();
+  }
+  if (gathering == Gathering::complete) {
+    return Next::go_on;
+  }
+  if (gathering == Gathering::begun) {
+    rest.flags |= kTouchIterationsExhausted;
+    // The planes that held the proxy before give the force.
+    find_active_constraints(near.scene, factors_, state_.p_W, h_W, planes_, rest);
+    return Next::end;
+  }
+  rest.flags |= kTouchCandidatesOverflow;
+  if (gathering == Gathering::smaller) {
+    return Next::go_on;
+  }
+  if (leave_out_overlapped(near.scene, rest)) {
+    return Next::again;
+  }
+  if (rest.sub_goals < kMaxSubGoals) {
+    sweep_to_tool(near, h_W);
+    add_point(path, ++rest.sub_goals, state_.p_W);
+  }
+  return Next::end;
+}
+
+// Collects the planes at the proxy.
+SphereProxy::Next SphereProxy::collect_planes(const NearbySurfaces& near, double max_push_m,
+                                              const Memory& memory, ProxyRest& rest) {
+  if (rest.plane_count > 0) {
+    state_.last_contact = hardest_contact(rest);
+  }
+  PlaneCollector collector(near, state_.p_W, max_push_m);
+  switch (collector.collect(memory.constraints, planes_, rest.flags)) {
+    case PlaneCollector::Result::unfinished:
+      rest.flags |= kTouchIterationsExhausted;
+      rest.plane_count = 0;
+      return Next::end;
+    case PlaneCollector::Result::overlapped:
+      forget_left_out(rest);
+      return Next::again;
+    case PlaneCollector::Result::complete:
+      break;
+  }
+  if (rest.plane_count > 0 && planes_.empty()) {
+    collector.add_face_below(planes_, rest.flags);
+  }
+  return Next::go_on;
+}
+
+// Chooses the next sub-goal and sweeps to it. A candidate that blocks the sweep at its start adds
+// its plane, and the choice is repeated.
+SphereProxy::Move SphereProxy::find_move(const NearbySurfaces& near, const Vec3& h_W,
+                                         double max_push_m, Memory& memory, ProxyRest& rest) {
+  const Vec3& p = state_.p_W;
+  PlaneCollector collector(near, p, max_push_m);
+  Move move;
+  std::size_t sweeps = 0;
+  do {
+    move.goal = choose_goal(near, h_W, memory, rest);
+    const SubGoal& goal = move.goal;
+    if (!goal.settled && !goal.lengthened && memory.constraints.would_cycle(p, goal.point, h_W) &&
+        memory.constraints.recall(planes_)) {
+      collector.add_recalled(memory.constraints, planes_, rest.flags);
+      move.goal = choose_goal(near, h_W, memory, rest);
+    }
+    if (goal.settled) {
+      break;
+    }
+    move.sweep = sweep_toward(near, p, goal.point, rest, memory.constraints);
+    if (const FirstHit& hit = move.sweep.beyond; hit.object != kNoObject) {
+      // The contact of this tick, should it end before the object is measured there.
+      state_.last_contact = {.object = hit.object, .triangle = hit.triangle};
+    }
+  } while (++sweeps <= kMaxContactPlanes && move.sweep.blocked_by != kNoCandidate &&
+           collector.add_blocking(move.sweep.blocked_by, planes_, rest.flags));
+  return move;
+}
+
+// Projects the tool on the planes and holds the proxy by friction.
+SphereProxy::SubGoal SphereProxy::choose_goal(const NearbySurfaces& near, const Vec3& h_W,
+                                              Memory& memory, ProxyRest& rest) {
+  const Vec3& p = state_.p_W;
+  const ActiveConstraints active =
+      find_active_constraints(near.scene, factors_, p, h_W, planes_, rest);
+  if (active.projection.active_count == 0) {
+    const bool arrived = (h_W - p).squaredNorm() <= 0.0;
+    if (arrived) {
+      state_.friction = FrictionState::free;
+    }
+    return {.point = h_W, .settled = arrived};
+  }
+  const HeldGoal held =
+      hold_by_friction(near.scene, active, rest, h_W, planes_, state_, memory.slipped);
+  if (held.sticks) {
+    return {.point = held.point, .settled = held.settled};
+  }
+  const Vec3 move = held.point - p;
+  if (move.norm() <= kSettled_m) {
+    return {.point = p, .settled = true};
+  }
+  const Candidate& first = near.candidates.candidate(rest.planes[0].candidate);
+  const Vec3 lengthened = memory.path.lengthen(move, p, held.tool, rest, planes_, first.triangle);
+  return {.point = p + lengthened, .lengthened = lengthened != move};
+}
+
+// Returns true if the tick goes on with this move. A tick whose budget is spent still makes its
+// first move if the proxy has waited, so that no place can hold it for ever.
+bool SphereProxy::may_move(const NearbySurfaces& near, const Vec3& h_W, const Move& move,
+                           ProxyRest& rest) {
+  if (move.goal.settled) {
+    return false;
+  }
+  const bool is_free = move.sweep.travel_m > 0.0;
+  const bool must_move = rest.sub_goals == 0 && is_free && candidate_set_.has_waited();
+  if (rest.sub_goals == kMaxSubGoals || (candidate_set_.budget().is_exhausted() && !must_move)) {
+    rest.flags |= kTouchIterationsExhausted;
+    return false;
+  }
+  if (!is_free) {
+    escape_overfull_planes(near, h_W, rest);
+  }
+  return is_free;
+}
+
+void SphereProxy::make_move(const Move& move, Memory& memory, ProxyRest& rest) {
+  const auto& [goal, sweep] = move;
+  Vec3& p = state_.p_W;
+  memory.constraints.leave(p, rest, goal.lengthened ? std::size_t{0} : rest.plane_count);
+  if (rest.plane_count == 2) {
+    memory.path.remember_crease(goal.lengthened ? Vec3{Vec3::Zero()} : Vec3{goal.point - p});
+  }
+  p = sweep.arrived ? goal.point : Vec3{p + sweep.travel_m * sweep.direction};
+  if (sweep.is_known) {
+    candidate_set_.move_to_end(p);
+  } else {
+    candidate_set_.move_to(p);
+  }
+  ++rest.sub_goals;
+  candidate_set_.budget().spend(kCostOfSubGoal);
+}
+
+// Returns true if the proxy has come to rest on the face that held it before the move, and sets
+// its distance. The test is not made after a tick's first move: on small triangles it mostly fails,
+// and it would cost more than it saves.
+bool SphereProxy::stays_on_face(const NearbySurfaces& near, const Move& move, const Memory& memory,
+                                ProxyRest& rest) const {
+  const bool may_stay = move.sweep.is_known && !move.goal.lengthened && rest.sub_goals > 1;
+  if (!may_stay || !is_still_on_face(near, state_.p_W, memory.constraints, rest)) {
+    return false;
+  }
+  Nearest& nearest = rest.planes[0].nearest;
+  nearest.distance += nearest.normal.dot(state_.p_W - memory.constraints.left_from());
+  return true;
+}
+
+void SphereProxy::sweep_to_tool(const NearbySurfaces& near, const Vec3& h_W) {
+  Vec3& p = state_.p_W;
+  const Vec3 move = h_W - p;
+  const double length = move.norm();
+  if (length <= 0.0) {
+    state_.friction = FrictionState::free;
+    return;
+  }
+  const Sweep sweep{.from = p, .direction = move / length};
+  const FirstHit hit = sweep_beyond_candidates(near, sweep, length, kMaxCarryBudget);
+  if (hit.object != kNoObject) {
+    state_.last_contact = {.object = hit.object, .triangle = hit.triangle};
+  }
+  if (hit.travel_m > 0.0) {
+    p = hit.travel_m >= length ? h_W : Vec3{p + hit.travel_m * sweep.direction};
+    candidate_set_.move_to(p);
+  }
+}
+
+void SphereProxy::escape_overfull_planes(const NearbySurfaces& near, const Vec3& h_W,
+                                         ProxyRest& rest) {
+  if ((rest.flags & kTouchPlanesOverflow) == 0 || rest.sub_goals > 0) {
+    return;
+  }
+  sweep_to_tool(near, h_W);
+  if (state_.p_W == h_W) {
+    rest.plane_count = 0;
+    rest.normal_W = Vec3::Zero();
+    state_.friction = FrictionState::free;
+  }
+}
+
+void SphereProxy::update_left_out(const SceneObjects& scene) {
+  constexpr double kNoOverlap_m = 0.5e-6;  // within the contact margin
+  LeftOut& left_out = candidate_set_.left_out();
+  bool changed = false;
+  if (just_placed_) {
+    changed = left_out.add_overlapped(scene, margins_, state_.p_W, kNoOverlap_m);
+    just_placed_ = false;
+  } else if (left_out.any()) {
+    changed = left_out.take_back(scene, margins_, state_.p_W);
+  }
+  if (changed) {
+    candidate_set_.clear();
+  }
+}
+
 bool SphereProxy::leave_out_overlapped(const SceneObjects& scene, ProxyRest& rest) {
-  if (!candidate_set_.left_out().add_overlapped(scene, margins_, p_, kMostPushOut_m)) {
+  if (!candidate_set_.left_out().add_overlapped(scene, margins_, state_.p_W, kMaxPushOut_m)) {
     return false;
   }
   forget_left_out(rest);
   return true;
 }
 
-void SphereProxy::sweep_to_tool_if_allowed(const SceneObjects& scene, const Vec3& h_W,
-                                           ProxyRest& rest, ProxyPath* path) {
-  if (rest.sub_goals < kMaxSubGoals) {
-    sweep_to_tool(scene, h_W);
-    add_point(path, ++rest.sub_goals, p_);
+void SphereProxy::forget_left_out(ProxyRest& rest) {
+  rest.plane_count = 0;
+  planes_.clear();
+  LastContact& last = state_.last_contact;
+  if (last.object != kNoObject && candidate_set_.left_out().has(last.object)) {
+    last = {};
   }
-}
-
-ProxyRest SphereProxy::run_sub_goals(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
-  slipped_ = false;
-  last_crease_move_ = Vec3::Zero();
-  least_left_m_.fill(std::numeric_limits<double>::infinity());
-  ProxyRest rest;
-  double most_push = kMostPushOut_m;
-  for (;;) {
-    add_point(path, rest.sub_goals, p_);
-    const std::size_t before = candidate_set_.gatherings();
-    const Gathering gathering = candidate_set_.ensure(scene, margins_, p_);
-    const bool gathered = candidate_set_.gatherings() != before;
-    if (rest.sub_goals == 0 || gathered) {
-      blocking_count_ = 0;
-      recalled_count_ = 0;
-      last_constraints_.count = 0;
-    }
-    if (gathering == Gathering::begun) {
-      rest.flags |= kTouchIterationsExhausted;
-      active_constraints(scene, h_W, rest);  // on what held it before
-      return rest;
-    }
-    if (gathering != Gathering::complete) {
-      rest.flags |= kTouchCandidatesOverflow;
-      if (gathering == Gathering::too_many) {
-        if (leave_out_overlapped(scene, rest)) {
-          continue;
-        }
-        sweep_to_tool_if_allowed(scene, h_W, rest, path);
-        return rest;
-      }
-    }
-    if (rest.plane_count > 0) {
-      last_contact_ = hardest_contact(rest);
-    }
-    if (!collect_planes(scene, most_push, rest)) {
-      rest.flags |= kTouchIterationsExhausted;
-      rest.plane_count = 0;
-      return rest;
-    }
-    if (found_overlap_) {
-      forget_left_out(rest);
-      continue;
-    }
-    if (rest.plane_count > 0 && contact_count_ == 0) {
-      add_face_below(scene, rest);
-    }
-    const auto [goal, sweep] = find_move(scene, h_W, most_push, rest);
-    if (goal.settled) {
-      return rest;
-    }
-    const bool must_move = rest.sub_goals == 0 && sweep.travel > 0.0 && candidate_set_.has_waited();
-    if (rest.sub_goals == kMaxSubGoals || (candidate_set_.budget().is_exhausted() && !must_move)) {
-      rest.flags |= kTouchIterationsExhausted;
-      return rest;
-    }
-    if (sweep.travel <= 0.0) {
-      escape_overfull_planes(scene, h_W, rest);
-      return rest;
-    }
-    last_constraints_.take(rest, goal.stretched ? std::size_t{0} : rest.plane_count, p_);
-    if (rest.plane_count == 2) {
-      last_crease_move_ = goal.stretched ? Vec3{Vec3::Zero()} : Vec3{goal.point - p_};
-    }
-    const Vec3 from = p_;
-    p_ = sweep.arrived ? goal.point : Vec3{p_ + sweep.travel * sweep.direction};
-    if (sweep.is_known) {
-      candidate_set_.move_to_end(p_);
-    } else {
-      candidate_set_.move_to(p_);
-    }
-    ++rest.sub_goals;
-    candidate_set_.budget().spend(kCostOfSubGoal);
-    if (sweep.is_known && !goal.stretched && rest.sub_goals > 1 && is_still_on_face(scene, rest)) {
-      Nearest& nearest = rest.planes[0].nearest;
-      nearest.distance += nearest.normal.dot(p_ - from);
-      add_point(path, rest.sub_goals, p_);
-      return rest;
-    }
-    most_push = 0.0;
-  }
-}
-
-// Chooses the sub-goal and sweeps to it. A blocking contact adds its plane, and the choice is
-// repeated.
-SphereProxy::Move SphereProxy::find_move(const SceneObjects& scene, const Vec3& h_W,
-                                         double most_push, ProxyRest& rest) {
-  Move move;
-  std::size_t sweeps = 0;
-  do {
-    move.goal = choose_goal(scene, h_W, rest);
-    const Goal& goal = move.goal;
-    if (!goal.settled && !goal.stretched && would_cycle(goal.point, h_W) &&
-        recall_last_constraints()) {
-      add_recalled_planes(scene, most_push, rest);
-      move.goal = choose_goal(scene, h_W, rest);
-    }
-    if (goal.settled) {
-      break;
-    }
-    move.sweep = sweep_toward(scene, goal.point, rest);
-  } while (++sweeps <= kMaxContactPlanes && move.sweep.blocked_by != kNoCandidate &&
-           add_blocking_plane(move.sweep.blocked_by, most_push, rest));
-  return move;
-}
-
-// Returns true if collecting the planes again at the goal would find nothing new. This holds on a
-// single face: its plane is the same, and other near triangles are touched at their borders, where
-// they give no plane. The test is not made after a tick's first move: on small triangles it mostly
-// fails, and it would cost more than it saves.
-bool SphereProxy::is_still_on_face(const SceneObjects& scene, const ProxyRest& rest) {
-  const ContactPlane& contact = rest.planes[0];
-  if (rest.plane_count != 1 || contact.nearest.feature != Feature::face || recalled_count_ > 0) {
-    return false;
-  }
-  bool is_held = false;
-  for (const std::uint16_t i : candidate_set_.within_reach_here()) {
-    const Triangle* const triangle = candidate_set_.triangle(i, scene);
-    if (triangle == nullptr || is_blocking(i) || triangle->faces(p_) != (i == contact.candidate)) {
-      return false;
-    }
-    is_held = is_held || i == contact.candidate;
-  }
-  return is_held;
+  candidate_set_.clear();
 }
 
 }  // namespace tactus::rendering

@@ -1,0 +1,57 @@
+// The constraints that the proxy met earlier in the same tick. They keep its straight moves from
+// going round in a cycle.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rendering/contact/contact_planes.h"
+#include "rendering/contact/proxy_rest.h"
+#include "rendering/limits.h"
+
+namespace tactus::rendering {
+
+class ConstraintMemory {
+ public:
+  // Forgets everything. Call it when the candidates are gathered again, which gives them new
+  // numbers.
+  void clear() { held_count_ = recalled_count_ = blocking_count_ = 0; }
+
+  // Remembers that the first `count` planes of `rest` held the proxy at `p`, which it leaves now.
+  void leave(const Vec3& p, const ProxyRest& rest, std::size_t count);
+
+  // Returns the place that the proxy left last; world frame, m.
+  [[nodiscard]] const Vec3& left_from() const { return left_from_; }
+
+  // Returns true if the move from `p` to `goal` would begin a cycle; `h` is the tool.
+  //
+  // In a flat valley the proxy can move back and forth within the contact margin: on either side it
+  // does not touch the other, and the nearest point of each plane lies beyond it. The move would
+  // return to the place that the proxy has just left, or end no nearer to the tool than there.
+  [[nodiscard]] bool would_cycle(const Vec3& p, const Vec3& goal, const Vec3& h) const;
+
+  // Makes the candidates that held the proxy at the place it left give planes from any distance,
+  // until the tick ends. Returns true if there is one that is not among `planes`.
+  bool recall(const ContactPlanes& planes);
+
+  // Returns the candidates that give planes from any distance.
+  [[nodiscard]] std::span<const std::size_t> recalled() const {
+    return {recalled_.data(), recalled_count_};
+  }
+
+  // Remembers that a candidate stopped a sweep in this tick.
+  void add_blocking(std::size_t candidate);
+  [[nodiscard]] bool is_blocking(std::size_t candidate) const;
+
+ private:
+  std::array<std::size_t, 3> held_by_{};  // candidates
+  std::size_t held_count_ = 0;
+  Vec3 left_from_ = Vec3::Zero();
+  std::array<std::size_t, 6> recalled_{};
+  std::size_t recalled_count_ = 0;
+  std::array<std::size_t, kMaxContactPlanes> blocking_{};
+  std::size_t blocking_count_ = 0;
+};
+
+}  // namespace tactus::rendering

@@ -1,0 +1,80 @@
+#include "rendering/contact/contact_planes.h"
+
+#include <algorithm>
+
+namespace tactus::rendering {
+
+bool ContactPlanes::add(const ContactPlane& contact, std::uint32_t& flags) {
+  // Triangles that share the nearest edge or vertex give the same plane.
+  constexpr double kSameNormal = 1e-20;
+  for (std::size_t k = 0; k < count_; ++k) {
+    if ((contacts_[k].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
+        contacts_[k].plane.offset >= contact.plane.offset) {
+      return false;
+    }
+  }
+  if (count_ < kMaxContactPlanes) {
+    contacts_[count_++] = contact;
+    return true;
+  }
+  flags |= kTouchPlanesOverflow;
+  const auto farthest = std::ranges::max_element(
+      contacts_, {}, [](const ContactPlane& c) { return c.nearest.distance; });
+  if (contact.nearest.distance >= farthest->nearest.distance) {
+    return false;
+  }
+  *farthest = contact;
+  return true;
+}
+
+bool ContactPlanes::has(std::size_t number) const {
+  return std::ranges::find(all(), number, &ContactPlane::candidate) != all().end();
+}
+
+bool ContactPlanes::allow(const Vec3& p) const {
+  constexpr double kRounding_m = 1e-12;
+  return std::ranges::all_of(all(), [&](const ContactPlane& c) {
+    return c.plane.normal.dot(p) >= c.plane.offset - kRounding_m;
+  });
+}
+
+PlaneProjection ContactPlanes::project(const Vec3& p, const Vec3& h) {
+  constexpr double kSlack_m = 1e-12;  // keeps the proxy within its own planes in spite of rounding
+  for (std::size_t i = 0; i < count_; ++i) {
+    planes_[i] = contacts_[i].plane;
+  }
+  const std::span<Plane> used{planes_.data(), count_};
+  const double now = (p - h).norm();
+  PlaneProjection projection = project_on_planes(h, used);
+  if (projection.feasible && (projection.point - h).norm() <= now + kMaxPushOut_m) {
+    return projection;
+  }
+  // The planes leave no room: surfaces push against each other. The proxy may slide between them,
+  // but is not pushed.
+  for (Plane& plane : used) {
+    plane.offset = std::min(plane.offset, plane.normal.dot(p)) - kSlack_m;
+  }
+  projection = project_on_planes(h, used);
+  projection.feasible = projection.feasible && (projection.point - h).norm() <= now;
+  return projection;
+}
+
+Vec3 ContactPlanes::resting_position(const Vec3& p) {
+  Vec3 rest = p;
+  if (is_above_first_) {
+    const Plane& below = contacts_[0].plane;
+    rest += (below.offset - below.normal.dot(p)) * below.normal;
+  }
+  bool low = false;
+  for (std::size_t i = 0; i < count_; ++i) {
+    planes_[i] = contacts_[i].plane;
+    low = low || planes_[i].normal.dot(rest) < planes_[i].offset - kSettled_m;
+  }
+  if (!low) {
+    return rest;
+  }
+  const PlaneProjection up = project_on_planes(rest, std::span(planes_).first(count_));
+  return up.feasible && (up.point - p).norm() <= kMaxPushOut_m ? up.point : p;
+}
+
+}  // namespace tactus::rendering

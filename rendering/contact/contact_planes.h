@@ -1,0 +1,69 @@
+// The contact planes at one position of the proxy. They bound its centre in one sub-goal.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rendering/contact/proxy_rest.h"
+#include "rendering/geometry/plane_projection.h"
+#include "rendering/limits.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
+
+namespace tactus::rendering {
+
+// A sphere that overlaps a surface by at most this, by rounding or by a deformation, is pushed out
+// in one tick. An object with a greater overlap is left out until the sphere is clear of it.
+inline constexpr double kMaxPushOut_m = 20e-6;
+
+// A shorter move counts as none: its force is a micronewton at 1000 N/m.
+inline constexpr double kSettled_m = 1e-9;
+
+class ContactPlanes {
+ public:
+  void clear() {
+    count_ = 0;
+    is_above_first_ = false;
+  }
+
+  // Adds a plane and returns true, unless an equal plane that bounds the proxy as far is there.
+  // Beyond kMaxContactPlanes the planes with the nearest surfaces are kept, and `flags` gets
+  // kTouchPlanesOverflow.
+  bool add(const ContactPlane& contact, std::uint32_t& flags);
+
+  // Says that the proxy is above the rest height of the first plane, so that it comes down to it.
+  void set_above_first(bool is_above) { is_above_first_ = is_above; }
+
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::span<const ContactPlane> all() const { return {contacts_.data(), count_}; }
+  [[nodiscard]] const ContactPlane& operator[](std::size_t i) const { return contacts_[i]; }
+
+  // Returns true if candidate `number` gave one of the planes.
+  [[nodiscard]] bool has(std::size_t number) const;
+
+  // Returns true if `p` is on the positive side of all planes, to rounding.
+  [[nodiscard]] bool allow(const Vec3& p) const;
+
+  // Returns the point nearest to the tool `h` on the positive side of all planes; `p` is the
+  // proxy (world frame, m). It is not `feasible` if surfaces push against each other and leave the
+  // proxy no place nearer to the tool.
+  PlaneProjection project(const Vec3& p, const Vec3& h);
+
+  // Returns the proxy's position at the rest height of the planes, at most kMaxPushOut_m from `p`.
+  // A sweep ends a little below that height, where friction alone would leave the proxy and the
+  // next seam would block it; after a move past the end of a face the proxy is a little above.
+  Vec3 resting_position(const Vec3& p);
+
+  // Saves the planes to the archive, or restores them. If not `are_kept`, there are none.
+  void transfer(StateArchive& archive, const SceneObjects& scene, bool are_kept);
+
+ private:
+  std::array<ContactPlane, kMaxContactPlanes> contacts_;
+  std::size_t count_ = 0;
+  bool is_above_first_ = false;
+  std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
+};
+
+}  // namespace tactus::rendering
