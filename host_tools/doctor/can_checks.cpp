@@ -15,17 +15,24 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kNet = "/sys/class/net/";
-constexpr const char* kCanType = "280";            // ARPHRD_CAN
-constexpr std::uint64_t kUpFlag = 1;               // IFF_UP
-constexpr const char* kFdMtu = "72";               // CANFD_MTU
-constexpr std::int64_t kUsualBitrate = 1'000'000;  // three axes at 1 kHz need it
+// The kernel's constants as sysfs prints them: ARPHRD_CAN, IFF_UP and CANFD_MTU.
+constexpr const char* kCanType = "280";
+constexpr std::uint64_t kUpFlag = 1;
+constexpr const char* kFdMtu = "72";
+// Bit/s; the frames of three axes at 1 kHz need it.
+constexpr std::int64_t kUsualBitrate = 1'000'000;
 
+// What `ip` says about a CAN interface.
 struct CanLink {
+  // True for vcan, which has no bit rate.
   bool is_virtual = false;
-  bool told = false;  // `ip` said something
+  // False if `ip` is missing or printed nothing that is understood.
+  bool told = false;
+  // Bit/s; 0 if not set. The data bit rate is that of CAN FD frames.
   std::int64_t bitrate = 0;
   std::int64_t data_bitrate = 0;
-  std::string state;  // of the controller: "ERROR-ACTIVE" is well
+  // The error state of the CAN controller; "ERROR-ACTIVE" is the normal one.
+  std::string state;
 };
 
 std::int64_t bitrate_in(const nlohmann::json& data, const char* timing) {
@@ -34,6 +41,7 @@ std::int64_t bitrate_in(const nlohmann::json& data, const char* timing) {
              : 0;
 }
 
+// Reads the JSON of `ip`. Throws nlohmann::json::exception if a value has an unexpected type.
 CanLink link_from(const std::string& text) {
   CanLink link;
   const auto json = nlohmann::json::parse(text, nullptr, false);
@@ -108,6 +116,7 @@ Finding judge(const CanNeed& need, const CanLink& link, const std::string& mtu) 
   return well(check, in_words(link));
 }
 
+// Judges an interface from the outside in: present, of type CAN, up, then its settings.
 Finding look_and_judge(Machine& machine, const CanNeed& need) {
   const std::string check = "CAN " + need.interface;
   const auto type = machine.text(kNet + need.interface + "/type");

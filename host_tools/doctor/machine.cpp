@@ -23,6 +23,7 @@ std::string without_end(std::string text) {
   return text;
 }
 
+// Files of /proc and /sys have no size, so the stream is read to its end.
 std::optional<std::string> read_whole(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {

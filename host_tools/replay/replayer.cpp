@@ -18,6 +18,7 @@ namespace {
 
 template <class Number>
   requires std::is_arithmetic_v<Number>
+// std::to_chars without a precision gives the shortest text that reads back to the same bits.
 std::string in_digits(Number value) {
   std::array<char, 64> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -33,6 +34,7 @@ std::string in_digits(Value value)
 
 // Every NaN is alike, as in the hash.
 template <class Value>
+// Compares bits, so that 0.0 and -0.0 differ; every NaN equals every other, as in the state hash.
 bool same_bits(const Value& a, const Value& b) {
   if constexpr (std::floating_point<Value>) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
@@ -47,7 +49,9 @@ std::string element_name(std::size_t index, std::size_t count) {
   return count == 3 ? std::string(".") + kAxes[index] : "[" + std::to_string(index) + "]";
 }
 
-// Goes over the fields of one record beside those of another.
+// A visitor for visit_record_fields(): it compares each field of one record with the same field of
+// the other, and keeps the first difference. The state hash is kept apart, since it follows from
+// the rest.
 struct FieldComparison {
   const firmware::TelemetryRecord& recorded;
   const firmware::TelemetryRecord& replayed;
@@ -56,6 +60,8 @@ struct FieldComparison {
 
   template <class Value>
   void operator()(const firmware::FieldName& name, const Value& here) {
+    // The visitor gets a field of one record only. Both records have the same type, so the same
+    // offset leads to the same field of the other.
     const auto offset =
         reinterpret_cast<const std::byte*>(&here) - reinterpret_cast<const std::byte*>(&recorded);
     const auto& there =
@@ -97,7 +103,8 @@ std::optional<Difference> first_difference(const firmware::TelemetryRecord& reco
 Replayer::Replayer(const ReplaySetup& setup)
     : controller_(std::make_unique<firmware::Controller>()) {
   firmware::ControllerConfig config = setup.config;
-  config.allow_uncertified = true;  // what was loaded then is loaded now
+  config.allow_uncertified =
+      true;  // The run was allowed to load its scene; the replay must be too.
   configure(*controller_, config);
   if (!setup.objects.empty() && !controller_->load_scene(setup.objects, setup.world)) {
     throw InputError("the controller refuses the scene");
