@@ -11,7 +11,7 @@ namespace {
 constexpr double kRadius_m = 0.01;
 constexpr double kApart_m = 0.03;
 
-// The places of a cubic grid, the nearest to the origin first.
+// Returns points of a cubic grid, the nearest to the origin first, m.
 std::vector<Vec3> places(std::size_t count) {
   const int half = static_cast<int>(std::ceil(0.5 * std::cbrt(static_cast<double>(count)))) + 1;
   std::vector<Vec3> grid;

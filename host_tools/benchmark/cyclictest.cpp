@@ -14,11 +14,12 @@ namespace tactus::host {
 
 namespace {
 
+// Refuses output that this version does not understand.
 [[noreturn]] void not_cyclictests(const char* what) {
   throw InputError(fmt::format("cyclictest's answer is not known to this version: {}", what));
 }
 
-// Its bins are named by their lower edge.
+// cyclictest names its bins by their lower edge in us, and leaves empty ones out.
 void read_bins(const nlohmann::json& histogram, Jitter& jitter) {
   std::uint64_t binned = 0;
   for (const auto& [edge_us, count] : histogram.items()) {

@@ -19,7 +19,8 @@
 #include "host_tools/input_error.h"
 #include "rendering/world/world.h"
 
-// A name of its own, without C++'s ornaments, for callgrind's command line.
+// Callgrind counts inside of this function only, and writes a part of its output before every call:
+// one part for each tick. The name has C linkage, so that it can stand in callgrind's command line.
 extern "C" [[gnu::noinline]] void tactus_counted_touch(tactus::rendering::World& world,
                                                        const tactus::Vec3& p_W) {
   world.touch({.p_W = p_W});
@@ -34,6 +35,7 @@ constexpr const char* kScene = "scene.tactus";
 constexpr const char* kPath = "path";
 constexpr const char* kCounts = "callgrind.out";
 
+// Writes the scene and the path for the program under callgrind.
 void write_work(const fs::path& folder, const BenchmarkMesh& mesh, bool friction,
                 double tool_radius_m, std::span<const Vec3> path) {
   const rendering::Object object = object_of(mesh, friction);

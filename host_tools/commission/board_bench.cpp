@@ -22,6 +22,8 @@
 namespace tactus::host {
 namespace {
 
+// A signal handler can reach nothing but globals: the signal that arrived, and the device that a
+// crash must stop.
 std::atomic<int> ended_by{0};
 drivers::ComposedDevice* stopped_in_a_crash = nullptr;
 
@@ -35,6 +37,7 @@ void stop_in_a_crash() {
   }
 }
 
+// Returns true if the person has pressed Enter, or standard input has ended.
 bool has_typed_a_line() {
   pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
   if (::poll(&input, 1, 0) <= 0) {
@@ -126,8 +129,8 @@ class BoardBench final : public Bench {
   }
 
  private:
-  // Returns how long a read may wait. As in tactusd, half of every period stays for the rest of the
-  // tick.
+  // Returns how long a read may wait. As in tactusd, half of every period is kept for the rest of
+  // the tick.
   static hal::TimeNs read_limit_ns(const firmware::DeviceConfig& config) {
     const double half_period_s = 0.5 / config.controller.rate_hz;
     return static_cast<hal::TimeNs>(1e9 * std::min(config.read_limit_s, half_period_s));

@@ -16,11 +16,12 @@ namespace {
 using firmware::ControllerConfig;
 using firmware::Verdict;
 
-// Shares of a joint's range: what a pulse shall move it at least, and at most.
+// Shares of a joint's range: a pulse grows until it moves the joint by the first, and is cut off at
+// the second.
 constexpr double kWantedTravel = 0.004;
 constexpr double kLargestTravel = 0.06;
 
-// The motors have no power after this, whatever ends the scope.
+// Takes the motors' power away at the end of its scope, however that ends.
 class PowerOff {
  public:
   explicit PowerOff(Bench& bench) : bench_(&bench) {}
@@ -36,6 +37,7 @@ double range_of(const ControllerConfig& config, std::size_t joint) {
   return config.joints[joint].upper - config.joints[joint].lower;
 }
 
+// One run of the check, step by step.
 class Session {
  public:
   Session(Bench& bench, const CommissionPlan& plan, const CommissionProgress& progress)
@@ -77,7 +79,8 @@ class Session {
     bench_->read(sample_);
   }
 
-  // The device goes on ticking meanwhile: its drives' watchdogs watch.
+  // Waits for the person. The loop goes on meanwhile, since a drive's watchdog would stop it
+  // otherwise.
   void let_person(HandTask task) {
     bench_->ask(task);
     while (bench_->is_at_work(task)) {

@@ -7,10 +7,12 @@
 namespace tactus::host {
 namespace {
 
-constexpr double kReach = 0.98;  // of the way from the middle to each stop
-constexpr double kLeg_s = 0.8;   // from the middle to a stop and back
-constexpr int kLegs = 6;         // both ways along three axes
-constexpr double kRest_s = 0.5;  // in the middle, at the end
+// The simulated person goes this share of the way from the middle to each stop, there and back in
+// kLeg_s, along three axes in both directions, and then rests in the middle for kRest_s.
+constexpr double kReach = 0.98;
+constexpr double kLeg_s = 0.8;
+constexpr int kLegs = 6;
+constexpr double kRest_s = 0.5;
 
 }  // namespace
 
@@ -65,8 +67,8 @@ bool SimulatedBench::is_at_work(HandTask task) {
   return task == task_ && step_s_ * static_cast<double>(ticks_) < task_s();
 }
 
-// Returns the wish of a hand that goes along one axis to a stop and back, one axis after the other,
-// each way by a half cosine.
+// Returns the wished position of a hand that goes along one axis to a stop and back, one axis after
+// the other, by a half cosine each way.
 Vec3 SimulatedBench::wish_at(double time_s) const {
   const int leg = static_cast<int>(time_s / kLeg_s);
   if (task_ != HandTask::move_everywhere || leg >= kLegs) {

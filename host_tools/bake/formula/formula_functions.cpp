@@ -50,16 +50,18 @@ Value length3(Builder& b, Value x, Value y, Value z) {
   return root(b, sum(b, {square(b, x), square(b, y), square(b, z)}));
 }
 
-// |a| - size / 2: a slab.
+// |a| - size / 2: below 0 between two planes that are `size` apart.
 Value slab(Builder& b, Value a, Value size) {
   return b.subtract(magnitude(b, a), half(b, size));
 }
 
+// A function that one instruction computes.
 template <Opcode opcode>
 Result one_operand(Builder& b, const Coordinates& /*at*/, Arguments a) {
   return b.function(opcode, a[0]);
 }
 
+// A function of any number of arguments, combined from the left.
 template <Value (Builder::*combine)(Value, Value)>
 Result all_of(Builder& b, const Coordinates& /*at*/, Arguments a) {
   Value result = a[0];
@@ -77,10 +79,13 @@ Result length(Builder& b, const Coordinates& /*at*/, Arguments a) {
   return a.size() == 2 ? length2(b, a[0], a[1]) : length3(b, a[0], a[1], a[2]);
 }
 
+// The part of a that is outside of b.
 Result difference(Builder& b, const Coordinates& /*at*/, Arguments a) {
   return b.maximum(a[0], b.negate(a[1]));
 }
 
+// Ricci's blend of two functions ("A constructive geometry for computer graphics", Computer Journal
+// 16(2), 1973), which the user gives in his form.
 Result ricci(Builder& b, const Coordinates& /*at*/, Arguments a) {
   const auto p = b.known(a[2]);
   if (!p || !(std::abs(*p) >= 1.0)) {
@@ -89,7 +94,8 @@ Result ricci(Builder& b, const Coordinates& /*at*/, Arguments a) {
   return b.power_norm(a[0], a[1], *p);
 }
 
-// Ricci's functions are above 0 and 1 on the surface, so the blend is that of 1 + a/w and 1 + b/w.
+// Ricci's functions are above 0 and equal 1 on the surface; ours are 0 there. So it blends 1 + a/w
+// and 1 + b/w and goes back. The sign of p chooses intersection (+) or union (-).
 Result blend(Builder& b, Arguments a, Value second, double sign) {
   const auto p = b.known(a[2]);
   if (!p || !(*p >= 1.0)) {
@@ -147,7 +153,8 @@ Result capsule(Builder& b, const Coordinates& at, Arguments a) {
   return b.subtract(length3(b, at.x, at.y, beyond), a[0]);
 }
 
-// Base of radius r at z = 0, tip at z = h: the distance to the side's line, cut by the base.
+// The base of radius r lies at z = 0, the tip at z = h: the distance to the line of the side, cut
+// off by the base.
 Result cone(Builder& b, const Coordinates& at, Arguments a) {
   const Value around = length2(b, at.x, at.y);
   const Value side = b.add(b.multiply(a[1], b.subtract(around, a[0])), b.multiply(a[0], at.z));
@@ -159,6 +166,7 @@ Result torus(Builder& b, const Coordinates& at, Arguments a) {
   return b.subtract(length2(b, around, at.z), a[1]);
 }
 
+// Taubin's heart: (x^2 + 9/4 y^2 + z^2 - 1)^3 - x^2 z^3 - 9/80 y^2 z^3.
 Result heart(Builder& b, const Coordinates& at, Arguments /*a*/) {
   const Value x2 = square(b, at.x);
   const Value y2 = square(b, at.y);
@@ -168,6 +176,7 @@ Result heart(Builder& b, const Coordinates& at, Arguments /*a*/) {
   return b.subtract(b.whole_power(body, 3), dent);
 }
 
+// Barth's surface of degree 6, which has 65 double points, the most that the degree permits.
 Result barth_sextic(Builder& b, const Coordinates& at, Arguments /*a*/) {
   constexpr double kGolden = std::numbers::phi;
   const Value x2 = square(b, at.x);
@@ -191,6 +200,7 @@ Result klein_bottle(Builder& b, const Coordinates& at, Arguments /*a*/) {
   return b.add(b.multiply(b.add(sphere, two_y), body), twist);
 }
 
+// Schoen's minimal surface, approximated by the first term of its Fourier series.
 Result gyroid(Builder& b, const Coordinates& at, Arguments /*a*/) {
   const auto wave = [&](Value u, Value v) {
     return b.multiply(b.function(Opcode::sine, u), b.function(Opcode::cosine, v));
@@ -198,7 +208,7 @@ Result gyroid(Builder& b, const Coordinates& at, Arguments /*a*/) {
   return sum(b, {wave(at.x, at.y), wave(at.y, at.z), wave(at.z, at.x)});
 }
 
-// Goursat's, a cube of tubes.
+// Goursat's surface of degree 4 with the symmetry of a cube; it looks like a cube of tubes.
 Result quartic(Builder& b, const Coordinates& at, Arguments /*a*/) {
   const auto part = [&](Value u) {
     const Value u2 = square(b, u);
@@ -207,6 +217,7 @@ Result quartic(Builder& b, const Coordinates& at, Arguments /*a*/) {
   return b.add(sum(b, {part(at.x), part(at.y), part(at.z)}), b.constant(11.8));
 }
 
+// A limit for functions of any number of arguments.
 constexpr std::size_t kAnyCount = 64;
 
 constexpr std::array kFunctions{

@@ -21,7 +21,8 @@ namespace {
 using Kind = FormulaNode::Kind;
 using Value = FormulaBuilder::Value;
 
-// Calls that change the coordinates for their first argument; the others are numbers.
+// A function that moves its first argument by changing the coordinates; its other arguments are
+// numbers.
 struct Placing {
   std::string_view name;
   std::string_view arguments;
@@ -33,6 +34,7 @@ constexpr std::array kPlacings{
     Placing{"scale", "a, s", 2},
 };
 
+// Walks the syntax tree and builds instructions. It throws InputError at the place of the error.
 class Compiler {
  public:
   explicit Compiler(std::string_view text) : text_(text) {}
@@ -59,6 +61,7 @@ class Compiler {
   }
 
  private:
+  // Returns the value of a node. Throws InputError if it is a constant that is not finite.
   Value value_of(const FormulaNode& node, const FormulaCoordinates& at) {
     const Value value = any_value_of(node, at);
     if (const auto known = builder_.known(value); known && !std::isfinite(*known)) {
@@ -142,7 +145,7 @@ class Compiler {
     if (placing != kPlacings.end()) {
       require_arguments(node, placing->arguments, placing->count, placing->count);
       const Value moved = value_of(node.children[0], placed(node, at));
-      // A distance stays a distance.
+      // A shape that is scaled by s has s times the distance, so that a distance stays a distance.
       return node.name == "scale" ? builder_.multiply(builder_.constant(number(node, 1)), moved)
                                   : moved;
     }
@@ -165,6 +168,7 @@ class Compiler {
     return *result;
   }
 
+  // Returns the coordinates inside a placing: a shape moves one way, its coordinates the other.
   FormulaCoordinates placed(const FormulaNode& node, const FormulaCoordinates& at) {
     if (node.name == "translate") {
       return {.x = builder_.add(at.x, builder_.constant(-number(node, 1))),
@@ -180,7 +184,7 @@ class Compiler {
             .z = builder_.multiply(builder_.constant(inverse), at.z)};
   }
 
-  // The shape turns by the right hand about the axis; its coordinates turn the other way.
+  // The shape turns by the right hand about the axis, so its coordinates turn back.
   FormulaCoordinates turned(const FormulaNode& node, const FormulaCoordinates& at) {
     const Vec3 axis{number(node, 1), number(node, 2), number(node, 3)};
     if (!(axis.norm() > 0.0)) {
@@ -196,7 +200,8 @@ class Compiler {
         Eigen::Quaterniond(cosine, v.x(), v.y(), v.z()).toRotationMatrix().transpose();
     const auto row = [&](int i) {
       const auto part = [&](int j, Value coordinate) {
-        constexpr double kNone = 1e-15;  // a quarter turn leaves rounding where zeros belong
+        // A quarter turn leaves rounding errors where zeros belong; they would cost instructions.
+        constexpr double kNone = 1e-15;
         const double c = std::abs(back(i, j)) < kNone ? 0.0 : back(i, j);
         return builder_.multiply(builder_.constant(c), coordinate);
       };
@@ -205,11 +210,12 @@ class Compiler {
     return {.x = row(0), .y = row(1), .z = row(2)};
   }
 
-  // An argument of a placing.
+  // Returns the number that an argument of a placing must be.
   double number(const FormulaNode& node, std::size_t i) {
     const FormulaNode& child = node.children[i];
     const auto known =
         builder_.known(value_of(child, {.x = builder_.x(), .y = builder_.y(), .z = builder_.z()}));
+    // An exponent that varies: a^b = exp(b log a), which needs a positive base.
     if (!known) {
       fail_formula(text_, child.place,
                    fmt::format("{} needs a number here, not something that depends on x, y or z",
@@ -231,6 +237,7 @@ class Compiler {
     }
   }
 
+  // Reports an unknown name with the nearest known one.
   [[noreturn]] void fail_unknown(const FormulaNode& node) {
     std::string_view nearest = "pi";
     const auto consider = [&](std::string_view name) {

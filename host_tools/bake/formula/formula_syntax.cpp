@@ -13,6 +13,7 @@ namespace {
 
 using Kind = FormulaNode::Kind;
 
+// Limits that keep the recursion within the stack.
 constexpr std::size_t kLongestText = 20'000;
 constexpr std::size_t kDeepest = 100;
 
@@ -24,6 +25,9 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// A recursive-descent parser, one function for each level of precedence: sums, products, signs,
+// powers, atoms. Powers bind tighter than signs and associate to the right: -x^2 is -(x^2), and
+// 2^3^2 is 2^9.
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -42,7 +46,7 @@ class Reader {
   }
 
  private:
-  // The next character that is not blank; 0 at the end.
+  // Returns the next character that is not blank; 0 at the end.
   char peek() {
     while (place_ < text_.size() &&
            std::string_view(" \t\r\n").find(text_[place_]) != std::string_view::npos) {
@@ -51,6 +55,7 @@ class Reader {
     return place_ < text_.size() ? text_[place_] : '\0';
   }
 
+  // Consumes the next character if it is c.
   bool take(char c) {
     const bool there = peek() == c;
     place_ += there ? 1 : 0;
@@ -94,6 +99,7 @@ class Reader {
     return node;
   }
 
+  // Counts the nesting, which recursion would otherwise take from the stack.
   void enter() {
     if (++depth_ > kDeepest) {
       fail_formula(text_, place_, fmt::format("nested more than {} deep; simplify it", kDeepest));
@@ -165,6 +171,7 @@ class Reader {
     return inner;
   }
 
+  // Consumes the parenthesis that ends what was opened at `opened`.
   void close(std::size_t opened) {
     if (take(')')) {
       return;
@@ -222,6 +229,7 @@ class Reader {
 }  // namespace
 
 void fail_formula(std::string_view text, std::size_t place, std::string_view what) {
+  // Characters of the text that a message shows on either side of the error.
   constexpr std::size_t kContext = 24;
   place = std::min(place, text.size());
   const std::size_t begin = place > kContext ? place - kContext : 0;

@@ -13,6 +13,7 @@ using rendering::TextureProjection;
 using rendering::TextureUse;
 
 constexpr std::array kShadingKeys{KeySpec{"angle_limit_deg", "deg"}};
+// In the order of rendering::TextureUse.
 constexpr std::array kUseKeys{KeySpec{"stiffness", ""}, KeySpec{"friction", ""},
                               KeySpec{"bump", ""}, KeySpec{"normal", ""}};
 constexpr std::array kFactorKeys{KeySpec{"image", ""}, KeySpec{"range", ""}, KeySpec{"tile_m", "m"},
@@ -34,6 +35,7 @@ constexpr std::array kProjections{
     NamedProjection{"triplanar", TextureProjection::triplanar},
 };
 
+// Returns the keys that a texture of this use may have.
 std::span<const KeySpec> keys_of(TextureUse use) {
   switch (use) {
     case TextureUse::bump:
@@ -58,6 +60,8 @@ double read_angle_limit(const toml::table& table, const TomlSection& object,
   return limit;
 }
 
+// Reads how a picture lies on the surface. `tile_m` implies a projection through space, and texture
+// coordinates have their own size, so the two exclude each other.
 void read_projection(const TomlSection& section, bool is_mesh, TextureDescription& texture) {
   const std::optional<double> tile_m = section.number("tile_m", kAboveZero);
   if (tile_m && (*tile_m < rendering::kLeastTile_m || *tile_m > rendering::kWorldBound_m)) {
@@ -90,6 +94,7 @@ void read_projection(const TomlSection& section, bool is_mesh, TextureDescriptio
   }
 }
 
+// Reads the factors of black and white for stiffness and friction.
 void read_range(const TomlSection& section, TextureDescription& texture) {
   if (const auto range = section.numbers("range", 2)) {
     texture.low = (*range)[0];
@@ -104,6 +109,7 @@ void read_range(const TomlSection& section, TextureDescription& texture) {
   }
 }
 
+// Reads the height of white over black for a bump map.
 void read_height(const TomlSection& section, TextureDescription& texture) {
   const std::optional<double> height_m = section.number("height_m", kAboveZero);
   if (!height_m) {

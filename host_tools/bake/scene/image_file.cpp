@@ -44,7 +44,7 @@ Bytes room_for(TextureSize size, TextureFormat format) {
   return Bytes(std::size_t{size.width} * size.height * static_cast<std::size_t>(format));
 }
 
-// libpng's simplified interface; it keeps its errors in the struct.
+// Uses libpng's simplified interface, which keeps its errors in the struct instead of long jumps.
 Image read_png(const Bytes& bytes) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -58,10 +58,12 @@ Image read_png(const Bytes& bytes) {
   check_size(png.width, png.height);
   const bool colour = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
   png.format = colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
-  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits are finer steps of the same scale
+  // 16 bits are finer steps of the same scale; without the flag libpng takes them for linear light.
+  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
   Image image{.size = {png.width, png.height},
               .format = colour ? TextureFormat::rgb : TextureFormat::grey};
   image.texels = room_for(image.size, image.format);
+  // Transparent texels are laid over black.
   const png_color black{};
   check(png_image_finish_read(&png, &black, image.texels.data(), 0, nullptr));
   return image;
@@ -86,6 +88,7 @@ Image read_jpeg(const Bytes& bytes) {
   const bool grey = colours == TJCS_GRAY;
   Image image{.size = size, .format = grey ? TextureFormat::grey : TextureFormat::rgb};
   image.texels = room_for(size, image.format);
+  // TJFLAG_ACCURATEDCT: the fast transform may differ from one processor to another.
   check(tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.texels.data(), width, 0,
                       height, grey ? TJPF_GRAY : TJPF_RGB, TJFLAG_ACCURATEDCT));
   return image;

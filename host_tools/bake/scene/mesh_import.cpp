@@ -20,12 +20,13 @@ namespace {
   throw InputError(fmt::format("{}: {}", path.string(), what));
 }
 
+// Returns the text with line ends replaced: an InputError is one line.
 std::string one_line(std::string text) {
   std::ranges::replace_if(text, [](unsigned char c) { return c < ' '; }, ' ');
   return text;
 }
 
-// Returns how many triangles the polygons make if none is lost.
+// Returns how many triangles the polygons make if none is lost: a polygon of n corners makes n - 2.
 std::size_t expected_triangles(const aiScene& scene) {
   std::size_t count = 0;
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
@@ -45,7 +46,8 @@ std::size_t found_triangles(const aiScene& scene) {
   return count;
 }
 
-// Reading, checking and cutting are three steps, so that what one loses can be told.
+// Reads, validates and triangulates in three steps, so that the message can tell which step failed.
+// Assimp drops a polygon that it cannot cut without a word; the count of triangles shows it.
 const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::path& path) {
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene != nullptr) {
@@ -70,10 +72,12 @@ Vec3 transformed(const aiMatrix4x4t<double>& transform, const aiVector3D& v) {
   return {p.x, p.y, p.z};
 }
 
+// Collects the meshes of all nodes into one.
 class Collector {
  public:
   Collector(const aiScene& scene, const std::filesystem::path& path) : scene_(scene), path_(path) {}
 
+  // Adds a node and its children; transforms multiply from the root downwards, in double.
   void add_node(const aiNode& node, const aiMatrix4x4t<double>& parent) {
     const aiMatrix4x4t<double> transform =
         parent * static_cast<aiMatrix4x4t<double>>(node.mTransformation);
@@ -85,7 +89,7 @@ class Collector {
     }
   }
 
-  // Texture coordinates for some of the triangles are of no use.
+  // Returns the mesh. Texture coordinates for only some of the triangles are dropped.
   ImportedMesh take() {
     if (result_.corner_places.size() != result_.triangles.size()) {
       result_.corner_places.clear();
@@ -134,7 +138,7 @@ class Collector {
     rendering::CornerPlaces places{};
     for (unsigned k = 0; k < 3; ++k) {
       const aiVector3D& uv = mesh.mTextureCoords[0][face.mIndices[k]];
-      // Comparisons with a value that is not a number are false.
+      // A comparison with NaN is false, so NaN is refused too.
       const bool in_range = std::abs(uv.x) <= rendering::kMostTexturePlace &&
                             std::abs(uv.y) <= rendering::kMostTexturePlace;
       if (!in_range) {

@@ -41,6 +41,7 @@ constexpr std::array kOwnKeys{
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
 };
+// The keys of an object are its own and those of its shape.
 constexpr auto kObjectKeys = [] {
   std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
   std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
@@ -85,7 +86,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   return object;
 }
 
-// The tables of [[effect]], none if there are none.
+// Returns the effects of all [[effect]] tables; none if there are none.
 std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlSection& scene,
                                             std::string_view file) {
   std::vector<rendering::Effect> effects;
@@ -107,6 +108,7 @@ std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlS
   return effects;
 }
 
+// Returns the [[object]] tables. Throws InputError if there is none or too many.
 const toml::array& object_array(const toml::table& root, const TomlSection& scene) {
   const toml::node* node = root.get("object");
   const toml::array* array = node == nullptr ? nullptr : node->as_array();

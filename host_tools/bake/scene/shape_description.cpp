@@ -55,6 +55,8 @@ double required(const TomlSection& section, std::string_view key, std::string_vi
   return *value;
 }
 
+// Returns the primitive's dimensions in the order of rendering::Primitive, where box, cylinder and
+// capsule have half sizes.
 std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& kind) {
   const auto get = [&](std::string_view key) { return required(section, key, kind.name); };
   switch (kind.kind) {
@@ -79,6 +81,7 @@ std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& ki
 }
 
 ImplicitDescription read_implicit(const TomlSection& section, const std::string& text) {
+  // In units of the formula, to each side.
   constexpr double kDefaultBound = 2.0;
   ImplicitDescription implicit;
   try {
@@ -161,6 +164,7 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
 }
 
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {
+  // Parts of the box along each side, for the picture.
   constexpr int kCells = 40;
   if (const auto* primitive = std::get_if<Primitive>(&shape)) {
     return primitive_mesh(*primitive);

@@ -1,4 +1,5 @@
-// The edit distance between a written name and a known one.
+// The edit distance between a name that the user wrote and one that exists, for "did you mean"
+// advice.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +9,8 @@
 
 namespace tactus::host {
 
-// Levenshtein: single letters put in, left out or replaced.
+// Returns the Levenshtein distance: how many letters must be inserted, removed or replaced. It
+// keeps one row of the usual table.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) {
