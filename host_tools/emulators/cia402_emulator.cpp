@@ -9,6 +9,7 @@ namespace tactus::host {
 namespace {
 
 constexpr hal::TimeNs kMs = 1'000'000;
+// Error codes of CiA 301 and 402, and the bit of a PDO's identifier that switches it off.
 constexpr std::uint16_t kOverCurrent = 0x2310;
 constexpr std::uint16_t kHeartbeatError = 0x8130;
 constexpr std::uint16_t kPdoTooShort = 0x8210;
@@ -28,7 +29,7 @@ void write_number(hal::CanFrame& frame, std::size_t at, std::size_t size, std::u
   }
 }
 
-// The object that a mapping entry names, and its bytes.
+// The object that an entry of a PDO mapping names, and its size.
 struct Mapped {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
@@ -49,6 +50,7 @@ Cia402Emulator::Cia402Emulator(hal::CanBus& bus, std::uint32_t seed,
   define_communication();
 }
 
+// Objects 1xxx: identity, heartbeats, four PDOs each way with the default identifiers of CiA 301.
 void Cia402Emulator::define_communication() {
   const std::uint32_t node = config_.node;
   objects_[{0x1000, 0}] = {0x0002'0192, 4, false};
@@ -81,6 +83,7 @@ void Cia402Emulator::define_communication() {
   objects_[{0x1A00, 1}].value = 0x6041'0010;
 }
 
+// Objects 6xxx of the profile. 6502 lists the supported modes, with cyclic synchronous torque.
 void Cia402Emulator::define_profile() {
   for (const auto& [index, size] : std::initializer_list<std::pair<std::uint16_t, std::uint8_t>>{
            {0x603F, 2}, {0x6041, 2}, {0x6061, 1}, {0x6064, 4}, {0x606C, 4}, {0x6077, 2}}) {
@@ -115,7 +118,7 @@ std::uint32_t Cia402Emulator::object(std::uint16_t index, std::uint8_t sub) cons
   return found == objects_.end() ? 0 : found->second.value;
 }
 
-// Nothing that happened before is remembered, but what the maker's tool has saved.
+// Power-up: everything is forgotten but what the maker's tool has saved in the configuration.
 void Cia402Emulator::get_power(hal::TimeNs now_ns) {
   power_ = Power::switch_on_disabled;
   controlword_ = 0;
@@ -201,7 +204,8 @@ void Cia402Emulator::take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   }
 }
 
-// Applies the objects that waited for the SYNC, then takes the samples.
+// Applies the receive PDOs that waited for the SYNC, then samples and sends the transmit PDOs that
+// are due: types 1 to 240 are sent with every n-th SYNC.
 void Cia402Emulator::take_sync(hal::TimeNs now_ns) {
   for (std::size_t pdo = 0; pdo < received_.size(); ++pdo) {
     if (received_[pdo].waits) {
@@ -221,6 +225,7 @@ void Cia402Emulator::take_sync(hal::TimeNs now_ns) {
   }
 }
 
+// Types 0 to 240 wait for the SYNC; higher ones take effect on receipt.
 void Cia402Emulator::take_pdo(hal::TimeNs now_ns, std::size_t pdo, const hal::CanFrame& frame) {
   if (object(static_cast<std::uint16_t>(0x1400 + pdo), 2) <= 240) {
     received_[pdo] = {frame, true};
@@ -292,6 +297,8 @@ void Cia402Emulator::watch_master(hal::TimeNs now_ns) {
   abort_connection(now_ns);
 }
 
+// Object 6007, the reaction to a lost master: 1 fault, 2 disable voltage, 3 quick stop, else
+// nothing. Object 1029 then decides about the communication state.
 void Cia402Emulator::abort_connection(hal::TimeNs now_ns) {
   switch (object(0x6007, 0)) {
     case 1:

@@ -13,6 +13,7 @@ double seconds_of(hal::TimeNs duration_ns) {
   return 1e-9 * static_cast<double>(duration_ns);
 }
 
+// Returns the step if the plant can bear it; throws InputError otherwise.
 hal::TimeNs checked_step(hal::TimeNs step_ns) {
   if (step_ns <= 0 || step_ns > kLongestMachineStep_ns) {
     throw InputError(fmt::format("a step of {} ns: the plant needs steps of at most {} ns", step_ns,
@@ -21,7 +22,7 @@ hal::TimeNs checked_step(hal::TimeNs step_ns) {
   return step_ns;
 }
 
-// The zero vector as parameters means no hand.
+// Returns false for parameters that are all zero, which mean that there is no hand.
 bool holds(const HandParameters& hand) {
   return hand.stiffness_N_per_m > 0.0 || hand.damping_Ns_per_m > 0.0;
 }

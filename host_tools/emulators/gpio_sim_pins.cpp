@@ -29,7 +29,7 @@ int open_attribute(const fs::path& path, int access) {
   return descriptor;
 }
 
-// Configfs and sysfs report an error with the write itself, not with the closing.
+// Configfs and sysfs report an error with the write and not when the file is closed.
 void write_attribute(const fs::path& path, std::string_view text) {
   const int descriptor = open_attribute(path, O_WRONLY);
   const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -85,7 +85,7 @@ void GpioSimPins::lay_out_pwm() const {
   }
 }
 
-// Read many times a millisecond: they stay open.
+// The files are read many times a millisecond, so they stay open.
 void GpioSimPins::open_pwm() {
   const std::array<std::pair<const char*, hal::SysfsFile*>, 4> files{
       {{"enable", &pwm_enable_},
@@ -137,7 +137,7 @@ void GpioSimPins::close_lines() {
   values_.clear();
 }
 
-// Nothing happens to the pins of a chip that is gone.
+// A chip that is gone has no lines; driving one then does nothing.
 void GpioSimPins::drive(std::uint32_t offset, bool high) {
   const std::string_view pull = high ? "pull-up" : "pull-down";
   if (offset < pulls_.size() && ::pwrite(pulls_[offset], pull.data(), pull.size(), 0) < 0) {

@@ -13,6 +13,8 @@ namespace tactus::host {
 
 namespace {
 
+// Everything here is encoded by hand from the published register protocol, and never through the
+// driver's code, so that an error in either shows.
 constexpr double kMoteusRevPerRad = 0.5 / std::numbers::pi;
 constexpr int kMoteusStopped = 0;
 constexpr int kMoteusFault = 1;
@@ -24,12 +26,12 @@ constexpr int kMoteusZeroVelocity = 12;
 constexpr int kMoteusLastMode = 15;
 constexpr int kMotorDriverFaultCode = 33;
 constexpr unsigned kFloatType = 3;
-// It has not run for so long: it was without power.
+// A servo that has not been run for this time was without power.
 constexpr hal::TimeNs kMoteusPowerLoss_ns = 200'000'000;
 constexpr double kMoteusVoltage_V = 24.0;
 constexpr double kMoteusTemperature_C = 31.0;
 
-// The least significant bit of int8, int16 and int32 at that register; one for plain numbers.
+// Returns the value of one bit of int8, int16 and int32 in that register; 1 for plain numbers.
 std::array<double, 3> moteus_steps(unsigned at) {
   switch (at) {
     case 0x001:
@@ -70,7 +72,8 @@ double lowest_of(std::size_t width) {
   return -std::ldexp(1.0, static_cast<int>(8 * width) - 1);
 }
 
-// A value that is there: the caller has checked.
+// Takes a value off `rest`; the caller has checked that it is there. The lowest integer stands for
+// NaN in registers with a scale.
 double take_value(std::span<const std::byte>& rest, unsigned type, unsigned at) {
   const std::size_t width = moteus_width(type);
   std::uint32_t bits = 0;
@@ -88,6 +91,7 @@ double take_value(std::span<const std::byte>& rest, unsigned type, unsigned at) 
                                            : raw * moteus_steps(at)[type];
 }
 
+// Appends a value in the given type; what is not finite becomes the lowest integer.
 void put_value(std::vector<std::uint8_t>& bytes, unsigned type, unsigned at, double value) {
   const std::size_t width = moteus_width(type);
   std::uint32_t bits = 0;
@@ -105,6 +109,7 @@ void put_value(std::vector<std::uint8_t>& bytes, unsigned type, unsigned at, dou
   }
 }
 
+// A varuint has seven bits a byte, the lowest first; a set top bit means that more follow.
 void put_varuint(std::vector<std::uint8_t>& bytes, unsigned value) {
   while (value >= 0x80U) {
     bytes.push_back(static_cast<std::uint8_t>(0x80U | (value & 0x7FU)));
@@ -113,7 +118,7 @@ void put_varuint(std::vector<std::uint8_t>& bytes, unsigned value) {
   bytes.push_back(static_cast<std::uint8_t>(value));
 }
 
-// False at the end of the bytes.
+// Takes a varuint off `rest`; returns false if the bytes end before it does.
 bool take_varuint(std::span<const std::byte>& rest, unsigned& value) {
   value = 0;
   for (unsigned shift = 0; shift < 32 && !rest.empty(); shift += 7) {
@@ -154,6 +159,8 @@ void MoteusEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
 void MoteusEmulator::read_subframes(Bytes payload) {
   unsigned header = 0;
   while (take_varuint(payload, header)) {
+    // 0x50 is padding. Below 0x20 the header has the type in bits 2 and 3 and the count in bits 0
+    // and 1.
     if (header == 0x50U) {
       continue;
     }
@@ -181,6 +188,7 @@ bool MoteusEmulator::do_write(unsigned type, unsigned count, Bytes& rest) {
       return false;
     }
     if (!write_register(at, take_value(rest, type, at))) {
+      // 0x30: a write error, with the register and an error number.
       answer_.push_back(0x30);
       put_varuint(answer_, at);
       put_varuint(answer_, 1);
@@ -198,6 +206,7 @@ bool MoteusEmulator::do_read(unsigned type, unsigned count, Bytes& rest) {
   for (unsigned i = 0; i < count && values.size() < hal::kMaxCanFdBytes; ++i) {
     double value = 0.0;
     if (!read_register(first + i, value)) {
+      // 0x31: a read error.
       answer_.push_back(0x31);
       put_varuint(answer_, first + i);
       put_varuint(answer_, 1);
@@ -293,7 +302,8 @@ bool MoteusEmulator::read_register(unsigned at, double& value) const {
   }
 }
 
-// The state that the reply told of is that from before.
+// Carries out a frame that writes the mode. The reply to it was made before and shows the earlier
+// state, as that of a servo does.
 void MoteusEmulator::obey(hal::TimeNs now_ns) {
   if (written_.mode == kMoteusStopped) {
     command_ = written_;
@@ -330,8 +340,8 @@ void MoteusEmulator::lose_position(bool is_lost) {
   position_lost_ = is_lost;
 }
 
-// The rotor's encoder tells the angle within a turn of the rotor, the output's within one of the
-// output; turns are forgotten.
+// After power-up the rotor's encoder tells the angle within a turn of the rotor, and the output's
+// encoder within a turn of the output; whole turns are lost.
 void MoteusEmulator::boot() {
   mode_ = kMoteusStopped;
   fault_ = 0;
@@ -364,7 +374,8 @@ void MoteusEmulator::proceed(hal::TimeNs now_ns) {
   const double silent_s = 1e-9 * static_cast<double>(now_ns - commanded_ns_);
   const double timeout_s =
       command_.timeout_s == 0.0 ? config_.default_timeout_s : command_.timeout_s;
-  if (config_.has_watchdog && mode_ == kMoteusPosition && silent_s > timeout_s) {  // never with NaN
+  // A time-out of NaN never expires.
+  if (config_.has_watchdog && mode_ == kMoteusPosition && silent_s > timeout_s) {
     mode_ = kMoteusTimeout;
   }
 }
@@ -395,6 +406,7 @@ void MoteusEmulator::set_torque() {
 }
 
 void MoteusEmulator::reply(hal::TimeNs now_ns, const hal::CanFrame& query) {
+  // The payload lengths that CAN FD has; the rest of a frame is padding.
   constexpr std::array<std::size_t, 16> kLengths{0, 1,  2,  3,  4,  5,  6,  7,
                                                  8, 12, 16, 20, 24, 32, 48, 64};
   const std::uint32_t host = (query.id >> 8U) & 0x7FU;

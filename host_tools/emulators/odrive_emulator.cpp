@@ -17,13 +17,15 @@ namespace tactus::host {
 
 namespace {
 
+// Everything here is encoded by hand from the published CANSimple protocol, and never through the
+// driver's code, so that an error in either shows.
 constexpr double kODriveTurnsPerRad = 0.5 / std::numbers::pi;
 constexpr hal::TimeNs kODriveNsPerMs = 1'000'000;
 
 constexpr std::uint32_t kODriveIdle = 1;
 constexpr std::uint32_t kODriveClosedLoop = 8;
 
-// Firmware 0.5.
+// Error bits of firmware 0.5.
 constexpr std::uint32_t kODriveInvalidState = 0x1;
 constexpr std::uint32_t kODriveMotorFailed = 0x40;
 constexpr std::uint32_t kODriveControllerFailed = 0x200;
@@ -31,11 +33,12 @@ constexpr std::uint32_t kODriveWatchdogExpired_0_5 = 0x800;
 constexpr std::uint32_t kODriveEstop_0_5 = 0x4000;
 constexpr std::uint64_t kODriveMotorDriverFault = 0x8;
 constexpr std::uint32_t kODriveControllerOverspeed = 0x1;
-// Firmware 0.6.
+// Error bits of firmware 0.6.
 constexpr std::uint32_t kODriveDriverFault_0_6 = 0x20;
 constexpr std::uint32_t kODriveVelocityLimit_0_6 = 0x8000;
 constexpr std::uint32_t kODriveWatchdogExpired_0_6 = 0x0100'0000;
 constexpr std::uint32_t kODriveEstop_0_6 = 0x0200'0000;
+// The procedure results of firmware 0.6.
 constexpr std::uint8_t kODriveSuccess = 0;
 constexpr std::uint8_t kODriveCancelled = 2;
 constexpr std::uint8_t kODriveInvalidStateResult = 13;
@@ -112,11 +115,13 @@ void ODriveEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   for (std::size_t i = 0; i < frame.bytes().size(); ++i) {
     payload[i] = std::to_integer<std::uint8_t>(frame.data[i]);
   }
-  // 0.5: whatever the host says feeds it; 0.6: setpoints.
+  // Firmware 0.5 feeds its watchdog with any frame of the host, 0.6 with setpoints only.
   const bool is_setpoint = command >= 0x0C && command <= 0x0E;
   if (!is_0_6() || is_setpoint) {
     fed_ns_ = now_ns;
   }
+  // Newer firmware takes an empty frame for a request, except for commands that have no data
+  // anyway.
   const bool understands_empty =
       config_.firmware == ODriveFirmware::v0_5_6 || config_.firmware == ODriveFirmware::v0_6;
   if (frame.remote || (frame.length == 0 && understands_empty && command != 0x02 &&
@@ -127,6 +132,7 @@ void ODriveEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   }
 }
 
+// Answers a request; a firmware that does not know the message stays silent.
 void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
   const bool is_0_5_6 = config_.firmware == ODriveFirmware::v0_5_6;
   switch (command) {
@@ -184,6 +190,8 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
   }
 }
 
+// Commands: 0x02 estop, 0x07 axis state, 0x0B controller modes, 0x0E torque, 0x0F limits, 0x18
+// clear errors.
 void ODriveEmulator::obey(hal::TimeNs now_ns, unsigned command, const Payload& payload) {
   switch (command) {
     case 0x02:
@@ -316,6 +324,7 @@ void ODriveEmulator::watch(hal::TimeNs now_ns) {
   if (config_.watchdog_s > 0.0 && silent_s > config_.watchdog_s) {
     raise(is_0_6() ? kODriveWatchdogExpired_0_6 : kODriveWatchdogExpired_0_5);
   }
+  // The firmware tolerates 20 % above the limit before it raises an error.
   constexpr double kOverspeedRatio = 1.2;
   const double speed = std::abs(kODriveTurnsPerRad * shaft().velocity_rad_per_s);
   if (config_.enable_overspeed_error && state_ == kODriveClosedLoop &&
@@ -329,7 +338,8 @@ void ODriveEmulator::watch(hal::TimeNs now_ns) {
   }
 }
 
-// Torque only in closed loop and torque control with the input passed through.
+// There is torque in closed loop only, with torque control and the input passed through. The speed
+// limit of torque mode acts as a steep damper beyond the limit.
 void ODriveEmulator::set_torque() {
   constexpr std::uint32_t kTorqueControl = 1;
   constexpr std::uint32_t kPassthrough = 1;

@@ -1,10 +1,11 @@
-// An ODrive axis on a CAN bus, firmware 0.5.x or 0.6.x, as CANSimple shows it from outside.
+// An ODrive axis on a CAN bus, firmware 0.5.x or 0.6.x, as its CANSimple protocol shows it. Tests
+// and `tactus emulate odrive` run it.
 //
-// Fakes: heartbeat and encoder messages by the drive's clock, requests by remote or empty frames,
+// It fakes heartbeat and encoder messages by the drive's clock, requests by remote or empty frames,
 // the axis states, torque mode with its speed limit, the watchdog, errors and their clearing, and
-// booting after kPowerLoss_ns without a run: the position starts anew, what was not saved is gone.
-// Does not fake: calibration, the other control modes (their torque is zero), SDO, addresses,
-// firmware update, temperature (constant).
+// booting after kPowerLoss_ns without a run: the position starts anew, and settings that were not
+// saved are lost. It does not fake calibration, other control modes (their torque is zero), SDO,
+// addresses, firmware update, and temperature (constant).
 #pragma once
 
 #include <array>
@@ -18,44 +19,55 @@
 
 namespace tactus::host {
 
+// The firmware versions whose messages differ.
 enum class ODriveFirmware : std::uint8_t { v0_5_2, v0_5_4, v0_5_6, v0_6 };
 
-// "0.5.2", "0.5.4", "0.5.6" or "0.6", as the command line takes them. Throws InputError for
-// another.
+// Returns the version of a text: "0.5.2", "0.5.4", "0.5.6" or "0.6". Throws InputError for another.
 ODriveFirmware odrive_firmware(std::string_view version);
 
+// The axis' settings and what it is attached to. Turns are those of the motor's shaft.
 struct ODriveEmulatorConfig {
   std::uint8_t node_id = 0;
   EmulatedEncoder encoder = EmulatedEncoder::incremental;
   ODriveFirmware firmware = ODriveFirmware::v0_6;
-  // The periods of its messages, ms; 0: never.
+  // The periods of its messages; 0: never sent.
   std::uint32_t heartbeat_ms = 100;
   std::uint32_t encoder_ms = 1;
-  // The time for which it obeys a host that has fallen silent; 0, the drive's default: for ever.
+  // The time for which it obeys a host that has fallen silent; 0, the drive's default, means for
+  // ever.
   double watchdog_s = 0.02;
-  double max_torque_Nm = 1.0;  // current limit times torque constant
+  // The motor's current limit times its torque constant.
+  double max_torque_Nm = 1.0;
   double torque_constant_Nm_per_A = 0.055;
   bool enable_torque_mode_speed_limit = true;
   double speed_limit_turn_per_s = 50.0;
+  // The gain with which torque mode holds the speed limit.
   double speed_gain_Nm_s_per_turn = 1.0 / 6.0;
   bool enable_overspeed_error = true;
+  // False for an axis that was never calibrated: it refuses closed loop.
   bool calibrated = true;
 };
 
+// One axis. The functions after axis_state() play events that no bus message causes.
 class ODriveEmulator final : public CanEmulator {
  public:
   ODriveEmulator(hal::CanBus& bus, std::uint32_t seed, const ODriveEmulatorConfig& config);
 
+  // Returns the axis state by the firmware's number: 1 idle, 8 closed loop.
   [[nodiscard]] std::uint32_t axis_state() const { return state_; }
   [[nodiscard]] double speed_limit_turn_per_s() const { return config_.speed_limit_turn_per_s; }
 
-  // Faults inside a drive, which the fault port does not offer.
-  void raise(std::uint32_t axis_error);  // of the firmware's own numbers; disarms
-  // 0.5 only: an error of the motor, told by the axis error too; disarms.
+  // Raises an axis error, by the firmware's numbers, and disarms.
+  void raise(std::uint32_t axis_error);
+  // Raises an error of the motor, for firmware 0.5, which the axis error shows as well, and
+  // disarms.
   void raise_motor_error(std::uint64_t error);
+  // Leaves closed loop without an error.
   void drop_to_idle();
-  void send_wrong_length(hal::TimeNs now_ns);  // of an encoder message
-  void send_not_a_number(hal::TimeNs now_ns);  // as a position
+  // Sends an encoder message of a wrong length.
+  void send_wrong_length(hal::TimeNs now_ns);
+  // Sends an encoder message whose position is NaN.
+  void send_not_a_number(hal::TimeNs now_ns);
 
  private:
   using Payload = std::array<std::uint8_t, 8>;
@@ -80,7 +92,8 @@ class ODriveEmulator final : public CanEmulator {
 
   ODriveEmulatorConfig config_;
   double saved_speed_limit_turn_per_s_;
-  double zero_turns_ = 0.0;  // where the position is 0
+  // The shaft's turns at which the position is 0.
+  double zero_turns_ = 0.0;
   std::uint32_t state_ = 1;
   std::uint32_t control_mode_ = 3;
   std::uint32_t input_mode_ = 1;

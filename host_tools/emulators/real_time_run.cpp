@@ -15,7 +15,8 @@
 namespace tactus::host {
 namespace {
 
-// The signals that end a run, held back while it lives, so that nothing interrupts a step.
+// Holds back the signals that end a run while it lives, so that nothing interrupts a step; came()
+// asks for them.
 class EndSignals {
  public:
   [[nodiscard]] bool came() const {

@@ -9,6 +9,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the names of the columns for that many joints.
 std::string truth_header(std::size_t joints) {
   std::string header = "t_ns";
   for (const char* const column :

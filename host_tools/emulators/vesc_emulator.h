@@ -1,11 +1,11 @@
-// A VESC from the other side of the bus.
+// A VESC on a CAN bus, as its frames show it. Tests and `tactus emulate vesc` run it.
 //
-// Fakes: the current command with and without off-delay, the dead zone below the smallest current,
-// the command timeout, the half second after a fault in which nothing is obeyed, status 1, 4 and 5
-// at set rates, PING, and the questions for the fault code and for the flags, each alone. After a
-// loss of power (kPowerLoss_ns) the tachometer starts from zero.
-// Does not fake: the other ways to command a motor (they take the torque away), answers of more
-// than one frame, a brake current after the timeout.
+// It fakes the current command with and without off-delay, the dead zone below the smallest
+// current, the command's time-out, the half second after a fault in which nothing is obeyed, status
+// 1, 4 and 5 at set rates, PING, and the questions for the fault code and for the flags, each
+// alone. After a loss of power (kPowerLoss_ns) the tachometer starts from zero. It does not fake
+// other ways to command a motor (they take the torque away), answers of more than one frame, and a
+// brake current after the time-out.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,35 @@
 
 namespace tactus::host {
 
+// The drive's settings and its motor.
 struct VescEmulatorConfig {
   std::uint8_t vesc_id = 0;
   double torque_constant_Nm_per_A = 0.03;
   std::uint8_t pole_pairs = 7;
   double max_current_A = 60.0;
+  // Smaller currents count as zero, unless the command has an off-delay.
   double min_current_A = 0.05;
-  double phase_resistance_ohm = 0.1;  // with the supply's 48 V, what duty a current takes
-  // The time for which it obeys a host that has fallen silent, as README.md of the driver says to
-  // set it. A VESC's default is a second. 0: for ever.
+  // With the supply's 48 V it determines the duty that a current takes.
+  double phase_resistance_ohm = 0.1;
+  // The time for which it obeys a host that has fallen silent, as the driver's README asks to set
+  // it; a VESC's default is one second. 0: for ever.
   hal::TimeNs timeout_ns = 20'000'000;
+  // The time after a fault in which it obeys nothing.
   hal::TimeNs fault_stop_ns = 500'000'000;
-  hal::TimeNs status_period_ns = 5'000'000;      // of 1 and 5; 0: off
-  hal::TimeNs status_4_period_ns = 200'000'000;  // 0: off
+  // The period of status 1 and 5; 0: off.
+  hal::TimeNs status_period_ns = 5'000'000;
+  // The period of status 4; 0: off.
+  hal::TimeNs status_4_period_ns = 200'000'000;
   bool sends_status_5 = true;
 };
 
+// One drive. The setters play events that no bus message causes.
 class VescEmulator final : public CanEmulator {
  public:
   VescEmulator(hal::CanBus& bus, std::uint32_t seed, const VescEmulatorConfig& config);
 
   void set_kill_switch(bool open) { kill_switch_open_ = open; }
-  // Faults of its own that last until they are set to 0, by VESC's numbers.
+  // Sets a fault by VESC's number; it lasts until the code is set to 0.
   void set_fault_code(std::uint8_t code) { lasting_fault_ = code; }
   // Lets the tachometer slip by that many counts at once.
   void slip(std::int32_t counts) { offset_counts_ += counts; }
@@ -57,7 +64,8 @@ class VescEmulator final : public CanEmulator {
 
   VescEmulatorConfig config_;
   double wanted_A_ = 0.0;
-  hal::TimeNs holds_until_ns_ = 0;  // against the dead zone
+  // Until then a command's off-delay keeps currents in the dead zone flowing.
+  hal::TimeNs holds_until_ns_ = 0;
   hal::TimeNs commanded_ns_ = 0;
   hal::TimeNs ignores_until_ns_ = 0;
   hal::TimeNs status_ns_ = 0;
