@@ -44,6 +44,7 @@ constexpr const char* kReplayExamples =
     "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
     "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png";
 
+// The verb's options as the user gave them.
 struct ReplayOptions {
   std::string recording;
   RunImages images;
@@ -87,6 +88,7 @@ RunRow row_of(double time_s, const Vec3& force_W) {
   return {.t_s = time_s, .force_W = force_W, .force_N = force_W.norm()};
 }
 
+// Returns as many rows as a picture can show.
 RunData thinned(const std::vector<RunRow>& rows) {
   constexpr std::size_t kMostRows = 8000;
   RunData data;
@@ -96,7 +98,7 @@ RunData thinned(const std::vector<RunRow>& rows) {
   return data;
 }
 
-// Writes both forces to the outputs that the user named.
+// Collects both forces of every tick and writes them to the outputs that the user named.
 class ForceTraces {
  public:
   explicit ForceTraces(const ReplayOptions& options) : picture_(options.picture) {
@@ -138,6 +140,7 @@ class ForceTraces {
   std::vector<RunRow> changed_;
 };
 
+// Replays with the user's changes and prints both forces side by side.
 void show_changed(RecordedRun& run, const ReplayOptions& options) {
   std::vector<firmware::ParameterChange> changes;
   changes.reserve(options.changes.size());

@@ -28,6 +28,7 @@
 namespace tactus::host {
 namespace {
 
+// A signal handler can reach nothing but globals.
 std::atomic<bool> g_is_to_end{false};
 
 void on_end_signal(int /*signal*/) {
@@ -38,7 +39,7 @@ std::uint64_t clock_now_ns() {
   return static_cast<std::uint64_t>(hal::monotonic_now_ns());
 }
 
-// The services of tactusd around a simulated device.
+// The services of tactusd (telemetry, commands, scenes) around a simulated device.
 class ServedSimulation {
  public:
   ServedSimulation(const std::filesystem::path& scene, const RunOptions& run, ServeOptions options)
@@ -75,6 +76,7 @@ class ServedSimulation {
   }
 
  private:
+  // Maps the scene as tactusd does, so that a command can exchange it later.
   const rendering::SceneImage& open(const std::filesystem::path& path) {
     const auto opened = scenes_->open_next(std::filesystem::absolute(path).string());
     if (!opened) {
@@ -156,12 +158,14 @@ class ServedSimulation {
   double rate_hz_;
   std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
   std::size_t joints_ = 0;
+  // The texts that `info_` views.
   std::string rate_text_;
   std::string joints_text_;
   std::string checksum_text_;
   std::array<firmware::MetadataEntry, 4> info_;
   std::array<std::byte, firmware::kMaxConfigBytes> config_{};
-  // Megabytes each: not for the stack. The server goes before what it serves.
+  // Each has megabytes, too many for the stack. Members are destroyed in reverse order: the server
+  // goes before what it serves.
   std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<firmware::TelemetryWriter> writer_ =

@@ -44,6 +44,7 @@ constexpr std::string_view kHeader =
     "contact,depth_m,"
     "friction_state\n";
 
+// The verb's options as the user gave them.
 struct TouchOptions {
   std::string scene;
   std::string path;
@@ -51,6 +52,7 @@ struct TouchOptions {
   bool json = false;
 };
 
+// Counts and extremes over all ticks.
 struct TouchSummary {
   std::size_t ticks = 0;
   std::size_t contact_ticks = 0;
@@ -67,7 +69,7 @@ struct TouchSummary {
   }
 };
 
-// The tool's path with velocities by backward differences.
+// The tool's positions from a file, with velocities by backward differences.
 class ToolPath {
  public:
   explicit ToolPath(const std::string& file) : table_(CsvTable::read(file, kColumns)) {
@@ -83,6 +85,7 @@ class ToolPath {
 
   [[nodiscard]] std::size_t size() const { return table_.rows(); }
   [[nodiscard]] double time_s(std::size_t row) const { return table_.column("t_s")[row]; }
+  // Returns the tool at a row, world frame, m and m/s; at rest in the first row.
   [[nodiscard]] rendering::ToolState tool(std::size_t row) const {
     const Vec3 p = position(row);
     const Vec3 v = row == 0 ? Vec3{Vec3::Zero()}

@@ -12,6 +12,7 @@ namespace {
 
 using rendering::FrictionKind;
 
+// Enough to tell good starts from bad ones, and enough to finish.
 constexpr SearchLimits kShortSearch{.most_evaluations = 15, .tolerance = 1e-4};
 constexpr SearchLimits kWholeSearch{.most_evaluations = 80, .tolerance = 1e-9};
 
@@ -30,6 +31,7 @@ Solution search(const FitPoint& start, const FrictionRecord& record, const Searc
   return solution;
 }
 
+// Returns the mean normal force over the rows in contact, N.
 double mean_contact_force(const FrictionRecord& record) {
   double sum = 0.0;
   double rows = 0.0;
@@ -40,7 +42,8 @@ double mean_contact_force(const FrictionRecord& record) {
   return rows > 0.0 ? sum / rows : 1.0;
 }
 
-// Stiffnesses from presliding all along the record to presliding within a tick.
+// Returns stiffnesses in even ratios, from presliding within a tick to presliding all along the
+// record.
 std::vector<double> stiffnesses(const FitPoint& point, const RecordTraits& traits) {
   constexpr int kStiffnesses = 40;
   constexpr double kBelowAStep = 0.1;
@@ -55,15 +58,18 @@ std::vector<double> stiffnesses(const FitPoint& point, const RecordTraits& trait
   return result;
 }
 
+// A point and how well it fits.
 struct Candidate {
   FitPoint point;
   double sum_of_squares = std::numeric_limits<double>::infinity();
 };
 
-// The stiffness, of many, with which presliding fits best, if the damping is `time_s` of it.
+// Returns the stiffness, of many, with which presliding fits best, with a damping of `time_s` times
+// the stiffness.
 Candidate best_bristle(const FitPoint& point, const FrictionRecord& record,
                        const RecordTraits& traits, double time_s) {
-  constexpr std::array kLevels{1.0, 1.6};  // times Fc: the record may never have got there
+  // Times Fc: the record may never have got there.
+  constexpr std::array kLevels{1.0, 1.6};
   const double normal_N = mean_contact_force(record);
   Candidate best{.point = point};
   for (const double stiffness : stiffnesses(point, traits)) {
@@ -81,11 +87,12 @@ Candidate best_bristle(const FitPoint& point, const FrictionRecord& record,
   return best;
 }
 
-// One for each damping that does not fit much worse than the best: a bristle that is too stiff can
-// stand for one that is damped, and a search does not come back from there.
+// Returns a start for each damping that does not fit much worse than the best. A bristle that is
+// too stiff can stand for one that is damped, and a search does not come back from there.
 std::vector<FitPoint> damped_starts(const FitPoint& point, const FrictionRecord& record,
                                     const RecordTraits& traits) {
-  constexpr std::array kTimes_s{1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};  // sigma1 N / sigma0
+  // The times sigma1 N / sigma0.
+  constexpr std::array kTimes_s{1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
   constexpr double kMuchWorse = 2.0;
   std::vector<Candidate> candidates;
   candidates.reserve(kTimes_s.size());

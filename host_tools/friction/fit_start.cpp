@@ -10,6 +10,7 @@
 namespace tactus::host {
 namespace {
 
+// The medians of the rows in a range of speeds.
 struct Bin {
   double speed_m_per_s = 0.0;
   double level = 0.0;
@@ -22,8 +23,8 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-// Sorts rows into bins of speed. Only rows whose force opposes the motion with at least half its
-// typical size count: in the others the force is still building up.
+// Sorts rows into bins of speed, even in its logarithm. Only rows whose force opposes the motion
+// with at least half its typical size count: in the others the force is still building up.
 std::vector<Bin> bins_of(const FrictionRecord& record, const RecordTraits& traits) {
   constexpr std::size_t kBins = 40;
   constexpr double kHalf = 0.5;
@@ -53,12 +54,13 @@ std::vector<Bin> bins_of(const FrictionRecord& record, const RecordTraits& trait
   return bins;
 }
 
+// A curve and how well it passes through the bins.
 struct LinearCurve {
   SteadyCurve curve;
   double sum_of_squares = std::numeric_limits<double>::infinity();
 };
 
-// Fits the curve for a given vs: it is linear in the other parameters.
+// Returns the best curve for a given vs: in the other parameters the problem is linear.
 LinearCurve through(const std::vector<Bin>& bins, double vs_m_per_s, bool falls) {
   const Eigen::Index columns = falls ? 3 : 2;
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(bins.size()), columns);
@@ -84,7 +86,8 @@ LinearCurve through(const std::vector<Bin>& bins, double vs_m_per_s, bool falls)
 
 SteadyCurve steady_curve(const FrictionRecord& record, const RecordTraits& traits, bool falls) {
   constexpr int kTries = 40;
-  constexpr double kLeastShare = 0.02;  // of the friction: below, a start has no slope to go by
+  // Below this share of the friction a search has no slope to follow.
+  constexpr double kLeastShare = 0.02;
   const std::vector<Bin> bins = bins_of(record, traits);
   LinearCurve best{.curve = {.coulomb = traits.typical_level,
                              .stribeck_velocity_m_per_s = traits.slowest_m_per_s}};

@@ -13,7 +13,7 @@
 namespace tactus::host {
 namespace {
 
-// The unit of a length in which the largest of them is a handy number.
+// A unit for the axis, chosen so that the largest length is a handy number.
 struct LengthUnit {
   std::string_view name;
   double per_metre;
@@ -67,7 +67,7 @@ Panel force_over_displacement(const FrictionTrack& track) {
                       .y = values(track.samples, &FrictionSample::force_N)}}};
 }
 
-// The part of the samples whose further column has the same value, once for each value.
+// Returns the samples in groups of equal values of a further column.
 std::vector<std::pair<double, FrictionTrack>> parts(const FrictionTrack& track,
                                                     std::string_view column) {
   std::vector<std::pair<double, FrictionTrack>> result;
@@ -178,6 +178,7 @@ std::vector<Panel> hunting_panels(const ExperimentRun& /*run*/, const FrictionTr
   return mass_panels(track, "target_m", "target", "control_N", "controller");
 }
 
+// Which panels show which experiment.
 struct ExperimentPanels {
   std::string_view name;
   std::vector<Panel> (*panels)(const ExperimentRun& run, const FrictionTrack& track);

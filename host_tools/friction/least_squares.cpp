@@ -8,6 +8,7 @@
 namespace tactus::host {
 namespace {
 
+// The residuals and their derivatives, by central differences, in the form that Eigen asks for.
 class Functor : public Eigen::DenseFunctor<double> {
  public:
   Functor(const Residuals& residuals, Eigen::Index inputs, Eigen::Index values)
@@ -38,8 +39,9 @@ class Functor : public Eigen::DenseFunctor<double> {
   const Residuals& residuals_;
 };
 
-// Returns the factor by which the errors are wider than those of independent residuals, from the
-// correlation of neighbours (an autoregressive process of first order).
+// Returns the factor by which errors are wider than for independent residuals. Neighbouring
+// residuals are taken for an autoregressive process of first order with correlation r: sqrt((1 + r)
+// / (1 - r)).
 double widening(const Eigen::VectorXd& residuals) {
   constexpr double kMost = 0.99;
   const Eigen::Index n = residuals.size();
@@ -52,8 +54,8 @@ double widening(const Eigen::VectorXd& residuals) {
   return std::sqrt((1.0 + correlation) / (1.0 - correlation));
 }
 
-// The inverse of J'J, by the eigenvectors of the matrix with its columns scaled to 1; directions
-// that nothing depends on get a huge variance.
+// Returns the inverse of J'J, by the eigenvectors of the matrix with its columns scaled to 1.
+// Directions on which nothing depends get a huge variance instead of a division by zero.
 Eigen::MatrixXd inverse_of_normal(const Eigen::MatrixXd& jacobian) {
   constexpr double kNothing = 1e-13;
   Eigen::VectorXd scale = jacobian.colwise().norm();

@@ -31,6 +31,7 @@ FrictionSample sample_of(const SlidingMassState& state, double t_s) {
           .bristle_m = state.friction.bristle_m};
 }
 
+// Returns the force over time: up, hold, down to the opposite, hold, up again, hold.
 TimeSeries presliding_push(const ExperimentRun& run) {
   const double peak_N = run.setup.number("peak_share") * run.holding_force_N();
   const double ramp_s = run.setup.number("ramp_s");
@@ -120,7 +121,7 @@ ExperimentResult run_break_away(const ExperimentRun& run) {
 
 namespace {
 
-// A passage of a threshold, by a straight line between two ticks.
+// The passage of a threshold, by linear interpolation between two ticks.
 struct Passage {
   double t_s = 0.0;
   double x_m = 0.0;
@@ -131,6 +132,7 @@ Passage passage(const FrictionSample& a, const FrictionSample& b, double v_m_per
   return {.t_s = std::lerp(a.t_s, b.t_s, share), .x_m = std::lerp(a.x_m, b.x_m, share)};
 }
 
+// Returns a row for each slip; the first has no period, since nothing came before.
 FindingsTable slips_of(const std::vector<FrictionSample>& samples, double threshold) {
   FindingsTable table;
   table.columns = {"start_s",         "period_s",           "duration_s",
@@ -193,7 +195,8 @@ ExperimentResult run_stick_slip(const ExperimentRun& run) {
 
 namespace {
 
-// Times at which the mass passes the target upward, in the second half.
+// Returns period and amplitude from the times at which the mass passes the target upwards, in the
+// second half.
 FindingsTable cycles_of(const std::vector<FrictionSample>& samples, double target_m) {
   std::vector<double> passages_s;
   double highest_m = 0.0;

@@ -9,10 +9,12 @@
 namespace tactus::host {
 namespace {
 
-constexpr int kOversampling = 3;  // per axis: 9 grey levels on an edge
+// Sub-pixels of a pixel along each axis: an edge then has nine grey levels.
+constexpr int kOversampling = 3;
+// The brightness of a sub-pixel in front of which there is no mesh.
 constexpr float kNothing = -1.0F;
 
-// Brightness and depth of each sub-pixel.
+// Brightness and depth of each sub-pixel (a depth buffer).
 struct Canvas {
   int width;
   int height;
@@ -38,7 +40,7 @@ struct ScreenVertex {
   double depth;  // m, toward the viewer
 };
 
-// Twice the signed area of (a, b, p).
+// Returns twice the signed area of the triangle (a, b, p).
 double edge(const ScreenVertex& a, const ScreenVertex& b, double x, double y) {
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
@@ -76,7 +78,7 @@ void fill(Canvas& canvas, const ScreenVertex& a, const ScreenVertex& b, const Sc
   }
 }
 
-// Twice the area, along the normal.
+// Returns the triangle's normal, twice its area long; summed up, large triangles count more.
 Vec3 area_normal(const rendering::MeshView& mesh, const rendering::TriangleIndices& triangle) {
   const Vec3 a = rendering::to_vec3(mesh.vertices[triangle[0]]);
   const Vec3 b = rendering::to_vec3(mesh.vertices[triangle[1]]);
@@ -98,8 +100,8 @@ std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
   return normals;
 }
 
-// Returns the vertices' normal, so that the shading shows the surface and not its triangles; at a
-// vertex of a sharp edge the triangle's own.
+// Returns the mean normal of the triangle's vertices, so that the shading shows the surface and not
+// its triangles. At the vertex of a sharp edge it takes the triangle's own.
 Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of_vertices,
                     const rendering::TriangleIndices& triangle) {
   constexpr double kSharp = 0.6;  // cosine of the angle between the two
@@ -120,8 +122,8 @@ Vec3 toward_viewer(View view) {
   return view == View::front ? Vec3(0.0, 0.0, 1.0) : Vec3(-1.0, 0.0, 0.0);
 }
 
-// 0 in the dark, 1 in full light. Both sides of a triangle are lit alike: the one that faces the
-// viewer counts.
+// Returns the brightness, 0 in the dark to 1 in full light. The side that faces the viewer counts,
+// so both sides of a triangle are lit alike.
 float lit(const Vec3& normal, View view) {
   const double length = normal.norm();
   if (length == 0.0) {
@@ -149,7 +151,7 @@ void draw_mesh(Canvas& canvas, View view, const Window& window, const rendering:
   }
 }
 
-// Mean of the sub-pixels of one pixel, as grey.
+// Returns the mean of a pixel's sub-pixels as grey.
 std::uint8_t pixel(const Canvas& canvas, int column, int row) {
   constexpr double kDarkest = 176.0;
   constexpr double kLightest = 240.0;
