@@ -11,6 +11,7 @@ namespace tactus::host {
 
 namespace {
 
+// Returns the unsigned number of `size` bytes from `at` on, the least significant byte first.
 std::uint32_t bytes_at(const hal::CanFrame& frame, std::size_t at, std::size_t size) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < size; ++i) {
@@ -69,6 +70,8 @@ void Cia402Emulator::answer_read(hal::TimeNs now_ns, Key key) {
 
 void Cia402Emulator::answer_write(hal::TimeNs now_ns, const hal::CanFrame& frame, Key key) {
   const std::uint32_t command = bytes_at(frame, 0, 1);
+  // Bit 0 says that the size is given; bits 2 and 3 then are the number of unused bytes of the
+  // four.
   const std::uint32_t size = (command & 0x01U) != 0 ? 4U - (command >> 2U & 3U) : 4U;
   const std::uint32_t refused = write_object(key, bytes_at(frame, 4, size), size);
   if (refused != 0) {

@@ -72,7 +72,10 @@ class Cia402Emulator final : public CanEmulator {
   [[nodiscard]] std::uint16_t statusword() const;
 
  private:
+  // The communication states of CiA 301; `booting` ends with the boot-up message.
   enum class Nmt : std::uint8_t { booting, pre_operational, operational, stopped };
+  // The states of CiA 402. Faults react at once: there is no state between the fault and its
+  // reaction.
   enum class Power : std::uint8_t {
     switch_on_disabled,
     ready_to_switch_on,
@@ -98,36 +101,69 @@ class Cia402Emulator final : public CanEmulator {
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
   void advance(hal::TimeNs now_ns, bool erroring) override;
 
+  // Starts as after power-up: forgets faults, mode and commands, and whole turns as the encoder of
+  // the configuration does.
   void get_power(hal::TimeNs now_ns);
+  // Restores the communication objects and boots anew; NMT's "reset communication".
   void reset(hal::TimeNs now_ns);
+  // Gives the objects 1xxx their default values.
   void define_communication();
+  // Gives the objects 6xxx their default values.
   void define_profile();
+  // Obeys a network command: start, stop, pre-operational, or a reset.
   void take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame);
+  // Becomes pre-operational. A drive without fault also takes its torque away, unless
+  // `keeps_power_unheard`.
   void leave_operational();
   void take_sync(hal::TimeNs now_ns);
+  // Answers a request to read or write an object.
   void take_sdo(hal::TimeNs now_ns, const hal::CanFrame& frame);
+  // Sends an object's value, or the abort code if there is no such object.
   void answer_read(hal::TimeNs now_ns, Key key);
+  // Writes an object and confirms it, or sends the abort code.
   void answer_write(hal::TimeNs now_ns, const hal::CanFrame& frame, Key key);
+  // Writes an object and does what the write causes. Returns 0, or the abort code if the write is
+  // not permitted; nothing is changed then.
   std::uint32_t write_object(Key key, std::uint32_t value, std::uint32_t size);
+  // Returns the abort code of a write of `size` bytes, 0 if the write is permitted.
   std::uint32_t why_not(Key key, std::uint32_t value, std::uint32_t size) const;
+  // Sends the reply that ends a transfer with `code`.
   void abort_sdo(hal::TimeNs now_ns, Key key, std::uint32_t code);
 
+  // Takes a frame of the receive PDO with this number (0 to 3): keeps it for the SYNC or applies
+  // it.
   void take_pdo(hal::TimeNs now_ns, std::size_t pdo, const hal::CanFrame& frame);
+  // Writes the mapped objects in their order. A frame too short for them causes an emergency
+  // message; the objects before the first that is missing are written.
   void apply_pdo(hal::TimeNs now_ns, std::size_t pdo, const hal::CanFrame& frame);
+  // Sends the mapped objects' values of a transmit PDO (0 to 3).
   void send_pdo(hal::TimeNs now_ns, std::size_t pdo);
 
+  // Sets position, speed, torque and statusword in the object dictionary from the shaft and the
+  // state.
   void refresh_measured();
+  // Makes the transition that a controlword demands.
   void step_power(std::uint16_t controlword);
+  // Reacts to a master whose heartbeat has ceased. The watch begins with its first heartbeat.
   void watch_master(hal::TimeNs now_ns);
+  // Reacts to the loss of the master as the objects 6007 and 1029 say.
   void abort_connection(hal::TimeNs now_ns);
+  // Sends the drive's own heartbeat when it is due.
   void beat(hal::TimeNs now_ns);
+  // Sends an emergency message with the error code and the error register.
   void send_emergency(hal::TimeNs now_ns, std::uint16_t code);
+  // Returns an object's value, 0 if there is no such object.
   [[nodiscard]] std::uint32_t object(std::uint16_t index, std::uint8_t sub) const;
+  // Returns true if the missing motor supply switches the drive off.
   [[nodiscard]] bool lacks_supply() const;
+  // Returns the torque on the shaft in thousandths of the rated torque; 0 while the drive makes
+  // none.
   [[nodiscard]] double torque_units() const;
+  // Returns true if the target torque lies beyond the limits.
   [[nodiscard]] bool is_limited() const;
 
   Cia402EmulatorConfig config_;
+  // The position in counts at angle 0.
   std::int64_t first_count_;
   // Turns of the shaft that the encoder did not know of when it got its power.
   double forgotten_turns_ = 0.0;
@@ -138,12 +174,16 @@ class Cia402Emulator final : public CanEmulator {
   Nmt nmt_ = Nmt::booting;
   Power power_ = Power::switch_on_disabled;
   bool motor_power_ = true;
+  // True while the cause of a fault lasts: a fault reset has no effect.
   bool fault_persists_ = false;
   bool has_run_ = false;
+  // The last controlword, to see the rising edge of the fault reset.
   std::uint16_t controlword_ = 0;
+  // Times: when booting ends, the last run, the last heartbeat sent.
   hal::TimeNs boots_ns_ = 0;
   hal::TimeNs ran_ns_ = 0;
   hal::TimeNs beat_ns_ = 0;
+  // When the master's last heartbeat came; empty while it is not watched.
   std::optional<hal::TimeNs> heard_master_ns_;
 };
 

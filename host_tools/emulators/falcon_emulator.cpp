@@ -39,11 +39,13 @@ int nibble(std::byte letter) {
   return std::to_integer<int>(letter) - 'A';
 }
 
+// Returns the signed number of four letters.
 std::int16_t motor_value(std::span<const std::byte> letters) {
   return static_cast<std::int16_t>(nibble(letters[0]) + 16 * nibble(letters[1]) +
                                    256 * nibble(letters[2]) + 4096 * nibble(letters[3]));
 }
 
+// Appends the lowest 16 bits of a number as four letters.
 void append_letters(std::vector<std::byte>& packet, int value) {
   auto rest = static_cast<unsigned>(value) & 0xFFFFU;
   for (int i = 0; i < 4; ++i) {
@@ -259,6 +261,8 @@ hal::TimeNs FalconEmulator::next_packet_ns() const {
   return output_.empty() ? idle_ns : std::min(output_.front().due_ns, idle_ns);
 }
 
+// Each packet begins with the chip's two status bytes. The chip sends such an empty packet whenever
+// the latency timer expires without data.
 std::vector<std::byte> FalconEmulator::packet(hal::TimeNs now_ns) {
   if (now_ns < next_packet_ns()) {
     return {};

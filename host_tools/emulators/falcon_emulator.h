@@ -88,19 +88,29 @@ class FalconEmulator {
  private:
   // How far an upload is.
   enum class Loader : std::uint8_t { idle, greeted, loading };
+  // A byte for the host and when it may be sent.
   struct Waiting {
     hal::TimeNs due_ns = 0;
     std::byte byte{};
   };
 
+  // Takes a byte while the baud rate selects the loader.
   void take_loader_byte(hal::TimeNs now_ns, std::byte byte);
+  // Takes a byte of a command for the firmware.
   void take_firmware_byte(hal::TimeNs now_ns, std::byte byte);
+  // Sets motors, lights and homing from the complete command and answers it.
   void obey(hal::TimeNs now_ns);
+  // Marks an arm as homed once it has been pulled out and then pushed in while homing is commanded.
   void watch_homing();
+  // Queues the answer: the arms' counts, the buttons and which arms are homed.
   void answer(hal::TimeNs now_ns);
+  // Queues bytes for the host, later under the fault `delayed`; drops them under `silent`.
   void send(hal::TimeNs due_ns, std::span<const std::byte> bytes);
+  // Takes the divisor of the baud rate, which selects firmware or loader.
   void set_baud(std::uint16_t code);
+  // Loses firmware, reference and torque.
   void cut_power();
+  // Returns false while unplugged or in a power cycle. The cycle's time starts at the first call.
   bool has_power(hal::TimeNs now_ns);
 
   FalconEmulatorConfig config_;
@@ -109,9 +119,12 @@ class FalconEmulator {
   // The end of a power cycle; 0 if it has not begun.
   hal::TimeNs off_until_ns_ = 0;
   std::array<EmulatedShaft, kArms> shafts_{};
+  // Where the arms were at the first command, rad.
   std::array<double, kArms> origin_rad_{};
+  // Whether the arm has been pulled out, the first half of homing.
   std::array<bool, kArms> was_out_{};
   bool origin_known_ = false;
+  // The commanded values in the motors' own units; `homed_` has a bit for each arm.
   std::array<std::int16_t, kArms> motors_{};
   std::uint8_t buttons_ = 0;
   std::uint8_t lights_ = 0;
@@ -123,6 +136,7 @@ class FalconEmulator {
   std::uint8_t latency_ms_ = 16;
   bool firmware_loaded_;
   Loader loader_ = Loader::idle;
+  // The bytes of the firmware that have been uploaded.
   std::vector<std::byte> image_;
   // The part of a command that has arrived.
   std::vector<std::byte> command_;

@@ -8,11 +8,14 @@ namespace tactus::host {
 
 namespace {
 
+// Under the fault `corrupted`, the mean number of runs between skipped counts. A skip of two counts
+// changes both channels.
 constexpr unsigned kRunsBetweenGlitches = 50;
 
 // Channels A and B (bits 1 and 0) in the order of forward counts, with A leading.
 constexpr std::array<unsigned, 4> kStates{0b00, 0b10, 0b11, 0b01};
 
+// Returns the remainder in [0, by), also of a negative value.
 std::int64_t floor_mod(std::int64_t value, std::int64_t by) {
   return ((value % by) + by) % by;
 }

@@ -67,15 +67,21 @@ class GpioAxisEmulator {
   [[nodiscard]] std::int64_t count() const { return count_; }
 
  private:
+  // Drives a line to its active or inactive level; does nothing if the axis has no such line.
   void drive(const std::optional<drivers::InputPin>& pin, bool active);
+  // Returns true if the controller drives the line to its active level.
   [[nodiscard]] bool is_active(const std::optional<drivers::OutputPin>& pin);
   // Returns the counts that belong to the shaft's position, late under the fault `delayed`.
   [[nodiscard]] std::int64_t wanted_count() const;
+  // Moves the encoder toward the shaft's count, by `steps_per_run_` counts at most.
   void move_encoder();
   // Drives the encoder's lines to the state of a count.
   void show(std::int64_t count);
+  // Notes the time of each edge of the heartbeat.
   void watch_heartbeat(hal::TimeNs now_ns);
+  // Switches the axis off for a power cycle. The encoder has no count while it is off.
   void follow_power(hal::TimeNs now_ns);
+  // Returns the torque on the shaft, N m, from the lines that the controller drives.
   [[nodiscard]] double motor_torque(hal::TimeNs now_ns);
 
   drivers::GpioAxisConfig axis_;
@@ -91,6 +97,7 @@ class GpioAxisEmulator {
     double position_rad = 0.0;
   };
   std::deque<Past> past_;
+  // The last edge of the heartbeat and the level after it.
   hal::TimeNs beat_ns_ = 0;
   bool beat_level_ = false;
   bool chain_open_ = false;

@@ -72,21 +72,33 @@ class HaplyEmulator {
     std::vector<std::byte> bytes;
   };
 
+  // Takes what has arrived at the port.
   void hear();
+  // Reads the start of a command. A reset is complete with it and is carried out.
   void start_command();
+  // Reads the part of a setup before the floats.
   void start_setup();
+  // Carries out the command once all its floats are there; returns false while it waits for them.
   bool finish_command(hal::TimeNs now_ns);
+  // Takes over the setup; encoders count from where the shafts are now.
   void finish_setup();
+  // Sets the torques and answers.
   void obey(hal::TimeNs now_ns);
+  // Queues the answer: the device's number, the analogue inputs (0) and the encoders' angles in
+  // degrees.
   void answer(hal::TimeNs now_ns);
+  // Forgets the setup and what has arrived, and takes the torques away.
   void restart();
+  // Returns false while unplugged or in a power cycle. The cycle's time starts at the first call.
   bool has_power(hal::TimeNs now_ns);
 
   // Returns the next byte, or 0xFF if none has arrived, as the firmware's read does.
   std::uint8_t byte_if_there();
+  // Returns true if `count` floats have arrived.
   [[nodiscard]] bool floats_are_there(std::size_t count) const {
     return heard_.size() >= 4 * count;
   }
+  // Returns the next float; four bytes must have arrived.
   double next_float();
 
   hal::SerialPort& port_;
@@ -96,11 +108,13 @@ class HaplyEmulator {
   hal::TimeNs off_until_ns_ = 0;
   std::array<EmulatedShaft, kPorts> shafts_{};
 
+  // What has arrived and is not yet parsed, and the answers that wait.
   std::deque<std::byte> heard_;
   std::deque<Late> late_;
   Waiting waiting_ = Waiting::nothing;
   std::uint8_t device_id_ = 0;
   Setup coming_;
+  // The setup in use, one entry for each motor and encoder; the sizes are the numbers of them.
   std::vector<bool> motor_reversed_;
   std::vector<EncoderSetup> encoders_;
   std::size_t analogue_ = 0;

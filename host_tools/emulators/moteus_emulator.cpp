@@ -13,9 +13,8 @@ namespace tactus::host {
 
 namespace {
 
-// Everything here is encoded by hand from the published register protocol, and never through the
-// driver's code, so that an error in either shows.
 constexpr double kMoteusRevPerRad = 0.5 / std::numbers::pi;
+// The modes of register 0x000. From `enabling` to `calibrated` the servo starts; above it runs.
 constexpr int kMoteusStopped = 0;
 constexpr int kMoteusFault = 1;
 constexpr int kMoteusEnabling = 2;
@@ -24,7 +23,9 @@ constexpr int kMoteusPosition = 10;
 constexpr int kMoteusTimeout = 11;
 constexpr int kMoteusZeroVelocity = 12;
 constexpr int kMoteusLastMode = 15;
+// The fault code of register 0x00F for an error of the motor driver.
 constexpr int kMotorDriverFaultCode = 33;
+// The type of a register's value: 0 int8, 1 int16, 2 int32, 3 float.
 constexpr unsigned kFloatType = 3;
 // A servo that has not been run for this time was without power.
 constexpr hal::TimeNs kMoteusPowerLoss_ns = 200'000'000;
@@ -64,10 +65,12 @@ std::array<double, 3> moteus_steps(unsigned at) {
   }
 }
 
+// Returns the number of bytes of a value of that type.
 std::size_t moteus_width(unsigned type) {
   return type == 0 ? 1 : type == 1 ? 2 : 4;
 }
 
+// Returns the lowest integer of `width` bytes.
 double lowest_of(std::size_t width) {
   return -std::ldexp(1.0, static_cast<int>(8 * width) - 1);
 }
@@ -380,6 +383,9 @@ void MoteusEmulator::proceed(hal::TimeNs now_ns) {
   }
 }
 
+// The control law of moteus, of position p, velocity v and scales s, with the torque limited:
+//
+//   tau = s_p k_p (p_goal - p) + s_d k_d (v_goal - v) + feedforward
 void MoteusEmulator::set_torque() {
   const double position_rev = kMoteusRevPerRad * shaft().position_rad;
   const double velocity_rev_per_s = kMoteusRevPerRad * shaft().velocity_rad_per_s;

@@ -77,27 +77,38 @@ class MoteusEmulator final : public CanEmulator {
 
   // Handles the reads and writes of a frame, one subframe after the other.
   void read_subframes(Bytes payload);
+  // do_write() and do_read() handle one subframe: `count` registers in the given type. They take it
+  // off `rest` and return false if the frame ends before the subframe does.
   bool do_write(unsigned type, unsigned count, Bytes& rest);
   bool do_read(unsigned type, unsigned count, Bytes& rest);
+  // Writes a register of the command; returns false if there is no such register or mode.
   bool write_register(unsigned at, double value);
+  // Reads a register into `value`, in its unit; returns false if there is no such register.
   bool read_register(unsigned at, double& value) const;
   void obey(hal::TimeNs now_ns);
+  // Starts as after a power cycle: stopped, without fault and command, whole turns lost.
   void boot();
+  // Goes through the states of the start, and into the time-out if the host is silent.
   void proceed(hal::TimeNs now_ns);
+  // Sets the shaft's torque from mode and command.
   void set_torque();
+  // Sends the answer to the frame `query`, padded to a length that CAN FD has.
   void reply(hal::TimeNs now_ns, const hal::CanFrame& query);
 
   MoteusEmulatorConfig config_;
   // The command of the frame that is being read, and whether it contains the mode.
   Command written_;
   bool has_mode_ = false;
+  // The payload of the answer that is being built.
   std::vector<std::uint8_t> answer_;
   Command command_;
+  // The registers 0x000 (mode) and 0x00F (fault, else the limit code).
   int mode_ = 0;
   int fault_ = 0;
   int limit_ = 0;
   // The position to hold when the command's position is NaN.
   double held_rev_ = 0.0;
+  // When the mode was entered, when the host last commanded, and when the servo last ran.
   hal::TimeNs mode_since_ns_ = 0;
   hal::TimeNs commanded_ns_ = 0;
   hal::TimeNs ran_ns_ = 0;

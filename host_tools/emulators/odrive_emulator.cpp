@@ -17,11 +17,10 @@ namespace tactus::host {
 
 namespace {
 
-// Everything here is encoded by hand from the published CANSimple protocol, and never through the
-// driver's code, so that an error in either shows.
 constexpr double kODriveTurnsPerRad = 0.5 / std::numbers::pi;
 constexpr hal::TimeNs kODriveNsPerMs = 1'000'000;
 
+// The axis states that are faked.
 constexpr std::uint32_t kODriveIdle = 1;
 constexpr std::uint32_t kODriveClosedLoop = 8;
 
@@ -57,10 +56,12 @@ void put_odrive_u32(std::array<std::uint8_t, kSize>& bytes, std::size_t at, std:
   }
 }
 
+// Returns the 32-bit float that begins at byte `at`.
 double odrive_f32(const std::array<std::uint8_t, 8>& bytes, std::size_t at) {
   return static_cast<double>(std::bit_cast<float>(odrive_u32(bytes, at)));
 }
 
+// Returns a payload of two 32-bit floats.
 std::array<std::uint8_t, 8> odrive_floats(double first, double second) {
   std::array<std::uint8_t, 8> bytes{};
   put_odrive_u32(bytes, 0, std::bit_cast<std::uint32_t>(static_cast<float>(first)));
@@ -68,6 +69,7 @@ std::array<std::uint8_t, 8> odrive_floats(double first, double second) {
   return bytes;
 }
 
+// Returns a payload of two 32-bit integers.
 std::array<std::uint8_t, 8> odrive_words(std::uint32_t first, std::uint32_t second) {
   std::array<std::uint8_t, 8> bytes{};
   put_odrive_u32(bytes, 0, first);
@@ -144,6 +146,7 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
     case 0x01:
       send_heartbeat(now_ns);
       return;
+    // Firmware 0.6 sends its errors and what disarmed it, firmware 0.5 the motor's error.
     case 0x03:
       if (is_0_6()) {
         send_payload(now_ns, command, odrive_words(error_, disarm_reason_));
@@ -161,23 +164,29 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
     case 0x09:
       send_estimates(now_ns);
       return;
+    // The currents that are wanted and that flow, A.
     case 0x14:
       send_payload(now_ns, command,
                    odrive_floats(input_torque_Nm_ / config_.torque_constant_Nm_per_A,
                                  shaft().torque_Nm / config_.torque_constant_Nm_per_A));
       return;
+    // Firmware 0.6 sends the temperatures of transistors and motor, degrees C. Firmware 0.5 has the
+    // sensorless estimates here.
     case 0x15:
       send_payload(now_ns, command,
                    is_0_6() ? odrive_floats(41.5, 36.25) : odrive_floats(0.0, 0.0));
       return;
+    // Voltage and current of the supply, V and A.
     case 0x17:
       send_payload(now_ns, command, odrive_floats(24.0, is_0_6() || is_0_5_6 ? 0.75 : 0.0));
       return;
+    // The torques that are wanted and that act, N m.
     case 0x1C:
       if (is_0_6()) {
         send_payload(now_ns, command, odrive_floats(input_torque_Nm_, shaft().torque_Nm));
       }
       return;
+    // The powers of firmware 0.6; firmware 0.5.6 has the controller's error here.
     case 0x1D:
       if (is_0_6()) {
         send_payload(now_ns, command, odrive_floats(0.0, 0.0));

@@ -75,25 +75,42 @@ class ODriveEmulator final : public CanEmulator {
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
   void advance(hal::TimeNs now_ns, bool erroring) override;
 
+  // Answers a request for the data of `command`; stays silent if the firmware has no such message.
   void answer(hal::TimeNs now_ns, unsigned command);
+  // Carries out a command with its eight data bytes; unknown commands have no effect.
   void obey(hal::TimeNs now_ns, unsigned command, const Payload& payload);
+  // Goes to closed loop (8) if there is no error and the axis is calibrated; any other state is
+  // idle.
   void request_state(hal::TimeNs now_ns, std::uint32_t state);
+  // Clears every error, the disarm reason and the procedure result; the state stays.
   void clear_errors();
+  // Sends error, state and, as the firmware has them, flags; the layout differs between firmwares.
   void send_heartbeat(hal::TimeNs now_ns);
+  // Sends position in turns and speed in turns/s.
   void send_estimates(hal::TimeNs now_ns);
+  // Sends the first `length` bytes of `payload` as the message `command` of this axis.
   void send_payload(hal::TimeNs now_ns, unsigned command, const Payload& payload,
                     std::uint8_t length = 8);
+  // Raises the errors of an expired watchdog and of overspeed.
   void watch(hal::TimeNs now_ns);
+  // Sets the shaft's torque from the command.
   void set_torque();
+  // Starts as after a power cycle: idle, in position control, with the saved speed limit and no
+  // error.
   void boot(hal::TimeNs now_ns);
+  // Restarts watchdog and messages; the position's zero is where the encoder starts to count.
   void start_counting(hal::TimeNs now_ns);
+  // Returns the reported position in turns.
   [[nodiscard]] double position_turns() const;
   [[nodiscard]] bool is_0_6() const { return config_.firmware == ODriveFirmware::v0_6; }
 
   ODriveEmulatorConfig config_;
+  // The limit to return to at a power cycle; the limit in `config_` follows the host's commands.
   double saved_speed_limit_turn_per_s_;
   // The shaft's turns at which the position is 0.
   double zero_turns_ = 0.0;
+  // The numbers of CANSimple: axis state (1 idle), control mode (3 position, 1 torque), input mode
+  // (1 passed through).
   std::uint32_t state_ = 1;
   std::uint32_t control_mode_ = 3;
   std::uint32_t input_mode_ = 1;
@@ -104,6 +121,7 @@ class ODriveEmulator final : public CanEmulator {
   std::uint64_t motor_error_ = 0;
   std::uint32_t encoder_error_ = 0;
   std::uint32_t controller_error_ = 0;
+  // When it last ran, when the host last fed the watchdog, and when the next messages are due.
   hal::TimeNs ran_ns_ = 0;
   hal::TimeNs fed_ns_ = 0;
   hal::TimeNs next_heartbeat_ns_ = 0;

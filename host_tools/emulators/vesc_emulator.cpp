@@ -8,7 +8,9 @@ namespace tactus::host {
 
 namespace {
 
+// The fault code of VESC for an absolute overcurrent.
 constexpr std::uint8_t kAbsoluteOverCurrent = 4;
+// The receiver that addresses every VESC on the bus.
 constexpr std::uint32_t kEverybody = 255;
 constexpr double kSupply_V = 48.0;
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -23,6 +25,7 @@ std::int64_t signed_at(const hal::CanFrame& frame, std::size_t at, std::size_t s
   return static_cast<std::int64_t>(bits) - static_cast<std::int64_t>((bits & sign) * 2U);
 }
 
+// Appends the lowest `size` bytes of a number, the most significant first.
 void append(hal::CanFrame& frame, std::size_t size, std::int64_t value) {
   for (std::size_t i = size; i > 0; --i) {
     frame.data[frame.length] = static_cast<std::byte>(value >> (8 * (i - 1)) & 0xFF);

@@ -52,29 +52,44 @@ class VescEmulator final : public CanEmulator {
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
   void advance(hal::TimeNs now_ns, bool erroring) override;
 
+  // Takes a command of a current in mA, with an off-delay in ms if the frame has six bytes.
   void take_current(hal::TimeNs now_ns, const hal::CanFrame& frame);
+  // Answers a question for the fault code or for the flags; other questions have no answer.
   void answer(hal::TimeNs now_ns, const hal::CanFrame& frame);
+  // Sends the periodic messages that are due.
   void send_due_status(hal::TimeNs now_ns);
+  // Sends status 1: electrical speed in rpm, current in 0.1 A and duty in thousandths.
   void send_status(hal::TimeNs now_ns);
+  // Sends status 4: temperatures in 0.1 degrees C, input current in 0.1 A and position in 0.02
+  // degrees.
   void send_status_4(hal::TimeNs now_ns);
+  // Sends status 5: tachometer and supply voltage in 0.1 V.
   void send_status_5(hal::TimeNs now_ns);
+  // Returns the tachometer's count: 0 is angle 0 or, after a power cycle, where the shaft was at
+  // its end.
   [[nodiscard]] std::int32_t shaft_counts() const;
+  // Returns true if no current has been commanded for the configured time.
   [[nodiscard]] bool has_timed_out(hal::TimeNs now_ns) const;
+  // Returns the current that flows, A: the commanded one, or 0 under a fault, the kill switch, a
+  // time-out or in the dead zone.
   [[nodiscard]] double current_A(hal::TimeNs now_ns) const;
 
   VescEmulatorConfig config_;
   double wanted_A_ = 0.0;
   // Until then a command's off-delay keeps currents in the dead zone flowing.
   hal::TimeNs holds_until_ns_ = 0;
+  // The last command; the end of the stop after a fault; the last status messages; the last run.
   hal::TimeNs commanded_ns_ = 0;
   hal::TimeNs ignores_until_ns_ = 0;
   hal::TimeNs status_ns_ = 0;
   hal::TimeNs status_4_ns_ = 0;
   hal::TimeNs ran_ns_ = 0;
+  // Added to the tachometer, so that it starts at 0 after a power cycle.
   std::int32_t offset_counts_ = 0;
   double fet_C_ = 31.0;
   double motor_C_ = 28.5;
   double flowing_A_ = 0.0;
+  // The fault code of VESC, 0 for none; `lasting_fault_` does not end by itself.
   std::uint8_t fault_ = 0;
   std::uint8_t lasting_fault_ = 0;
   bool kill_switch_open_ = false;
