@@ -42,8 +42,10 @@ struct RayCast {
   }
 };
 
+// The path has a point for each tick of 1 ms.
 constexpr double kTick_s = 0.001;
 
+// Returns the sine with that frequency and amplitude 1 at time `t`, s.
 double wave(double frequency_hz, double t) {
   return std::sin(2.0 * std::numbers::pi * frequency_hz * t);
 }

@@ -19,6 +19,7 @@ namespace {
 constexpr double kReach = 0.6;
 constexpr double kMostPress_N = 2.0;
 
+// Returns the joints' positions, rad or m.
 Vec3 joints_at(MechanismKind kind, const MechanismPose& pose) {
   return {joint_position(kind, 0, pose.coordinate[0]), joint_position(kind, 1, pose.coordinate[1]),
           joint_position(kind, 2, pose.coordinate[2])};
@@ -125,6 +126,8 @@ struct Place {
   std::string name;
 };
 
+// Returns the middle of the workspace and a place toward each stop, moved onto the manifold. Places
+// that fall together there count once.
 std::vector<Place> places_in(const DevicePreset& preset) {
   const PlantParameters& plant = preset.device.plant;
   const MechanismKind kind = plant.mechanism;
@@ -158,6 +161,7 @@ double press_at(const firmware::ControllerConfig& config, const firmware::Pose& 
   return std::min(kMostPress_N, 0.5 * most_N);
 }
 
+// Returns the description of the simulation that the certificate keeps.
 std::string in_words(const DeviceParameters& device, const firmware::ControllerConfig& config,
                      std::size_t places) {
   const bool slides = device.plant.mechanism == MechanismKind::cartesian;

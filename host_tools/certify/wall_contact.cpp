@@ -39,6 +39,9 @@ struct Course {
   double period_s = 0.0;
 };
 
+// The ideal contact is a mass on the two springs of wall and hand, with the period 2 pi sqrt(m /
+// k). At the depth of the press, a speed of depth * 2 pi / period would let the handle swing back
+// to the surface; it moves at kShareOfLiftOff of that.
 Course plan_course(const WallContact& contact, const WallStiffness& wall) {
   const double mass = contact.device.plant.moving_mass_kg + contact.hand.mass_kg;
   const double stiffness = wall.stiffness_N_per_m + contact.hand.stiffness_N_per_m;
@@ -57,6 +60,7 @@ struct Press {
   Vec3 wish_B = Vec3::Zero();
 };
 
+// Returns the hand whose spring pushes with the press where the wall carries it.
 Press press_of(const WallContact& contact, const Course& course) {
   // A hand that is off presses by a spring so soft and long that its force does not change.
   constexpr double kSoft_N_per_m = 1e-3;
@@ -69,6 +73,7 @@ Press press_of(const WallContact& contact, const Course& course) {
   return press;
 }
 
+// Returns a plane through the world's origin, with the contact's normal as its outside.
 rendering::Object wall_object(const WallContact& contact, const WallStiffness& wall) {
   rendering::Object object;
   object.surface = rendering::SurfaceKind::primitive;
@@ -107,6 +112,7 @@ void prepare(firmware::Controller& controller, const WallContact& contact,
   }
 }
 
+// Returns the request that brings the controller one mode closer to `active`.
 firmware::Request wish_for_force(firmware::Mode mode) {
   switch (mode) {
     case firmware::Mode::init:
@@ -171,6 +177,7 @@ class Contact {
   SimulatedDevice device_;
 };
 
+// The lengths of a window and of the stretch that must be quiet, ticks.
 struct WindowTicks {
   int all = 0;
   // Ticks of one period: a slow oscillation has no speed where it turns.
@@ -215,6 +222,7 @@ ContactVerdict ContactTrial::run(const WallContact& contact, const WallStiffness
   const WindowTicks ticks{
       .all = ticks_of(std::max(kPeriodsInWindow * course.period_s, kShortestWindow_s)),
       .for_quiet = ticks_of(std::max(course.period_s, kShortestQuiet_s))};
+  // The first period is not judged: the change from the guide to the hand disturbs it.
   (void)motion_in_window(now, press, {ticks_of(course.period_s), ticks.for_quiet});
   double before = std::numeric_limits<double>::infinity();
   for (int window = 0; window < kWindows; ++window) {

@@ -27,10 +27,12 @@ namespace {
 std::atomic<int> ended_by{0};
 drivers::ComposedDevice* stopped_in_a_crash = nullptr;
 
+// Notes the signal; wait() then throws, so that the destructor stops the device.
 void on_signal(int signal) {
   ended_by.store(signal, std::memory_order_relaxed);
 }
 
+// Takes the motors' power away before the process dies.
 void stop_in_a_crash() {
   if (stopped_in_a_crash != nullptr) {
     stopped_in_a_crash->stop();
@@ -47,6 +49,7 @@ bool has_typed_a_line() {
   return ::read(STDIN_FILENO, line.data(), line.size()) >= 0;
 }
 
+// Returns the words that ask the person for the task.
 const char* words_of(HandTask task) {
   switch (task) {
     case HandTask::hold_for_homing:
@@ -60,6 +63,8 @@ const char* words_of(HandTask task) {
          "that it hangs at rest.";
 }
 
+// The bench of a real device: opens its boards, and runs the loop in this process with real-time
+// priority. Only one program may have the device.
 class BoardBench final : public Bench {
  public:
   BoardBench(const firmware::DeviceConfig& config, std::span<const std::byte> falcon_firmware,

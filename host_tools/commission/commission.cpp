@@ -33,6 +33,7 @@ class PowerOff {
   Bench* bench_;
 };
 
+// Returns the joint's range by device.toml, rad or m.
 double range_of(const ControllerConfig& config, std::size_t joint) {
   return config.joints[joint].upper - config.joints[joint].lower;
 }
@@ -46,6 +47,7 @@ class Session {
         progress_(&progress),
         joints_(firmware::joint_count(plan.controller.mechanism)) {}
 
+  // Does all steps. A trouble of the device ends the run early and is in the report.
   CommissionReport run() {
     const PowerOff at_the_end(*bench_);
     home();
@@ -67,12 +69,14 @@ class Session {
   }
 
  private:
+  // Reports a step to the person, if someone listens.
   void tell(const std::string& step) {
     if (*progress_) {
       (*progress_)(step);
     }
   }
 
+  // Writes a command, waits for the next tick and reads the sample.
   void tick(const drivers::JointCommand& command) {
     bench_->write(command);
     bench_->wait();
@@ -88,6 +92,7 @@ class Session {
     }
   }
 
+  // Waits until the device has its reference. Throws InputError if that takes too long or fails.
   void home() {
     tell("homing");
     bench_->read(sample_);
@@ -107,6 +112,7 @@ class Session {
     }
   }
 
+  // Notes how far each joint goes while the person moves the handle.
   void watch_travel() {
     tell("travel: the hand moves the handle everywhere");
     bench_->ask(HandTask::move_everywhere);
@@ -127,6 +133,7 @@ class Session {
     }
   }
 
+  // Returns what the joint's trial should show according to device.toml.
   firmware::JointExpectation expected(std::size_t joint) const {
     firmware::JointExpectation expected{.inertia = report_.joints[joint].expected_inertia,
                                         .lower = report_.joints[joint].lower,
@@ -137,6 +144,7 @@ class Session {
     return expected;
   }
 
+  // Pulses one joint's motor and judges what the joints did. The other motors have no effort.
   void try_joint(std::size_t joint) {
     const PowerOff after(*bench_);
     JointReport& own = report_.joints[joint];

@@ -24,6 +24,8 @@ SimulatedBench::SimulatedBench(const DeviceParameters& parameters, double rate_h
       mistake_(mistake),
       device_(parameters, step_s_, middle_B_) {}
 
+// The mistakes of wiring are between device and loop: factors on positions and torques, and motors
+// that are swapped.
 void SimulatedBench::read(drivers::JointSample& sample) {
   device_.read(sample);
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
@@ -59,6 +61,7 @@ void SimulatedBench::ask(HandTask task) {
   moved_m_ = 0.0;
 }
 
+// Only moving the handle takes time; the simulated person holds and lets go at once.
 double SimulatedBench::task_s() const {
   return task_ == HandTask::move_everywhere ? kLegs * kLeg_s + kRest_s : 0.0;
 }

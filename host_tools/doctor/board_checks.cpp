@@ -63,6 +63,7 @@ struct GpioChip {
   std::string label;
 };
 
+// Returns all GPIO chips of the machine.
 std::vector<GpioChip> gpio_chips(Machine& machine) {
   std::vector<GpioChip> chips;
   for (const std::string& name : machine.names(kGpio)) {
@@ -73,6 +74,7 @@ std::vector<GpioChip> gpio_chips(Machine& machine) {
   return chips;
 }
 
+// Judges whether this user may open the chip.
 Finding judge_chip(Machine& machine, const GpioChip& chip) {
   const std::string found =
       chip.label.empty() ? chip.name : fmt::format("{} ({})", chip.name, chip.label);
@@ -100,12 +102,14 @@ Finding judge_named_chip(Machine& machine, const std::string& named) {
           "gpiodetect   # lists those there are"};
 }
 
+// Judges whether this user may take a PWM output, which begins with a write to `export`.
 Finding judge_pwm(Machine& machine, const std::string& folder) {
   return judge_access(machine, "PWM", folder + "/export", folder,
                       "ls /sys/class/pwm   # those there are; enable one in the board's device "
                       "tree");
 }
 
+// Judges whether this user may start the kernel's counter for an encoder.
 Finding judge_counter(Machine& machine, const std::string& counter) {
   const std::string folder = "/sys/bus/counter/devices/" + counter;
   return judge_access(machine, "counter " + counter, folder + "/count0/enable", folder,

@@ -35,6 +35,7 @@ struct CanLink {
   std::string state;
 };
 
+// Returns the bit rate of a group such as "bittiming", bit/s; 0 if it is not there.
 std::int64_t bitrate_in(const nlohmann::json& data, const char* timing) {
   return data.contains(timing) && data[timing].is_object()
              ? data[timing].value("bitrate", std::int64_t{0})
@@ -61,6 +62,7 @@ CanLink link_from(const std::string& text) {
   return link;
 }
 
+// Asks `ip` about an interface.
 CanLink look_at(Machine& machine, const std::string& interface) {
   try {
     return link_from(machine.ip_link(interface).value_or(""));
@@ -69,16 +71,19 @@ CanLink look_at(Machine& machine, const std::string& interface) {
   }
 }
 
+// Returns true if the interface is switched on.
 bool is_up(Machine& machine, const std::string& interface) {
   const std::string flags = machine.text(kNet + interface + "/flags").value_or("0x0");
   return (std::strtoull(flags.c_str(), nullptr, 16) & kUpFlag) != 0;
 }
 
+// Returns the command that sets the interface up as the device needs it.
 std::string bring_up(const CanNeed& need) {
   return fmt::format("sudo ip link set {0} down; sudo ip link set {0} up type can {1}",
                      need.interface, need.set_up);
 }
 
+// Returns for example "up, 1000 kbit/s, ERROR-ACTIVE".
 std::string in_words(const CanLink& link) {
   std::string text = fmt::format("up, {:g} kbit/s", static_cast<double>(link.bitrate) * 1e-3);
   if (link.data_bitrate > 0) {

@@ -15,7 +15,8 @@ namespace tactus::host {
 
 // A number of an experiment's set-up, or a list of numbers.
 struct SetupValue {
-  std::string_view name;  // with its unit
+  // The name with its unit, such as spring_N_per_m.
+  std::string_view name;
   std::vector<double> value;
   // True if the user may give several numbers.
   bool is_list = false;
@@ -32,9 +33,11 @@ class Setup {
   // text does not have that form, the experiment has no such value, or a number is not above 0.
   void set(std::string_view assignment);
 
-  // Return a value by its name, which must exist.
+  // Returns a number by its name, which must exist.
   [[nodiscard]] double number(std::string_view name) const { return list(name).front(); }
+  // Returns a list of numbers by its name, which must exist.
   [[nodiscard]] const std::vector<double>& list(std::string_view name) const;
+  // All values in their order, for --help.
   [[nodiscard]] std::span<const SetupValue> values() const { return values_; }
 
  private:
@@ -70,8 +73,9 @@ struct ExperimentResult {
 
 // An experiment in the table of experiments.cpp.
 struct Experiment {
-  // The name with its unit, such as spring_N_per_m.
+  // Its name for --experiment, such as stick-slip.
   std::string_view name;
+  // Its name in headings.
   std::string_view title;
   // What is done, on one line.
   std::string_view what;

@@ -25,6 +25,7 @@ enum class Quantity : std::size_t {
   // The bristle's force in the first row, N: the record may begin in the middle of a slip.
   start_force,
 };
+// The number of quantities in the enumeration.
 inline constexpr std::size_t kQuantities = 8;
 
 // Returns the symbol of parameter_names.h: Fs for the excess, empty for the start force.
@@ -53,6 +54,7 @@ struct FitPoint {
   void set(Quantity q, double value) { values[index(q)] = value; }
   void set_free(Quantity q, bool is_free) { free[index(q)] = is_free; }
   [[nodiscard]] bool is_free(Quantity q) const { return free[index(q)]; }
+  // Returns the searched quantities, in the order of the vectors that moved() takes.
   [[nodiscard]] std::vector<Quantity> free_quantities() const;
 
   // Returns the point that lies `by` away: each free value times exp(by), and the start force plus

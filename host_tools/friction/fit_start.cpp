@@ -10,13 +10,14 @@
 namespace tactus::host {
 namespace {
 
-// The medians of the rows in a range of speeds.
+// The medians of the rows in a range of speeds. The weight is the square root of their number.
 struct Bin {
   double speed_m_per_s = 0.0;
   double level = 0.0;
   double weight = 0.0;
 };
 
+// Returns the middle value (the upper of two); changes the order. `values` must not be empty.
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -85,6 +86,7 @@ LinearCurve through(const std::vector<Bin>& bins, double vs_m_per_s, bool falls)
 }  // namespace
 
 SteadyCurve steady_curve(const FrictionRecord& record, const RecordTraits& traits, bool falls) {
+  // Values of vs that are tried, even in the logarithm.
   constexpr int kTries = 40;
   // Below this share of the friction a search has no slope to follow.
   constexpr double kLeastShare = 0.02;

@@ -50,13 +50,16 @@ struct FrictionParameterName {
   std::string_view surface_unit;
   std::string_view joint_key;
   std::string_view surface_key;
+  // What it is, in words for --help.
   std::string_view meaning;
   // Bit 1 << kind is set for every model that has it.
   unsigned kinds;
 
+  // Returns true if the model has this parameter.
   [[nodiscard]] bool belongs_to(rendering::FrictionKind kind) const {
     return (kinds >> static_cast<unsigned>(kind) & 1U) != 0;
   }
+  // Return its unit and its key in TOML for that scale.
   [[nodiscard]] std::string_view unit_of(ForceScale scale) const {
     return scale == ForceScale::newton ? unit : surface_unit;
   }

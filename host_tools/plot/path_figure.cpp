@@ -24,6 +24,7 @@ constexpr double kGap = 125.0;
 constexpr double kRight = 175.0;
 constexpr double kLargestPanelHeight = 1400.0;
 
+// One view and its place on the sheet.
 struct Panel {
   View view = View::front;
   // In mm.
@@ -43,6 +44,7 @@ struct Sheet {
   double height = 0.0;
 };
 
+// Turns metres into millimetres.
 void scale_to_mm(Window& window) {
   for (PlanePoint* point : {&window.lower, &window.upper}) {
     point->right *= 1e3;
@@ -110,6 +112,7 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
       was_contact = row.contact;
     }
   }
+  // Gnuplot complains about a block without points, so each has one that is never on the sheet.
   const std::string_view off_sheet = "\n1e9 1e9 0\nEOD\n";
   return touching.append(off_sheet) + free.append(off_sheet);
 }
@@ -167,6 +170,8 @@ plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
 unset label
 )gnuplot";
 
+// Returns the commands that draw a panel over its picture of the objects, which it writes into
+// `folder`. The last panel has the colour bar.
 std::string panel_script(const Sheet& sheet, const Panel& panel,
                          std::span<const rendering::Object> objects, const TemporaryFolder& folder,
                          bool last) {

@@ -34,10 +34,13 @@ struct Canvas {
   }
 };
 
+// A vertex on the canvas.
 struct ScreenVertex {
-  double x;  // sub-pixels
+  // In sub-pixels from the left and from the lower edge.
+  double x;
   double y;
-  double depth;  // m, toward the viewer
+  // Toward the viewer, m.
+  double depth;
 };
 
 // Returns twice the signed area of the triangle (a, b, p).
@@ -86,6 +89,7 @@ Vec3 area_normal(const rendering::MeshView& mesh, const rendering::TriangleIndic
   return (b - a).cross(c - a);
 }
 
+// Returns for each vertex the unit normal averaged over its triangles by their area.
 std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {
@@ -104,7 +108,8 @@ std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
 // its triangles. At the vertex of a sharp edge it takes the triangle's own.
 Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of_vertices,
                     const rendering::TriangleIndices& triangle) {
-  constexpr double kSharp = 0.6;  // cosine of the angle between the two
+  // The cosine of the angle between the normals of vertex and triangle, about 53 degrees.
+  constexpr double kSharp = 0.6;
   const Vec3 own = area_normal(mesh, triangle).normalized();
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t vertex : triangle) {
@@ -113,11 +118,13 @@ Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of
   return sum;
 }
 
+// Returns the unit direction to the light, the same as seen from the viewer in both views.
 Vec3 toward_light(View view) {
   const Vec3 in_view = Vec3(-0.35, 0.55, 0.75).normalized();  // right, up, toward the viewer
   return view == View::front ? in_view : Vec3(-in_view.z(), in_view.y(), in_view.x());
 }
 
+// Returns the unit direction to the viewer.
 Vec3 toward_viewer(View view) {
   return view == View::front ? Vec3(0.0, 0.0, 1.0) : Vec3(-1.0, 0.0, 0.0);
 }
@@ -134,6 +141,7 @@ float lit(const Vec3& normal, View view) {
       std::clamp(0.5 + 0.5 * side * normal.dot(toward_light(view)) / length, 0.0, 1.0));
 }
 
+// Draws every triangle; the depth buffer decides which is seen.
 void draw_mesh(Canvas& canvas, View view, const Window& window, const rendering::MeshView& mesh) {
   const std::vector<Vec3> normals = vertex_normals(mesh);
   std::vector<ScreenVertex> screen;
@@ -153,6 +161,7 @@ void draw_mesh(Canvas& canvas, View view, const Window& window, const rendering:
 
 // Returns the mean of a pixel's sub-pixels as grey.
 std::uint8_t pixel(const Canvas& canvas, int column, int row) {
+  // The grey levels of the dark and of full light; the paper is 255, so the mesh always stands out.
   constexpr double kDarkest = 176.0;
   constexpr double kLightest = 240.0;
   double sum = 0.0;

@@ -14,6 +14,7 @@ using mcap::Unpacker;
 
 namespace {
 
+// Throws InputError with the place in the file, bytes.
 [[noreturn]] void complain_at(std::size_t offset, const std::string& what) {
   throw InputError("byte " + std::to_string(offset) + ": " + what);
 }

@@ -78,12 +78,21 @@ class McapReader {
 
   // Takes the first record off `rest`; returns nothing and leaves `rest` if it is not whole.
   static std::optional<Record> take_record(std::span<const std::byte>& rest);
+  // Takes over a record outside of chunks; `whole` is the record with its header. Unknown kinds are
+  // left out.
   void take_top_level(const Record& record, std::span<const std::byte> whole, std::size_t offset);
+  // Notes the chunk's records for next(). Throws InputError if the chunk is compressed or too
+  // short.
   void take_chunk(std::span<const std::byte> content, std::size_t offset);
+  // Adds the texts of a metadata record to those of its name.
   void take_metadata(std::span<const std::byte> content);
+  // Adds an attachment. Throws InputError if it is too short or its checksum differs.
   void take_attachment(std::span<const std::byte> content, std::size_t offset);
+  // Notes a schema's name by its number.
   void take_schema(std::span<const std::byte> content);
+  // Notes a channel's topic and schema by its number.
   void take_channel(std::span<const std::byte> content);
+  // Returns the message of a record, with the topic and schema of its channel.
   [[nodiscard]] McapMessage message(std::span<const std::byte> content) const;
   // Goes on to the next segment after comparing its checksum; returns false after the last.
   bool open_segment();

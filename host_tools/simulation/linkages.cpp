@@ -22,6 +22,7 @@ struct CrankPose {
   Vec3 slope_B;
 };
 
+// Returns the pose of the crank of motor 0 or 1.
 CrankPose haply_crank(std::size_t side, double tan_half) {
   const Turn from_z = turn_of(tan_half);  // positive toward -x
   return {Vec3(kHaplyMotor[side] - kHaplyL * from_z.sin, 0.0, kHaplyL * from_z.cos),

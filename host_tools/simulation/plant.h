@@ -91,6 +91,7 @@ class Plant {
   [[nodiscard]] const Vec3& v_B() const { return v_B_; }
   // The joints' coordinates and rows at the handle's position.
   [[nodiscard]] const MechanismPose& pose() const { return pose_; }
+  // The work since the last place().
   [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
   // Returns the elastic energy of the joints' bristles and the end stops, J.
   [[nodiscard]] double stored_energy_J() const;
@@ -98,8 +99,12 @@ class Plant {
   [[nodiscard]] double potential_J() const;
 
  private:
+  // Returns the force of the end stops at the present state, N.
   [[nodiscard]] Vec3 stop_force() const;
+  // Returns the force on the handle from the weights on the mechanism, N.
   [[nodiscard]] Vec3 weight_force() const;
+  // Moves the handle by a step at its mean velocity and back onto the manifold; sets its velocity
+  // and pose.
   void move(const Vec3& mean_v_B, double dt_s);
 
   PlantParameters parameters_;

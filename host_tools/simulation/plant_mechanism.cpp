@@ -66,6 +66,7 @@ Vec3 outward(const Azimuth& leg) {
   return {leg.cos, leg.sin, 0.0};
 }
 
+// Returns the sum of the three elbows' positions, m.
 Vec3 delta_elbow_sum(const MechanismPose& pose) {
   Vec3 sum_B = Vec3::Zero();
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
@@ -88,6 +89,7 @@ Vec3 delta_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B) {
   return pull_B;
 }
 
+// Returns the lengths of a serial arm.
 const ArmLengths& arm_lengths(MechanismKind kind) {
   return kind == MechanismKind::woodenhaptics ? kWoodenLengths : kPhantomLengths;
 }

@@ -1,6 +1,6 @@
 // The geometry of the simulated devices: how motions of the handle turn the joints. It is derived
 // from the published closed forms, position to joints, and on purpose shares nothing with the
-// controller's kinematics (firmware/control), so that an error in either shows in the whole-loop
+// controller's kinematics (firmware/kinematics), so that an error in either shows in the whole-loop
 // tests.
 #pragma once
 
@@ -55,16 +55,16 @@ void solve_mechanism(MechanismKind kind, const Vec3& p_B, MechanismPose& pose);
 // Returns the position of joint 0, 1 or 2 that belongs to a coordinate, rad, or m for `cartesian`.
 double joint_position(MechanismKind kind, std::size_t joint, double coordinate);
 
-// With fewer than three joints the handle moves only on an arc or a plane, the manifold. These
-// return the point of the manifold nearest to `p_B`, m, and the part of a velocity or force that is
-// tangent to the manifold there.
+// With fewer than three joints the handle moves only on an arc or a plane, the manifold. Returns
+// the point of it that is nearest to `p_B`, m.
 Vec3 on_manifold(MechanismKind kind, const Vec3& p_B);
+// Returns the part of a velocity or force at `p_B` that is tangent to the manifold.
 Vec3 along_manifold(MechanismKind kind, const Vec3& p_B, const Vec3& v_B);
 
-// These are for a mass of 1 kg at every elbow, the joint between the link at the base and the link
-// at the handle (`cartesian` and `hapkit` have none). They return the sum of the elbows' positions,
-// m, and the force on the handle, N, from gravity (m/s^2) on the elbows.
+// The elbow is the joint between the link at the base and the link at the handle; `cartesian` and
+// `hapkit` have none. Returns the sum of the elbows' positions, m.
 Vec3 elbow_sum(MechanismKind kind, const MechanismPose& pose);
+// Returns the force on the handle, N, from gravity (m/s^2) on a mass of 1 kg at every elbow.
 Vec3 elbow_pull(MechanismKind kind, const MechanismPose& pose, const Vec3& gravity_B);
 
 }  // namespace tactus::host

@@ -66,8 +66,11 @@ class SimulatedDevice {
 
   // The next four functions are those of drivers::Device.
   [[nodiscard]] std::size_t joint_count() const { return joints_of(parameters_.plant.mechanism); }
+  // Copies the last sample, with the present status.
   void read(drivers::JointSample& sample) const;
+  // Takes the command of this tick. Returns kDeviceEmergencyStop and kDeviceLost as they hold.
   std::uint32_t write(const drivers::JointCommand& command);
+  // Clears what is latched: the emergency stop.
   void clear_faults() { latched_status_ = drivers::kDeviceOk; }
 
   // Advances the plant by one tick, held by a hand whose wish moves evenly from `wish_B` to
@@ -90,11 +93,14 @@ class SimulatedDevice {
     std::uint64_t end_tick = 0;
   };
 
+  // Returns true if the fault is injected at this tick.
   [[nodiscard]] bool active(DeviceFault fault) const;
   [[nodiscard]] bool homed() const { return ticks_ >= homed_tick_; }
   // Returns the status bits of drivers/device.h that hold now.
   [[nodiscard]] std::uint32_t status() const;
+  // Gives the motors their targets; 0 if they are not enabled or have no power.
   void command_motors(const drivers::JointCommand& command);
+  // Takes a new sample from the plant, unless a fault keeps the old one.
   void sample_encoders();
 
   DeviceParameters parameters_;

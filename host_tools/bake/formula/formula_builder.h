@@ -28,6 +28,7 @@ class FormulaBuilder {
   Value y() { return put({.opcode = rendering::Opcode::y}); }
   Value z() { return put({.opcode = rendering::Opcode::z}); }
 
+  // The operations of arithmetic: a + b, a - b, a * b, a / b and -a.
   Value add(Value a, Value b);
   Value subtract(Value a, Value b);
   Value multiply(Value a, Value b);
@@ -41,6 +42,7 @@ class FormulaBuilder {
   Value real_power(Value a, double exponent);
   // (|a|^p + |b|^p)^(1/p), in the form of rendering::Opcode::power_norm. |p| must be at least 1.
   Value power_norm(Value a, Value b, double p);
+  // The smaller and the larger of two values.
   Value minimum(Value a, Value b);
   Value maximum(Value a, Value b);
   // A function of one operand: square_root, sine, cosine, exponential, logarithm or magnitude.
@@ -69,6 +71,7 @@ class FormulaBuilder {
 
   // Returns the number of the entry: that of an equal one if there is one.
   Value put(const Entry& entry);
+  // a + c and c * a, as one instruction each.
   Value add_constant(Value a, double c);
   Value scale(Value a, double c);
   // Returns the result of an operation on constants; nothing if an operand is not constant.

@@ -14,6 +14,7 @@ using Coordinates = FormulaCoordinates;
 using Arguments = std::span<const Value>;
 using Result = FormulaFunction::Result;
 
+// Short forms for the shapes below.
 Value square(Builder& b, Value a) {
   return b.multiply(a, a);
 }
@@ -42,6 +43,7 @@ Value sum(Builder& b, std::initializer_list<Value> parts) {
   return result;
 }
 
+// Return the distance from the origin in the plane and in space.
 Value length2(Builder& b, Value x, Value y) {
   return root(b, b.add(square(b, x), square(b, y)));
 }
@@ -122,10 +124,12 @@ Result blend_difference(Builder& b, const Coordinates& /*at*/, Arguments a) {
   return blend(b, a, b.negate(a[1]), 1.0);
 }
 
+// The wall of a, half of the thickness to each side of its surface.
 Result shell(Builder& b, const Coordinates& /*at*/, Arguments a) {
   return slab(b, a[0], a[1]);
 }
 
+// All below a plane: n . p / |n| - d, with the normal n, at the distance d from the origin.
 Result plane(Builder& b, const Coordinates& at, Arguments a) {
   const Value along =
       sum(b, {b.multiply(a[0], at.x), b.multiply(a[1], at.y), b.multiply(a[2], at.z)});
@@ -136,18 +140,22 @@ Result plane(Builder& b, const Coordinates& at, Arguments a) {
   return b.subtract(b.divide(along, size), a[3]);
 }
 
+// |p| - r.
 Result sphere(Builder& b, const Coordinates& at, Arguments a) {
   return b.subtract(length3(b, at.x, at.y, at.z), a[0]);
 }
 
+// A box with sides a, b and c: above 0 outside of any of its three slabs.
 Result box(Builder& b, const Coordinates& at, Arguments a) {
   return b.maximum(b.maximum(slab(b, at.x, a[0]), slab(b, at.y, a[1])), slab(b, at.z, a[2]));
 }
 
+// A cylinder about z with the radius r and the height h.
 Result cylinder(Builder& b, const Coordinates& at, Arguments a) {
   return b.maximum(b.subtract(length2(b, at.x, at.y), a[0]), slab(b, at.z, a[1]));
 }
 
+// All within the distance r of a piece of the z axis with the length h.
 Result capsule(Builder& b, const Coordinates& at, Arguments a) {
   const Value beyond = b.maximum(slab(b, at.z, a[1]), b.constant(0.0));
   return b.subtract(length3(b, at.x, at.y, beyond), a[0]);
@@ -161,6 +169,7 @@ Result cone(Builder& b, const Coordinates& at, Arguments a) {
   return b.maximum(b.divide(side, length2(b, a[0], a[1])), b.negate(at.z));
 }
 
+// A ring about z: the distance from a circle of radius R, less the tube's radius r.
 Result torus(Builder& b, const Coordinates& at, Arguments a) {
   const Value around = b.subtract(length2(b, at.x, at.y), a[0]);
   return b.subtract(length2(b, around, at.z), a[1]);
@@ -190,6 +199,9 @@ Result barth_sextic(Builder& b, const Coordinates& at, Arguments /*a*/) {
   return b.subtract(times(b, 4.0, planes), times(b, 1.0 + 2.0 * kGolden, square(b, ball)));
 }
 
+// The Klein bottle as the zeros of a polynomial of degree 6, with s = x^2 + y^2 + z^2 - 1:
+//
+//   (s + 2 y) ((s - 2 y)^2 - 8 z^2) + 16 x z (s - 2 y)
 Result klein_bottle(Builder& b, const Coordinates& at, Arguments /*a*/) {
   const Value sphere =
       b.subtract(sum(b, {square(b, at.x), square(b, at.y), square(b, at.z)}), b.constant(1.0));
@@ -220,6 +232,8 @@ Result quartic(Builder& b, const Coordinates& at, Arguments /*a*/) {
 // A limit for functions of any number of arguments.
 constexpr std::size_t kAnyCount = 64;
 
+// Every function of the language: its name, its arguments as the help shows them, how many at least
+// and at most, and what builds it.
 constexpr std::array kFunctions{
     FormulaFunction{"sqrt", "a", 1, 1, one_operand<Opcode::square_root>},
     FormulaFunction{"sin", "a", 1, 1, one_operand<Opcode::sine>},

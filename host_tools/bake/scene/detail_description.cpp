@@ -23,6 +23,7 @@ constexpr std::array kBumpKeys{KeySpec{"image", ""}, KeySpec{"height_m", "m"},
 constexpr std::array kNormalKeys{KeySpec{"image", ""}, KeySpec{"tile_m", "m"},
                                  KeySpec{"projection", ""}};
 
+// The names of the projections in TOML.
 struct NamedProjection {
   std::string_view name;
   TextureProjection projection;
@@ -47,6 +48,7 @@ std::span<const KeySpec> keys_of(TextureUse use) {
   }
 }
 
+// Returns the angle between triangles, degrees, above which an edge stays sharp.
 double read_angle_limit(const toml::table& table, const TomlSection& object,
                         std::string_view file) {
   constexpr double kStraight_deg = 180.0;
@@ -122,6 +124,7 @@ void read_height(const TomlSection& section, TextureDescription& texture) {
   texture.high = *height_m;
 }
 
+// Reads one [object.texture.*] table. A relative path of the picture begins at `folder`.
 TextureDescription read_texture(const TomlSection& section, TextureUse use, bool is_mesh,
                                 const std::filesystem::path& folder) {
   TextureDescription texture{.use = use};

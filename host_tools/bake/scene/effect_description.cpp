@@ -14,6 +14,7 @@ namespace {
 
 using rendering::EffectLaw;
 
+// Keys that several laws share: a name with the unit that a wrong name is compared with.
 constexpr KeySpec kLaw{"law", ""};
 constexpr KeySpec kBound{"max_force_N", "N"};
 constexpr KeySpec kPosition{"position_m", "m"};
@@ -57,14 +58,17 @@ double required(const TomlSection& section, std::string_view key, NumberRange ra
   return *value;
 }
 
+// Returns the stiffness, which must be given.
 double stiffness_of(const TomlSection& section, NumberRange range = kZeroOrMore) {
   return required(section, kStiffness.name, range, "200.0");
 }
 
+// Returns the damping; 0 if it is left out.
 double damping_of(const TomlSection& section) {
   return section.number(kDamping.name, kZeroOrMore).value_or(0.0);
 }
 
+// Returns three numbers that must be given. Throws InputError that shows `example`.
 Vec3 vector_of(const TomlSection& section, std::string_view key, std::string_view example) {
   const std::optional<std::vector<double>> v = section.numbers(key, 3);
   if (!v) {
@@ -105,6 +109,7 @@ EffectLaw read_spring_damper(const TomlSection& section, std::string_view /*file
       .damping_Ns_per_m = damping_of(section)};
 }
 
+// The volume is a primitive with the keys of an [[object]].
 EffectLaw read_fluid_drag(const TomlSection& section, std::string_view file) {
   const std::optional<std::string> volume = section.text("primitive");
   if (!volume) {
@@ -118,6 +123,7 @@ EffectLaw read_fluid_drag(const TomlSection& section, std::string_view file) {
       .rim_m = section.number("rim_m", kZeroOrMore).value_or(0.0)};
 }
 
+// A negative strength pushes away.
 EffectLaw read_magnet(const TomlSection& section, std::string_view /*file*/) {
   return rendering::Magnet{.pole_W = position_of(section),
                            .strength_N = required(section, "strength_N", kAnyNumber, "2.0"),

@@ -35,6 +35,7 @@ Offset<flatbuffers::Vector<const Stored*>> write_vector(FlatBufferBuilder& build
   return builder.CreateVectorOfStructs(static_cast<const Stored*>(bytes), values.size());
 }
 
+// Writes a vector that the format may lack; an empty one takes no place.
 template <class Stored, class T>
 Offset<flatbuffers::Vector<const Stored*>> write_optional(FlatBufferBuilder& builder,
                                                           const std::vector<T>& values) {
@@ -42,6 +43,7 @@ Offset<flatbuffers::Vector<const Stored*>> write_optional(FlatBufferBuilder& bui
                         : write_vector<Stored>(builder, values, rendering::kCacheLine);
 }
 
+// Vectors that the controller searches begin at a cache line.
 Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh) {
   constexpr std::size_t kLine = rendering::kCacheLine;
   const auto vertices = write_vector<image::Float3>(builder, mesh.vertices, kLine);
@@ -80,6 +82,7 @@ image::Pose pose_of(const Placement& placement) {
   return stored(rendering::RigidPose{placement.rotation.toRotationMatrix(), placement.position_m});
 }
 
+// Returns the primitive or formula; none for a mesh.
 Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) {
   if (const auto* primitive = std::get_if<rendering::Primitive>(&object.shape)) {
     return write_primitive(builder, *primitive).Union();
@@ -97,6 +100,7 @@ Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) 
   return {};
 }
 
+// Returns the tag of the union `Shape`, in the order of ShapeDescription.
 image::Shape shape_type(const ShapeDescription& shape) {
   constexpr std::array kTypes{image::Shape::NONE, image::Shape::Primitive, image::Shape::Implicit};
   return kTypes[shape.index()];

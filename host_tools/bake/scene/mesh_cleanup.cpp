@@ -14,8 +14,10 @@ namespace {
 using rendering::Float3;
 using rendering::TriangleIndices;
 
+// No vertex, in tables of vertex numbers.
 constexpr std::uint32_t kNone = 0xffffffff;
 
+// Returns the bits of a number well mixed, for hash tables.
 std::uint64_t mix(std::uint64_t value) {
   // The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every output
   // bit.
@@ -55,6 +57,7 @@ std::vector<std::uint32_t> first_at_same_place(std::span<const Float3> vertices)
 // A cell of the grid, counted in tolerances.
 using Cell = std::array<std::int64_t, 3>;
 
+// The hash of a cell, for std::unordered_map.
 struct CellHash {
   std::size_t operator()(const Cell& cell) const {
     std::uint64_t hash = 0;
@@ -91,11 +94,13 @@ class NearGrid {
   }
 
  private:
+  // Returns the cell whose middle is nearest.
   [[nodiscard]] Cell cell_of(const Float3& p) const {
     const Vec3 scaled = to_vec3(p) / tolerance_m_;
     return {std::llround(scaled.x()), std::llround(scaled.y()), std::llround(scaled.z())};
   }
 
+  // Returns the first of `kept` within the tolerance, kNone if there is none.
   [[nodiscard]] std::uint32_t first_near(std::span<const std::uint32_t> kept,
                                          std::uint32_t index) const {
     const Vec3 p = to_vec3(vertices_[index]);
@@ -110,6 +115,8 @@ class NearGrid {
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
 };
 
+// Returns true if two corners are the same vertex, or the triangle is thinner than
+// kDegenerateHeight_m.
 bool is_degenerate(const TriangleMesh& mesh, const TriangleIndices& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
     return true;
@@ -133,6 +140,7 @@ std::uint32_t weld(TriangleMesh& mesh, double weld_m) {
       target[i] = target[i] == i ? grid.find_or_keep(i) : target[target[i]];
     }
   }
+  // Vertices that stay move up to fill the gaps; the others take the new number of their target.
   std::vector<Float3> kept;
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     if (target[i] == i) {

@@ -21,6 +21,7 @@ namespace {
 constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
                                 KeySpec{"device", ""}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
+// The keys of an [[object]] that do not depend on its shape.
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
     KeySpec{"mesh", ""},
@@ -48,6 +49,7 @@ constexpr auto kObjectKeys = [] {
   return keys;
 }();
 
+// Returns from which sides the surface is touched; from one if the key is left out.
 rendering::Sides read_sides(const TomlSection& section) {
   const std::string sides = section.text("sides").value_or("one");
   if (sides != "one" && sides != "two") {
@@ -56,6 +58,7 @@ rendering::Sides read_sides(const TomlSection& section) {
   return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
 }
 
+// Reads one [[object]]. A relative path of the mesh begins at `folder`, the scene file's own.
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
                               const std::filesystem::path& folder) {
   const TomlSection section(table, file, fmt::format("object {}", index + 1), kObjectKeys);
@@ -125,6 +128,7 @@ const toml::array& object_array(const toml::table& root, const TomlSection& scen
   return *array;
 }
 
+// Throws InputError if an object of that name is there.
 void require_distinct_name(std::span<const ObjectDescription> others, const std::string& name,
                            std::string_view file, std::size_t line) {
   if (std::ranges::find(others, name, &ObjectDescription::name) != others.end()) {

@@ -15,6 +15,7 @@ using rendering::ContactMethod;
 using rendering::Primitive;
 using rendering::PrimitiveKind;
 
+// The names of the primitives in TOML.
 struct NamedKind {
   std::string_view name;
   PrimitiveKind kind;
@@ -26,6 +27,7 @@ constexpr std::array kKinds{
     NamedKind{"torus", PrimitiveKind::torus},
 };
 
+// The names of the contact methods in TOML.
 struct NamedMethod {
   std::string_view name;
   ContactMethod method;
@@ -38,6 +40,7 @@ constexpr std::array kMethods{
     NamedMethod{"tracking", ContactMethod::tracking},
 };
 
+// Returns the names in quotes with commas, for messages.
 template <class Named>
 std::string list(const Named& all) {
   std::string text;
@@ -47,6 +50,7 @@ std::string list(const Named& all) {
   return text;
 }
 
+// Returns a size above 0 that must be given, m.
 double required(const TomlSection& section, std::string_view key, std::string_view kind) {
   const std::optional<double> value = section.number(key, kAboveZero);
   if (!value) {
@@ -80,6 +84,7 @@ std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& ki
   }
 }
 
+// Reads a formula and the box in which its surface is looked for.
 ImplicitDescription read_implicit(const TomlSection& section, const std::string& text) {
   // In units of the formula, to each side.
   constexpr double kDefaultBound = 2.0;
