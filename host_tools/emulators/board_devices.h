@@ -17,9 +17,6 @@
 
 namespace tactus::host {
 
-// Each connects the board's axes to the machine's joints, in their order, and must outlive the
-// machine's last step. Each throws InputError when the machine has more joints than the board axes.
-
 // A Falcon on a USB gadget. This and the next two classes connect the board's axes to the machine's
 // joints in their order, and must outlive the machine's last step. connect() throws InputError if
 // the machine has more joints than the board has axes.
@@ -45,6 +42,7 @@ class EmulatedHaply {
  public:
   // `plug`, which may be nullptr, is pulled by the fault `unplugged`.
   explicit EmulatedHaply(HaplyEmulator& board, UsbPlug* plug) : board_(board), plug_(plug) {}
+  // Connects port i to joint i by the i-th transmission.
   void connect(EmulatedMachine& machine, std::span<const drivers::Transmission> transmissions);
 
  private:
@@ -57,7 +55,9 @@ class EmulatedHaply {
 // A motor with encoder on the pins of a GPIO chip: one joint only.
 class EmulatedPaddle {
  public:
+  // The axis must outlive this.
   explicit EmulatedPaddle(GpioAxisEmulator& axis) : axis_(axis) {}
+  // Connects the axis to joint 0 by the first transmission.
   void connect(EmulatedMachine& machine, std::span<const drivers::Transmission> transmissions);
 
  private:

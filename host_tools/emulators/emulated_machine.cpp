@@ -110,6 +110,7 @@ JointEfforts EmulatedMachine::take_torques() {
 
 void EmulatedMachine::move(const JointEfforts& effort) {
   const double dt_s = seconds_of(step_ns_);
+  // A hand that has let go is one with all parameters 0: the wish goes on without it.
   const bool is_held = seconds_of(next_step_ns_ - start_ns_) < let_go_s_;
   const HandParameters hand = is_held ? hand_.parameters() : HandParameters{};
   const Vec3 wish_B = hand_.wish_W() + origin_B_;

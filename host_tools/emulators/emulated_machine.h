@@ -86,6 +86,7 @@ class EmulatedMachine {
 
   // Returns the number of joints of the mechanism.
   [[nodiscard]] std::size_t joints() const { return joints_of(plant_parameters_.mechanism); }
+  // Returns when the machine's first step begins.
   [[nodiscard]] hal::TimeNs start_ns() const { return start_ns_; }
 
   // Returns when the next step begins; plant and shafts do not move until then.
@@ -103,11 +104,15 @@ class EmulatedMachine {
 
   // Returns the state after the last step.
   [[nodiscard]] const MachineTruth& truth() const { return truth_; }
+  // Returns the mechanics, for tests.
   [[nodiscard]] const Plant& plant() const { return plant_; }
 
  private:
+  // Notes the true state and turns each shaft by its transmission.
   void turn_shafts();
+  // Returns the joints' efforts from the shafts' torques.
   JointEfforts take_torques();
+  // Advances plant and hand by one step.
   void move(const JointEfforts& effort);
 
   PlantParameters plant_parameters_;

@@ -36,6 +36,7 @@ class EmulatedRun {
   void run(hal::TimeNs now_ns);
 
   [[nodiscard]] hal::TimeNs next_step_ns() const { return machine_.next_step_ns(); }
+  // Returns the machine, for reports.
   [[nodiscard]] const EmulatedMachine& machine() const { return machine_; }
   // Returns the recorded states.
   [[nodiscard]] std::span<const MachineTruth> truth() const { return truth_; }
@@ -46,7 +47,9 @@ class EmulatedRun {
   [[nodiscard]] hal::TimeNs left_out_ns() const { return left_out_ns_; }
 
  private:
+  // Sets the faults that are due at the next step.
   void apply_faults();
+  // Records the state if its period is over.
   void keep_truth();
 
   EmulatedMachine& machine_;

@@ -20,6 +20,7 @@ class FalconUsbPeer final : public hal::SimulatedUsbPeer, private hal::Simulated
 
   // Returns the host's end.
   [[nodiscard]] hal::SimulatedUsbEndpoint& endpoint() { return endpoint_; }
+  // Pulls the plug, and puts it in again.
   void unplug();
   void plug_in();
 

@@ -49,6 +49,7 @@ class Blob {
   std::vector<std::uint8_t> bytes_;
 };
 
+// Adds the descriptor of a bulk endpoint.
 void add_endpoint(Blob& blob, std::uint32_t address, std::uint32_t max_packet) {
   blob.add_byte(USB_DT_ENDPOINT_SIZE);
   blob.add_byte(USB_DT_ENDPOINT);
@@ -58,6 +59,7 @@ void add_endpoint(Blob& blob, std::uint32_t address, std::uint32_t max_packet) {
   blob.add_byte(0);
 }
 
+// Adds an interface with a bulk endpoint in each direction, 1 in and 2 out, as an FTDI chip has.
 void add_interface(Blob& blob, std::uint32_t max_packet) {
   blob.add_byte(USB_DT_INTERFACE_SIZE);
   blob.add_byte(USB_DT_INTERFACE);
@@ -72,6 +74,7 @@ void add_interface(Blob& blob, std::uint32_t max_packet) {
   add_endpoint(blob, USB_DIR_OUT | 2U, max_packet);
 }
 
+// Returns the descriptors for full speed (packets of 64 bytes) and high speed, three of each.
 std::vector<std::uint8_t> descriptors() {
   Blob blob;
   blob.add(FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
@@ -86,6 +89,7 @@ std::vector<std::uint8_t> descriptors() {
   return blob.with_length();
 }
 
+// Returns the table of strings, which FunctionFS demands: an empty one.
 std::vector<std::uint8_t> no_strings() {
   Blob blob;
   blob.add(FUNCTIONFS_STRINGS_MAGIC);
@@ -95,6 +99,7 @@ std::vector<std::uint8_t> no_strings() {
   return blob.with_length();
 }
 
+// Returns a file descriptor. Throws InputError with the reason.
 int open_file(const std::filesystem::path& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
   if (descriptor < 0) {
@@ -103,6 +108,7 @@ int open_file(const std::filesystem::path& path, int flags) {
   return descriptor;
 }
 
+// Throws InputError if FunctionFS does not take all bytes.
 void write_all(int descriptor, const std::vector<std::uint8_t>& bytes) {
   if (::write(descriptor, bytes.data(), bytes.size()) != std::ssize(bytes)) {
     throw InputError(std::string("FunctionFS does not take the descriptors: ") +

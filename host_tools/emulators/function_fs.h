@@ -81,11 +81,15 @@ class FunctionFs {
   void wake() { changed_.notify_all(); }
 
  private:
+  // Binds the gadget to a USB controller; an empty name unplugs it. Throws InputError.
   void bind(const std::string& controller) const;
+  // The threads: control requests, bulk data from the host and bulk data to the host.
   void serve_control();
+  // Hands a control request to the device; stalls what it refuses.
   void answer(const hal::UsbSetup& setup, std::size_t length);
   void serve_out();
   void serve_in();
+  // Waits for the device's next packet; empty when the program ends.
   std::vector<std::byte> next_packet();
 
   GadgetDevice& device_;

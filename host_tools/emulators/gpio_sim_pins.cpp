@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Throws InputError with the reason in `errno`.
 [[noreturn]] void refuse(const fs::path& path) {
   throw InputError(path.string() + ": " + std::strerror(errno) +
                    " (gpio-sim needs root and `modprobe gpio-sim`)");
@@ -39,6 +40,7 @@ void write_attribute(const fs::path& path, std::string_view text) {
   }
 }
 
+// Returns the first line of a file of configfs or sysfs.
 std::string read_attribute(const fs::path& path) {
   std::string line;
   std::ifstream file(path);
@@ -153,6 +155,7 @@ bool GpioSimPins::level(std::uint32_t offset) {
   return value == '1';
 }
 
+// The mean level from 0 to 1: duty over period, 0 while the output is off.
 double GpioSimPins::pwm_level() {
   const auto number = [](const hal::SysfsFile& file) {
     return static_cast<double>(file.read_number().value_or(0));

@@ -40,9 +40,13 @@ class GpioSimPins final : public BoardPins {
   void plug_in();
 
  private:
+  // Makes the files of the PWM channel.
   void lay_out_pwm() const;
+  // Opens them for reading.
   void open_pwm();
+  // Opens the chip's lines; their place in sysfs changes with every plug_in().
   void open_lines();
+  // Closes them; drive() and level() then do nothing.
   void close_lines();
 
   // The chip's folder in configfs.

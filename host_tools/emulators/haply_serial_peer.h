@@ -17,9 +17,11 @@ class HaplySerialPeer final : private hal::SimulatedEventSource {
   HaplySerialPeer& operator=(const HaplySerialPeer&) = delete;
   ~HaplySerialPeer();
 
+  // Returns the board, for its faults and shafts.
   [[nodiscard]] HaplyEmulator& emulator() { return emulator_; }
   // Returns the host's end of the line.
   [[nodiscard]] hal::SimulatedSerialPort& host() { return host_; }
+  // Pulls the plug, and puts it in again.
   void unplug();
   void plug_in();
 

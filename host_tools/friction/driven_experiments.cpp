@@ -69,6 +69,8 @@ ExperimentResult run_lag(const ExperimentRun& run) {
   NamedColumn column{.name = "omega_rad_per_s", .values = {}};
   std::vector<FrictionSample>& samples = result.track.samples;
   for (const double omega : run.setup.list("omegas_rad_per_s")) {
+    // The place is the integral of the velocity mean + swing cos(omega t). The first period lets
+    // the bristle settle; the second is kept.
     const auto way = [&](double t) { return mean * t + swing * std::sin(omega * t) / omega; };
     const std::size_t period = std::max<std::size_t>(ticks(kTurn / omega, run.rate_hz), 1);
     const std::size_t begin = samples.size();
@@ -119,6 +121,7 @@ ExperimentResult run_hysteresis(const ExperimentRun& run) {
   result.findings.columns = {"amplitude_m", "turning_force_N", "loop_area_J"};
   NamedColumn column{.name = "amplitude_m", .values = {}};
   for (const double amplitude : run.setup.list("amplitudes_m")) {
+    // The phase is reduced to one period first, so that all cycles have the same bits.
     const auto place = [&](std::size_t k) {
       return amplitude *
              std::sin(kTurn * static_cast<double>(k % period) / static_cast<double>(period));

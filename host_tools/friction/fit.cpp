@@ -17,12 +17,15 @@ namespace {
 
 using rendering::FrictionKind;
 
+// The models that a record can tell apart, from the simplest on; preferred() takes the first of
+// those that fit alike.
 constexpr std::array kFittedKinds{FrictionKind::coulomb_viscous, FrictionKind::stribeck,
                                   FrictionKind::dahl, FrictionKind::lugre};
 
 // A parameter whose logarithm has this standard error or more is unknown: plus and minus two of
 // them come down to almost nothing.
 constexpr double kUnknownFrom = 0.5;
+// The 97.5 % quantile of the normal distribution: 95 % lie within it on both sides.
 constexpr double kTwoSided95 = 1.96;
 
 // How many rows of presliding a reversal must have. With fewer, the turn itself, which happens
@@ -165,6 +168,7 @@ std::string why_no_stiffness(const Solution& solution, const FrictionRecord& rec
   return "the noise hides presliding" + bound;
 }
 
+// Returns why the data do not tell a quantity, for the user.
 std::string why_unknown(Quantity quantity, const Solution& solution, const FrictionRecord& record,
                         const RecordTraits& traits) {
   switch (quantity) {
@@ -211,6 +215,8 @@ double static_error(const Solution& solution) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
+// Returns a parameter with its 95 % interval, or with why it has none. Intervals are those of the
+// logarithm: value / f to value * f.
 FittedParameter described(Quantity quantity, const Solution& solution, bool was_searched,
                           const FrictionRecord& record, const RecordTraits& traits) {
   const bool is_static = quantity == Quantity::excess;
@@ -231,6 +237,9 @@ FittedParameter described(Quantity quantity, const Solution& solution, bool was_
   return result;
 }
 
+// Returns the result: parameters, forces, residual and Akaike's criterion, n ln(residual^2) + 2 (k
+// + 1), which is smaller for the better model; k is the number of free quantities, and the noise is
+// one more.
 FrictionFit report_of(const Solution& solution, const FitPoint& start, const FrictionRecord& record,
                       const RecordTraits& traits) {
   FrictionFit fit{.friction = solution.point.friction(),
@@ -273,6 +282,7 @@ FrictionFit fit_friction(const FrictionRecord& record, FrictionKind kind,
   Solution solution = knows_bristles ? best_solution(starts, record)
                                      : best_solution({{without_presliding(start, traits)}}, record);
   solution = with_a_fall_that_is_there(std::move(solution), record, traits);
+  // Quantities that the data do not tell leave the search one by one, and the rest is solved anew.
   while (const std::optional<Quantity> unknown = least_known(solution)) {
     FitPoint without = solution.point;
     take_out(without, *unknown);
@@ -286,6 +296,8 @@ std::span<const FrictionKind> fitted_kinds() {
 }
 
 std::size_t preferred(std::span<const FrictionFit> fits) {
+  // A difference of Akaike's criterion below 2 is no evidence (Burnham and Anderson, "Model
+  // selection and multimodel inference", 2002).
   constexpr double kSaysNothing = 2.0;
   const double least = std::ranges::min_element(fits, {}, &FrictionFit::aic)->aic;
   const auto first = std::ranges::find_if(

@@ -16,6 +16,7 @@ using rendering::FrictionKind;
 constexpr SearchLimits kShortSearch{.most_evaluations = 15, .tolerance = 1e-4};
 constexpr SearchLimits kWholeSearch{.most_evaluations = 80, .tolerance = 1e-9};
 
+// Returns the least sum of squares that Levenberg and Marquardt's method finds from a start.
 Solution search(const FitPoint& start, const FrictionRecord& record, const SearchLimits& limits) {
   const auto rows = static_cast<Eigen::Index>(record.rows());
   const Eigen::Map<const Eigen::VectorXd> measured(record.force_N.data(), rows);
@@ -46,6 +47,7 @@ double mean_contact_force(const FrictionRecord& record) {
 // record.
 std::vector<double> stiffnesses(const FitPoint& point, const RecordTraits& traits) {
   constexpr int kStiffnesses = 40;
+  // Presliding within this share of a small step cannot be told from a rigid model.
   constexpr double kBelowAStep = 0.1;
   const double longest_m = traits.travel_m / static_cast<double>(traits.reversals + 1);
   const double shortest_m = std::min(kBelowAStep * traits.small_step_m, 1e-3 * longest_m);
@@ -139,6 +141,7 @@ std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits
   if (!has_bristles) {
     return {point};
   }
+  // The bristle of the first row holds at most Fc; the measured force says how much of it.
   const double strongest_N = curve.coulomb * std::max(record.normal_force_N[0], 0.0);
   point.set(Quantity::start_force, std::clamp(record.force_N[0], -strongest_N, strongest_N));
   point.set_free(Quantity::start_force, true);
@@ -161,6 +164,7 @@ Solution best_solution(std::span<const FitPoint> starts, const FrictionRecord& r
   for (const FitPoint& start : starts.subspan(1)) {
     attempt(start, kShortSearch);
   }
+  // The sum of squares may have several minima in vs, so the search also starts far to both sides.
   if (starts.front().is_free(Quantity::stribeck_velocity)) {
     for (const double factor : {0.2, 5.0}) {
       FitPoint other = starts.front();
@@ -168,6 +172,8 @@ Solution best_solution(std::span<const FitPoint> starts, const FrictionRecord& r
       attempt(other, kShortSearch);
     }
   }
+  // Nothing in the file tells whose velocity a row has; both meanings are tried and the better is
+  // kept.
   FitPoint of_ticks = best.point;
   of_ticks.row_time = RowTime::tick;
   best = search(best.point, record, kWholeSearch);

@@ -20,6 +20,7 @@ class Functor : public Eigen::DenseFunctor<double> {
   }
 
   int df(const InputType& parameters, JacobianType& out) const {
+    // Balances rounding and curvature: parameters are logarithms or scaled to 1.
     constexpr double kStep = 1e-5;
     InputType shifted = parameters;
     ValueType above(values());
@@ -89,6 +90,7 @@ LeastSquares least_squares(const Residuals& residuals, Eigen::Index count,
     functor.df(result.parameters, jacobian);
     residuals(result.parameters, values);
     const double degrees = std::max<double>(1.0, static_cast<double>(count - start.size()));
+    // The covariance s^2 (J'J)^-1 of independent residuals, widened for those that are not.
     const double factor = widening(values);
     result.covariance =
         factor * factor * values.squaredNorm() / degrees * inverse_of_normal(jacobian);

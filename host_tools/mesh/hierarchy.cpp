@@ -69,11 +69,13 @@ struct Range {
   std::uint32_t level;
 };
 
+// The triangles whose centres lie in a slice of the range.
 struct Bin {
   Box box;
   std::uint32_t count = 0;
 };
 
+// A way to divide a range in two.
 struct Split {
   std::size_t axis = 0;
   // Bins up to and including this one go to the left child.

@@ -87,6 +87,7 @@ void add_arc(Profile& profile, const ProfilePoint& middle, double radius_m, doub
   }
 }
 
+// Returns a primitive with an axis, in its own frame.
 TriangleMesh round_mesh(const rendering::Primitive& primitive) {
   constexpr double kQuarter = 0.5 * std::numbers::pi;
   const auto& [a, b, c] = primitive.dimensions_m;
@@ -113,6 +114,7 @@ TriangleMesh round_mesh(const rendering::Primitive& primitive) {
   return Lathe().turn(profile, false);
 }
 
+// Returns a box of twelve triangles. Bits 0, 1 and 2 of a corner's number are the signs of x, y, z.
 TriangleMesh box_mesh(const Vec3& half_m) {
   TriangleMesh mesh;
   for (int corner = 0; corner < 8; ++corner) {
@@ -125,6 +127,7 @@ TriangleMesh box_mesh(const Vec3& half_m) {
   return mesh;
 }
 
+// Returns a square of the plane y = 0 that faces upwards.
 TriangleMesh plane_mesh() {
   constexpr auto kHalf = static_cast<float>(kShownOfAPlane_m);
   return {

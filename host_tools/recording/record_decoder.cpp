@@ -38,6 +38,7 @@ Triple read_triple(const telemetry::Vector3& stored) {
   return {stored.x(), stored.y(), stored.z()};
 }
 
+// The fields of record.fbs, one by one.
 void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.tick = stored.tick();
   record.time_s = stored.time_s();

@@ -16,15 +16,17 @@
 namespace tactus::host {
 namespace {
 
+// Returns the shortest text that reads back to the same bits, as std::to_chars without a precision
+// gives it.
 template <class Number>
   requires std::is_arithmetic_v<Number>
-// std::to_chars without a precision gives the shortest text that reads back to the same bits.
 std::string in_digits(Number value) {
   std::array<char, 64> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
 }
 
+// An enumeration's value as a number.
 template <class Value>
 std::string in_digits(Value value)
   requires std::is_enum_v<Value>
@@ -32,9 +34,8 @@ std::string in_digits(Value value)
   return in_digits(static_cast<unsigned>(value));
 }
 
-// Every NaN is alike, as in the hash.
-template <class Value>
 // Compares bits, so that 0.0 and -0.0 differ; every NaN equals every other, as in the state hash.
+template <class Value>
 bool same_bits(const Value& a, const Value& b) {
   if constexpr (std::floating_point<Value>) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
@@ -44,6 +45,7 @@ bool same_bits(const Value& a, const Value& b) {
   }
 }
 
+// Returns ".x", ".y" or ".z" for an array of three, else for example "[2]".
 std::string element_name(std::size_t index, std::size_t count) {
   constexpr std::string_view kAxes = "xyz";
   return count == 3 ? std::string(".") + kAxes[index] : "[" + std::to_string(index) + "]";

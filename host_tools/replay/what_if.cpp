@@ -55,6 +55,7 @@ struct HandForces {
   std::uint64_t ticks = 0;
 };
 
+// Takes a tick into the largest forces, and into the means if one of the two pushes.
 void add(const WhatIfTick& tick, WhatIfSummary& summary, HandForces& forces) {
   const double recorded_N = tick.recorded_W.norm();
   const double changed_N = tick.changed_W.norm();

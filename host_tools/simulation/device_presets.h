@@ -23,9 +23,6 @@ struct DevicePreset {
 // no real device; all of its figures are assumptions.
 DevicePreset cartesian_preset();
 
-// Lengths, encoders and motors of the devices below are published; moving mass, damping and
-// friction are assumptions.
-
 // "falcon": the Novint Falcon. Lengths, encoders and motors of this and the next devices are
 // published; moving mass, damping and friction are assumptions.
 DevicePreset falcon_preset();

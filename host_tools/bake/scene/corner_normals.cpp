@@ -22,6 +22,7 @@ struct Corner {
   std::size_t number = 0;
 };
 
+// The corner after and before, in the winding's direction.
 std::size_t next(std::size_t corner) {
   return (corner + 1) % 3;
 }
@@ -73,10 +74,13 @@ class Fans {
   }
 
  private:
+  // Returns true while the walk goes on: at a triangle, not the first one, and not for ever.
   static bool is_other(const Corner& at, const Corner& start, std::size_t about) {
     return at.triangle != kNoNeighbour && at.triangle != start.triangle && about < kMostAbout;
   }
 
+  // Returns the triangle's normal times its angle at the vertex, so that the cut of a face into
+  // triangles does not matter (Thurmer and Wuthrich, 1998).
   [[nodiscard]] Vec3 weighted(const Corner& at) const {
     return angles_[at.triangle][at.number] * normals_[at.triangle];
   }

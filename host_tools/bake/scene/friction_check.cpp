@@ -25,10 +25,12 @@ double last_digit(double value) {
   return std::pow(10.0, std::floor(std::log10(value)) - 4.0);
 }
 
+// Returns a positive number with five digits, not above `value`; 0 for others.
 double rounded_down(double value) {
   return value > 0.0 ? std::floor(value / last_digit(value)) * last_digit(value) : 0.0;
 }
 
+// Returns a positive number with five digits, not below `value`; 0 for others.
 double rounded_up(double value) {
   return value > 0.0 ? std::ceil(value / last_digit(value)) * last_digit(value) : 0.0;
 }

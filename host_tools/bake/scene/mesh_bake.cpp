@@ -33,6 +33,7 @@ void require_sound(const TriangleMesh& mesh) {
   }
 }
 
+// Returns the values in that order.
 template <class T>
 std::vector<T> reordered(const std::vector<T>& values, std::span<const std::uint32_t> order) {
   std::vector<T> result(order.size());

@@ -37,6 +37,7 @@ std::size_t expected_triangles(const aiScene& scene) {
   return count;
 }
 
+// Returns how many faces are triangles.
 std::size_t found_triangles(const aiScene& scene) {
   std::size_t count = 0;
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
@@ -65,6 +66,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::pat
   return *scene;
 }
 
+// Returns a vertex under a node's transform, in double.
 Vec3 transformed(const aiMatrix4x4t<double>& transform, const aiVector3D& v) {
   const aiVector3t<double> p =
       transform * aiVector3t<double>(static_cast<double>(v.x), static_cast<double>(v.y),
@@ -98,6 +100,7 @@ class Collector {
   }
 
  private:
+  // Appends the mesh's vertices and faces. Throws InputError at a number that is not finite.
   void add_mesh(const aiMesh& mesh, const aiMatrix4x4t<double>& transform) {
     const auto first = static_cast<std::uint32_t>(result_.vertices.size());
     for (const aiVector3D& v : std::span(mesh.mVertices, mesh.mNumVertices)) {
@@ -113,6 +116,7 @@ class Collector {
     }
   }
 
+  // Appends a triangle; other faces, which are lines and points by now, are counted.
   void add_face(const aiFace& face, const aiMesh& mesh, std::uint32_t first) {
     if (face.mNumIndices != 3) {
       ++result_.lines_and_points;
@@ -130,6 +134,7 @@ class Collector {
     add_places(face, mesh);
   }
 
+  // Appends the texture coordinates of a triangle, if the mesh has two of them for each corner.
   void add_places(const aiFace& face, const aiMesh& mesh) {
     constexpr unsigned kPlane = 2;
     if (!mesh.HasTextureCoords(0) || mesh.mNumUVComponents[0] < kPlane) {
@@ -156,6 +161,7 @@ class Collector {
   ImportedMesh result_;
 };
 
+// Throws InputError if there is no such file or it is empty.
 void require_readable(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {

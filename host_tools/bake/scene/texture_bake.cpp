@@ -12,6 +12,7 @@ namespace {
 using rendering::TextureProjection;
 using rendering::TextureUse;
 
+// Throws InputError with the texture's line in the scene file.
 [[noreturn]] void fail(const std::string& scene, const TextureDescription& texture,
                        const std::string& what) {
   throw InputError(fmt::format("{}:{}: {}", scene, texture.line, what));

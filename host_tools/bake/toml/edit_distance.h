@@ -17,6 +17,7 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     row[j] = j;
   }
   for (std::size_t i = 1; i <= a.size(); ++i) {
+    // The entry up and to the left, which the row has lost already.
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {

@@ -109,6 +109,7 @@ constexpr std::array kOtherUnits{
     OtherUnit{"khz", "hz", 1e3},
 };
 
+// Returns the text in lower case.
 std::string lower(std::string_view text) {
   std::string result(text);
   std::ranges::transform(result, result.begin(),
@@ -116,6 +117,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+// Returns the key with its unit in words.
 std::string named(const KeySpec& key) {
   return key.unit.empty() ? std::string(key.name)
                           : fmt::format("{} ({})", key.name, unit_in_words(key.unit));

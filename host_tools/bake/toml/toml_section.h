@@ -28,6 +28,7 @@ struct NumberRange {
   double lowest = std::numeric_limits<double>::lowest();
   bool lowest_allowed = true;
 };
+// The ranges that most keys have.
 inline constexpr NumberRange kAnyNumber{};
 inline constexpr NumberRange kZeroOrMore{.lowest = 0.0, .lowest_allowed = true};
 inline constexpr NumberRange kAboveZero{.lowest = 0.0, .lowest_allowed = false};
@@ -68,7 +69,9 @@ class TomlSection {
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 
  private:
+  // Returns the number of a node. Throws InputError if it is none, not finite or out of range.
   double checked(const toml::node& node, std::string_view key, NumberRange range) const;
+  // Throws InputError with advice at the first key that is not in `keys`.
   void reject_unknown(std::span<const KeySpec> keys) const;
 
   const toml::table& table_;
