@@ -13,6 +13,7 @@ namespace tactus::host {
 
 // One row: what was touched, and how long it took.
 struct TouchFigures {
+  // The mesh's name, its triangles, the tool's radius, and whether the surface has friction.
   std::string mesh;
   std::size_t triangles = 0;
   double radius_m = 0.0;

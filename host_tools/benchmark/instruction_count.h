@@ -14,6 +14,7 @@ namespace tactus::host {
 
 // Instructions a tick, over all ticks of a path.
 struct InstructionCount {
+  // The mean, and percentiles of the ticks.
   double mean = 0.0;
   double median = 0.0;
   double p99 = 0.0;

@@ -17,6 +17,7 @@ inline constexpr std::size_t kJitterBins = 1000;
 
 // What is measured.
 struct JitterPlan {
+  // Wake-ups a second, and how long they are watched.
   double rate_hz = 1000.0;
   double seconds = 10.0;
   // The SCHED_FIFO priority.
@@ -31,6 +32,7 @@ struct Jitter {
   std::array<std::uint64_t, kJitterBins> bins{};
   // Latencies beyond the last bin.
   std::uint64_t overflow = 0;
+  // The number of all wake-ups, with those of `overflow`.
   std::uint64_t count = 0;
   double min_us = 0.0;
   double mean_us = 0.0;

@@ -11,6 +11,7 @@ namespace tactus::host {
 
 // The times of the ticks of a path. All but the last two are the least over all runs.
 struct TouchTiming {
+  // The number of ticks of the path, and percentiles of their times.
   std::size_t ticks = 0;
   double median_ns = 0.0;
   double p99_ns = 0.0;

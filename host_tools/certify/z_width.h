@@ -31,6 +31,7 @@ std::vector<NamedHand> certifying_hands();
 
 // How thorough the measurement is.
 struct ZWidthOptions {
+  // The hands with which every wall is tried.
   std::vector<NamedHand> hands = certifying_hands();
   // How many dampings are tried, 2 to kMaxCertifiedPoints.
   std::size_t dampings = 9;
@@ -44,6 +45,7 @@ struct ZWidthOptions {
 
 // The limits of one hand.
 struct ZWidthCurve {
+  // The hand's name.
   std::string hand;
   // One for each damping.
   std::vector<StableStiffness> limits;
@@ -53,7 +55,10 @@ struct ZWidthCurve {
 struct ZWidth {
   // Rising from 0 to the largest damping that a soft wall bears.
   std::vector<double> dampings_Ns_per_m;
+  // One for each hand.
   std::vector<ZWidthCurve> curves;
+  // For each damping the least limit over all hands divided by the margin, lowered until every wall
+  // that it promises has held in a trial.
   firmware::StiffnessCertificate certificate;
 };
 

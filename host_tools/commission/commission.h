@@ -19,6 +19,7 @@ namespace tactus::host {
 
 // What is checked, and how strongly.
 struct CommissionPlan {
+  // Mechanism, limits and rate of the device; it must outlive the plan.
   const firmware::ControllerConfig& controller;
   // The joints' names, for the report.
   std::vector<std::string> joints;
@@ -34,6 +35,7 @@ struct CommissionPlan {
 // What one joint did. Units are those of the joint: rad, N m, kg m^2, or m, N, kg if it slides.
 struct JointReport {
   std::string name;
+  // Whether the joint passed, else the first thing that is wrong.
   firmware::Verdict verdict = firmware::Verdict::sample_bad;
   // The joint's inertia, friction and delay as the pulse showed them.
   firmware::PulseFit fit;

@@ -34,6 +34,7 @@ enum class EmulatorFault : std::uint8_t {
   power_cycled,
 };
 
+// The delay of the fault `delayed`, and how long the power of `power_cycled` is off.
 inline constexpr hal::TimeNs kFaultDelay_ns = 10'000'000;
 inline constexpr hal::TimeNs kPowerCycle_ns = 300'000'000;
 // A drive that has not been run for this time was without power, and boots.

@@ -23,8 +23,10 @@ namespace tactus::host {
 
 // How the drive is made and set up.
 struct Cia402EmulatorConfig {
+  // The node's number, 1 to 127.
   std::uint8_t node = 1;
   EmulatedEncoder encoder = EmulatedEncoder::incremental;
+  // Counts of 6064 in one turn of the shaft.
   double counts_per_turn = 4096.0;
   // The value of 6064 where the encoder reads 0.
   std::int64_t first_count = 0;
@@ -34,6 +36,7 @@ struct Cia402EmulatorConfig {
   std::uint32_t rated_torque = 1000;
   // The value of 60B2 that the drive has saved.
   std::int16_t torque_offset = 0;
+  // From power-up or reset to the boot-up message.
   hal::TimeNs boot_time_ns = 20'000'000;
   // How the drive reacts to the silence of its host. Without a watchdog it accepts object 1016 and
   // ignores it; with `watchdog_lag_ns` it reacts that much later than it should.
@@ -51,6 +54,7 @@ struct Cia402EmulatorConfig {
 // One drive. The setters play events that no bus message causes.
 class Cia402Emulator final : public CanEmulator {
  public:
+  // A drive that has not been run for this time was without power, and boots.
   static constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
 
   Cia402Emulator(hal::CanBus& bus, std::uint32_t seed, const Cia402EmulatorConfig& config);

@@ -14,6 +14,7 @@ namespace tactus::host {
 struct PlannedFault {
   // The joint whose axis fails; all of them if not given.
   std::optional<std::size_t> joint;
+  // `none` heals what was set before.
   EmulatorFault fault = EmulatorFault::none;
   // When it begins, s from the machine's start.
   double at_s = 0.0;

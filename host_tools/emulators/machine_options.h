@@ -21,9 +21,11 @@ struct MachineOptions {
   std::string mechanism;
   // Turns of a drive's shaft for a turn of its joint.
   std::vector<double> ratios = {1.0};
+  // 1 if shaft and joint turn the same way, else -1.
   std::vector<double> directions = {1.0};
   // Empty: as `directions`.
   std::vector<double> motor_directions;
+  // The position of the joint where its encoder reads 0, rad or m.
   std::vector<double> offsets = {0.0};
   // "finger", "pen", "firm" or "none".
   std::string hand = "none";
@@ -39,9 +41,11 @@ struct MachineOptions {
   std::vector<std::string> faults;
   // The CSV file for the true state; empty: none.
   std::string truth;
+  // Chooses the hand's tremor and the bits that the fault `corrupted` inverts.
   std::uint32_t seed = 1;
   // The SCHED_FIFO priority, 1 to 99; 0: that of an ordinary program.
   int priority = 0;
+  // The step and the length of the run.
   RealTimeOptions run;
 };
 
@@ -50,6 +54,7 @@ struct MachineOptions {
 EmulatedMachineConfig machine_config(const MachineOptions& options);
 // Returns one transmission for each joint.
 std::vector<drivers::Transmission> transmissions(const MachineOptions& options, std::size_t joints);
+// Returns the planned faults and how the true state is recorded.
 EmulatedRunConfig run_config(const MachineOptions& options);
 
 }  // namespace tactus::host

@@ -22,13 +22,17 @@ namespace tactus::host {
 
 // The servo's settings and what it is attached to. Turns (rev) are those of the output.
 struct MoteusEmulatorConfig {
+  // Its number in the CAN identifier, 1 to 127.
   std::uint8_t servo_id = 1;
   // The upper bits of the CAN identifier that it answers to.
   std::uint16_t prefix = 0;
+  // The time for which it obeys a silent host whose command gave no time-out.
   double default_timeout_s = 0.1;
   // What it does after the command's time-out: 12 damps the motion, 0 lets go.
   int timeout_mode = 12;
+  // The largest torque of that damping.
   double timeout_max_torque_Nm = 5.0;
+  // The largest torque of position control.
   double max_torque_Nm = 1.0;
   // The gains of its own position control.
   double kp_Nm_per_rev = 4.0;

@@ -27,7 +27,9 @@ ODriveFirmware odrive_firmware(std::string_view version);
 
 // The axis' settings and what it is attached to. Turns are those of the motor's shaft.
 struct ODriveEmulatorConfig {
+  // Its CAN identifier's upper six bits.
   std::uint8_t node_id = 0;
+  // What its position is after power-up.
   EmulatedEncoder encoder = EmulatedEncoder::incremental;
   ODriveFirmware firmware = ODriveFirmware::v0_6;
   // The periods of its messages; 0: never sent.
@@ -38,7 +40,9 @@ struct ODriveEmulatorConfig {
   double watchdog_s = 0.02;
   // The motor's current limit times its torque constant.
   double max_torque_Nm = 1.0;
+  // Turns torques into the currents that it reports.
   double torque_constant_Nm_per_A = 0.055;
+  // True: torque mode brakes beyond the speed limit. The next flag makes overspeed an error.
   bool enable_torque_mode_speed_limit = true;
   double speed_limit_turn_per_s = 50.0;
   // The gain with which torque mode holds the speed limit.
@@ -55,6 +59,7 @@ class ODriveEmulator final : public CanEmulator {
 
   // Returns the axis state by the firmware's number: 1 idle, 8 closed loop.
   [[nodiscard]] std::uint32_t axis_state() const { return state_; }
+  // Returns the limit in force, which the host may have changed.
   [[nodiscard]] double speed_limit_turn_per_s() const { return config_.speed_limit_turn_per_s; }
 
   // Raises an axis error, by the firmware's numbers, and disarms.

@@ -16,9 +16,12 @@ namespace tactus::host {
 
 // The drive's settings and its motor.
 struct VescEmulatorConfig {
+  // Its number in the lowest byte of the CAN identifier.
   std::uint8_t vesc_id = 0;
   double torque_constant_Nm_per_A = 0.03;
+  // Electrical turns in one turn of the shaft.
   std::uint8_t pole_pairs = 7;
+  // Commands beyond are cut off.
   double max_current_A = 60.0;
   // Smaller currents count as zero, unless the command has an off-delay.
   double min_current_A = 0.05;
@@ -33,6 +36,7 @@ struct VescEmulatorConfig {
   hal::TimeNs status_period_ns = 5'000'000;
   // The period of status 4; 0: off.
   hal::TimeNs status_4_period_ns = 200'000'000;
+  // False: only status 1 has `status_period_ns`, so the host gets no position.
   bool sends_status_5 = true;
 };
 
@@ -41,11 +45,13 @@ class VescEmulator final : public CanEmulator {
  public:
   VescEmulator(hal::CanBus& bus, std::uint32_t seed, const VescEmulatorConfig& config);
 
+  // Opens or closes the kill switch; open, no current flows.
   void set_kill_switch(bool open) { kill_switch_open_ = open; }
   // Sets a fault by VESC's number; it lasts until the code is set to 0.
   void set_fault_code(std::uint8_t code) { lasting_fault_ = code; }
   // Lets the tachometer slip by that many counts at once.
   void slip(std::int32_t counts) { offset_counts_ += counts; }
+  // Sets the temperatures of transistors and motor that status 4 reports.
   void set_temperatures(double fet_C, double motor_C);
 
  private:

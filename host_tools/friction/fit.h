@@ -26,6 +26,7 @@ namespace tactus::host {
 
 // How a parameter's value was found.
 enum class Knowledge {
+  // The value fits the data best, and its interval is known.
   fitted,
   // Given by the caller and not fitted.
   held,
@@ -49,6 +50,7 @@ struct FittedParameter {
 
 // The result of a fit.
 struct FrictionFit {
+  // The model with the fitted values.
   rendering::FrictionParameters friction;
   // In the order of parameter_names.h.
   std::vector<FittedParameter> parameters;

@@ -16,6 +16,7 @@ struct FrictionRecord {
   std::vector<double> x_m;
   // The friction force along the motion, positive in the direction of positive x.
   std::vector<double> force_N;
+  // The force that presses the bodies together.
   std::vector<double> normal_force_N;
   // The duration of the tick that ends at the row; 0 in row 0.
   std::vector<double> step_s;

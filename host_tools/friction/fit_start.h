@@ -7,6 +7,7 @@ namespace tactus::host {
 
 // The steady friction over velocity, as shares of the normal force.
 struct SteadyCurve {
+  // The level of a fast slip.
   double coulomb = 0.0;
   // Of static friction over `coulomb`.
   double excess = 0.0;

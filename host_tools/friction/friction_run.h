@@ -13,6 +13,8 @@ namespace tactus::host {
 
 // One row of the output.
 struct FrictionSample {
+  // The row's time, place and velocity. The velocity is the mean over a tick, except that of a
+  // mass, which is the mass's own at that time.
   double t_s = 0.0;
   double x_m = 0.0;
   double v_m_per_s = 0.0;
@@ -32,6 +34,7 @@ struct NamedColumn {
 // The course of a run.
 struct FrictionTrack {
   std::vector<FrictionSample> samples;
+  // What the run has beside the usual columns.
   std::vector<NamedColumn> more;
 
   // Returns the column of that name, or nullptr if there is none.

@@ -19,11 +19,13 @@ struct SearchLimits {
 
 // The result of a search.
 struct LeastSquares {
+  // Where the search ended.
   Eigen::VectorXd parameters;
   // Infinite or huge where the residuals do not depend on a parameter.
   Eigen::VectorXd standard_errors;
   Eigen::MatrixXd covariance;
   double sum_of_squares = 0.0;
+  // False if it ended at the limit of evaluations.
   bool has_converged = false;
 };
 

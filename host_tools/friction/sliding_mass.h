@@ -18,12 +18,14 @@ namespace tactus::host {
 struct SlidingMassParameters {
   rendering::FrictionParameters friction;
   double mass_kg = 1.0;
+  // The stiffness of the spring between the mass and `spring_end_m`; 0: there is none.
   double spring_N_per_m = 0.0;
   double normal_force_N = 1.0;
 };
 
 // The load on the mass in a step, by its values in the middle of the step.
 struct Drive {
+  // A force on the mass in the direction of x.
   double push_N = 0.0;
   // The position y of the spring's other end.
   double spring_end_m = 0.0;

@@ -28,9 +28,13 @@ class RunView {
   // Marks the controller as gone until the next tick.
   void lose() { lost_ = true; }
 
+  // Returns the newest tick; empty before the first.
   [[nodiscard]] const std::optional<firmware::RecordedTick>& newest() const { return newest_; }
+  // Returns the name of the device or scene; empty before it is known.
   [[nodiscard]] const std::string& name() const { return name_; }
+  // Returns the line that say() has set.
   [[nodiscard]] const std::string& said() const { return said_; }
+  // Returns true while the controller is gone.
   [[nodiscard]] bool lost() const { return lost_; }
 
   // Returns the rate of the ticks that were received in about the last second, Hz; 0 before there

@@ -31,6 +31,8 @@ class WatchLines {
   static std::string line(const firmware::TelemetryEvent& event);
 
  private:
+  // Finds the columns of the fields, by the number of joints. Throws InputError for an unknown
+  // field.
   void choose(std::size_t joints);
 
   std::vector<std::string> fields_;

@@ -39,6 +39,7 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
 
 // A run and its name in the key.
 struct NamedRun {
+  // Must outlive this.
   const RunData& run;
   std::string name;
 };

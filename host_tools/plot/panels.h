@@ -26,6 +26,7 @@ struct Panel {
   // With its unit, like the other.
   std::string x_label;
   std::string y_label;
+  // Drawn in their order; later ones lie over earlier ones.
   std::vector<Curve> curves;
 };
 

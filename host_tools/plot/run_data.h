@@ -25,10 +25,12 @@ struct RunRow {
   // The magnitude of the force after the safety limits, N; equal to `force_N` if the run has no
   // such column.
   double commanded_N = 0.0;
+  // How far the tool is below the surface.
   double depth_m = 0.0;
   bool contact = false;
   // False while the controller does not know where the tool is.
   bool located = true;
+  // Whether friction holds the proxy or the proxy slides.
   rendering::FrictionState friction = rendering::FrictionState::free;
 };
 

@@ -31,6 +31,7 @@ double nearness(View view, const Vec3& p_W);
 
 // A rectangle of the picture plane, m.
 struct Window {
+  // The lower left and the upper right corner; they mean nothing while `empty`.
   PlanePoint lower{.right = 0.0, .up = 0.0};
   PlanePoint upper{.right = 0.0, .up = 0.0};
   bool empty = true;

@@ -17,6 +17,7 @@ namespace tactus::host {
 
 // The configuration and scene with which a recorded run began.
 struct ReplaySetup {
+  // The configuration with which the run began.
   firmware::ControllerConfig config;
   // The scene's objects; empty for a run without a scene. They must outlive the replay.
   std::span<const rendering::Object> objects;
@@ -26,6 +27,7 @@ struct ReplaySetup {
 
 // A field in which a replayed tick differs from the recorded one.
 struct Difference {
+  // The tick's number in the recording.
   std::uint64_t tick = 0;
   // The name of the field in TelemetryRecord with its element, such as tool_p_W.y or
   // joint_effort[2].

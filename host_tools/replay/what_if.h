@@ -21,6 +21,7 @@ firmware::ParameterChange parse_change(std::string_view text, const rendering::S
 
 // The commanded force of one tick, as recorded and with the changed parameters. World frame.
 struct WhatIfTick {
+  // The time of the run, s.
   double time_s = 0.0;
   // N, after the safety limits.
   Vec3 recorded_W = Vec3::Zero();
@@ -30,6 +31,7 @@ struct WhatIfTick {
 
 // What a what-if replay found over all of its ticks.
 struct WhatIfSummary {
+  // How many ticks were replayed.
   std::uint64_t ticks = 0;
   // The largest commanded force of either run, N.
   double most_recorded_N = 0.0;

@@ -51,6 +51,7 @@ class Motor {
   // Advances by one step and returns the effort at its end, N m or N. The result is exact for a
   // command that is constant over the step.
   double advance();
+  // Returns the effort now, N m or N.
   [[nodiscard]] double effort() const { return effort_; }
 
  private:

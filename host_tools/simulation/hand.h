@@ -74,7 +74,8 @@ class Hand {
   [[nodiscard]] const Vec3& wish_W() const { return wish_W_; }
   // Returns the wished position one tick later, m, world frame.
   [[nodiscard]] const Vec3& next_wish_W() const { return next_wish_W_; }
-  void advance();  // one tick
+  // Advances by one tick.
+  void advance();
 
  private:
   HandParameters parameters_;

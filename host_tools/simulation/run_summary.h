@@ -15,6 +15,7 @@ inline constexpr std::size_t kTouchFlagCount = 6;
 
 // Counts and extremes over all ticks of a run.
 struct RunSummary {
+  // How many ticks the run had, and how many of them make a simulated second.
   std::uint64_t ticks = 0;
   double rate_hz = 0.0;
   // How long the run took on this machine.

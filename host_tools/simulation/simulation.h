@@ -41,16 +41,20 @@ struct RequestEvent {
 
 // Everything that determines a run but the scene.
 struct SimulationConfig {
+  // The simulated device and where its workspace is.
   DevicePreset device = cartesian_preset();
   // The controller's configuration; its rate, workspace origin and device delay are replaced by
   // those of this simulation.
   firmware::ControllerConfig controller = firmware::cartesian_config();
+  // The hand that holds the handle.
   HandParameters hand = kPenHand;
   // The path that the hand wants to follow, world frame.
   WishPath path;
   // Chooses the hand's tremor.
   std::uint64_t seed = 1;
+  // Ticks a second of simulated time.
   double rate_hz = 1000.0;
+  // What goes wrong, and what the operator requests, in any order.
   std::vector<FaultEvent> faults;
   std::vector<RequestEvent> requests;
   // The scene's effects; they must outlive the simulation.

@@ -17,6 +17,7 @@ namespace tactus::host {
 
 // What baking found and made for one object, for the report to the user.
 struct ObjectReport {
+  // The object's name in the image.
   std::string name;
   // The mesh file; empty for a primitive or a formula.
   std::string mesh;
@@ -25,9 +26,11 @@ struct ObjectReport {
   std::uint64_t vertices = 0;
   // Lines and points of the mesh file, which have no surface and were left out.
   std::uint32_t lines_and_points = 0;
+  // What cleaning the mesh merged, dropped and found at its edges.
   rendering::BakeCounters counters;
   // The size of the object's arrays in the image.
   std::uint64_t bytes = 0;
+  // How long the object took.
   double seconds = 0.0;
   // One line each, with the remedy.
   std::vector<std::string> warnings;
@@ -37,8 +40,11 @@ struct ObjectReport {
 struct BakeReport {
   // The image file as the user named it.
   std::string image;
+  // The radius of the tool that the image is for.
   double tool_radius_m = 0.0;
+  // The size of the whole image.
   std::uint64_t bytes = 0;
+  // How long the whole bake took.
   double seconds = 0.0;
   std::vector<ObjectReport> objects;
 };

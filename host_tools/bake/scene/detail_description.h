@@ -36,6 +36,7 @@ struct TextureDescription {
 struct DetailDescription {
   // The angle above which an edge stays sharp; empty if the object is not shaded.
   std::optional<double> angle_limit_deg;
+  // At most one for each use.
   std::vector<TextureDescription> textures;
 };
 

@@ -20,13 +20,16 @@ namespace tactus::host {
 struct BakedTextures {
   // How each picture is used, and where its bytes begin in `texels`.
   std::vector<rendering::TextureLayer> layers;
+  // The texels of all pictures, one after the other.
   std::vector<std::uint8_t> texels;
 };
 
 // An object with everything that the controller needs of it.
 struct BakedObject {
   std::string name;
+  // From which sides the surface is touched.
   rendering::Sides sides = rendering::Sides::one;
+  // Stiffness, damping, friction and grain.
   rendering::Material material;
   // The mesh that is touched, or the picture of the shape.
   BakedMesh mesh;
@@ -34,8 +37,10 @@ struct BakedObject {
   ShapeDescription shape;
   // Where the shape stands; a mesh is in the world frame already.
   Placement placement;
+  // The method that renders the contact; the shape must permit it.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
   BakedTextures textures;
+  // How the object moves by itself and whether it may be moved or deformed.
   MotionDescription motion;
 };
 
@@ -45,6 +50,7 @@ struct BakedScene {
   // How many tools touch the scene, 1 to kMaxTools.
   std::size_t tool_count = 1;
   std::vector<BakedObject> objects;
+  // Forces without a surface, which every tool feels.
   std::vector<rendering::Effect> effects;
 };
 

@@ -12,6 +12,8 @@ namespace tactus::host {
 // A mesh in the frame and the unit of its file.
 struct ImportedMesh {
   std::vector<Vec3> vertices;
+  // Three indices into `vertices` each, counter-clockwise as seen from outside if the file follows
+  // the custom.
   std::vector<rendering::TriangleIndices> triangles;
   // The texture places of each triangle's corners; empty if the file has texture coordinates for
   // none or for only some of the triangles.

@@ -17,7 +17,9 @@ struct Placement {
   std::optional<double> longest_side_m;
   // Metres for a unit of the file; ignored if `longest_side_m` is given.
   double scale = 1.0;
+  // From the file's axes to the world's.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  // Where the centre is put in the world, m.
   Vec3 position_m = Vec3::Zero();
 };
 

@@ -25,18 +25,22 @@ struct ObjectDescription {
   std::string name;
   // The primitive or formula; nothing for a mesh.
   ShapeDescription shape;
+  // How the surface is rendered.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
   // The mesh file, resolved against the scene file's folder; empty if the object has a shape.
   std::filesystem::path mesh;
   // The line of the mesh or the shape, for errors in it.
   std::size_t line = 0;
+  // Where the object stands, and its scale.
   Placement placement;
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
   // The line of the friction, for errors in it.
   std::size_t friction_line = 0;
+  // How the mesh is cleaned.
   MeshBakeOptions mesh_options;
   MotionDescription motion;
+  // Shading and textures.
   DetailDescription detail;
 };
 
@@ -45,11 +49,13 @@ struct SceneDescription {
   // The file as errors name it.
   std::string file;
   double tool_radius_m = 0.0;
+  // How many tools touch the scene, 1 to kMaxTools.
   std::size_t tool_count = 1;
   // The device for which the friction is checked.
   TargetDevice device;
   // At least one.
   std::vector<ObjectDescription> objects;
+  // The [[effect]] tables.
   std::vector<rendering::Effect> effects;
 };
 

@@ -25,6 +25,7 @@ namespace tactus::host {
 // The numbers that a key accepts: from `lowest` upwards, or above it if `lowest` itself is
 // excluded.
 struct NumberRange {
+  // The bound, and whether the bound itself is accepted.
   double lowest = std::numeric_limits<double>::lowest();
   bool lowest_allowed = true;
 };
