@@ -8,6 +8,7 @@
 namespace tactus::host {
 namespace {
 
+// The balls' radius, and the distance of neighbours from middle to middle.
 constexpr double kRadius_m = 0.01;
 constexpr double kApart_m = 0.03;
 
@@ -27,6 +28,7 @@ std::vector<Vec3> places(std::size_t count) {
   return grid;
 }
 
+// Returns a ball of 320 triangles.
 BakedMesh ball_at(const Vec3& place) {
   constexpr int kSubdivisions = 2;
   TriangleMesh ball = icosphere(kRadius_m, kSubdivisions);

@@ -33,6 +33,7 @@ void read_bins(const nlohmann::json& histogram, Jitter& jitter) {
   jitter.overflow = jitter.count - std::min(binned, jitter.count);
 }
 
+// Makes a folder that nobody else can have and returns it. Throws InputError if it cannot.
 std::filesystem::path folder_of_ones_own() {
   std::string name = (std::filesystem::temp_directory_path() / "tactus-cyclictest-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {

@@ -31,6 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The files in the folder that both programs share.
 constexpr const char* kScene = "scene.tactus";
 constexpr const char* kPath = "path";
 constexpr const char* kCounts = "callgrind.out";
@@ -46,6 +47,7 @@ void write_work(const fs::path& folder, const BenchmarkMesh& mesh, bool friction
   write_file_atomically(folder / kPath, std::as_bytes(path));
 }
 
+// Returns the positions that write_work() has written: bytes of the same program.
 std::vector<Vec3> read_path(const fs::path& file) {
   const std::string bytes = read_file(file);
   std::vector<Vec3> path(bytes.size() / sizeof(Vec3));

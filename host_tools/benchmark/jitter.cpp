@@ -18,6 +18,7 @@ namespace {
 // The bins of tactusd's own histogram are copied as they are.
 static_assert(kJitterBins == firmware::kTimeBins);
 
+// Runs in the measured thread: sleeps to a fixed phase like the loop and notes how late it wakes.
 void sleep_and_wake(const JitterPlan& plan, Jitter& jitter) {
   firmware::RealTimeError error;
   if (!firmware::become_real_time({.priority = plan.priority, .cpu = plan.cpu}, error)) {

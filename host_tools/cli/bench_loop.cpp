@@ -56,6 +56,7 @@ Curve curve_of(const char* name, const Jitter& jitter, CurveStyle style) {
   return curve;
 }
 
+// Draws both histograms into the file that the user named.
 void draw(const LoopBenchOptions& options, const Jitter& loop,
           const std::optional<Jitter>& cyclictest) {
   Panel panel{.x_label = "wake-up late by, us", .y_label = "log10 of wake-ups", .curves = {}};

@@ -44,6 +44,7 @@ struct ObjectSummary {
   }
 };
 
+// Returns the summary of one object.
 ObjectSummary summarise(const SceneImage& image, std::size_t index) {
   const rendering::BakedMeshView baked = image.baked_mesh(index);
   const std::size_t bytes = baked.mesh.vertices.size_bytes() + baked.mesh.triangles.size_bytes() +

@@ -20,6 +20,7 @@
 namespace tactus::host {
 namespace {
 
+// The exit code if a tick differs.
 constexpr int kDiffers = 1;
 
 constexpr const char* kReplayExamples =
@@ -84,6 +85,7 @@ bool compare(RecordedRun& run, const std::string& name) {
   return !result.difference.has_value();
 }
 
+// Returns a row that has a force only.
 RunRow row_of(double time_s, const Vec3& force_W) {
   return {.t_s = time_s, .force_W = force_W, .force_N = force_W.norm()};
 }
@@ -109,6 +111,7 @@ class ForceTraces {
     }
   }
 
+  // Takes a tick into the outputs.
   void add(const WhatIfTick& tick) {
     if (csv_) {
       const Vec3& a = tick.recorded_W;
@@ -123,6 +126,7 @@ class ForceTraces {
     }
   }
 
+  // Completes the CSV file and draws the picture.
   void close() {
     if (csv_) {
       csv_->close();
@@ -167,6 +171,7 @@ void show_changed(RecordedRun& run, const ReplayOptions& options) {
   }
 }
 
+// Returns the exit code. Throws InputError if the recording cannot be replayed.
 int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
     throw InputError("--csv and --picture show two forces: give --set name=value, too");

@@ -61,6 +61,7 @@ class ServedSimulation {
     start_commands();
   }
 
+  // Ticks in wall-clock time until the time is over or a signal comes.
   void run() {
     hal::LinuxClock clock;
     const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz_)};
@@ -88,11 +89,14 @@ class ServedSimulation {
     return **opened;
   }
 
+  // Throws InputError with the system's reason.
   [[noreturn]] void fail(const std::string& path, std::string_view what, int error) const {
     throw InputError(fmt::format("{}: {} ({}); --run-dir names another folder", path, what,
                                  std::strerror(error)));
   }
 
+  // Starts the recording and the telemetry socket, with what a replay needs: scene and
+  // configuration.
   void start_telemetry() {
     const std::string socket = (options_.run_dir / "telemetry.sock").string();
     if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
@@ -123,6 +127,7 @@ class ServedSimulation {
     }
   }
 
+  // Starts the threads that listen to requests and to the stop.
   void start_commands() {
     const std::string socket = (options_.run_dir / kCommandSocket).string();
     const std::string stop_socket = (options_.run_dir / kStopSocket).string();
@@ -136,6 +141,7 @@ class ServedSimulation {
     }
   }
 
+  // Makes one tick as tactusd does: the request of the sockets, the tick, its record.
   void tick(const hal::Wake& wake) {
     firmware::Controller& controller = simulation_->controller();
     const firmware::Request request = queue_->before_tick(controller);

@@ -74,6 +74,7 @@ class Recorder {
     }
   }
 
+  // Writes the last tick to every output.
   void add(const Simulation& simulation) {
     constexpr std::uint64_t kTicksBetweenSteps = 4096;
     const firmware::TelemetryRecord& record = simulation.record();
@@ -92,6 +93,7 @@ class Recorder {
     }
   }
 
+  // Completes the outputs. Throws InputError if one cannot be written to its end.
   void close() {
     progress_.reset();
     if (csv_) {

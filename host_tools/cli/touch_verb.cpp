@@ -60,6 +60,7 @@ struct TouchSummary {
   double max_force_N = 0.0;
   double max_depth_m = 0.0;
 
+  // Adds one tick.
   void add(const rendering::Touch& touch) {
     ++ticks;
     contact_ticks += touch.contact != rendering::ContactKind::none ? 1 : 0;
@@ -107,6 +108,7 @@ void append(std::string& line, const Vec3& v) {
   fmt::format_to(std::back_inserter(line), ",{},{},{}", v.x(), v.y(), v.z());
 }
 
+// Appends the row of a tick.
 void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Touch& touch) {
   std::string& line = file.buffer();
   fmt::format_to(std::back_inserter(line), "{}", t_s);
@@ -119,6 +121,7 @@ void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Tou
   file.flush_if_full();
 }
 
+// Prints the summary: to standard error if the rows go to standard output.
 void print(const TouchOptions& options, const TouchSummary& s) {
   std::FILE* const out = is_standard_output(options.output) ? stderr : stdout;
   if (options.json) {

@@ -28,6 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+// Puts the fields of a line into `fields`, without the blanks around them.
 void split(std::string_view line, Fields& fields) {
   fields.clear();
   while (true) {
@@ -51,6 +52,7 @@ class Lines {
     }
   }
 
+  // Returns the next line that is not blank; nothing at the end.
   std::optional<std::string_view> next() {
     while (!rest_.empty()) {
       const std::size_t end = rest_.find('\n');
@@ -64,6 +66,7 @@ class Lines {
     return std::nullopt;
   }
 
+  // Returns the number of the line that next() has returned.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:

@@ -25,6 +25,7 @@ constexpr unsigned kOwnTerminal = 5;  // minor 0: /dev/tty
 constexpr unsigned kFirstPseudoTerminal = 136;
 constexpr unsigned kLastPseudoTerminal = 143;
 
+// Returns what the system knows of the file that the path leads to; nothing if there is none.
 std::optional<struct stat> status_of(const std::filesystem::path& path) {
   struct stat status{};
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
@@ -63,6 +64,7 @@ bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& 
          std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
 }
 
+// Throws InputError with the reason and that nothing was written.
 [[noreturn]] void refuse(const std::filesystem::path& output, std::string_view why) {
   throw InputError(fmt::format("{}: {}; nothing was written", output.string(), why));
 }

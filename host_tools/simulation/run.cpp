@@ -15,6 +15,7 @@
 namespace tactus::host {
 namespace {
 
+// The faults by their names in --fault.
 constexpr std::array<std::pair<std::string_view, DeviceFault>, 4> kFaultNames = {{
     {"stale", DeviceFault::stale_sample},
     {"nan", DeviceFault::encoder_nan},

@@ -11,11 +11,13 @@ namespace {
 using rendering::Instruction;
 using rendering::Opcode;
 
+// Returns true for instructions without operands.
 bool is_leaf(Opcode opcode) {
   return opcode == Opcode::constant || opcode == Opcode::x || opcode == Opcode::y ||
          opcode == Opcode::z;
 }
 
+// Returns true for instructions with two operands; all others have one or none.
 bool is_binary(Opcode opcode) {
   switch (opcode) {
     case Opcode::add:

@@ -28,6 +28,7 @@ struct Placing {
   std::string_view arguments;
   std::size_t count;
 };
+// Their names, their arguments as the messages show them, and how many they have.
 constexpr std::array kPlacings{
     Placing{"translate", "a, x, y, z", 4},
     Placing{"rotate", "a, axis_x, axis_y, axis_z, angle_deg", 5},
@@ -39,6 +40,8 @@ class Compiler {
  public:
   explicit Compiler(std::string_view text) : text_(text) {}
 
+  // Returns the instructions. Throws InputError also for a formula that is constant, too long or
+  // not finite.
   Formula compile() {
     const FormulaNode root = read_formula_syntax(text_);
     const FormulaCoordinates world{.x = builder_.x(), .y = builder_.y(), .z = builder_.z()};
@@ -71,6 +74,7 @@ class Compiler {
     return value;
   }
 
+  // Returns the value of a node, which may be a constant that is not finite.
   Value any_value_of(const FormulaNode& node, const FormulaCoordinates& at) {
     const auto operand = [&](std::size_t i) { return value_of(node.children[i], at); };
     switch (node.kind) {
@@ -101,6 +105,7 @@ class Compiler {
     }
   }
 
+  // Returns a coordinate or pi. Throws InputError for any other name.
   Value name(const FormulaNode& node, const FormulaCoordinates& at) {
     if (node.name == "x") {
       return at.x;
@@ -117,11 +122,14 @@ class Compiler {
     fail_unknown(node);
   }
 
+  // Returns base^exponent: by multiplications for a whole exponent, by real_power() for another
+  // constant one.
   Value power(const FormulaNode& node, const FormulaCoordinates& at) {
     const Value base = value_of(node.children[0], at);
     const Value exponent = value_of(node.children[1], at);
     const std::optional<double> known = builder_.known(exponent);
-    if (!known) {  // of a positive base
+    // An exponent that varies: a^b = exp(b log a), which needs a positive base.
+    if (!known) {
       return builder_.function(
           rendering::Opcode::exponential,
           builder_.multiply(exponent, builder_.function(rendering::Opcode::logarithm, base)));
@@ -140,6 +148,7 @@ class Compiler {
     return *result;
   }
 
+  // Returns the value of a function, or of a shape that a placing moves.
   Value call(const FormulaNode& node, const FormulaCoordinates& at) {
     const auto placing = std::ranges::find(kPlacings, node.name, &Placing::name);
     if (placing != kPlacings.end()) {
@@ -215,7 +224,6 @@ class Compiler {
     const FormulaNode& child = node.children[i];
     const auto known =
         builder_.known(value_of(child, {.x = builder_.x(), .y = builder_.y(), .z = builder_.z()}));
-    // An exponent that varies: a^b = exp(b log a), which needs a positive base.
     if (!known) {
       fail_formula(text_, child.place,
                    fmt::format("{} needs a number here, not something that depends on x, y or z",
@@ -227,6 +235,7 @@ class Compiler {
     return *known;
   }
 
+  // Throws InputError with the arguments if their number is wrong.
   void require_arguments(const FormulaNode& node, std::string_view arguments, std::size_t fewest,
                          std::size_t most) {
     const std::size_t count = node.children.size();

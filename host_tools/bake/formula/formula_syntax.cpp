@@ -92,6 +92,7 @@ class Reader {
     fail_formula(text_, place_, what());
   }
 
+  // Returns a node with two children.
   FormulaNode binary(Kind kind, std::size_t place, FormulaNode a, FormulaNode b) {
     FormulaNode node{.kind = kind, .place = place};
     node.children.push_back(std::move(a));
@@ -106,6 +107,7 @@ class Reader {
     }
   }
 
+  // sum = product { ("+" | "-") product }
   FormulaNode sum() {
     FormulaNode left = product();
     for (char c = peek(); c == '+' || c == '-'; c = peek()) {
@@ -115,6 +117,7 @@ class Reader {
     return left;
   }
 
+  // product = signed { ("*" | "/") signed }
   FormulaNode product() {
     FormulaNode left = signed_factor();
     for (char c = peek(); c == '*' || c == '/'; c = peek()) {
@@ -128,6 +131,7 @@ class Reader {
     return left;
   }
 
+  // signed = ("-" | "+") signed | power
   FormulaNode signed_factor() {
     enter();
     FormulaNode node;
@@ -145,6 +149,7 @@ class Reader {
     return node;
   }
 
+  // power = atom [ "^" signed ]
   FormulaNode power() {
     FormulaNode base = atom();
     if (peek() != '^') {
@@ -154,6 +159,7 @@ class Reader {
     return binary(Kind::power, place, std::move(base), signed_factor());
   }
 
+  // atom = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
   FormulaNode atom() {
     const char c = peek();
     if (is_digit(c) || c == '.') {

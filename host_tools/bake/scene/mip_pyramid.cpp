@@ -69,6 +69,7 @@ struct Plane {
   std::vector<float> values;
 };
 
+// Returns the level resampled to another width.
 Plane narrowed(const Plane& old, std::uint32_t width) {
   Plane result{{width, old.size.height}, old.channels, {}};
   result.values.resize(std::size_t{width} * old.size.height * old.channels);
@@ -92,6 +93,7 @@ Plane narrowed(const Plane& old, std::uint32_t width) {
   return result;
 }
 
+// Returns the level resampled to another height.
 Plane lowered(const Plane& old, std::uint32_t height) {
   const std::size_t line = old.size.width * old.channels;
   Plane result{{old.size.width, height}, old.channels, {}};
@@ -108,6 +110,8 @@ Plane lowered(const Plane& old, std::uint32_t height) {
   return result;
 }
 
+// Appends the level as bytes. The filter has negative weights, so values may lie beyond black and
+// white and are cut off.
 void append(const Plane& plane, std::vector<std::uint8_t>& bytes) {
   constexpr float kWhite = 255.0F;
   for (const float value : plane.values) {
