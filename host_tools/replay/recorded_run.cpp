@@ -97,7 +97,7 @@ void RecordedRun::take_device(const std::string& file) {
   if (!rate.empty()) {
     // `tactusd --rate` replaces the rate of the device's file, and the run notes the rate that it
     // had.
-    setup_.config.rate_hz = std::strtod(rate.c_str(), nullptr);  // tactusd --rate
+    setup_.config.rate_hz = std::strtod(rate.c_str(), nullptr);
   }
 }
 
