@@ -44,6 +44,7 @@ constexpr const char* kCommissionExamples =
 
 constexpr int kFailed = 1;
 
+// The verb's options as the user gave them.
 struct CommissionOptions {
   std::string device;
   bool simulated = false;
@@ -51,6 +52,7 @@ struct CommissionOptions {
   BoardBenchOptions bench;
 };
 
+// Returns the firmware image for a Falcon; empty if the device has none.
 std::vector<std::byte> falcon_firmware_of(const firmware::DeviceConfig& config) {
   std::vector<std::byte> bytes;
   for (const firmware::ConnectionConfig& connection :
@@ -65,13 +67,14 @@ std::vector<std::byte> falcon_firmware_of(const firmware::DeviceConfig& config) 
   return bytes;
 }
 
-// The mass at the handle: the file's, or that of the simulated device with this mechanism.
+// Returns the mass at the handle: the file's, or that of the simulated device with this mechanism.
 double mass_of(const firmware::DeviceConfig& config) {
   return config.plant.moving_mass_kg
              ? *config.plant.moving_mass_kg
              : certified_device(config).places.front().contact.device.plant.moving_mass_kg;
 }
 
+// Returns the real device, or the simulated one for a rehearsal.
 std::unique_ptr<Bench> bench_for(const CommissionOptions& options,
                                  const firmware::DeviceConfig& config,
                                  std::span<const std::byte> falcon_firmware) {
@@ -94,6 +97,7 @@ CommissionReport run_trials(const CommissionOptions& options,
   std::optional<ProgressLine> progress;
   return commission(*bench, plan, [&](std::string_view step) {
     if (::isatty(STDERR_FILENO) == 1) {
+      // A new line for each step: its clock starts at zero.
       progress.emplace().step(step);
     } else {
       fmt::print(stderr, "{}\n", step);

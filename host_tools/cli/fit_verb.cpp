@@ -46,6 +46,7 @@ constexpr const char* kFitExamples =
     "  tactus fit joint.csv --model lugre --joint --output friction.toml --figure fit.png\n"
     "  tactus fit stroke.csv --model stribeck --fit-alpha --json | jq .fits[0].parameters";
 
+// The verb's options as the user gave them.
 struct FitVerbOptions {
   std::string record;
   std::string model = "all";
@@ -57,6 +58,7 @@ struct FitVerbOptions {
   bool json = false;
 };
 
+// Returns the models that --model names. Throws InputError for one that cannot be fitted.
 std::vector<rendering::FrictionKind> kinds_to_fit(const std::string& model) {
   const std::span<const rendering::FrictionKind> all = fitted_kinds();
   if (model == "all") {
@@ -72,6 +74,7 @@ std::vector<rendering::FrictionKind> kinds_to_fit(const std::string& model) {
       "--model {}: fitted are coulomb, stribeck, dahl and lugre, or all of them", model));
 }
 
+// A parameter that the data cannot tell has the value null and the reason.
 nlohmann::ordered_json json_of(const FittedParameter& p, ForceScale scale) {
   nlohmann::ordered_json json{{"name", p.symbol},
                               {"unit", parameter_name(p.symbol).unit_of(scale)}};

@@ -11,6 +11,8 @@ namespace tactus::host {
 
 namespace {
 
+// Returns the bit timing for `ip link`. The sample points for CAN FD are those that the maker of
+// moteus, the one drive here that speaks it, gives for 1 and 5 Mbit/s.
 std::string set_up_words(const firmware::CanConnection& can, bool fd) {
   return fd ? fmt::format(
                   "bitrate {:.0f} dbitrate {:.0f} sample-point 0.666 dsample-point 0.666 "
@@ -19,6 +21,8 @@ std::string set_up_words(const firmware::CanConnection& can, bool fd) {
             : fmt::format("bitrate {:.0f}", can.bit_rate);
 }
 
+// The watchdog's timeout of each kind of drive, s. Axes that the board drives have none of their
+// own.
 struct WatchdogOf {
   double operator()(const drivers::ODriveConfig& drive) const { return drive.watchdog_s; }
   double operator()(const drivers::MoteusConfig& drive) const { return drive.watchdog_s; }
@@ -40,6 +44,7 @@ MotorNeed motor_of(const firmware::DeviceConfig& config, std::size_t axis) {
 CanNeed need_of(const firmware::DeviceConfig& config, std::size_t connection,
                 const firmware::CanConnection& can) {
   const auto axes = std::span(config.axes).first(config.axis_count);
+  // moteus is the one kind of drive that speaks CAN FD.
   const bool fd = std::ranges::any_of(axes, [&](const firmware::AxisConfig& axis) {
     return axis.connection == connection &&
            std::get_if<drivers::MoteusConfig>(&axis.drive) != nullptr;

@@ -32,6 +32,8 @@ constexpr unsigned bit(FrictionKind kind) {
   return 1U << static_cast<unsigned>(kind);
 }
 
+// The models that share a parameter: all, those with bristles, those with a Stribeck curve, those
+// whose bristles are damped.
 constexpr unsigned kAll = (1U << rendering::kFrictionKinds) - 1U;
 constexpr unsigned kBristles =
     bit(FrictionKind::dahl) | bit(FrictionKind::lugre) | bit(FrictionKind::elasto_plastic);
@@ -77,6 +79,7 @@ constexpr std::array kParameterNames{
                           bit(FrictionKind::elasto_plastic)},
 };
 
+// Returns the name with underscores for hyphens.
 std::string plain(std::string_view name) {
   std::string result(name);
   std::ranges::replace(result, '-', '_');
@@ -109,6 +112,7 @@ std::string with_unit(const FrictionParameterName& name, ForceScale scale) {
   return fmt::format("{} ({})", name.symbol, name.unit_of(scale));
 }
 
+// Returns the model's parameter of that symbol. Throws InputError with those that it has.
 const FrictionParameterName& parameter_of(FrictionKind kind, std::string_view symbol,
                                           ForceScale scale) {
   const auto found = std::ranges::find(kParameterNames, symbol, &FrictionParameterName::symbol);
@@ -180,6 +184,7 @@ FrictionParameters published_parameters(FrictionKind kind) {
           .stribeck_velocity_m_per_s = 1e-3,
           .stribeck_exponent = 2.0,
           .stiffness_N_per_m = has_bristles ? kBristleStiffness_N_per_m : 0.0,
+          // Table I: sigma1 = sqrt(sigma0).
           .damping_s_per_m = std::sqrt(kBristleStiffness_N_per_m),
           .damping_fade_m_per_s = 0.0,
           .stick_velocity_m_per_s = 1e-3,

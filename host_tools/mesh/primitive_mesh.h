@@ -1,4 +1,5 @@
-// Primitives as meshes: what they look like. Touching them needs none.
+// Meshes of primitives, for pictures and exports. The controller touches a primitive by its formula
+// and needs no mesh.
 #pragma once
 
 #include "host_tools/mesh/triangle_mesh.h"
@@ -6,9 +7,9 @@
 
 namespace tactus::host {
 
-// World frame, wound counter-clockwise seen from outside; every vertex lies on the surface. Of a
-// plane a square of 0.2 m about its origin, of all others the whole closed surface: a box exactly,
-// round ones as 48-sided.
+// Returns the whole closed surface in the world frame, m, wound counter-clockwise seen from
+// outside. Every vertex lies on the surface; round primitives have 48 sides, a box is exact. A
+// plane, which is infinite, is shown as a square of 0.2 m about its origin.
 TriangleMesh primitive_mesh(const rendering::Primitive& primitive);
 
 }  // namespace tactus::host

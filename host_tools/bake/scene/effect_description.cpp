@@ -14,6 +14,7 @@ namespace {
 
 using rendering::EffectLaw;
 
+// Keys that several laws share: a name with the unit that a wrong name is compared with.
 constexpr KeySpec kLaw{"law", ""};
 constexpr KeySpec kBound{"max_force_N", "N"};
 constexpr KeySpec kPosition{"position_m", "m"};
@@ -22,6 +23,7 @@ constexpr KeySpec kDamping{"damping_Ns_per_m", "Ns_per_m"};
 constexpr KeySpec kDirection{"direction", ""};
 constexpr KeySpec kCapture{"capture_m", "m"};
 
+// The keys that each law permits; any other key is refused with the nearest of these as advice.
 constexpr std::array kSpringKeys{kLaw, kBound, kPosition, kStiffness};
 constexpr std::array kSpringDamperKeys{kLaw, kBound, kPosition, kStiffness, kDamping};
 constexpr std::array kDragKeys{kLaw,
@@ -46,6 +48,7 @@ constexpr std::array kStickSlipKeys{kLaw, kBound, kStiffness, KeySpec{"break_for
 constexpr std::array kPointKeys{kLaw, kBound, kPosition, kStiffness, kDamping, kCapture};
 constexpr std::array kLineKeys{kLaw, kBound, kPosition, kStiffness, kDamping, kCapture, kDirection};
 
+// Returns a number that must be given. Throws InputError that shows `example`.
 double required(const TomlSection& section, std::string_view key, NumberRange range,
                 std::string_view example) {
   const std::optional<double> value = section.number(key, range);
@@ -55,14 +58,17 @@ double required(const TomlSection& section, std::string_view key, NumberRange ra
   return *value;
 }
 
+// Returns the stiffness, which must be given.
 double stiffness_of(const TomlSection& section, NumberRange range = kZeroOrMore) {
   return required(section, kStiffness.name, range, "200.0");
 }
 
+// Returns the damping; 0 if it is left out.
 double damping_of(const TomlSection& section) {
   return section.number(kDamping.name, kZeroOrMore).value_or(0.0);
 }
 
+// Returns three numbers that must be given. Throws InputError that shows `example`.
 Vec3 vector_of(const TomlSection& section, std::string_view key, std::string_view example) {
   const std::optional<std::vector<double>> v = section.numbers(key, 3);
   if (!v) {
@@ -71,10 +77,12 @@ Vec3 vector_of(const TomlSection& section, std::string_view key, std::string_vie
   return {(*v)[0], (*v)[1], (*v)[2]};
 }
 
+// Returns the position in the world, m; the origin if the key is left out.
 Vec3 position_of(const TomlSection& section) {
   return section.has(kPosition.name) ? vector_of(section, kPosition.name, "") : Vec3::Zero();
 }
 
+// Returns a unit vector.
 Vec3 direction_of(const TomlSection& section) {
   const Vec3 direction = vector_of(section, kDirection.name, "[0.0, 1.0, 0.0]");
   if (!(direction.norm() > 0.0)) {
@@ -83,6 +91,7 @@ Vec3 direction_of(const TomlSection& section) {
   return direction.normalized();
 }
 
+// Returns the spring that the three snap laws share.
 rendering::SnapLaw snap_of(const TomlSection& section) {
   return {.stiffness_N_per_m = stiffness_of(section),
           .damping_Ns_per_m = damping_of(section),
@@ -100,6 +109,7 @@ EffectLaw read_spring_damper(const TomlSection& section, std::string_view /*file
       .damping_Ns_per_m = damping_of(section)};
 }
 
+// The volume is a primitive with the keys of an [[object]].
 EffectLaw read_fluid_drag(const TomlSection& section, std::string_view file) {
   const std::optional<std::string> volume = section.text("primitive");
   if (!volume) {
@@ -113,6 +123,7 @@ EffectLaw read_fluid_drag(const TomlSection& section, std::string_view file) {
       .rim_m = section.number("rim_m", kZeroOrMore).value_or(0.0)};
 }
 
+// A negative strength pushes away.
 EffectLaw read_magnet(const TomlSection& section, std::string_view /*file*/) {
   return rendering::Magnet{.pole_W = position_of(section),
                            .strength_N = required(section, "strength_N", kAnyNumber, "2.0"),
@@ -151,11 +162,14 @@ EffectLaw read_snap_to_plane(const TomlSection& section, std::string_view /*file
       .point_W = position_of(section), .normal_W = direction_of(section), .law = snap_of(section)};
 }
 
+// A law of rendering/effects with its name in TOML, its keys and its reader. A new law is one
+// reader and one line in kLaws.
 struct NamedLaw {
   std::string_view name;
   std::span<const KeySpec> keys;
   EffectLaw (*read)(const TomlSection& section, std::string_view file);
 };
+// In the order of rendering::EffectLaw.
 constexpr std::array kLaws{
     NamedLaw{"spring", kSpringKeys, read_spring},
     NamedLaw{"spring_damper", kSpringDamperKeys, read_spring_damper},
@@ -170,8 +184,9 @@ constexpr std::array kLaws{
 };
 static_assert(kLaws.size() == std::variant_size_v<EffectLaw>);
 
+// Returns the law that the table names.
 const NamedLaw& law_of(const toml::table& table, const std::string& title, std::string_view file) {
-  // The keys are known once the law is: here any is.
+  // Which keys are permitted is known only once the law is, so all are permitted here.
   std::vector<KeySpec> any;
   for (const auto& [key, node] : table) {
     any.push_back({key.str(), ""});

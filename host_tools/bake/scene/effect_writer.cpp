@@ -14,7 +14,7 @@ image::Snap stored_snap(const rendering::SnapLaw& law) {
   return {law.stiffness_N_per_m, law.damping_Ns_per_m, law.capture_m};
 }
 
-// One call for each law.
+// Writes the law of an effect: a visitor with one call for each law.
 class LawWriter {
  public:
   explicit LawWriter(FlatBufferBuilder& builder) : builder_(builder) {}
@@ -72,7 +72,7 @@ class LawWriter {
   FlatBufferBuilder& builder_;
 };
 
-// The laws in the order of rendering::EffectLaw.
+// The schema's names of the laws, in the order of rendering::EffectLaw.
 constexpr std::array kImageLaws{
     image::Law::Spring,      image::Law::SpringDamper,  image::Law::FluidDrag,
     image::Law::Magnet,      image::Law::ConstantField, image::Law::Vibration,

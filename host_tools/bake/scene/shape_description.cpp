@@ -15,6 +15,7 @@ using rendering::ContactMethod;
 using rendering::Primitive;
 using rendering::PrimitiveKind;
 
+// The names of the primitives in TOML.
 struct NamedKind {
   std::string_view name;
   PrimitiveKind kind;
@@ -26,6 +27,7 @@ constexpr std::array kKinds{
     NamedKind{"torus", PrimitiveKind::torus},
 };
 
+// The names of the contact methods in TOML.
 struct NamedMethod {
   std::string_view name;
   ContactMethod method;
@@ -38,6 +40,7 @@ constexpr std::array kMethods{
     NamedMethod{"tracking", ContactMethod::tracking},
 };
 
+// Returns the names in quotes with commas, for messages.
 template <class Named>
 std::string list(const Named& all) {
   std::string text;
@@ -47,6 +50,7 @@ std::string list(const Named& all) {
   return text;
 }
 
+// Returns a size above 0 that must be given, m.
 double required(const TomlSection& section, std::string_view key, std::string_view kind) {
   const std::optional<double> value = section.number(key, kAboveZero);
   if (!value) {
@@ -55,6 +59,8 @@ double required(const TomlSection& section, std::string_view key, std::string_vi
   return *value;
 }
 
+// Returns the primitive's dimensions in the order of rendering::Primitive, where box, cylinder and
+// capsule have half sizes.
 std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& kind) {
   const auto get = [&](std::string_view key) { return required(section, key, kind.name); };
   switch (kind.kind) {
@@ -78,7 +84,9 @@ std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& ki
   }
 }
 
+// Reads a formula and the box in which its surface is looked for.
 ImplicitDescription read_implicit(const TomlSection& section, const std::string& text) {
+  // In units of the formula, to each side.
   constexpr double kDefaultBound = 2.0;
   ImplicitDescription implicit;
   try {
@@ -161,6 +169,7 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
 }
 
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {
+  // Parts of the box along each side, for the picture.
   constexpr int kCells = 40;
   if (const auto* primitive = std::get_if<Primitive>(&shape)) {
     return primitive_mesh(*primitive);
