@@ -6,14 +6,14 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kRadius_m = 0.002;
-constexpr double kDepth_m = 0.0003;
-constexpr double kAside_m = 0.0002;
-
 // A sphere that stands on a feature at the origin, its centre at y = the radius, and a tool below
 // and beside it.
 class CurvedPathTest : public ::testing::Test {
  protected:
+  static constexpr double kRadius_m = 0.002;
+  static constexpr double kDepth_m = 0.0003;
+  static constexpr double kAside_m = 0.0002;
+
   void stand_on(Feature feature) {
     ContactPlane contact{.plane = {.normal = Vec3::UnitY(), .offset = kRadius_m}};
     contact.nearest = {.distance = kRadius_m, .normal = Vec3::UnitY(), .feature = feature};

@@ -11,13 +11,13 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kStatic = 0.6;
-constexpr double kDynamic = 0.4;
-constexpr double kDepth_m = 0.002;
-
 // A proxy at rest at the origin on the plane y = 0 of object 0, which is rough.
 class FrictionHoldTest : public ::testing::Test {
  protected:
+  static constexpr double kStatic = 0.6;
+  static constexpr double kDynamic = 0.4;
+  static constexpr double kDepth_m = 0.002;
+
   FrictionHoldTest() {
     EXPECT_TRUE(scene_->set({&box_.object(), 1}));
     hold_on(Vec3::UnitY());

@@ -12,12 +12,12 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kRadius_m = 0.002;
-constexpr double kHalf_m = 0.01;
-
-// A sphere near a box of 20 mm about the origin.
+// A sphere near a box about the origin.
 class PlaneCollectionTest : public ::testing::Test {
  protected:
+  static constexpr double kRadius_m = 0.002;
+  static constexpr double kHalf_m = 0.0078125;  // exact as a float
+
   PlaneCollectionTest() {
     EXPECT_TRUE(scene_->set({&box_.object(), 1}));
     scene_->begin_tick(0.001, 0.001);

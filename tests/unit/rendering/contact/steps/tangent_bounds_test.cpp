@@ -12,10 +12,7 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kReach_m = 0.002;
-constexpr std::size_t kTriangles = 203;  // no multiple of four
-
-Vec3 random_point(std::mt19937_64& random, double size_m) {
+Vec3 point_about_zero(std::mt19937_64& random, double size_m) {
   std::uniform_real_distribution<double> along(-size_m, size_m);
   return {along(random), along(random), along(random)};
 }
@@ -23,13 +20,16 @@ Vec3 random_point(std::mt19937_64& random, double size_m) {
 // Random triangles about a point that is far from the world's origin.
 class TangentBoundsTest : public ::testing::Test {
  protected:
+  static constexpr double kReach_m = 0.002;
+  static constexpr std::size_t kTriangles = 203;  // no multiple of four
+
   TangentBoundsTest() {
     RecordProperty("seed", kSeed);
     for (std::size_t i = 0; i < kTriangles; ++i) {
-      const Vec3 middle = origin_ + random_point(random_, 0.006);
-      triangles_.emplace_back(middle + random_point(random_, 0.002),
-                              middle + random_point(random_, 0.002),
-                              middle + random_point(random_, 0.002));
+      const Vec3 middle = origin_ + point_about_zero(random_, 0.006);
+      triangles_.emplace_back(middle + point_about_zero(random_, 0.002),
+                              middle + point_about_zero(random_, 0.002),
+                              middle + point_about_zero(random_, 0.002));
     }
     bounds_->start(origin_, kReach_m);
     for (std::size_t i = 0; i < kTriangles; ++i) {
@@ -49,7 +49,7 @@ class TangentBoundsTest : public ::testing::Test {
 TEST_F(TangentBoundsTest, FindEveryTriangleThatIsWithinReachAndNoneThatIsFar) {
   std::size_t far = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    const Vec3 p = origin_ + random_point(random_, 0.004);
+    const Vec3 p = origin_ + point_about_zero(random_, 0.004);
     bounds_->find(kTriangles, p, 0.0, found_);
     ASSERT_TRUE(std::ranges::is_sorted(found_.all()));
     for (std::uint16_t i = 0; i < kTriangles; ++i) {
@@ -76,7 +76,7 @@ TEST_F(TangentBoundsTest, OfAShorterReachAreOutOfReachSooner) {
 TEST_F(TangentBoundsTest, NoneIsWithinReachOfEveryPlace) {
   bounds_->set_none(5);
   for (int trial = 0; trial < 20; ++trial) {
-    EXPECT_TRUE(bounds_->may_reach(5, bounds_->at(origin_ + random_point(random_, 1.0))));
+    EXPECT_TRUE(bounds_->may_reach(5, bounds_->at(origin_ + point_about_zero(random_, 1.0))));
   }
 }
 
