@@ -8,7 +8,7 @@ void ConstraintMemory::leave(const Vec3& p, const ProxyRest& rest, std::size_t c
   held_count_ = count;
   left_from_ = p;
   for (std::size_t i = 0; i < count; ++i) {
-    held_by_[i] = rest.planes[i].candidate;
+    held_by_[i] = static_cast<std::uint16_t>(rest.planes[i].candidate);
   }
 }
 
@@ -21,7 +21,7 @@ bool ConstraintMemory::would_cycle(const Vec3& p, const Vec3& goal, const Vec3& 
 
 bool ConstraintMemory::recall(const ContactPlanes& planes) {
   const std::size_t before = recalled_count_;
-  for (const std::size_t candidate : std::span(held_by_).first(held_count_)) {
+  for (const std::uint16_t candidate : std::span(held_by_).first(held_count_)) {
     const bool is_there =
         planes.has(candidate) || std::ranges::find(recalled(), candidate) != recalled().end();
     if (recalled_count_ < recalled_.size() && !is_there) {
@@ -33,13 +33,8 @@ bool ConstraintMemory::recall(const ContactPlanes& planes) {
 
 void ConstraintMemory::add_blocking(std::size_t candidate) {
   if (blocking_count_ < blocking_.size() && !is_blocking(candidate)) {
-    blocking_[blocking_count_++] = candidate;
+    blocking_[blocking_count_++] = static_cast<std::uint16_t>(candidate);
   }
-}
-
-bool ConstraintMemory::is_blocking(std::size_t candidate) const {
-  const auto blocking = std::span(blocking_).first(blocking_count_);
-  return std::ranges::find(blocking, candidate) != blocking.end();
 }
 
 }  // namespace tactus::rendering

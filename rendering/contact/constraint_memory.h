@@ -2,8 +2,10 @@
 // going round in a cycle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "rendering/contact/contact_planes.h"
@@ -36,21 +38,24 @@ class ConstraintMemory {
   bool recall(const ContactPlanes& planes);
 
   // Returns the candidates that give planes from any distance.
-  [[nodiscard]] std::span<const std::size_t> recalled() const {
+  [[nodiscard]] std::span<const std::uint16_t> recalled() const {
     return {recalled_.data(), recalled_count_};
   }
 
   // Remembers that a candidate stopped a sweep in this tick.
   void add_blocking(std::size_t candidate);
-  [[nodiscard]] bool is_blocking(std::size_t candidate) const;
+  [[nodiscard]] bool is_blocking(std::size_t candidate) const {
+    const auto blocking = std::span(blocking_).first(blocking_count_);
+    return std::ranges::find(blocking, candidate) != blocking.end();
+  }
 
  private:
-  std::array<std::size_t, 3> held_by_{};  // candidates
+  std::array<std::uint16_t, 3> held_by_{};  // candidates
   std::size_t held_count_ = 0;
   Vec3 left_from_ = Vec3::Zero();
-  std::array<std::size_t, 6> recalled_{};
+  std::array<std::uint16_t, 6> recalled_{};
   std::size_t recalled_count_ = 0;
-  std::array<std::size_t, kMaxContactPlanes> blocking_{};
+  std::array<std::uint16_t, kMaxContactPlanes> blocking_{};
   std::size_t blocking_count_ = 0;
 };
 

@@ -4,27 +4,10 @@
 
 namespace tactus::rendering {
 
-bool ContactPlanes::add(const ContactPlane& contact, std::uint32_t& flags) {
-  // Triangles that share the nearest edge or vertex give the same plane.
-  constexpr double kSameNormal = 1e-20;
-  for (std::size_t k = 0; k < count_; ++k) {
-    if ((contacts_[k].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
-        contacts_[k].plane.offset >= contact.plane.offset) {
-      return false;
-    }
-  }
-  if (count_ < kMaxContactPlanes) {
-    contacts_[count_++] = contact;
-    return true;
-  }
-  flags |= kTouchPlanesOverflow;
+ContactPlane* ContactPlanes::farthest_beyond(double distance_m) {
   const auto farthest = std::ranges::max_element(
       contacts_, {}, [](const ContactPlane& c) { return c.nearest.distance; });
-  if (contact.nearest.distance >= farthest->nearest.distance) {
-    return false;
-  }
-  *farthest = contact;
-  return true;
+  return distance_m < farthest->nearest.distance ? &*farthest : nullptr;
 }
 
 bool ContactPlanes::has(std::size_t number) const {

@@ -1,6 +1,7 @@
 // The contact planes at one position of the proxy. They bound its centre in one sub-goal.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,10 +29,20 @@ class ContactPlanes {
     is_above_first_ = false;
   }
 
-  // Adds a plane and returns true, unless an equal plane that bounds the proxy as far is there.
-  // Beyond kMaxContactPlanes the planes with the nearest surfaces are kept, and `flags` gets
-  // kTouchPlanesOverflow.
-  bool add(const ContactPlane& contact, std::uint32_t& flags);
+  // Returns the place of a new plane, which the caller fills; nullptr if an equal plane that bounds
+  // the proxy as far is there. Beyond kMaxContactPlanes the planes with the nearest surfaces are
+  // kept, and `flags` gets kTouchPlanesOverflow: then the place is that of the farthest surface, or
+  // nullptr if `distance_m`, the new one's, is as far.
+  ContactPlane* add(const Plane& plane, double distance_m, std::uint32_t& flags) {
+    if (is_there(plane)) {
+      return nullptr;
+    }
+    if (count_ == kMaxContactPlanes) {
+      flags |= kTouchPlanesOverflow;
+      return farthest_beyond(distance_m);
+    }
+    return &contacts_[count_++];
+  }
 
   // Says that the proxy is above the rest height of the first plane, so that it comes down to it.
   void set_above_first(bool is_above) { is_above_first_ = is_above; }
@@ -60,6 +71,16 @@ class ContactPlanes {
   void transfer(StateArchive& archive, const SceneObjects& scene, bool are_kept);
 
  private:
+  // Triangles that share the nearest edge or vertex give the same plane.
+  [[nodiscard]] bool is_there(const Plane& plane) const {
+    constexpr double kSameNormal = 1e-20;
+    return std::ranges::any_of(all(), [&](const ContactPlane& c) {
+      return (c.plane.normal - plane.normal).squaredNorm() < kSameNormal &&
+             c.plane.offset >= plane.offset;
+    });
+  }
+  ContactPlane* farthest_beyond(double distance_m);
+
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t count_ = 0;
   bool is_above_first_ = false;

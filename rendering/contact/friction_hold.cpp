@@ -1,31 +1,8 @@
 #include "rendering/contact/friction_hold.h"
 
-#include "rendering/friction/cone.h"
 #include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
-namespace {
-
-// A sticking proxy may be this far below its rest height; a higher one clears the seams that it
-// slides over next.
-constexpr double kUnevenRest_m = 50e-9;
-
-HeldGoal hold_by_circle(const ActiveConstraints& active, const Vec3& h, ContactPlanes& planes,
-                        ProxyState& state, bool& slipped) {
-  const PlaneProjection& projection = active.projection;
-  const Vec3 from = projection.feasible ? planes.resting_position(state.p_W) : state.p_W;
-  const FrictionStep step = apply_cone(from, projection.point, active.circle, state.friction);
-  slipped = slipped || step.state == FrictionState::slip;
-  state.friction = slipped ? FrictionState::slip : step.state;
-  HeldGoal held{.point = step.goal, .tool = h};
-  if (step.state == FrictionState::stick || !projection.feasible) {
-    const double away = (step.goal - state.p_W).norm();
-    held.settled = away <= kUnevenRest_m || !projection.feasible;
-    held.sticks = true;
-  }
-  return held;
-}
-
 HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& active,
                        const ProxyRest& rest, const Vec3& h, ProxyState& state) {
   double stiffness = 0.0;
@@ -45,15 +22,6 @@ HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& activ
     return {.point = state.p_W, .tool = h, .settled = true, .sticks = true};
   }
   return {.point = active.projection.point - lag.lag_m, .tool = h - lag.lag_m};
-}
-
-}  // namespace
-
-HeldGoal hold_by_friction(const SceneObjects& scene, const ActiveConstraints& active,
-                          const ProxyRest& rest, const Vec3& h, ContactPlanes& planes,
-                          ProxyState& state, bool& slipped) {
-  return active.are_cones ? hold_by_circle(active, h, planes, state, slipped)
-                          : hold_by_model(scene, active, rest, h, state);
 }
 
 }  // namespace tactus::rendering

@@ -71,12 +71,17 @@ bool PlaneCollector::add(std::size_t i, ContactPlanes& planes, std::uint32_t& fl
   constexpr double kRounding_m = 1e-9;  // a sweep ends there
   const double push =
       nearest.distance < margin.inner_m - kRounding_m ? std::min(to_rest, max_push_m_) : to_rest;
-  return planes.add({.plane = {.normal = nearest.normal, .offset = nearest.normal.dot(p_W_) + push},
-                     .nearest = nearest,
-                     .object = candidate.object,
-                     .triangle = candidate.index,
-                     .candidate = i},
-                    flags);
+  const Plane plane{.normal = nearest.normal, .offset = nearest.normal.dot(p_W_) + push};
+  ContactPlane* const contact = planes.add(plane, nearest.distance, flags);
+  if (contact == nullptr) {
+    return false;
+  }
+  *contact = {.plane = plane,
+              .nearest = nearest,
+              .object = candidate.object,
+              .triangle = candidate.index,
+              .candidate = i};
+  return true;
 }
 
 void PlaneCollector::add_face_below(ContactPlanes& planes, std::uint32_t& flags) {

@@ -1,13 +1,12 @@
 // The sphere proxy: the god-object of Zilles and Salisbury (IROS 1995) with a radius, after
 // Ruspini, Kolarov and Khatib ("The haptic display of complex graphical environments", SIGGRAPH
-// 1997). With radius 0 it is the god-object. sphere_proxy.cpp describes one tick.
+// 1997). With radius 0 it is the god-object. proxy_tick.cpp describes one tick.
 #pragma once
 
 #include <cstdint>
 
 #include "rendering/contact/candidate_set.h"
 #include "rendering/contact/contact_planes.h"
-#include "rendering/contact/nearby_surfaces.h"
 #include "rendering/contact/proxy_rest.h"
 #include "rendering/contact/proxy_state.h"
 #include "rendering/contact/sphere_sweep.h"
@@ -67,42 +66,9 @@ class SphereProxy {
   // Estimates the next tick's move as this multiple of the current one.
   static constexpr double kFarther = 1.5;
 
-  struct Memory;
-  struct SubGoal;
-  struct Move;
-  enum class Next : std::uint8_t;
-
   // Moves the proxy and finds the contact of the tick.
   ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
-  // Repeats sub-goals until the proxy settles or a limit is reached.
-  ProxyRest run_sub_goals(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
-
-  // The steps of a sub-goal, in their order.
-  Next gather(const NearbySurfaces& near, const Vec3& h_W, ProxyPath* path, Memory& memory,
-              ProxyRest& rest);
-  Next collect_planes(const NearbySurfaces& near, double max_push_m, const Memory& memory,
-                      ProxyRest& rest);
-  Move find_move(const NearbySurfaces& near, const Vec3& h_W, double max_push_m, Memory& memory,
-                 ProxyRest& rest);
-  SubGoal choose_goal(const NearbySurfaces& near, const Vec3& h_W, Memory& memory, ProxyRest& rest);
-  bool may_move(const NearbySurfaces& near, const Vec3& h_W, const Move& move, ProxyRest& rest);
-  void make_move(const Move& move, Memory& memory, ProxyRest& rest);
-  bool stays_on_face(const NearbySurfaces& near, const Move& move, const Memory& memory,
-                     ProxyRest& rest) const;
-
-  // Sweeps straight to the tool. Among too many candidates the proxy cannot slide, but it can
-  // leave.
-  void sweep_to_tool(const NearbySurfaces& near, const Vec3& h_W);
-  // Sweeps straight to the tool if more planes hold the sphere than are kept and no move along them
-  // is free.
-  void escape_overfull_planes(const NearbySurfaces& near, const Vec3& h_W, ProxyRest& rest);
-  // Leaves out the objects that overlap the sphere when it is placed, and takes back objects once
-  // the sphere is clear of them.
   void update_left_out(const SceneObjects& scene);
-  // Leaves out the objects that the proxy overlaps by more than kMaxPushOut_m. Returns true if
-  // there were any: then the sub-goal must be started again.
-  bool leave_out_overlapped(const SceneObjects& scene, ProxyRest& rest);
-  void forget_left_out(ProxyRest& rest);
 
   ContactMargins margins_;
   ProxyState state_;

@@ -1,7 +1,6 @@
 #include "rendering/contact/tangent_bounds.h"
 
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -37,18 +36,6 @@ void TangentBounds::fill_last_four(std::size_t size) {
     normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
     height_[i] = std::numeric_limits<float>::infinity();
   }
-}
-
-TangentBounds::Position TangentBounds::at(const Vec3& p) const {
-  constexpr float kRounding = 1e-6F;  // of the largest length involved
-  const auto x = static_cast<float>(p.x() - origin_.x());
-  const auto y = static_cast<float>(p.y() - origin_.y());
-  const auto z = static_cast<float>(p.z() - origin_.z());
-  const auto reach = static_cast<float>(reach_m_);
-  return {.x = x,
-          .y = y,
-          .z = z,
-          .reach = reach + kRounding * (reach + std::abs(x) + std::abs(y) + std::abs(z))};
 }
 
 void TangentBounds::find(std::size_t size, const Vec3& p, double farther_m,

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -62,7 +63,17 @@ class TangentBounds {
     float x, y, z;  // m, from the origin
     float reach;    // m; a larger bound is out of reach
   };
-  [[nodiscard]] Position at(const Vec3& p) const;
+  [[nodiscard]] Position at(const Vec3& p) const {
+    constexpr float kRounding = 1e-6F;  // of the largest length involved
+    const auto x = static_cast<float>(p.x() - origin_.x());
+    const auto y = static_cast<float>(p.y() - origin_.y());
+    const auto z = static_cast<float>(p.z() - origin_.z());
+    const auto reach = static_cast<float>(reach_m_);
+    return {.x = x,
+            .y = y,
+            .z = z,
+            .reach = reach + kRounding * (reach + std::abs(x) + std::abs(y) + std::abs(z))};
+  }
 
   // Returns false if the bound shows that candidate i is out of reach of the position.
   [[nodiscard]] bool may_reach(std::size_t i, const Position& at) const {

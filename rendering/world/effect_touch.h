@@ -18,7 +18,12 @@ class EffectTouch {
 
   // Adds the effects' forces to `touch`. At most kMaxEffects, valid; the tool finite; tick_s > 0.
   // No heap.
-  void add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool, double tick_s);
+  void add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool, double tick_s) {
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      touch.parts.effect_W += apply(effects[i], states_[i], tool, tick_s);
+    }
+    touch.force_W += touch.parts.effect_W;
+  }
 
   // Ends the effects in a tick without a valid tool: the hand gets no force until the next. Call it
   // instead of add_to.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/rendering/contact/steps/add_plane.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -33,7 +35,7 @@ TEST_F(ConstraintMemoryTest, RecallsOnceTheCandidatesThatGiveNoPlaneNow) {
   std::uint32_t flags = kTouchClean;
   ContactPlane there{.plane = {.normal = Vec3::UnitY(), .offset = 0.0}};
   there.candidate = 4;
-  planes.add(there, flags);
+  testing::add_plane(planes, there, flags);
   EXPECT_TRUE(memory_.recall(planes));
   ASSERT_EQ(memory_.recalled().size(), 1U);
   EXPECT_EQ(memory_.recalled()[0], 9U);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/rendering/contact/steps/add_plane.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -13,7 +15,7 @@ ContactPlane plane(const Vec3& normal, double offset_m, double distance_m = 0.0)
 
 class ContactPlanesTest : public ::testing::Test {
  protected:
-  bool add(const ContactPlane& contact) { return planes_.add(contact, flags_); }
+  bool add(const ContactPlane& contact) { return testing::add_plane(planes_, contact, flags_); }
 
   ContactPlanes planes_;
   std::uint32_t flags_ = kTouchClean;

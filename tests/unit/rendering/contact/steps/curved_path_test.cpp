@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/rendering/contact/steps/add_plane.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -18,7 +20,7 @@ class CurvedPathTest : public ::testing::Test {
     ContactPlane contact{.plane = {.normal = Vec3::UnitY(), .offset = kRadius_m}};
     contact.nearest = {.distance = kRadius_m, .normal = Vec3::UnitY(), .feature = feature};
     contact.nearest.edge = 0;
-    planes_.add(contact, rest_.flags);
+    testing::add_plane(planes_, contact, rest_.flags);
     rest_.planes[0] = contact;
     rest_.pressure_m[0] = kDepth_m;
     rest_.plane_count = 1;
@@ -67,7 +69,8 @@ TEST_F(CurvedPathTest, ASecondMoveIsLengthenedOnlyIfItEndsNearerToTheTool) {
 TEST_F(CurvedPathTest, NoMoveIsLengthenedThroughAnotherPlane) {
   stand_on(Feature::vertex);
   const Vec3 move{kAside_m, 0.0, 0.0};
-  planes_.add({.plane = {.normal = -Vec3::UnitX(), .offset = -kAside_m}}, rest_.flags);
+  testing::add_plane(planes_, {.plane = {.normal = -Vec3::UnitX(), .offset = -kAside_m}},
+                     rest_.flags);
   EXPECT_EQ(lengthened(move, {kAside_m, kRadius_m - kDepth_m, 0.0}), move);
 }
 

@@ -7,6 +7,7 @@
 
 #include "tests/support/materials.h"
 #include "tests/support/solid.h"
+#include "tests/unit/rendering/contact/steps/add_plane.h"
 
 namespace tactus::rendering {
 namespace {
@@ -24,7 +25,7 @@ class FrictionHoldTest : public ::testing::Test {
   }
 
   void hold_on(const Vec3& normal) {
-    planes_.add({.plane = {.normal = normal, .offset = 0.0}}, rest_.flags);
+    testing::add_plane(planes_, {.plane = {.normal = normal, .offset = 0.0}}, rest_.flags);
   }
   ActiveConstraints project(const Vec3& h) {
     return find_active_constraints(*scene_, factors_, state_.p_W, h, planes_, rest_);
