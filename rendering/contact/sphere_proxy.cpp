@@ -12,13 +12,24 @@
 //   5. sweep: move the sphere straight to that sub-goal, or to the first triangle that gave no
 //      plane yet (candidate_sweep.h).
 //
+// With the proxy p, the tool h and the planes n_i . x >= d_i, step 3 is the quadratic program of
+// Zilles and Salisbury (IROS 1995):
+//
+//   minimise |x - h|^2 subject to n_i . x >= d_i,   x = h + sum_i pressure_i n_i
+//
+// Its multipliers are the pressures: lengths, of which each, times the stiffness, is the force on
+// one plane, and whose sum is the normal force that friction sees.
+//
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the segment to it. Each move shortens the distance to the tool, so the proxy
 // cannot cycle, and it ends at a local minimum of that distance. Two moves are exceptions: one that
 // lifts the sphere to the rest height of a plane, by less than the contact margin (would_cycle ends
-// the cycles of these), and one that is lengthened (CurvedPath bounds them). A sweep has
-// proved every position on the path clear, so the proxy crosses nothing, also when a limit ends the
-// tick.
+// the cycles of these), and one that is lengthened (CurvedPath bounds them). A sweep has proved
+// every position on the path clear, so the proxy crosses nothing, also when a limit ends the tick.
+//
+// A tick ends when there is no move to make, because the goal is settled or the planes leave no
+// way, after kMaxSubGoals, or when the budget is spent. After the last two the next tick goes on
+// from where the proxy is.
 #include "rendering/contact/sphere_proxy.h"
 
 #include "rendering/contact/active_constraints.h"
@@ -33,6 +44,8 @@ namespace {
 
 using Gathering = CandidateSet::Gathering;
 
+// Returns the contact with the largest pressure, which the next tick's proxy is carried by; none if
+// no plane pushes.
 LastContact hardest_contact(const ProxyRest& rest) {
   const std::size_t hardest = rest.hardest();
   if (rest.plane_count == 0 || rest.pressure_m[hardest] <= 0.0) {
@@ -42,6 +55,7 @@ LastContact hardest_contact(const ProxyRest& rest) {
   return {.object = plane.object, .triangle = plane.triangle, .normal_W = rest.normal_W};
 }
 
+// Writes a sub-goal to the path that tests and pictures ask for.
 void add_point(ProxyPath* path, std::size_t number, const Vec3& p) {
   if (path != nullptr) {
     path->points[number] = p;
@@ -53,8 +67,11 @@ void add_point(ProxyPath* path, std::size_t number, const Vec3& p) {
 
 // The memory of one tick: each sub-goal leaves it to the next.
 struct SphereProxy::Memory {
+  // The constraints met in this tick; forgotten when the candidates get new numbers.
   ConstraintMemory constraints;
+  // The curvature of the path so far.
   CurvedPath path;
+  // True once the proxy slipped in this tick: it then slips in the rest of it.
   bool slipped = false;
 };
 
@@ -65,11 +82,13 @@ struct SphereProxy::SubGoal {
   bool lengthened = false;  // by CurvedPath
 };
 
+// A sub-goal and the sweep toward it.
 struct SphereProxy::Move {
   SubGoal goal;
   SweepResult sweep;  // toward the goal, unless that is settled
 };
 
+// The continuation after a step.
 enum class SphereProxy::Next : std::uint8_t {
   go_on,  // with the next step
   again,  // with the first step of this sub-goal
@@ -85,6 +104,8 @@ void SphereProxy::place(const Vec3& p_W) {
   candidate_set_.move_to(p_W);
 }
 
+// The candidates are checked first, with the objects at their new places: those near a moved object
+// are not valid any more. Then the proxy is carried.
 std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
   candidate_set_.begin_tick(scene);
   if (!scene.anything_moved()) {
@@ -100,6 +121,8 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
   return carried.flags;
 }
 
+// A proxy that is carried does not slide over the object that carries it, so friction sees the
+// tool's step without it.
 void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
   state_.model.begin_tick(tool_step_W - carried_W_, tick_s);
   carried_W_ = Vec3::Zero();
@@ -112,6 +135,7 @@ ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, Proxy
   return approach(scene, h_W, path);
 }
 
+// The measured candidates stay, so a repetition that takes the same path costs little.
 ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   state_ = start_;
   candidate_set_.move_to(state_.p_W);
@@ -121,6 +145,8 @@ ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W,
 
 ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   ProxyRest rest = run_sub_goals(scene, h_W, path);
+  // A tick that ended in the middle of its path may have no plane, yet the surface still pushes the
+  // hand.
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
   if (rest.plane_count == 0 && (rest.flags & kUnfinished) != 0) {
     keep_last_contact(scene, state_.last_contact, state_.p_W, h_W, rest);
@@ -134,6 +160,8 @@ ProxyRest SphereProxy::run_sub_goals(const SceneObjects& scene, const Vec3& h_W,
   const NearbySurfaces near{.scene = scene, .margins = margins_, .candidates = candidate_set_};
   Memory memory;
   ProxyRest rest;
+  // An overlap, which rounding or a deformation leaves, is pushed out by the first sub-goal only:
+  // afterwards the proxy's own moves keep it clear.
   double max_push_m = kMaxPushOut_m;
   for (;;) {
     add_point(path, rest.sub_goals, state_.p_W);
@@ -165,6 +193,7 @@ SphereProxy::Next SphereProxy::gather(const NearbySurfaces& near, const Vec3& h_
                                       Memory& memory, ProxyRest& rest) {
   const std::size_t before = candidate_set_.gatherings();
   const Gathering gathering = candidate_set_.ensure(near.scene, margins_, state_.p_W);
+  // A gathering gives the candidates new numbers, and the memory holds numbers.
   if (rest.sub_goals == 0 || candidate_set_.gatherings() != before) {
     memory.constraints.clear();
   }
@@ -181,6 +210,8 @@ SphereProxy::Next SphereProxy::gather(const NearbySurfaces& near, const Vec3& h_
   if (gathering == Gathering::smaller) {
     return Next::go_on;
   }
+  // Too many triangles come near even in the smallest capsule. Those of an object that the proxy
+  // overlaps do not count: it is left out, and the sub-goal begins again.
   if (leave_out_overlapped(near.scene, rest)) {
     return Next::again;
   }
@@ -194,6 +225,8 @@ SphereProxy::Next SphereProxy::gather(const NearbySurfaces& near, const Vec3& h_
 // Collects the planes at the proxy.
 SphereProxy::Next SphereProxy::collect_planes(const NearbySurfaces& near, double max_push_m,
                                               const Memory& memory, ProxyRest& rest) {
+  // The planes of the sub-goal before are about to be replaced. If this one ends early their
+  // contact still gives the force.
   if (rest.plane_count > 0) {
     state_.last_contact = hardest_contact(rest);
   }
@@ -209,6 +242,7 @@ SphereProxy::Next SphereProxy::collect_planes(const NearbySurfaces& near, double
     case PlaneCollector::Result::complete:
       break;
   }
+  // The sphere has moved past the end of the face that held it.
   if (rest.plane_count > 0 && planes_.empty()) {
     collector.add_face_below(planes_, rest.flags);
   }
@@ -216,7 +250,11 @@ SphereProxy::Next SphereProxy::collect_planes(const NearbySurfaces& near, double
 }
 
 // Chooses the next sub-goal and sweeps to it. A candidate that blocks the sweep at its start adds
-// its plane, and the choice is repeated.
+// its plane, and the choice is repeated: an edge or a vertex gives its plane in this manner only.
+//
+// A goal that would begin a cycle is chosen again with the planes that held the proxy at the place
+// it has left, which bound it from any distance. There are at most kMaxContactPlanes new planes, so
+// the loop ends.
 SphereProxy::Move SphereProxy::find_move(const NearbySurfaces& near, const Vec3& h_W,
                                          double max_push_m, Memory& memory, ProxyRest& rest) {
   const Vec3& p = state_.p_W;
@@ -244,7 +282,8 @@ SphereProxy::Move SphereProxy::find_move(const NearbySurfaces& near, const Vec3&
   return move;
 }
 
-// Projects the tool on the planes and holds the proxy by friction.
+// Projects the tool on the planes, holds the proxy by friction and lengthens the move on a curved
+// path. A move below kSettled_m is none.
 SphereProxy::SubGoal SphereProxy::choose_goal(const NearbySurfaces& near, const Vec3& h_W,
                                               Memory& memory, ProxyRest& rest) {
   const Vec3& p = state_.p_W;
@@ -284,12 +323,17 @@ bool SphereProxy::may_move(const NearbySurfaces& near, const Vec3& h_W, const Mo
     rest.flags |= kTouchIterationsExhausted;
     return false;
   }
+  // The planes leave no free direction. If more planes hold the proxy than are kept, the missing
+  // ones may be the reason.
   if (!is_free) {
     escape_overfull_planes(near, h_W, rest);
   }
   return is_free;
 }
 
+// Makes the move and leaves what the next sub-goal needs: the constraints that held the proxy here
+// (not those of a lengthened move, which leaves them behind), the move along a crease, and the
+// position from which candidates are measured.
 void SphereProxy::make_move(const Move& move, Memory& memory, ProxyRest& rest) {
   const auto& [goal, sweep] = move;
   Vec3& p = state_.p_W;
@@ -321,6 +365,7 @@ bool SphereProxy::stays_on_face(const NearbySurfaces& near, const Move& move, co
   return true;
 }
 
+// Needs no candidates: the sweep goes through the hierarchies, within kMaxCarryBudget.
 void SphereProxy::sweep_to_tool(const NearbySurfaces& near, const Vec3& h_W) {
   Vec3& p = state_.p_W;
   const Vec3 move = h_W - p;
@@ -354,6 +399,7 @@ void SphereProxy::escape_overfull_planes(const NearbySurfaces& near, const Vec3&
 }
 
 void SphereProxy::update_left_out(const SceneObjects& scene) {
+  // A placed proxy overlaps what is nearer than the margin's `inner_m` by this, m.
   constexpr double kNoOverlap_m = 0.5e-6;  // within the contact margin
   LeftOut& left_out = candidate_set_.left_out();
   bool changed = false;
@@ -368,6 +414,8 @@ void SphereProxy::update_left_out(const SceneObjects& scene) {
   }
 }
 
+// Leaves out the objects that the proxy overlaps by more than kMaxPushOut_m. Returns true if there
+// were any.
 bool SphereProxy::leave_out_overlapped(const SceneObjects& scene, ProxyRest& rest) {
   if (!candidate_set_.left_out().add_overlapped(scene, margins_, state_.p_W, kMaxPushOut_m)) {
     return false;
@@ -376,6 +424,8 @@ bool SphereProxy::leave_out_overlapped(const SceneObjects& scene, ProxyRest& res
   return true;
 }
 
+// Removes every trace of the objects that are left out now: their planes, their contact, their
+// candidates.
 void SphereProxy::forget_left_out(ProxyRest& rest) {
   rest.plane_count = 0;
   planes_.clear();

@@ -1,6 +1,9 @@
 // The sphere proxy: the god-object of Zilles and Salisbury (IROS 1995) with a radius, after
 // Ruspini, Kolarov and Khatib ("The haptic display of complex graphical environments", SIGGRAPH
 // 1997). With radius 0 it is the god-object. sphere_proxy.cpp describes one tick.
+//
+// ProxyTouch (rendering/world/proxy_touch.h) owns one for each tool and calls, in every tick:
+// begin_tick, begin_friction, advance, perhaps advance_again, look_ahead.
 #pragma once
 
 #include <cstdint>
@@ -56,8 +59,11 @@ class SphereProxy {
   // 0.
   void set_friction_factors(const FrictionFactors& factors) { factors_ = factors; }
 
+  // Returns the proxy's centre; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return state_.p_W; }
+  // Returns the friction state after the last advance.
   [[nodiscard]] FrictionState friction() const { return state_.friction; }
+  // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return candidate_set_.peak(); }
 
   // Saves the state to the archive, or restores it; the scene must be the same.
@@ -70,6 +76,7 @@ class SphereProxy {
   struct Memory;
   struct SubGoal;
   struct Move;
+  // The parts of a sub-goal, in sphere_proxy.cpp.
   enum class Next : std::uint8_t;
 
   // Moves the proxy and finds the contact of the tick.
@@ -77,7 +84,9 @@ class SphereProxy {
   // Repeats sub-goals until the proxy settles or a limit is reached.
   ProxyRest run_sub_goals(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
 
-  // The steps of a sub-goal, in their order.
+  // The steps of a sub-goal, in their order: gather makes the candidate set valid; collect_planes
+  // finds the contact planes; find_move chooses the goal and sweeps; may_move asks the limits;
+  // make_move moves the proxy; stays_on_face finds out cheaply that the tick is over.
   Next gather(const NearbySurfaces& near, const Vec3& h_W, ProxyPath* path, Memory& memory,
               ProxyRest& rest);
   Next collect_planes(const NearbySurfaces& near, double max_push_m, const Memory& memory,
@@ -104,14 +113,19 @@ class SphereProxy {
   bool leave_out_overlapped(const SceneObjects& scene, ProxyRest& rest);
   void forget_left_out(ProxyRest& rest);
 
+  // The contact margins of the tool's radius.
   ContactMargins margins_;
   ProxyState state_;
-  ProxyState start_;               // at the start of the last advance
-  Vec3 carried_W_ = Vec3::Zero();  // m, by objects that moved, since the last begin_friction
+  // The state at the start of the last advance, from which a repetition starts.
+  ProxyState start_;
+  // The displacement by objects that moved, since the last begin_friction; world frame, m.
+  Vec3 carried_W_ = Vec3::Zero();
   FrictionFactors factors_;
-  bool just_placed_ = true;  // no tick since it was placed
+  // True until the first tick after place(): objects that overlap the proxy then are left out.
+  bool just_placed_ = true;
   CandidateSet candidate_set_;
-  ContactPlanes planes_;  // of the last sub-goal
+  // The planes of the last sub-goal. They live longer than a tick only while a gathering is begun.
+  ContactPlanes planes_;
 };
 
 }  // namespace tactus::rendering
