@@ -36,8 +36,10 @@ class CapsulePlan {
   void transfer(StateArchive& archive);
 
  private:
+  // The length of the next capsule's axis, m.
   double length_m_ = 0.0;
-  double slimness_ = 1.0;  // the capsule's radius is its length over this
+  // The capsule's radius is its length over this.
+  double slimness_ = 1.0;
 };
 
 }  // namespace tactus::rendering

@@ -5,7 +5,8 @@
 namespace tactus::rendering {
 
 bool ContactPlanes::add(const ContactPlane& contact, std::uint32_t& flags) {
-  // Triangles that share the nearest edge or vertex give the same plane.
+  // Triangles that share the nearest edge or vertex give the same plane. Normals that differ by
+  // less than 1e-10 rad are the same to rounding.
   constexpr double kSameNormal = 1e-20;
   for (std::size_t k = 0; k < count_; ++k) {
     if ((contacts_[k].plane.normal - contact.plane.normal).squaredNorm() < kSameNormal &&
@@ -18,6 +19,7 @@ bool ContactPlanes::add(const ContactPlane& contact, std::uint32_t& flags) {
     return true;
   }
   flags |= kTouchPlanesOverflow;
+  // There is no room. The nearest surfaces are kept, since they block the shortest moves.
   const auto farthest = std::ranges::max_element(
       contacts_, {}, [](const ContactPlane& c) { return c.nearest.distance; });
   if (contact.nearest.distance >= farthest->nearest.distance) {
@@ -46,6 +48,8 @@ PlaneProjection ContactPlanes::project(const Vec3& p, const Vec3& h) {
   const std::span<Plane> used{planes_.data(), count_};
   const double now = (p - h).norm();
   PlaneProjection projection = project_on_planes(h, used);
+  // The planes' rest heights may lift the proxy and so take it away from the tool, but by no more
+  // than an overlap that is pushed out.
   if (projection.feasible && (projection.point - h).norm() <= now + kMaxPushOut_m) {
     return projection;
   }
@@ -59,6 +63,8 @@ PlaneProjection ContactPlanes::project(const Vec3& p, const Vec3& h) {
   return projection;
 }
 
+// The planes that the proxy stands below are met by a projection of the proxy itself: the smallest
+// motion that brings it to the rest height of all of them.
 Vec3 ContactPlanes::resting_position(const Vec3& p) {
   Vec3 rest = p;
   if (is_above_first_) {

@@ -1,4 +1,6 @@
 // The contact planes at one position of the proxy. They bound its centre in one sub-goal.
+// PlaneCollector fills them; active_constraints.h projects the tool on them; friction_hold.h asks
+// them for the rest height.
 #pragma once
 
 #include <array>
@@ -21,8 +23,10 @@ inline constexpr double kMaxPushOut_m = 20e-6;
 // A shorter move counts as none: its force is a micronewton at 1000 N/m.
 inline constexpr double kSettled_m = 1e-9;
 
+// At most kMaxContactPlanes planes, in the order in which they were added.
 class ContactPlanes {
  public:
+  // Removes all planes.
   void clear() {
     count_ = 0;
     is_above_first_ = false;
@@ -36,6 +40,7 @@ class ContactPlanes {
   // Says that the proxy is above the rest height of the first plane, so that it comes down to it.
   void set_above_first(bool is_above) { is_above_first_ = is_above; }
 
+  // Return the planes.
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::span<const ContactPlane> all() const { return {contacts_.data(), count_}; }
   [[nodiscard]] const ContactPlane& operator[](std::size_t i) const { return contacts_[i]; }
@@ -60,10 +65,13 @@ class ContactPlanes {
   void transfer(StateArchive& archive, const SceneObjects& scene, bool are_kept);
 
  private:
+  // The planes with the surfaces that give them, the first `count_`.
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t count_ = 0;
+  // True if the proxy is above the rest height of the first plane (set_above_first).
   bool is_above_first_ = false;
-  std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
+  // The same planes without their surfaces, as a projection takes them.
+  std::array<Plane, kMaxContactPlanes> planes_;
 };
 
 }  // namespace tactus::rendering

@@ -10,6 +10,8 @@ namespace {
 // slides over next.
 constexpr double kUnevenRest_m = 50e-9;
 
+// Holds the proxy by the joint friction circle. Its centre is the frictionless goal, its radius mu
+// times the pressures. A proxy inside sticks where it is, one outside slips to the rim.
 HeldGoal hold_by_circle(const ActiveConstraints& active, const Vec3& h, ContactPlanes& planes,
                         ProxyState& state, bool& slipped) {
   const PlaneProjection& projection = active.projection;
@@ -26,6 +28,9 @@ HeldGoal hold_by_circle(const ActiveConstraints& active, const Vec3& h, ContactP
   return held;
 }
 
+// Lets the goal lag behind the frictionless one by what a friction model says. The model takes one
+// surface: the object with the largest pressure gives the parameters, and the normal force is that
+// of all surfaces, with the mean of their stiffnesses weighted by the pressures.
 HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& active,
                        const ProxyRest& rest, const Vec3& h, ProxyState& state) {
   double stiffness = 0.0;
@@ -37,6 +42,7 @@ HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& activ
   const std::uint32_t object = rest.planes[rest.hardest()].object;
   SlidingSurface surface = sliding_surface(scene.material(object));
   surface.stiffness_N_per_m = stiffness / total;
+  // The grain turns with an object that moves.
   surface.grain.direction = direction_from(scene.mover_of(object), surface.grain.direction);
   const FrictionLag lag =
       state.model.lag(surface, rest.normal_W, surface.stiffness_N_per_m * active.push_m);

@@ -1,4 +1,4 @@
-// Collects the contact planes at the proxy.
+// Collects the contact planes at the proxy: the second step of a sub-goal (sphere_proxy.cpp).
 //
 // A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
@@ -44,11 +44,14 @@ class PlaneCollector {
   void add_face_below(ContactPlanes& planes, std::uint32_t& flags);
 
  private:
+  // Adds the plane of a measured candidate. Returns true if it is new.
   bool add(std::size_t candidate, ContactPlanes& planes, std::uint32_t& flags);
+  // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;
 
   const NearbySurfaces& near_;
   const Vec3& p_W_;
+  // The most that an overlapping proxy is pushed out, m.
   double max_push_m_;
 };
 

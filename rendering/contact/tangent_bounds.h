@@ -27,6 +27,8 @@ struct CandidateNumbers {
   [[nodiscard]] std::span<const std::uint16_t> all() const { return {numbers.data(), count}; }
 };
 
+// The bounds of all candidates. Candidate i lies behind its plane: from p it is at least normal_i .
+// (p - origin) + height_i away. CandidateSet sets the planes and asks for those within reach.
 class TangentBounds {
  public:
   // Starts over. Positions are taken relative to `origin`, so that floats are precise near it.
@@ -57,11 +59,13 @@ class TangentBounds {
   // Fills the last group of four after `size` candidates with entries that are out of reach.
   void fill_last_four(std::size_t size);
 
-  // A position in the form that the test uses.
+  // A position in the form that the test uses: metres from the origin, and the bound above which a
+  // candidate is out of reach.
   struct Position {
     float x, y, z;  // m, from the origin
     float reach;    // m; a larger bound is out of reach
   };
+  // Returns a position in that form, with a reach that covers the rounding to float.
   [[nodiscard]] Position at(const Vec3& p) const;
 
   // Returns false if the bound shows that candidate i is out of reach of the position.
@@ -77,8 +81,10 @@ class TangentBounds {
   void transfer(StateArchive& archive, std::size_t i);
 
  private:
+  // The origin of positions (world frame) and the reach, m.
   Vec3 origin_ = Vec3::Zero();
   double reach_m_ = 0.0;
+  // The planes, one array a component, so that four of them load at once.
   alignas(Floats) std::array<float, kMaxCandidates> normal_x_{};
   alignas(Floats) std::array<float, kMaxCandidates> normal_y_{};
   alignas(Floats) std::array<float, kMaxCandidates> normal_z_{};
