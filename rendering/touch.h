@@ -1,5 +1,5 @@
 // The input and the output of a touch, each tick. World::touch takes a ToolState and returns a
-// Touch; the controller records both.
+// Touch.
 #pragma once
 
 #include <cstdint>
@@ -36,19 +36,23 @@ inline ContactKind kind_of(Feature feature) {
 enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 
 // The limits that a touch reached, one bit each; 0 is a clean tick. With every bit the force stays
-// bounded and the proxy has crossed nothing.
+// bounded and the proxy has crossed nothing. The capacities are in limits.h.
 enum TouchFlags : std::uint32_t {
   kTouchClean = 0,
+  // More triangles than kMaxCandidates are near the tool: a slower path is taken.
   kTouchCandidatesOverflow =
       1U << 0,  // more triangles near the tool than kMaxCandidates: slower path taken
-  kTouchIterationsExhausted = 1U << 1,  // the tick budget or kMaxSubGoals is spent: the proxy is
-                                        // short of its minimum this tick
-  kTouchPlanesOverflow = 1U << 2,       // more contact planes than kMaxContactPlanes
-  kTouchToolInvalid = 1U << 3,  // not finite or beyond kWorldBound_m: proxy held, zero force
+  // The tick budget or kMaxSubGoals is spent: the proxy is short of its minimum in this tick.
+  kTouchIterationsExhausted = 1U << 1,
+  // There are more contact planes than kMaxContactPlanes.
+  kTouchPlanesOverflow = 1U << 2,
+  // The tool is not finite or beyond kWorldBound_m: the proxy is held and the force is zero.
+  kTouchToolInvalid = 1U << 3,
+  // Objects that moved left the proxy no room: some of them passed over it.
   kTouchPinched =
       1U << 4,  // objects that moved left the proxy no room: some of them passed over it
-  kTouchOverlap = 1U << 5,  // an object that the tool began in or came out of is not felt until the
-                            // tool is clear of it
+  // An object that the tool began in or came out of is not felt until the tool is clear of it.
+  kTouchOverlap = 1U << 5,
 };
 
 // The parts of a touch's force, N on the hand, world frame. The rest of the force is the surfaces'
@@ -67,7 +71,7 @@ struct ForceParts {
 // The result of one tick for one tool; world frame. With several contacts the fields that name one
 // contact are those of the hardest.
 struct Touch {
-  // The position of the proxy, m; that of the tool without contact.
+  // The position of the proxy, m. A free proxy is at the tool.
   Vec3 proxy_W = Vec3::Zero();
   // The unit normal of the contact, away from the surface; zero without contact.
   Vec3 normal_W = Vec3::Zero();
