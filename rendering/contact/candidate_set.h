@@ -88,6 +88,7 @@ class CandidateSet {
   // Removes all candidates if an object moved near the trusted capsule.
   void begin_tick(const SceneObjects& scene);
 
+  // The outcome of a gathering.
   enum class Gathering : std::uint8_t {
     complete,  // the candidates are valid about p
     smaller,   // the same, but more triangles than kMaxCandidates made the capsule smaller
@@ -238,6 +239,7 @@ class CandidateSet {
     std::size_t gathering = 0;
   };
 
+  // The counts of gatherings.
   struct Counts {
     // The largest number of candidates so far.
     std::size_t peak = 0;

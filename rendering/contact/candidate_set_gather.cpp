@@ -13,7 +13,7 @@
 // A surface belongs to the set if it comes within the capsule's radius plus the contact margin's
 // reach of the capsule's axis: no other one can touch a sphere whose centre is in the capsule.
 //
-// In a dense place this costs more than one tick's budget, and the proxy waits there. What is left
+// In a dense place this costs more than one tick's budget, and the proxy waits there. The rest
 // of the walk is kept (Progress), and the next tick goes on. Near objects that move it does not
 // wait, because the next tick would have to begin again.
 #include <algorithm>

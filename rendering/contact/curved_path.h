@@ -51,6 +51,7 @@ class CurvedPath {
   // Returns the curvature along the crease of two planes, from the last two moves.
   [[nodiscard]] Curvature along_crease(const Vec3& move, const ProxyRest& rest) const;
 
+  // The distance before any move was lengthened.
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   // The last move along a crease, m; zero if there was none or it was lengthened.
   Vec3 last_crease_move_ = Vec3::Zero();

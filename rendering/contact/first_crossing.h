@@ -45,6 +45,7 @@ class ImplicitField {
   std::size_t budget_;
 };
 
+// The state of a segment after a search.
 enum class SegmentState : unsigned char {
   free,     // all of it
   blocked,  // F falls below 0 just behind `free_to`, or comes nearer to 0 there than 1 nm of travel

@@ -91,7 +91,7 @@ bool is_path_free(ImplicitField& field, const ImplicitSample& from, const Implic
 // start, and if it is nearer to the tool.
 bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3& tool) {
   constexpr double kMostTurn_cos = 0.5;
-  // Within their resting height the two may differ without being further.
+  // The heights differ by what settling leaves; that must not count as farther.
   const double lift = std::abs(to.height - from.height);
   return to.value >= 0.0 && to.normal.dot(from.normal) > kMostTurn_cos &&
          (to.point - tool).norm() - lift < (from.point - tool).norm();

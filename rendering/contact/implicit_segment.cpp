@@ -55,8 +55,8 @@ std::optional<Vec3> raised_to_rest(ImplicitField& field, const Vec3& from) {
   return can_rise ? std::optional(up->point) : std::nullopt;
 }
 
-// Where no point above `stop` is free the middle of the segment is: the segment is free up to
-// `stop`, and halfway back it is farther from the walls.
+// If the lifted point cannot be reached, the middle of the segment serves: the segment is free up
+// to `stop`, and halfway back it is farther from the walls.
 Vec3 raised_from_crease(ImplicitField& field, const Vec3& p, const Vec3& stop, const Vec3& up) {
   constexpr double kLift = 2.0 * kImplicitRest_m;
   constexpr std::size_t kFewRanges = 16;

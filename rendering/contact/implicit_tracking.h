@@ -39,6 +39,8 @@ struct ImplicitProxyState {
   SurfaceFriction model;
 };
 
+// One proxy on one implicit surface. IndependentContacts (rendering/world/independent_contacts.h)
+// has one for each such object and tool.
 class ImplicitTracker {
  public:
   // Starts over, out of contact, at p_W. To be called before the first tick, and when the formula

@@ -23,6 +23,7 @@ class PlaneCollector {
   PlaneCollector(const NearbySurfaces& near, const Vec3& p_W, double max_push_m)
       : near_(near), p_W_(p_W), max_push_m_(max_push_m) {}
 
+  // The outcome of a collection.
   enum class Result : std::uint8_t {
     complete,    // `planes` are all
     overlapped,  // the proxy overlaps an object too much; it is left out now, so gather again

@@ -211,7 +211,8 @@ double inside_tube(const Line& line, const Clearance& start, double limit,
     const double distance = line.tube_radius() - now.height;
     const double to_nearest = distance * now.slope;
     const double beyond = to_nearest * to_nearest + (most - distance) * (most + distance);
-    // Deep in the contact margin no farther than to where it is nearest to the centre circle.
+    // From deep in the contact margin it moves no farther than to where it is nearest to the centre
+    // circle.
     travel += to_nearest + (clear ? std::sqrt(std::max(0.0, beyond)) : 0.0);
     if (travel >= limit) {
       return limit;

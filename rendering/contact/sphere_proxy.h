@@ -19,6 +19,8 @@
 
 namespace tactus::rendering {
 
+// The proxy of one tool, shared by all objects of the methods sphere_proxy and god_object. World
+// frame.
 class SphereProxy {
  public:
   explicit SphereProxy(double tool_radius_m) : margins_(tool_radius_m) {}

@@ -36,6 +36,7 @@ struct ContactMargin {
 struct ContactMargins {
   explicit ContactMargins(double tool_radius_m) : sphere(tool_radius_m) {}
 
+  // Returns the margin for an object that meets the tool as a point or as a sphere.
   [[nodiscard]] const ContactMargin& of(bool point_tool) const {
     return point_tool ? point : sphere;
   }

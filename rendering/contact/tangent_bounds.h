@@ -24,6 +24,7 @@ struct CandidateNumbers {
   std::array<std::uint16_t, kMaxCandidates> numbers{};
   std::size_t count = 0;
 
+  // Returns the numbers in use.
   [[nodiscard]] std::span<const std::uint16_t> all() const { return {numbers.data(), count}; }
 };
 

@@ -26,7 +26,7 @@ class BoxEntry {
   [[nodiscard]] Pair into(const BvhNode& first, const BvhNode& second, double limit) const {
     const Slabs a = slabs(first);
     const Slabs b = slabs(second);
-    // Past each other by what rounding may have done.
+    // Rounding may have made the entry late or the exit early; both are moved past it.
     constexpr float kRounding = 1e-6F;
     const Floats enter = (1.0F - kRounding) * most(transposed(a.near, b.near, most), Floats{});
     const Floats leave = least((1.0F + kRounding) * transposed(a.far, b.far, least),

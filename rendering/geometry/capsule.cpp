@@ -10,7 +10,7 @@ namespace {
 constexpr double kFar_m = 1e9;
 
 // Returns where q + t d leaves the sphere of radius r about the origin, from a q inside: the larger
-// root of a t^2 + 2 b t + c, with c <= 0. Of the two forms of the root it takes the one that adds
+// root of a t^2 + 2 b t + c, with c <= 0. It takes the one of two forms of the root that adds
 // numbers of the same sign, so that nothing cancels.
 double larger_root(double a, double b, double c) {
   const double root = std::sqrt(std::max(0.0, b * b - a * c));

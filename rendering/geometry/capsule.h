@@ -6,6 +6,7 @@
 
 namespace tactus::rendering {
 
+// The default is an empty capsule, in which no point lies.
 struct Capsule {
   Vec3 start = Vec3::Zero();  // m
   // The vector from the start to the other end, m.

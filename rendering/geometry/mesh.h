@@ -28,6 +28,7 @@ struct BvhNode {
   // The number of triangles of a leaf, which follow each other; 0 for an inner node.
   std::uint32_t triangle_count = 0;
 
+  // Returns true for a leaf.
   [[nodiscard]] bool is_leaf() const { return triangle_count != 0; }
 };
 static_assert(sizeof(BvhNode) == 32);

@@ -53,12 +53,13 @@ bool solve_one_plane(const Eigen::Matrix<Scalar, 3, 1>& h, const HalfSpace<Scala
   return s.pressure[0] > Scalar(0);
 }
 
-// The first two planes, as seen from h.
-template <class Scalar>
 // The first two planes, as seen from h: the terms that two and three planes share.
+template <class Scalar>
 struct Crease {
   using Vector = Eigen::Matrix<Scalar, 3, 1>;
 
+  // Prepares both planes. The cross product is taken with the sum or the difference of the normals,
+  // which nearly cancel, and not with the second normal (see above).
   Crease(const Vector& h, const HalfSpace<Scalar>& first, const HalfSpace<Scalar>& second)
       : cosine(first.normal.dot(second.normal)),
         along(first.normal.cross(cosine < Scalar(0) ? Vector(second.normal + first.normal)

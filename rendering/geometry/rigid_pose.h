@@ -5,6 +5,8 @@
 
 namespace tactus::rendering {
 
+// A rotation and a translation: p_W = rotation p_O + translation. The default leaves a point where
+// it is.
 struct RigidPose {
   Mat3 rotation = Mat3::Identity();  // orthonormal, right-handed
   Vec3 translation = Vec3::Zero();   // m

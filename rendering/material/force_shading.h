@@ -2,10 +2,10 @@
 // graphical environments", SIGGRAPH 1997): the proxy goes to its place on the interpolated planes,
 // and from there to the real ones, which alone decide where it may be.
 //
-// Here the first pass gives the second a goal. Where the proxy p rests on a plane of the normal n,
-// with the tool h at the depth d = (p - h) . n, and the interpolated normal is m, the two passes
-// come to rest when p - h is parallel to m: at p = h + G, G = d m / (m . n). The second pass is
-// given the goal
+// Here the first pass gives the second a goal. Let the proxy p rest on a plane of the normal n,
+// with the tool h at the depth d = (p - h) . n, and let the interpolated normal be m. The two
+// passes come to rest when p - h is parallel to m: at p = h + G, G = d m / (m . n). The second pass
+// is given the goal
 //
 //   g = h + G - d n
 //

@@ -28,7 +28,7 @@ inline Vec3 decode(const OctahedralNormal& stored) {
   const double x = std::max(stored.x / kOctahedralUnit, -1.0);
   const double y = std::max(stored.y / kOctahedralUnit, -1.0);
   const double z = 1.0 - std::abs(x) - std::abs(y);
-  // Below the equator the corners are folded back.
+  // The corners of the square are the lower half of the octahedron: they are folded back.
   const double fold = std::max(-z, 0.0);
   return Vec3(x >= 0.0 ? x - fold : x + fold, y >= 0.0 ? y - fold : y + fold, z).normalized();
 }

@@ -36,8 +36,8 @@ struct Object {
   // The surface that is touched, and the method.
   SurfaceKind surface = SurfaceKind::mesh;
   ContactMethod method = ContactMethod::sphere_proxy;
-  // Of these three the one that `surface` names is used. The mesh of another kind is only its
-  // picture.
+  // The surface in each of its kinds; the one that `surface` names is used. The mesh of another
+  // kind is only its picture.
   MeshView mesh;
   Primitive primitive;
   // The formula; its `sides` are the object's too.

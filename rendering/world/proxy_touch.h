@@ -14,6 +14,7 @@
 
 namespace tactus::rendering {
 
+// The shared proxy of one tool with its detail. World frame.
 class ProxyTouch {
  public:
   // Takes another radius, >= 0; call place() afterwards.
@@ -33,6 +34,7 @@ class ProxyTouch {
   // null.
   Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
 
+  // Returns the proxy's centre, m.
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
 
   // Returns how far the proxy was from the tool after the last touch, m.
