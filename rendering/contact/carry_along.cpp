@@ -16,11 +16,15 @@
 // equal.
 //
 // A triangle that deforms has no frame in which it is still, and is tested in another manner. Its
-// corners move on straight lines, so their greatest height over a plane of fixed direction n, max_i
-// n . (x_i(t) - p(t)), is a convex function of time, as it is the maximum of linear ones. If the
-// proxy is in front of such a plane at both ends of the tick, the two were apart throughout. The
-// plane's direction is from the triangle's nearest point to the proxy at the start. A triangle that
-// is farther away than all motions together is not tested.
+// corners x_i move on straight lines, and so does the proxy p. Their greatest height over it along
+// a fixed direction n,
+//
+//   max_i n . (x_i(t) - p(t)),
+//
+// is the maximum of linear functions of time, and so it is convex. If it is negative at both ends
+// of the tick, the two were apart throughout. The direction n is that from the triangle's nearest
+// point to the proxy at the start. A triangle that is farther away than all motions together is not
+// tested.
 //
 // There is no solution where moving objects close on the proxy from both sides, or where the
 // rounds, the planes or the budget run out. Then the objects at rest hold the proxy and the moving
@@ -228,8 +232,8 @@ Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, co
 }
 
 // Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m. The
-// point moves with its triangle's corners by its barycentric weights, which areas give: b = (at x
-// ac) . n / n . n with n = ab x ac.
+// point moves with its triangle's corners by its barycentric weights, which are ratios of areas:
+// with n = ab x ac the weight of corner b is ((at x ac) . n) / (n . n).
 Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, const Vec3& p_O) {
   const auto corners = [&](const MeshView& mesh) -> std::array<Vec3, 3> {
     const auto& [a, b, c] = mesh.triangles[triangle];

@@ -3,13 +3,13 @@
 //
 // - outside a convex solid f is convex: Newton's method from the free side (as for triangles);
 // - inside a convex skin f is concave: it stays positive between two positive values, and if the
-// end is negative the chord lies below f and the tangent at the far end above it, so that both
-// close in on the root;
+//   end is negative the chord lies below f and the tangent at the far end above it, so that both
+//   close in on the root;
 // - round a torus f bends down no more than its curvatures allow: the step is the root of the
-// parabola that bends down as much as anything in reach can ("sphere tracing" of Hart, The Visual
-// Computer 12, 1996, with a second-order bound in place of the Lipschitz bound alone). Inside its
-// tube the parabola is that of the squared distance from the centre circle, which bends up by no
-// more than that from a straight line would.
+//   parabola that bends down as much as anything in reach can ("sphere tracing" of Hart, The Visual
+//   Computer 12, 1996, with a second-order bound in place of the Lipschitz bound alone). Inside its
+//   tube the parabola is that of the squared distance from the centre circle, which bends up by no
+//   more than that from a straight line would.
 //
 // f is a signed distance, so |f'| <= 1 and a travel of f - inner is free in every case.
 #include "rendering/contact/primitive_sweep.h"
