@@ -43,7 +43,7 @@ Capsule CapsulePlan::next(const Vec3& last_start, const Vec3& p) {
           .radius = radius};
 }
 
-// A capsule of k times the length tests about k times the triangles. A sparse place may have a
+// A capsule of k times the length is taken to test k times the triangles. A sparse place may have a
 // longer capsule than kLongLength_m, but it does not grow while one capsule lasts a tick.
 void CapsulePlan::learn(std::size_t tested, bool lasted) {
   const double tests = 1.0 + static_cast<double>(tested);

@@ -135,7 +135,8 @@ ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, Proxy
   return approach(scene, h_W, path);
 }
 
-// The measured candidates stay, so a repetition that takes the same path costs little.
+// The candidates stay, with the tangents of their measurements, so a repetition costs less than the
+// first advance; its distances are measured again.
 ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   state_ = start_;
   candidate_set_.move_to(state_.p_W);
@@ -250,11 +251,10 @@ SphereProxy::Next SphereProxy::collect_planes(const NearbySurfaces& near, double
 }
 
 // Chooses the next sub-goal and sweeps to it. A candidate that blocks the sweep at its start adds
-// its plane, and the choice is repeated: an edge or a vertex gives its plane in this manner only.
+// its plane, and the choice is repeated: most edges and vertices give their planes in this manner.
 //
 // A goal that would begin a cycle is chosen again with the planes that held the proxy at the place
-// it has left, which bound it from any distance. There are at most kMaxContactPlanes new planes, so
-// the loop ends.
+// it has left, which bound it from any distance. The loop ends after kMaxContactPlanes + 1 sweeps.
 SphereProxy::Move SphereProxy::find_move(const NearbySurfaces& near, const Vec3& h_W,
                                          double max_push_m, Memory& memory, ProxyRest& rest) {
   const Vec3& p = state_.p_W;

@@ -23,8 +23,8 @@ struct ContactMargin {
         rest_m(tool_radius_m + 0.5e-6),
         reach_m(tool_radius_m + 0.75e-6) {}
 
-  // The four distances of the centre from a surface, m, in rising order. `inner_m` is the least one
-  // that anything may leave.
+  // The four distances of the centre from a surface, m, in rising order. Nothing brings the centre
+  // below `inner_m`.
   double inner_m;
   double stop_m;
   double rest_m;
