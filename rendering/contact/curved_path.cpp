@@ -1,7 +1,7 @@
-// The lengthening of moves. Plain moves toward the goal shrink in a geometric series, m, r m, r^2 m
-// ... with the ratio r < 1; a move of m / (1 - r) is its sum. With r > 1 the series grows: the
-// sphere rolls off the feature, and the move is lengthened by the inverse of what r exceeds 1 by,
-// at least fourfold.
+// The lengthening of moves. Plain moves toward the goal shrink in a geometric series of the ratio
+// r < 1: m, r m, r^2 m, and so on. One move of m / (1 - r) is their sum. With r > 1 the series
+// grows: the sphere rolls off the feature, and the move is lengthened by 1 / (r - 1), at least
+// fourfold.
 #include "rendering/contact/curved_path.h"
 
 #include <algorithm>
@@ -37,10 +37,14 @@ Vec3 CurvedPath::lengthen(const Vec3& move, const Vec3& p, const Vec3& h, const 
 }
 
 // Returns the curvature across an edge or at a vertex. If friction takes most of the pull, only the
-// rest draws the proxy. The lateral pull d and the pressure p change along the path s across by d'
-// = p / R - 1 and p' = -d / R, along the edge by -1 and 0. With the friction f = mu p the rest d -
-// f changes by the ratio cos^2 (p + mu d) / R, where the angle is between the path and the
-// direction across. It is a difference of two nearly equal lengths, so it is not known far ahead.
+// rest draws the proxy. The lateral pull d and the pressure p change along the path s by
+//
+//   d' = p / R - 1,  p' = -d / R    across the edge,
+//   d' = -1,         p' = 0         along it.
+//
+// With the friction f = mu p the rest d - f changes by the ratio cos^2 (p + mu d) / R, where the
+// angle is between the path and the direction across. The rest is a difference of two nearly equal
+// lengths, so it is not known far ahead.
 CurvedPath::Curvature CurvedPath::at_feature(const Vec3& move, const Vec3& p, const Vec3& h,
                                              const ProxyRest& rest, const Triangle& triangle) {
   // The ratio of a move against friction is not known far ahead, so it is lengthened to 3 % of the
