@@ -18,8 +18,7 @@ constexpr double kSettled_m = 1e-7;
 // tries again.
 constexpr double kShortest = 0.05;
 constexpr double kLengthening = 1.5;
-// The depth of a lifted goal in tool radii. On an edge a pass leaves kDepthOfRadius / (1 -
-// kDepthOfRadius) of the error.
+// The depth of a lifted goal in tool radii, s. On an edge a pass leaves s / (1 - s) of the error.
 constexpr double kDepthOfRadius = 0.25;
 // The least depth of a lifted goal. An edge has no rounding for a point, and any depth is too deep
 // there; this one is much deeper than rounding errors.
