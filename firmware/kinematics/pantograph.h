@@ -29,8 +29,8 @@ class Pantograph {
  public:
   explicit Pantograph(const PantographGeometry& geometry) : geometry_(geometry) {}
 
-  // Returns the pose in closed form. Of the two assemblies it takes the one with the tool to the
-  // left of the line from the first elbow to the second (drawn with x right and z up): the one
+  // Returns the pose in closed form. Two assemblies are possible; it takes the one with the tool to
+  // the left of the line from the first elbow to the second (drawn with x right and z up): the one
   // farther from the base while the links do not cross. If the elbows are too far apart or
   // coincide, the status is kPoseNotConverged and p_D is the seed.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;

@@ -37,9 +37,9 @@ class SerialArm {
   // if upper arm and forearm lie in one line.
   [[nodiscard]] Pose forward(const Vec3& joints) const;
 
-  // Returns the joints, rad, for a tool position, or nothing if it is out of reach. Of up to four
-  // solutions (facing or turned away, elbow to either side) it takes the one nearest to `near`,
-  // each joint within half a turn of it. Not part of the tick.
+  // Returns the joints, rad, for a tool position, or nothing if it is out of reach. There are up to
+  // four solutions (facing or turned away, elbow to either side); it takes the one nearest to
+  // `near`, each joint within half a turn of it. Not part of the tick.
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D, const Vec3& near) const;
 
   // Returns the efforts that hold the arm, N m. `gravity_D` is in m/s^2.

@@ -2,13 +2,13 @@
 //
 // The device answers the sample at x with the force f after its delay d and holds it for a tick, so
 // the hand gets f_d . (x' - x) while the tool goes from x to x': f_d is the force of d before
-// (safety/held_forces.h), with d = 0 that of the past tick. Of that, with c the share of the
-// rendered force that the limits let through and r = sum r_s its parts by source:
+// (safety/held_forces.h), with d = 0 that of the past tick. That energy has these parts, with c the
+// share of the rendered force that the limits let through and r = sum r_s its parts by source:
 //
 //  source s   c (r_s + r_s') / 2 . (x' - x), of a force that follows the motion at once
 //  coupling   that part of it which surfaces give that move by themselves; it is not contact's
 //  safety     (f_d - (c r)_d) . (x' - x)
-//  delay      the rest: ((c r)_d - c (r + r') / 2) . (x' - x). Of a spring K at the speed v it is
+//  delay      the rest: ((c r)_d - c (r + r') / 2) . (x' - x). For a spring K at the speed v it is
 //             K v^2 T (T / 2 + d): for d = 0 the energy that a sampled wall makes (Colgate and
 //             Schenkel 1997)
 #pragma once

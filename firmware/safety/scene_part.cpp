@@ -51,8 +51,8 @@ Falloff falloff_of(const rendering::Magnet& magnet) {
           .steepness = middle >= 0.0 ? middle : -2.0 * middle};
 }
 
-// Beyond the distance at which the spring reaches its largest force, its force only changes
-// direction.
+// Returns the falloff of a spring. Its force grows up to the largest force; at a greater distance
+// only the direction changes.
 Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
   return {.kind = Falloff::Kind::bounded_spring,
           .middle_W = spring.anchor_W,

@@ -15,7 +15,7 @@ namespace tactus::host {
 // Bins of 1 us each.
 inline constexpr std::size_t kJitterBins = 1000;
 
-// What is measured.
+// The settings of one measurement.
 struct JitterPlan {
   // Wake-ups a second, and how long they are watched.
   double rate_hz = 1000.0;

@@ -33,7 +33,7 @@ constexpr int kMostTicksToActive = 20;
 // The course of a trial, from the numbers of the ideal contact.
 struct Course {
   double press_N = 0.0;
-  // Where the wall carries the press.
+  // The depth at which the wall carries the press.
   double depth_m = 0.0;
   double speed_m_per_s = 0.0;
   double period_s = 0.0;

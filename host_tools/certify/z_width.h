@@ -66,8 +66,9 @@ struct ZWidth {
 using CertifyProgress =
     std::function<void(std::string_view what, std::size_t done, std::size_t all)>;
 
-// Measures. The same device and options give the same result on any number of threads. Throws
-// InputError if the device bears no wall at all.
+// Measures the largest stable stiffness of a wall, for each hand and each damping. The same device
+// and options give the same result on any number of threads. Throws InputError if the device bears
+// no wall at all.
 ZWidth measure_z_width(const CertifiedDevice& device, const ZWidthOptions& options,
                        const CertifyProgress& progress = {});
 

@@ -7,7 +7,7 @@
 
 namespace tactus::host {
 
-// What is measured, and how it is shown.
+// The measurement, and the form in which it is shown.
 struct LoopBenchOptions {
   JitterPlan plan;
   // The PNG file of the histogram; empty: none.

@@ -1,5 +1,5 @@
-// What all devices of `tactus emulate` share: the options about the machine behind the bus, and the
-// run.
+// The common part of all devices of `tactus emulate`: the options about the machine behind the bus,
+// and the run.
 #pragma once
 
 #include <functional>

@@ -29,7 +29,7 @@ struct InspectOptions {
   bool json = false;
 };
 
-// What the image says about one object, gathered from its views.
+// The image's data about one object, gathered from its views.
 struct ObjectSummary {
   std::string name;
   rendering::Object object;

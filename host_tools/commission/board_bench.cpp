@@ -134,8 +134,8 @@ class BoardBench final : public Bench {
   }
 
  private:
-  // Returns how long a read may wait. As in tactusd, half of every period is kept for the rest of
-  // the tick.
+  // Returns the longest time that a read may wait, ns. Half of every period is kept for the rest of
+  // the tick, as in tactusd.
   static hal::TimeNs read_limit_ns(const firmware::DeviceConfig& config) {
     const double half_period_s = 0.5 / config.controller.rate_hz;
     return static_cast<hal::TimeNs>(1e9 * std::min(config.read_limit_s, half_period_s));

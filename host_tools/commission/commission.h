@@ -17,7 +17,7 @@
 
 namespace tactus::host {
 
-// What is checked, and how strongly.
+// The checks to make, and their strength.
 struct CommissionPlan {
   // Mechanism, limits and rate of the device; it must outlive the plan.
   const firmware::ControllerConfig& controller;
@@ -32,10 +32,11 @@ struct CommissionPlan {
   double homing_limit_s = 120.0;
 };
 
-// What one joint did. Units are those of the joint: rad, N m, kg m^2, or m, N, kg if it slides.
+// The behaviour of one joint. Units are those of the joint: rad, N m, kg m^2, or m, N, kg if it
+// slides.
 struct JointReport {
   std::string name;
-  // Whether the joint passed, else the first thing that is wrong.
+  // The joint's verdict: passed, or the first fault that was found.
   firmware::Verdict verdict = firmware::Verdict::sample_bad;
   // The joint's inertia, friction and delay as the pulse showed them.
   firmware::PulseFit fit;

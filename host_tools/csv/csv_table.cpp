@@ -85,7 +85,7 @@ std::optional<double> finite_number(std::string_view field) {
   return value;
 }
 
-// Where a requested column stands in a row, and where its values go.
+// The place of a requested column in a row, and the vector that its values go to.
 struct Place {
   std::size_t field = 0;
   std::vector<double>* values = nullptr;

@@ -22,7 +22,7 @@ constexpr const char* kFdMtu = "72";
 // Bit/s; the frames of three axes at 1 kHz need it.
 constexpr std::int64_t kUsualBitrate = 1'000'000;
 
-// What `ip` says about a CAN interface.
+// A CAN interface as `ip` describes it.
 struct CanLink {
   // True for vcan, which has no bit rate.
   bool is_virtual = false;

@@ -42,21 +42,26 @@ void check_compaction(Machine& machine, Findings& findings);
 // Advises against swap.
 void check_swap(Machine& machine, Findings& findings);
 
-// motor_checks.cpp: what takes a motor's torque away when the host dies. It judges the device's
-// configuration and does not look at the machine.
+// motor_checks.cpp: the means that take a motor's torque away when the host dies.
+//
+// Judges the device's configuration and does not look at the machine.
 void check_motors(Machine& machine, const Needs& needs, Findings& findings);
 
-// can_checks.cpp: the CAN interfaces that the device needs: present, of type CAN, up, with a bit
-// rate and without errors. Without a named device, all that are there.
+// can_checks.cpp: the CAN interfaces.
+//
+// Reports whether the interfaces that the device needs are present, of type CAN, up, with a bit
+// rate and without errors. Without a named device it looks at all that are there.
 void check_can(Machine& machine, const Needs& needs, Findings& findings);
 // board_checks.cpp: the other connections: present and open to this user. Without a named device
 // they look at everything that is plugged in.
 //
-// The Falcon on USB.
+// Reports whether the Falcon is on USB and this user may open it.
 void check_falcon(Machine& machine, const Needs& needs, Findings& findings);
-// The serial ports of the device, or all of type ttyACM.
+// Reports whether the serial ports of the device may be opened; without a device, all of type
+// ttyACM.
 void check_serial_ports(Machine& machine, const Needs& needs, Findings& findings);
-// The GPIO chips, and the PWM outputs and counters that the device needs.
+// Reports whether the GPIO chips, the PWM outputs and the counters that the device needs are there
+// and may be opened.
 void check_gpio(Machine& machine, const Needs& needs, Findings& findings);
 
 }  // namespace tactus::host

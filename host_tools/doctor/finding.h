@@ -19,10 +19,10 @@ enum class FindingState {
 
 // One line of the report.
 struct Finding {
-  // What was looked at, such as "real-time priority" or "CAN can0".
+  // The name of the thing that was looked at, such as "real-time priority" or "CAN can0".
   std::string check;
   FindingState state = FindingState::well;
-  // What was found, and what is wrong with it.
+  // The state that was found, and its fault if there is one.
   std::string found;
   // A command that mends it, or that shows more; empty where all is well.
   std::string remedy;

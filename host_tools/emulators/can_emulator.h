@@ -1,4 +1,4 @@
-// What all emulated CAN drives share: faults, delays, power. The same object runs on a
+// The common part of all emulated CAN drives: faults, delays, power. The same object runs on a
 // SimulatedCanBus in a test and on a SocketCAN interface in `tactus emulate`.
 //
 // It fakes the drive's firmware as the published facts describe it, on a shaft that the caller's
@@ -30,7 +30,7 @@ enum class EmulatorFault : std::uint8_t {
   erroring,
   // It neither hears nor sends, and its motor has no power.
   unplugged,
-  // As `unplugged` for kPowerCycle_ns; then it boots and is well.
+  // The drive is `unplugged` for kPowerCycle_ns; then it boots and is well.
   power_cycled,
 };
 
@@ -44,7 +44,7 @@ inline constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
 // name.
 EmulatorFault emulator_fault(std::string_view name);
 
-// What a drive's encoder reads when the drive gets its power.
+// The value that a drive's encoder reads when the drive gets its power.
 enum class EmulatedEncoder : std::uint8_t {
   // 0, wherever the shaft stands.
   incremental,

@@ -13,7 +13,7 @@
 
 namespace tactus::host {
 
-// What happens in a run, and what is recorded.
+// The planned events of a run, and the recording.
 struct EmulatedRunConfig {
   std::vector<PlannedFault> faults;
   // The period of the recorded truth; 0: nothing is recorded.

@@ -119,9 +119,9 @@ class FalconEmulator {
   // The end of a power cycle; 0 if it has not begun.
   hal::TimeNs off_until_ns_ = 0;
   std::array<EmulatedShaft, kArms> shafts_{};
-  // Where the arms were at the first command, rad.
+  // The arms' angles at the first command, rad.
   std::array<double, kArms> origin_rad_{};
-  // Whether the arm has been pulled out, the first half of homing.
+  // True once the arm has been pulled out, which is the first half of homing.
   std::array<bool, kArms> was_out_{};
   bool origin_known_ = false;
   // The commanded values in the motors' own units; `homed_` has a bit for each arm.

@@ -50,7 +50,7 @@ class GadgetDevice {
   GadgetDevice() = default;
 };
 
-// Where the kernel has the gadget.
+// The kernel's paths of the gadget.
 struct GadgetPlace {
   // The mount point of FunctionFS, such as "/dev/ffs/falcon".
   std::filesystem::path function_fs;
@@ -77,7 +77,8 @@ class FunctionFs {
   // Returns the mutex that is held while the device is called. Code that changes the device from
   // outside must hold it too.
   std::mutex& mutex() { return mutex_; }
-  // Must be called after a change that lets the device send earlier than it had said.
+  // Wakes the thread that sends. Call it after a change that lets the device send earlier than it
+  // had said.
   void wake() { changed_.notify_all(); }
 
  private:

@@ -91,7 +91,7 @@ class GpioAxisEmulator {
   EmulatedShaft shaft_;
   EmulatorFault fault_ = EmulatorFault::none;
   std::int64_t count_ = 0;
-  // Where the shaft was, for the fault `delayed`.
+  // An earlier position of the shaft, for the fault `delayed`.
   struct Past {
     hal::TimeNs time_ns = 0;
     double position_rad = 0.0;

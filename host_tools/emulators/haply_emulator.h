@@ -108,7 +108,7 @@ class HaplyEmulator {
   hal::TimeNs off_until_ns_ = 0;
   std::array<EmulatedShaft, kPorts> shafts_{};
 
-  // What has arrived and is not yet parsed, and the answers that wait.
+  // The bytes that have arrived and are not yet parsed, and the answers that wait.
   std::deque<std::byte> heard_;
   std::deque<Late> late_;
   Waiting waiting_ = Waiting::nothing;

@@ -28,7 +28,7 @@ struct MoteusEmulatorConfig {
   std::uint16_t prefix = 0;
   // The time for which it obeys a silent host whose command gave no time-out.
   double default_timeout_s = 0.1;
-  // What it does after the command's time-out: 12 damps the motion, 0 lets go.
+  // Its mode after the command's time-out: 12 damps the motion, 0 lets go.
   int timeout_mode = 12;
   // The largest torque of that damping.
   double timeout_max_torque_Nm = 5.0;

@@ -29,7 +29,7 @@ ODriveFirmware odrive_firmware(std::string_view version);
 struct ODriveEmulatorConfig {
   // Its CAN identifier's upper six bits.
   std::uint8_t node_id = 0;
-  // What its position is after power-up.
+  // The rule for its position after power-up.
   EmulatedEncoder encoder = EmulatedEncoder::incremental;
   ODriveFirmware firmware = ODriveFirmware::v0_6;
   // The periods of its messages; 0: never sent.

@@ -44,7 +44,7 @@ class Setup {
   std::vector<SetupValue> values_;
 };
 
-// What an experiment is run with.
+// The settings of one experiment.
 struct ExperimentRun {
   // Must be valid.
   rendering::FrictionParameters friction;
@@ -58,7 +58,8 @@ struct ExperimentRun {
   [[nodiscard]] double holding_force_N() const;
 };
 
-// What was measured: a row for each speed, rate, slip or loop. A value that does not exist is NaN.
+// The measured values: a row for each speed, rate, slip or loop. A value that does not exist is
+// NaN.
 struct FindingsTable {
   // The names with their units.
   std::vector<std::string> columns;
@@ -77,7 +78,7 @@ struct Experiment {
   std::string_view name;
   // Its name in headings.
   std::string_view title;
-  // What is done, on one line.
+  // The procedure, on one line.
   std::string_view what;
   // Returns the set-up as published.
   Setup (*setup)();

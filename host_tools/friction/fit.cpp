@@ -92,7 +92,7 @@ std::optional<Quantity> least_known(const Solution& solution) {
 // for that place only.
 Solution with_a_fall_that_is_there(Solution solution, const FrictionRecord& record,
                                    const RecordTraits& traits) {
-  // Of twice the logarithm of the likelihood.
+  // The required gain in twice the logarithm of the likelihood.
   constexpr double kClearly = 12.0;
   if (!solution.point.is_free(Quantity::excess)) {
     return solution;

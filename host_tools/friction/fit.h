@@ -68,7 +68,7 @@ struct FrictionFit {
   [[nodiscard]] const FittedParameter& parameter(std::string_view symbol) const;
 };
 
-// What is fitted beside the usual parameters.
+// The quantities to fit beside the usual parameters.
 struct FitOptions {
   // True: the Stribeck exponent alpha is fitted too, from `exponent` on; false: it is `exponent`.
   bool fits_exponent = false;

@@ -46,7 +46,7 @@ struct FrictionRecord {
 FrictionRecord read_friction_record(const std::filesystem::path& file,
                                     std::optional<double> normal_force_N);
 
-// What can be seen in a record without a model.
+// The traits of a record that show without a model.
 struct RecordTraits {
   // The force over the normal force below which nine rows in ten are.
   double typical_level = 0.0;

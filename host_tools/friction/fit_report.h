@@ -23,7 +23,7 @@ std::string record_warning(const FrictionRecord& record);
 // or why the data cannot tell it.
 std::string fit_text(const FrictionFit& fit, ForceScale scale, bool is_preferred);
 
-// Where the parameters go: to the surface of a scene, or to a joint of a device.
+// The target of the parameters: the surface of a scene, or a joint of a device.
 enum class TomlUse { surface, joint };
 
 // Returns a table [object.friction] or [joint.friction]. A parameter that the data cannot tell is 0

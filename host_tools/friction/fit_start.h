@@ -9,7 +9,7 @@ namespace tactus::host {
 struct SteadyCurve {
   // The level of a fast slip.
   double coulomb = 0.0;
-  // Of static friction over `coulomb`.
+  // The excess of static friction over `coulomb`.
   double excess = 0.0;
   double stribeck_velocity_m_per_s = 0.0;
   double viscous_s_per_m = 0.0;

@@ -34,7 +34,7 @@ struct NamedColumn {
 // The course of a run.
 struct FrictionTrack {
   std::vector<FrictionSample> samples;
-  // What the run has beside the usual columns.
+  // The columns of the run beside the usual ones.
   std::vector<NamedColumn> more;
 
   // Returns the column of that name, or nullptr if there is none.

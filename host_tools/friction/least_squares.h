@@ -19,7 +19,7 @@ struct SearchLimits {
 
 // The result of a search.
 struct LeastSquares {
-  // Where the search ended.
+  // The parameters at which the search ended.
   Eigen::VectorXd parameters;
   // Infinite or huge where the residuals do not depend on a parameter.
   Eigen::VectorXd standard_errors;

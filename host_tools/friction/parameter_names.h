@@ -41,7 +41,7 @@ enum class ParameterRange { zero_or_more, above_zero, share };
 struct FrictionParameterName {
   // Its symbol in the papers, such as sigma0.
   std::string_view symbol;
-  // Where its value stands.
+  // The member that holds its value.
   double rendering::FrictionParameters::* member;
   ParameterRange range;
   // Its unit and its key in TOML for a joint (ForceScale::newton) and for a surface
@@ -50,7 +50,7 @@ struct FrictionParameterName {
   std::string_view surface_unit;
   std::string_view joint_key;
   std::string_view surface_key;
-  // What it is, in words for --help.
+  // Its meaning, in words for --help.
   std::string_view meaning;
   // Bit 1 << kind is set for every model that has it.
   unsigned kinds;

@@ -45,7 +45,8 @@ struct Box {
       upper[k] = std::max(upper[k], b.upper[k]);
     }
   }
-  // Half of the surface, m^2: the heuristic compares costs, so a common factor does not matter.
+  // Returns half of the surface, m^2. The heuristic compares costs, so a common factor does not
+  // matter.
   [[nodiscard]] float half_area() const {
     const float x = upper[0] - lower[0];
     const float y = upper[1] - lower[1];

@@ -1,5 +1,5 @@
-// What the monitor knows of a run: the newest tick, and statistics over many ticks. Session feeds
-// it and draw_screen() reads it, in one thread.
+// The monitor's picture of a run: the newest tick, and statistics over many ticks. Session feeds it
+// and draw_screen() reads it, in one thread.
 #pragma once
 
 #include <array>

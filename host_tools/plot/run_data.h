@@ -30,7 +30,7 @@ struct RunRow {
   bool contact = false;
   // False while the controller does not know where the tool is.
   bool located = true;
-  // Whether friction holds the proxy or the proxy slides.
+  // The friction state: the proxy sticks or slides.
   rendering::FrictionState friction = rendering::FrictionState::free;
 };
 

@@ -65,7 +65,7 @@ class McapReader {
   // chunks.
   struct Segment {
     std::span<const std::byte> records;
-    // Where the chunk or message begins in the file, bytes, for messages to the user.
+    // The offset of the chunk or message in the file, bytes, for messages to the user.
     std::size_t offset = 0;
     // The checksum of `records`; 0 if the writer computed none.
     std::uint32_t crc = 0;

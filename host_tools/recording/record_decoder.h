@@ -14,7 +14,7 @@
 
 namespace tactus::host {
 
-// What the run noted about itself, as pairs of key and value in the sender's order. The keys are in
+// The run's notes about itself, as pairs of key and value in the sender's order. The keys are in
 // firmware/telemetry/README.md.
 using RunInfo = std::vector<std::pair<std::string, std::string>>;
 

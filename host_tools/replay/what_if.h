@@ -29,7 +29,7 @@ struct WhatIfTick {
   Vec3 changed_W = Vec3::Zero();
 };
 
-// What a what-if replay found over all of its ticks.
+// The differences that a what-if replay found over all of its ticks.
 struct WhatIfSummary {
   // How many ticks were replayed.
   std::uint64_t ticks = 0;

@@ -36,7 +36,7 @@ struct RunOptions {
 
 // A run that is ready to start.
 struct RunPlan {
-  // What the Simulation is made with.
+  // The configuration of the Simulation.
   SimulationConfig config;
   // The length of the run in simulated time.
   double seconds = 0.0;

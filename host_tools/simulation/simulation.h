@@ -54,7 +54,7 @@ struct SimulationConfig {
   std::uint64_t seed = 1;
   // Ticks a second of simulated time.
   double rate_hz = 1000.0;
-  // What goes wrong, and what the operator requests, in any order.
+  // The faults that occur, and the operator's requests, in any order.
   std::vector<FaultEvent> faults;
   std::vector<RequestEvent> requests;
   // The scene's effects; they must outlive the simulation.

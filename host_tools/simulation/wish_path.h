@@ -8,7 +8,7 @@
 
 namespace tactus::host {
 
-// Where the hand wants to be at a time.
+// The place that the hand wants to reach, and the time at which it wants to be there.
 struct Waypoint {
   // Time from the start of the run.
   double t_s = 0.0;

@@ -1,3 +1,5 @@
+// The projection is geometry alone: the planes, the tool and their normals. The materials come in
+// afterwards: every active plane adds a share of its friction circle in proportion to its pressure.
 #include "rendering/contact/active_constraints.h"
 
 #include "rendering/contact/object_sweep.h"
@@ -31,6 +33,8 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
     active.are_cones = active.are_cones && is_plain_cone(material);
   }
   rest.normal_W.normalize();
+  // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
+  // The friction is that of the tool's real depth.
   if (factors.depth_m > 0.0) {
     const double deeper = factors.depth_m / total;
     active.push_m *= deeper;
@@ -50,6 +54,8 @@ void keep_last_contact(const SceneObjects& scene, const LastContact& last_contac
       nearest_at(scene, last_contact.object, last_contact.triangle, point_in(mover, p));
   nearest.normal = direction_from(mover, nearest.normal);
   const Vec3 pull = p - h;
+  // The last joint normal still pushes unless the tool is now on its other side; then the nearest
+  // point decides. A normal that pulls gives no contact.
   const Vec3& normal =
       last_contact.normal_W.dot(pull) > 0.0 ? last_contact.normal_W : nearest.normal;
   const double pressure = normal.dot(pull);

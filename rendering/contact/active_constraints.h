@@ -1,5 +1,6 @@
 // The active constraints of a sub-goal: the contact planes that hold the proxy when it is as near
-// to the tool as all planes allow, and the friction that they give together.
+// to the tool as all planes allow, and the friction that they give together. It is the third step
+// of a sub-goal (sphere_proxy.cpp).
 #pragma once
 
 #include "rendering/contact/carry_along.h"
@@ -11,11 +12,18 @@
 
 namespace tactus::rendering {
 
+// The active planes and their joint friction.
 struct ActiveConstraints {
-  PlaneProjection projection;  // of the tool on the planes; world frame
-  FrictionCircle circle;       // the sum of the friction circles of the active planes
-  double push_m = 0.0;         // the sum of their pressures, each times its friction factor
-  bool are_cones = true;       // all their materials have the friction cone's exact rule
+  // The projection of the tool on the planes; world frame, m.
+  PlaneProjection projection;
+  // The sum of the friction circles of the active planes, each of the radius mu times its pressure,
+  // m.
+  FrictionCircle circle;
+  // The sum of the pressures, each times its friction factor, m. Times the stiffness it is the
+  // normal force of the friction models.
+  double push_m = 0.0;
+  // True if all materials of the active planes have the friction cone's exact rule.
+  bool are_cones = true;
 };
 
 // Projects the tool `h` on the planes at the proxy `p` (world frame, m), and writes the planes that

@@ -1,3 +1,5 @@
+// Measures candidates, and finds those within reach of a position. candidate_set_gather.cpp gathers
+// them.
 #include "rendering/contact/candidate_set.h"
 
 #include <algorithm>
@@ -6,6 +8,8 @@
 #include "rendering/contact/primitive_sweep.h"
 
 namespace tactus::rendering {
+// A moved object is near if its box comes within reach of the capsule, where it is now or where it
+// was: triangles may have come in or gone.
 void CandidateSet::begin_tick(const SceneObjects& scene) {
   may_pause_ = true;
   if (!scene.anything_moved() || trust_.radius < 0.0) {
@@ -24,6 +28,8 @@ void CandidateSet::begin_tick(const SceneObjects& scene) {
   }
 }
 
+// The candidates within reach of the sweep's end are among those that the sweep found; the tangents
+// of those measured since may rule out some of them.
 void CandidateSet::move_to_end(const Vec3& p) {
   move_to(p);
   const TangentBounds::Position at = bounds_.at(p);
@@ -51,6 +57,7 @@ std::span<const std::uint16_t> CandidateSet::within_reach(const Vec3& p, double 
   return there_.all();
 }
 
+// The triangle is built in its slot: a copy would move its 240 bytes.
 void CandidateSet::build(Candidate& slot, const SceneObjects& scene) {
   ::new (&slot.triangle) Triangle(triangle_W(scene, slot.object, slot.index));  // in place
   slot.prepared = true;

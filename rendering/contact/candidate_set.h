@@ -32,19 +32,37 @@ namespace tactus::rendering {
 // One member of the set. Most candidates are gathered and never measured, so the fields that
 // gathering writes come first, in one cache line.
 struct alignas(64) Candidate {
-  const Primitive* primitive = nullptr;  // of an object without a mesh
-  std::uint64_t measured_at = 0;         // CandidateSet::move_to's count
+  // The primitive of an object without a mesh; nullptr for a triangle.
+  const Primitive* primitive = nullptr;
+  // The number of the position (CandidateSet::move_to) from which `nearest` was measured; 0: never.
+  std::uint64_t measured_at = 0;
+  // The object's number in the scene.
   std::uint32_t object = 0;
-  std::uint32_t index = 0;  // of the triangle in its mesh
-  bool prepared = false;    // `triangle` is built
+  // The triangle's number in its mesh.
+  std::uint32_t index = 0;
+  // True if `triangle` is built.
+  bool prepared = false;
+  // True if the surface blocks from its front only.
   bool one_sided = true;
-  bool point_tool = false;  // to this object the tool is its centre
-  bool behind = false;      // one-sided, and the place is on its far side
-  Nearest nearest;          // from the place of `measured_at`
-  Triangle triangle;        // of a mesh, once it was measured
-  SurfaceSample seen;       // of the primitive, from the place of `measured_at`
+  // True if this object meets the tool's centre only (god_object).
+  bool point_tool = false;
+  // True if the surface is one-sided and the position is on its far side: it does not block then.
+  bool behind = false;
+  // The nearest point from the position of `measured_at`; world frame.
+  Nearest nearest;
+  // The triangle, built at its first measurement; world frame.
+  Triangle triangle;
+  // The primitive's distance and normal from the position of `measured_at`; world frame.
+  SurfaceSample seen;
 };
 
+// The set of one proxy. It also owns the tick budget, since nearly all of a tick's cost is in
+// gathering and measuring candidates, and the objects that are left out, since those give no
+// candidates.
+//
+// A tick: begin_tick(), start_tick_budget(), then per sub-goal ensure(), within_reach_here() and
+// nearest() for the planes, within_reach() and nearest() for the sweep, move_to(); look_ahead() at
+// the end.
 class CandidateSet {
  public:
   // Removes all candidates; the next `ensure` gathers them again.
@@ -70,6 +88,7 @@ class CandidateSet {
   // Removes all candidates if an object moved near the trusted capsule.
   void begin_tick(const SceneObjects& scene);
 
+  // The outcome of a gathering.
   enum class Gathering : std::uint8_t {
     complete,  // the candidates are valid about p
     smaller,   // the same, but more triangles than kMaxCandidates made the capsule smaller
@@ -121,6 +140,7 @@ class CandidateSet {
   // Returns the nearest point of candidate i from the position of `move_to`. It is measured once
   // per position.
   const Nearest& nearest(std::size_t i, const SceneObjects& scene);
+  // Returns true if candidate i was measured from the position of `move_to`.
   [[nodiscard]] bool is_measured(std::size_t i) const {
     return slots_[i].measured_at == place_.number;
   }
@@ -137,10 +157,12 @@ class CandidateSet {
     return &slot.triangle;
   }
 
+  // Returns the number of candidates.
   [[nodiscard]] std::size_t size() const { return size_; }
   // Returns candidate i. Its `triangle` is set after a call of `nearest` or `triangle`.
   [[nodiscard]] const Candidate& candidate(std::size_t i) const { return slots_[i]; }
 
+  // Returns the largest number of candidates so far.
   [[nodiscard]] std::size_t peak() const { return counts_.peak; }
 
   // Returns how often the set was gathered. Candidate numbers are valid until it grows.
@@ -156,6 +178,7 @@ class CandidateSet {
     place_.first_of_tick = place_.number;
     counts_.first_of_tick = counts_.gatherings + 1;
   }
+  // Returns the tick's budget, which gathering and measuring spend.
   [[nodiscard]] TickBudget& budget() { return budget_; }
   [[nodiscard]] const TickBudget& budget() const { return budget_; }
   // Returns true if the gathering must pause because the tick's budget is spent. It never pauses
@@ -178,12 +201,17 @@ class CandidateSet {
  private:
   // A gathering, which may take several ticks.
   struct Progress {
-    std::array<std::uint32_t, kMaxObjects> meshes{};  // object numbers, yet to be searched
+    // The numbers of the objects whose meshes are yet to be searched, the first `mesh_count`.
+    std::array<std::uint32_t, kMaxObjects> meshes{};
     std::size_t mesh_count = 0;
-    WalkLeft left;            // of the last of them, if its walk was begun
-    std::size_t tested = 0;   // number of triangles
-    std::size_t smaller = 0;  // how often it was begun anew, for want of room
-    bool is_full = false;     // there was no room for a candidate
+    // The rest of the walk of the last of them, if that was begun.
+    WalkLeft left;
+    // The number of triangles tested, from which the plan of the capsules learns.
+    std::size_t tested = 0;
+    // How often the gathering was begun anew, for want of room.
+    std::size_t smaller = 0;
+    // True if there was no room for a candidate.
+    bool is_full = false;
 
     void clear() {
       mesh_count = 0;
@@ -194,10 +222,14 @@ class CandidateSet {
 
   // The position from which candidates are measured.
   struct Place {
-    Vec3 p = Vec3::Zero();            // world frame, m
-    std::uint64_t number = 1;         // grows with every move
-    std::uint64_t first_of_tick = 0;  // the number at the last `start_tick_budget`
-    bool waited = false;              // the number was the same at the one before
+    // The position; world frame, m.
+    Vec3 p = Vec3::Zero();
+    // The position's number, which grows with every move.
+    std::uint64_t number = 1;
+    // The number at the last `start_tick_budget`.
+    std::uint64_t first_of_tick = 0;
+    // True if the number was the same at the call before: the last tick made no move.
+    bool waited = false;
   };
 
   // The candidates within reach of a place. They are valid if both numbers are the current ones.
@@ -207,16 +239,25 @@ class CandidateSet {
     std::size_t gathering = 0;
   };
 
+  // The counts of gatherings.
   struct Counts {
-    std::size_t peak = 0;  // largest number of candidates so far
+    // The largest number of candidates so far.
+    std::size_t peak = 0;
+    // The number of gatherings that were begun, and the first one since the last
+    // `start_tick_budget`.
     std::size_t gatherings = 0;
     std::size_t first_of_tick = 0;  // the first gathering since the last `start_tick_budget`
   };
 
+  // Visitors of the walks, in candidate_set_gather.cpp.
   struct GatherObjects;
   struct GatherTriangles;
+  // A gathering that would be begun anew so often, each time with half the capsule, gives up.
   static constexpr std::size_t kMostSmaller = 8;
 
+  // The parts of `ensure`: gather runs or continues a gathering, begin_gathering lists what to
+  // search, go_on_gathering searches until the budget is spent, walk_mesh does so for one mesh,
+  // end_gathering takes stock.
   Gathering gather(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p);
   void begin_gathering(const SceneObjects& scene, const Capsule& trust);
   void go_on_gathering(const SceneObjects& scene);
@@ -225,6 +266,7 @@ class CandidateSet {
   // Returns the next free slot, or nullptr if the set is full.
   Candidate* add(const Object& object, std::uint32_t number);
   void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
+  // Builds the triangle of a candidate, unless that is done.
   static void prepare(Candidate& slot, const SceneObjects& scene) {
     if (!slot.prepared) {
       build(slot, scene);
@@ -239,6 +281,7 @@ class CandidateSet {
   [[nodiscard]] double shorter_reach(std::size_t i) const {
     return margins_.sphere.reach_m - margins_.of(slots_[i].point_tool).reach_m;
   }
+  // Returns true if here_ is valid for the current position and candidates.
   [[nodiscard]] bool knows_here() const {
     return here_.place == place_.number && here_.gathering == counts_.gatherings;
   }
@@ -247,19 +290,26 @@ class CandidateSet {
     here_.gathering = counts_.gatherings;
   }
 
+  // The position from which candidates are measured.
   Place place_;
+  // The trusted capsule; its radius is negative if there is none.
   Capsule trust_;
   CapsulePlan plan_;
-  ContactMargins margins_{0.0};  // of the last gathering
+  // The contact margins of the last gathering.
+  ContactMargins margins_{0.0};
   std::size_t size_ = 0;
   Counts counts_;
   Progress progress_;
-  bool may_pause_ = true;  // no object moved here in this tick
+  // True if no object moved here in this tick, so that a gathering may go on in the next one.
+  bool may_pause_ = true;
   TickBudget budget_;
   LeftOut left_out_;
+  // The lower bounds of the candidates' distances.
   TangentBounds bounds_;
+  // The result of the last `within_reach_here`.
   Here here_;
-  CandidateNumbers there_;  // the result of the last `within_reach`
+  // The result of the last `within_reach`.
+  CandidateNumbers there_;
   std::array<Candidate, kMaxCandidates> slots_{};
 };
 

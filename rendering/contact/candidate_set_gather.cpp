@@ -1,8 +1,21 @@
 // Gathers the candidates: plans a capsule, walks the hierarchies of the meshes near it, and adds
 // every triangle within reach of it.
 //
-// In a dense place this costs more than one tick's budget, and the proxy waits there. Near objects
-// that move it does not wait, because the next tick would have to begin again.
+//   1. CapsulePlan chooses the capsule from the last one and from where the proxy left it.
+//   2. GatherObjects visits the objects whose box comes near. It adds primitives at once and lists
+//      the meshes.
+//   3. walk_mesh() walks one mesh at a time. GatherTriangles tests four triangles of a leaf at once
+//      against the capsule's axis (near_segment.h) and adds those within reach. The test gives each
+//      of them a plane in front of it, which is its first lower bound (tangent_bounds.h).
+//   4. If the set is full, everything begins again with a capsule of half the size.
+//   5. If nothing is near, the capsule becomes the largest free ball (free_ball.h).
+//
+// A surface belongs to the set if it comes within the capsule's radius plus the contact margin's
+// reach of the capsule's axis: no other one can touch a sphere whose centre is in the capsule.
+//
+// In a dense place this costs more than one tick's budget, and the proxy waits there. The rest
+// of the walk is kept (Progress), and the next tick goes on. Near objects that move it does not
+// wait, because the next tick would have to begin again.
 #include <algorithm>
 #include <cmath>
 
@@ -13,23 +26,30 @@
 namespace tactus::rendering {
 namespace {
 
-// The proxy counts as outside the capsule when it is nearer to the border than this.
+// The proxy counts as outside the capsule when it is nearer to the border than this, so that no
+// move is cut to less than a micrometre.
 constexpr double kBorder_m = 1e-6;
+// A tick that has spent more than this, in cost units, gathers nothing for the next one: the other
+// half of the usual budget is left for the gathering.
 constexpr std::size_t kLookAheadBudget = kUsualTickBudget / 2;
 
 }  // namespace
 
 // Adds the triangles of one object within reach of the trusted capsule, until the set is full or
-// the tick's budget is spent. Everything is in the object's frame.
+// the tick's budget is spent. Everything is in the object's frame. It is a visitor of the walks of
+// geometry/hierarchy_walk.h.
 struct CandidateSet::GatherTriangles {
   CandidateSet& to;
   const Object& object;
   std::uint32_t number;
+  // The object's pose in this tick; nullptr for an object at rest.
   const Mover* mover;
   const MeshView& mesh;
+  // The capsule's axis, which starts at `start`.
   NearSegment segment;
   const Vec3& start;
-  double farthest_m;  // from the start, of what comes within reach of the segment
+  // The distance from the start beyond which nothing comes within reach of the axis.
+  double farthest_m;
 
   void boxes(std::uint32_t pairs) { to.budget_.spend(kCostOfBoxPairNear * pairs); }
 
@@ -52,6 +72,8 @@ struct CandidateSet::GatherTriangles {
     return triangle_of(mesh, t).nearest(start).distance > farthest_m;
   }
 
+  // Adds a triangle with its bound: a plane in front of it, turned to the world frame. From the
+  // start the triangle is at least -offset away, and farther by n . (p - start) at p.
   void take(std::uint32_t t, const NearSegment::Bound& bound) {
     if (is_far(t)) {
       return;
@@ -70,7 +92,7 @@ struct CandidateSet::GatherTriangles {
   }
 };
 
-// Visits objects: adds primitives, and lists meshes to walk.
+// Visits objects: adds primitives, and lists meshes to walk. An object that is left out is skipped.
 struct CandidateSet::GatherObjects {
   CandidateSet& to;
   const SceneObjects& scene;
@@ -90,12 +112,15 @@ struct CandidateSet::GatherObjects {
     const double reach = to.margins_.of(is_point_tool(object)).reach_m + trust.radius;
     const Primitive& primitive = scene.primitive_W(number);
     const Vec3 middle = trust.start + 0.5 * trust.axis;
+    // A distance field is 1-Lipschitz: a primitive that is farther from the middle than the reach
+    // and half the axis is out of reach of the whole capsule.
     if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.axis.norm()) {
       to.add_primitive(object, number, primitive);
     }
   }
 };
 
+// The slot may hold an older candidate; only its fields that are read before a measurement are set.
 Candidate* CandidateSet::add(const Object& object, std::uint32_t number) {
   if (size_ == kMaxCandidates) {
     progress_.is_full = true;
@@ -111,6 +136,7 @@ Candidate* CandidateSet::add(const Object& object, std::uint32_t number) {
   return &slot;
 }
 
+// A primitive is always within reach until it is measured: it has no leaf that gives a bound.
 void CandidateSet::add_primitive(const Object& object, std::uint32_t number,
                                  const Primitive& primitive) {
   if (Candidate* const slot = add(object, number); slot != nullptr) {
@@ -119,6 +145,8 @@ void CandidateSet::add_primitive(const Object& object, std::uint32_t number,
   }
 }
 
+// Begins with an empty set: visits the objects near the box about the capsule, adds the primitives
+// and lists the meshes.
 void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& trust) {
   trust_ = trust;
   bounds_.start(trust.start, margins_.sphere.reach_m);
@@ -148,7 +176,8 @@ void CandidateSet::go_on_gathering(const SceneObjects& scene) {
   }
 }
 
-// Continues a walk that was interrupted, or begins one at the root.
+// Continues a walk that was interrupted, or begins one at the root. The reach is the capsule's
+// radius and the object's own contact margin, and farther by the slack of a hierarchy that deforms.
 void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
   const Object& object = scene[number];
   const Mover* const mover = scene.mover_of(number);
@@ -171,6 +200,8 @@ void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
   go_on_walking(placed.mesh.nodes, box, progress_.left, visitor);
 }
 
+// Ends a complete gathering: the plan learns from it. In free space the capsule gives way to the
+// largest ball that is free, if that is larger.
 void CandidateSet::end_gathering(const SceneObjects& scene) {
   bounds_.fill_last_four(size_);
   counts_.peak = std::max(counts_.peak, size_);
@@ -200,6 +231,9 @@ void CandidateSet::look_ahead(const SceneObjects& scene, const ContactMargins& m
   }
 }
 
+// Begins a gathering at p, or goes on with the one that was begun there. A set that is full halves
+// the capsule, about the same start, until it would be the kMostSmaller-th time: a capsule of less
+// than 1/128 of the planned size is not tried.
 CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
                                              const ContactMargins& margins, const Vec3& p) {
   if (!is_begun() || p != trust_.start) {

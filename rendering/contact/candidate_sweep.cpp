@@ -1,3 +1,8 @@
+// The sweep of one move. Its cost is in measuring candidates, so each one passes three cheap tests
+// first: its tangent shows it out of reach of the sweep's end; a plane that holds the sphere
+// separates it from the whole segment; the tangent shows it out of reach of the end to which
+// another candidate has shortened the sweep. Convexity makes the first and the last valid for the
+// whole segment.
 #include "rendering/contact/candidate_sweep.h"
 
 #include <algorithm>
@@ -51,8 +56,8 @@ class CandidateSweep {
   [[nodiscard]] std::size_t blocked_by() const { return blocked_by_; }
 
  private:
-  // Sweeps against the numbered candidates, except those that were swept before; both spans ascend.
-  // Returns false if the tick's budget is spent.
+  // Sweeps against the numbered candidates, except those that were swept before; both spans ascend,
+  // so one pass over both finds the common numbers. Returns false if the tick's budget is spent.
   bool sweep_each(std::span<const std::uint16_t> numbers, std::span<const std::uint16_t> before) {
     auto swept = before.begin();
     for (const std::uint16_t i : numbers) {
@@ -67,6 +72,8 @@ class CandidateSweep {
     return true;
   }
 
+  // Sweeps against candidate i, and shortens the free part of the segment if that blocks. Returns
+  // false if the tick's budget is spent and the candidate is not measured yet.
   bool sweep(std::size_t i) {
     CandidateSet& candidates = near_.candidates;
     if (stop_ && !candidates.may_reach(i, *stop_)) {
@@ -102,7 +109,8 @@ class CandidateSweep {
   const Sweep& sweep_;
   SeparatingPlanes planes_;
   double free_m_;
-  Vec3 end_;  // of the free part
+  // The end of the free part; world frame, m.
+  Vec3 end_;
   std::size_t blocked_by_ = kNoCandidate;
   std::optional<TangentBounds::Position>
       stop_;  // the end, once a candidate has shortened the sweep
@@ -117,6 +125,7 @@ SweepResult sweep_toward(const NearbySurfaces& near, const Vec3& p, const Vec3& 
   const double length = move.norm();
   const Sweep sweep{.from = p, .direction = move / length};
   const bool stays = candidates.trusts(goal);
+  // The candidates are valid within the trusted capsule only: a longer move is cut at its border.
   const double room = stays ? length : std::min(length, candidates.trust_along(p, sweep.direction));
   const Segment segment{
       .sweep = sweep, .length_m = room, .end = stays ? goal : Vec3{p + room * sweep.direction}};
@@ -128,6 +137,8 @@ SweepResult sweep_toward(const NearbySurfaces& near, const Vec3& p, const Vec3& 
   result.travel_m = against.free_m();
   result.blocked_by = against.blocked_by();
   result.is_known = stays && result.travel_m >= length;
+  // A capsule that was gathered in this tick and is left again is too small for the tool's motion.
+  // The sweep goes on against the hierarchies, if the place is sparse enough for that to be cheap.
   if (!stays && candidates.is_fresh() && result.travel_m >= room &&
       candidates.size() <= kMaxCandidatesForLongSweep) {
     const std::size_t max_cost = std::min(kMaxLongSweepCost, candidates.budget().left());
@@ -138,6 +149,8 @@ SweepResult sweep_toward(const NearbySurfaces& near, const Vec3& p, const Vec3& 
   if (result.blocked_by != kNoCandidate) {
     memory.add_blocking(result.blocked_by);
   }
+  // A candidate that is met on the way becomes a plane at the next position, where it is measured
+  // anew.
   if (result.travel_m > kBlockedTravel_m) {
     result.blocked_by = kNoCandidate;
   }

@@ -1,4 +1,5 @@
-// Sweeps the sphere from the proxy to the sub-goal, and finds the candidate that blocks it.
+// Sweeps the sphere from the proxy to the sub-goal, and finds the candidate that blocks it. It is
+// the last step of a sub-goal (sphere_proxy.cpp).
 //
 // A distance is convex along the segment, so a candidate that the tangent at the start shows out of
 // reach at the end is out of reach all along. Most of the others lie behind the planes that hold
@@ -15,14 +16,19 @@
 
 namespace tactus::rendering {
 
-// The sphere may move toward the goal by `travel_m`.
+// The result of a sweep: the sphere may move along `direction` by `travel_m`.
 struct SweepResult {
-  Vec3 direction = Vec3::Zero();  // unit
+  // The unit vector from the proxy to the goal; world frame.
+  Vec3 direction = Vec3::Zero();
   double travel_m = 0.0;
-  bool arrived = false;                   // the whole segment is free
-  bool is_known = false;                  // the candidates are valid at its end
-  std::size_t blocked_by = kNoCandidate;  // the candidate that blocks it at its start
-  FirstHit beyond;                        // the object that blocks it beyond the candidates
+  // True if the whole segment is free.
+  bool arrived = false;
+  // True if the segment is free and the candidates are valid at its end.
+  bool is_known = false;
+  // The candidate that blocks the sphere at its start, kNoCandidate if none does.
+  std::size_t blocked_by = kNoCandidate;
+  // The object that blocks it beyond the candidate set; its `object` is kNoObject if none does.
+  FirstHit beyond;
 };
 
 // Returns how far the sphere may move from the proxy `p` to `goal` (world frame, m; not the same

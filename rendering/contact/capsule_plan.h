@@ -13,6 +13,7 @@
 
 namespace tactus::rendering {
 
+// What it learnt lives from tick to tick; CandidateSet has one.
 class CapsulePlan {
  public:
   // Returns the capsule of the next gathering, which starts at p. It extends in the direction in
@@ -36,8 +37,10 @@ class CapsulePlan {
   void transfer(StateArchive& archive);
 
  private:
+  // The length of the next capsule's axis, m.
   double length_m_ = 0.0;
-  double slimness_ = 1.0;  // the capsule's radius is its length over this
+  // The capsule's radius is its length over this.
+  double slimness_ = 1.0;
 };
 
 }  // namespace tactus::rendering

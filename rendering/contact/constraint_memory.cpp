@@ -13,12 +13,15 @@ void ConstraintMemory::leave(const Vec3& p, const ProxyRest& rest, std::size_t c
 }
 
 bool ConstraintMemory::would_cycle(const Vec3& p, const Vec3& goal, const Vec3& h) const {
+  // A goal nearer to the place that the proxy left than a quarter of the move from there returns to
+  // it.
   constexpr double kMaxShareOfMove = 0.25;
   return held_count_ > 0 &&
          ((goal - h).squaredNorm() >= (left_from_ - h).squaredNorm() ||
           (goal - left_from_).norm() <= kMaxShareOfMove * (p - left_from_).norm());
 }
 
+// A candidate whose plane is there already would change nothing.
 bool ConstraintMemory::recall(const ContactPlanes& planes) {
   const std::size_t before = recalled_count_;
   for (const std::uint16_t candidate : std::span(held_by_).first(held_count_)) {

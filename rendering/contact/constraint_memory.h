@@ -1,5 +1,5 @@
 // The constraints that the proxy met earlier in the same tick. They keep its straight moves from
-// going round in a cycle.
+// going round in a cycle. Every sub-goal leaves them to the next (sphere_proxy.cpp).
 #pragma once
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 
 namespace tactus::rendering {
 
+// It holds numbers of candidates, so it is valid until the candidates are gathered again.
 class ConstraintMemory {
  public:
   // Forgets everything. Call it when the candidates are gathered again, which gives them new
@@ -44,17 +45,22 @@ class ConstraintMemory {
 
   // Remembers that a candidate stopped a sweep in this tick.
   void add_blocking(std::size_t candidate);
+  // Returns true if the candidate stopped a sweep in this tick.
   [[nodiscard]] bool is_blocking(std::size_t candidate) const {
     const auto blocking = std::span(blocking_).first(blocking_count_);
     return std::ranges::find(blocking, candidate) != blocking.end();
   }
 
  private:
-  std::array<std::uint16_t, 3> held_by_{};  // candidates
+  // The candidates that held the proxy at the place it left last, the first `held_count_`.
+  std::array<std::uint16_t, 3> held_by_{};
   std::size_t held_count_ = 0;
+  // The place that the proxy left last; world frame, m.
   Vec3 left_from_ = Vec3::Zero();
+  // The candidates that give planes from any distance; beyond their number none is added.
   std::array<std::uint16_t, 6> recalled_{};
   std::size_t recalled_count_ = 0;
+  // The candidates that stopped a sweep; beyond their number none is added.
   std::array<std::uint16_t, kMaxContactPlanes> blocking_{};
   std::size_t blocking_count_ = 0;
 };

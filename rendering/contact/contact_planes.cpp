@@ -29,6 +29,8 @@ PlaneProjection ContactPlanes::project(const Vec3& p, const Vec3& h) {
   const std::span<Plane> used{planes_.data(), count_};
   const double now = (p - h).norm();
   PlaneProjection projection = project_on_planes(h, used);
+  // The planes' rest heights may lift the proxy and so take it away from the tool, but by no more
+  // than an overlap that is pushed out.
   if (projection.feasible && (projection.point - h).norm() <= now + kMaxPushOut_m) {
     return projection;
   }
@@ -42,6 +44,8 @@ PlaneProjection ContactPlanes::project(const Vec3& p, const Vec3& h) {
   return projection;
 }
 
+// The planes that the proxy stands below are met by a projection of the proxy itself: the smallest
+// motion that brings it to the rest height of all of them.
 Vec3 ContactPlanes::resting_position(const Vec3& p) {
   Vec3 rest = p;
   if (is_above_first_) {

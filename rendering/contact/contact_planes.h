@@ -1,4 +1,6 @@
 // The contact planes at one position of the proxy. They bound its centre in one sub-goal.
+// PlaneCollector fills them; active_constraints.h projects the tool on them; friction_hold.h asks
+// them for the rest height.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +24,10 @@ inline constexpr double kMaxPushOut_m = 20e-6;
 // A shorter move counts as none: its force is a micronewton at 1000 N/m.
 inline constexpr double kSettled_m = 1e-9;
 
+// At most kMaxContactPlanes planes, in the order in which they were added.
 class ContactPlanes {
  public:
+  // Removes all planes.
   void clear() {
     count_ = 0;
     is_above_first_ = false;
@@ -47,6 +51,7 @@ class ContactPlanes {
   // Says that the proxy is above the rest height of the first plane, so that it comes down to it.
   void set_above_first(bool is_above) { is_above_first_ = is_above; }
 
+  // Return the planes.
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::span<const ContactPlane> all() const { return {contacts_.data(), count_}; }
   [[nodiscard]] const ContactPlane& operator[](std::size_t i) const { return contacts_[i]; }
@@ -71,7 +76,9 @@ class ContactPlanes {
   void transfer(StateArchive& archive, const SceneObjects& scene, bool are_kept);
 
  private:
-  // Triangles that share the nearest edge or vertex give the same plane.
+  // Returns true if an equal plane that bounds the proxy as far is there: triangles that share the
+  // nearest edge or vertex give the same plane. Normals that differ by less than 1e-10 rad are the
+  // same to rounding.
   [[nodiscard]] bool is_there(const Plane& plane) const {
     constexpr double kSameNormal = 1e-20;
     return std::ranges::any_of(all(), [&](const ContactPlane& c) {
@@ -79,12 +86,17 @@ class ContactPlanes {
              c.plane.offset >= plane.offset;
     });
   }
+  // Returns the plane with the farthest surface if that is beyond `distance_m`, or nullptr. The
+  // nearest surfaces are kept, since they block the shortest moves.
   ContactPlane* farthest_beyond(double distance_m);
 
+  // The planes with the surfaces that give them, the first `count_`.
   std::array<ContactPlane, kMaxContactPlanes> contacts_;
   std::size_t count_ = 0;
+  // True if the proxy is above the rest height of the first plane (set_above_first).
   bool is_above_first_ = false;
-  std::array<Plane, kMaxContactPlanes> planes_;  // the same, for a projection
+  // The same planes without their surfaces, as a projection takes them.
+  std::array<Plane, kMaxContactPlanes> planes_;
 };
 
 }  // namespace tactus::rendering

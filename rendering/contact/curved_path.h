@@ -36,16 +36,24 @@ class CurvedPath {
  private:
   // The curvature of the path of the proxy's centre.
   struct Curvature {
-    double ratio = 0.0;                 // of one move to the next; 0 if it is flat, or not known
-    Vec3 part = Vec3::Zero();           // of the move that changes by it
-    double max_share_of_radius = 0.25;  // how far a move may be lengthened
+    // The ratio of one plain move to the next; 0 if the path is flat or its curvature is not known.
+    double ratio = 0.0;
+    // The part of the move that changes by the ratio, m.
+    Vec3 part = Vec3::Zero();
+    // The most that a move may be lengthened to, as a share of the feature's distance from the
+    // centre.
+    double max_share_of_radius = 0.25;
   };
 
+  // Returns the curvature of the path round an edge or a vertex; flat on a face.
   [[nodiscard]] static Curvature at_feature(const Vec3& move, const Vec3& p, const Vec3& h,
                                             const ProxyRest& rest, const Triangle& triangle);
+  // Returns the curvature along the crease of two planes, from the last two moves.
   [[nodiscard]] Curvature along_crease(const Vec3& move, const ProxyRest& rest) const;
 
+  // The distance before any move was lengthened.
   static constexpr double kFar = std::numeric_limits<double>::infinity();
+  // The last move along a crease, m; zero if there was none or it was lengthened.
   Vec3 last_crease_move_ = Vec3::Zero();
   // The least distances to the tool (m) after plain moves that were lengthened on one and on two
   // planes.

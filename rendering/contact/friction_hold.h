@@ -1,5 +1,5 @@
 // Holds the proxy back by friction: from the point that the contact planes allow to the point that
-// friction allows.
+// friction allows. It is the fourth step of a sub-goal (sphere_proxy.cpp).
 #pragma once
 
 #include "rendering/contact/active_constraints.h"
@@ -13,10 +13,14 @@ namespace tactus::rendering {
 
 // The goal that friction leaves to the proxy; world frame, m.
 struct HeldGoal {
+  // The point to which the proxy moves.
   Vec3 point = Vec3::Zero();
-  Vec3 tool = Vec3::Zero();  // the tool that the proxy follows: a friction model makes it lag
-  bool settled = false;      // the proxy stays where it is
-  bool sticks = false;       // the proxy moves to its rest height only, not along the surface
+  // The tool that the proxy follows: a friction model makes it lag behind the real one.
+  Vec3 tool = Vec3::Zero();
+  // True if the proxy stays where it is.
+  bool settled = false;
+  // True if the proxy moves to its rest height only, not along the surface.
+  bool sticks = false;
 };
 
 // A sticking proxy may be this far below its rest height; a higher one clears the seams that it

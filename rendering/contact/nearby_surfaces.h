@@ -7,6 +7,7 @@
 
 namespace tactus::rendering {
 
+// The scene, the tool's contact margins and the candidates, which belong together.
 struct NearbySurfaces {
   const SceneObjects& scene;
   const ContactMargins& margins;

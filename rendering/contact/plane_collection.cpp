@@ -5,6 +5,10 @@
 
 namespace tactus::rendering {
 
+// Planes are collected from the candidates that the tangent bounds show within reach; each of them
+// is measured, unless the budget is spent. A surface gives its plane if it is touched on a face, if
+// the proxy is below the margin of its edge or vertex (then it must be pushed out), or if it
+// blocked a sweep in this tick.
 PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
                                                ContactPlanes& planes, std::uint32_t& flags) {
   CandidateSet& candidates = near_.candidates;
@@ -35,15 +39,18 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
   return found_overlap ? Result::overlapped : Result::complete;
 }
 
-// A sphere is nearer to the back than its radius only if it is inside or comes through; outside,
-// the front lies between.
+// Returns true if the object overlaps the sphere. A sphere is nearer to the back than its radius
+// only if it is inside or comes through; outside, the front lies between. So a tenth of a
+// micrometre is enough to tell behind a surface, while in front rounding and deformations may leave
+// kMaxPushOut_m.
 bool PlaneCollector::overlaps(const Candidate& candidate) const {
   constexpr double kBehind_m = 0.1e-6;
   const double slack_m = candidate.behind ? kBehind_m : kMaxPushOut_m;
   return candidate.nearest.distance < near_.margins.of(candidate.point_tool).inner_m - slack_m;
 }
 
-// The shape behind such a plane is convex, so the plane bounds the proxy from any distance.
+// Adds planes of surfaces out of reach. The shape behind such a plane is convex, so the plane
+// bounds the proxy from any distance.
 void PlaneCollector::add_recalled(const ConstraintMemory& memory, ContactPlanes& planes,
                                   std::uint32_t& flags) {
   for (const std::size_t i : memory.recalled()) {
@@ -67,6 +74,8 @@ bool PlaneCollector::add(std::size_t i, ContactPlanes& planes, std::uint32_t& fl
   const Candidate& candidate = near_.candidates.candidate(i);
   const Nearest& nearest = candidate.nearest;
   const ContactMargin& margin = near_.margins.of(candidate.point_tool);
+  // The plane lies where the centre is at its rest height. A proxy above it comes down to it, which
+  // keeps it in contact; one that a sweep left a little below rises to it.
   const double to_rest = margin.rest_m - nearest.distance;
   constexpr double kRounding_m = 1e-9;  // a sweep ends there
   const double push =
@@ -85,6 +94,8 @@ bool PlaneCollector::add(std::size_t i, ContactPlanes& planes, std::uint32_t& fl
 }
 
 void PlaneCollector::add_face_below(ContactPlanes& planes, std::uint32_t& flags) {
+  // The height to which a face counts as below the proxy: what a move past the end of a face may
+  // leave.
   constexpr double kLowest_m = 10e-6;
   double lowest = kLowest_m;
   std::size_t below = kNoCandidate;
@@ -108,6 +119,8 @@ void PlaneCollector::add_face_below(ContactPlanes& planes, std::uint32_t& flags)
   }
 }
 
+// The test needs no measurement: each candidate within reach is asked whether the proxy projects
+// inside its face. Only the face that held the proxy may say yes.
 bool is_still_on_face(const NearbySurfaces& near, const Vec3& p_W, const ConstraintMemory& memory,
                       const ProxyRest& rest) {
   const ContactPlane& contact = rest.planes[0];

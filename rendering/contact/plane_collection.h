@@ -1,4 +1,4 @@
-// Collects the contact planes at the proxy.
+// Collects the contact planes at the proxy: the second step of a sub-goal (sphere_proxy.cpp).
 //
 // A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
@@ -23,6 +23,7 @@ class PlaneCollector {
   PlaneCollector(const NearbySurfaces& near, const Vec3& p_W, double max_push_m)
       : near_(near), p_W_(p_W), max_push_m_(max_push_m) {}
 
+  // The outcome of a collection.
   enum class Result : std::uint8_t {
     complete,    // `planes` are all
     overlapped,  // the proxy overlaps an object too much; it is left out now, so gather again
@@ -44,11 +45,14 @@ class PlaneCollector {
   void add_face_below(ContactPlanes& planes, std::uint32_t& flags);
 
  private:
+  // Adds the plane of a measured candidate. Returns true if it is new.
   bool add(std::size_t candidate, ContactPlanes& planes, std::uint32_t& flags);
+  // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;
 
   const NearbySurfaces& near_;
   const Vec3& p_W_;
+  // The most that an overlapping proxy is pushed out, m.
   double max_push_m_;
 };
 

@@ -1,4 +1,5 @@
-// The result of the shared proxy's move in one tick: the planes that hold it, and its path.
+// The result of the shared proxy's move in one tick: the planes that hold it, and its path. The
+// steps of a tick write it (sphere_proxy.cpp), and ProxyTouch makes the force of it.
 #pragma once
 
 #include <algorithm>
@@ -25,21 +26,33 @@ struct ProxyPath {
 
 // One contact plane: a constraint on the proxy's centre.
 struct ContactPlane {
-  Plane plane;                 // world frame; the centre must stay on its positive side
-  Nearest nearest;             // point of the surface nearest to the proxy; world frame
-  std::uint32_t object = 0;    // index of the object in the scene
-  std::uint32_t triangle = 0;  // index in the object's mesh; 0 for a primitive
-  std::size_t candidate = 0;   // number in the candidate set, until it is gathered again
+  // The half space of the proxy's centre: normal . x >= offset; world frame.
+  Plane plane;
+  // The nearest point of the surface, seen from the proxy; world frame.
+  Nearest nearest;
+  // The index of the object in the scene.
+  std::uint32_t object = 0;
+  // The index of the triangle in the object's mesh; 0 for a primitive.
+  std::uint32_t triangle = 0;
+  // The number in the candidate set, valid until that is gathered again.
+  std::size_t candidate = 0;
 };
 
 // The proxy's contact after a tick.
 struct ProxyRest {
-  Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of the planes; zero in free space
-  std::array<ContactPlane, 3> planes{};  // the active planes: those that push
-  std::array<double, 3> pressure_m{};    // how far each of them pushes the proxy from the tool
-  std::uint8_t plane_count = 0;          // number of active planes
-  std::uint16_t sub_goals = 0;           // number of straight moves in this tick
-  std::uint32_t flags = kTouchClean;     // TouchFlags
+  // The direction of the joint push of the planes, unit; zero in free space. It is the sum of
+  // pressure times plane normal, made unit.
+  Vec3 normal_W = Vec3::Zero();
+  // The active planes, the first `plane_count`: those that push.
+  std::array<ContactPlane, 3> planes{};
+  // The pressures: how far each of them pushes the proxy from the tool, m. Times the stiffness they
+  // are the forces on the planes.
+  std::array<double, 3> pressure_m{};
+  std::uint8_t plane_count = 0;  // number of active planes
+  // The number of straight moves in this tick.
+  std::uint16_t sub_goals = 0;
+  // TouchFlags: the limits that the tick reached.
+  std::uint32_t flags = kTouchClean;
 
   // Returns the index of the plane with the largest pressure. plane_count must be > 0.
   [[nodiscard]] std::size_t hardest() const {
@@ -48,13 +61,16 @@ struct ProxyRest {
   }
 };
 
-// Factors of the friction coefficients of some objects, and the tool's depth (m) if the goal is not
-// as deep as the tool. They come from textures and shading.
+// Factors of the friction coefficients of some objects, and the tool's depth. They come from
+// textures and shading.
 struct FrictionFactors {
+  // The numbers of the objects and their factors, the first `count`.
   std::array<std::uint32_t, 3> object{};
   std::array<double, 3> factor{};
   std::size_t count = 0;
-  double depth_m = 0.0;  // 0: the goal's
+  // The tool's depth, m, if shading has set a goal that is not as deep as the tool; 0 for the
+  // goal's.
+  double depth_m = 0.0;
 
   // Returns the factor of object `number`; 1 if it has none.
   [[nodiscard]] double of(std::uint32_t number) const {

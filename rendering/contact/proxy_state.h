@@ -10,10 +10,15 @@ namespace tactus::rendering {
 
 // A tick that is repeated toward another goal starts from a copy of the state at its start.
 struct ProxyState {
-  Vec3 p_W = Vec3::Zero();                       // the proxy's centre, m
-  FrictionState friction = FrictionState::free;  // of the friction circle or the friction model
-  SurfaceFriction model;                         // of the friction models
-  LastContact last_contact;                      // the contact with the largest pressure
+  // The proxy's centre; world frame, m.
+  Vec3 p_W = Vec3::Zero();
+  // The state of the friction circle, or that of the friction model if one runs.
+  FrictionState friction = FrictionState::free;
+  // The memory of the friction models: bristles and what drives them.
+  SurfaceFriction model;
+  // The contact with the largest pressure. Its object carries the proxy when it moves, and gives
+  // the force in a tick that ends early.
+  LastContact last_contact;
 };
 
 }  // namespace tactus::rendering

@@ -12,13 +12,24 @@
 //   5. sweep: move the sphere straight to that sub-goal, or to the first triangle that gave no
 //      plane yet (candidate_sweep.h).
 //
+// With the proxy p, the tool h and the planes n_i . x >= d_i, step 3 is the quadratic program of
+// Zilles and Salisbury (IROS 1995):
+//
+//   minimise |x - h|^2 subject to n_i . x >= d_i,   x = h + sum_i pressure_i n_i
+//
+// Its multipliers are the pressures: lengths, of which each, times the stiffness, is the force on
+// one plane, and whose sum is the normal force that friction sees.
+//
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the segment to it. Each move shortens the distance to the tool, so the proxy
 // cannot cycle, and it ends at a local minimum of that distance. Two moves are exceptions: one that
 // lifts the sphere to the rest height of a plane, by less than the contact margin (would_cycle ends
-// the cycles of these), and one that is lengthened (CurvedPath bounds them). A sweep has
-// proved every position on the path clear, so the proxy crosses nothing, also when a limit ends the
-// tick.
+// the cycles of these), and one that is lengthened (CurvedPath bounds them). A sweep has proved
+// every position on the path clear, so the proxy crosses nothing, also when a limit ends the tick.
+//
+// A tick ends when there is no move to make, because the goal is settled or the planes leave no
+// free direction, after kMaxSubGoals, or when the budget is spent. After the last two the next tick
+// goes on from where the proxy is.
 #include "rendering/contact/proxy_tick.h"
 
 #include "rendering/contact/active_constraints.h"
@@ -33,6 +44,7 @@ namespace {
 
 using Gathering = CandidateSet::Gathering;
 
+// Writes a sub-goal to the path that tests and pictures ask for.
 void add_point(ProxyPath* path, std::size_t number, const Vec3& p) {
   if (path != nullptr) {
     path->points[number] = p;
@@ -47,17 +59,20 @@ struct SubGoal {
   bool lengthened = false;  // by CurvedPath
 };
 
+// A sub-goal and the sweep toward it.
 struct Move {
   SubGoal goal;
   SweepResult sweep;  // toward the goal, unless that is settled
 };
 
+// The continuation after a step.
 enum class Next : std::uint8_t {
   go_on,  // with the next step
   again,  // with the first step of this sub-goal
   end,    // the tick ends here
 };
 
+// The moves of one tick, and what each sub-goal leaves to the next.
 class ProxyTick {
  public:
   ProxyTick(const ProxyMove& move, ProxyState& state, ContactPlanes& planes, ProxyRest& rest)
@@ -72,7 +87,9 @@ class ProxyTick {
   void run();
 
  private:
-  // The steps of a sub-goal, in their order.
+  // The steps of a sub-goal, in their order: gather makes the candidate set valid; collect_planes
+  // finds the contact planes; find_move chooses the goal and sweeps; may_move asks the limits;
+  // make_move moves the proxy; stays_on_face finds out cheaply that the tick is over.
   Next gather();
   Next collect_planes(double max_push_m);
   Move find_move(double max_push_m);
@@ -92,12 +109,16 @@ class ProxyTick {
   ProxyState& state_;
   ContactPlanes& planes_;
   ProxyRest& rest_;
+  // The constraints met in this tick; forgotten when the candidates get new numbers.
   ConstraintMemory constraints_;
   CurvedPath curve_;
-  bool slipped_ = false;  // in this tick
+  // True once the proxy slipped in this tick: it then slips in the rest of it.
+  bool slipped_ = false;
 };
 
 void ProxyTick::run() {
+  // An overlap, which rounding or a deformation leaves, is pushed out by the first sub-goal only:
+  // afterwards the proxy's own moves keep it clear.
   double max_push_m = kMaxPushOut_m;
   for (;;) {
     add_point(path_, rest_.sub_goals, state_.p_W);
@@ -128,6 +149,7 @@ void ProxyTick::run() {
 Next ProxyTick::gather() {
   const std::size_t before = near_.candidates.gatherings();
   const Gathering gathering = near_.candidates.ensure(near_.scene, near_.margins, state_.p_W);
+  // A gathering gives the candidates new numbers, and the memory holds numbers.
   if (rest_.sub_goals == 0 || near_.candidates.gatherings() != before) {
     constraints_.clear();
   }
@@ -144,6 +166,8 @@ Next ProxyTick::gather() {
   if (gathering == Gathering::smaller) {
     return Next::go_on;
   }
+  // Too many triangles come near even in the smallest capsule. Those of an object that the proxy
+  // overlaps do not count: it is left out, and the sub-goal begins again.
   if (near_.candidates.left_out().add_overlapped(near_.scene, near_.margins, state_.p_W,
                                                  kMaxPushOut_m)) {
     forget_left_out();
@@ -158,6 +182,8 @@ Next ProxyTick::gather() {
 
 // Collects the planes at the proxy.
 Next ProxyTick::collect_planes(double max_push_m) {
+  // The planes of the sub-goal before are about to be replaced. If this one ends early their
+  // contact still gives the force.
   if (rest_.plane_count > 0) {
     state_.last_contact = hardest_contact(rest_);
   }
@@ -173,6 +199,7 @@ Next ProxyTick::collect_planes(double max_push_m) {
     case PlaneCollector::Result::complete:
       break;
   }
+  // The sphere has moved past the end of the face that held it.
   if (rest_.plane_count > 0 && planes_.empty()) {
     collector.add_face_below(planes_, rest_.flags);
   }
@@ -181,7 +208,9 @@ Next ProxyTick::collect_planes(double max_push_m) {
 
 // Chooses the next sub-goal and sweeps to it. A goal that would begin a cycle is chosen again with
 // the recalled planes, and one whose sweep is blocked at its start with the plane of the candidate
-// that blocks it.
+// that blocks it: most edges and vertices give their planes in this manner. The recalled planes are
+// those that held the proxy at the place it has left; they bound it from any distance. The loop
+// ends after kMaxContactPlanes + 1 sweeps.
 Move ProxyTick::find_move(double max_push_m) {
   const Vec3& p = state_.p_W;
   PlaneCollector collector(near_, p, max_push_m);
@@ -213,7 +242,8 @@ Move ProxyTick::find_move(double max_push_m) {
   }
 }
 
-// Projects the tool on the planes and holds the proxy by friction.
+// Projects the tool on the planes, holds the proxy by friction and lengthens the move on a curved
+// path. A move below kSettled_m is none.
 SubGoal ProxyTick::choose_goal() {
   const Vec3& p = state_.p_W;
   const ActiveConstraints active =
@@ -251,12 +281,17 @@ bool ProxyTick::may_move(const Move& move) {
     rest_.flags |= kTouchIterationsExhausted;
     return false;
   }
+  // The planes leave no free direction. If more planes hold the proxy than are kept, the missing
+  // ones may be the reason.
   if (!is_free) {
     escape_overfull_planes();
   }
   return is_free;
 }
 
+// Makes the move and leaves what the next sub-goal needs: the constraints that held the proxy here
+// (not those of a lengthened move, which leaves them behind), the move along a crease, and the
+// position from which candidates are measured.
 void ProxyTick::make_move(const Move& move) {
   const auto& [goal, sweep] = move;
   Vec3& p = state_.p_W;
@@ -287,7 +322,8 @@ bool ProxyTick::stays_on_face(const Move& move) {
   return true;
 }
 
-// Sweeps straight to the tool. Among too many candidates the proxy cannot slide, but it can leave.
+// Sweeps straight to the tool. Among too many candidates the proxy cannot slide, but it can
+// leave. The sweep needs none of them: it goes through the hierarchies, within kMaxCarryBudget.
 void ProxyTick::sweep_to_tool() {
   Vec3& p = state_.p_W;
   const Vec3 move = h_W_ - p;
@@ -321,7 +357,8 @@ void ProxyTick::escape_overfull_planes() {
   }
 }
 
-// Makes the objects that are left out neither hold the proxy nor give the force.
+// Removes every trace of the objects that are left out now: their planes, their contact, their
+// candidates.
 void ProxyTick::forget_left_out() {
   rest_.plane_count = 0;
   planes_.clear();

@@ -21,7 +21,8 @@ struct ProxyMove {
 void run_sub_goals(const ProxyMove& move, ProxyState& state, ContactPlanes& planes,
                    ProxyRest& rest);
 
-// Returns the contact of `rest` with the largest pressure; none if nothing presses.
+// Returns the contact of `rest` with the largest pressure, by which objects that move carry the
+// proxy in the next tick; none if no plane pushes.
 LastContact hardest_contact(const ProxyRest& rest);
 
 }  // namespace tactus::rendering

@@ -14,6 +14,8 @@ void SphereProxy::place(const Vec3& p_W) {
   candidate_set_.move_to(p_W);
 }
 
+// The candidates are checked first, with the objects at their new places: those near a moved object
+// are not valid any more. Then the proxy is carried.
 std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
   candidate_set_.begin_tick(scene);
   if (!scene.anything_moved()) {
@@ -29,6 +31,8 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
   return carried.flags;
 }
 
+// A proxy that is carried does not slide over the object that carries it, so friction sees the
+// tool's step without it.
 void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
   state_.model.begin_tick(tool_step_W - carried_W_, tick_s);
   carried_W_ = Vec3::Zero();
@@ -41,6 +45,8 @@ ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, Proxy
   return approach(scene, h_W, path);
 }
 
+// The candidates stay, with the tangents of their measurements, so a repetition costs less than the
+// first advance; its distances are measured again.
 ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   state_ = start_;
   candidate_set_.move_to(state_.p_W);
@@ -53,6 +59,8 @@ ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, Prox
   ProxyRest rest;
   run_sub_goals({.near = near, .factors = factors_, .h_W = h_W, .path = path}, state_, planes_,
                 rest);
+  // A tick that ended in the middle of its path may have no plane, yet the surface still pushes the
+  // hand.
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
   if (rest.plane_count == 0 && (rest.flags & kUnfinished) != 0) {
     keep_last_contact(scene, state_.last_contact, state_.p_W, h_W, rest);
@@ -65,6 +73,7 @@ ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, Prox
 // Leaves out the objects that overlap the sphere when it is placed, and takes back objects once
 // the sphere is clear of them.
 void SphereProxy::update_left_out(const SceneObjects& scene) {
+  // A placed proxy overlaps what is nearer than the margin's `inner_m` by this, m.
   constexpr double kNoOverlap_m = 0.5e-6;  // within the contact margin
   LeftOut& left_out = candidate_set_.left_out();
   bool changed = false;

@@ -1,6 +1,9 @@
 // The sphere proxy: the god-object of Zilles and Salisbury (IROS 1995) with a radius, after
 // Ruspini, Kolarov and Khatib ("The haptic display of complex graphical environments", SIGGRAPH
 // 1997). With radius 0 it is the god-object. proxy_tick.cpp describes one tick.
+//
+// ProxyTouch (rendering/world/proxy_touch.h) owns one for each tool and calls, in every tick:
+// begin_tick, begin_friction, advance, perhaps advance_again, look_ahead.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +18,8 @@
 
 namespace tactus::rendering {
 
+// The proxy of one tool, shared by all objects of the methods sphere_proxy and god_object. World
+// frame.
 class SphereProxy {
  public:
   explicit SphereProxy(double tool_radius_m) : margins_(tool_radius_m) {}
@@ -55,8 +60,11 @@ class SphereProxy {
   // 0.
   void set_friction_factors(const FrictionFactors& factors) { factors_ = factors; }
 
+  // Returns the proxy's centre; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return state_.p_W; }
+  // Returns the friction state after the last advance.
   [[nodiscard]] FrictionState friction() const { return state_.friction; }
+  // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return candidate_set_.peak(); }
 
   // Saves the state to the archive, or restores it; the scene must be the same.
@@ -70,14 +78,19 @@ class SphereProxy {
   ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
   void update_left_out(const SceneObjects& scene);
 
+  // The contact margins of the tool's radius.
   ContactMargins margins_;
   ProxyState state_;
-  ProxyState start_;               // at the start of the last advance
-  Vec3 carried_W_ = Vec3::Zero();  // m, by objects that moved, since the last begin_friction
+  // The state at the start of the last advance, from which a repetition starts.
+  ProxyState start_;
+  // The displacement by objects that moved, since the last begin_friction; world frame, m.
+  Vec3 carried_W_ = Vec3::Zero();
   FrictionFactors factors_;
-  bool just_placed_ = true;  // no tick since it was placed
+  // True until the first tick after place(): objects that overlap the proxy then are left out.
+  bool just_placed_ = true;
   CandidateSet candidate_set_;
-  ContactPlanes planes_;  // of the last sub-goal
+  // The planes of the last sub-goal. They live longer than a tick only while a gathering is begun.
+  ContactPlanes planes_;
 };
 
 }  // namespace tactus::rendering

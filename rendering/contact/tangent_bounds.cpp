@@ -15,6 +15,7 @@ struct Numbers {
   std::uint64_t of_each = 0;  // the entries beyond `count` have no meaning
   std::size_t count = 0;
 };
+// The numbers of set bits for each of the 16 possible answers of four lanes.
 constexpr std::array<Numbers, 16> kNumbersOf = [] {
   std::array<Numbers, 16> all{};
   for (std::uint32_t bits = 0; bits < all.size(); ++bits) {
@@ -31,6 +32,7 @@ constexpr std::array<Numbers, 16> kNumbersOf = [] {
 
 }  // namespace
 
+// An infinite height is above every reach.
 void TangentBounds::fill_last_four(std::size_t size) {
   for (std::size_t i = size; i % 4 != 0; ++i) {
     normal_x_[i] = normal_y_[i] = normal_z_[i] = 0.0F;
@@ -49,7 +51,8 @@ void TangentBounds::find(std::size_t size, const Vec3& p, double farther_m,
                          aligned_floats_at(&normal_y_[first]) * here.y +
                          aligned_floats_at(&normal_z_[first]) * here.z +
                          aligned_floats_at(&height_[first]);
-    // All four are written, and written over where not near: a branch would mostly be mistaken.
+    // All four numbers are written, and those that are not near are written over by the next ones:
+    // a branch would mostly be predicted wrong.
     const Numbers& near = kNumbersOf[which(bound <= reach)];
     const std::uint64_t numbers = near.of_each + first * kInEachOfFour;
     std::memcpy(&found.numbers[count], &numbers, sizeof numbers);

@@ -25,9 +25,12 @@ struct CandidateNumbers {
   std::array<std::uint16_t, kMaxCandidates> numbers{};
   std::size_t count = 0;
 
+  // Returns the numbers in use.
   [[nodiscard]] std::span<const std::uint16_t> all() const { return {numbers.data(), count}; }
 };
 
+// The bounds of all candidates. Candidate i lies behind its plane: from p it is at least normal_i .
+// (p - origin) + height_i away. CandidateSet sets the planes and asks for those within reach.
 class TangentBounds {
  public:
   // Starts over. Positions are taken relative to `origin`, so that floats are precise near it.
@@ -58,13 +61,16 @@ class TangentBounds {
   // Fills the last group of four after `size` candidates with entries that are out of reach.
   void fill_last_four(std::size_t size);
 
-  // A position in the form that the test uses.
+  // A position in the form that the test uses: metres from the origin, and the bound above which a
+  // candidate is out of reach.
   struct Position {
     float x, y, z;  // m, from the origin
     float reach;    // m; a larger bound is out of reach
   };
+  // Returns a position in that form, with a reach that covers the rounding to float.
   [[nodiscard]] Position at(const Vec3& p) const {
-    constexpr float kRounding = 1e-6F;  // of the largest length involved
+    // The rounding of a float dot product, as a share of the largest length involved.
+    constexpr float kRounding = 1e-6F;
     const auto x = static_cast<float>(p.x() - origin_.x());
     const auto y = static_cast<float>(p.y() - origin_.y());
     const auto z = static_cast<float>(p.z() - origin_.z());
@@ -88,8 +94,10 @@ class TangentBounds {
   void transfer(StateArchive& archive, std::size_t i);
 
  private:
+  // The origin of positions (world frame) and the reach, m.
   Vec3 origin_ = Vec3::Zero();
   double reach_m_ = 0.0;
+  // The planes, one array a component, so that four of them load at once.
   alignas(Floats) std::array<float, kMaxCandidates> normal_x_{};
   alignas(Floats) std::array<float, kMaxCandidates> normal_y_{};
   alignas(Floats) std::array<float, kMaxCandidates> normal_z_{};

@@ -10,6 +10,8 @@ namespace {
 // along.
 const Bounds kEverywhere{.lower_W = Vec3::Constant(-1e6), .upper_W = Vec3::Constant(1e6)};
 
+// Returns true if the pose is a rotation to 1e-9 and within the world. A component that is not a
+// number fails, because it propagates to the maximum.
 bool sound(const RigidPose& pose) {
   constexpr double kOrthonormal = 1e-9;
   return (pose.rotation.transpose() * pose.rotation - Mat3::Identity())
@@ -29,6 +31,7 @@ double Mover::distance_before(const Vec3& p_W) const {
   return bounds_O.distance(X_WO_before.point_in(p_W));
 }
 
+// All objects are visited even after a failure: every entry of mover_of_ must be set.
 bool Movers::start(std::span<const Object> objects) {
   objects_ = objects;
   count_ = deformable_count_ = 0;
@@ -97,7 +100,8 @@ void Movers::begin_tick(double time_s) {
   }
 }
 
-// Moves some vertices per tick, in turns.
+// Moves some vertices per tick, in turns. The target of each is its place at rest, moved along the
+// normal at rest, so that nothing drifts.
 void Movers::wave(Mover& mover, double time_s) {
   const Object& object = objects_[mover.object];
   const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
@@ -111,6 +115,8 @@ void Movers::wave(Mover& mover, double time_s) {
   }
 }
 
+// The order matters: the deformable takes its step first, because the bounds and `moved` follow
+// from it; the pose of the last tick is kept, because carrying sweeps between the two.
 void Movers::begin_tick_of(std::size_t k, double time_s) {
   Mover& mover = movers_[k];
   if (mover.motion != nullptr) {
@@ -129,11 +135,13 @@ void Movers::begin_tick_of(std::size_t k, double time_s) {
   mover.moved = mover.X_WO.rotation != mover.X_WO_before.rotation ||
                 mover.X_WO.translation != mover.X_WO_before.translation;
   if (mover.moved) {
+    // A primitive has a pose of its own within O.
     const RigidPose& own = objects_[mover.object].primitive.X_WO;
     mover.primitive_W.X_WO = {.rotation = mover.X_WO.rotation * own.rotation,
                               .translation = mover.X_WO.point(own.translation)};
   }
   if (mover.deformable != nullptr && mover.deformable->slack_m() > 0.0) {
+    // The box of a mesh that deforms changes, and its hierarchy lags the vertices by the slack.
     const BvhNode& root = mover.deformable->now().nodes[0];
     const Vec3 slack = Vec3::Constant(mover.deformable->slack_m());
     mover.bounds_O = {.lower_W = to_vec3(root.lower) - slack,

@@ -1,4 +1,5 @@
-// The objects of a scene that move or deform, at their places in this tick.
+// The objects of a scene that move or deform, at their places in this tick. SceneObjects owns them;
+// the contact methods ask for the pose before and the pose now.
 #pragma once
 
 #include <array>
@@ -20,16 +21,25 @@ namespace tactus::rendering {
 // An object that moves. Its frame O is the frame in which the scene gives it; X_WO is the pose of O
 // in the world.
 struct Mover {
+  // The object's number in the scene.
   std::uint32_t object = 0;
-  RigidPose X_WO_before;  // in the last tick
-  RigidPose X_WO;         // in this one
+  // The pose of O in the last tick and in this one.
+  RigidPose X_WO_before;
+  RigidPose X_WO;
+  // The velocity of O in this tick, for friction, damping and the power of driven surfaces.
   Twist twist;
-  const DeformableMesh* deformable = nullptr;  // of one that deforms
-  Primitive primitive_W;           // of an object without a mesh: where it is in this tick
-  Bounds bounds_O;                 // of what the proxy can touch
-  const Motion* motion = nullptr;  // its own, until the outside takes over
-  std::uint32_t next_vertex = 0;   // whose turn it is in the waves
-  bool moved = false;              // since the last tick, or deformed
+  // The mesh of an object that deforms; nullptr for a rigid one.
+  const DeformableMesh* deformable = nullptr;
+  // The primitive of an object without a mesh at its place in this tick.
+  Primitive primitive_W;
+  // The box of all that the proxy can touch; frame O, m.
+  Bounds bounds_O;
+  // The object's own motion, until the outside takes over; nullptr then.
+  const Motion* motion = nullptr;
+  // The vertex whose turn it is in the waves.
+  std::uint32_t next_vertex = 0;
+  // True if the object has moved or deformed since the last tick.
+  bool moved = false;
 
   // Return the distance from p_W to the object's box, m, 0 inside: at its place now, and at its
   // place in the last tick.
@@ -55,14 +65,16 @@ inline Vec3 direction_from(const Mover* mover, const Vec3& d_O) {
   return mover == nullptr ? d_O : mover->X_WO.direction(d_O);
 }
 
-// Lives in static storage; no heap. One thread owns it.
+// Lives in static storage; no heap. One thread owns it. The outside sets poses and vertices at any
+// time between two ticks; begin_tick() makes them the ones of the tick.
 class Movers {
  public:
   // Starts with those of `objects` that move or deform, each at X_WO = identity. The objects must
   // stay alive and unchanged. Returns false if they exceed the capacities (SceneCapacityNeeds).
   bool start(std::span<const Object> objects);
 
-  // SceneObjects::set_pose and move_vertex, for a number that is an object's.
+  // Set the pose or a vertex from the next tick on, and end the object's own motion. They refuse as
+  // SceneObjects::set_pose and move_vertex do; `number` must be that of an object.
   bool set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist);
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
@@ -73,13 +85,16 @@ class Movers {
   [[nodiscard]] const Mover* of(std::uint32_t number) const {
     return mover_of_[number] == kNoMover ? nullptr : &movers_[mover_of_[number]];
   }
+  // Returns all movers, in the order of their objects.
   [[nodiscard]] std::span<const Mover> all() const { return {movers_.data(), count_}; }
+  // Returns the number of movers that deform.
   [[nodiscard]] std::size_t deformable_count() const { return deformable_count_; }
   // Returns true if an object has moved or deformed since the last tick.
   [[nodiscard]] bool anything_moved() const { return anything_moved_; }
 
   // Saves the state to the archive, or restores it; the objects must be the same.
   void transfer(StateArchive& archive);
+  // Saves or restores anything_moved() alone.
   void transfer_moved(StateArchive& archive) { archive(anything_moved_); }
 
  private:
@@ -92,15 +107,21 @@ class Movers {
     Twist twist;
   };
 
+  // Adds the mover of one object. Returns false if a mesh that deforms does not fit.
   bool start_one(std::uint32_t number);
+  // Returns the mesh of a mover that deforms, to be changed.
   DeformableMesh& deformable_of(const Mover& mover);
+  // Moves one mover to its place in this tick.
   void begin_tick_of(std::size_t k, double time_s);
+  // Moves the vertices whose turn it is to their places in the wave.
   void wave(Mover& mover, double time_s);
   void transfer_one(StateArchive& archive, std::size_t k);
 
   std::span<const Object> objects_;
+  // The mover's index for each object, or kNoMover.
   std::array<std::uint8_t, kMaxObjects> mover_of_{};
   std::array<Mover, kMaxMovers> movers_{};
+  // The poses for the next tick, one for each mover.
   std::array<Order, kMaxMovers> orders_{};
   std::size_t count_ = 0;
   bool anything_moved_ = false;

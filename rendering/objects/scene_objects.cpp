@@ -21,6 +21,7 @@ bool SceneCapacityNeeds::fit() const {
          deformable_nodes <= kMaxDeformableNodes;
 }
 
+// A scene that is refused leaves the same state as an empty one.
 bool SceneObjects::set(std::span<const Object> objects) {
   SceneCapacityNeeds needs;
   std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });

@@ -1,5 +1,5 @@
 // The objects of a scene at their places in this tick: those at rest under a hierarchy of their
-// boxes, and those that move.
+// boxes, and those that move. World owns them; every contact method reads them.
 #pragma once
 
 #include <array>
@@ -28,19 +28,24 @@ struct PlacedMesh {
 
 // The share of the fixed capacities that some objects need.
 struct SceneCapacityNeeds {
-  std::size_t movers = 0;       // objects that move or deform
-  std::size_t independent = 0;  // that the shared proxy does not meet
+  // The objects that move or deform.
+  std::size_t movers = 0;
+  // The objects that the shared proxy does not meet.
+  std::size_t independent = 0;
+  // The objects that deform, their vertices and the nodes of their hierarchies.
   std::size_t deformables = 0;
   std::size_t deformable_vertices = 0;
   std::size_t deformable_nodes = 0;
 
+  // Adds the needs of one object.
   void add(const Object& object);
   // Returns true if the needs are within kMaxMovers, kMaxIndependentObjects, kMaxDeformables,
   // kMaxDeformableVertices and kMaxDeformableNodes.
   [[nodiscard]] bool fit() const;
 };
 
-// Lives in static storage; no heap. One thread owns it.
+// Lives in static storage; no heap. One thread owns it. Object numbers are indices of the span that
+// set() was given.
 class SceneObjects {
  public:
   // Sets the objects, each at X_WO = identity; the views must stay alive and unchanged. Returns
@@ -66,8 +71,10 @@ class SceneObjects {
   // Begins a tick, `time_s` after the scene was set, which lasts `tick_s`. Objects move to where
   // their own motion has them now, or where the outside set them since the last tick.
   void begin_tick(double time_s, double tick_s);
+  // Returns the duration of the tick, s.
   [[nodiscard]] double tick_s() const { return tick_s_; }
 
+  // Return the number of objects, one of them, and all.
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
   [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
   [[nodiscard]] std::span<const Object> objects() const { return objects_; }
@@ -97,9 +104,12 @@ class SceneObjects {
     return mover == nullptr ? Vec3{Vec3::Zero()} : mover->twist.at(p_W - mover->X_WO.translation);
   }
 
+  // Returns the objects that move or deform.
   [[nodiscard]] std::span<const Mover> movers() const { return movers_.all(); }
+  // Returns true if one of them has moved or deformed since the last tick.
   [[nodiscard]] bool anything_moved() const { return movers_.anything_moved(); }
 
+  // Returns true if there is an object that meets the shared proxy.
   [[nodiscard]] bool any_meets_proxy() const { return independent_count_ < objects_.size(); }
 
   // Returns the numbers of the objects that the shared proxy does not meet.
@@ -125,6 +135,7 @@ class SceneObjects {
   Movers movers_;
   ChangedMaterials materials_;
   StillHierarchy still_;
+  // The numbers of the objects that the shared proxy does not meet.
   std::array<std::uint32_t, kMaxIndependentObjects> independent_{};
   std::size_t independent_count_ = 0;
 };

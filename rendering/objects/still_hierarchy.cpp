@@ -9,11 +9,13 @@
 namespace tactus::rendering {
 namespace {
 
+// Returns the next floats beyond p toward a side, so that a box never loses what it holds.
 Float3 rounded(const Vec3& p, float toward) {
   const auto away = [toward](double x) { return std::nextafter(static_cast<float>(x), toward); };
   return {away(p.x()), away(p.y()), away(p.z())};
 }
 
+// Enlarges a node's box by an object's.
 void grow(BvhNode& box, const Bounds& by) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   const Float3 lower = rounded(by.lower_W, -kFar);
@@ -24,6 +26,7 @@ void grow(BvhNode& box, const Bounds& by) {
                std::max(box.upper.z, upper.z)};
 }
 
+// Returns the centre of the object's box.
 Vec3 centre(const Object& object) {
   const Bounds box = bounds_of(object);
   return 0.5 * (box.lower_W + box.upper_W);
@@ -42,7 +45,9 @@ void StillHierarchy::build(std::span<const Object> objects) {
   if (count == 0) {
     return;
   }
+  // The objects of a leaf.
   constexpr std::uint32_t kLeaf = 2;
+  // Depth first on a fixed stack: each level leaves one part waiting.
   std::array<Part, kMaxHierarchyDepth> parts;
   std::size_t waiting = 0;
   parts[waiting++] = {.node = 0, .first = 0, .count = count};
@@ -81,6 +86,8 @@ Eigen::Index StillHierarchy::enclose(std::span<const Object> objects, const Part
   return widest;
 }
 
+// Objects at equal places are ordered by their number, so that the hierarchy is the same on every
+// machine.
 void StillHierarchy::halve(std::span<const Object> objects, const Part& part, Eigen::Index axis) {
   const auto range = std::span(order_).subspan(part.first, part.count);
   std::ranges::nth_element(range, range.begin() + static_cast<std::ptrdiff_t>(part.count / 2),

@@ -1,4 +1,5 @@
-// A bounding-volume hierarchy over the boxes of the objects at rest.
+// A bounding-volume hierarchy over the boxes of the objects at rest. SceneObjects builds it once
+// per scene. A query that searches all objects then costs the logarithm of their number.
 #pragma once
 
 #include <array>
@@ -27,17 +28,20 @@ class StillHierarchy {
   [[nodiscard]] std::uint32_t object(std::uint32_t place) const { return order_[place]; }
 
  private:
+  // A node that waits to be built over a range of order_.
   struct Part {
     std::uint32_t node;
     std::uint32_t first;  // place of object()
     std::uint32_t count;
   };
 
+  // Sets the node's box. Returns the axis along which the centres of its objects spread most.
   Eigen::Index enclose(std::span<const Object> objects, const Part& part);
   void halve(std::span<const Object> objects, const Part& part, Eigen::Index axis);
 
   std::array<BvhNode, 2 * kMaxObjects> nodes_{};
   std::size_t node_count_ = 0;
+  // The numbers of the objects, in the order of the leaves.
   std::array<std::uint32_t, kMaxObjects> order_{};
 };
 

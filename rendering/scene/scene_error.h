@@ -1,4 +1,5 @@
-// Why a scene image was refused, and where.
+// The reasons for which a scene image is refused, and the place of the fault. SceneImage::open
+// returns them; tactus inspect and the controller show describe() to the user.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 
 namespace tactus::rendering {
 
+// The faults. scene_error.cpp lists their texts in the same order.
 enum class SceneFault : std::uint8_t {
   misaligned,         // the first byte is not at a multiple of kImageAlignment
   truncated,          // place: number of bytes there are
@@ -46,10 +48,13 @@ enum class SceneFault : std::uint8_t {
   capacity,           // see SceneObjects::set; place: objects that move or are touched alone
 };
 
+// A fault, the object at fault and the place in it.
 struct SceneError {
   SceneFault fault = SceneFault::malformed;
-  std::uint32_t object = kNoObject;  // index of the object at fault, where there is one
-  std::uint64_t place = 0;           // what it counts stands beside each fault, and in place_noun
+  // The index of the object at fault; kNoObject if the fault is not of one object.
+  std::uint32_t object = kNoObject;
+  // The place; what it counts stands beside each fault, and in place_noun.
+  std::uint64_t place = 0;
 };
 
 // Returns the fault and its remedy as text, without the place.

@@ -15,6 +15,7 @@ inline void transfer(StateArchive& archive, Plane& plane) {
   archive(normal, offset);
 }
 
+// The count bounds an index and so is checked when it is read.
 inline void transfer(StateArchive& archive, FrictionFactors& factors) {
   auto& [object, factor, count, depth_m] = factors;
   archive(object, factor, depth_m);
@@ -37,6 +38,7 @@ void ContactPlanes::transfer(StateArchive& archive, const SceneObjects& scene, b
   }
 }
 
+// The limit follows from the savings at the start of the next tick.
 void TickBudget::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [done, most, saved] = *this;
   archive(done);
@@ -53,6 +55,8 @@ void TangentBounds::transfer(StateArchive& archive, std::size_t i) {
   archive(normal_x[i], normal_y[i], normal_z[i], height[i]);
 }
 
+// The capsule, the plan, the counts and the candidates. The fields that follow from the scene and
+// the margins are made anew by a reader.
 void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
                             const ContactMargins& margins) {
   [[maybe_unused]] auto& [place, trust, plan, own_margins, size, counts, progress, may_pause,
@@ -79,6 +83,8 @@ void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
   archive(budget);  // which measuring again has added to
 }
 
+// Saves the gathering that has begun: the meshes that are left, and the nodes that the walk of the
+// last of them has still to look at.
 void CandidateSet::transfer_walk(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [meshes, count, left, tested, smaller, is_full] = progress_;
   archive.up_to(count, meshes.size());
@@ -122,6 +128,8 @@ void CandidateSet::transfer_here(StateArchive& archive) {
   }
 }
 
+// Saves one candidate. A reader builds its triangle and measures it again, which gives the same
+// bits.
 void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects& scene,
                                       std::size_t i) {
   Candidate& slot = slots_[i];
@@ -148,6 +156,7 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
   }
 }
 
+// `start` is set by the next advance, so it is not saved.
 void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [margins, state, start, carried_W, factors, just_placed, candidate_set,
                           planes] = *this;
@@ -165,6 +174,7 @@ void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
   planes.transfer(archive, scene, candidate_set.is_begun());
 }
 
+// The points in this pass and its travel are set by the next touch.
 void ProxyTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [proxy, shading, friction, before, here, last_tool_W, tool_step_m,
                           travel_m, first_pass, detailed] = *this;

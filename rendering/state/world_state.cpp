@@ -8,6 +8,7 @@
 
 namespace tactus::rendering {
 
+// The boxes are saved and not refitted: they lag the vertices by a part of a pass.
 void DeformableMesh::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [before, now, wanted, nodes, triangles, nodes_left, moved_in_pass_m,
                           moved_in_last_pass_m, step_m, asked] = *this;
@@ -71,6 +72,8 @@ void Movers::transfer(StateArchive& archive) {
   }
 }
 
+// An object that the outside has taken over has no motion of its own any more; a state that gives
+// it one again is refused unless the scene has it.
 void Movers::transfer_one(StateArchive& archive, std::size_t k) {
   [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
                           motion, next_vertex, moved] = movers_[k];
@@ -101,6 +104,7 @@ void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
   }
 }
 
+// Tools and effects must be as many as in the saved world; the rest follows in the order of a tick.
 void World::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count] =
       *this;

@@ -1,4 +1,5 @@
-// The effects of a scene on one tool, with the energy account of each.
+// The effects of a scene on one tool, with the energy account of each. World keeps one for every
+// tool.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 
 namespace tactus::rendering {
 
+// The states of all effects for one tool.
 class EffectTouch {
  public:
   // Starts over: anchors, phases and accounts.
@@ -36,6 +38,7 @@ class EffectTouch {
   void transfer(StateArchive& archive, std::size_t effects);
 
  private:
+  // One state for each effect of the scene, in its order.
   std::array<EffectState, kMaxEffects> states_{};
 };
 

@@ -34,15 +34,16 @@ class FormulaBuilder {
   Value multiply(Value a, Value b);
   Value divide(Value a, Value b);
   Value negate(Value a);
-  // a^n for a whole number 1 <= n <= kMaxExponent.
+  // Returns a^n for a whole number 1 <= n <= kMaxExponent.
   Value whole_power(Value a, int n);
-  // a^n for any whole number n; nothing if |n| is above kMaxExponent.
+  // Returns a^n for any whole number n; nothing if |n| is above kMaxExponent.
   std::optional<Value> power(Value a, int n);
-  // a^exponent for a constant exponent that need not be whole.
+  // Returns a^exponent for a constant exponent that need not be whole.
   Value real_power(Value a, double exponent);
-  // (|a|^p + |b|^p)^(1/p), in the form of rendering::Opcode::power_norm. |p| must be at least 1.
+  // Returns (|a|^p + |b|^p)^(1/p), in the form of rendering::Opcode::power_norm. |p| must be at
+  // least 1.
   Value power_norm(Value a, Value b, double p);
-  // The smaller and the larger of two values.
+  // Return the smaller and the larger of two values.
   Value minimum(Value a, Value b);
   Value maximum(Value a, Value b);
   // A function of one operand: square_root, sine, cosine, exponential, logarithm or magnitude.
@@ -57,7 +58,7 @@ class FormulaBuilder {
   [[nodiscard]] std::vector<rendering::Instruction> list(Value result) const;
 
  private:
-  // What makes two instructions equal: everything, with the constant by its bits.
+  // The identity of an instruction: two are equal if all parts are, the constant by its bits.
   using Key = std::tuple<rendering::Opcode, Value, Value, std::int16_t, std::uint64_t>;
 
   // An instruction whose operands may have larger numbers than the format can store.
@@ -71,7 +72,7 @@ class FormulaBuilder {
 
   // Returns the number of the entry: that of an equal one if there is one.
   Value put(const Entry& entry);
-  // a + c and c * a, as one instruction each.
+  // Return a + c and c * a, as one instruction each.
   Value add_constant(Value a, double c);
   Value scale(Value a, double c);
   // Returns the result of an operation on constants; nothing if an operand is not constant.

@@ -17,7 +17,7 @@ struct FormulaNode {
   double number = 0.0;
   // The name of a variable, constant or function.
   std::string name;
-  // Where the node stands in the text, in characters from 0.
+  // The node's place in the text, in characters from 0.
   std::size_t place = 0;
   // The operands of an operator, or the arguments of a call.
   std::vector<FormulaNode> children;

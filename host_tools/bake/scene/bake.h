@@ -15,7 +15,7 @@
 
 namespace tactus::host {
 
-// What baking found and made for one object, for the report to the user.
+// The findings of baking for one object, for the report to the user.
 struct ObjectReport {
   // The object's name in the image.
   std::string name;
@@ -26,7 +26,8 @@ struct ObjectReport {
   std::uint64_t vertices = 0;
   // Lines and points of the mesh file, which have no surface and were left out.
   std::uint32_t lines_and_points = 0;
-  // What cleaning the mesh merged, dropped and found at its edges.
+  // The numbers of vertices that cleaning merged, triangles that it dropped, and faulty edges that
+  // it found.
   rendering::BakeCounters counters;
   // The size of the object's arrays in the image.
   std::uint64_t bytes = 0;

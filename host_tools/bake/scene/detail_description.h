@@ -16,7 +16,7 @@ namespace tactus::host {
 
 // One picture on a surface, as the scene describes it.
 struct TextureDescription {
-  // What the picture changes: stiffness, friction, height (bump) or normal.
+  // The property that the picture changes: stiffness, friction, height (bump) or normal.
   rendering::TextureUse use = rendering::TextureUse::stiffness;
   // The picture's file, resolved against the scene file's folder.
   std::filesystem::path image;

@@ -35,7 +35,7 @@ struct BakedObject {
   BakedMesh mesh;
   // The primitive or formula that is touched; nothing for a mesh.
   ShapeDescription shape;
-  // Where the shape stands; a mesh is in the world frame already.
+  // The place of the shape in the world; a mesh is in the world frame already.
   Placement placement;
   // The method that renders the contact; the shape must permit it.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;

@@ -32,7 +32,7 @@ struct BakedMesh {
   std::vector<rendering::CornerPlaces> corner_places;
   // The shading normals of each triangle's corners; empty unless the object is shaded.
   std::vector<rendering::CornerNormals> corner_normals;
-  // What was welded, dropped and found open.
+  // The numbers of welded vertices, dropped triangles and faulty edges.
   rendering::BakeCounters counters;
 
   // Return views that are valid as long as this mesh lives and its vectors are unchanged.

@@ -61,7 +61,7 @@ class EdgeTable {
     }
   }
 
-  // Where each vertex's half edges begin in half_edges_, with one more entry at the end.
+  // The index in half_edges_ of each vertex's first half edge, with one more entry at the end.
   std::vector<std::uint32_t> begin_;
   std::vector<HalfEdge> half_edges_;
 };

@@ -19,7 +19,7 @@ struct Placement {
   double scale = 1.0;
   // From the file's axes to the world's.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  // Where the centre is put in the world, m.
+  // The place of the object's centre in the world, m.
   Vec3 position_m = Vec3::Zero();
 };
 

@@ -31,7 +31,7 @@ struct ObjectDescription {
   std::filesystem::path mesh;
   // The line of the mesh or the shape, for errors in it.
   std::size_t line = 0;
-  // Where the object stands, and its scale.
+  // The object's place in the world, and its scale.
   Placement placement;
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
