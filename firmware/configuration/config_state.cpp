@@ -79,7 +79,7 @@ inline void transfer(StateArchive& archive, JointFriction& friction) {
   auto& [kind, coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
          stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
          elastic_fraction] = model;
-  archive.choice(kind, FrictionKind::elasto_plastic);
+  archive.choice(kind, static_cast<FrictionKind>(rendering::kFrictionKinds - 1));
   archive(coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
           stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
           elastic_fraction, compensated_share, turn_length);

@@ -57,12 +57,12 @@ struct FitOptions {
   double exponent = 2.0;
 };
 
-// `kind` is coulomb_viscous, stribeck, dahl or lugre.
+// `kind` is one of fitted_kinds().
 FrictionFit fit_friction(const FrictionRecord& record, rendering::FrictionKind kind,
                          const FitOptions& options = {});
 
-// The kinds that can be fitted.
-std::span<const rendering::FrictionKind> fitted_kinds();
+// Returns the models that can be fitted, the simplest first.
+std::vector<rendering::FrictionKind> fitted_kinds();
 
 // The one with the least AIC; the first of those that are within 2 of it, which says nothing.
 std::size_t preferred(std::span<const FrictionFit> fits);

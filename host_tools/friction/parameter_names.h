@@ -11,15 +11,8 @@
 
 namespace tactus::host {
 
-struct FrictionKindName {
-  rendering::FrictionKind kind;
-  std::string_view name;   // of --model and of `model` in TOML
-  std::string_view title;  // in a heading
-};
-
-// Returns the names of all models, in the order of FrictionKind.
-std::span<const FrictionKindName> friction_kind_names();
-const FrictionKindName& name_of(rendering::FrictionKind kind);
+// Returns what a model says of itself: its names and its parameters.
+const rendering::FrictionModelTraits& model_of(rendering::FrictionKind kind);
 
 // A hyphen counts as an underscore. Throws InputError, listing the names, if there is no such
 // model.
@@ -40,11 +33,8 @@ struct FrictionParameterName {
   std::string_view joint_key;     // in TOML, ForceScale::newton
   std::string_view surface_key;   // in TOML, ForceScale::per_newton
   std::string_view meaning;
-  unsigned kinds;  // bit 1 << kind for every model that has it
 
-  [[nodiscard]] bool belongs_to(rendering::FrictionKind kind) const {
-    return (kinds >> static_cast<unsigned>(kind) & 1U) != 0;
-  }
+  [[nodiscard]] rendering::FrictionKinds kinds() const { return rendering::kinds_with(member); }
   [[nodiscard]] std::string_view unit_of(ForceScale scale) const {
     return scale == ForceScale::newton ? unit : surface_unit;
   }
@@ -68,6 +58,12 @@ void set_parameter(rendering::FrictionParameters& parameters, std::string_view a
 
 // Throws InputError where Fs is below Fc, or a model lacks the stiffness that it needs.
 void check_parameters(const rendering::FrictionParameters& parameters, ForceScale scale);
+
+// Returns "a, b or c" of at least two names, with `last_joint` "or".
+std::string in_words(std::span<const std::string_view> names, std::string_view last_joint);
+
+// Returns the names of all models in words: for --help.
+std::string model_help();
 
 // One line a parameter, with units, default and which models have it: for --help.
 std::string parameter_help();

@@ -1,6 +1,7 @@
 // Why a scene image was refused, and where.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -44,12 +45,28 @@ enum class SceneFault : std::uint8_t {
   effect,             // unknown law, or a number out of range; place: effect
   motion,             // a number out of range, or of an object that does not move
   capacity,           // see SceneObjects::set; place: objects that move or are touched alone
+  effect_law,         // a law that this controller does not have; place: effect
+};
+
+// A name from an image, for a message: the first 31 characters, with ? for those that are not
+// printable ASCII.
+class FaultName {
+ public:
+  FaultName() = default;
+  explicit FaultName(std::string_view text);
+
+  [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, 31> text_{};
+  std::uint8_t size_ = 0;
 };
 
 struct SceneError {
   SceneFault fault = SceneFault::malformed;
   std::uint32_t object = kNoObject;  // index of the object at fault, where there is one
   std::uint64_t place = 0;           // what it counts stands beside each fault, and in place_noun
+  FaultName name;                    // of effect_law; empty for the others
 };
 
 // Returns the fault and its remedy as text, without the place.

@@ -41,11 +41,11 @@ constexpr std::array kOwnKeys{
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
 };
-constexpr auto kObjectKeys = [] {
-  std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
-  std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
+std::vector<KeySpec> object_keys() {
+  std::vector<KeySpec> keys(kOwnKeys.begin(), kOwnKeys.end());
+  std::ranges::copy(shape_keys(), std::back_inserter(keys));
   return keys;
-}();
+}
 
 rendering::Sides read_sides(const TomlSection& section) {
   const std::string sides = section.text("sides").value_or("one");
@@ -57,7 +57,8 @@ rendering::Sides read_sides(const TomlSection& section) {
 
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
                               const std::filesystem::path& folder) {
-  const TomlSection section(table, file, fmt::format("object {}", index + 1), kObjectKeys);
+  const std::vector<KeySpec> keys = object_keys();
+  const TomlSection section(table, file, fmt::format("object {}", index + 1), keys);
   ObjectDescription object;
   object.placement = read_placement(section, file);
   object.shape = read_shape(section, object.placement);

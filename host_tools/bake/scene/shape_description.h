@@ -19,12 +19,11 @@ struct ImplicitDescription {
 // Nothing: the object's mesh.
 using ShapeDescription = std::variant<std::monostate, rendering::Primitive, ImplicitDescription>;
 
-// The keys of the section that this reads.
-inline constexpr std::array kShapeKeys{
-    KeySpec{"primitive", ""}, KeySpec{"radius_m", "m"},      KeySpec{"height_m", "m"},
-    KeySpec{"size_m", "m"},   KeySpec{"ring_radius_m", "m"}, KeySpec{"tube_radius_m", "m"},
-    KeySpec{"formula", ""},   KeySpec{"bounds", ""},
-};
+// Returns the keys of the dimensions of all primitives, each once.
+std::vector<KeySpec> primitive_keys();
+
+// Returns the keys of the section that read_shape reads.
+std::vector<KeySpec> shape_keys();
 
 // Throws InputError with the file and the line. The placement's scale is the formula's unit.
 ShapeDescription read_shape(const TomlSection& section, const Placement& placement);

@@ -17,7 +17,7 @@
 #include <cmath>
 
 #include "rendering/friction/bristle.h"
-#include "rendering/friction/friction_model.h"
+#include "rendering/friction/levels.h"
 
 namespace tactus::rendering {
 
@@ -75,50 +75,66 @@ ElasticStep<Vector> plastic_step(const ElastoPlasticLevels& levels, double stiff
   return step;
 }
 
-template <typename Vector>
-ElasticStep<Vector> advance_elasto_plastic(const FrictionParameters& parameters,
-                                           const FrictionTick<Vector>& tick,
-                                           const Vector& elastic_force_N) {
-  constexpr double kSettled = 32.0;
-  constexpr double kFirstStep = 0.125;
-  constexpr double kGrowth = 1.5;
-  const double stiffness = parameters.stiffness_N_per_m;
-  const double normal = tick.normal_force_N;
-  const ElastoPlasticLevels levels{
-      .break_away_N = parameters.elastic_fraction * parameters.coulomb * normal,
-      .steady_N = steady_level(parameters, tick.speed_m_per_s) * normal};
-  const Vector start = cut_to(elastic_force_N, parameters.static_level * normal);
-  ElasticStep<Vector> sum{.end_N = start, .mean_N = start};
-  if (tick.path_m <= 0.0) {
+struct ElastoPlasticModel {
+  static constexpr std::string_view kName = "elasto_plastic";
+  static constexpr std::string_view kTitle = "elasto-plastic";
+  static constexpr bool kHasBristles = true;
+  static constexpr std::array kParameters{
+      &FrictionParameters::coulomb,           &FrictionParameters::static_level,
+      &FrictionParameters::viscous_s_per_m,   &FrictionParameters::stribeck_velocity_m_per_s,
+      &FrictionParameters::stribeck_exponent, &FrictionParameters::stiffness_N_per_m,
+      &FrictionParameters::damping_s_per_m,   &FrictionParameters::damping_fade_m_per_s,
+      &FrictionParameters::elastic_fraction};
+
+  static double steady_level(const FrictionParameters& parameters, double speed_m_per_s) {
+    return falling_with_speed(parameters, speed_m_per_s);
+  }
+
+  template <typename Vector>
+  static ElasticStep<Vector> advance(const FrictionParameters& parameters,
+                                     const FrictionTick<Vector>& tick,
+                                     const FrictionMemory<Vector>& memory) {
+    constexpr double kSettled = 32.0;
+    constexpr double kFirstStep = 0.125;
+    constexpr double kGrowth = 1.5;
+    const double stiffness = parameters.stiffness_N_per_m;
+    const double normal = tick.normal_force_N;
+    const ElastoPlasticLevels levels{
+        .break_away_N = parameters.elastic_fraction * parameters.coulomb * normal,
+        .steady_N = steady_level(parameters, tick.speed_m_per_s) * normal};
+    const Vector start = cut_to(memory.elastic_force_N, parameters.static_level * normal);
+    ElasticStep<Vector> sum{.end_N = start, .mean_N = start};
+    if (tick.path_m <= 0.0) {
+      return sum;
+    }
+    const Vector direction = tick.displacement_m / tick.path_m;
+    const double elastic_m =
+        std::min(tick.path_m, elastic_path_m(levels, stiffness, start, direction));
+    const Vector stretch = (stiffness * elastic_m) * direction;
+    const double share = elastic_m / tick.path_m;
+    sum.mean_N = share * (start + 0.5 * stretch);
+    sum.end_N = start + stretch;
+    sum.bent_N = stretch;
+    double left_m = tick.path_m - elastic_m;
+    const double unit_m = levels.steady_N / stiffness;
+    double step_m = kFirstStep * unit_m;
+    if (left_m > kSettled * unit_m) {
+      const Vector slid = levels.steady_N * direction;
+      sum.bent_N += slid - sum.end_N;
+      sum.mean_N += (left_m / tick.path_m) * slid;
+      sum.end_N = slid;
+      left_m = 0.0;
+    }
+    while (left_m > 0.0) {
+      const double part_m = std::min(step_m, left_m);
+      add_part(sum, plastic_step(levels, stiffness, sum.end_N, direction, part_m),
+               part_m / tick.path_m);
+      left_m -= part_m;
+      step_m *= kGrowth;
+    }
+    sum.slipping = 2.0 * length(sum.bent_N) < stiffness * tick.path_m;
     return sum;
   }
-  const Vector direction = tick.displacement_m / tick.path_m;
-  const double elastic_m =
-      std::min(tick.path_m, elastic_path_m(levels, stiffness, start, direction));
-  const Vector stretch = (stiffness * elastic_m) * direction;
-  const double share = elastic_m / tick.path_m;
-  sum.mean_N = share * (start + 0.5 * stretch);
-  sum.end_N = start + stretch;
-  sum.bent_N = stretch;
-  double left_m = tick.path_m - elastic_m;
-  const double unit_m = levels.steady_N / stiffness;
-  double step_m = kFirstStep * unit_m;
-  if (left_m > kSettled * unit_m) {
-    const Vector slid = levels.steady_N * direction;
-    sum.bent_N += slid - sum.end_N;
-    sum.mean_N += (left_m / tick.path_m) * slid;
-    sum.end_N = slid;
-    left_m = 0.0;
-  }
-  while (left_m > 0.0) {
-    const double part_m = std::min(step_m, left_m);
-    add_part(sum, plastic_step(levels, stiffness, sum.end_N, direction, part_m),
-             part_m / tick.path_m);
-    left_m -= part_m;
-    step_m *= kGrowth;
-  }
-  sum.slipping = 2.0 * length(sum.bent_N) < stiffness * tick.path_m;
-  return sum;
-}
+};
 
 }  // namespace tactus::rendering
