@@ -1,0 +1,12 @@
+
+ControllerConfig planar_arm_config() {
+  constexpr double kMotor_Nm = 0.12;
+  ControllerConfig config;
+  const PlanarArmGeometry geometry;
+  config.mechanism = geometry;
+  config.workspace_origin_D = {geometry.inner_m, 0.0, geometry.outer_m};
+  config.joints[0] = {.lower = -60.0 * kDegree, .upper = 60.0 * kDegree, .max_effort = kMotor_Nm};
+  config.joints[1] = {.lower = 30.0 * kDegree, .upper = 150.0 * kDegree, .max_effort = kMotor_Nm};
+  config.safety.max_force_N = 1.0;
+  return config;
+}
