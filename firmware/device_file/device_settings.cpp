@@ -1,6 +1,6 @@
 #include "firmware/device_file/device_settings.h"
 
-#include "firmware/device_file/pin_setting.h"
+#include "drivers/gpio_axis/pin_setting.h"
 
 namespace tactus::firmware {
 
@@ -53,59 +53,19 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
   return kKeys;
 }
 
-// ---- connections
+// ---- connections, axes
 
 std::span<const Binding<ConnectionConfig>> connection_keys() {
   static constexpr std::array kKeys{bind<&ConnectionConfig::name>("name")};
   return kKeys;
 }
 
-std::span<const Binding<CanConnection>> can_keys() {
+std::span<const Binding<AxisConfig>> axis_keys() {
   static constexpr std::array kKeys{
-      bind<&CanConnection::interface>("interface"),
-      bind<&CanConnection::bit_rate>("bit_rate"),
-      bind<&CanConnection::data_bit_rate>("data_bit_rate"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<FalconConnection>> falcon_keys() {
-  using C = FalconConnection;
-  using F = drivers::FalconConfig;
-  static constexpr std::array kKeys{
-      bind<&C::firmware_file>("firmware_file"),
-      bind<&C::falcon, &F::motor_units_per_Nm>("motor_units_per_Nm", "per_Nm"),
-      bind<&C::falcon, &F::torque_limit_Nm>("torque_limit_Nm", "Nm"),
-      bind<&C::falcon, &F::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
-      bind<&C::falcon, &F::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
-      bind<&C::falcon, &F::unproven_watchdog>("unproven_watchdog"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<HaplyConnection>> haply_keys() {
-  using C = HaplyConnection;
-  using H = drivers::HaplyConfig;
-  static constexpr std::array kKeys{
-      bind<&C::port>("port"),
-      bind<&C::haply, &H::device_id>("device_id"),
-      bind<&C::haply, &H::torque_limit_Nm>("torque_limit_Nm", "Nm"),
-      bind<&C::haply, &H::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
-      bind<&C::haply, &H::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
-      bind<&C::haply, &H::home_tolerance_rad>("home_tolerance_rad", "rad"),
-      bind<&C::haply, &H::unproven_watchdog>("unproven_watchdog"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<GpioConnection>> gpio_keys() {
-  using C = GpioConnection;
-  static constexpr std::array kKeys{
-      bind<&C::chip>("chip"),
-      bind<&C::pwm_folder>("pwm_folder"),
-      bind<&C::pwm_channel>("pwm_channel"),
-      bind<&C::counter>("counter"),
-      bind<&C::counter_channel>("counter_channel"),
+      bind<&AxisConfig::name>("name"),
+      bind<&AxisConfig::connection_name>("connection"),
+      bind<&AxisConfig::encoder>("encoder"),
+      bind<&AxisConfig::encoder_turn_begins_rad>("encoder_turn_begins_rad", "rad"),
   };
   return kKeys;
 }
