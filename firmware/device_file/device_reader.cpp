@@ -50,9 +50,8 @@ DeviceReader::Outcome DeviceReader::read() {
 DeviceReader::Outcome DeviceReader::read_mechanism(std::size_t i) {
   const auto preset = preset_config(text_of(sections_.sections[i], kKindKey));
   if (!preset) {
-    return refuse(i, kKindKey,
-                  R"(must be "cartesian", "falcon", "hapkit", "haply_pantograph", )"
-                  R"("phantom_premium" or "woodenhaptics")");
+    static constexpr drivers::MustBe kMustBe(kPresetNames);
+    return refuse(i, kKindKey, kMustBe.view());
   }
   config_.controller = *preset;
   return assign_all(i, kKindKey,

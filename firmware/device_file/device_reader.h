@@ -54,14 +54,10 @@ class DeviceReader {
   void choose_moving_mass();
   Outcome finish();
   [[nodiscard]] std::span<const Binding<JointConfig>> joint_keys() const {
-    return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
-               ? sliding_joint_keys()
-               : turning_joint_keys();
+    return slides(config_.controller.mechanism) ? sliding_joint_keys() : turning_joint_keys();
   }
   [[nodiscard]] std::span<const Binding<PlantConfig>> plant_keys() const {
-    return std::holds_alternative<CartesianGeometry>(config_.controller.mechanism)
-               ? sliding_plant_keys()
-               : turning_plant_keys();
+    return slides(config_.controller.mechanism) ? sliding_plant_keys() : turning_plant_keys();
   }
 
   [[nodiscard]] std::size_t section_of(const Refusal& refusal) const;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <variant>
 
 #include "firmware/device_file/device_config.h"
 #include "firmware/device_file/device_image.h"
@@ -75,21 +74,6 @@ void visit_axis(AxisConfig& axis, Visitor&& visit) {
   visit(axis, axis_keys());
   drivers::visit_drive(axis.drive,
                        [&](const auto& driver, auto& drive) { visit(drive, driver.keys()); });
-}
-
-template <class Visitor>
-void visit_mechanism(MechanismGeometry& mechanism, Visitor&& visit) {
-  if (auto* cartesian = std::get_if<CartesianGeometry>(&mechanism)) {
-    visit(*cartesian, cartesian_keys());
-  } else if (auto* delta = std::get_if<DeltaGeometry>(&mechanism)) {
-    visit(*delta, delta_keys());
-  } else if (auto* paddle = std::get_if<PaddleGeometry>(&mechanism)) {
-    visit(*paddle, paddle_keys());
-  } else if (auto* pantograph = std::get_if<PantographGeometry>(&mechanism)) {
-    visit(*pantograph, pantograph_keys());
-  } else if (auto* arm = std::get_if<SerialArmGeometry>(&mechanism)) {
-    visit(*arm, serial_arm_keys());
-  }
 }
 
 }  // namespace tactus::firmware

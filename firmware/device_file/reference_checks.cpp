@@ -70,7 +70,7 @@ std::string_view no_encoder(const AxisConfig& axis) {
 }
 
 bool is_sliding(const DeviceConfig& device) {
-  return std::holds_alternative<CartesianGeometry>(device.controller.mechanism);
+  return slides(device.controller.mechanism);
 }
 
 // Explains that one turn of the encoder is less than the joint's travel.
