@@ -9,9 +9,12 @@
 #include <array>
 #include <numbers>
 #include <optional>
+#include <span>
 
+#include "drivers/common/setting.h"
 #include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/range_check.h"
 #include "rendering/geometry/portable_math.h"
 
 namespace tactus::firmware {
@@ -26,17 +29,33 @@ struct DeltaGeometry {
   double base_tangent_m = -0.02309;    // base axis to motor axis, across the azimuth
   double platform_radius_m = 0.01443;  // tool to platform hinge, along the azimuth
   double platform_tangent_m = -0.025;  // tool to platform hinge, across the azimuth
-  std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
-                                       -15.0 * std::numbers::pi / 180.0,
-                                       -135.0 * std::numbers::pi / 180.0};
-  double nominal_height_m = 0.12;  // z inside the workspace: Newton starts there without a seed
-  LinkWeight arm;                  // of each arm, from the motor axis toward the elbow
-  double rods_kg = 0.0;            // mass of the pair of rods of one leg
-  double platform_kg = 0.0;        // mass of the platform with the grip
-};
+  std::array<double, 3> azimuth_rad = {
+      105.0 * std::numbers::pi / 180.0, -15.0 * std::numbers::pi / 180.0,
+      -135.0 * std::numbers::pi /
+          180.0 void transfer(rendering::StateArchive& archive){
+              auto& [arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
+                     platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg] =
+                  *this;
+  archive(arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
+          platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg);
+}
+};  // namespace tactus::firmware
+double nominal_height_m = 0.12;  // z inside the workspace: Newton starts there without a seed
+LinkWeight arm;                  // of each arm, from the motor axis toward the elbow
+double rods_kg = 0.0;            // mass of the pair of rods of one leg
+double platform_kg = 0.0;        // mass of the platform with the grip
+}
+;
 
 class Delta {
  public:
+  using Geometry = DeltaGeometry;
+  static constexpr std::size_t kJoints = 3;
+  static constexpr bool kSlides = false;
+
+  // The keys of [mechanism] in TOML.
+  static std::span<const drivers::Binding<DeltaGeometry>> keys();
+
   explicit Delta(const DeltaGeometry& geometry);
 
   // Returns the pose for finite joint angles, rad. `seed_D` is a guess of the tool's position, best
@@ -80,5 +99,8 @@ class Delta {
 };
 
 bool has_weight(const DeltaGeometry& g);
+
+// Checks every field. An error names the field after "mechanism.".
+void check_geometry(RangeCheck& check, const DeltaGeometry& g);
 
 }  // namespace tactus::firmware

@@ -4,6 +4,8 @@
 // efforts that hold it. A mechanism without weights needs none.
 #pragma once
 
+#include "rendering/state_archive.h"
+
 namespace tactus::firmware {
 
 struct LinkWeight {
@@ -13,6 +15,8 @@ struct LinkWeight {
   double centre_m = 0.0;
 
   [[nodiscard]] double moment_kg_m() const { return mass_kg * centre_m; }
+
+  void transfer(rendering::StateArchive& archive) { archive(mass_kg, centre_m); }
 };
 
 }  // namespace tactus::firmware

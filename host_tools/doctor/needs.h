@@ -27,7 +27,7 @@ struct MotorNeed {
   std::string axis;
   firmware::MotorStop stop = firmware::MotorStop::nothing;
   bool is_accepted = false;  // by unproven_watchdog = true
-  bool is_odrive = false;    // which any frame from anyone keeps awake
+  drivers::Advice advice;    // on its drive's watchdog
   double watchdog_s = 0.0;   // of a drive
 };
 

@@ -48,7 +48,6 @@ class GpioSimPins final : public BoardPins {
   hal::SysfsFile pwm_enable_;
   hal::SysfsFile pwm_period_;
   hal::SysfsFile pwm_duty_;
-  hal::SysfsFile pwm_polarity_;
   std::vector<int> pulls_;  // descriptors, one for each line
   std::vector<int> values_;
 };
