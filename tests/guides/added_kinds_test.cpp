@@ -6,6 +6,8 @@
 #include <memory>
 #include <numbers>
 
+#include "firmware/configuration/config_state.h"
+#include "host_tools/bake/device/device_bake.h"
 #include "host_tools/bake/scene/bake.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "rendering/scene/scene_world.h"
@@ -128,6 +130,90 @@ TEST_F(AddedKinds, AValueOutOfRangeIsRefused) {
       contains(complaint("edge_radius_m = 0.01", "edge_radius_m = -0.01"), "edge_radius_m"));
   EXPECT_TRUE(contains(complaint("static = 0.6", "static = 0.2"), "dynamic (0.3) is above static"));
   EXPECT_TRUE(contains(complaint("edge_radius_m = 0.01", ""), "a puck needs edge_radius_m"));
+}
+
+// ---- the mechanism
+
+constexpr const char* kDevice = R"(name = "added"
+[mechanism]
+kind = "planar_arm"
+outer_m = 0.09
+[controller]
+rate_hz = 500
+[[connection]]
+name = "bus"
+kind = "can"
+interface = "can3"
+[[axis]]
+name = "inner drive"
+driver = "odrive_can"
+connection = "bus"
+node_id = 5
+max_torque_Nm = 0.25
+[[axis]]
+name = "outer drive"
+driver = "odrive_can"
+connection = "bus"
+node_id = 6
+max_torque_Nm = 0.25
+[[joint]]
+name = "inner"
+motor = "inner drive"
+motor_ratio = 4.0
+encoder_ratio = 4.0
+reference = "known_pose"
+reference_rad = 0.0
+[[joint]]
+name = "outer"
+motor = "outer drive"
+motor_ratio = 4.0
+encoder_ratio = 4.0
+reference = "known_pose"
+reference_rad = 1.57
+)";
+
+class AddedMechanism : public ::testing::Test {
+ protected:
+  host::LoadedDevice loaded(const std::string& text) {
+    return host::bake_device(folder_.write("device.toml", text));
+  }
+  std::string complaint(const std::string& old_part, const std::string& part) {
+    std::string text = kDevice;
+    text.replace(text.find(old_part), old_part.size(), part);
+    return input_error([&] { (void)loaded(text); });
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(AddedMechanism, IsReadFromADeviceAndMovesTheTool) {
+  const host::LoadedDevice device = loaded(kDevice);
+  const firmware::ControllerConfig& config = device.config().controller;
+  EXPECT_EQ(joint_count(config.mechanism), 2U);
+  const firmware::Mechanism mechanism(config.mechanism);
+  const firmware::Pose pose = mechanism.forward({0.3, 1.4, 0.0}, Vec3::Zero());
+  EXPECT_EQ(pose.status, firmware::kPoseGood);
+  const Vec3 tool(0.1 * std::cos(0.3) + 0.09 * std::cos(1.4), 0.0,
+                  0.1 * std::sin(0.3) + 0.09 * std::sin(1.4));
+  EXPECT_LT((pose.p_D - tool).norm(), 1e-15);
+  const Vec3 by_inner(-0.1 * std::sin(0.3), 0.0, 0.1 * std::cos(0.3));
+  EXPECT_LT((pose.jacobian_D.col(0) - by_inner).norm(), 1e-15);
+}
+
+TEST_F(AddedMechanism, IsKeptInRecordings) {
+  const host::LoadedDevice device = loaded(kDevice);
+  std::array<std::byte, firmware::kMaxConfigBytes> bytes{};
+  const std::size_t size = save_config(device.config().controller, bytes);
+  firmware::ControllerConfig again;
+  ASSERT_TRUE(read_config(std::span(bytes).first(size), again));
+  EXPECT_EQ(std::get<firmware::PlanarArmGeometry>(again.mechanism).outer_m, 0.09);
+}
+
+TEST_F(AddedMechanism, AWrongKeyIsAdvisedAndAValueOutOfRangeRefused) {
+  EXPECT_TRUE(contains(complaint("outer_m", "outer_mm"), "outer_m"));
+  EXPECT_TRUE(contains(complaint("outer_m = 0.09", "outer_m = 2.0"), "outer_m"));
+  EXPECT_TRUE(contains(complaint("\"planar_arm\"", "\"planar\""), "\"planar_arm\""));
 }
 
 }  // namespace

@@ -39,6 +39,16 @@ add_line "$rendering/surface/registered_primitives.h" '^#include "rendering/surf
   '#include "rendering/surface/primitives/puck.h"'
 sed -i 's|TorusSolid>;|TorusSolid, PuckSolid>;|' "$rendering/surface/registered_primitives.h"
 
+# firmware/README.md
+kinematics="$work/firmware/kinematics"
+configuration="$work/firmware/configuration"
+cp "$guides/mechanism/planar_arm."* "$kinematics/"
+cp "$guides/mechanism/planar_arm_preset.cpp" "$configuration/"
+add_line "$kinematics/registered_mechanisms.h" '^#include "firmware/kinematics/serial_arm.h"' '#include "firmware/kinematics/planar_arm.h"'
+sed -i 's|SerialArm>;|SerialArm, PlanarArm>;|' "$kinematics/registered_mechanisms.h"
+add_line "$configuration/controller_config.h" '^struct Preset {' 'ControllerConfig planar_arm_config();\n'
+add_line "$configuration/controller_config.h" '    Preset{"woodenhaptics"' '    Preset{"planar_arm", planar_arm_config},'
+
 echo 'add_subdirectory(tests/guides)' >>"$work/CMakeLists.txt"
 cd "$work"
 export CCACHE_BASEDIR="$work" CCACHE_NOHASHDIR=true

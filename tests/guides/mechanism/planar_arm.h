@@ -1,8 +1,9 @@
-// A flat arm of two links that are both driven from the base, the outer one through a parallelogram.
+// A flat arm of two links that are both driven from the base, the outer one through a
+// parallelogram.
 //
-// Frame D: origin on the axis of both motors, which is y; x right, z toward the user. Joint i is the
-// angle (rad) of link i from +x toward +z, absolute. A force across the plane meets the bearings: it
-// has no effort. The axis is upright, so that weights need no effort.
+// Frame D: origin on the axis of both motors, which is y; x right, z toward the user. Joint i is
+// the angle (rad) of link i from +x toward +z, absolute. A force across the plane meets the
+// bearings: it has no effort. The axis is upright, so that weights need no effort.
 #pragma once
 
 #include <span>

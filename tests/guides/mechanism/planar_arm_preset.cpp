@@ -1,5 +1,12 @@
+// The figures are assumed.
+#include <numbers>
+
+#include "firmware/configuration/controller_config.h"
+
+namespace tactus::firmware {
 
 ControllerConfig planar_arm_config() {
+  constexpr double kDegree = std::numbers::pi / 180.0;
   constexpr double kMotor_Nm = 0.12;
   ControllerConfig config;
   const PlanarArmGeometry geometry;
@@ -10,3 +17,5 @@ ControllerConfig planar_arm_config() {
   config.safety.max_force_N = 1.0;
   return config;
 }
+
+}  // namespace tactus::firmware
