@@ -11,13 +11,13 @@
 namespace tactus::firmware {
 
 struct CartesianGeometry {
-  std::array<double, 3> carried_kg{
-      void transfer(rendering::StateArchive & archive){auto& [carried_kg] = *this;
+  std::array<double, 3> carried_kg{};  // mass that moves with each axis, with the axes it carries
+};
+
+inline void transfer(rendering::StateArchive& archive, CartesianGeometry& geometry) {
+  auto& [carried_kg] = geometry;
   archive(carried_kg);
 }
-};  // namespace tactus::firmware
-}
-;
 
 inline Pose cartesian_forward(const Vec3& joints) {
   return {joints, Mat3::Identity(), kPoseGood};

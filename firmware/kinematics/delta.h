@@ -29,23 +29,21 @@ struct DeltaGeometry {
   double base_tangent_m = -0.02309;    // base axis to motor axis, across the azimuth
   double platform_radius_m = 0.01443;  // tool to platform hinge, along the azimuth
   double platform_tangent_m = -0.025;  // tool to platform hinge, across the azimuth
-  std::array<double, 3> azimuth_rad = {
-      105.0 * std::numbers::pi / 180.0, -15.0 * std::numbers::pi / 180.0,
-      -135.0 * std::numbers::pi /
-          180.0 void transfer(rendering::StateArchive& archive){
-              auto& [arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
-                     platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg] =
-                  *this;
+  std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
+                                       -15.0 * std::numbers::pi / 180.0,
+                                       -135.0 * std::numbers::pi / 180.0};
+  double nominal_height_m = 0.12;  // z inside the workspace: Newton starts there without a seed
+  LinkWeight arm;                  // of each arm, from the motor axis toward the elbow
+  double rods_kg = 0.0;            // mass of the pair of rods of one leg
+  double platform_kg = 0.0;        // mass of the platform with the grip
+};
+
+inline void transfer(rendering::StateArchive& archive, DeltaGeometry& geometry) {
+  auto& [arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
+         platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg] = geometry;
   archive(arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
           platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg);
 }
-};  // namespace tactus::firmware
-double nominal_height_m = 0.12;  // z inside the workspace: Newton starts there without a seed
-LinkWeight arm;                  // of each arm, from the motor axis toward the elbow
-double rods_kg = 0.0;            // mass of the pair of rods of one leg
-double platform_kg = 0.0;        // mass of the platform with the grip
-}
-;
 
 class Delta {
  public:

@@ -15,8 +15,11 @@ struct LinkWeight {
   double centre_m = 0.0;
 
   [[nodiscard]] double moment_kg_m() const { return mass_kg * centre_m; }
-
-  void transfer(rendering::StateArchive& archive) { archive(mass_kg, centre_m); }
 };
+
+inline void transfer(rendering::StateArchive& archive, LinkWeight& weight) {
+  auto& [mass_kg, centre_m] = weight;
+  archive(mass_kg, centre_m);
+}
 
 }  // namespace tactus::firmware

@@ -20,12 +20,12 @@ namespace tactus::firmware {
 struct PaddleGeometry {
   double handle_radius_m = 0.065659;  // axis to handle: Stanford's Hapkit
   LinkWeight paddle;                  // the paddle with its handle, from the axis to the handle
-
-  void transfer(rendering::StateArchive& archive) {
-    auto& [handle_radius_m, paddle] = *this;
-    archive(handle_radius_m, paddle);
-  }
 };
+
+inline void transfer(rendering::StateArchive& archive, PaddleGeometry& geometry) {
+  auto& [handle_radius_m, paddle] = geometry;
+  archive(handle_radius_m, paddle);
+}
 
 inline Pose paddle_forward(const PaddleGeometry& g, double joint) {
   const rendering::SineCosine turn = rendering::sine_cosine(joint);

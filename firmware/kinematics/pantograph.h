@@ -24,12 +24,12 @@ struct PantographGeometry {
   LinkWeight proximal;       // each of the two, from the motor axis
   LinkWeight distal;         // each of the two, from the elbow
   double tool_kg = 0.0;
-
-  void transfer(rendering::StateArchive& archive) {
-    auto& [base_m, proximal_m, distal_m, proximal, distal, tool_kg] = *this;
-    archive(base_m, proximal_m, distal_m, proximal, distal, tool_kg);
-  }
 };
+
+inline void transfer(rendering::StateArchive& archive, PantographGeometry& geometry) {
+  auto& [base_m, proximal_m, distal_m, proximal, distal, tool_kg] = geometry;
+  archive(base_m, proximal_m, distal_m, proximal, distal, tool_kg);
+}
 
 using PantographJoints = std::array<double, 2>;
 

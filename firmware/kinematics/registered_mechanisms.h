@@ -2,13 +2,14 @@
 // here.
 //
 // A mechanism is a class with
-//   Geometry        its dimensions and weights, a plain struct with a transfer() of every member
+//   Geometry        its dimensions and weights, a plain struct
 //   kJoints         1 to 3
 //   kSlides         true if its joints slide; all others turn
 //   keys            the keys of [mechanism] in TOML
 //   forward         the pose of the tool
 //   gravity_effort  the efforts that hold its weights
-// and, of its geometry, check_geometry and has_weight.
+// and, for its geometry, check_geometry, has_weight, and a transfer of every member
+// (rendering/state_archive.h).
 #pragma once
 
 #include "firmware/kinematics/cartesian.h"

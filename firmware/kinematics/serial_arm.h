@@ -30,12 +30,12 @@ struct SerialArmGeometry {
   LinkWeight upper;
   LinkWeight forearm;
   double tool_kg = 0.0;
-
-  void transfer(rendering::StateArchive& archive) {
-    auto& [upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg] = *this;
-    archive(upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg);
-  }
 };
+
+inline void transfer(rendering::StateArchive& archive, SerialArmGeometry& geometry) {
+  auto& [upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg] = geometry;
+  archive(upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg);
+}
 
 class SerialArm {
  public:

@@ -17,12 +17,12 @@ namespace tactus::firmware {
 struct PlanarArmGeometry {
   double inner_m = 0.10;  // axis to elbow
   double outer_m = 0.08;  // elbow to tool
-
-  void transfer(rendering::StateArchive& archive) {
-    auto& [inner_m, outer_m] = *this;
-    archive(inner_m, outer_m);
-  }
 };
+
+inline void transfer(rendering::StateArchive& archive, PlanarArmGeometry& geometry) {
+  auto& [inner_m, outer_m] = geometry;
+  archive(inner_m, outer_m);
+}
 
 class PlanarArm {
  public:
