@@ -2,7 +2,7 @@
 // between a device's protocol and its joints.
 //
 // Angles are those of the shaft that the device senses, in rad and rad/s; the torque is at the
-// shaft that it drives, in N m. drivers/transmission.h converts both to the joint.
+// shaft that it drives, in N m. drivers/composition/transmission.h converts both to the joint.
 #pragma once
 
 #include <concepts>

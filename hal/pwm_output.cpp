@@ -24,17 +24,6 @@ Result<void> PwmOutput::set_duty_ns(TimeNs duty_ns) {
   return done;
 }
 
-Result<void> PwmOutput::set_polarity(PwmPolarity polarity) {
-  if (settings_.enabled) {
-    return failure(ErrorCode::invalid_state);
-  }
-  const auto done = DoSetPolarity(polarity);
-  if (done) {
-    settings_.polarity = polarity;
-  }
-  return done;
-}
-
 Result<void> PwmOutput::set_enabled(bool enabled) {
   if (enabled && settings_.period_ns == 0) {
     return failure(ErrorCode::invalid_state);

@@ -1,22 +1,15 @@
 // One PWM channel, for driving an H-bridge.
 #pragma once
 
-#include <cstdint>
-
 #include "hal/clock.h"
 #include "hal/error.h"
 
 namespace tactus::hal {
 
-enum class PwmPolarity : std::uint8_t {
-  normal,   // high for the duty time, then low
-  inversed  // low for the duty time, then high
-};
-
+// The output is high for the duty time, then low.
 struct PwmSettings {
   TimeNs period_ns = 0;
   TimeNs duty_ns = 0;
-  PwmPolarity polarity = PwmPolarity::normal;
   bool enabled = false;
 };
 
@@ -27,7 +20,7 @@ struct PwmSettings {
 // time for each object; not from an interrupt. An implementation opens the channel disabled, at
 // duty 0. Every call can return, besides the errors that it lists:
 //   disconnected   the chip is gone
-//   not_supported  the hardware cannot do this period, duty or polarity
+//   not_supported  the hardware cannot do this period or duty
 //   io             anything else the system reports
 // After an error the settings are unchanged.
 class PwmOutput {
@@ -44,10 +37,6 @@ class PwmOutput {
   //   invalid_argument  below 0 or above the period
   Result<void> set_duty_ns(TimeNs duty_ns);
 
-  // Sets the polarity of a disabled output.
-  //   invalid_state  the output is enabled
-  Result<void> set_polarity(PwmPolarity polarity);
-
   // Enables or disables the output.
   //   invalid_state  no period was set
   Result<void> set_enabled(bool enabled);
@@ -63,7 +52,6 @@ class PwmOutput {
   // The public functions have checked the arguments.
   virtual Result<void> DoSetPeriod(TimeNs period_ns) = 0;
   virtual Result<void> DoSetDuty(TimeNs duty_ns) = 0;
-  virtual Result<void> DoSetPolarity(PwmPolarity polarity) = 0;
   virtual Result<void> DoSetEnabled(bool enabled) = 0;
 
   PwmSettings settings_;

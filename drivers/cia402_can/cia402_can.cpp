@@ -4,7 +4,7 @@
 #include <array>
 #include <numbers>
 
-#include "drivers/seconds.h"
+#include "drivers/common/seconds.h"
 
 namespace tactus::drivers {
 

@@ -52,8 +52,8 @@
 #include "drivers/cia402_can/cia402_config.h"
 #include "drivers/cia402_can/drive_profile.h"
 #include "drivers/cia402_can/sdo_client.h"
-#include "drivers/counted_shaft.h"
-#include "drivers/fault_latch.h"
+#include "drivers/common/counted_shaft.h"
+#include "drivers/common/fault_latch.h"
 
 namespace tactus::drivers {
 

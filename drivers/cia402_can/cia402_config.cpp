@@ -8,13 +8,8 @@ namespace tactus::drivers {
 
 namespace {
 
-struct Range {
-  std::string_view field;
-  double value = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-  std::string_view rule;
-};
+constexpr std::string_view kRatedRule =
+    "must lie between 0 and 1000, and be there if rated_torque_from is configured";
 
 std::unexpected<FieldError> refused(std::string_view field, std::string_view rule) {
   return std::unexpected(FieldError{field, rule});
@@ -22,35 +17,52 @@ std::unexpected<FieldError> refused(std::string_view field, std::string_view rul
 
 }  // namespace
 
+std::span<const Binding<Cia402Config>> cia402_keys() {
+  using C = Cia402Config;
+  static constexpr std::array kKeys{
+      bind<&C::node>("node", {}, {1, 127, "must lie between 1 and 127"}),
+      bind<&C::host_node>("host_node", {}, {1, 127, "must lie between 1 and 127"}),
+      bind<&C::leads_bus>("leads_bus"),
+      bind<&C::period_s>("period_s", "s", {0.0005, 0.02, "must lie between 0.0005 and 0.02"}),
+      bind<&C::counts_per_turn>("counts_per_turn", {},
+                                {1, 2147483648.0, "must lie between 1 and 2^31"}),
+      bind<&C::max_torque_Nm>("max_torque_Nm", "Nm",
+                              {1e-5, 1000, "must lie between 0.00001 and 1000"}),
+      bind<&C::rated_torque_from>("rated_torque_from"),
+      bind<&C::rated_torque_Nm>("rated_torque_Nm", "Nm", {0, 1000, kRatedRule}),
+      bind<&C::max_speed_rad_per_s>("max_speed_rad_per_s", "rad_per_s",
+                                    {1, 10000, "must lie between 1 and 10000"}),
+      bind<&C::jump_margin_rad>("jump_margin_rad", "rad", {0, 1, "must lie between 0 and 1"}),
+      bind<&C::velocity_unit_rad_per_s>("velocity_unit_rad_per_s", "rad_per_s",
+                                        {0, 1000, "must lie between 0 and 1000"}),
+      bind<&C::velocity_filter_s>("velocity_filter_s", "s", {0, 0.1, "must lie between 0 and 0.1"}),
+      bind<&C::torque_on_receipt>("torque_on_receipt"),
+      bind<&C::watchdog_ms>("watchdog_ms", "ms", {5, 1000, "must lie between 5 and 1000"}),
+      bind<&C::drive_heartbeat_ms>("drive_heartbeat_ms", "ms",
+                                   {5, 1000, "must lie between 5 and 1000"}),
+      bind<&C::lost_after_s>("lost_after_s", "s"),
+      bind<&C::sdo_timeout_s>("sdo_timeout_s", "s", {0.01, 5, "must lie between 0.01 and 5"}),
+      bind<&C::bring_up_timeout_s>("bring_up_timeout_s", "s",
+                                   {0.1, 60, "must lie between 0.1 and 60"}),
+      bind<&C::enable_timeout_s>("enable_timeout_s", "s",
+                                 {0.02, 10, "must lie between 0.02 and 10"}),
+      bind<&C::unproven_watchdog>("unproven_watchdog"),
+  };
+  return kKeys;
+}
+
 Checked check(const Cia402Config& config) {
-  const double least_rated_Nm = config.rated_torque_from == RatedTorque::configured ? 1e-5 : 0.0;
-  const std::array ranges = std::to_array<Range>({
-      {"node", static_cast<double>(config.node), 1, 127, "must lie between 1 and 127"},
-      {"host_node", static_cast<double>(config.host_node), 1, 127, "must lie between 1 and 127"},
-      {"period_s", config.period_s, 0.0005, 0.02, "must lie between 0.0005 and 0.02"},
-      {"counts_per_turn", config.counts_per_turn, 1, 2147483648.0, "must lie between 1 and 2^31"},
-      {"max_torque_Nm", config.max_torque_Nm, 1e-5, 1000, "must lie between 0.00001 and 1000"},
-      {"rated_torque_Nm", config.rated_torque_Nm, least_rated_Nm, 1000,
-       "must lie between 0 and 1000, and be there if rated_torque_from is configured"},
-      {"max_speed_rad_per_s", config.max_speed_rad_per_s, 1, 10000, "must lie between 1 and 10000"},
-      {"jump_margin_rad", config.jump_margin_rad, 0, 1, "must lie between 0 and 1"},
-      {"velocity_unit_rad_per_s", config.velocity_unit_rad_per_s, 0, 1000,
-       "must lie between 0 and 1000"},
-      {"velocity_filter_s", config.velocity_filter_s, 0, 0.1, "must lie between 0 and 0.1"},
-      {"watchdog_ms", static_cast<double>(config.watchdog_ms), 5, 1000,
-       "must lie between 5 and 1000"},
-      {"drive_heartbeat_ms", static_cast<double>(config.drive_heartbeat_ms), 5, 1000,
-       "must lie between 5 and 1000"},
-      {"lost_after_s", config.lost_after_s, 1.5 * config.period_s, 1,
-       "must lie between one and a half periods and 1"},
-      {"sdo_timeout_s", config.sdo_timeout_s, 0.01, 5, "must lie between 0.01 and 5"},
-      {"bring_up_timeout_s", config.bring_up_timeout_s, 0.1, 60, "must lie between 0.1 and 60"},
-      {"enable_timeout_s", config.enable_timeout_s, 0.02, 10, "must lie between 0.02 and 10"},
-  });
-  for (const Range& range : ranges) {
-    if (!lies_between(range.value, range.low, range.high)) {
-      return refused(range.field, range.rule);
-    }
+  constexpr double kLeastRated_Nm = 1e-5;
+  constexpr double kLeastPeriods = 1.5;
+  if (const Checked in_range = check_ranges(config, cia402_keys()); !in_range) {
+    return in_range;
+  }
+  if (config.rated_torque_from == RatedTorque::configured &&
+      config.rated_torque_Nm < kLeastRated_Nm) {
+    return refused("rated_torque_Nm", kRatedRule);
+  }
+  if (!lies_between(config.lost_after_s, kLeastPeriods * config.period_s, 1.0)) {
+    return refused("lost_after_s", "must lie between one and a half periods and 1");
   }
   if (heartbeat_node(config) < 1) {
     return refused("host_node", "must not be below node: drive n watches host_node + 1 - n");

@@ -1,10 +1,12 @@
 // The configuration of a CiA 402 drive on CANopen.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
-#include "drivers/field_error.h"
+#include "drivers/common/field_error.h"
+#include "drivers/common/setting.h"
 
 namespace tactus::drivers {
 
@@ -14,6 +16,11 @@ enum class RatedTorque : std::uint8_t {
   drive_uNm,   // 6076:00 in uN m
   configured,  // rated_torque_Nm, whatever 6076:00 says
 };
+constexpr auto setting_words(RatedTorque /*of*/) {
+  return std::to_array<Word<RatedTorque>>({{"drive_mNm", RatedTorque::drive_mNm},
+                                           {"drive_uNm", RatedTorque::drive_uNm},
+                                           {"configured", RatedTorque::configured}});
+}
 
 // The settings of one drive. Angles and torque are those of the motor's shaft.
 struct Cia402Config {
@@ -58,6 +65,9 @@ struct Cia402Config {
   // may keep its torque when the host dies.
   bool unproven_watchdog = false;
 };
+
+// Returns the keys of device.toml.
+std::span<const Binding<Cia402Config>> cia402_keys();
 
 // Checks every field against its range.
 Checked check(const Cia402Config& config);

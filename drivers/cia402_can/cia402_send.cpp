@@ -4,7 +4,7 @@
 
 #include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
-#include "drivers/seconds.h"
+#include "drivers/common/seconds.h"
 
 namespace tactus::drivers {
 

@@ -4,7 +4,7 @@
 
 #include "drivers/cia402_can/canopen.h"
 #include "drivers/cia402_can/sdo.h"
-#include "drivers/little_endian.h"
+#include "drivers/common/little_endian.h"
 
 namespace tactus::drivers::cia402 {
 

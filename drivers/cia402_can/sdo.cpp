@@ -4,7 +4,7 @@
 #include <array>
 
 #include "drivers/cia402_can/canopen.h"
-#include "drivers/little_endian.h"
+#include "drivers/common/little_endian.h"
 
 namespace tactus::drivers::canopen {
 

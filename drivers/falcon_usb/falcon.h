@@ -14,9 +14,9 @@
 #include <span>
 
 #include "drivers/axis.h"
+#include "drivers/common/rate_filter.h"
 #include "drivers/falcon_usb/bring_up.h"
 #include "drivers/falcon_usb/packet.h"
-#include "drivers/rate_filter.h"
 #include "hal/usb_endpoint.h"
 
 namespace tactus::drivers {

@@ -1,10 +1,13 @@
 // The configuration of an axis that is wired to a board: its lines, its encoder and its bridge.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
-#include "drivers/field_error.h"
+#include "drivers/common/field_error.h"
+#include "drivers/common/setting.h"
 #include "hal/clock.h"
 #include "hal/gpio_lines.h"
 
@@ -46,11 +49,19 @@ enum class BridgeMode : std::uint8_t {
   sign_magnitude,   // PWM is the size, a direction line the sign
   locked_antiphase  // PWM 50 % is zero, 0 and 100 % are full torque; needs an enable line
 };
+constexpr auto setting_words(BridgeMode /*of*/) {
+  return std::to_array<Word<BridgeMode>>({{"sign_magnitude", BridgeMode::sign_magnitude},
+                                          {"locked_antiphase", BridgeMode::locked_antiphase}});
+}
 
 enum class TorqueLaw : std::uint8_t {
   linear,      // torque is in proportion to the duty
   square_root  // to its square, as the Hapkit's bridge: duty = sqrt(torque / full torque)
 };
+constexpr auto setting_words(TorqueLaw /*of*/) {
+  return std::to_array<Word<TorqueLaw>>(
+      {{"linear", TorqueLaw::linear}, {"square_root", TorqueLaw::square_root}});
+}
 
 // The bridge of the axis and its limits.
 struct BridgeConfig {

@@ -3,7 +3,7 @@
 //
 // An axis has the arm's angle, in rad, and the torque at the arm, in N m. The angle is home_rad
 // where the arm stands when the board is set up. The encoders are incremental, so only homing
-// (drivers/homing.h: a known pose, or a hard stop) finds the positions of the arms.
+// (drivers/composition/homing.h: a known pose, or a hard stop) finds the positions of the arms.
 //
 // The board answers each command of torques with the angles. `write` sends, and the next `read`
 // takes the answer. Its angles were true shortly after that `write`, whose time they get.
@@ -15,8 +15,8 @@
 #include <span>
 
 #include "drivers/axis.h"
+#include "drivers/common/rate_filter.h"
 #include "drivers/haply_serial/protocol.h"
-#include "drivers/rate_filter.h"
 #include "hal/serial_port.h"
 
 namespace tactus::drivers {

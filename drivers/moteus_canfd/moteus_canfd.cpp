@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/common/seconds.h"
+#include "drivers/common/torque_clamp.h"
 #include "drivers/moteus_canfd/moteus_errors.h"
-#include "drivers/seconds.h"
-#include "drivers/torque_clamp.h"
 
 namespace tactus::drivers {
 
@@ -82,7 +82,7 @@ void MoteusCanFd::begin(hal::TimeNs now_ns) {
   }
   sample_.status = kDeviceNotReady;
   sample_.has_torque = false;
-  trouble_ = {};
+  faults_.clear();
   readings_ = {};
   last_fault_ = 0;
   is_shown_ = true;
@@ -98,14 +98,10 @@ void MoteusCanFd::enter(Phase phase, hal::TimeNs now_ns) {
   }
 }
 
-// The words are those of the first fault; the status bits of all faults add up.
 void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
-  if (phase_ != Phase::failed) {
-    phase_ = Phase::failed;
-    sample_.status = kDeviceOk;
-    trouble_ = trouble;
-  }
-  sample_.status |= status | heat_status(trouble);
+  phase_ = Phase::failed;
+  faults_.latch(status, trouble);
+  sample_.status = faults_.status();
   if ((status & kDeviceReferenceLost) != 0 && is_followed_) {
     is_followed_ = false;
     is_proven_ = false;

@@ -20,7 +20,8 @@
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
-#include "drivers/encoder_check.h"
+#include "drivers/common/encoder_check.h"
+#include "drivers/common/fault_latch.h"
 #include "drivers/moteus_canfd/moteus_config.h"
 #include "drivers/moteus_canfd/moteus_protocol.h"
 #include "hal/can_frame.h"
@@ -60,7 +61,7 @@ class MoteusCanFd {
   void request(hal::TimeNs now_ns, CanOutbox& outbox);
   void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
   [[nodiscard]] const AxisSample& sample() const { return sample_; }
-  [[nodiscard]] Trouble trouble() const { return trouble_; }
+  [[nodiscard]] Trouble trouble() const { return faults_.trouble(); }
   // Leaves an axis without a fault alone.
   void clear_faults(hal::TimeNs now_ns);
   void shutdown(CanOutbox& outbox);
@@ -99,7 +100,7 @@ class MoteusCanFd {
   EncoderCheck encoder_;
   Phase phase_ = Phase::off;
   AxisSample sample_;
-  Trouble trouble_;
+  FaultLatch faults_;
   MoteusReadings readings_;
 
   hal::TimeNs phase_since_ns_ = 0;

@@ -1,9 +1,12 @@
 // The configuration of one moteus servo on a CAN FD bus.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 
-#include "drivers/field_error.h"
+#include "drivers/common/field_error.h"
+#include "drivers/common/setting.h"
 
 namespace tactus::drivers {
 
@@ -11,6 +14,10 @@ namespace tactus::drivers {
 // answer is there at the next tick and is one period old. before_command asks in a frame of its own
 // at the start of each tick; this costs bus time and gives samples a fraction of a millisecond old.
 enum class MoteusQuery : std::uint8_t { with_command, before_command };
+constexpr auto setting_words(MoteusQuery /*of*/) {
+  return std::to_array<Word<MoteusQuery>>({{"with_command", MoteusQuery::with_command},
+                                           {"before_command", MoteusQuery::before_command}});
+}
 
 // The settings of one servo. Angles and torque are those of its output shaft.
 struct MoteusConfig {
@@ -33,6 +40,9 @@ struct MoteusConfig {
   double reply_lost_s = 0.0034;   // kDeviceLost
   double bring_up_s = 1.0;        // for each step of the bring-up
 };
+
+// Returns the keys of device.toml.
+std::span<const Binding<MoteusConfig>> moteus_keys();
 
 // Checks every field against its range.
 Checked check(const MoteusConfig& config);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "drivers/little_endian.h"
+#include "drivers/common/little_endian.h"
 
 namespace tactus::drivers::moteus {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "drivers/seconds.h"
-#include "drivers/torque_clamp.h"
+#include "drivers/common/seconds.h"
+#include "drivers/common/torque_clamp.h"
 
 namespace tactus::drivers {
 
@@ -69,7 +69,7 @@ void ODriveCan::begin(hal::TimeNs now_ns) {
   }
   sample_.status = kDeviceNotReady;
   sample_.has_torque = false;
-  trouble_ = {};
+  faults_.clear();
   readings_ = {};
   generation_ = Generation::unknown;
   last_error_ = 0;

@@ -22,7 +22,8 @@
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
-#include "drivers/encoder_check.h"
+#include "drivers/common/encoder_check.h"
+#include "drivers/common/fault_latch.h"
 #include "drivers/odrive_can/odrive_config.h"
 #include "drivers/odrive_can/odrive_protocol.h"
 #include "hal/can_frame.h"
@@ -61,7 +62,7 @@ class ODriveCan {
   void request(hal::TimeNs now_ns, CanOutbox& outbox);
   void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
   [[nodiscard]] const AxisSample& sample() const { return sample_; }
-  [[nodiscard]] Trouble trouble() const { return trouble_; }
+  [[nodiscard]] Trouble trouble() const { return faults_.trouble(); }
   // Leaves an axis without a fault alone.
   void clear_faults(hal::TimeNs now_ns);
   void shutdown(CanOutbox& outbox);
@@ -120,7 +121,7 @@ class ODriveCan {
   Phase phase_ = Phase::off;
   odrive::Generation generation_ = odrive::Generation::unknown;
   AxisSample sample_;
-  Trouble trouble_;
+  FaultLatch faults_;
   ODriveReadings readings_;
 
   hal::TimeNs phase_since_ns_ = 0;

@@ -1,15 +1,22 @@
 // The configuration of one ODrive axis on a CAN bus.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 
-#include "drivers/field_error.h"
+#include "drivers/common/field_error.h"
+#include "drivers/common/setting.h"
 
 namespace tactus::drivers {
 
 // The source of position estimates: the drive's own clock, or a request in each tick. A request
 // costs a frame and an answer a tick, but gives samples of the same age.
 enum class ODriveEstimates : std::uint8_t { cyclic, requested };
+constexpr auto setting_words(ODriveEstimates /*of*/) {
+  return std::to_array<Word<ODriveEstimates>>(
+      {{"cyclic", ODriveEstimates::cyclic}, {"requested", ODriveEstimates::requested}});
+}
 
 // The settings of one axis. Angles and torque are those of the motor shaft.
 struct ODriveConfig {
@@ -52,6 +59,9 @@ struct ODriveConfig {
   // to 10 s.
   double poll_period_s = 0.1;
 };
+
+// Returns the keys of device.toml.
+std::span<const Binding<ODriveConfig>> odrive_keys();
 
 // Checks every field against its range.
 Checked check(const ODriveConfig& config);

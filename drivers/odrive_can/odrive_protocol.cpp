@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "drivers/little_endian.h"
+#include "drivers/common/little_endian.h"
 
 namespace tactus::drivers::odrive {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "drivers/common/seconds.h"
 #include "drivers/odrive_can/odrive_can.h"
 #include "drivers/odrive_can/odrive_errors.h"
-#include "drivers/seconds.h"
 
 namespace tactus::drivers {
 
@@ -284,7 +284,7 @@ void ODriveCan::take_reply_0_6(const hal::CanFrame& frame, hal::TimeNs time_ns) 
           explain(odrive::active_trouble(error), errors->active != 0,
                   odrive::loses_reference_0_6(error) ? kDeviceReferenceLost : kDeviceOk);
           if (phase_ == Phase::failed && odrive::is_emergency_stop_0_6(error)) {
-            sample_.status |= kDeviceEmergencyStop;
+            fail(kDeviceEmergencyStop, {});
           }
         }
       }
@@ -324,7 +324,7 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
 // it is an active error, a new fault. `status` is added to kDeviceDriveFault.
 void ODriveCan::explain(const Trouble& trouble, bool is_error, std::uint32_t status) {
   if (phase_ == Phase::failed && wants_explanation_) {
-    trouble_ = trouble;
+    faults_.explain(trouble);
     wants_explanation_ = false;
     fail(status, trouble);
   } else if (phase_ == Phase::up && is_error) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/common/seconds.h"
 #include "drivers/odrive_can/odrive_can.h"
-#include "drivers/seconds.h"
 
 namespace tactus::drivers {
 
@@ -21,7 +21,6 @@ constexpr double kTorqueHolds_s = 0.05;
 
 }  // namespace
 
-// The words are those of the first fault; the status bits of all faults add up.
 void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
   if ((status & kMayHaveRestarted) != 0) {
     status &= ~static_cast<std::uint32_t>(kDeviceReferenceLost);
@@ -29,16 +28,14 @@ void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
     is_followed_ = false;
     is_proven_ = false;
   }
-  if (phase_ == Phase::failed) {
-    sample_.status |= status | heat_status(trouble);
-    return;
+  faults_.latch(status, trouble);
+  sample_.status = faults_.status();
+  if (phase_ != Phase::failed) {
+    phase_ = Phase::failed;
+    has_sent_ = false;
+    next_poll_ = 0;
+    sample_.has_torque = false;
   }
-  phase_ = Phase::failed;
-  has_sent_ = false;
-  next_poll_ = 0;
-  sample_.status = status | heat_status(trouble);
-  sample_.has_torque = false;
-  trouble_ = trouble;
 }
 
 void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drivers/seconds.h"
+#include "drivers/common/seconds.h"
 #include "drivers/vesc_can/vesc_faults.h"
 
 namespace tactus::drivers {

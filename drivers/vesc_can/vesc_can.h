@@ -27,8 +27,8 @@
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
-#include "drivers/counted_shaft.h"
-#include "drivers/fault_latch.h"
+#include "drivers/common/counted_shaft.h"
+#include "drivers/common/fault_latch.h"
 #include "drivers/vesc_can/vesc_config.h"
 #include "drivers/vesc_can/vesc_protocol.h"
 

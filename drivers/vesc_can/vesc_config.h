@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
-#include "drivers/field_error.h"
+#include "drivers/common/field_error.h"
+#include "drivers/common/setting.h"
 
 namespace tactus::drivers {
 
@@ -40,6 +42,9 @@ struct VescConfig {
   double poll_period_s = 0.01;     // period of the questions for faults; 0.001..1
   double bring_up_s = 2.0;         // longest time until the VESC is there without a fault; 0.1..60
 };
+
+// Returns the keys of device.toml.
+std::span<const Binding<VescConfig>> vesc_keys();
 
 // Checks every field against its range.
 Checked check(const VescConfig& config);

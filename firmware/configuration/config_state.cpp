@@ -11,38 +11,6 @@ using rendering::StateArchive;
 
 inline constexpr std::uint64_t kConfigVersion = 3;
 
-inline void transfer(StateArchive& archive, LinkWeight& weight) {
-  auto& [mass_kg, centre_m] = weight;
-  archive(mass_kg, centre_m);
-}
-
-inline void transfer(StateArchive& archive, CartesianGeometry& geometry) {
-  auto& [carried_kg] = geometry;
-  archive(carried_kg);
-}
-
-inline void transfer(StateArchive& archive, DeltaGeometry& geometry) {
-  auto& [arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
-         platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg] = geometry;
-  archive(arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
-          platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg);
-}
-
-inline void transfer(StateArchive& archive, PaddleGeometry& geometry) {
-  auto& [handle_radius_m, paddle] = geometry;
-  archive(handle_radius_m, paddle);
-}
-
-inline void transfer(StateArchive& archive, PantographGeometry& geometry) {
-  auto& [base_m, proximal_m, distal_m, proximal, distal, tool_kg] = geometry;
-  archive(base_m, proximal_m, distal_m, proximal, distal, tool_kg);
-}
-
-inline void transfer(StateArchive& archive, SerialArmGeometry& geometry) {
-  auto& [upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg] = geometry;
-  archive(upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg);
-}
-
 template <std::size_t kKind>
 void transfer_if(StateArchive& archive, MechanismGeometry& geometry, std::size_t kind) {
   if (kind != kKind) {
@@ -79,7 +47,7 @@ inline void transfer(StateArchive& archive, JointFriction& friction) {
   auto& [kind, coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
          stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
          elastic_fraction] = model;
-  archive.choice(kind, FrictionKind::elasto_plastic);
+  archive.choice(kind, static_cast<FrictionKind>(rendering::kFrictionKinds - 1));
   archive(coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
           stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
           elastic_fraction, compensated_share, turn_length);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/configuration/mechanism_check.h"
-#include "firmware/configuration/range_check.h"
+#include "firmware/kinematics/range_check.h"
 
 namespace tactus::firmware {
 namespace {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "firmware/kinematics/mechanism.h"
+#include "firmware/kinematics/range_check.h"
 #include "firmware/limits.h"
 #include "firmware/safety/certificate.h"
 #include "rendering/friction/friction_model.h"
@@ -112,15 +113,6 @@ struct ControllerConfig {
   bool allow_uncertified = false;  // load a scene beyond the certificate too
 };
 
-// An error in a configuration: the field as written in this header, its value, and the allowed
-// closed range.
-struct ConfigError {
-  std::string_view field;
-  double value = 0.0;
-  double least = 0.0;
-  double greatest = 0.0;
-};
-
 // Returns the first field that is out of range as the error. Not real time.
 std::expected<void, ConfigError> validate(const ControllerConfig& config);
 
@@ -147,8 +139,28 @@ ControllerConfig phantom_premium_config();
 // WoodenHaptics of 2015, with its weights; the world's origin is that of its own software.
 ControllerConfig woodenhaptics_config();
 
-inline constexpr std::array<std::string_view, 6> kPresetNames = {
-    "cartesian", "falcon", "hapkit", "haply_pantograph", "phantom_premium", "woodenhaptics"};
+struct Preset {
+  std::string_view name;  // `kind` of [mechanism] in TOML, and of `tactus sim --device`
+  ControllerConfig (*config)();
+};
+
+inline constexpr std::array kPresets{
+    Preset{"cartesian", cartesian_config},
+    Preset{"falcon", falcon_config},
+    Preset{"hapkit", hapkit_config},
+    Preset{"haply_pantograph", haply_pantograph_config},
+    Preset{"phantom_premium", phantom_premium_config},
+    Preset{"woodenhaptics", woodenhaptics_config},
+};
+
+// The names of the presets, in that order.
+inline constexpr auto kPresetNames = [] {
+  std::array<std::string_view, kPresets.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    names[i] = kPresets[i].name;
+  }
+  return names;
+}();
 
 // Returns the configuration with one of kPresetNames, or nothing for another name.
 std::optional<ControllerConfig> preset_config(std::string_view name);

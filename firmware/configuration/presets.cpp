@@ -95,23 +95,10 @@ ControllerConfig woodenhaptics_config() {
 }
 
 std::optional<ControllerConfig> preset_config(std::string_view name) {
-  if (name == "cartesian") {
-    return cartesian_config();
-  }
-  if (name == "falcon") {
-    return falcon_config();
-  }
-  if (name == "hapkit") {
-    return hapkit_config();
-  }
-  if (name == "haply_pantograph") {
-    return haply_pantograph_config();
-  }
-  if (name == "phantom_premium") {
-    return phantom_premium_config();
-  }
-  if (name == "woodenhaptics") {
-    return woodenhaptics_config();
+  for (const Preset& preset : kPresets) {
+    if (preset.name == name) {
+      return preset.config();
+    }
   }
   return std::nullopt;
 }

@@ -4,11 +4,11 @@
 // The push. A joint's friction is at least its Coulomb level Fc plus its viscous term; the Stribeck
 // effect adds more near rest. The compensation gives a share s of those two back:
 //   c = s Fc u + s sigma2 v,   du/dq = (sgn(v) - u) / l.
-// u is a bristle without unit, between -1 and 1, by Dahl's model (rendering/friction/dahl.h).
-// sgn(v) itself would jump between -1 and 1 with every count of an encoder at rest. u changes its
-// sign over the displacement l, the longer of the friction's presliding length Fs / sigma0 and
-// `turn_length`. The joint's position drives u; v is the device's estimate of the velocity after
-// the controller's low-pass.
+// u is a bristle without unit, between -1 and 1, by Dahl's model
+// (rendering/friction/models/dahl.h). sgn(v) itself would jump between -1 and 1 with every count of
+// an encoder at rest. u changes its sign over the displacement l, the longer of the friction's
+// presliding length Fs / sigma0 and `turn_length`. The joint's position drives u; v is the device's
+// estimate of the velocity after the controller's low-pass.
 //
 // Stability: why it does not move the device by itself. Choose s so that the true friction is at
 // least s Fc and s sigma2 v.

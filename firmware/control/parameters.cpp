@@ -54,7 +54,7 @@ bool has_term(Parameter parameter, rendering::FrictionKind kind) {
     case Parameter::static_friction:
       return rendering::has_static_level(kind);
     case Parameter::viscous_friction:
-      return kind != rendering::FrictionKind::cone;
+      return rendering::is_viscous(kind);
     default:
       return true;
   }

@@ -1,21 +1,13 @@
 // Finds the identifiers that the drives on a CAN bus use, and their collisions.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "drivers/common/can_identifiers.h"
 #include "firmware/device_file/device_config.h"
 
 namespace tactus::firmware {
-
-// An identifier of 11 bits, or of 29 bits if extended.
-struct CanIdentifier {
-  std::uint32_t id = 0;
-  bool extended = false;
-
-  bool operator==(const CanIdentifier&) const = default;
-};
 
 // Returns the key of the drive's number on its bus; empty for an axis that is not on CAN.
 std::string_view number_key(const AxisConfig& axis);
@@ -25,6 +17,7 @@ std::string_view number_key(const AxisConfig& axis);
 bool have_same_number(const AxisConfig& one, const AxisConfig& other);
 
 // Returns an identifier that both use, if their drivers differ.
-std::optional<CanIdentifier> shared_identifier(const AxisConfig& one, const AxisConfig& other);
+std::optional<drivers::CanIdentifier> shared_identifier(const AxisConfig& one,
+                                                        const AxisConfig& other);
 
 }  // namespace tactus::firmware

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <variant>
 
+#include "firmware/device_file/axis_visit.h"
 #include "firmware/device_file/motor_stop.h"
 
 namespace tactus::firmware {
@@ -14,24 +16,66 @@ namespace {
 using drivers::Checked;
 using drivers::FieldError;
 
-// Checks the settings in which the CiA 402 drives of one bus must agree.
-Checked check_shared_buses(const DeviceConfig& device) {
-  for (std::size_t connection = 0; connection < device.connection_count; ++connection) {
-    std::array<drivers::Cia402Config, kMaxAxes> drives{};
-    std::size_t count = 0;
-    for (const AxisConfig& axis : std::span(device.axes).first(device.axis_count)) {
-      const auto* drive = std::get_if<drivers::Cia402Config>(&axis.drive);
-      if (drive != nullptr && axis.connection == connection) {
-        drives[count] = *drive;
-        ++count;
-      }
-    }
-    const auto checked = count == 0 ? Checked{} : check_bus(std::span(drives).first(count));
-    if (!checked) {
-      return checked;
+// Checks the settings in which the drives of one kind on one bus must agree.
+template <class Driver>
+Checked check_shared_bus(const Driver& driver, const DeviceConfig& device, std::size_t connection) {
+  using Config = typename Driver::Config;
+  std::array<Config, kMaxAxes> drives{};
+  std::size_t count = 0;
+  for (const AxisConfig& axis : std::span(device.axes).first(device.axis_count)) {
+    const auto* drive = std::get_if<Config>(&axis.drive);
+    if (drive != nullptr && axis.connection == connection) {
+      drives[count] = *drive;
+      ++count;
     }
   }
-  return {};
+  return count == 0 || driver.can.check_bus == nullptr
+             ? Checked{}
+             : driver.can.check_bus(std::span(drives).first(count));
+}
+
+Checked check_shared_buses(const DeviceConfig& device) {
+  Checked checked;
+  for (std::size_t i = 0; i < device.connection_count && checked; ++i) {
+    const auto agree = [&](const auto& driver) {
+      checked = check_shared_bus(driver, device, i);
+      return checked.has_value();
+    };
+    (void)std::apply([&](const auto&... drivers) { return (agree(drivers) && ...); },
+                     drivers::kRegisteredDrivers);
+  }
+  return checked;
+}
+
+// Refuses a motor that nothing stops, and says how its driver or its connection can.
+Verdict refuse_motor(const DeviceConfig& device, std::size_t motor, Words& words) {
+  const AxisConfig& axis = device.axes[motor];
+  const bool can_have_heartbeat = drivers::visit_drive(
+      axis.drive,
+      [](const auto& driver, const auto& /*drive*/) { return driver.has_heartbeat != nullptr; });
+  const bool board_accepts = drivers::visit_connection(
+      device.connections[axis.connection].line, [](const auto& kind, const auto& /*line*/) {
+        return kind.accepts_unproven_watchdog != nullptr;
+      });
+  words.clear();
+  words
+      .add(can_have_heartbeat ? "needs a heartbeat line: nothing stops the motor of axis \""
+                              : "needs a watchdog_line: nothing stops the motor of axis \"")
+      .add(axis.name)
+      .add("\" when the host dies, which would then keep its torque. ")
+      .add(can_have_heartbeat
+               ? "Wire a monostable or charge pump that gates the bridge to a line and write "
+                 "heartbeat = \"LINE\" at the axis, or wire a circuit that cuts the motors' "
+                 "supply"
+               : "Wire a circuit that cuts the motors' supply to a GPIO line")
+      .add(
+          " and write watchdog_chip and watchdog_line at the top of the file; or accept the "
+          "danger with "
+          "unproven_watchdog = true at the ")
+      .add(board_accepts ? "connection" : "axis");
+  return std::unexpected(board_accepts
+                             ? Refusal{Place::connection, axis.connection, {}, words.view()}
+                             : Refusal{Place::axis, motor, {}, words.view()});
 }
 
 }  // namespace
@@ -59,30 +103,15 @@ Checked check(const PlantConfig& plant) {
 }
 
 Checked check_drive(const AxisConfig& axis, const DeviceConfig& device) {
-  const bool may_be_absolute = std::holds_alternative<drivers::ODriveConfig>(axis.drive) ||
-                               std::holds_alternative<drivers::MoteusConfig>(axis.drive) ||
-                               std::holds_alternative<drivers::Cia402Config>(axis.drive);
-  if (axis.encoder != EncoderKind::incremental && !may_be_absolute) {
-    return std::unexpected(FieldError{
-        "encoder", "must be \"incremental\" with this driver: it counts from where it wakes up"});
-  }
-  if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
-    return check(*odrive);
-  }
-  if (const auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
-    return check(*moteus);
-  }
-  if (const auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
-    return check(*cia402);
-  }
-  if (const auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
-    return check(*vesc);
-  }
-  if (const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
-    const auto* line = std::get_if<GpioConnection>(&device.connections[axis.connection].line);
-    return check(*gpio, line != nullptr && !line->counter.empty());
-  }
-  return {};
+  return visit_axis(
+      device, axis, [&](const auto& driver, const auto& drive, const auto& connection) -> Checked {
+        if (axis.encoder != EncoderKind::incremental && !driver.encoder.may_be_absolute) {
+          return std::unexpected(FieldError{
+              "encoder",
+              "must be \"incremental\" with this driver: it counts from where it wakes up"});
+        }
+        return driver.check(drive, connection);
+      });
 }
 
 Checked check(const DeviceConfig& device) {
@@ -109,25 +138,7 @@ Verdict check_motor_stops(const DeviceConfig& device, Words& words) {
         accepts_unproven_watchdog(device, motor)) {
       continue;
     }
-    const AxisConfig& axis = device.axes[motor];
-    const bool is_gpio = std::holds_alternative<drivers::GpioAxisConfig>(axis.drive);
-    words.clear();
-    words
-        .add(is_gpio ? "needs a heartbeat line: nothing stops the motor of axis \""
-                     : "needs a watchdog_line: nothing stops the motor of axis \"")
-        .add(axis.name)
-        .add("\" when the host dies, which would then keep its torque. ")
-        .add(is_gpio ? "Wire a monostable or charge pump that gates the bridge to a line and write "
-                       "heartbeat = \"LINE\" at the axis, or wire a circuit that cuts the motors' "
-                       "supply"
-                     : "Wire a circuit that cuts the motors' supply to a GPIO line")
-        .add(
-            " and write watchdog_chip and watchdog_line at the top of the file; or accept the "
-            "danger with "
-            "unproven_watchdog = true at the ")
-        .add(is_gpio ? "axis" : "connection");
-    return std::unexpected(is_gpio ? Refusal{Place::axis, motor, {}, words.view()}
-                                   : Refusal{Place::connection, axis.connection, {}, words.view()});
+    return refuse_motor(device, motor, words);
   }
   return {};
 }

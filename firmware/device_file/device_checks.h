@@ -7,9 +7,9 @@
 #include <expected>
 #include <string_view>
 
-#include "drivers/field_error.h"
+#include "drivers/common/field_error.h"
+#include "drivers/common/words.h"
 #include "firmware/device_file/device_config.h"
-#include "firmware/device_file/words.h"
 
 namespace tactus::firmware {
 

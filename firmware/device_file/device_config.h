@@ -9,70 +9,28 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <variant>
 
-#include "drivers/cia402_can/cia402_config.h"
+#include "drivers/any_drive.h"
+#include "drivers/common/words.h"
+#include "drivers/composition/homing.h"
+#include "drivers/composition/transmission.h"
 #include "drivers/device.h"
-#include "drivers/falcon_usb/falcon.h"
 #include "drivers/gpio_axis/gpio_axis_config.h"
-#include "drivers/haply_serial/haply.h"
-#include "drivers/homing.h"
-#include "drivers/moteus_canfd/moteus_config.h"
-#include "drivers/odrive_can/odrive_config.h"
-#include "drivers/transmission.h"
-#include "drivers/vesc_can/vesc_config.h"
 #include "firmware/configuration/controller_config.h"
-#include "firmware/device_file/words.h"
 
 namespace tactus::firmware {
+
+using drivers::EncoderKind;
+using drivers::Words;
 
 inline constexpr std::size_t kMaxConnections = 4;
 inline constexpr std::size_t kMaxAxes = drivers::kMaxJoints;
 inline constexpr std::uint32_t kMaxPlantDelay = 8;
 
-// A CAN interface of the system.
-struct CanConnection {
-  std::string_view interface;  // "can0"
-  double bit_rate = 1e6;       // bit/s, 10'000 to 1'000'000
-  double data_bit_rate = 5e6;  // of CAN FD payloads, bit/s, bit_rate to 8'000'000
-};
-// A Falcon on USB.
-struct FalconConnection {
-  std::string_view firmware_file;  // uploaded when the device has none; empty: none
-  drivers::FalconConfig falcon;
-};
-// A Haply board on a serial port.
-struct HaplyConnection {
-  std::string_view port;  // "/dev/ttyACM0"
-  drivers::HaplyConfig haply;
-};
-// The pins, the PWM channel and the counter of one axis on a board.
-struct GpioConnection {
-  std::string_view chip;        // the GPIO chip's label, or its path
-  std::string_view pwm_folder;  // "/sys/class/pwm/pwmchip0"
-  std::uint32_t pwm_channel = 0;
-  // The name of a hardware counter that replaces encoder edges, in /sys/bus/counter/devices; empty
-  // without one.
-  std::string_view counter;  // "counter0"
-  std::uint32_t counter_channel = 0;
-};
-
 // A connection to hardware, by the name that axes use for it.
 struct ConnectionConfig {
   std::string_view name;
-  std::variant<CanConnection, FalconConnection, HaplyConnection, GpioConnection> line;
-};
-
-// An axis that the board has by itself, with its number there.
-struct BoardAxis {
-  std::uint8_t number = 0;
-};
-
-// The extent to which an axis' encoder knows its position after power-up.
-enum class EncoderKind : std::uint8_t {
-  incremental,    // not at all: it counts from where it was
-  absolute_turn,  // within one turn of its shaft
-  absolute,       // over all turns; a moteus: within one turn of the output's own encoder
+  drivers::AnyConnection line;
 };
 
 // An axis: its connection, its drive and what its encoder knows after power-up.
@@ -80,12 +38,10 @@ struct AxisConfig {
   std::string_view name;
   std::string_view connection_name;
   std::size_t connection = 0;  // index into DeviceConfig::connections
-  std::variant<BoardAxis, drivers::ODriveConfig, drivers::MoteusConfig, drivers::Cia402Config,
-               drivers::VescConfig, drivers::GpioAxisConfig>
-      drive;
+  drivers::AnyDrive drive;
   EncoderKind encoder = EncoderKind::incremental;
   // The lower end of the turn in which an absolute encoder reads after power-up, rad at its shaft;
-  // the turn ends 2 pi later. Without it the turn begins at 0, or at -pi for a moteus.
+  // the turn ends 2 pi later. Without it the driver's registration says where the turn begins.
   std::optional<double> encoder_turn_begins_rad;
 };
 

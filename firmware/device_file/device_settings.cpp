@@ -1,6 +1,6 @@
 #include "firmware/device_file/device_settings.h"
 
-#include "firmware/device_file/pin_setting.h"
+#include "drivers/gpio_axis/pin_setting.h"
 
 namespace tactus::firmware {
 
@@ -53,126 +53,19 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
   return kKeys;
 }
 
-// ---- connections
+// ---- connections, axes
 
 std::span<const Binding<ConnectionConfig>> connection_keys() {
   static constexpr std::array kKeys{bind<&ConnectionConfig::name>("name")};
   return kKeys;
 }
 
-std::span<const Binding<CanConnection>> can_keys() {
+std::span<const Binding<AxisConfig>> axis_keys() {
   static constexpr std::array kKeys{
-      bind<&CanConnection::interface>("interface"),
-      bind<&CanConnection::bit_rate>("bit_rate"),
-      bind<&CanConnection::data_bit_rate>("data_bit_rate"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<FalconConnection>> falcon_keys() {
-  using C = FalconConnection;
-  using F = drivers::FalconConfig;
-  static constexpr std::array kKeys{
-      bind<&C::firmware_file>("firmware_file"),
-      bind<&C::falcon, &F::motor_units_per_Nm>("motor_units_per_Nm", "per_Nm"),
-      bind<&C::falcon, &F::torque_limit_Nm>("torque_limit_Nm", "Nm"),
-      bind<&C::falcon, &F::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
-      bind<&C::falcon, &F::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
-      bind<&C::falcon, &F::unproven_watchdog>("unproven_watchdog"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<HaplyConnection>> haply_keys() {
-  using C = HaplyConnection;
-  using H = drivers::HaplyConfig;
-  static constexpr std::array kKeys{
-      bind<&C::port>("port"),
-      bind<&C::haply, &H::device_id>("device_id"),
-      bind<&C::haply, &H::torque_limit_Nm>("torque_limit_Nm", "Nm"),
-      bind<&C::haply, &H::velocity_cutoff_Hz>("velocity_cutoff_hz", "hz"),
-      bind<&C::haply, &H::fastest_rad_per_s>("fastest_rad_per_s", "rad_per_s"),
-      bind<&C::haply, &H::home_tolerance_rad>("home_tolerance_rad", "rad"),
-      bind<&C::haply, &H::unproven_watchdog>("unproven_watchdog"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<GpioConnection>> gpio_keys() {
-  using C = GpioConnection;
-  static constexpr std::array kKeys{
-      bind<&C::chip>("chip"),
-      bind<&C::pwm_folder>("pwm_folder"),
-      bind<&C::pwm_channel>("pwm_channel"),
-      bind<&C::counter>("counter"),
-      bind<&C::counter_channel>("counter_channel"),
-  };
-  return kKeys;
-}
-
-// ---- mechanisms
-
-std::span<const Binding<CartesianGeometry>> cartesian_keys() {
-  static constexpr std::array kKeys{bind<&CartesianGeometry::carried_kg>("carried_kg", "kg")};
-  return kKeys;
-}
-
-std::span<const Binding<DeltaGeometry>> delta_keys() {
-  using G = DeltaGeometry;
-  static constexpr std::array kKeys{
-      bind<&G::arm_m>("arm_m", "m"),
-      bind<&G::rod_m>("rod_m", "m"),
-      bind<&G::hinge_offset_m>("hinge_offset_m", "m"),
-      bind<&G::base_radius_m>("base_radius_m", "m"),
-      bind<&G::base_tangent_m>("base_tangent_m", "m"),
-      bind<&G::platform_radius_m>("platform_radius_m", "m"),
-      bind<&G::platform_tangent_m>("platform_tangent_m", "m"),
-      bind<&G::azimuth_rad>("azimuth_rad", "rad"),
-      bind<&G::nominal_height_m>("nominal_height_m", "m"),
-      bind<&G::arm, &LinkWeight::mass_kg>("arm_kg", "kg"),
-      bind<&G::arm, &LinkWeight::centre_m>("arm_centre_m", "m"),
-      bind<&G::rods_kg>("rods_kg", "kg"),
-      bind<&G::platform_kg>("platform_kg", "kg"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<PaddleGeometry>> paddle_keys() {
-  using G = PaddleGeometry;
-  static constexpr std::array kKeys{
-      bind<&G::handle_radius_m>("handle_radius_m", "m"),
-      bind<&G::paddle, &LinkWeight::mass_kg>("paddle_kg", "kg"),
-      bind<&G::paddle, &LinkWeight::centre_m>("paddle_centre_m", "m"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<PantographGeometry>> pantograph_keys() {
-  using G = PantographGeometry;
-  static constexpr std::array kKeys{
-      bind<&G::base_m>("base_m", "m"),
-      bind<&G::proximal_m>("proximal_m", "m"),
-      bind<&G::distal_m>("distal_m", "m"),
-      bind<&G::proximal, &LinkWeight::mass_kg>("proximal_kg", "kg"),
-      bind<&G::proximal, &LinkWeight::centre_m>("proximal_centre_m", "m"),
-      bind<&G::distal, &LinkWeight::mass_kg>("distal_kg", "kg"),
-      bind<&G::distal, &LinkWeight::centre_m>("distal_centre_m", "m"),
-      bind<&G::tool_kg>("tool_kg", "kg"),
-  };
-  return kKeys;
-}
-
-std::span<const Binding<SerialArmGeometry>> serial_arm_keys() {
-  using G = SerialArmGeometry;
-  static constexpr std::array kKeys{
-      bind<&G::upper_m>("upper_m", "m"),
-      bind<&G::forearm_m>("forearm_m", "m"),
-      bind<&G::shoulder_height_m>("shoulder_height_m", "m"),
-      bind<&G::upper, &LinkWeight::mass_kg>("upper_kg", "kg"),
-      bind<&G::upper, &LinkWeight::centre_m>("upper_centre_m", "m"),
-      bind<&G::forearm, &LinkWeight::mass_kg>("forearm_kg", "kg"),
-      bind<&G::forearm, &LinkWeight::centre_m>("forearm_centre_m", "m"),
-      bind<&G::tool_kg>("tool_kg", "kg"),
+      bind<&AxisConfig::name>("name"),
+      bind<&AxisConfig::connection_name>("connection"),
+      bind<&AxisConfig::encoder>("encoder"),
+      bind<&AxisConfig::encoder_turn_begins_rad>("encoder_turn_begins_rad", "rad"),
   };
   return kKeys;
 }

@@ -1,5 +1,6 @@
 // The keys that each section of device.toml may have, and the fields behind them. A key for a new
-// field is one line in device_settings.cpp, axis_settings.cpp or joint_settings.cpp.
+// field is one line in device_settings.cpp or joint_settings.cpp; a driver's is in its folder, and
+// a mechanism's in its file in firmware/kinematics.
 #pragma once
 
 #include <span>
@@ -24,22 +25,5 @@ std::span<const Binding<AxisConfig>> axis_keys();
 // The keys of a joint. One that turns is in rad and N m, one that slides in m and N.
 std::span<const Binding<JointConfig>> turning_joint_keys();
 std::span<const Binding<JointConfig>> sliding_joint_keys();
-
-// The keys that depend on the kind or driver of a section.
-std::span<const Binding<CanConnection>> can_keys();
-std::span<const Binding<FalconConnection>> falcon_keys();
-std::span<const Binding<HaplyConnection>> haply_keys();
-std::span<const Binding<GpioConnection>> gpio_keys();
-std::span<const Binding<BoardAxis>> board_axis_keys();
-std::span<const Binding<drivers::ODriveConfig>> odrive_keys();
-std::span<const Binding<drivers::MoteusConfig>> moteus_keys();
-std::span<const Binding<drivers::Cia402Config>> cia402_keys();
-std::span<const Binding<drivers::VescConfig>> vesc_keys();
-std::span<const Binding<drivers::GpioAxisConfig>> gpio_axis_keys();
-std::span<const Binding<CartesianGeometry>> cartesian_keys();
-std::span<const Binding<DeltaGeometry>> delta_keys();
-std::span<const Binding<PaddleGeometry>> paddle_keys();
-std::span<const Binding<PantographGeometry>> pantograph_keys();
-std::span<const Binding<SerialArmGeometry>> serial_arm_keys();
 
 }  // namespace tactus::firmware

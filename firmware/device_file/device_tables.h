@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <variant>
 
 #include "firmware/device_file/device_config.h"
 #include "firmware/device_file/device_image.h"
@@ -66,48 +65,15 @@ class KeyCollector {
 template <class Visitor>
 void visit_connection(ConnectionConfig& connection, Visitor&& visit) {
   visit(connection, connection_keys());
-  if (auto* can = std::get_if<CanConnection>(&connection.line)) {
-    visit(*can, can_keys());
-  } else if (auto* falcon = std::get_if<FalconConnection>(&connection.line)) {
-    visit(*falcon, falcon_keys());
-  } else if (auto* haply = std::get_if<HaplyConnection>(&connection.line)) {
-    visit(*haply, haply_keys());
-  } else if (auto* gpio = std::get_if<GpioConnection>(&connection.line)) {
-    visit(*gpio, gpio_keys());
-  }
+  drivers::visit_connection(connection.line,
+                            [&](const auto& kind, auto& line) { visit(line, kind.keys()); });
 }
 
 template <class Visitor>
 void visit_axis(AxisConfig& axis, Visitor&& visit) {
   visit(axis, axis_keys());
-  if (auto* board = std::get_if<BoardAxis>(&axis.drive)) {
-    visit(*board, board_axis_keys());
-  } else if (auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
-    visit(*odrive, odrive_keys());
-  } else if (auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
-    visit(*moteus, moteus_keys());
-  } else if (auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
-    visit(*cia402, cia402_keys());
-  } else if (auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
-    visit(*vesc, vesc_keys());
-  } else if (auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive)) {
-    visit(*gpio, gpio_axis_keys());
-  }
-}
-
-template <class Visitor>
-void visit_mechanism(MechanismGeometry& mechanism, Visitor&& visit) {
-  if (auto* cartesian = std::get_if<CartesianGeometry>(&mechanism)) {
-    visit(*cartesian, cartesian_keys());
-  } else if (auto* delta = std::get_if<DeltaGeometry>(&mechanism)) {
-    visit(*delta, delta_keys());
-  } else if (auto* paddle = std::get_if<PaddleGeometry>(&mechanism)) {
-    visit(*paddle, paddle_keys());
-  } else if (auto* pantograph = std::get_if<PantographGeometry>(&mechanism)) {
-    visit(*pantograph, pantograph_keys());
-  } else if (auto* arm = std::get_if<SerialArmGeometry>(&mechanism)) {
-    visit(*arm, serial_arm_keys());
-  }
+  drivers::visit_drive(axis.drive,
+                       [&](const auto& driver, auto& drive) { visit(drive, driver.keys()); });
 }
 
 }  // namespace tactus::firmware

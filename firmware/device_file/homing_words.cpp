@@ -36,7 +36,7 @@ Instruction instruction_for(const drivers::Reference& reference) {
 
 void add_homing_words(const DeviceConfig& config, Words& words) {
   constexpr int kDecimals = 2;
-  const bool is_prismatic = std::holds_alternative<CartesianGeometry>(config.controller.mechanism);
+  const bool is_prismatic = slides(config.controller.mechanism);
   const double shown_per_unit = is_prismatic ? 1e3 : 180.0 / std::numbers::pi;
   std::string_view separator;
   for (const JointConfig& joint : std::span(config.joints).first(config.joint_count)) {

@@ -1,8 +1,8 @@
 // The words that tell the user what to do while a device finds its reference. Not for a tick.
 #pragma once
 
+#include "drivers/common/words.h"
 #include "firmware/device_file/device_config.h"
-#include "firmware/device_file/words.h"
 
 namespace tactus::firmware {
 

@@ -3,17 +3,6 @@
 
 namespace tactus::firmware {
 
-template <>
-inline constexpr auto kWords<drivers::ReferenceKind> =
-    std::to_array<Word<drivers::ReferenceKind>>({{"absolute", drivers::ReferenceKind::absolute},
-                                                 {"board", drivers::ReferenceKind::board},
-                                                 {"known_pose", drivers::ReferenceKind::known_pose},
-                                                 {"index", drivers::ReferenceKind::index},
-                                                 {"hard_stop", drivers::ReferenceKind::hard_stop}});
-template <>
-inline constexpr std::string_view kWordList<drivers::ReferenceKind> =
-    R"(must be "absolute", "board", "known_pose", "index" or "hard_stop")";
-
 // ---- joints
 
 namespace {

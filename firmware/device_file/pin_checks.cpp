@@ -1,11 +1,10 @@
 // Checks that a line of a GPIO chip is used once, and a gpio connection by one axis.
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <variant>
 
 #include "firmware/device_file/device_checks.h"
 
@@ -13,35 +12,33 @@ namespace tactus::firmware {
 
 namespace {
 
-struct UsedPin {
-  std::string_view key;
-  std::optional<std::uint32_t> offset;
+using drivers::UsedLine;
+using drivers::UsedLines;
+
+// The lines that an axis uses, and their chip; empty for an axis without a chip.
+struct LinesOfAxis {
+  std::string_view chip;
+  std::string_view kind;  // of the connection
+  UsedLines lines;
 };
 
-std::array<UsedPin, 11> pins_of(const drivers::AxisPins& pins) {
-  const auto used = [](std::string_view key, const auto& pin) {
-    return UsedPin{key, pin ? std::optional(pin->offset) : std::nullopt};
-  };
-  return {{used("encoder_a", pins.encoder_a), used("encoder_b", pins.encoder_b),
-           used("encoder_index", pins.encoder_index), used("fault", pins.fault),
-           used("emergency_stop", pins.emergency_stop), used("limit_low", pins.limit_low),
-           used("limit_high", pins.limit_high), used("direction", pins.direction),
-           used("enable", pins.enable), used("brake_release", pins.brake_release),
-           used("heartbeat", pins.heartbeat)}};
+LinesOfAxis lines_of(const DeviceConfig& device, const AxisConfig& axis) {
+  LinesOfAxis used;
+  drivers::visit_connection(device.connections[axis.connection].line,
+                            [&](const auto& kind, const auto& line) {
+                              used.kind = kind.kind;
+                              used.chip = kind.chip == nullptr ? "" : kind.chip(line);
+                            });
+  drivers::visit_drive(axis.drive, [&](const auto& driver, const auto& drive) {
+    used.lines = driver.lines == nullptr ? UsedLines{} : driver.lines(drive);
+  });
+  return used;
 }
 
-// Returns the key of the first pin of `pins` that uses the line `offset`, or an empty text.
-std::string_view key_at(std::span<const UsedPin> pins, std::uint32_t offset) {
-  const auto found = std::ranges::find(pins, std::optional(offset), &UsedPin::offset);
-  return found == pins.end() ? std::string_view{} : found->key;
-}
-
-const drivers::GpioAxisConfig* gpio_axis(const AxisConfig& axis) {
-  return std::get_if<drivers::GpioAxisConfig>(&axis.drive);
-}
-
-std::string_view chip_of(const DeviceConfig& device, const AxisConfig& axis) {
-  return std::get<GpioConnection>(device.connections[axis.connection].line).chip;
+// Returns the key of the first of the lines with this offset, or an empty text.
+std::string_view key_at(std::span<const UsedLine> lines, std::uint32_t offset) {
+  const auto found = std::ranges::find(lines, std::optional(offset), &UsedLine::offset);
+  return found == lines.end() ? std::string_view{} : found->key;
 }
 
 std::unexpected<Refusal> refuse_pin(std::size_t axis, std::string_view key, Words& words) {
@@ -49,40 +46,37 @@ std::unexpected<Refusal> refuse_pin(std::size_t axis, std::string_view key, Word
   return std::unexpected(Refusal{Place::axis, axis, key, words.view()});
 }
 
-// Checks pin `p` of axis i, which uses the line `offset`, against the pins before it and those of
+// Checks line `p` of axis i, which has this offset, against the lines before it and those of
 // earlier axes on the same chip.
 Verdict check_pin(const DeviceConfig& device, std::size_t i, std::size_t p, std::uint32_t offset,
                   Words& words) {
-  const AxisConfig& axis = device.axes[i];
-  const auto pins = pins_of(gpio_axis(axis)->pins);
+  const auto [chip, kind, lines] = lines_of(device, device.axes[i]);
   words.clear();
   words.add("is line ").add(offset).add(", which is also ");
-  if (const auto key = key_at(std::span(pins).first(p), offset); !key.empty()) {
+  if (const auto key = key_at(std::span(lines).first(p), offset); !key.empty()) {
     words.add(key);
-    return refuse_pin(i, pins[p].key, words);
+    return refuse_pin(i, lines[p].key, words);
   }
   for (const AxisConfig& other : std::span(device.axes).first(i)) {
-    if (gpio_axis(other) == nullptr || chip_of(device, other) != chip_of(device, axis)) {
-      continue;
-    }
-    const auto taken = pins_of(gpio_axis(other)->pins);
-    if (const auto key = key_at(taken, offset); !key.empty()) {
+    const LinesOfAxis taken = lines_of(device, other);
+    const auto key = taken.chip == chip ? key_at(taken.lines, offset) : std::string_view{};
+    if (!key.empty()) {
       words.add(key).add(" of axis \"").add(other.name).add("\"");
-      return refuse_pin(i, pins[p].key, words);
+      return refuse_pin(i, lines[p].key, words);
     }
   }
   if (device.watchdog_line && device.watchdog_line->offset == offset &&
-      device.watchdog_chip == chip_of(device, axis)) {
+      device.watchdog_chip == chip) {
     words.add("the device's watchdog_line");
-    return refuse_pin(i, pins[p].key, words);
+    return refuse_pin(i, lines[p].key, words);
   }
   return {};
 }
 
 Verdict check_axis_pins(const DeviceConfig& device, std::size_t i, Words& words) {
-  const auto pins = pins_of(gpio_axis(device.axes[i])->pins);
-  for (std::size_t p = 0; p < pins.size(); ++p) {
-    if (const std::optional<std::uint32_t> offset = pins[p].offset) {
+  const UsedLines lines = lines_of(device, device.axes[i]).lines;
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    if (const std::optional<std::uint32_t> offset = lines[p].offset) {
       if (const Verdict verdict = check_pin(device, i, p, *offset, words); !verdict) {
         return verdict;
       }
@@ -93,11 +87,12 @@ Verdict check_axis_pins(const DeviceConfig& device, std::size_t i, Words& words)
 
 }  // namespace
 
-// Two axes on one gpio connection are refused: they would share its PWM channel.
+// Two axes on one connection with a chip are refused: they would share its PWM channel.
 Verdict check_pins(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.axis_count; ++i) {
     const AxisConfig& axis = device.axes[i];
-    if (gpio_axis(axis) == nullptr) {
+    const LinesOfAxis used = lines_of(device, axis);
+    if (used.chip.empty()) {
       continue;
     }
     for (const AxisConfig& other : std::span(device.axes).first(i)) {
@@ -105,7 +100,9 @@ Verdict check_pins(const DeviceConfig& device, Words& words) {
         words.clear();
         words.add("is also that of axis \"")
             .add(other.name)
-            .add("\"; a gpio connection carries one axis: give each its own");
+            .add("\"; a ")
+            .add(used.kind)
+            .add(" connection carries one axis: give each its own");
         return std::unexpected(Refusal{Place::axis, i, "connection", words.view()});
       }
     }

@@ -17,62 +17,60 @@ constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 // assumed.
 constexpr double kMarginShare = 0.05;
 
-bool has_index(const AxisConfig& axis) {
-  const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&axis.drive);
-  return gpio != nullptr && (gpio->pins.encoder_index || gpio->encoder.counter_index);
-}
-
 // Returns the kinds of reference that fit the encoder's driver.
-std::string_view fitting(const AxisConfig& encoder, const DeviceConfig& device) {
-  if (std::holds_alternative<FalconConnection>(device.connections[encoder.connection].line)) {
-    return R"(a Falcon finds its own reference: write reference = "board")";
-  }
-  if (std::holds_alternative<drivers::GpioAxisConfig>(encoder.drive)) {
-    return has_index(encoder)
-               ? R"(a gpio_axis with an index can have "index", "known_pose" or "hard_stop")"
-               : R"(a gpio_axis counts from where it wakes up: "known_pose", "hard_stop", or with )"
-                 R"(an encoder_index "index")";
-  }
-  if (std::holds_alternative<drivers::VescConfig>(encoder.drive)) {
-    return R"(a VESC counts from where it wakes up: "known_pose" or "hard_stop")";
-  }
-  if (std::holds_alternative<BoardAxis>(encoder.drive)) {
-    return R"(a Haply board counts from where its arms are when it is set up: "known_pose" or )"
-           R"("hard_stop")";
-  }
-  return encoder.encoder == EncoderKind::incremental
-             ? R"(its encoder counts from where it wakes up: "known_pose" or "hard_stop"; an )"
-               R"(absolute encoder is declared at the axis, encoder = "absolute_turn" or "absolute")"
-             : R"(its encoder is absolute: "absolute", "known_pose" or "hard_stop")";
+std::string_view fitting(const AxisConfig& encoder) {
+  return drivers::visit_drive(
+      encoder.drive, [&](const auto& driver, const auto& drive) -> std::string_view {
+        if (driver.reference_advice != nullptr) {
+          return driver.reference_advice(drive);
+        }
+        return encoder.encoder == EncoderKind::incremental
+                   ? R"(its encoder counts from where it wakes up: "known_pose" or "hard_stop"; )"
+                     R"(an absolute encoder is declared at the axis, encoder = "absolute_turn" or )"
+                     R"("absolute")"
+                   : R"(its encoder is absolute: "absolute", "known_pose" or "hard_stop")";
+      });
 }
 
-bool fits(ReferenceKind kind, const AxisConfig& encoder, const DeviceConfig& device) {
-  const auto& line = device.connections[encoder.connection].line;
-  if (std::holds_alternative<FalconConnection>(line)) {
-    return kind == ReferenceKind::board;
-  }
-  switch (kind) {
-    case ReferenceKind::board:
-      return false;
-    case ReferenceKind::index:
-      return has_index(encoder);
-    case ReferenceKind::absolute:
-      return encoder.encoder != EncoderKind::incremental;
-    case ReferenceKind::hard_stop:
-    case ReferenceKind::known_pose:
-      break;
-  }
-  return true;
+bool fits(ReferenceKind kind, const AxisConfig& encoder) {
+  return drivers::visit_drive(encoder.drive, [&](const auto& driver, const auto& drive) {
+    if (driver.finds_own_reference) {
+      return kind == ReferenceKind::board;
+    }
+    switch (kind) {
+      case ReferenceKind::board:
+        return false;
+      case ReferenceKind::index:
+        return driver.has_index != nullptr && driver.has_index(drive);
+      case ReferenceKind::absolute:
+        return encoder.encoder != EncoderKind::incremental;
+      case ReferenceKind::hard_stop:
+      case ReferenceKind::known_pose:
+        break;
+    }
+    return true;
+  });
+}
+
+drivers::EncoderFacts facts_of(const AxisConfig& encoder) {
+  return drivers::visit_drive(
+      encoder.drive, [](const auto& driver, const auto& /*drive*/) { return driver.encoder; });
 }
 
 // Returns true if the encoder knows its position within one turn only.
 bool knows_one_turn_alone(const AxisConfig& encoder) {
-  return encoder.encoder == EncoderKind::absolute_turn ||
-         std::holds_alternative<drivers::MoteusConfig>(encoder.drive);
+  return encoder.encoder == EncoderKind::absolute_turn || facts_of(encoder).absolute_is_one_turn;
+}
+
+// Returns the reason why the axis is no encoder, or an empty text.
+std::string_view no_encoder(const AxisConfig& axis) {
+  return drivers::visit_drive(axis.drive, [](const auto& driver, const auto& drive) {
+    return driver.no_encoder == nullptr ? std::string_view{} : driver.no_encoder(drive);
+  });
 }
 
 bool is_sliding(const DeviceConfig& device) {
-  return std::holds_alternative<CartesianGeometry>(device.controller.mechanism);
+  return slides(device.controller.mechanism);
 }
 
 // Explains that one turn of the encoder is less than the joint's travel.
@@ -127,8 +125,7 @@ Verdict check_absolute(const DeviceConfig& device, std::size_t i, Words& words) 
     say_ambiguous(joint, is_sliding(device) ? " m" : " rad", words);
     return std::unexpected(Refusal{Place::joint, i, "reference", words.view()});
   }
-  const bool is_moteus = std::holds_alternative<drivers::MoteusConfig>(axis.drive);
-  const double begin = axis.encoder_turn_begins_rad.value_or(is_moteus ? -std::numbers::pi : 0.0);
+  const double begin = axis.encoder_turn_begins_rad.value_or(facts_of(axis).turn_begins_rad);
   if (low < begin + 0.5 * margin || high > begin + kTurn_rad - 0.5 * margin) {
     say_begins_within(low, high, begin, words);
     return std::unexpected(Refusal{Place::joint, i, "reference", words.view()});
@@ -143,24 +140,18 @@ Verdict check_reference(const DeviceConfig& device, std::size_t i, Words& words)
   if (!joint.has_reference) {
     words.add("is missing, and has no default: it says how the joint learns where it is after ")
         .add(R"(power-up, "absolute", "board", "known_pose", "index" or "hard_stop"; )")
-        .add(fitting(encoder, device));
+        .add(fitting(encoder));
     return std::unexpected(Refusal{Place::joint, i, "reference", words.view()});
   }
-  if (!fits(joint.reference.kind, encoder, device)) {
+  if (!fits(joint.reference.kind, encoder)) {
     words.add("does not fit the encoder of axis \"")
         .add(encoder.name)
         .add("\"; ")
-        .add(fitting(encoder, device));
+        .add(fitting(encoder));
     return std::unexpected(Refusal{Place::joint, i, "reference", words.view()});
   }
-  const auto* vesc = std::get_if<drivers::VescConfig>(&encoder.drive);
-  if (vesc != nullptr && !vesc->offers_position) {
-    words.add("is axis \"")
-        .add(encoder.name)
-        .add(
-            "\", a VESC that reports no position; write offers_position = true there, or name the "
-            "axis "
-            "of another encoder");
+  if (const std::string_view reason = no_encoder(encoder); !reason.empty()) {
+    words.add("is axis \"").add(encoder.name).add("\", ").add(reason);
     return std::unexpected(Refusal{Place::joint, i, "encoder", words.view()});
   }
   return check_absolute(device, i, words);

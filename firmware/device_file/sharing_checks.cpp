@@ -1,6 +1,7 @@
 // Checks that nothing of a device is used twice, and that every name is valid for the system.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -71,79 +72,30 @@ Verdict check_joints(const DeviceConfig& device, Words& words) {
   return {};
 }
 
-constexpr std::string_view kInterfaceRule =
-    "must be the name of a network interface, 1 to 15 characters without '/', ':' and white space: "
-    "\"can0\"; see ip link show type can";
-
-bool is_interface_name(std::string_view name) {
-  constexpr std::size_t kLongest = 15;  // IFNAMSIZ less its end
-  return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
-         std::ranges::none_of(name, [](char c) {
-           return c == '/' || c == ':' || static_cast<unsigned char>(c) <= ' ';
-         });
-}
-
-// Checks the names by which the system finds a connection.
-Verdict check_line(const DeviceConfig& device, std::size_t i) {
-  const auto& line = device.connections[i].line;
-  const auto is_path = [](std::string_view text) { return text.size() > 1 && text[0] == '/'; };
-  if (const auto* can = std::get_if<CanConnection>(&line);
-      can != nullptr && !is_interface_name(can->interface)) {
-    return refuse(Place::connection, i, "interface", kInterfaceRule);
-  }
-  if (const auto* haply = std::get_if<HaplyConnection>(&line);
-      haply != nullptr && !is_path(haply->port)) {
-    return refuse(Place::connection, i, "port",
-                  "must be the path of a serial port from the root on, \"/dev/ttyACM0\"");
-  }
-  if (const auto* gpio = std::get_if<GpioConnection>(&line); gpio != nullptr) {
-    if (gpio->chip.empty()) {
-      return refuse(Place::connection, i, "chip",
-                    "must be the label or the path of a GPIO chip; see gpiodetect");
-    }
-    if (!is_path(gpio->pwm_folder)) {
-      return refuse(Place::connection, i, "pwm_folder",
-                    "must be a path from the root on, \"/sys/class/pwm/pwmchip0\"");
-    }
-  }
-  return {};
-}
-
 // Returns the key in which two connections agree but must differ, or an empty text.
 std::string_view shared_key(const ConnectionConfig& one, const ConnectionConfig& other) {
-  if (one.line.index() != other.line.index()) {
-    return {};
-  }
-  if (const auto* can = std::get_if<CanConnection>(&one.line)) {
-    return can->interface == std::get<CanConnection>(other.line).interface ? "interface" : "";
-  }
-  if (const auto* haply = std::get_if<HaplyConnection>(&one.line)) {
-    return haply->port == std::get<HaplyConnection>(other.line).port ? "port" : "";
-  }
-  if (const auto* gpio = std::get_if<GpioConnection>(&one.line)) {
-    const auto& also = std::get<GpioConnection>(other.line);
-    if (gpio->pwm_folder == also.pwm_folder && gpio->pwm_channel == also.pwm_channel) {
-      return "pwm_channel";
-    }
-    return !gpio->counter.empty() && gpio->counter == also.counter &&
-                   gpio->counter_channel == also.counter_channel
-               ? "counter"
-               : "";
-  }
-  return "kind";  // of Falcons
+  return drivers::visit_connection(
+      one.line, [&other](const auto& kind, const auto& line) -> std::string_view {
+        const auto* also = std::get_if<std::remove_cvref_t<decltype(line)>>(&other.line);
+        return also == nullptr ? std::string_view{} : kind.shared_key(line, *also);
+      });
 }
 
 Verdict check_connections(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.connection_count; ++i) {
-    if (const Verdict verdict = check_line(device, i); !verdict) {
-      return verdict;
+    const auto checked = drivers::visit_connection(
+        device.connections[i].line,
+        [](const auto& kind, const auto& line) { return kind.check(line); });
+    if (!checked) {
+      return refuse(Place::connection, i, checked.error().field, checked.error().rule);
     }
     for (const ConnectionConfig& other : std::span(device.connections).first(i)) {
       const std::string_view key = shared_key(device.connections[i], other);
       if (!key.empty()) {
         also_of(words, "connection", other.name)
-            .add(key == "kind" ? "there is room for one Falcon"
-                               : "put what hangs on both on one connection, or name another");
+            .add(drivers::visit_connection(
+                device.connections[i].line,
+                [](const auto& kind, const auto& /*line*/) { return kind.sharing_advice; }));
         return refuse(Place::connection, i, key, words.view());
       }
     }
@@ -151,21 +103,20 @@ Verdict check_connections(const DeviceConfig& device, Words& words) {
   return {};
 }
 
+std::optional<std::size_t> number_on_board(const AxisConfig& axis) {
+  return drivers::visit_drive(
+      axis.drive, [](const auto& driver, const auto& drive) -> std::optional<std::size_t> {
+        return driver.number_on_board == nullptr ? std::nullopt
+                                                 : std::optional(driver.number_on_board(drive));
+      });
+}
+
 Verdict check_board_numbers(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.axis_count; ++i) {
     const AxisConfig& axis = device.axes[i];
-    const auto* board = std::get_if<BoardAxis>(&axis.drive);
-    if (board == nullptr) {
-      continue;
-    }
-    const auto* haply = std::get_if<HaplyConnection>(&device.connections[axis.connection].line);
-    if (board->number >= (haply != nullptr ? haply->haply.axes : drivers::kFalconArms)) {
-      return refuse(Place::axis, i, "number",
-                    haply != nullptr ? "must be 0 or 1" : "must be 0, 1 or 2");
-    }
+    const auto number = number_on_board(axis);
     for (const AxisConfig& other : std::span(device.axes).first(i)) {
-      const auto* same = std::get_if<BoardAxis>(&other.drive);
-      if (same != nullptr && other.connection == axis.connection && same->number == board->number) {
+      if (number && other.connection == axis.connection && number_on_board(other) == number) {
         also_of(words, "axis", other.name).add("each of a board's axes has a number of its own");
         return refuse(Place::axis, i, "number", words.view());
       }

@@ -2,14 +2,22 @@
 #pragma once
 
 #include <array>
+#include <span>
 
+#include "drivers/common/setting.h"
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/range_check.h"
 
 namespace tactus::firmware {
 
 struct CartesianGeometry {
   std::array<double, 3> carried_kg{};  // mass that moves with each axis, with the axes it carries
 };
+
+inline void transfer(rendering::StateArchive& archive, CartesianGeometry& geometry) {
+  auto& [carried_kg] = geometry;
+  archive(carried_kg);
+}
 
 inline Pose cartesian_forward(const Vec3& joints) {
   return {joints, Mat3::Identity(), kPoseGood};
@@ -24,5 +32,31 @@ inline Vec3 cartesian_gravity_effort(const CartesianGeometry& g, const Vec3& gra
   const Vec3 carried_kg(g.carried_kg[0], g.carried_kg[1], g.carried_kg[2]);
   return -carried_kg.cwiseProduct(gravity_D);
 }
+
+// Checks every field. An error names the field after "mechanism.".
+void check_geometry(RangeCheck& check, const CartesianGeometry& g);
+
+class Cartesian {
+ public:
+  using Geometry = CartesianGeometry;
+  static constexpr std::size_t kJoints = 3;
+  static constexpr bool kSlides = true;
+
+  // The keys of [mechanism] in TOML.
+  static std::span<const drivers::Binding<CartesianGeometry>> keys();
+
+  explicit Cartesian(const CartesianGeometry& geometry) : geometry_(geometry) {}
+
+  [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& /*seed_D*/) const {
+    return cartesian_forward(joints);
+  }
+  [[nodiscard]] Vec3 gravity_effort(const Vec3& /*joints*/, const Pose& /*pose*/,
+                                    const Vec3& gravity_D) const {
+    return cartesian_gravity_effort(geometry_, gravity_D);
+  }
+
+ private:
+  CartesianGeometry geometry_;
+};
 
 }  // namespace tactus::firmware

@@ -167,4 +167,41 @@ bool has_weight(const DeltaGeometry& g) {
   return g.arm.moment_kg_m() != 0.0 || g.rods_kg != 0.0 || g.platform_kg != 0.0;
 }
 
+void check_geometry(RangeCheck& check, const DeltaGeometry& g) {
+  check_link(check, "mechanism.arm_m", g.arm_m);
+  check_link(check, "mechanism.rod_m", g.rod_m);
+  check.in("mechanism.hinge_offset_m", g.hinge_offset_m, 0.0, g.rod_m);
+  check.in("mechanism.base_radius_m", g.base_radius_m, 0.0, 1.0);
+  check.in("mechanism.base_tangent_m", g.base_tangent_m, -1.0, 1.0);
+  check.in("mechanism.platform_radius_m", g.platform_radius_m, 0.0, 1.0);
+  check.in("mechanism.platform_tangent_m", g.platform_tangent_m, -1.0, 1.0);
+  for (const double azimuth : g.azimuth_rad) {
+    check.in("mechanism.azimuth_rad", azimuth, -6.3, 6.3);
+  }
+  check.in("mechanism.nominal_height_m", g.nominal_height_m, 0.0, 2.0);
+  check_weight(check, {"mechanism.arm.mass_kg", "mechanism.arm.centre_m"}, g.arm);
+  check_mass(check, "mechanism.rods_kg", g.rods_kg);
+  check_mass(check, "mechanism.platform_kg", g.platform_kg);
+}
+
+std::span<const drivers::Binding<DeltaGeometry>> Delta::keys() {
+  using G = DeltaGeometry;
+  static constexpr std::array kKeys{
+      drivers::bind<&G::arm_m>("arm_m", "m"),
+      drivers::bind<&G::rod_m>("rod_m", "m"),
+      drivers::bind<&G::hinge_offset_m>("hinge_offset_m", "m"),
+      drivers::bind<&G::base_radius_m>("base_radius_m", "m"),
+      drivers::bind<&G::base_tangent_m>("base_tangent_m", "m"),
+      drivers::bind<&G::platform_radius_m>("platform_radius_m", "m"),
+      drivers::bind<&G::platform_tangent_m>("platform_tangent_m", "m"),
+      drivers::bind<&G::azimuth_rad>("azimuth_rad", "rad"),
+      drivers::bind<&G::nominal_height_m>("nominal_height_m", "m"),
+      drivers::bind<&G::arm, &LinkWeight::mass_kg>("arm_kg", "kg"),
+      drivers::bind<&G::arm, &LinkWeight::centre_m>("arm_centre_m", "m"),
+      drivers::bind<&G::rods_kg>("rods_kg", "kg"),
+      drivers::bind<&G::platform_kg>("platform_kg", "kg"),
+  };
+  return kKeys;
+}
+
 }  // namespace tactus::firmware

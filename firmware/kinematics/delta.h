@@ -9,9 +9,12 @@
 #include <array>
 #include <numbers>
 #include <optional>
+#include <span>
 
+#include "drivers/common/setting.h"
 #include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/range_check.h"
 #include "rendering/geometry/portable_math.h"
 
 namespace tactus::firmware {
@@ -35,8 +38,22 @@ struct DeltaGeometry {
   double platform_kg = 0.0;        // mass of the platform with the grip
 };
 
+inline void transfer(rendering::StateArchive& archive, DeltaGeometry& geometry) {
+  auto& [arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
+         platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg] = geometry;
+  archive(arm_m, rod_m, hinge_offset_m, base_radius_m, base_tangent_m, platform_radius_m,
+          platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg);
+}
+
 class Delta {
  public:
+  using Geometry = DeltaGeometry;
+  static constexpr std::size_t kJoints = 3;
+  static constexpr bool kSlides = false;
+
+  // The keys of [mechanism] in TOML.
+  static std::span<const drivers::Binding<DeltaGeometry>> keys();
+
   explicit Delta(const DeltaGeometry& geometry);
 
   // Returns the pose for finite joint angles, rad. `seed_D` is a guess of the tool's position, best
@@ -80,5 +97,8 @@ class Delta {
 };
 
 bool has_weight(const DeltaGeometry& g);
+
+// Checks every field. An error names the field after "mechanism.".
+void check_geometry(RangeCheck& check, const DeltaGeometry& g);
 
 }  // namespace tactus::firmware

@@ -4,6 +4,8 @@
 // efforts that hold it. A mechanism without weights needs none.
 #pragma once
 
+#include "rendering/state_archive.h"
+
 namespace tactus::firmware {
 
 struct LinkWeight {
@@ -14,5 +16,10 @@ struct LinkWeight {
 
   [[nodiscard]] double moment_kg_m() const { return mass_kg * centre_m; }
 };
+
+inline void transfer(rendering::StateArchive& archive, LinkWeight& weight) {
+  auto& [mass_kg, centre_m] = weight;
+  archive(mass_kg, centre_m);
+}
 
 }  // namespace tactus::firmware

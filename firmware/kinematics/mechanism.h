@@ -1,26 +1,41 @@
-// The mechanisms that the controller knows. A new one is a new alternative here.
+// The mechanism of a device, one of registered_mechanisms.h.
 #pragma once
 
 #include <cstddef>
 #include <variant>
 
-#include "firmware/kinematics/cartesian.h"
-#include "firmware/kinematics/delta.h"
-#include "firmware/kinematics/paddle.h"
-#include "firmware/kinematics/pantograph.h"
-#include "firmware/kinematics/serial_arm.h"
+#include "firmware/kinematics/registered_mechanisms.h"
 
 namespace tactus::firmware {
 
-using MechanismGeometry = std::variant<CartesianGeometry, DeltaGeometry, PaddleGeometry,
-                                       PantographGeometry, SerialArmGeometry>;
+template <class... Forms>
+std::variant<typename Forms::Geometry...> geometries_of(TypeList<Forms...>);
+
+using MechanismGeometry = decltype(geometries_of(Mechanisms{}));
 
 // Returns the number of joints, 1 to 3. The mechanism uses the first ones of a sample and a
 // command.
 std::size_t joint_count(const MechanismGeometry& geometry);
 
+// Returns true if the joints slide, and their positions are in m; they turn otherwise.
+bool slides(const MechanismGeometry& geometry);
+
 // Returns true if a weight is set. Without weights the gravity effort is zero everywhere.
 bool has_weight(const MechanismGeometry& geometry);
+
+// Checks the ranges of all fields. An error names the field as in the geometry's struct, after
+// "mechanism.".
+void check_mechanism(RangeCheck& check, const MechanismGeometry& geometry);
+
+// Calls visit(geometry, its keys) with the geometry's own struct.
+template <class Visitor>
+void visit_mechanism(MechanismGeometry& geometry, Visitor&& visit) {
+  visit_number(Mechanisms{}, geometry.index(), [&]<class Form>(std::type_identity<Form> /*form*/) {
+    if (auto* const own = std::get_if<typename Form::Geometry>(&geometry)) {
+      visit(*own, Form::keys());
+    }
+  });
+}
 
 class Mechanism {
  public:
@@ -37,7 +52,7 @@ class Mechanism {
                                     const Vec3& gravity_D) const;
 
  private:
-  std::variant<CartesianGeometry, Delta, PaddleGeometry, Pantograph, SerialArm> form_;
+  Mechanisms::Variant form_;
 };
 
 }  // namespace tactus::firmware

@@ -7,9 +7,12 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 
+#include "drivers/common/setting.h"
 #include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/range_check.h"
 #include "rendering/geometry/portable_math.h"
 
 namespace tactus::firmware {
@@ -18,6 +21,11 @@ struct PaddleGeometry {
   double handle_radius_m = 0.065659;  // axis to handle: Stanford's Hapkit
   LinkWeight paddle;                  // the paddle with its handle, from the axis to the handle
 };
+
+inline void transfer(rendering::StateArchive& archive, PaddleGeometry& geometry) {
+  auto& [handle_radius_m, paddle] = geometry;
+  archive(handle_radius_m, paddle);
+}
 
 inline Pose paddle_forward(const PaddleGeometry& g, double joint) {
   const rendering::SineCosine turn = rendering::sine_cosine(joint);
@@ -45,5 +53,31 @@ inline double paddle_gravity_effort(const PaddleGeometry& g, const Pose& pose,
                                     const Vec3& gravity_D) {
   return -g.paddle.moment_kg_m() / g.handle_radius_m * pose.jacobian_D.col(0).dot(gravity_D);
 }
+
+// Checks every field. An error names the field after "mechanism.".
+void check_geometry(RangeCheck& check, const PaddleGeometry& g);
+
+class Paddle {
+ public:
+  using Geometry = PaddleGeometry;
+  static constexpr std::size_t kJoints = 1;
+  static constexpr bool kSlides = false;
+
+  // The keys of [mechanism] in TOML.
+  static std::span<const drivers::Binding<PaddleGeometry>> keys();
+
+  explicit Paddle(const PaddleGeometry& geometry) : geometry_(geometry) {}
+
+  [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& /*seed_D*/) const {
+    return paddle_forward(geometry_, joints.x());
+  }
+  [[nodiscard]] Vec3 gravity_effort(const Vec3& /*joints*/, const Pose& pose,
+                                    const Vec3& gravity_D) const {
+    return {paddle_gravity_effort(geometry_, pose, gravity_D), 0.0, 0.0};
+  }
+
+ private:
+  PaddleGeometry geometry_;
+};
 
 }  // namespace tactus::firmware

@@ -107,4 +107,28 @@ bool has_weight(const PantographGeometry& g) {
   return g.proximal.moment_kg_m() != 0.0 || g.distal.mass_kg != 0.0 || g.tool_kg != 0.0;
 }
 
+void check_geometry(RangeCheck& check, const PantographGeometry& g) {
+  check.in("mechanism.base_m", g.base_m, 0.0, kLongestLink_m);
+  check_link(check, "mechanism.proximal_m", g.proximal_m);
+  check_link(check, "mechanism.distal_m", g.distal_m);
+  check_weight(check, {"mechanism.proximal.mass_kg", "mechanism.proximal.centre_m"}, g.proximal);
+  check_weight(check, {"mechanism.distal.mass_kg", "mechanism.distal.centre_m"}, g.distal);
+  check_mass(check, "mechanism.tool_kg", g.tool_kg);
+}
+
+std::span<const drivers::Binding<PantographGeometry>> Pantograph::keys() {
+  using G = PantographGeometry;
+  static constexpr std::array kKeys{
+      drivers::bind<&G::base_m>("base_m", "m"),
+      drivers::bind<&G::proximal_m>("proximal_m", "m"),
+      drivers::bind<&G::distal_m>("distal_m", "m"),
+      drivers::bind<&G::proximal, &LinkWeight::mass_kg>("proximal_kg", "kg"),
+      drivers::bind<&G::proximal, &LinkWeight::centre_m>("proximal_centre_m", "m"),
+      drivers::bind<&G::distal, &LinkWeight::mass_kg>("distal_kg", "kg"),
+      drivers::bind<&G::distal, &LinkWeight::centre_m>("distal_centre_m", "m"),
+      drivers::bind<&G::tool_kg>("tool_kg", "kg"),
+  };
+  return kKeys;
+}
+
 }  // namespace tactus::firmware

@@ -7,9 +7,12 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
+#include "drivers/common/setting.h"
 #include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/range_check.h"
 
 namespace tactus::firmware {
 
@@ -23,10 +26,22 @@ struct PantographGeometry {
   double tool_kg = 0.0;
 };
 
+inline void transfer(rendering::StateArchive& archive, PantographGeometry& geometry) {
+  auto& [base_m, proximal_m, distal_m, proximal, distal, tool_kg] = geometry;
+  archive(base_m, proximal_m, distal_m, proximal, distal, tool_kg);
+}
+
 using PantographJoints = std::array<double, 2>;
 
 class Pantograph {
  public:
+  using Geometry = PantographGeometry;
+  static constexpr std::size_t kJoints = 2;
+  static constexpr bool kSlides = false;
+
+  // The keys of [mechanism] in TOML.
+  static std::span<const drivers::Binding<PantographGeometry>> keys();
+
   explicit Pantograph(const PantographGeometry& geometry) : geometry_(geometry) {}
 
   // Returns the pose in closed form. Two assemblies are possible; it takes the one with the tool to
@@ -48,5 +63,8 @@ class Pantograph {
 };
 
 bool has_weight(const PantographGeometry& g);
+
+// Checks every field. An error names the field after "mechanism.".
+void check_geometry(RangeCheck& check, const PantographGeometry& g);
 
 }  // namespace tactus::firmware

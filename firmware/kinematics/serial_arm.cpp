@@ -53,7 +53,7 @@ double unwound(double angle, double near) {
 
 }  // namespace
 
-Pose SerialArm::forward(const Vec3& joints) const {
+Pose SerialArm::forward(const Vec3& joints, const Vec3& /*seed_D*/) const {
   const SerialArmGeometry& g = geometry_;
   const Links at = links(joints);
   const Vec3 reach_D = g.upper_m * at.upper_D + g.forearm_m * at.forearm_D;
@@ -99,7 +99,8 @@ std::optional<Vec3> SerialArm::inverse(const Vec3& p_D, const Vec3& near) const 
   return best;
 }
 
-Vec3 SerialArm::gravity_effort(const Vec3& joints, const Vec3& gravity_D) const {
+Vec3 SerialArm::gravity_effort(const Vec3& joints, const Pose& /*pose*/,
+                               const Vec3& gravity_D) const {
   const SerialArmGeometry& g = geometry_;
   const double upper_kg_m = g.upper.moment_kg_m() + (g.forearm.mass_kg + g.tool_kg) * g.upper_m;
   const double forearm_kg_m = g.forearm.moment_kg_m() + g.tool_kg * g.forearm_m;
@@ -112,6 +113,30 @@ Vec3 SerialArm::gravity_effort(const Vec3& joints, const Vec3& gravity_D) const 
 
 bool has_weight(const SerialArmGeometry& g) {
   return g.upper.moment_kg_m() != 0.0 || g.forearm.mass_kg != 0.0 || g.tool_kg != 0.0;
+}
+
+void check_geometry(RangeCheck& check, const SerialArmGeometry& g) {
+  check_link(check, "mechanism.upper_m", g.upper_m);
+  check_link(check, "mechanism.forearm_m", g.forearm_m);
+  check.in("mechanism.shoulder_height_m", g.shoulder_height_m, -2.0, 2.0);
+  check_weight(check, {"mechanism.upper.mass_kg", "mechanism.upper.centre_m"}, g.upper);
+  check_weight(check, {"mechanism.forearm.mass_kg", "mechanism.forearm.centre_m"}, g.forearm);
+  check_mass(check, "mechanism.tool_kg", g.tool_kg);
+}
+
+std::span<const drivers::Binding<SerialArmGeometry>> SerialArm::keys() {
+  using G = SerialArmGeometry;
+  static constexpr std::array kKeys{
+      drivers::bind<&G::upper_m>("upper_m", "m"),
+      drivers::bind<&G::forearm_m>("forearm_m", "m"),
+      drivers::bind<&G::shoulder_height_m>("shoulder_height_m", "m"),
+      drivers::bind<&G::upper, &LinkWeight::mass_kg>("upper_kg", "kg"),
+      drivers::bind<&G::upper, &LinkWeight::centre_m>("upper_centre_m", "m"),
+      drivers::bind<&G::forearm, &LinkWeight::mass_kg>("forearm_kg", "kg"),
+      drivers::bind<&G::forearm, &LinkWeight::centre_m>("forearm_centre_m", "m"),
+      drivers::bind<&G::tool_kg>("tool_kg", "kg"),
+  };
+  return kKeys;
 }
 
 }  // namespace tactus::firmware

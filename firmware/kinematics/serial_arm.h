@@ -11,9 +11,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "drivers/common/setting.h"
 #include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
+#include "firmware/kinematics/range_check.h"
 
 namespace tactus::firmware {
 
@@ -29,13 +32,25 @@ struct SerialArmGeometry {
   double tool_kg = 0.0;
 };
 
+inline void transfer(rendering::StateArchive& archive, SerialArmGeometry& geometry) {
+  auto& [upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg] = geometry;
+  archive(upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg);
+}
+
 class SerialArm {
  public:
+  using Geometry = SerialArmGeometry;
+  static constexpr std::size_t kJoints = 3;
+  static constexpr bool kSlides = false;
+
+  // The keys of [mechanism] in TOML.
+  static std::span<const drivers::Binding<SerialArmGeometry>> keys();
+
   explicit SerialArm(const SerialArmGeometry& geometry) : geometry_(geometry) {}
 
-  // Returns the pose in closed form. It is singular if the tool is over or under the first axis, or
-  // if upper arm and forearm lie in one line.
-  [[nodiscard]] Pose forward(const Vec3& joints) const;
+  // Returns the pose in closed form, which needs no seed. It is singular if the tool is over or
+  // under the first axis, or if upper arm and forearm lie in one line.
+  [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D = Vec3::Zero()) const;
 
   // Returns the joints, rad, for a tool position, or nothing if it is out of reach. There are up to
   // four solutions (facing or turned away, elbow to either side); it takes the one nearest to
@@ -43,12 +58,16 @@ class SerialArm {
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D, const Vec3& near) const;
 
   // Returns the efforts that hold the arm, N m. `gravity_D` is in m/s^2.
-  [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Vec3& gravity_D) const;
+  [[nodiscard]] Vec3 gravity_effort(const Vec3& joints, const Pose& pose,
+                                    const Vec3& gravity_D) const;
 
  private:
   SerialArmGeometry geometry_;
 };
 
 bool has_weight(const SerialArmGeometry& g);
+
+// Checks every field. An error names the field after "mechanism.".
+void check_geometry(RangeCheck& check, const SerialArmGeometry& g);
 
 }  // namespace tactus::firmware

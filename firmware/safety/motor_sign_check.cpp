@@ -24,7 +24,7 @@ constexpr std::uint32_t kUnclear = 3;       // pulses in a row, then it is anoth
 constexpr std::uint32_t kMostUnclear = 12;  // then there is a pause before the next
 constexpr double kPause_s = 0.3;
 constexpr double kStrong = 2.0;  // times the gain of the device without a hand
-constexpr double kLeastLever = 1e-6;
+constexpr double kLeastSignLever = 1e-6;
 
 constexpr std::size_t kCubic = 4;  // powers
 
@@ -167,7 +167,7 @@ EffortFinding MotorSignCheck::step(const drivers::JointSample& sample, const Pos
 
 void MotorSignCheck::begin_pulse(const drivers::JointSample& sample, const Pose& pose) {
   const double lever = pose.jacobian_D.col(static_cast<Eigen::Index>(asked_)).norm();
-  if (lever < kLeastLever) {
+  if (lever < kLeastSignLever) {
     choose_next();
     ticks_to_wait_ = pause_ticks_;
     return;

@@ -32,17 +32,6 @@ StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Ma
           .most_N_per_m = high * material.stiffness_N_per_m};
 }
 
-// The slope of the magnet's pull is S (c^2 - 2 d^2) / (d^2 + c^2)^(5/2) along the direction to the
-// pole, and S / (d^2 + c^2)^(3/2) across it. A pole that pulls is a spring of S / c^3 at its
-// middle, and across the direction elsewhere. A pole that pushes away is a spring along the
-// direction. It is steepest at d^2 = 3 c^2 / 2, with -2 S / (5/2)^(5/2) / c^3, and below -2 S /
-// (d^2 + c^2)^(3/2) at every distance.
-CertifiedPoint core_of(const rendering::Magnet& magnet) {
-  const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
-  const double away = -2.0 / (2.5 * 2.5 * std::sqrt(2.5));
-  return {.stiffness_N_per_m = middle >= 0.0 ? middle : away * middle};
-}
-
 Falloff falloff_of(const rendering::Magnet& magnet) {
   const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
   return {.kind = Falloff::Kind::pole,
@@ -57,18 +46,6 @@ Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
   return {.kind = Falloff::Kind::bounded_spring,
           .middle_W = spring.anchor_W,
           .largest_force_N = largest_force_N};
-}
-
-// The damping is the slope of the drag at the speed at which it reaches its largest force, where it
-// is steepest.
-CertifiedPoint drag_of(const rendering::FluidDrag& drag, double max_force_N) {
-  const double linear = drag.linear_Ns_per_m;
-  return {.damping_Ns_per_m =
-              std::sqrt(linear * linear + 4.0 * drag.quadratic_Ns2_per_m2 * max_force_N)};
-}
-
-CertifiedPoint snap_of(const rendering::SnapLaw& law) {
-  return {.damping_Ns_per_m = law.damping_Ns_per_m, .stiffness_N_per_m = law.stiffness_N_per_m};
 }
 
 bool along_world_axis(const Vec3& direction_W) {
@@ -179,36 +156,53 @@ FeltRegion region_of(const rendering::SnapToLine& line) {
 // At this many cores from the pole the slope of the pull is a hundredth of that in the middle.
 constexpr double kCoresFelt = 4.6;
 
-ScenePart part_of_drag(const rendering::FluidDrag& drag, double max_force_N) {
-  ScenePart part{.felt = drag_of(drag, max_force_N)};
-  if (drag.volume.kind == rendering::PrimitiveKind::plane) {
-    part.region =
-        slab(drag.volume.X_WO.translation, drag.volume.X_WO.rotation.col(1), kBoundless_m, 0.0);
-  } else {
-    part.region.box = rendering::bounds(drag.volume);
-  }
-  return part;
+FeltRegion region_of(const rendering::FluidDrag& drag) {
+  const rendering::Primitive& volume = drag.volume;
+  return volume.kind == rendering::PrimitiveKind::plane
+             ? slab(volume.X_WO.translation, volume.X_WO.rotation.col(1), kBoundless_m, 0.0)
+             : FeltRegion{.box = rendering::bounds(volume)};
 }
 
-ScenePart part_of_snap(const rendering::SnapToPoint& point) {
-  ScenePart part{.felt = snap_of(point.law)};
-  part.region.box = around(point.point_W, point.law.capture_m);
-  return part;
+FeltRegion region_of(const rendering::SnapToPoint& point) {
+  return {.box = around(point.point_W, point.law.capture_m)};
 }
 
-// Returns a part with a stiffness of I - d d^T, which is zero along the line.
-ScenePart part_of_snap(const rendering::SnapToLine& line) {
-  return {.felt = snap_of(line.law),
-          .directions = SpringDirections::across_axis,
-          .axis_W = line.direction_W,
-          .region = region_of(line)};
+// Narrows a part that is felt everywhere in all directions to where and how the tool feels the law.
+// A law without such a function stays as it is.
+void narrow(ScenePart& /*part*/, const auto& /*law*/, double /*max_force_N*/) {}
+
+void narrow(ScenePart& part, const rendering::Spring& law, double max_force_N) {
+  part.falloff = falloff_of(law, max_force_N);
 }
 
-ScenePart part_of_snap(const rendering::SnapToPlane& plane) {
-  return {.felt = snap_of(plane.law),
-          .directions = SpringDirections::along_axis,
-          .axis_W = plane.normal_W,
-          .region = slab(plane.point_W, plane.normal_W, plane.law.capture_m, plane.law.capture_m)};
+void narrow(ScenePart& part, const rendering::SpringDamper& law, double max_force_N) {
+  part.falloff = falloff_of(law.spring, max_force_N);
+}
+
+void narrow(ScenePart& part, const rendering::Magnet& law, double /*max_force_N*/) {
+  part.falloff = falloff_of(law);
+  part.region.box = around(law.pole_W, kCoresFelt * law.core_m);
+}
+
+void narrow(ScenePart& part, const rendering::FluidDrag& law, double /*max_force_N*/) {
+  part.region = region_of(law);
+}
+
+void narrow(ScenePart& part, const rendering::SnapToPoint& law, double /*max_force_N*/) {
+  part.region = region_of(law);
+}
+
+// The stiffness is I - d d^T, which is zero along the line.
+void narrow(ScenePart& part, const rendering::SnapToLine& law, double /*max_force_N*/) {
+  part.directions = SpringDirections::across_axis;
+  part.axis_W = law.direction_W;
+  part.region = region_of(law);
+}
+
+void narrow(ScenePart& part, const rendering::SnapToPlane& law, double /*max_force_N*/) {
+  part.directions = SpringDirections::along_axis;
+  part.axis_W = law.normal_W;
+  part.region = slab(law.point_W, law.normal_W, law.law.capture_m, law.law.capture_m);
 }
 
 // Returns true if sides along one axis are in contact with the tool at the same position of its
@@ -279,37 +273,11 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
 }
 
 ScenePart part_of_effect(const rendering::Effect& effect) {
-  const rendering::EffectLaw& law = effect.law;
-  if (const auto* spring = std::get_if<rendering::Spring>(&law)) {
-    return {.felt = {.stiffness_N_per_m = spring->stiffness_N_per_m},
-            .falloff = falloff_of(*spring, effect.max_force_N)};
-  }
-  if (const auto* damped = std::get_if<rendering::SpringDamper>(&law)) {
-    return {.felt = {.damping_Ns_per_m = damped->damping_Ns_per_m,
-                     .stiffness_N_per_m = damped->spring.stiffness_N_per_m},
-            .falloff = falloff_of(damped->spring, effect.max_force_N)};
-  }
-  if (const auto* magnet = std::get_if<rendering::Magnet>(&law)) {
-    ScenePart part{.felt = core_of(*magnet), .falloff = falloff_of(*magnet)};
-    part.region.box = around(magnet->pole_W, kCoresFelt * magnet->core_m);
-    return part;
-  }
-  if (const auto* drag = std::get_if<rendering::FluidDrag>(&law)) {
-    return part_of_drag(*drag, effect.max_force_N);
-  }
-  if (const auto* stick = std::get_if<rendering::StickSlip>(&law)) {
-    return {.felt = {.stiffness_N_per_m = stick->stiffness_N_per_m}};
-  }
-  if (const auto* point = std::get_if<rendering::SnapToPoint>(&law)) {
-    return part_of_snap(*point);
-  }
-  if (const auto* line = std::get_if<rendering::SnapToLine>(&law)) {
-    return part_of_snap(*line);
-  }
-  if (const auto* plane = std::get_if<rendering::SnapToPlane>(&law)) {
-    return part_of_snap(*plane);
-  }
-  return {};  // its force depends neither on position nor on speed
+  const rendering::LawSlopes slopes = rendering::steepest(effect);
+  ScenePart part{.felt = {.damping_Ns_per_m = slopes.damping_Ns_per_m,
+                          .stiffness_N_per_m = slopes.stiffness_N_per_m}};
+  visit_alternative(effect.law, [&](const auto& law) { narrow(part, law, effect.max_force_N); });
+  return part;
 }
 
 // Wall 0 is the lower one across x, wall 1 the upper one, then y and z. A wall that no device can

@@ -76,8 +76,8 @@ class PieceSum {
   void take(std::size_t looks) { looks_left_ -= std::min(looks_left_, looks); }
 
   [[nodiscard]] bool is_done() const {
-    constexpr double kRounding = 1e-12;
-    return looks_left_ == 0 || largest_ >= (1.0 - kRounding) * most_possible_;
+    constexpr double kRoundingOfSums = 1e-12;
+    return looks_left_ == 0 || largest_ >= (1.0 - kRoundingOfSums) * most_possible_;
   }
 
   [[nodiscard]] bool has_place(const Bounds& box) const {

@@ -65,10 +65,6 @@ Result<void> LinuxPwmOutput::open_files(const std::string& channel_folder) {
   if (const auto opened = duty_.open(channel_folder + "/duty_cycle", kUse); !opened) {
     return opened;
   }
-  const auto opened = polarity_.open(channel_folder + "/polarity", kUse);
-  if (!opened && opened.error().code != ErrorCode::not_found) {
-    return opened;
-  }
   return enable_.open(channel_folder + "/enable", kUse);
 }
 
@@ -87,13 +83,6 @@ Result<void> LinuxPwmOutput::DoSetDuty(TimeNs duty_ns) {
     return {};
   }
   return duty_.write_number(static_cast<std::uint64_t>(duty_ns));
-}
-
-Result<void> LinuxPwmOutput::DoSetPolarity(PwmPolarity polarity) {
-  if (!polarity_.is_open()) {
-    return polarity == PwmPolarity::normal ? Result<void>{} : failure(ErrorCode::not_supported);
-  }
-  return polarity_.write(polarity == PwmPolarity::normal ? "normal" : "inversed");
 }
 
 Result<void> LinuxPwmOutput::DoSetEnabled(bool enabled) {

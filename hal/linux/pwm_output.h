@@ -38,7 +38,6 @@ class LinuxPwmOutput final : public PwmOutput {
  private:
   Result<void> DoSetPeriod(TimeNs period_ns) override;
   Result<void> DoSetDuty(TimeNs duty_ns) override;
-  Result<void> DoSetPolarity(PwmPolarity polarity) override;
   Result<void> DoSetEnabled(bool enabled) override;
 
   Result<void> open_files(const std::string& channel_folder);
@@ -46,7 +45,6 @@ class LinuxPwmOutput final : public PwmOutput {
 
   SysfsFile period_;
   SysfsFile duty_;
-  SysfsFile polarity_;  // closed if the hardware has no polarity
   SysfsFile enable_;
 };
 

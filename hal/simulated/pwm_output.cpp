@@ -14,8 +14,7 @@ double SimulatedPwmOutput::mean_level() const {
   if (!now.enabled) {
     return 0.0;
   }
-  const double duty = static_cast<double>(now.duty_ns) / static_cast<double>(now.period_ns);
-  return now.polarity == PwmPolarity::normal ? duty : 1.0 - duty;
+  return static_cast<double>(now.duty_ns) / static_cast<double>(now.period_ns);
 }
 
 void SimulatedPwmOutput::fail_next(std::uint32_t count, ErrorCode code) {
@@ -44,12 +43,6 @@ Result<void> SimulatedPwmOutput::DoSetPeriod(TimeNs period_ns) {
 Result<void> SimulatedPwmOutput::DoSetDuty(TimeNs duty_ns) {
   PwmSettings next = settings();
   next.duty_ns = duty_ns;
-  return record(next);
-}
-
-Result<void> SimulatedPwmOutput::DoSetPolarity(PwmPolarity polarity) {
-  PwmSettings next = settings();
-  next.polarity = polarity;
   return record(next);
 }
 

@@ -27,8 +27,7 @@ class SimulatedPwmOutput final : public PwmOutput {
   std::span<const SimulatedPwmWrite> writes() const;
   std::size_t write_count() const { return write_count_; }
 
-  // Returns the average level of the pin, 0 to 1: duty / period, 1 minus that if inversed, 0 if
-  // disabled.
+  // Returns the average level of the pin, 0 to 1: duty / period, 0 if disabled.
   double mean_level() const;
 
   // Makes the next `count` writes fail with `code` and change nothing.
@@ -37,7 +36,6 @@ class SimulatedPwmOutput final : public PwmOutput {
  private:
   Result<void> DoSetPeriod(TimeNs period_ns) override;
   Result<void> DoSetDuty(TimeNs duty_ns) override;
-  Result<void> DoSetPolarity(PwmPolarity polarity) override;
   Result<void> DoSetEnabled(bool enabled) override;
   Result<void> record(const PwmSettings& settings);
 

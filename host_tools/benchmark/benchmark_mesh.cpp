@@ -25,11 +25,11 @@ rendering::FrictionParameters fingertip_friction(rendering::FrictionKind kind) {
   friction.kind = kind;
   friction.viscous_s_per_m = 0.05;
   friction.stribeck_velocity_m_per_s = 0.01;
-  if (kind >= rendering::FrictionKind::dahl) {
+  if (rendering::has_bristles(kind)) {
     friction.stiffness_N_per_m = 800.0;
     friction.damping_s_per_m = 2.0;
   }
-  if (kind >= rendering::FrictionKind::lugre) {
+  if (rendering::has_bristles(kind) && rendering::is_damped(kind)) {
     friction.damping_fade_m_per_s = rendering::lugre_passivity(friction).largest_fade_m_per_s;
   }
   return friction;

@@ -73,12 +73,9 @@ DevicePreset matching_preset(const firmware::ControllerConfig& config) {
 std::optional<double> resolution_of(const firmware::DeviceConfig& config,
                                     const firmware::JointConfig& joint) {
   const auto& drive = config.axes[joint.encoder].drive;
-  double counts = 0.0;
-  if (const auto* gpio = std::get_if<drivers::GpioAxisConfig>(&drive)) {
-    counts = gpio->encoder.counts_per_rev;
-  } else if (const auto* cia402 = std::get_if<drivers::Cia402Config>(&drive)) {
-    counts = cia402->counts_per_turn;
-  }
+  const double counts = drivers::visit_drive(drive, [](const auto& driver, const auto& settings) {
+    return driver.counts_per_turn == nullptr ? 0.0 : driver.counts_per_turn(settings);
+  });
   return counts > 0.0
              ? std::optional(2.0 * std::numbers::pi / (counts * joint.transmission.encoder_ratio))
              : std::nullopt;

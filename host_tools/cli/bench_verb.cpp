@@ -176,7 +176,7 @@ void bench_friction(const BenchOptions& options) {
   rendering::Object object = object_of(ball, true);
   const std::vector<Vec3> path = stroke_workload(object.mesh, kToolRadius_m, options.ticks);
   double cone_ns = 0.0;
-  for (const FrictionKindName& kind : friction_kind_names()) {
+  for (const rendering::FrictionModelTraits& kind : rendering::kFrictionModels) {
     object.material.friction = fingertip_friction(kind.kind);
     const TouchTiming timing = time_touch({&object, 1}, kToolRadius_m, path, options.runs);
     cone_ns = kind.kind == rendering::FrictionKind::cone ? timing.median_ns : cone_ns;

@@ -7,9 +7,12 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "firmware/device_file/board_firmware.h"
 #include "host_tools/bake/device/certificate_file.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/certify/certified_device.h"
@@ -54,17 +57,13 @@ struct CommissionOptions {
 
 // Returns the firmware image for a Falcon; empty if the device has none.
 std::vector<std::byte> falcon_firmware_of(const firmware::DeviceConfig& config) {
-  std::vector<std::byte> bytes;
-  for (const firmware::ConnectionConfig& connection :
-       std::span(config.connections).first(config.connection_count)) {
-    const auto* falcon = std::get_if<firmware::FalconConnection>(&connection.line);
-    if (falcon != nullptr && !falcon->firmware_file.empty()) {
-      const std::string text = read_file(std::string(falcon->firmware_file));
-      const auto view = std::as_bytes(std::span(text));
-      bytes.assign(view.begin(), view.end());
-    }
+  const std::string_view file = firmware::board_firmware_file(config);
+  if (file.empty()) {
+    return {};
   }
-  return bytes;
+  const std::string text = read_file(std::string(file));
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
 }
 
 // Returns the mass at the handle: the file's, or that of the simulated device with this mechanism.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/transmission.h"
+#include "drivers/composition/transmission.h"
 #include "host_tools/cli/app_forward.h"
 #include "host_tools/emulators/machine_options.h"
 

@@ -1,9 +1,11 @@
 #include "host_tools/cli/fit_verb.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -58,20 +60,26 @@ struct FitVerbOptions {
   bool json = false;
 };
 
+std::vector<std::string_view> fitted_names() {
+  std::vector<std::string_view> names;
+  for (const rendering::FrictionKind kind : fitted_kinds()) {
+    names.push_back(model_of(kind).name);
+  }
+  return names;
+}
+
 // Returns the models that --model names. Throws InputError for one that cannot be fitted.
 std::vector<rendering::FrictionKind> kinds_to_fit(const std::string& model) {
-  const std::span<const rendering::FrictionKind> all = fitted_kinds();
+  const std::vector<rendering::FrictionKind> all = fitted_kinds();
   if (model == "all") {
-    return {all.begin(), all.end()};
+    return all;
   }
   const rendering::FrictionKind kind = friction_kind(model);
-  for (const rendering::FrictionKind known : all) {
-    if (known == kind) {
-      return {kind};
-    }
+  if (std::ranges::find(all, kind) != all.end()) {
+    return {kind};
   }
-  throw InputError(fmt::format(
-      "--model {}: fitted are coulomb, stribeck, dahl and lugre, or all of them", model));
+  throw InputError(fmt::format("--model {}: fitted are {}, or all of them", model,
+                               in_words(fitted_names(), "and")));
 }
 
 // A parameter that the data cannot tell has the value null and the reason.
@@ -96,7 +104,7 @@ nlohmann::ordered_json json_of(const FrictionFit& fit, ForceScale scale) {
   for (const FittedParameter& p : fit.parameters) {
     parameters.push_back(json_of(p, scale));
   }
-  return {{"model", name_of(fit.friction.kind).name},
+  return {{"model", model_of(fit.friction.kind).name},
           {"residual_N", fit.residual_N},
           {"aic", fit.aic},
           {"converged", fit.has_converged},
@@ -113,7 +121,7 @@ void print_json(const FitVerbOptions& options, const FrictionRecord& record,
   const nlohmann::ordered_json json{
       {"record", options.record},
       {"rows", record.rows()},
-      {"preferred", name_of(fits[preferred(fits)].friction.kind).name},
+      {"preferred", model_of(fits[preferred(fits)].friction.kind).name},
       {"fits", all}};
   fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -163,7 +171,7 @@ void run_fit(const FitVerbOptions& options) {
     }
     for (const rendering::FrictionKind kind : kinds) {
       if (progress) {
-        progress->step(fmt::format("fitting {}", name_of(kind).name));
+        progress->step(fmt::format("fitting {}", model_of(kind).name));
       }
       fits.push_back(fit_friction(record, kind, options.fit));
     }
@@ -179,7 +187,8 @@ void add_fit_verb(CLI::App& app) {
       app.add_subcommand("fit", "Estimate the parameters of friction models from measurements");
   const auto options = std::make_shared<FitVerbOptions>();
   verb->add_option("record", options->record, "Measured motion and force (CSV)")->required();
-  verb->add_option("--model", options->model, "coulomb, stribeck, dahl, lugre or all")
+  verb->add_option("--model", options->model,
+                   fmt::format("{} or all", fmt::join(fitted_names(), ", ")))
       ->capture_default_str();
   verb->add_option("--normal-force-N", options->normal_force_N,
                    "The normal force during the record, instead of a column")

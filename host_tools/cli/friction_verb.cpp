@@ -128,7 +128,7 @@ void report(const FrictionOptions& options, const FrictionTrack& track,
 
 std::string title(const rendering::FrictionParameters& parameters, const std::string& file) {
   return fmt::format("{}, {} model", std::filesystem::path(file).filename().string(),
-                     name_of(parameters.kind).title);
+                     model_of(parameters.kind).title);
 }
 
 FrictionTrack motion_track(const FrictionOptions& options,
@@ -213,9 +213,7 @@ void add_friction_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "friction", "Run a friction model on a motion, on a pushed mass, or in an experiment");
   const auto options = std::make_shared<FrictionOptions>();
-  verb->add_option("--model", options->model,
-                   "cone, coulomb, stribeck, karnopp, dahl, lugre or elasto_plastic")
-      ->capture_default_str();
+  verb->add_option("--model", options->model, model_help())->capture_default_str();
   verb->add_option("--param", options->parameters, "A parameter, NAME=VALUE; repeat for more")
       ->take_all();
   verb->add_option("--motion", options->motion, "Displacement over time (CSV: t_s,x_m)");

@@ -63,7 +63,7 @@ nlohmann::ordered_json to_json(const Float3& v) {
 
 // Returns the friction as JSON, with the keys of a scene file.
 nlohmann::ordered_json to_json(const rendering::FrictionParameters& friction) {
-  nlohmann::ordered_json json{{"model", name_of(friction.kind).name}};
+  nlohmann::ordered_json json{{"model", model_of(friction.kind).name}};
   for (const FrictionParameterName& name : surface_parameters(friction.kind)) {
     json[std::string(name.surface_key)] = friction.*name.member;
   }
@@ -116,7 +116,7 @@ void print_json(const InspectOptions& options, const MappedScene& scene) {
 }
 
 void print_friction(const rendering::Material& material) {
-  std::string text = fmt::format("  friction   {}", name_of(material.friction.kind).name);
+  std::string text = fmt::format("  friction   {}", model_of(material.friction.kind).name);
   for (const FrictionParameterName& name : surface_parameters(material.friction.kind)) {
     text += fmt::format(", {} {}", name.surface_key, material.friction.*name.member);
   }

@@ -57,8 +57,7 @@ class Session {
       report_.joints[i] = {.name = plan_->joints[i],
                            .lower = plan_->controller.joints[i].lower,
                            .upper = plan_->controller.joints[i].upper,
-                           .slides = std::holds_alternative<firmware::CartesianGeometry>(
-                               plan_->controller.mechanism)};
+                           .slides = firmware::slides(plan_->controller.mechanism)};
     }
     watch_travel();
     let_person(HandTask::let_go);

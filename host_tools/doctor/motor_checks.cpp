@@ -22,13 +22,10 @@ Finding judge_drive(const std::string& check, const MotorNeed& motor) {
             time + " may stop it, but unproven_watchdog = true starts without proof",
             "remove unproven_watchdog = true: the bring-up then proves the watchdog"};
   }
-  if (motor.is_odrive) {
+  if (!motor.advice.what.empty()) {
     return {check, FindingState::advice,
-            time +
-                " stops it, proven at each bring-up; with firmware 0.5 any frame to its node "
-                "feeds it",
-            "let no other program on the bus ask this drive anything, or it keeps a dead host's "
-            "torque alive"};
+            fmt::format("{} stops it, proven at each bring-up; {}", time, motor.advice.what),
+            std::string(motor.advice.remedy)};
   }
   return well(check, time + " stops it, proven at each bring-up");
 }

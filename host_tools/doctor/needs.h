@@ -38,8 +38,8 @@ struct MotorNeed {
   firmware::MotorStop stop = firmware::MotorStop::nothing;
   // True if the owner accepts the risk by unproven_watchdog = true.
   bool is_accepted = false;
-  // True for an ODrive, whose watchdog is fed by any frame from anyone on the bus.
-  bool is_odrive = false;
+  // Advice on the watchdog of the drive.
+  drivers::Advice advice;
   // The timeout of the drive's own watchdog; 0 if it has none.
   double watchdog_s = 0.0;
 };

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "drivers/transmission.h"
+#include "drivers/composition/transmission.h"
 #include "host_tools/emulators/emulated_machine.h"
 #include "host_tools/emulators/falcon_gadget.h"
 #include "host_tools/emulators/gpio_axis_emulator.h"

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/transmission.h"
+#include "drivers/composition/transmission.h"
 #include "hal/linux/can_bus.h"
 #include "host_tools/emulators/can_emulator.h"
 #include "host_tools/emulators/emulated_machine.h"

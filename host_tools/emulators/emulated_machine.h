@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-#include "drivers/transmission.h"
+#include "drivers/composition/transmission.h"
 #include "hal/clock.h"
 #include "host_tools/emulators/can_emulator.h"
 #include "host_tools/emulators/shaft.h"

@@ -81,7 +81,6 @@ GpioSimPins::~GpioSimPins() {
 void GpioSimPins::lay_out_pwm() const {
   fs::create_directories(pwm_);
   std::ofstream(pwm_.parent_path() / "export") << "\n";
-  std::ofstream(pwm_ / "polarity") << "normal\n";
   for (const char* name : {"period", "duty_cycle", "enable"}) {
     std::ofstream(pwm_ / name) << "0\n";
   }
@@ -89,11 +88,8 @@ void GpioSimPins::lay_out_pwm() const {
 
 // The files are read many times a millisecond, so they stay open.
 void GpioSimPins::open_pwm() {
-  const std::array<std::pair<const char*, hal::SysfsFile*>, 4> files{
-      {{"enable", &pwm_enable_},
-       {"period", &pwm_period_},
-       {"duty_cycle", &pwm_duty_},
-       {"polarity", &pwm_polarity_}}};
+  const std::array<std::pair<const char*, hal::SysfsFile*>, 3> files{
+      {{"enable", &pwm_enable_}, {"period", &pwm_period_}, {"duty_cycle", &pwm_duty_}}};
   for (const auto& [name, file] : files) {
     const fs::path path = pwm_ / name;
     if (const auto opened = file->open(path.string(), hal::SysfsFile::Use::read); !opened) {
@@ -164,9 +160,7 @@ double GpioSimPins::pwm_level() {
   if (number(pwm_enable_) != 1.0 || !(period_ns > 0.0)) {
     return 0.0;
   }
-  std::array<char, 16> room{};
-  const double duty = number(pwm_duty_) / period_ns;
-  return pwm_polarity_.read_line(room).value_or("") == "inversed" ? 1.0 - duty : duty;
+  return number(pwm_duty_) / period_ns;
 }
 
 }  // namespace tactus::host

@@ -56,7 +56,6 @@ class GpioSimPins final : public BoardPins {
   hal::SysfsFile pwm_enable_;
   hal::SysfsFile pwm_period_;
   hal::SysfsFile pwm_duty_;
-  hal::SysfsFile pwm_polarity_;
   // File descriptors, one for each line: its pull, which drives it, and its value.
   std::vector<int> pulls_;
   std::vector<int> values_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/transmission.h"
+#include "drivers/composition/transmission.h"
 #include "host_tools/emulators/emulated_machine.h"
 #include "host_tools/emulators/emulated_run.h"
 #include "host_tools/emulators/real_time_run.h"

@@ -17,10 +17,24 @@ namespace {
 
 using rendering::FrictionKind;
 
-// The models that a record can tell apart, from the simplest on; preferred() takes the first of
-// those that fit alike.
-constexpr std::array kFittedKinds{FrictionKind::coulomb_viscous, FrictionKind::stribeck,
-                                  FrictionKind::dahl, FrictionKind::lugre};
+using rendering::FrictionModelTraits;
+using rendering::FrictionParameters;
+
+// Returns true if the search knows all that the model has: a viscous term, no static level without
+// Stribeck's curve from it, and no parameter of the model alone.
+constexpr bool can_be_fitted(const FrictionModelTraits& model) {
+  constexpr std::array kSearched{
+      &FrictionParameters::coulomb,           &FrictionParameters::static_level,
+      &FrictionParameters::viscous_s_per_m,   &FrictionParameters::stribeck_velocity_m_per_s,
+      &FrictionParameters::stribeck_exponent, &FrictionParameters::stiffness_N_per_m,
+      &FrictionParameters::damping_s_per_m,   &FrictionParameters::damping_fade_m_per_s};
+  return model.has(&FrictionParameters::viscous_s_per_m) &&
+         model.has(&FrictionParameters::static_level) ==
+             model.has(&FrictionParameters::stribeck_velocity_m_per_s) &&
+         std::ranges::all_of(model.parameters, [&](double FrictionParameters::* parameter) {
+           return std::ranges::find(kSearched, parameter) != kSearched.end();
+         });
+}
 
 // A parameter whose logarithm has this standard error or more is unknown: plus and minus two of
 // them come down to almost nothing.
@@ -291,8 +305,14 @@ FrictionFit fit_friction(const FrictionRecord& record, FrictionKind kind,
   return report_of(solution, start, record, traits);
 }
 
-std::span<const FrictionKind> fitted_kinds() {
-  return kFittedKinds;
+std::vector<FrictionKind> fitted_kinds() {
+  std::vector<FrictionKind> kinds;
+  for (const FrictionModelTraits& model : rendering::kFrictionModels) {
+    if (can_be_fitted(model)) {
+      kinds.push_back(model.kind);
+    }
+  }
+  return kinds;
 }
 
 std::size_t preferred(std::span<const FrictionFit> fits) {

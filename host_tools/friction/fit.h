@@ -79,8 +79,8 @@ struct FitOptions {
 FrictionFit fit_friction(const FrictionRecord& record, rendering::FrictionKind kind,
                          const FitOptions& options = {});
 
-// Returns the kinds that can be fitted: coulomb_viscous, stribeck, dahl and lugre.
-std::span<const rendering::FrictionKind> fitted_kinds();
+// Returns the models that can be fitted, the simplest first.
+std::vector<rendering::FrictionKind> fitted_kinds();
 
 // Returns the index of the fit with the least AIC, or of the first one within 2 of it: such a
 // difference says nothing, and earlier models are simpler.

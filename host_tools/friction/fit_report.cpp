@@ -71,7 +71,7 @@ std::string record_warning(const FrictionRecord& record) {
 
 std::string fit_text(const FrictionFit& fit, ForceScale scale, bool is_preferred) {
   std::string text =
-      fmt::format("\n{}: residual {:.4g} N rms, AIC {:.1f}{}{}\n", name_of(fit.friction.kind).name,
+      fmt::format("\n{}: residual {:.4g} N rms, AIC {:.1f}{}{}\n", model_of(fit.friction.kind).name,
                   fit.residual_N, fit.aic, is_preferred ? ", which the AIC prefers" : "",
                   fit.has_converged ? "" : "; the search did not end");
   for (const FittedParameter& p : fit.parameters) {
@@ -99,7 +99,7 @@ std::string fit_toml(const std::string& name, const FrictionFit& fit, const Fric
         "# No normal force was given: these are forces in newtons, coefficients for 1 N of it.\n";
   }
   text += use == TomlUse::surface ? "[object.friction]\n" : "[joint.friction]\n";
-  text += fmt::format("model = \"{}\"\n", name_of(fit.friction.kind).name);
+  text += fmt::format("model = \"{}\"\n", model_of(fit.friction.kind).name);
   for (const FittedParameter& p : fit.parameters) {
     text += toml_line(p, use);
   }
@@ -130,7 +130,7 @@ void draw_fit(const std::string& name, const FrictionFit& fit, const FrictionRec
       panel("time (s)", record.t_s, CurveStyle::line),
       panel(is_short ? "displacement (µm)" : "displacement (mm)", place, CurveStyle::line),
       panel("velocity (mm/s)", velocity, CurveStyle::points)};
-  draw_panels(fmt::format("{}, {} model", name, name_of(fit.friction.kind).title), panels, png);
+  draw_panels(fmt::format("{}, {} model", name, model_of(fit.friction.kind).title), panels, png);
 }
 
 }  // namespace tactus::host

@@ -124,8 +124,7 @@ Solution solve(const FitPoint& start, const FrictionRecord& record) {
 
 std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits& traits,
                                 FrictionKind kind, const FitOptions& options) {
-  const bool falls = kind == FrictionKind::stribeck || kind == FrictionKind::lugre;
-  const bool has_bristles = kind == FrictionKind::dahl || kind == FrictionKind::lugre;
+  const bool falls = rendering::has_static_level(kind);
   const SteadyCurve curve = steady_curve(record, traits, falls);
   FitPoint point{.kind = kind, .force_scale_N = curve.coulomb * mean_contact_force(record)};
   point.set(Quantity::coulomb, curve.coulomb);
@@ -138,7 +137,7 @@ std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits
   point.set_free(Quantity::excess, falls);
   point.set_free(Quantity::stribeck_velocity, falls);
   point.set_free(Quantity::exponent, falls && options.fits_exponent);
-  if (!has_bristles) {
+  if (!rendering::has_bristles(kind)) {
     return {point};
   }
   // The bristle of the first row holds at most Fc; the measured force says how much of it.
@@ -146,7 +145,7 @@ std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits
   point.set(Quantity::start_force, std::clamp(record.force_N[0], -strongest_N, strongest_N));
   point.set_free(Quantity::start_force, true);
   point.set_free(Quantity::stiffness, true);
-  if (kind == FrictionKind::dahl) {
+  if (!rendering::is_damped(kind)) {
     return {best_bristle(point, record, traits, 0.0).point};
   }
   point.set_free(Quantity::damping, true);

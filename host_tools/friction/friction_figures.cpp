@@ -207,7 +207,7 @@ void draw_experiment(const Experiment& experiment, const ExperimentRun& run,
   const auto found =
       std::ranges::find(kPanelsOfExperiments, experiment.name, &ExperimentPanels::name);
   draw_panels(fmt::format("{}, {} model, {:g} Hz", experiment.title,
-                          name_of(run.friction.kind).title, run.rate_hz),
+                          model_of(run.friction.kind).title, run.rate_hz),
               found->panels(run, track), png);
 }
 

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <ranges>
 
 #include "host_tools/input_error.h"
 
@@ -15,69 +16,54 @@ namespace tactus::host {
 namespace {
 
 using rendering::FrictionKind;
+using rendering::FrictionModelTraits;
 using rendering::FrictionParameters;
-
-constexpr std::array kKindNames{
-    FrictionKindName{FrictionKind::cone, "cone", "friction cone"},
-    FrictionKindName{FrictionKind::coulomb_viscous, "coulomb", "Coulomb and viscous"},
-    FrictionKindName{FrictionKind::stribeck, "stribeck", "Stribeck"},
-    FrictionKindName{FrictionKind::karnopp, "karnopp", "Karnopp"},
-    FrictionKindName{FrictionKind::dahl, "dahl", "Dahl"},
-    FrictionKindName{FrictionKind::lugre, "lugre", "LuGre"},
-    FrictionKindName{FrictionKind::elasto_plastic, "elasto_plastic", "elasto-plastic"},
-};
-static_assert(kKindNames.size() == rendering::kFrictionKinds);
-
-constexpr unsigned bit(FrictionKind kind) {
-  return 1U << static_cast<unsigned>(kind);
-}
-
-// The models that share a parameter: all, those with bristles, those with a Stribeck curve, those
-// whose bristles are damped.
-constexpr unsigned kAll = (1U << rendering::kFrictionKinds) - 1U;
-constexpr unsigned kBristles =
-    bit(FrictionKind::dahl) | bit(FrictionKind::lugre) | bit(FrictionKind::elasto_plastic);
-constexpr unsigned kCurved =
-    bit(FrictionKind::stribeck) | bit(FrictionKind::lugre) | bit(FrictionKind::elasto_plastic);
-constexpr unsigned kDamped = kAll & ~bit(FrictionKind::cone) & ~bit(FrictionKind::dahl);
+using rendering::kFrictionModels;
 
 constexpr std::array kParameterNames{
     FrictionParameterName{"Fc", &FrictionParameters::coulomb, ParameterRange::zero_or_more, "N",
-                          "N/N", "coulomb_N", "dynamic", "friction of a fast slip", kAll},
+                          "N/N", "coulomb_N", "dynamic", "friction of a fast slip"},
     FrictionParameterName{"Fs", &FrictionParameters::static_level, ParameterRange::zero_or_more,
                           "N", "N/N", "static_N", "static",
-                          "friction at rest, at most; not below Fc",
-                          kAll & ~bit(FrictionKind::dahl) & ~bit(FrictionKind::coulomb_viscous)},
+                          "friction at rest, at most; not below Fc"},
     FrictionParameterName{"sigma2", &FrictionParameters::viscous_s_per_m,
                           ParameterRange::zero_or_more, "N s/m", "s/m", "viscous_Ns_per_m",
-                          "viscous_s_per_m", "viscous friction", kAll & ~bit(FrictionKind::cone)},
+                          "viscous_s_per_m", "viscous friction"},
     FrictionParameterName{"vs", &FrictionParameters::stribeck_velocity_m_per_s,
                           ParameterRange::above_zero, "m/s", "m/s", "stribeck_velocity_m_per_s",
-                          "stribeck_velocity_m_per_s", "speed by which Fs has fallen to Fc",
-                          kCurved},
+                          "stribeck_velocity_m_per_s", "speed by which Fs has fallen to Fc"},
     FrictionParameterName{"alpha", &FrictionParameters::stribeck_exponent,
                           ParameterRange::above_zero, "1", "1", "stribeck_exponent",
-                          "stribeck_exponent", "exponent of |v/vs| in that fall", kCurved},
+                          "stribeck_exponent", "exponent of |v/vs| in that fall"},
     FrictionParameterName{"sigma0", &FrictionParameters::stiffness_N_per_m,
                           ParameterRange::zero_or_more, "N/m", "N/m", "stiffness_N_per_m",
                           "stiffness_N_per_m",
-                          "stiffness of the bristles; 0: rigid, where the model can be", kAll},
+                          "stiffness of the bristles; 0: rigid, where the model can be"},
     FrictionParameterName{"sigma1", &FrictionParameters::damping_s_per_m,
                           ParameterRange::zero_or_more, "N s/m", "s/m", "damping_Ns_per_m",
-                          "damping_s_per_m", "damping of the bristles; none where rigid", kDamped},
+                          "damping_s_per_m", "damping of the bristles; none where rigid"},
     FrictionParameterName{"vd", &FrictionParameters::damping_fade_m_per_s,
                           ParameterRange::zero_or_more, "m/s", "m/s", "damping_fade_m_per_s",
                           "damping_fade_m_per_s",
-                          "sigma1 fades with speed as exp(-(v/vd)^2); 0: it does not", kDamped},
+                          "sigma1 fades with speed as exp(-(v/vd)^2); 0: it does not"},
     FrictionParameterName{"band", &FrictionParameters::stick_velocity_m_per_s,
                           ParameterRange::above_zero, "m/s", "m/s", "stick_velocity_m_per_s",
-                          "stick_velocity_m_per_s", "speed below which a slip ends",
-                          bit(FrictionKind::karnopp)},
+                          "stick_velocity_m_per_s", "speed below which a slip ends"},
     FrictionParameterName{"zba", &FrictionParameters::elastic_fraction, ParameterRange::share,
                           "Fc/sigma0", "Fc/sigma0", "elastic_fraction", "elastic_fraction",
-                          "how far a bristle bends without yielding",
-                          bit(FrictionKind::elasto_plastic)},
+                          "how far a bristle bends without yielding"},
 };
+
+template <class Predicate>
+std::vector<std::string_view> names_of(const Predicate& is_meant) {
+  std::vector<std::string_view> names;
+  for (const FrictionModelTraits& model : kFrictionModels) {
+    if (is_meant(model)) {
+      names.push_back(model.name);
+    }
+  }
+  return names;
+}
 
 // Returns the name with underscores for hyphens.
 std::string plain(std::string_view name) {
@@ -116,17 +102,17 @@ std::string with_unit(const FrictionParameterName& name, ForceScale scale) {
 const FrictionParameterName& parameter_of(FrictionKind kind, std::string_view symbol,
                                           ForceScale scale) {
   const auto found = std::ranges::find(kParameterNames, symbol, &FrictionParameterName::symbol);
-  if (found != kParameterNames.end() && found->belongs_to(kind)) {
+  if (found != kParameterNames.end() && model_of(kind).has(found->member)) {
     return *found;
   }
   std::vector<std::string> known;
   for (const FrictionParameterName& name : kParameterNames) {
-    if (name.belongs_to(kind)) {
+    if (model_of(kind).has(name.member)) {
       known.push_back(with_unit(name, scale));
     }
   }
   throw InputError(fmt::format("--param {}: model {} has no such parameter; it has {}", symbol,
-                               name_of(kind).name, fmt::join(known, ", ")));
+                               model_of(kind).name, fmt::join(known, ", ")));
 }
 
 std::optional<double> number_in(std::string_view text) {
@@ -140,21 +126,17 @@ std::optional<double> number_in(std::string_view text) {
 
 }  // namespace
 
-std::span<const FrictionKindName> friction_kind_names() {
-  return kKindNames;
-}
-
-const FrictionKindName& name_of(FrictionKind kind) {
-  return kKindNames.at(static_cast<std::size_t>(kind));
+const FrictionModelTraits& model_of(FrictionKind kind) {
+  return kFrictionModels.at(static_cast<std::size_t>(kind));
 }
 
 FrictionKind friction_kind(std::string_view name) {
-  const auto found = std::ranges::find(kKindNames, plain(name), &FrictionKindName::name);
-  if (found == kKindNames.end()) {
-    std::vector<std::string_view> names;
-    std::ranges::transform(kKindNames, std::back_inserter(names), &FrictionKindName::name);
-    throw InputError(
-        fmt::format("there is no friction model '{}'; there are {}", name, fmt::join(names, ", ")));
+  const auto* const found =
+      std::ranges::find(kFrictionModels, plain(name), &FrictionModelTraits::name);
+  if (found == kFrictionModels.end()) {
+    throw InputError(fmt::format(
+        "there is no friction model '{}'; there are {}", name,
+        fmt::join(kFrictionModels | std::views::transform(&FrictionModelTraits::name), ", ")));
   }
   return found->kind;
 }
@@ -170,20 +152,19 @@ const FrictionParameterName& parameter_name(std::string_view symbol) {
 std::vector<FrictionParameterName> parameters_of(FrictionKind kind) {
   std::vector<FrictionParameterName> result;
   std::ranges::copy_if(kParameterNames, std::back_inserter(result),
-                       [kind](const auto& name) { return name.belongs_to(kind); });
+                       [kind](const auto& name) { return model_of(kind).has(name.member); });
   return result;
 }
 
 FrictionParameters published_parameters(FrictionKind kind) {
   constexpr double kBristleStiffness_N_per_m = 1e5;
-  const bool has_bristles = (kBristles & bit(kind)) != 0;
   return {.kind = kind,
           .coulomb = 1.0,
           .static_level = 1.5,
           .viscous_s_per_m = 0.4,
           .stribeck_velocity_m_per_s = 1e-3,
           .stribeck_exponent = 2.0,
-          .stiffness_N_per_m = has_bristles ? kBristleStiffness_N_per_m : 0.0,
+          .stiffness_N_per_m = rendering::has_bristles(kind) ? kBristleStiffness_N_per_m : 0.0,
           // Table I: sigma1 = sqrt(sigma0).
           .damping_s_per_m = std::sqrt(kBristleStiffness_N_per_m),
           .damping_fade_m_per_s = 0.0,
@@ -220,14 +201,22 @@ void check_parameters(const FrictionParameters& parameters, ForceScale scale) {
         fmt::format("--param: Fs is {} {} and Fc is {} {}, but Fs must not be below Fc; give both",
                     parameters.static_level, unit, parameters.coulomb, unit));
   }
-  const bool needs_stiffness = (kBristles & bit(parameters.kind)) != 0;
-  if (needs_stiffness && !(parameters.stiffness_N_per_m > 0.0)) {
+  if (rendering::has_bristles(parameters.kind) && !(parameters.stiffness_N_per_m > 0.0)) {
     throw InputError(fmt::format("--param sigma0=0: model {} needs a sigma0 above 0 N/m",
-                                 name_of(parameters.kind).name));
+                                 model_of(parameters.kind).name));
   }
   if (!rendering::valid(parameters)) {
     throw InputError("--param: the model refuses these parameters");
   }
+}
+
+std::string in_words(std::span<const std::string_view> names, std::string_view last_joint) {
+  const auto first = names.first(names.size() - 1);
+  return fmt::format("{} {} {}", fmt::join(first, ", "), last_joint, names.back());
+}
+
+std::string model_help() {
+  return in_words(names_of([](const FrictionModelTraits& /*model*/) { return true; }), "or");
 }
 
 std::string parameter_help() {
@@ -236,22 +225,20 @@ std::string parameter_help() {
       "with a normal force:\n";
   const FrictionParameters defaults = published_parameters(FrictionKind::lugre);
   for (const FrictionParameterName& name : kParameterNames) {
-    std::vector<std::string_view> kinds;
-    for (const FrictionKindName& kind : kKindNames) {
-      if (name.belongs_to(kind.kind)) {
-        kinds.push_back(kind.name);
-      }
-    }
+    const std::vector<std::string_view> models =
+        names_of([&](const FrictionModelTraits& model) { return model.has(name.member); });
     const std::string unit = name.unit == name.surface_unit
                                  ? std::string(name.unit)
                                  : fmt::format("{} ({})", name.unit, name.surface_unit);
-    text +=
-        fmt::format("  {:<7}{:<12}{:<9.6g}{}\n{:30}of {}\n", name.symbol, unit,
-                    defaults.*name.member, name.meaning, "",
-                    kinds.size() == kKindNames.size() ? "every model"
-                                                      : fmt::format("{}", fmt::join(kinds, ", ")));
+    text += fmt::format("  {:<7}{:<12}{:<9.6g}{}\n{:30}of {}\n", name.symbol, unit,
+                        defaults.*name.member, name.meaning, "",
+                        models.size() == kFrictionModels.size()
+                            ? "every model"
+                            : fmt::format("{}", fmt::join(models, ", ")));
   }
-  return text + "cone, coulomb, stribeck and karnopp are rigid unless sigma0 is given.\n";
+  const std::vector<std::string_view> sliders =
+      names_of([](const FrictionModelTraits& model) { return !model.has_bristles; });
+  return text + fmt::format("{} are rigid unless sigma0 is given.\n", in_words(sliders, "and"));
 }
 
 }  // namespace tactus::host

@@ -12,19 +12,8 @@
 
 namespace tactus::host {
 
-// The names of a model.
-struct FrictionKindName {
-  rendering::FrictionKind kind;
-  // Its name for --model and for the key `model` in TOML.
-  std::string_view name;
-  // Its name in headings.
-  std::string_view title;
-};
-
-// Returns the names of all models, in the order of FrictionKind.
-std::span<const FrictionKindName> friction_kind_names();
-// Returns the names of one model.
-const FrictionKindName& name_of(rendering::FrictionKind kind);
+// Returns what a model says of itself: its names and its parameters.
+const rendering::FrictionModelTraits& model_of(rendering::FrictionKind kind);
 
 // Returns a model by its name, in which a hyphen and an underscore are the same. Throws InputError
 // with the names if there is none.
@@ -52,13 +41,8 @@ struct FrictionParameterName {
   std::string_view surface_key;
   // Its meaning, in words for --help.
   std::string_view meaning;
-  // Bit 1 << kind is set for every model that has it.
-  unsigned kinds;
-
-  // Returns true if the model has this parameter.
-  [[nodiscard]] bool belongs_to(rendering::FrictionKind kind) const {
-    return (kinds >> static_cast<unsigned>(kind) & 1U) != 0;
-  }
+  // Returns the models that have this parameter.
+  [[nodiscard]] rendering::FrictionKinds kinds() const { return rendering::kinds_with(member); }
   // Return its unit and its key in TOML for that scale.
   [[nodiscard]] std::string_view unit_of(ForceScale scale) const {
     return scale == ForceScale::newton ? unit : surface_unit;
@@ -85,6 +69,12 @@ void set_parameter(rendering::FrictionParameters& parameters, std::string_view a
 
 // Throws InputError if Fs is below Fc, or a model lacks the stiffness that it needs.
 void check_parameters(const rendering::FrictionParameters& parameters, ForceScale scale);
+
+// Returns "a, b or c" of at least two names, with `last_joint` "or".
+std::string in_words(std::span<const std::string_view> names, std::string_view last_joint);
+
+// Returns the names of all models in words: for --help.
+std::string model_help();
 
 // Returns one line a parameter, with unit, default and models, for --help.
 std::string parameter_help();

@@ -65,9 +65,8 @@ bool SlidingMass::hold(double supply_N, double step_s) {
   if (friction.stiffness_N_per_m > 0.0) {
     return false;
   }
-  const bool lets_go_at_coulomb = friction.kind == FrictionKind::coulomb_viscous ||
-                                  (friction.kind == FrictionKind::cone && bristle_.slipping);
-  const double level = lets_go_at_coulomb ? friction.coulomb : friction.static_level;
+  const bool slips_on = friction.kind == FrictionKind::cone && bristle_.slipping;
+  const double level = slips_on ? friction.coulomb : rendering::holding_level(friction);
   const double needed_N = supply_N - parameters_.mass_kg * state_.v_m_per_s / step_s;
   if (std::fabs(needed_N) > level * parameters_.normal_force_N) {
     return false;

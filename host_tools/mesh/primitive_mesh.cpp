@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "host_tools/mesh/level_set.h"
+
 namespace tactus::host {
 namespace {
 
@@ -105,7 +107,7 @@ TriangleMesh round_mesh(const rendering::Primitive& primitive) {
       add_arc(profile, {0.0, b}, a, kQuarter, 0.0);
       add_arc(profile, {0.0, -b}, a, 0.0, -kQuarter);
       break;
-    default:
+    default:  // the sphere
       add_arc(profile, {}, a, kQuarter, -kQuarter);
       break;
   }
@@ -136,13 +138,40 @@ TriangleMesh plane_mesh() {
       .corner_places = {}};
 }
 
+// Draws a primitive that has no drawing of its own, in frame O like the others.
+TriangleMesh mesh_by_level(const rendering::Primitive& primitive) {
+  constexpr int kCells = 40;
+  constexpr double kRoom = 0.02;  // about the box, of its longest side: the surface ends inside
+  const rendering::Primitive at_origin{.kind = primitive.kind,
+                                       .dimensions_m = primitive.dimensions_m};
+  const rendering::Bounds box = bounds(at_origin);
+  const Vec3 room = Vec3::Constant(kRoom * (box.upper_W - box.lower_W).maxCoeff());
+  return mesh_level_set([&](const Vec3& p) { return sample(at_origin, p).distance_m; },
+                        box.lower_W - room, box.upper_W + room, kCells);
+}
+
+TriangleMesh mesh_in_O(const rendering::Primitive& primitive) {
+  const auto& [a, b, c] = primitive.dimensions_m;
+  switch (primitive.kind) {
+    case PrimitiveKind::plane:
+      return plane_mesh();
+    case PrimitiveKind::box:
+      return box_mesh({a, b, c});
+    case PrimitiveKind::sphere:
+    case PrimitiveKind::cylinder:
+    case PrimitiveKind::capsule:
+    case PrimitiveKind::cone:
+    case PrimitiveKind::torus:
+      return round_mesh(primitive);
+    default:
+      return mesh_by_level(primitive);
+  }
+}
+
 }  // namespace
 
 TriangleMesh primitive_mesh(const rendering::Primitive& primitive) {
-  const auto& [a, b, c] = primitive.dimensions_m;
-  TriangleMesh mesh = primitive.kind == PrimitiveKind::plane ? plane_mesh()
-                      : primitive.kind == PrimitiveKind::box ? box_mesh({a, b, c})
-                                                             : round_mesh(primitive);
+  TriangleMesh mesh = mesh_in_O(primitive);
   for (rendering::Float3& vertex : mesh.vertices) {
     vertex = rendering::to_float3(primitive.X_WO.point(rendering::to_vec3(vertex)));
   }

@@ -7,9 +7,10 @@
 
 namespace tactus::host {
 
-// Returns the whole closed surface in the world frame, m, wound counter-clockwise seen from
-// outside. Every vertex lies on the surface; round primitives have 48 sides, a box is exact. A
-// plane, which is infinite, is shown as a square of 0.2 m about its origin.
+// Returns the closed surface in the world frame, m, wound counter-clockwise seen from outside.
+// Every vertex lies on the surface. A box is exact, the other built-in round primitives have 48
+// sides, and a primitive without a mesh of its own is the one that mesh_level_set finds. A plane,
+// which is infinite, is shown as a square of 0.2 m about its origin.
 TriangleMesh primitive_mesh(const rendering::Primitive& primitive);
 
 }  // namespace tactus::host

@@ -3,21 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rendering/effects/laws.h"
+#include "rendering/effects/law_checks.h"
 
 namespace tactus::rendering {
 namespace {
-
-// std::visit without its exception.
-template <std::size_t Index = 0, class Visitor>
-auto on_law(const EffectLaw& law, const Visitor& visitor) {
-  if constexpr (Index + 1 == std::variant_size_v<EffectLaw>) {
-    return visitor(*std::get_if<Index>(&law));
-  } else {
-    return law.index() == Index ? visitor(*std::get_if<Index>(&law))
-                                : on_law<Index + 1>(law, visitor);
-  }
-}
 
 // base + s extra with the largest s in [0, 1] that keeps its length within `most`; |base| <= most.
 Vec3 add_within(const Vec3& base, const Vec3& extra, double most) {
@@ -40,7 +29,7 @@ Vec3 add_within(const Vec3& base, const Vec3& extra, double most) {
 
 bool valid(const Effect& effect) {
   return std::isfinite(effect.max_force_N) && effect.max_force_N > 0.0 &&
-         on_law(effect.law, [](const auto& law) { return valid_law(law); });
+         visit_alternative(effect.law, [](const auto& law) { return valid_law(law); });
 }
 
 Vec3 apply(const Effect& effect, EffectState& state, const ToolState& tool, double dt_s) {
@@ -52,7 +41,8 @@ Vec3 apply(const Effect& effect, EffectState& state, const ToolState& tool, doub
   }
   const LawInput input{
       .tool = tool, .state = state, .dt_s = dt_s, .max_force_N = effect.max_force_N};
-  const LawForce force = on_law(effect.law, [&](const auto& law) { return force_of(law, input); });
+  const LawForce force =
+      visit_alternative(effect.law, [&](const auto& law) { return force_of(law, input); });
   state.last_tool_W = tool.p_W;
   state.held_force_W = add_within(force.elastic_W, force.damping_W, effect.max_force_N);
   return state.held_force_W;
@@ -60,7 +50,12 @@ Vec3 apply(const Effect& effect, EffectState& state, const ToolState& tool, doub
 
 double stored_J(const Effect& effect, const EffectState& state, const Vec3& p_W) {
   const LawPlace place{.state = state, .p_W = p_W, .max_force_N = effect.max_force_N};
-  return on_law(effect.law, [&](const auto& law) { return stored_by(law, place); });
+  return visit_alternative(effect.law, [&](const auto& law) { return stored_by(law, place); });
+}
+
+LawSlopes steepest(const Effect& effect) {
+  return visit_alternative(effect.law,
+                           [&](const auto& law) { return steepest_of(law, effect.max_force_N); });
 }
 
 }  // namespace tactus::rendering

@@ -1,68 +1,30 @@
+#include "rendering/effects/law_checks.h"
+
 #include <cmath>
 
-#include "rendering/effects/laws.h"
-
 namespace tactus::rendering {
-namespace {
 
-bool not_negative(double x) {
-  return std::isfinite(x) && x >= 0.0;
-}
-bool positive(double x) {
-  return std::isfinite(x) && x > 0.0;
+bool within(const NumberField& field, double value) {
+  switch (field.range) {
+    case FieldRange::above_zero:
+      return std::isfinite(value) && value > 0.0;
+    case FieldRange::zero_or_more:
+      return std::isfinite(value) && value >= 0.0;
+    default:
+      return std::isfinite(value);
+  }
 }
 
-bool unit(const Vec3& v) {
+bool within(const VectorField& field, const Vec3& value) {
   constexpr double kTolerance = 1e-9;
-  return std::abs(v.squaredNorm() - 1.0) <= kTolerance;  // false for NaN
+  if (field.use == VectorUse::direction) {
+    return std::abs(value.squaredNorm() - 1.0) <= kTolerance;  // false for NaN
+  }
+  return value.allFinite();
 }
 
-bool valid_snap(const SnapLaw& law) {
-  return not_negative(law.stiffness_N_per_m) && not_negative(law.damping_Ns_per_m) &&
-         positive(law.capture_m);
-}
-
-}  // namespace
-
-bool valid_law(const Spring& law) {
-  return law.anchor_W.allFinite() && not_negative(law.stiffness_N_per_m);
-}
-
-bool valid_law(const SpringDamper& law) {
-  return valid_law(law.spring) && not_negative(law.damping_Ns_per_m);
-}
-
-bool valid_law(const FluidDrag& law) {
-  return valid(law.volume) && not_negative(law.linear_Ns_per_m) &&
-         not_negative(law.quadratic_Ns2_per_m2) && not_negative(law.rim_m);
-}
-
-bool valid_law(const Magnet& law) {
-  return law.pole_W.allFinite() && std::isfinite(law.strength_N) && positive(law.core_m);
-}
-
-bool valid_law(const ConstantField& law) {
-  return law.force_W.allFinite();
-}
-
-bool valid_law(const Vibration& law) {
-  return unit(law.direction_W) && not_negative(law.amplitude_N) && not_negative(law.frequency_Hz);
-}
-
-bool valid_law(const StickSlip& law) {
-  return positive(law.stiffness_N_per_m) && not_negative(law.break_force_N);
-}
-
-bool valid_law(const SnapToPoint& law) {
-  return law.point_W.allFinite() && valid_snap(law.law);
-}
-
-bool valid_law(const SnapToLine& law) {
-  return law.point_W.allFinite() && unit(law.direction_W) && valid_snap(law.law);
-}
-
-bool valid_law(const SnapToPlane& law) {
-  return law.point_W.allFinite() && unit(law.normal_W) && valid_snap(law.law);
+bool within(const VolumeField& /*field*/, const Primitive& value) {
+  return valid(value);
 }
 
 }  // namespace tactus::rendering

@@ -1,4 +1,4 @@
-// The common part of the bristle models: the motion of a tick, and a bristle that yields along it.
+// The common part of the models: the motion of a tick, and a bristle that yields along it.
 //
 // A bristle of stiffness sigma0 that yields toward the level G obeys, per length s of a straight
 // path in the direction u, with f = sigma0 z,
@@ -13,7 +13,9 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
+#include "rendering/friction/friction_parameters.h"
 #include "rendering/friction/tangent.h"
 #include "rendering/geometry/portable_math.h"
 

@@ -4,46 +4,19 @@
 #include <array>
 #include <cmath>
 
-#include "rendering/friction/bristle.h"
-#include "rendering/friction/dahl.h"
-#include "rendering/friction/elasto_plastic.h"
-#include "rendering/friction/lugre.h"
-#include "rendering/friction/slider.h"
-#include "rendering/geometry/portable_math.h"
+#include "rendering/friction/levels.h"
 
 namespace tactus::rendering {
 namespace {
-
-// Beyond 6.1 widths a bell exp(-x^2) is below a double's rounding of 1.
-constexpr double kBellIsOver = 37.0;
-
-bool is_bristle(FrictionKind kind) {
-  return kind == FrictionKind::dahl || kind == FrictionKind::lugre ||
-         kind == FrictionKind::elasto_plastic;
-}
-
-bool is_damped(FrictionKind kind) {
-  return kind != FrictionKind::cone && kind != FrictionKind::dahl;
-}
-
-double bell(double exponent) {
-  return exponent < kBellIsOver ? exponential(-exponent) : 0.0;
-}
 
 template <typename Vector>
 ElasticStep<Vector> advance_elastic(const FrictionParameters& parameters,
                                     const FrictionTick<Vector>& tick,
                                     const FrictionMemory<Vector>& memory) {
-  switch (parameters.kind) {
-    case FrictionKind::dahl:
-      return advance_dahl(parameters, tick, memory.elastic_force_N);
-    case FrictionKind::lugre:
-      return advance_lugre(parameters, tick, memory.elastic_force_N);
-    case FrictionKind::elasto_plastic:
-      return advance_elasto_plastic(parameters, tick, memory.elastic_force_N);
-    default:
-      return advance_slider(parameters, tick, memory);
-  }
+  return visit_number(FrictionModels{}, static_cast<std::size_t>(parameters.kind),
+                      [&]<class Model>(std::type_identity<Model> /*model*/) {
+                        return Model::advance(parameters, tick, memory);
+                      });
 }
 
 }  // namespace
@@ -66,24 +39,14 @@ bool valid(const FrictionParameters& p) {
          (!has_static_level(p.kind) || p.static_level >= p.coulomb) &&
          p.stribeck_velocity_m_per_s > 0.0 && p.stribeck_exponent > 0.0 &&
          p.stick_velocity_m_per_s > 0.0 && p.elastic_fraction > 0.0 && p.elastic_fraction < 1.0 &&
-         (!is_bristle(p.kind) || p.stiffness_N_per_m > 0.0);
+         (!has_bristles(p.kind) || p.stiffness_N_per_m > 0.0);
 }
 
 double steady_level(const FrictionParameters& p, double speed_m_per_s) {
-  if (!has_static_level(p.kind)) {
-    return p.coulomb;
-  }
-  if (p.kind == FrictionKind::cone || p.kind == FrictionKind::karnopp) {
-    return speed_m_per_s > 0.0 ? p.coulomb : p.static_level;
-  }
-  const double ratio = speed_m_per_s / p.stribeck_velocity_m_per_s;
-  if (!(ratio > 0.0)) {
-    return p.static_level;
-  }
-  const double exponent = p.stribeck_exponent == 2.0
-                              ? ratio * ratio
-                              : exponential(p.stribeck_exponent * logarithm(ratio));
-  return p.coulomb + (p.static_level - p.coulomb) * bell(exponent);
+  return visit_number(FrictionModels{}, static_cast<std::size_t>(p.kind),
+                      [&]<class Model>(std::type_identity<Model> /*model*/) {
+                        return Model::steady_level(p, speed_m_per_s);
+                      });
 }
 
 double damping_at(const FrictionParameters& p, double speed_m_per_s) {
@@ -128,7 +91,7 @@ FrictionForce<Vector> update_friction(const FrictionParameters& parameters,
     result.force_N += damped;
     result.mean_force_N += damped;
   }
-  if (parameters.kind != FrictionKind::cone) {
+  if (is_viscous(parameters.kind)) {
     const Vector viscous = (parameters.viscous_s_per_m * per_step) * displacement_m;
     result.force_N += viscous;
     result.mean_force_N += viscous;

@@ -45,8 +45,7 @@ double first_failure_m_per_s(const FrictionParameters& p, double peak) {
 }  // namespace
 
 LugrePassivity lugre_passivity(const FrictionParameters& p) {
-  const bool is_damped = p.kind == FrictionKind::lugre || p.kind == FrictionKind::elasto_plastic;
-  if (!is_damped || p.damping_s_per_m <= 0.0 || p.coulomb <= 0.0) {
+  if (!has_bristles(p.kind) || !is_damped(p.kind) || p.damping_s_per_m <= 0.0 || p.coulomb <= 0.0) {
     return {.largest_fade_m_per_s = kAnySpeed, .safe_speed_m_per_s = kAnySpeed};
   }
   const double sigma1 = p.damping_s_per_m;

@@ -30,8 +30,8 @@ struct LugrePassivity {
   double safe_speed_m_per_s = 0.0;
 };
 
-// Checks lugre and elasto_plastic; the other kinds have no sigma1 and are passive. The parameters
-// must be valid.
+// Checks models of damped bristles, as lugre and elasto_plastic; the other kinds are passive. The
+// parameters must be valid.
 LugrePassivity lugre_passivity(const FrictionParameters& parameters);
 
 }  // namespace tactus::rendering

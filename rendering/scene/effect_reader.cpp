@@ -1,5 +1,9 @@
 #include "rendering/scene/effect_reader.h"
 
+#include <algorithm>
+#include <cstring>
+
+#include "rendering/effects/law_numbers.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
 
@@ -73,6 +77,25 @@ Law read_law(const image::SnapToPlane& stored) {
                      .law = to_snap(*stored.snap())};
 }
 
+// The numbers are copied, since they need not be aligned.
+Law read_law(const image::NamedLaw& stored) {
+  LawNumbers numbers;
+  numbers.count = std::min<std::size_t>(stored.numbers()->size(), kMostLawNumbers);
+  std::memcpy(numbers.values.data(), stored.numbers()->Data(), numbers.count * sizeof(double));
+  return law_of(stored.name()->string_view(), numbers.all());
+}
+
+// Returns the name of a law that is not registered, empty for others.
+std::string_view unknown_name(const image::Effect& stored) {
+  const image::NamedLaw* const law = stored.law_as_NamedLaw();
+  if (law == nullptr) {
+    return {};
+  }
+  const std::string_view name = law->name()->string_view();
+  return std::ranges::find(kEffectLawNames, name) == kEffectLawNames.end() ? name
+                                                                           : std::string_view{};
+}
+
 // Returns the law of the stored effect if it is of this type.
 template <class Stored>
 Law read_law_as(const image::Effect& stored) {
@@ -103,6 +126,8 @@ Law read_law(const image::Effect& stored) {
       return read_law_as<image::SnapToLine>(stored);
     case image::Law::SnapToPlane:
       return read_law_as<image::SnapToPlane>(stored);
+    case image::Law::NamedLaw:
+      return read_law_as<image::NamedLaw>(stored);
     default:
       return std::nullopt;
   }
@@ -110,13 +135,16 @@ Law read_law(const image::Effect& stored) {
 
 }  // namespace
 
-std::optional<Effect> read_effect(const image::Effect& stored) {
-  const Law law = read_law(stored);
-  if (!law) {
-    return std::nullopt;
+std::expected<Effect, SceneError> read_effect(const image::Effect& stored) {
+  if (const std::string_view name = unknown_name(stored); !name.empty()) {
+    return std::unexpected(SceneError{.fault = SceneFault::effect_law, .name = FaultName(name)});
   }
-  const Effect effect{.law = *law, .max_force_N = stored.max_force()};
-  return valid(effect) ? std::optional(effect) : std::nullopt;
+  const Law law = read_law(stored);
+  const Effect effect{.law = law.value_or(EffectLaw{}), .max_force_N = stored.max_force()};
+  if (!law || !valid(effect)) {
+    return std::unexpected(SceneError{.fault = SceneFault::effect});
+  }
+  return effect;
 }
 
 }  // namespace tactus::rendering

@@ -58,14 +58,22 @@ constexpr std::array kTexts{
         "more objects move, deform or are touched apart from the proxy than there is room for; let "
         "some stand still",
         "count"},
+    Text{"effect has a law that this program does not know; update the program", "effect"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::capacity) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::effect_law) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];
 }
 
 }  // namespace
+
+FaultName::FaultName(std::string_view text) {
+  constexpr auto is_printable = [](char letter) { return letter >= ' ' && letter <= '~'; };
+  for (const char letter : text.substr(0, text_.size())) {
+    text_[size_++] = is_printable(letter) ? letter : '?';
+  }
+}
 
 std::string_view describe(SceneFault fault) {
   return text_of(fault).description;

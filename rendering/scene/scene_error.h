@@ -2,6 +2,7 @@
 // returns them; tactus inspect and the controller show describe() to the user.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -46,6 +47,21 @@ enum class SceneFault : std::uint8_t {
   effect,             // unknown law, or a number out of range; place: effect
   motion,             // a number out of range, or of an object that does not move
   capacity,           // see SceneObjects::set; place: objects that move or are touched alone
+  effect_law,         // a law that this controller does not have; place: effect
+};
+
+// A name from an image, for a message: the first 31 characters, with ? for those that are not
+// printable ASCII.
+class FaultName {
+ public:
+  FaultName() = default;
+  explicit FaultName(std::string_view text);
+
+  [[nodiscard]] std::string_view text() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, 31> text_{};
+  std::uint8_t size_ = 0;
 };
 
 // A fault, the object at fault and the place in it.
@@ -55,6 +71,8 @@ struct SceneError {
   std::uint32_t object = kNoObject;
   // The place; what it counts stands beside each fault, and in place_noun.
   std::uint64_t place = 0;
+  // The name of an unknown effect law; empty for every other fault.
+  FaultName name;
 };
 
 // Returns the fault and its remedy as text, without the place.

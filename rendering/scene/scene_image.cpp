@@ -208,9 +208,11 @@ Result SceneImage::take_effects(const image::Scene& scene) {
     return fail(SceneFault::effect_count, effect_count_);
   }
   for (std::uint32_t i = 0; i < effect_count_; ++i) {
-    const std::optional<Effect> effect = read_effect(*scene.effects()->Get(i));
+    const std::expected<Effect, SceneError> effect = read_effect(*scene.effects()->Get(i));
     if (!effect) {
-      return fail(SceneFault::effect, i);
+      SceneError error = effect.error();
+      error.place = i;
+      return std::unexpected(error);
     }
     effects_[i] = *effect;
   }

@@ -1,7 +1,5 @@
 #include "rendering/scene/shape_reader.h"
 
-#include <utility>
-
 #include "rendering/scene/stored.h"
 
 namespace tactus::rendering {
@@ -70,10 +68,7 @@ std::optional<Primitive> read_primitive(const image::Primitive& stored) {
                       .X_WO = to_pose(*stored.pose()),
                       .dimensions_m = {stored.dimensions()->x(), stored.dimensions()->y(),
                                        stored.dimensions()->z()}};
-  if (stored.kind() > std::to_underlying(PrimitiveKind::torus) || !valid(primitive)) {
-    return std::nullopt;
-  }
-  return primitive;
+  return valid(primitive) ? std::optional(primitive) : std::nullopt;
 }
 
 Result take_shape(const image::Object& stored, Object& object) {

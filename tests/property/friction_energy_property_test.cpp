@@ -67,9 +67,7 @@ FrictionParameters random_friction(FrictionKind kind, Dice& dice) {
       p.damping_fade_m_per_s = advice.largest_fade_m_per_s;
     }
   }
-  const bool may_be_rigid = kind == FrictionKind::cone || kind == FrictionKind::coulomb_viscous ||
-                            kind == FrictionKind::stribeck || kind == FrictionKind::karnopp;
-  if (may_be_rigid && dice.one_in(4)) {
+  if (!rendering::has_bristles(kind) && dice.one_in(4)) {
     p.stiffness_N_per_m = 0.0;
   }
   return p;
@@ -227,18 +225,19 @@ TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
   expect_passive(worst);
 }
 
-std::string name_of(const ::testing::TestParamInfo<FrictionKind>& kind) {
-  constexpr std::array kNames{"cone", "coulomb_viscous", "stribeck",      "karnopp",
-                              "dahl", "lugre",           "elasto_plastic"};
-  return kNames.at(static_cast<std::size_t>(kind.param));
+// Returns the numbers of all registered models.
+std::vector<FrictionKind> all_kinds() {
+  std::vector<FrictionKind> kinds;
+  std::ranges::transform(rendering::kFrictionModels, std::back_inserter(kinds),
+                         &rendering::FrictionModelTraits::kind);
+  return kinds;
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, FrictionEnergy,
-                         ::testing::Values(FrictionKind::cone, FrictionKind::coulomb_viscous,
-                                           FrictionKind::stribeck, FrictionKind::karnopp,
-                                           FrictionKind::dahl, FrictionKind::lugre,
-                                           FrictionKind::elasto_plastic),
-                         name_of);
+std::string name_of(const ::testing::TestParamInfo<FrictionKind>& kind) {
+  return std::string(rendering::kFrictionModels.at(static_cast<std::size_t>(kind.param)).name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FrictionEnergy, ::testing::ValuesIn(all_kinds()), name_of);
 
 }  // namespace
 }  // namespace tactus::testing

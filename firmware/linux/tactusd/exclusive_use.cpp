@@ -78,22 +78,30 @@ bool ExclusiveUse::of_run_folder(const char* folder) {
   return take(file_claim("run", folder).data(), "the run folder", folder);
 }
 
+bool ExclusiveUse::of(const drivers::CanConnection& can) {
+  return take(can_claim(can.interface).data(), "the CAN interface", can.interface);
+}
+
+bool ExclusiveUse::of(const drivers::HaplyConnection& haply) {
+  return take(file_claim("serial", haply.port).data(), "the serial port", haply.port);
+}
+
+bool ExclusiveUse::of(const drivers::GpioConnection& gpio) {
+  return take(file_claim("pwm", gpio.pwm_folder, gpio.pwm_channel).data(), "the PWM channel of",
+              gpio.pwm_folder);
+}
+
+// The USB device is claimed by its opening.
+bool ExclusiveUse::of(const drivers::FalconConnection& /*falcon*/) {
+  return true;
+}
+
 bool ExclusiveUse::of_boards(const DeviceConfig& config) {
-  return std::ranges::all_of(
-      std::span(config.connections).first(config.connection_count),
-      [this](const ConnectionConfig& connection) {
-        if (const auto* can = std::get_if<CanConnection>(&connection.line)) {
-          return take(can_claim(can->interface).data(), "the CAN interface", can->interface);
-        }
-        if (const auto* haply = std::get_if<HaplyConnection>(&connection.line)) {
-          return take(file_claim("serial", haply->port).data(), "the serial port", haply->port);
-        }
-        if (const auto* gpio = std::get_if<GpioConnection>(&connection.line)) {
-          return take(file_claim("pwm", gpio->pwm_folder, gpio->pwm_channel).data(),
-                      "the PWM channel of", gpio->pwm_folder);
-        }
-        return true;
-      });
+  return std::ranges::all_of(std::span(config.connections).first(config.connection_count),
+                             [this](const ConnectionConfig& connection) {
+                               return std::visit([this](const auto& line) { return of(line); },
+                                                 connection.line);
+                             });
 }
 
 }  // namespace tactus::firmware

@@ -22,6 +22,12 @@ class ExclusiveUse {
   bool of_boards(const DeviceConfig& config);
 
  private:
+  // These claim a connection of each kind.
+  bool of(const drivers::CanConnection& can);
+  bool of(const drivers::HaplyConnection& haply);
+  bool of(const drivers::GpioConnection& gpio);
+  static bool of(const drivers::FalconConnection& falcon);
+
   bool take(std::string_view name, std::string_view what, std::string_view which);
 
   std::array<hal::ExclusiveClaim, kMaxConnections + 1> claims_;

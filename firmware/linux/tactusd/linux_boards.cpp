@@ -1,5 +1,7 @@
 #include "firmware/linux/tactusd/linux_boards.h"
 
+#include <variant>
+
 namespace tactus::firmware {
 
 namespace {
@@ -11,28 +13,15 @@ std::unexpected<OpenError> cannot(const ConnectionConfig& connection, std::strin
   return std::unexpected(OpenError{connection.name, what, error});
 }
 
-std::size_t boards_own_number(const AxisConfig& axis) {
-  const auto* board = std::get_if<BoardAxis>(&axis.drive);
-  return board == nullptr ? 0 : board->number;
-}
-
 }  // namespace
 
 std::expected<void, OpenError> LinuxBoards::open(const DeviceConfig& config,
                                                  std::span<const std::byte> falcon_firmware,
                                                  drivers::ComposedDevice& device) {
   for (std::size_t i = 0; i < config.connection_count; ++i) {
-    const auto& line = config.connections[i].line;
-    Outcome outcome;
-    if (const auto* can = std::get_if<CanConnection>(&line)) {
-      outcome = open_can(config, i, *can);
-    } else if (const auto* falcon = std::get_if<FalconConnection>(&line)) {
-      outcome = open_falcon(config, i, falcon->falcon, falcon_firmware);
-    } else if (const auto* haply = std::get_if<HaplyConnection>(&line)) {
-      outcome = open_haply(config, i, *haply);
-    } else if (const auto* gpio = std::get_if<GpioConnection>(&line)) {
-      outcome = open_gpio(config, i, *gpio);
-    }
+    const Outcome outcome =
+        std::visit([&](const auto& line) { return open({config, i, falcon_firmware}, line); },
+                   config.connections[i].line);
     if (!outcome) {
       return outcome;
     }
@@ -41,41 +30,36 @@ std::expected<void, OpenError> LinuxBoards::open(const DeviceConfig& config,
   return wire(config, device);
 }
 
-LinuxBoards::Outcome LinuxBoards::open_can(const DeviceConfig& config, std::size_t connection,
-                                           const CanConnection& can) {
-  const ConnectionConfig& setup = config.connections[connection];
-  CanLine& line = can_[connection];
+LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::CanConnection& can) {
+  const ConnectionConfig& setup = place.connection();
+  CanLine& line = can_[place.index];
   if (const auto opened = line.bus.open(can.interface); !opened) {
     return cannot(setup, "the CAN interface cannot be opened; see ip link show type can",
                   opened.error());
   }
   line.board.emplace(line.bus, clock_);
-  for (const AxisConfig& axis : std::span(config.axes).first(config.axis_count)) {
-    if (axis.connection != connection) {
+  for (const AxisConfig& axis : place.axes()) {
+    if (axis.connection != place.index) {
       continue;
     }
-    bool added = false;
-    if (const auto* odrive = std::get_if<drivers::ODriveConfig>(&axis.drive)) {
-      added = line.board->add(drivers::ODriveCan(*odrive));
-    } else if (const auto* moteus = std::get_if<drivers::MoteusConfig>(&axis.drive)) {
-      added = line.board->add(drivers::MoteusCanFd(*moteus));
-    } else if (const auto* cia402 = std::get_if<drivers::Cia402Config>(&axis.drive)) {
-      added = line.board->add(drivers::Cia402Can(*cia402));
-    } else if (const auto* vesc = std::get_if<drivers::VescConfig>(&axis.drive)) {
-      added = line.board->add(drivers::VescCan(*vesc));
-    }
+    const bool added = drivers::visit_drive(axis.drive, [&](const auto& driver, const auto& drive) {
+      using Drive = typename std::remove_cvref_t<decltype(driver)>::Drive;
+      if constexpr (std::is_void_v<Drive>) {
+        return false;  // the reader has refused it
+      } else {
+        return line.board->add(Drive(drive));
+      }
+    });
     if (!added) {
       return cannot(setup, "too many drives on one bus");
     }
   }
-  boards_[connection] = drivers::BoardRef(*line.board);
+  boards_[place.index] = drivers::BoardRef(*line.board);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::size_t connection,
-                                              drivers::FalconConfig falcon,
-                                              std::span<const std::byte> firmware) {
-  const ConnectionConfig& setup = config.connections[connection];
+LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::FalconConnection& usb) {
+  const ConnectionConfig& setup = place.connection();
   if (falcon_) {
     return cannot(setup, "one Falcon is all that fits");
   }
@@ -89,16 +73,16 @@ LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::s
     return cannot(setup, "the Falcon cannot be opened; plug it in, and see lsusb -d 0403:cb48",
                   opened.error());
   }
-  falcon.firmware = firmware;
-  falcon.unproven_watchdog = falcon.unproven_watchdog || config.watchdog_line.has_value();
+  drivers::FalconConfig falcon = usb.falcon;
+  falcon.firmware = place.falcon_firmware;
+  falcon.unproven_watchdog = falcon.unproven_watchdog || place.has_watchdog_line();
   falcon_.emplace(usb_, clock_, falcon);
-  boards_[connection] = drivers::BoardRef(*falcon_);
+  boards_[place.index] = drivers::BoardRef(*falcon_);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open_haply(const DeviceConfig& config, std::size_t connection,
-                                             const HaplyConnection& haply) {
-  const ConnectionConfig& setup = config.connections[connection];
+LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::HaplyConnection& haply) {
+  const ConnectionConfig& setup = place.connection();
   if (haply_) {
     return cannot(setup, "one Haply board is all that fits");
   }
@@ -108,18 +92,17 @@ LinuxBoards::Outcome LinuxBoards::open_haply(const DeviceConfig& config, std::si
                   opened.error());
   }
   drivers::HaplyConfig board = haply.haply;
-  board.unproven_watchdog = board.unproven_watchdog || config.watchdog_line.has_value();
+  board.unproven_watchdog = board.unproven_watchdog || place.has_watchdog_line();
   haply_.emplace(serial_, clock_, board);
-  boards_[connection] = drivers::BoardRef(*haply_);
+  boards_[place.index] = drivers::BoardRef(*haply_);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::size_t connection,
-                                            const GpioConnection& gpio) {
-  const ConnectionConfig& setup = config.connections[connection];
+LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::GpioConnection& gpio) {
+  const ConnectionConfig& setup = place.connection();
   const drivers::GpioAxisConfig* drive = nullptr;
-  for (const AxisConfig& axis : std::span(config.axes).first(config.axis_count)) {
-    if (axis.connection == connection) {
+  for (const AxisConfig& axis : place.axes()) {
+    if (axis.connection == place.index) {
       if (drive != nullptr) {
         return cannot(setup, "a gpio connection carries one axis; give each its own");
       }
@@ -129,7 +112,7 @@ LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::siz
   if (drive == nullptr) {
     return cannot(setup, "no axis uses this connection");
   }
-  GpioLine& line = gpio_[connection];
+  GpioLine& line = gpio_[place.index];
   const std::size_t slash = gpio.pwm_folder.rfind('/');
   const std::string_view chip = gpio.pwm_folder.substr(slash + 1);
   const auto opened = slash == std::string_view::npos
@@ -149,7 +132,7 @@ LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::siz
     }
     line.axis.emplace(*drive, line.counter, *line.lines, line.pwm, clock_);
   }
-  boards_[connection] = drivers::BoardRef(*line.axis);
+  boards_[place.index] = drivers::BoardRef(*line.axis);
   return {};
 }
 
@@ -178,8 +161,11 @@ void LinuxBoards::address_axes(const DeviceConfig& config, std::size_t connectio
     if (axis.connection != connection) {
       continue;
     }
-    const bool has_own_number = std::holds_alternative<BoardAxis>(axis.drive);
-    addresses_[i] = {connection, has_own_number ? boards_own_number(axis) : next};
+    const std::size_t number =
+        drivers::visit_drive(axis.drive, [next](const auto& driver, const auto& drive) {
+          return driver.number_on_board == nullptr ? next : driver.number_on_board(drive);
+        });
+    addresses_[i] = {connection, number};
     ++next;
   }
 }

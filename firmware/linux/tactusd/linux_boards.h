@@ -1,5 +1,5 @@
 // Opens the boards of a device on the interfaces of a Linux machine and composes the device of
-// them. Only this class knows the concrete classes of drivers and of hal/linux together.
+// them. Only this class knows the boards of drivers and the classes of hal/linux together.
 #pragma once
 
 #include <array>
@@ -9,15 +9,11 @@
 #include <span>
 #include <string_view>
 
-#include "drivers/can_board.h"
-#include "drivers/cia402_can/cia402_can.h"
-#include "drivers/composed_device.h"
+#include "drivers/composition/composed_device.h"
+#include "drivers/composition/registered_can_board.h"
 #include "drivers/falcon_usb/falcon.h"
 #include "drivers/gpio_axis/gpio_axis.h"
 #include "drivers/haply_serial/haply.h"
-#include "drivers/moteus_canfd/moteus_canfd.h"
-#include "drivers/odrive_can/odrive_can.h"
-#include "drivers/vesc_can/vesc_can.h"
 #include "firmware/device_file/device_config.h"
 #include "firmware/linux/realtime/watchdog_output.h"
 #include "hal/linux/can_bus.h"
@@ -58,12 +54,22 @@ class LinuxBoards {
 
  private:
   using Outcome = std::expected<void, OpenError>;
-  using DrivesOnCan = drivers::CanBoard<drivers::ODriveCan, drivers::MoteusCanFd,
-                                        drivers::Cia402Can, drivers::VescCan>;
 
+  // A connection of the device that is to be opened.
+  struct Place {
+    const DeviceConfig& device;
+    std::size_t index;
+    std::span<const std::byte> falcon_firmware;
+
+    [[nodiscard]] const ConnectionConfig& connection() const { return device.connections[index]; }
+    [[nodiscard]] std::span<const AxisConfig> axes() const {
+      return std::span(device.axes).first(device.axis_count);
+    }
+    [[nodiscard]] bool has_watchdog_line() const { return device.watchdog_line.has_value(); }
+  };
   struct CanLine {
     hal::LinuxCanBus bus;
-    std::optional<DrivesOnCan> board;
+    std::optional<drivers::RegisteredCanBoard> board;
   };
   struct GpioLine {
     std::optional<hal::LinuxGpioLines> lines;
@@ -72,12 +78,11 @@ class LinuxBoards {
     std::optional<drivers::GpioAxis> axis;
   };
 
-  Outcome open_can(const DeviceConfig& config, std::size_t connection, const CanConnection& can);
-  Outcome open_falcon(const DeviceConfig& config, std::size_t connection,
-                      drivers::FalconConfig falcon, std::span<const std::byte> firmware);
-  Outcome open_haply(const DeviceConfig& config, std::size_t connection,
-                     const HaplyConnection& haply);
-  Outcome open_gpio(const DeviceConfig& config, std::size_t connection, const GpioConnection& gpio);
+  // These open a connection of each kind.
+  Outcome open(const Place& place, const drivers::CanConnection& can);
+  Outcome open(const Place& place, const drivers::FalconConnection& usb);
+  Outcome open(const Place& place, const drivers::HaplyConnection& haply);
+  Outcome open(const Place& place, const drivers::GpioConnection& gpio);
   Outcome wire(const DeviceConfig& config, drivers::ComposedDevice& device) const;
 
   // Numbers the axes of a connection's board in the order in which they were added to it.

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstring>
 #include <string_view>
-#include <variant>
 
+#include "firmware/device_file/board_firmware.h"
 #include "firmware/device_file/certificate_words.h"
 #include "firmware/device_file/device_checks.h"
 #include "firmware/device_file/device_commissioning.h"
@@ -154,17 +154,13 @@ bool RunInputs::load_scene(const Options& options, Controller& controller) {
 }
 
 bool RunInputs::load_falcon_firmware() {
-  for (const ConnectionConfig& connection :
-       std::span(config_.connections).first(config_.connection_count)) {
-    const auto* falcon = std::get_if<FalconConnection>(&connection.line);
-    if (falcon != nullptr && !falcon->firmware_file.empty()) {
-      std::array<char, kMostPath> path{};
-      const std::size_t size = std::min(falcon->firmware_file.size(), path.size() - 1);
-      std::memcpy(path.data(), falcon->firmware_file.data(), size);
-      return copy(falcon_file_, path.data());
-    }
+  const std::string_view file = board_firmware_file(config_);
+  if (file.empty()) {
+    return true;
   }
-  return true;
+  std::array<char, kMostPath> path{};
+  std::memcpy(path.data(), file.data(), std::min(file.size(), path.size() - 1));
+  return copy(falcon_file_, path.data());
 }
 
 }  // namespace tactus::firmware

@@ -7,9 +7,9 @@
 #include <span>
 #include <string_view>
 
+#include "drivers/common/words.h"
 #include "firmware/control/controller.h"
 #include "firmware/device_file/device_image.h"
-#include "firmware/device_file/words.h"
 #include "firmware/linux/commands/scene_store.h"
 #include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"

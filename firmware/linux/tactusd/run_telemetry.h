@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "drivers/composed_device.h"
+#include "drivers/composition/composed_device.h"
 #include "firmware/configuration/config_state.h"
 #include "firmware/control/controller.h"
 #include "firmware/linux/commands/telemetry_hooks.h"

@@ -3,6 +3,8 @@
 #include <array>
 #include <variant>
 
+#include "rendering/effects/law_numbers.h"
+
 namespace tactus::host {
 namespace {
 
@@ -14,11 +16,17 @@ image::Snap stored_snap(const rendering::SnapLaw& law) {
   return {law.stiffness_N_per_m, law.damping_Ns_per_m, law.capture_m};
 }
 
-// Writes the law of an effect: a visitor with one call for each law.
+// Writes a law into its table. The generic one is for laws without a table of their own.
 class LawWriter {
  public:
   explicit LawWriter(FlatBufferBuilder& builder) : builder_(builder) {}
 
+  Offset<void> operator()(const auto& law) const {
+    const rendering::LawNumbers numbers = rendering::numbers_of(law);
+    const auto name = builder_.CreateString(rendering::name_of(law));
+    const auto values = builder_.CreateVector(numbers.values.data(), numbers.count);
+    return image::CreateNamedLaw(builder_, name, values).Union();
+  }
   Offset<void> operator()(const rendering::Spring& law) const {
     const image::Double3 anchor = stored(law.anchor_W);
     return image::CreateSpring(builder_, &anchor, law.stiffness_N_per_m).Union();
@@ -72,14 +80,17 @@ class LawWriter {
   FlatBufferBuilder& builder_;
 };
 
-// The schema's names of the laws, in the order of rendering::EffectLaw.
-constexpr std::array kImageLaws{
+// The laws with tables of their own, in the order of rendering::EffectLaw.
+constexpr std::array kOwnTables{
     image::Law::Spring,      image::Law::SpringDamper,  image::Law::FluidDrag,
     image::Law::Magnet,      image::Law::ConstantField, image::Law::Vibration,
     image::Law::StickSlip,   image::Law::SnapToPoint,   image::Law::SnapToLine,
     image::Law::SnapToPlane,
 };
-static_assert(kImageLaws.size() == std::variant_size_v<rendering::EffectLaw>);
+
+image::Law table_of(const rendering::EffectLaw& law) {
+  return law.index() < kOwnTables.size() ? kOwnTables[law.index()] : image::Law::NamedLaw;
+}
 
 }  // namespace
 
@@ -106,8 +117,7 @@ Offset<flatbuffers::Vector<Offset<image::Effect>>> write_effects(
   std::vector<Offset<image::Effect>> list;
   for (const rendering::Effect& effect : effects) {
     const Offset<void> law = std::visit(LawWriter(builder), effect.law);
-    list.push_back(
-        image::CreateEffect(builder, kImageLaws[effect.law.index()], law, effect.max_force_N));
+    list.push_back(image::CreateEffect(builder, table_of(effect.law), law, effect.max_force_N));
   }
   return list.empty() ? Offset<flatbuffers::Vector<Offset<image::Effect>>>{}
                       : builder.CreateVector(list);

@@ -58,7 +58,7 @@ void refuse_keys_of_other_models(const TomlSection& section, FrictionKind kind) 
     }
     std::vector<std::string_view> keys;
     std::ranges::transform(own, std::back_inserter(keys), &FrictionParameterName::surface_key);
-    section.fail(key, fmt::format("model \"{}\" has no {}; it has {}", name_of(kind).name, key,
+    section.fail(key, fmt::format("model \"{}\" has no {}; it has {}", model_of(kind).name, key,
                                   fmt::join(keys, ", ")));
   }
 }
@@ -108,11 +108,11 @@ void settle_levels(const TomlSection& section, bool has_static, FrictionParamete
       friction.kind != FrictionKind::cone) {
     section.fail("dynamic", fmt::format("dynamic is 0, and \"{}\" then has no friction at rest "
                                         "either; write a number above 0",
-                                        name_of(friction.kind).name));
+                                        model_of(friction.kind).name));
   }
 }
 
-// Sets the bristle stiffness of dahl, lugre and elasto_plastic to the contact's unless it is given.
+// Sets the stiffness of a model with bristles to the contact's unless it is given.
 // Throws InputError if it is not above 0.
 void settle_bristles(const TomlSection& section, double contact_stiffness_N_per_m,
                      FrictionParameters& friction) {
@@ -123,7 +123,7 @@ void settle_bristles(const TomlSection& section, double contact_stiffness_N_per_
     section.fail("stiffness_N_per_m",
                  fmt::format("\"{}\" has bristles, and they need a stiffness above 0; write "
                              "stiffness_N_per_m = 500.0",
-                             name_of(friction.kind).name));
+                             model_of(friction.kind).name));
   }
 }
 
@@ -168,7 +168,7 @@ FrictionParameters read_friction(const TomlSection& object, std::string_view fil
     has_static = has_static || name.member == &FrictionParameters::static_level;
   }
   settle_levels(section, has_static, friction);
-  if (friction.kind >= FrictionKind::dahl) {
+  if (rendering::has_bristles(friction.kind)) {
     settle_bristles(section, contact_stiffness_N_per_m, friction);
   }
   return friction;

@@ -25,9 +25,9 @@ inline constexpr rendering::FrictionParameters kSurfaceFriction{
 // cone has no stiffness there: it sticks by the surface's own.
 std::vector<FrictionParameterName> surface_parameters(rendering::FrictionKind kind);
 
-// Reads the key `friction`; without it the surface has no friction. `contact_stiffness_N_per_m` is
-// the object's own stiffness, the default for the bristles of dahl, lugre and elasto_plastic.
-// Throws InputError with the file and the line.
+// Reads the key `friction` of an object; without it the surface has no friction.
+// `contact_stiffness_N_per_m` is the object's: it is the default for a model with
+// bristles. Throws InputError with the file and the line.
 rendering::FrictionParameters read_friction(const TomlSection& object, std::string_view file,
                                             double contact_stiffness_N_per_m);
 

@@ -50,6 +50,9 @@ std::string explain(const rendering::SceneError& error) {
   if (const std::string_view noun = rendering::place_noun(error.fault); !noun.empty()) {
     text += fmt::format("{} {}: ", noun, error.place);
   }
+  if (const std::string_view name = error.name.text(); !name.empty()) {
+    text += fmt::format("\"{}\": ", name);
+  }
   return text + std::string(rendering::describe(error.fault));
 }
 

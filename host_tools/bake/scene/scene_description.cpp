@@ -42,12 +42,12 @@ constexpr std::array kOwnKeys{
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
 };
-// The keys of an object are its own and those of its shape.
-constexpr auto kObjectKeys = [] {
-  std::array<KeySpec, kOwnKeys.size() + kShapeKeys.size()> keys;
-  std::ranges::copy(kShapeKeys, std::ranges::copy(kOwnKeys, keys.begin()).out);
+// Returns the keys of an object: its own and those of its shape.
+std::vector<KeySpec> object_keys() {
+  std::vector<KeySpec> keys(kOwnKeys.begin(), kOwnKeys.end());
+  std::ranges::copy(shape_keys(), std::back_inserter(keys));
   return keys;
-}();
+}
 
 // Returns from which sides the surface is touched; from one if the key is left out.
 rendering::Sides read_sides(const TomlSection& section) {
@@ -61,7 +61,8 @@ rendering::Sides read_sides(const TomlSection& section) {
 // Reads one [[object]]. A relative path of the mesh begins at `folder`, the scene file's own.
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
                               const std::filesystem::path& folder) {
-  const TomlSection section(table, file, fmt::format("object {}", index + 1), kObjectKeys);
+  const std::vector<KeySpec> keys = object_keys();
+  const TomlSection section(table, file, fmt::format("object {}", index + 1), keys);
   ObjectDescription object;
   object.placement = read_placement(section, file);
   object.shape = read_shape(section, object.placement);

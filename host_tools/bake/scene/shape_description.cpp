@@ -12,20 +12,10 @@ namespace tactus::host {
 namespace {
 
 using rendering::ContactMethod;
+using rendering::DimensionKey;
+using rendering::kPrimitives;
 using rendering::Primitive;
-using rendering::PrimitiveKind;
-
-// The names of the primitives in TOML.
-struct NamedKind {
-  std::string_view name;
-  PrimitiveKind kind;
-};
-constexpr std::array kKinds{
-    NamedKind{"plane", PrimitiveKind::plane},     NamedKind{"sphere", PrimitiveKind::sphere},
-    NamedKind{"box", PrimitiveKind::box},         NamedKind{"cylinder", PrimitiveKind::cylinder},
-    NamedKind{"capsule", PrimitiveKind::capsule}, NamedKind{"cone", PrimitiveKind::cone},
-    NamedKind{"torus", PrimitiveKind::torus},
-};
+using rendering::PrimitiveTraits;
 
 // The names of the contact methods in TOML.
 struct NamedMethod {
@@ -50,38 +40,43 @@ std::string list(const Named& all) {
   return text;
 }
 
-// Returns a size above 0 that must be given, m.
-double required(const TomlSection& section, std::string_view key, std::string_view kind) {
-  const std::optional<double> value = section.number(key, kAboveZero);
-  if (!value) {
-    section.fail(key, fmt::format("a {} needs {}; write {} = 0.03", kind, key, key));
+// Returns the numbers of a dimension's key. Throws InputError if they are missing.
+std::vector<double> numbers_of(const TomlSection& section, const DimensionKey& dimension,
+                               std::string_view primitive) {
+  const bool is_list = dimension.count > 1;
+  if (is_list) {
+    if (const auto given = section.numbers(dimension.key, dimension.count)) {
+      return *given;
+    }
+  } else if (const auto given = section.number(dimension.key, kAboveZero)) {
+    return {*given};
   }
-  return *value;
+  section.fail(dimension.key, fmt::format("a {} needs {}; write {} = {}", primitive, dimension.key,
+                                          dimension.key, is_list ? "[0.1, 0.05, 0.1]" : "0.03"));
 }
 
-// Returns the primitive's dimensions in the order of rendering::Primitive, where box, cylinder and
-// capsule have half sizes.
-std::array<double, 3> dimensions(const TomlSection& section, const NamedKind& kind) {
-  const auto get = [&](std::string_view key) { return required(section, key, kind.name); };
-  switch (kind.kind) {
-    case PrimitiveKind::plane:
-      return {};
-    case PrimitiveKind::sphere:
-      return {get("radius_m"), 0.0, 0.0};
-    case PrimitiveKind::cone:
-      return {get("radius_m"), get("height_m"), 0.0};
-    case PrimitiveKind::torus:
-      return {get("ring_radius_m"), get("tube_radius_m"), 0.0};
-    case PrimitiveKind::box: {
-      const auto size = section.numbers("size_m", 3);
-      if (!size) {
-        section.fail("size_m", "a box needs size_m; write size_m = [0.1, 0.05, 0.1]");
-      }
-      return {0.5 * (*size)[0], 0.5 * (*size)[1], 0.5 * (*size)[2]};
+// Returns the dimensions in the order of rendering::Primitive, where box, cylinder and capsule have
+// half sizes.
+rendering::PrimitiveDimensions dimensions(const TomlSection& section,
+                                          const PrimitiveTraits& primitive) {
+  rendering::PrimitiveDimensions result{};
+  std::size_t next = 0;
+  for (const DimensionKey& dimension : primitive.dimensions) {
+    for (const double number : numbers_of(section, dimension, primitive.name)) {
+      result[next++] = dimension.factor * number;
     }
-    default:
-      return {get("radius_m"), 0.5 * get("height_m"), 0.0};
   }
+  return result;
+}
+
+std::string conditions() {
+  std::string text;
+  for (const PrimitiveTraits& primitive : kPrimitives) {
+    if (!primitive.condition.empty()) {
+      text += fmt::format(", and {}", primitive.condition);
+    }
+  }
+  return text;
 }
 
 // Reads a formula and the box in which its surface is looked for.
@@ -110,20 +105,40 @@ ImplicitDescription read_implicit(const TomlSection& section, const std::string&
 
 }  // namespace
 
+std::vector<KeySpec> primitive_keys() {
+  std::vector<KeySpec> keys{{"primitive", ""}};
+  for (const PrimitiveTraits& primitive : kPrimitives) {
+    for (const DimensionKey& dimension : primitive.dimensions) {
+      if (std::ranges::find(keys, dimension.key, &KeySpec::name) == keys.end()) {
+        keys.push_back({dimension.key, "m"});
+      }
+    }
+  }
+  return keys;
+}
+
+std::vector<KeySpec> shape_keys() {
+  std::vector<KeySpec> keys = primitive_keys();
+  keys.push_back({"formula", ""});
+  keys.push_back({"bounds", ""});
+  return keys;
+}
+
 Primitive read_primitive(const TomlSection& section, const std::string& name,
                          const Placement& placement) {
-  const auto* const kind = std::ranges::find(kKinds, name, &NamedKind::name);
-  if (kind == kKinds.end()) {
+  const auto* const kind = std::ranges::find(kPrimitives, name, &PrimitiveTraits::name);
+  if (kind == kPrimitives.end()) {
     section.fail("primitive",
-                 fmt::format("no primitive \"{}\"; write one of {}", name, list(kKinds)));
+                 fmt::format("no primitive \"{}\"; write one of {}", name, list(kPrimitives)));
   }
   const Primitive primitive{.kind = kind->kind,
                             .X_WO = {placement.rotation.toRotationMatrix(), placement.position_m},
                             .dimensions_m = dimensions(section, *kind)};
   if (!valid(primitive)) {
-    section.fail("primitive", fmt::format("the {}'s dimensions must be above 0 and at most 100 m, "
-                                          "and a torus's tube thinner than its ring; correct them",
-                                          name));
+    section.fail(
+        "primitive",
+        fmt::format("the {}'s dimensions must be above 0 and at most 100 m{}; correct them", name,
+                    conditions()));
   }
   return primitive;
 }

@@ -21,12 +21,11 @@ struct ImplicitDescription {
 // Nothing means that the object is a mesh.
 using ShapeDescription = std::variant<std::monostate, rendering::Primitive, ImplicitDescription>;
 
-// The keys of an object's section that this file reads.
-inline constexpr std::array kShapeKeys{
-    KeySpec{"primitive", ""}, KeySpec{"radius_m", "m"},      KeySpec{"height_m", "m"},
-    KeySpec{"size_m", "m"},   KeySpec{"ring_radius_m", "m"}, KeySpec{"tube_radius_m", "m"},
-    KeySpec{"formula", ""},   KeySpec{"bounds", ""},
-};
+// Returns the keys of the dimensions of all primitives, each once.
+std::vector<KeySpec> primitive_keys();
+
+// Returns the keys of the section that read_shape reads.
+std::vector<KeySpec> shape_keys();
 
 // Reads the shape. The placement's scale is the formula's unit in m. Throws InputError with the
 // file and the line if the object has no surface or more than one.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "drivers/axis.h"
-#include "drivers/can_board.h"
+#include "drivers/composition/can_board.h"
 #include "hal/simulated/can_bus.h"
 #include "hal/simulated/can_network.h"
 #include "hal/simulated/clock.h"

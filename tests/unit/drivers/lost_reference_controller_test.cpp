@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "drivers/can_board.h"
-#include "drivers/composed_device.h"
+#include "drivers/composition/can_board.h"
+#include "drivers/composition/composed_device.h"
 #include "drivers/odrive_can/odrive_can.h"
 #include "firmware/control/controller.h"
 #include "firmware/control/run_tick.h"

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "drivers/can_board.h"
-#include "drivers/composed_device.h"
+#include "drivers/composition/can_board.h"
+#include "drivers/composition/composed_device.h"
 #include "hal/simulated/can_bus.h"
 #include "hal/simulated/can_network.h"
 #include "hal/simulated/clock.h"

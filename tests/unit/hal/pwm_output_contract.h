@@ -56,18 +56,8 @@ TYPED_TEST_P(PwmOutputContract, EnablingNeedsAPeriod) {
   EXPECT_TRUE(this->output().set_enabled(false));
 }
 
-TYPED_TEST_P(PwmOutputContract, PolarityChangesOnlyWhileDisabled) {
-  ASSERT_TRUE(this->output().set_period_ns(50'000));
-  ASSERT_TRUE(this->output().set_polarity(PwmPolarity::inversed));
-  ASSERT_TRUE(this->output().set_enabled(true));
-  this->expect_refused(this->output().set_polarity(PwmPolarity::normal), ErrorCode::invalid_state);
-  EXPECT_EQ(this->output().settings().polarity, PwmPolarity::inversed);
-  ASSERT_TRUE(this->output().set_enabled(false));
-  EXPECT_TRUE(this->output().set_polarity(PwmPolarity::normal));
-}
-
 REGISTER_TYPED_TEST_SUITE_P(PwmOutputContract, OpensDisabledAtDutyZero, TakesWhatLiesInRange,
                             DutyNeverExceedsThePeriod, DutyBeforeAnyPeriodIsRefused,
-                            EnablingNeedsAPeriod, PolarityChangesOnlyWhileDisabled);
+                            EnablingNeedsAPeriod);
 
 }  // namespace tactus::hal

@@ -38,15 +38,14 @@ TEST(SimulatedPwmOutput, RecordIsBoundedAndTheCountIsNot) {
   EXPECT_EQ(output.write_count(), 1001U);
 }
 
-TEST(SimulatedPwmOutput, MeanLevelFollowsDutyAndPolarity) {
+TEST(SimulatedPwmOutput, MeanLevelFollowsTheDuty) {
   SimulatedClock clock;
   SimulatedPwmOutput output(clock);
   ASSERT_TRUE(output.set_period_ns(1000));
   ASSERT_TRUE(output.set_duty_ns(250));
   EXPECT_EQ(output.mean_level(), 0.0);
-  ASSERT_TRUE(output.set_polarity(PwmPolarity::inversed));
   ASSERT_TRUE(output.set_enabled(true));
-  EXPECT_EQ(output.mean_level(), 0.75);
+  EXPECT_EQ(output.mean_level(), 0.25);
 }
 
 TEST(SimulatedPwmOutput, FailedWriteChangesNothing) {

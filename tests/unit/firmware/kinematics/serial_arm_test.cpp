@@ -148,11 +148,11 @@ TEST(SerialArm, GravityTorquesAreTheMomentsOfTheWeights) {
                                         .upper = {.mass_kg = 0.3, .centre_m = 0.1},
                                         .forearm = {.mass_kg = 0.2, .centre_m = 0.05},
                                         .tool_kg = 0.1}};
-  const Vec3 level = arm.gravity_effort({0.4, 0.0, 90.0 * kArmDegree}, {0.0, -10.0, 0.0});
+  const Vec3 level = arm.gravity_effort({0.4, 0.0, 90.0 * kArmDegree}, {}, {0.0, -10.0, 0.0});
   EXPECT_NEAR(level.x(), 0.0, 1e-16);
   EXPECT_NEAR(level.y(), 10.0 * (0.3 * 0.1 + 0.3 * 0.2), 1e-15);
   EXPECT_NEAR(level.z(), 10.0 * (0.2 * 0.05 + 0.1 * 0.15), 1e-15);
-  const Vec3 hanging = arm.gravity_effort({0.4, -90.0 * kArmDegree, 0.0}, {0.0, -10.0, 0.0});
+  const Vec3 hanging = arm.gravity_effort({0.4, -90.0 * kArmDegree, 0.0}, {}, {0.0, -10.0, 0.0});
   EXPECT_LT(hanging.norm(), 1e-15);
 }
 

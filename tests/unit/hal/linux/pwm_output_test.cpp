@@ -10,7 +10,6 @@ void lay_out_channel(const SysfsFolder& folder) {
   folder.set("pwmchip0/export", "");
   folder.set("pwmchip0/pwm1/period", "0");
   folder.set("pwmchip0/pwm1/duty_cycle", "0");
-  folder.set("pwmchip0/pwm1/polarity", "normal");
   folder.set("pwmchip0/pwm1/enable", "0");
 }
 
@@ -29,11 +28,9 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Sysfs, PwmOutputContract, FolderPwmRig);
 TEST(LinuxPwmOutput, WritesWhatTheKernelReads) {
   FolderPwmRig rig;
   ASSERT_TRUE(rig.output().set_period_ns(50'000));
-  ASSERT_TRUE(rig.output().set_polarity(PwmPolarity::inversed));
   ASSERT_TRUE(rig.output().set_enabled(true));
   ASSERT_TRUE(rig.output().set_duty_ns(12'500));
   EXPECT_EQ(rig.folder.get("pwmchip0/pwm1/period"), "50000");
-  EXPECT_EQ(rig.folder.get("pwmchip0/pwm1/polarity"), "inversed");
   EXPECT_EQ(rig.folder.get("pwmchip0/pwm1/enable"), "1");
   EXPECT_EQ(rig.folder.get("pwmchip0/pwm1/duty_cycle"), "12500");
   ASSERT_TRUE(rig.output().set_duty_ns(7));
@@ -109,19 +106,6 @@ TEST(LinuxPwmOutput, OpensOnlyOnce) {
   const auto again = rig.channel.open("pwmchip0", 1, rig.folder.root());
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().code, ErrorCode::invalid_state);
-}
-
-TEST(LinuxPwmOutput, HardwareWithoutPolarityRefusesToInvert) {
-  const SysfsFolder folder;
-  lay_out_channel(folder);
-  folder.remove("pwmchip0/pwm1/polarity");
-  LinuxPwmOutput channel;
-  ASSERT_TRUE(channel.open("pwmchip0", 1, folder.root()));
-  ASSERT_TRUE(channel.set_period_ns(1000));
-  EXPECT_TRUE(channel.set_polarity(PwmPolarity::normal));
-  const auto inverted = channel.set_polarity(PwmPolarity::inversed);
-  ASSERT_FALSE(inverted);
-  EXPECT_EQ(inverted.error().code, ErrorCode::not_supported);
 }
 
 TEST(SysfsFailure, TellsWhatACallerMayActUpon) {

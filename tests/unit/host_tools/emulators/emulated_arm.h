@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "drivers/can_board.h"
+#include "drivers/composition/can_board.h"
 #include "hal/simulated/can_bus.h"
 #include "hal/simulated/can_network.h"
 #include "host_tools/emulators/emulated_run.h"

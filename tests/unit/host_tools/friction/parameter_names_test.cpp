@@ -13,9 +13,9 @@ using testing::contains;
 using testing::input_error;
 
 TEST(FrictionNames, EveryKindHasItsNameAndValidDefaults) {
-  for (const FrictionKindName& name : friction_kind_names()) {
+  for (const rendering::FrictionModelTraits& name : rendering::kFrictionModels) {
     EXPECT_EQ(friction_kind(name.name), name.kind);
-    EXPECT_EQ(name_of(name.kind).name, name.name);
+    EXPECT_EQ(model_of(name.kind).name, name.name);
     const FrictionParameters defaults = published_parameters(name.kind);
     EXPECT_TRUE(rendering::valid(defaults)) << name.name;
     check_parameters(defaults, ForceScale::newton);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "rendering/effects/law_numbers.h"
 #include "tests/support/share.h"
 
 namespace tactus::rendering {
@@ -302,6 +303,35 @@ TEST(Effect, StickSlipAlwaysTakesEnergyOnARoundTrip) {
     ASSERT_LE(state.delivered_J, 1e-9);
   }
   EXPECT_LT(state.delivered_J, -0.01);
+}
+
+TEST(Effect, IsTheSameAfterItsNumbers) {
+  for (const EffectLaw& law : all_laws()) {
+    const LawNumbers numbers = numbers_of(law);
+    const auto again = law_of(name_of(law), numbers.all());
+    ASSERT_TRUE(again.has_value()) << name_of(law);
+    EXPECT_EQ(again->index(), law.index());
+    EXPECT_TRUE(std::ranges::equal(numbers_of(*again).all(), numbers.all())) << name_of(law);
+    EXPECT_FALSE(law_of(name_of(law), numbers.all().first(numbers.count - 1)));
+  }
+}
+
+// The slope at 2,000 random places and directions is never above what the law says.
+TEST(Effect, IsNowhereSteeperThanItSays) {
+  std::mt19937_64 random(77);
+  std::uniform_real_distribution<double> place(-0.03, 0.03);
+  constexpr double kStep_m = 1e-7;
+  for (const EffectLaw& law : all_laws()) {
+    const double steepest_N_per_m =
+        steepest({.law = law, .max_force_N = kPlenty_N}).stiffness_N_per_m;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 p(place(random), place(random), place(random));
+      const Vec3 way = Vec3(place(random), place(random), place(random)).normalized();
+      const Vec3 rise = force_at(law, p + kStep_m * way) - force_at(law, p - kStep_m * way);
+      ASSERT_LE(rise.norm() / (2.0 * kStep_m), steepest_N_per_m * (1.0 + 1e-6) + 1e-6)
+          << name_of(law) << ", seed 77, place " << i;
+    }
+  }
 }
 
 TEST(Effect, RefusesWhatCannotBeFelt) {

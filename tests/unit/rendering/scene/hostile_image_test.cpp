@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "host_tools/bake/scene/mapped_scene.h"
 #include "rendering/scene/scene_generated.h"
 #include "rendering/scene/scene_image.h"
 #include "tests/unit/rendering/scene/small_scene.h"
@@ -220,8 +221,15 @@ TEST(HostileImage, WithABadEffectIsRefused) {
   EXPECT_EQ(error_of(scene).fault, SceneFault::effect_count);
 }
 
+// A law by its name and numbers; none without a name.
+struct RawLaw {
+  const char* name = nullptr;
+  std::vector<double> numbers;
+};
+
 // One triangle, with what the writer cannot be made to write.
-std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, std::uint8_t model) {
+std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, std::uint8_t model,
+                                 const RawLaw& law = {}) {
   flatbuffers::FlatBufferBuilder builder;
   const std::vector<image::Float3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<image::Triple> triangles{{0, 1, 2}};
@@ -236,7 +244,12 @@ std::vector<std::byte> raw_image(std::size_t objects, image::Sides sides, std::u
     const auto material = image::CreateMaterial(builder, 1.0, 0.0, &friction);
     list.push_back(image::CreateObjectDirect(builder, "raw", sides, material, mesh));
   }
-  image::FinishSceneBuffer(builder, image::CreateSceneDirect(builder, 0.0, &list));
+  std::vector<flatbuffers::Offset<image::Effect>> effects;
+  if (law.name != nullptr) {
+    const auto named = image::CreateNamedLawDirect(builder, law.name, &law.numbers).Union();
+    effects.push_back(image::CreateEffect(builder, image::Law::NamedLaw, named, 1.0));
+  }
+  image::FinishSceneBuffer(builder, image::CreateSceneDirect(builder, 0.0, &list, 1, &effects));
   ImageHeader header;
   header.payload_bytes = builder.GetSize();
   std::vector<std::byte> bytes(sizeof(header) + builder.GetSize());
@@ -258,6 +271,38 @@ TEST(HostileImage, WithUnknownSidesOrFrictionIsRefused) {
   EXPECT_TRUE(SceneImage::open(raw_image(1, image::Sides::two, kCone)).has_value());
   expect_refused(raw_image(1, static_cast<image::Sides>(2), kCone), SceneFault::sides, 2);
   expect_refused(raw_image(1, image::Sides::two, 9), SceneFault::friction_model, 9);
+}
+
+std::vector<std::byte> image_with(const RawLaw& law) {
+  return raw_image(1, image::Sides::two, 0, law);
+}
+
+TEST(HostileImage, MayStoreALawByItsNameAndNumbers) {
+  const std::vector<std::byte> bytes =
+      image_with({.name = "magnet", .numbers = {0.1, 0.2, 0.3, -2.0, 0.02}});
+  const auto image = SceneImage::open(bytes);
+  ASSERT_TRUE(image.has_value());
+  const auto& magnet = std::get<Magnet>(image->effects()[0].law);
+  EXPECT_EQ(magnet.pole_W, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(magnet.strength_N, -2.0);
+  EXPECT_EQ(magnet.core_m, 0.02);
+}
+
+TEST(HostileImage, WithAnUnknownLawIsRefusedWithItsName) {
+  const auto image = SceneImage::open(image_with({.name = "tractor\nbeam", .numbers = {1.0}}));
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().fault, SceneFault::effect_law);
+  EXPECT_EQ(host::explain(image.error()),
+            "effect 0: \"tractor?beam\": effect has a law that this program does not know; update "
+            "the program");
+}
+
+TEST(HostileImage, WithTheWrongNumbersOfALawIsRefused) {
+  expect_refused(image_with({.name = "magnet", .numbers = {0, 0, 0, 2.0}}), SceneFault::effect, 0);
+  expect_refused(image_with({.name = "magnet", .numbers = {0, 0, 0, 2.0, 0.0}}), SceneFault::effect,
+                 0);
+  expect_refused(image_with({.name = "spring", .numbers = std::vector<double>(1000, 1.0)}),
+                 SceneFault::effect, 0);
 }
 
 TEST(HostileImage, WithNoneOrTooManyObjectsIsRefused) {

@@ -137,7 +137,7 @@ TEST(SceneImage, ReportsAChangedPayloadAsChecksumMismatch) {
 }
 
 TEST(SceneError, HasADescriptionForEveryFault) {
-  for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(SceneFault::hierarchy_box); ++i) {
+  for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(SceneFault::effect_law); ++i) {
     EXPECT_FALSE(describe(static_cast<SceneFault>(i)).empty());
   }
   EXPECT_EQ(place_noun(SceneFault::vertex_index), "triangle");

@@ -167,7 +167,7 @@ TEST(Primitive, RefusesWhatIsNotASolid) {
   bad.X_WO.translation.x() = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(valid(bad));
   bad = good;
-  bad.kind = static_cast<PrimitiveKind>(7);
+  bad.kind = static_cast<PrimitiveKind>(kPrimitiveKinds);
   EXPECT_FALSE(valid(bad));
   EXPECT_FALSE(valid({.kind = PrimitiveKind::box, .dimensions_m = {1.0, 1.0, -1.0}}));
   EXPECT_FALSE(valid({.kind = PrimitiveKind::sphere, .dimensions_m = {2.0 * kWorldBound_m}}));

@@ -71,7 +71,7 @@ TEST_F(DeviceBake, SaysWhatTheFileSays) {
   ASSERT_EQ(config.connection_count, 1U);
   ASSERT_EQ(config.axis_count, 1U);
   ASSERT_EQ(config.joint_count, 1U);
-  const auto* can = std::get_if<firmware::CanConnection>(&config.connections[0].line);
+  const auto* can = std::get_if<drivers::CanConnection>(&config.connections[0].line);
   ASSERT_NE(can, nullptr);
   EXPECT_EQ(can->interface, "can3");
   const auto* drive = std::get_if<drivers::ODriveConfig>(&config.axes[0].drive);
@@ -87,7 +87,7 @@ TEST_F(DeviceBake, SaysWhatTheFileSays) {
 TEST_F(DeviceBake, AnExampleSaysWhatHomingAsksOfTheUser) {
   const auto words_for = [](const std::string& device) {
     const LoadedDevice loaded = bake_device(TACTUS_EXAMPLE_DEVICES "/" + device + ".toml");
-    firmware::Words words;
+    drivers::Words words;
     firmware::add_homing_words(loaded.config(), words);
     return std::string(words.view());
   };

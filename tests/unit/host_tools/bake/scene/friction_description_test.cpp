@@ -69,7 +69,7 @@ TEST(FrictionDescription, ReadsEveryParameter) {
 }
 
 TEST(FrictionDescription, TakesDefaultsThatAreValidForEveryModel) {
-  for (const FrictionKindName& model : friction_kind_names()) {
+  for (const rendering::FrictionModelTraits& model : rendering::kFrictionModels) {
     const bool has_static =
         model.kind != FrictionKind::dahl && model.kind != FrictionKind::coulomb_viscous;
     const FrictionParameters friction =
@@ -80,7 +80,7 @@ TEST(FrictionDescription, TakesDefaultsThatAreValidForEveryModel) {
     EXPECT_EQ(friction.static_level, 0.6) << model.name;
     EXPECT_EQ(friction.viscous_s_per_m, 0.0) << model.name;
     EXPECT_EQ(friction.damping_s_per_m, 0.0) << model.name;
-    const bool has_bristles = model.kind >= FrictionKind::dahl;
+    const bool has_bristles = model.has_bristles;
     EXPECT_EQ(friction.stiffness_N_per_m, has_bristles ? kDefaultStiffness_N_per_m : 0.0)
         << model.name;
   }

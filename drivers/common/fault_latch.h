@@ -1,0 +1,38 @@
+// The faults of one axis, kept until they are cleared.
+#pragma once
+
+#include <cstdint>
+
+#include "drivers/axis.h"
+
+namespace tactus::drivers {
+
+// The words are those of the first fault, since later ones are mostly its consequences. The status
+// bits of all faults add up.
+class FaultLatch {
+ public:
+  // `bits` are of DeviceStatus.
+  void latch(std::uint32_t bits, const Trouble& trouble) {
+    status_ |= bits | heat_status(trouble);
+    if (!trouble_) {
+      trouble_ = trouble;
+    }
+  }
+  // Replaces the words. Use it for a device that reports the cause of its fault later than the
+  // fault.
+  void explain(const Trouble& trouble) {
+    status_ |= heat_status(trouble);
+    trouble_ = trouble;
+  }
+  void clear() { *this = FaultLatch{}; }
+
+  explicit operator bool() const { return status_ != kDeviceOk; }
+  [[nodiscard]] std::uint32_t status() const { return status_; }
+  [[nodiscard]] const Trouble& trouble() const { return trouble_; }
+
+ private:
+  std::uint32_t status_ = kDeviceOk;
+  Trouble trouble_;
+};
+
+}  // namespace tactus::drivers
