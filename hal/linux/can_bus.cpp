@@ -15,6 +15,8 @@ namespace tactus::hal {
 
 namespace {
 
+// The receive buffer of the socket. The default holds about 278 frames (measured, see
+// hal/README.md): 30 ms of a full bus of 1 Mbit/s with frames of 8 bytes.
 constexpr int kReceiveBuffer_bytes = 1 << 20;
 // These classes are always enabled, because the state is derived from them.
 constexpr std::uint32_t kOwnErrorClasses = kCanBusOff | kCanRestarted | kCanController;
@@ -161,7 +163,8 @@ Result<std::size_t> LinuxCanBus::DoSend(std::span<const CanFrame> frames) {
   return sent;
 }
 
-// Judges a failed send. Succeeds if it may be tried again; otherwise returns the error.
+// Judges a failed send. Succeeds if it may be tried again; otherwise returns the error. `tries` is
+// the number of failed attempts before this one.
 Result<void> LinuxCanBus::may_send_again(int error, int tries) {
   switch (error) {
     case ENOBUFS:

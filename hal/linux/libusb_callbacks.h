@@ -7,8 +7,16 @@
 
 namespace tactus::hal {
 
+// Converts a LIBUSB_ERROR_* of a call:
+//   disconnected   NO_DEVICE, NOT_FOUND
+//   busy           BUSY: another program has claimed the interface
+//   not_permitted  ACCESS
+//   no_memory      NO_MEM
+//   io             the rest
 std::unexpected<Error> libusb_failure(int code);
 
+// The functions that libusb calls, from within the calls of LinuxUsbEndpoint and in its thread.
+// Each gets the endpoint, or the transfer whose user_data leads to it.
 struct LibusbCallbacks {
   static void bulk_done(libusb_transfer* transfer);
   static void control_done(libusb_transfer* transfer);

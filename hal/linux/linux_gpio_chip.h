@@ -1,4 +1,5 @@
-// Finds a GPIO chip by its label or its path.
+// Finds a GPIO chip by its label or its path, and converts the errors of libgpiod. Any thread; not
+// real time.
 #pragma once
 
 #include <gpiod.h>

@@ -18,8 +18,11 @@ struct BitCount {
 BitCount count_bits(const CanFrame& frame) {
   const auto payload = static_cast<TimeNs>(8 * frame.bytes().size());
   if (!frame.fd) {
+    // A classic frame without data has 44 bits, an extended one 64; the interframe space adds 3.
     return {.nominal = (frame.extended ? 67 : 47) + payload, .data = 0};
   }
+  // The CRC has 17 bits up to 16 bytes of data and 21 bits above; fixed stuff bits are among them.
+  // A stuff count of 4 bits precedes it.
   const TimeNs checksum = frame.length <= 16 ? 17 + 5 : 21 + 6;  // with its fixed stuff bits
   const TimeNs stuff_count = 4;
   return {.nominal = (frame.extended ? 36 : 17) + 13,
