@@ -1,5 +1,5 @@
 // Lists every member of every struct of a configuration. A new member does not compile until it is
-// added here; then change kVersion.
+// added here; then change kConfigVersion.
 #include "firmware/configuration/config_state.h"
 
 #include "rendering/state/state_archive.h"
@@ -9,6 +9,7 @@ namespace tactus::firmware {
 using rendering::FrictionKind;
 using rendering::StateArchive;
 
+// The bytes begin with it, so that an older recording is refused and not misread.
 inline constexpr std::uint64_t kConfigVersion = 3;
 
 inline void transfer(StateArchive& archive, LinkWeight& weight) {
@@ -43,6 +44,7 @@ inline void transfer(StateArchive& archive, SerialArmGeometry& geometry) {
   archive(upper_m, forearm_m, shoulder_height_m, upper, forearm, tool_kg);
 }
 
+// Transfers the geometry if it is, or is about to become, alternative kKind of the variant.
 template <std::size_t kKind>
 void transfer_if(StateArchive& archive, MechanismGeometry& geometry, std::size_t kind) {
   if (kind != kKind) {

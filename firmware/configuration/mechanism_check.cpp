@@ -3,11 +3,13 @@
 namespace tactus::firmware {
 namespace {
 
-// The bounds of dimensions and weights of a desktop device.
+// The bounds of dimensions and weights of a desktop device. They exclude wrong units, such as
+// millimetres or grams.
 constexpr double kShortestLink_m = 0.001;
 constexpr double kLongestLink_m = 1.0;
 constexpr double kHeaviestLink_kg = 10.0;
 
+// The names of a weight's two fields, for the error.
 struct WeightFields {
   std::string_view mass;
   std::string_view centre;

@@ -1,4 +1,4 @@
-// Checks a configuration field by field and keeps the first error.
+// Checks a configuration field by field and keeps the first error. One thread; no heap.
 #pragma once
 
 #include <expected>
@@ -8,9 +8,11 @@
 
 namespace tactus::firmware {
 
-// Remembers the first value that is out of range. NaN is out of every range.
+// The checks of one configuration.
 class RangeCheck {
  public:
+  // Notes an error if the value is outside the closed range and no error was noted before. NaN is
+  // out of every range. The field's name must stay valid.
   void in(std::string_view field, double value, double least, double greatest) {
     const bool inside = value >= least && value <= greatest;
     if (good_ && !inside) {
@@ -19,6 +21,7 @@ class RangeCheck {
     }
   }
 
+  // Returns the first error, if there is one.
   [[nodiscard]] std::expected<void, ConfigError> result() const {
     if (good_) {
       return {};

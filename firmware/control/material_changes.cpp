@@ -21,6 +21,7 @@ double force_between(const Material& a, const Material& b, double stretch_m, dou
          friction * stiffness * stretch_m;
 }
 
+// Moves a value by a share of its distance to the wanted one.
 void go_on(double& value, double wanted, double share) {
   value += share * (wanted - value);
 }
@@ -60,6 +61,7 @@ Material MaterialChanges::wanted(const rendering::World& world, std::uint32_t ob
 }
 
 void MaterialChanges::step(rendering::World& world, double most_N, double speed_m_per_s) {
+  // Each object gets an equal part of the step, because several may be touched at once.
   const double each_N = most_N / static_cast<double>(std::max<std::size_t>(count_, 1));
   for (std::size_t i = 0; i < count_;) {
     const auto& [object, wanted] = changes_[i];
@@ -71,6 +73,7 @@ void MaterialChanges::step(rendering::World& world, double most_N, double speed_
       continue;
     }
     world.set_material(object, wanted);
+    // The order of the changes does not matter.
     changes_[i] = changes_[--count_];
   }
 }

@@ -26,12 +26,16 @@ namespace {
 // The last Newton step is below this: convergence is quadratic, so the next step would be below
 // rounding (1e-17 m).
 constexpr double kLastStep_m = 1e-10;
+// A longer Newton step is cut to this length, because far from the solution the linear model is
+// wrong.
 constexpr double kLongestStep_m = 0.03;
 
-// The threshold of a singular pose. -det N, the volume that the rods span, is 0.82 at the Falcon's
-// centre, 0.18 at the farthest reach on its axis (z = 0.18 m); D/a is 0.96 at the centre and 0.06
-// at the nearest (z = 0.06 m). The signs are those of the Falcon's own assembly; the mirrored ones
-// fail the same tests.
+// The thresholds of a singular pose, with the Falcon's values of both quantities:
+// | pose                                  | -det N, the volume that the rods span | D/a  |
+// | its centre                            | 0.82                                  | 0.96 |
+// | farthest reach on its axis, z = 0.18 m| 0.18                                  |      |
+// | nearest, z = 0.06 m                   |                                       | 0.06 |
+// The signs are those of the Falcon's own assembly; the mirrored ones fail the same tests.
 constexpr double kLeastRodVolume = 0.1;
 constexpr double kLeastLeverage = 0.05;
 

@@ -1,4 +1,4 @@
-// The mechanisms that the controller knows. A new one is a new alternative here.
+// The mechanisms that the controller knows, behind one interface. Any thread; real time.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 
 namespace tactus::firmware {
 
+// The dimensions and weights of a mechanism. A new mechanism is a new alternative here.
 using MechanismGeometry = std::variant<CartesianGeometry, DeltaGeometry, PaddleGeometry,
                                        PantographGeometry, SerialArmGeometry>;
 
@@ -22,12 +23,13 @@ std::size_t joint_count(const MechanismGeometry& geometry);
 // Returns true if a weight is set. Without weights the gravity effort is zero everywhere.
 bool has_weight(const MechanismGeometry& geometry);
 
+// The kinematics of the configured mechanism.
 class Mechanism {
  public:
   explicit Mechanism(const MechanismGeometry& geometry = CartesianGeometry{});
 
   // Returns the pose in frame D for finite joint positions, rad or m. `seed_D` is a guess of the
-  // tool's position, m, for mechanisms that iterate.
+  // tool's position, m, for mechanisms that iterate. The time is bounded.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
   // Returns the efforts dU/dq that hold the mechanism's own weights at a good `pose` of these

@@ -26,15 +26,19 @@ constexpr double kLeastSineOfElbow = 0.05;
 // error.
 constexpr double kSmallestGap_m = 1e-9;
 
+// Returns the vector in frame D.
 Vec3 in_device(const InPlane& v) {
   return {v.x(), 0.0, v.y()};
 }
 
+// A proximal link at one angle.
 struct Crank {
   InPlane elbow;
-  InPlane slope;  // d elbow / d joint
+  // The derivative of the elbow's position by the joint, m/rad.
+  InPlane slope;
 };
 
+// Returns the proximal link of the motor at x = base_m.
 Crank crank(double base_m, double length_m, double joint) {
   const rendering::SineCosine turn = rendering::sine_cosine(joint);
   return {{base_m + length_m * turn.cosine, length_m * turn.sine},

@@ -14,8 +14,11 @@ namespace tactus::firmware {
 // The names of a field. The name of a CSV column is `column`, then for arrays the element (1, 2, ..
 // for joints, x, y, z of a triple, or an energy source), then the unit: joint1, tool_x_m.
 struct FieldName {
-  std::string_view name;  // the name in the struct
+  // The name in the struct.
+  std::string_view name;
+  // The beginning of the CSV column's name.
   std::string_view column;
+  // The unit as it stands in the column's name; empty without one.
   std::string_view unit;
 };
 
