@@ -32,7 +32,7 @@ struct TrialConfig {
   double largest_travel = 0.0;
 };
 
-// How the trial ended.
+// The end of a trial, or `running`.
 enum class TrialEnd : std::uint8_t {
   running,
   measured,      // a pulse moved the joint far enough, well above friction; see fit()

@@ -8,7 +8,7 @@
 namespace tactus::firmware {
 namespace {
 
-// Checks the part by itself.
+// Checks one part by itself. Returns it with its limits if it is beyond the certificate.
 std::optional<UncertifiedPart> beyond_alone(const StiffnessCertificate& certificate,
                                             const FeltScene& scene, std::size_t number) {
   const CertifiedPoint felt = part_of(scene, number).felt;
@@ -53,6 +53,7 @@ double certified_stiffness(const StiffnessCertificate& certificate, double dampi
              share * (point.stiffness_N_per_m - before.stiffness_N_per_m);
     }
   }
+  // Nothing was measured there, so nothing is certified.
   return 0.0;
 }
 

@@ -7,8 +7,10 @@
 namespace tactus::firmware {
 namespace {
 
+// The time constant with which a debt decays.
 constexpr double kForgetting_s = 1.0;
-constexpr double kWeakestBuzz = 0.05;  // of max_force_N
+// Peaks below this share of max_force_N do not count as a buzz.
+constexpr double kWeakestBuzz = 0.05;
 
 }  // namespace
 

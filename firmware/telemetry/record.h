@@ -83,8 +83,6 @@ struct TelemetryRecord {
   std::uint16_t sub_goals = 0;
   // The number of the proxy's contact planes.
   std::uint16_t planes = 0;
-  // Joint positions (rad or m), velocities (rad/s or m/s) and efforts (N m or N).
-
   // The joints' positions, rad or m, and velocities, rad/s or m/s, of the sample.
   std::array<double, drivers::kMaxJoints> joint_position{};
   std::array<double, drivers::kMaxJoints> joint_velocity{};
@@ -100,7 +98,9 @@ struct TelemetryRecord {
   Triple normal_W{};
   // The force on the hand that rendering computed, N, world frame.
   Triple force_rendered_W{};
-  Triple force_commanded_W{};  // N, the force of the commanded efforts on the hand, without the
+  // The force of the commanded efforts on the hand, N, world frame, without the compensation of the
+  // joints' friction and of gravity.
+  Triple force_commanded_W{};
   // The penetration depth: the stretch along the normal.
   double depth_m = 0.0;
   // The credit of the passivity observer. Below 0 the surfaces have given the hand energy.
