@@ -27,6 +27,7 @@ inline constexpr std::string_view kDeviceChecksumKey = "device.checksum";
 inline constexpr std::string_view kSceneChecksumKey = "scene.checksum";
 inline constexpr std::string_view kSceneFileKey = "scene.file";
 
+// Returns the checksum in an image's header.
 inline std::uint64_t checksum_of(std::span<const std::byte> image) {
   rendering::ImageHeader header;
   std::memcpy(&header, image.data(), std::min(sizeof(header), image.size()));

@@ -6,11 +6,13 @@ namespace {
 
 constexpr std::uint32_t kHaplyBaud = 115'200;  // the board's USB ignores it
 
+// Returns the error of a connection.
 std::unexpected<OpenError> cannot(const ConnectionConfig& connection, std::string_view what,
                                   const hal::Error& error = {hal::ErrorCode::invalid_argument, 0}) {
   return std::unexpected(OpenError{connection.name, what, error});
 }
 
+// Returns the axis' number on a board that has axes by itself; 0 for other boards.
 std::size_t boards_own_number(const AxisConfig& axis) {
   const auto* board = std::get_if<BoardAxis>(&axis.drive);
   return board == nullptr ? 0 : board->number;
@@ -90,6 +92,8 @@ LinuxBoards::Outcome LinuxBoards::open_falcon(const DeviceConfig& config, std::s
                   opened.error());
   }
   falcon.firmware = firmware;
+  // With a watchdog line an external circuit cuts the power, so the board's own watchdog need not
+  // be proven.
   falcon.unproven_watchdog = falcon.unproven_watchdog || config.watchdog_line.has_value();
   falcon_.emplace(usb_, clock_, falcon);
   boards_[connection] = drivers::BoardRef(*falcon_);
@@ -130,6 +134,8 @@ LinuxBoards::Outcome LinuxBoards::open_gpio(const DeviceConfig& config, std::siz
     return cannot(setup, "no axis uses this connection");
   }
   GpioLine& line = gpio_[connection];
+  // A path names the chip's folder and the folder that it is in; a bare name is below
+  // /sys/class/pwm.
   const std::size_t slash = gpio.pwm_folder.rfind('/');
   const std::string_view chip = gpio.pwm_folder.substr(slash + 1);
   const auto opened = slash == std::string_view::npos
@@ -198,6 +204,7 @@ LinuxBoards::Outcome LinuxBoards::wire(const DeviceConfig& config,
          .motor = addresses_[joint.motor],
          .transmission = joint.transmission,
          .reference = joint.reference,
+         // The limit at the joint, as the motor's shaft feels it.
          .max_torque_Nm = joint.limits.max_effort / joint.transmission.motor_ratio});
     if (!added) {
       return cannot(config.connections[config.axes[joint.motor].connection],
