@@ -11,10 +11,13 @@
 
 namespace tactus::hal {
 
-// The largest numbers of data bytes, and the largest identifiers of 11 and 29 bits.
+// The largest number of data bytes of a classic frame.
 inline constexpr std::size_t kMaxCanBytes = 8;
+// The same of a CAN FD frame.
 inline constexpr std::size_t kMaxCanFdBytes = 64;
+// The largest identifier of 11 bits.
 inline constexpr std::uint32_t kMaxStandardId = 0x7FF;
+// The largest identifier of 29 bits.
 inline constexpr std::uint32_t kMaxExtendedId = 0x1FFF'FFFF;
 
 // A frame as a driver sends or receives it. is_valid says which combinations are allowed.
@@ -33,6 +36,7 @@ struct CanFrame {
   bool error_state_indicator = false;
   // The number of data bytes: 0 to 8; with CAN FD also 12, 16, 20, 24, 32, 48 or 64.
   std::uint8_t length = 0;
+  // The data bytes; those from `length` on have no meaning.
   std::array<std::byte, kMaxCanFdBytes> data{};
 
   // Returns the `length` data bytes; none for a remote request.
@@ -120,11 +124,14 @@ struct CanReceived {
 // without bit 31 does not distinguish standard and extended frames. A default filter lets every
 // frame pass.
 struct CanFilter {
+  // Bits of the word: a frame with 29 bits of identifier, and a remote request.
   static constexpr std::uint32_t kExtended = 0x8000'0000;
   static constexpr std::uint32_t kRemote = 0x4000'0000;
 
+  // The word that a frame's is compared with, and the bits of it that count.
   std::uint32_t word = 0;
   std::uint32_t mask = 0;
+  // True: the frames that do not match pass.
   bool inverted = false;
 
   // Return a filter for the data frames of one identifier.
@@ -134,6 +141,7 @@ struct CanFilter {
   static constexpr CanFilter extended(std::uint32_t id) {
     return {id | kExtended, kExtended | kRemote | kMaxExtendedId, false};
   }
+  // Returns a filter for all frames.
   static constexpr CanFilter everything() { return {}; }
 };
 

@@ -46,6 +46,7 @@ struct GpioLineConfig {
 
 // The lines of one request. Bit i of every mask is lines[i].
 struct GpioRequest {
+  // The lines in the order of the bits of every mask.
   std::span<const GpioLineConfig> lines;
   // The name shown as the holder of the lines. Linux uses its first 31 characters.
   std::string_view consumer = "tactus";

@@ -9,6 +9,7 @@
 
 namespace tactus::hal {
 
+// The level during the duty time.
 enum class PwmPolarity : std::uint8_t {
   normal,   // high for the duty time, then low
   inversed  // low for the duty time, then high

@@ -49,9 +49,12 @@ class UsbTransfer {
   UsbTransfer& operator=(const UsbTransfer&) = delete;
   ~UsbTransfer() = default;
 
+  // The state of a transfer: never submitted, in flight, or ended.
   enum class State : std::uint8_t { idle, in_flight, done };
   // Returns `in_flight` from a submit until the transfer has ended, then `done`.
   State state() const { return state_; }
+  // Return the direction and the buffer with which the transfer was made. The buffer of the other
+  // direction is empty.
   UsbDirection direction() const { return direction_; }
   std::span<std::byte> in_buffer() const { return in_buffer_; }
   std::span<const std::byte> out_data() const { return out_data_; }

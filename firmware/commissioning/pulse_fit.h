@@ -24,6 +24,7 @@ inline constexpr std::size_t kMaxPulseDelay = 12;
 // A record of a pulse, one entry a tick: positions, rad or m, and the efforts, N m or N, that were
 // commanded after each position.
 struct PulseRecord {
+  // The position, and the effort that was commanded after it.
   std::array<double, kMaxPulseSamples> position{};
   std::array<double, kMaxPulseSamples> effort{};
   // The efforts that the drive reported with each position; valid if has_reported.

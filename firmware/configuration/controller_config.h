@@ -144,7 +144,9 @@ struct ControllerConfig {
   double velocity_cutoff_hz = 0.0;
   // The limits of the mechanism's joints. Entries beyond them are unused.
   std::array<JointLimits, kJointCount> joints{};
+  // The stops between two links; unused ones have the default.
   std::array<CoupledLimit, kMaxCoupledLimits> coupled_limits{};
+  // The friction of the joints and the compensated share.
   std::array<JointFriction, kJointCount> friction{};
   SafetyConfig safety;
   // The stiffness that surfaces may have. Without a certificate any scene may be loaded.
@@ -156,6 +158,7 @@ struct ControllerConfig {
 // An error in a configuration: the field as written in this header, its value, and the allowed
 // closed range.
 struct ConfigError {
+  // The field as written in this header, such as "safety.max_force_N".
   std::string_view field;
   double value = 0.0;
   double least = 0.0;
@@ -189,6 +192,7 @@ ControllerConfig phantom_premium_config();
 // WoodenHaptics of 2015, with its weights; the world's origin is that of its own software.
 ControllerConfig woodenhaptics_config();
 
+// The names of the presets, for programs.
 inline constexpr std::array<std::string_view, 6> kPresetNames = {
     "cartesian", "falcon", "hapkit", "haply_pantograph", "phantom_premium", "woodenhaptics"};
 

@@ -16,6 +16,7 @@ namespace tactus::firmware {
 // The modes: before homing, while the device finds its reference, without force, with force, and
 // stopped. Recordings hold these numbers.
 enum class Mode : std::uint8_t { init, homing, ready, active, fault };
+// The number of modes, and their names in the order of Mode.
 inline constexpr std::size_t kModeCount = 5;
 inline constexpr std::array<std::string_view, kModeCount> kModeNames = {"init", "homing", "ready",
                                                                         "active", "fault"};

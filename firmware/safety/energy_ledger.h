@@ -20,6 +20,7 @@ enum class EnergySource : std::uint8_t {
   safety,    // the controller's own force: workspace walls, passivity damping, effect of limits
   delay,     // the energy that a force held for a tick gives beyond one that follows at once
 };
+// The number of sources, and their names in the order of EnergySource.
 inline constexpr std::size_t kEnergySourceCount = 7;
 inline constexpr std::array<std::string_view, kEnergySourceCount> kEnergySourceNames = {
     "contact", "friction", "texture", "effect", "coupling", "safety", "delay"};

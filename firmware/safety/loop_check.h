@@ -22,6 +22,7 @@ enum LoopStatus : std::uint32_t {
 
 // The loop's report for one tick.
 struct LoopReport {
+  // LoopStatus bits.
   std::uint32_t status = kLoopOnTime;
   // The number of whole periods that were skipped just before this tick.
   std::uint32_t missed_ticks = 0;

@@ -15,10 +15,12 @@ namespace tactus::hal {
 
 // Why a file was not taken, as a text for the user; empty on success.
 struct FileError {
+  // The text; empty on success.
   std::string_view what;
   // The errno behind the text; 0: the text is complete without it.
   int errno_value = 0;
 
+  // Returns true if the file was not taken.
   [[nodiscard]] bool is_error() const { return !what.empty(); }
 };
 

@@ -11,6 +11,7 @@
 
 namespace tactus::hal {
 
+// An open chip, which is closed when it is destroyed.
 struct CloseGpioChip {
   void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }
 };

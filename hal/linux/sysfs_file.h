@@ -28,11 +28,14 @@ std::unexpected<Error> sysfs_failure(int errno_value);
 // Real time: read and write. Opening is not. One thread at a time.
 class SysfsFile {
  public:
+  // The access for which a file is opened.
   enum class Use : std::uint8_t { read, read_and_write, write };
 
   // Opens a file, after closing the previous one.
   Result<void> open(const std::string& path, Use use);
+  // Closes the file, if it is open.
   void close() { descriptor_.reset(); }
+  // Returns true between open() and close().
   [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
 
   // Reads the first line into `room` and returns it without its line feed. `room` must hold all of

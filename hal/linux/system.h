@@ -13,6 +13,7 @@
 
 namespace tactus::hal {
 
+// The number of nanoseconds in a second.
 inline constexpr TimeNs kNsPerSecond = 1'000'000'000;
 
 // Convert between TimeNs and the system's seconds and nanoseconds.
@@ -32,7 +33,9 @@ class FileDescriptor {
   FileDescriptor& operator=(FileDescriptor&& other) noexcept;
   ~FileDescriptor() { reset(); }
 
+  // Returns the descriptor; -1 if there is none.
   [[nodiscard]] int get() const { return descriptor_; }
+  // Returns true if there is a descriptor.
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   // Closes the descriptor, if there is one.
   void reset();

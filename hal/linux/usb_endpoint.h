@@ -20,10 +20,12 @@ namespace tactus::hal {
 
 // The device and the interface of it that is claimed.
 struct LinuxUsbConfig {
+  // The vendor and product number of the device.
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   // The serial number of the device; empty: the first found. The text must outlive the endpoint.
   std::string_view serial;
+  // The number of the interface.
   std::uint8_t interface = 0;
   // The addresses of the bulk endpoints; bit 7 is set for `in`.
   std::uint8_t endpoint_out = 0x02;

@@ -30,6 +30,7 @@ struct SimulatedCanBusConfig {
 // (here `send` returns bus_off).
 class SimulatedCanBus final : public CanBus {
  public:
+  // The largest sizes of the two queues, in frames.
   static constexpr std::size_t kMaxSendQueue = 64;
   static constexpr std::size_t kMaxReceiveQueue = 512;
 

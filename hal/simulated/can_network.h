@@ -38,6 +38,7 @@ class SimulatedCanNetwork final : private SimulatedEventSource {
   SimulatedCanNetwork& operator=(const SimulatedCanNetwork&) = delete;
   ~SimulatedCanNetwork();
 
+  // Returns the clock and the settings of the wire.
   SimulatedClock& clock() { return clock_; }
   const SimulatedCanNetworkConfig& config() const { return config_; }
 

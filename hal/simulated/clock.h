@@ -46,6 +46,7 @@ class SimulatedClock final : public Clock {
 
   // Moves to that time and runs the events up to and at it. Never moves back.
   void advance_to(TimeNs time_ns);
+  // Moves by that duration.
   void advance_by(TimeNs duration_ns) { advance_to(now_ns_ + duration_ns); }
 
   // Lets time pass until `ready()` or the deadline. Returns true if ready. A wait without a

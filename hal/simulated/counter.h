@@ -16,6 +16,7 @@ namespace tactus::hal {
 // the kernel), noise, removal. Not simulated: the signals, a missed count.
 class SimulatedCounter final : public Counter {
  public:
+  // The number of index pulses that are kept, as in the kernel.
   static constexpr std::size_t kIndexEvents = 64;
 
   // `hardware_ceiling` is the default ceiling and the largest possible one.

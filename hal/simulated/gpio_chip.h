@@ -20,6 +20,7 @@ class SimulatedGpioLines;
 // output wins over an outside driver; an open pin without a pull is low.
 class SimulatedGpioChip {
  public:
+  // Makes a chip with that many pins, at most kMaxGpioLines. The clock must outlive it.
   explicit SimulatedGpioChip(SimulatedClock& clock, std::size_t line_count = kMaxGpioLines);
 
   // Connects the pin to a driver outside the board. Levels here are physical, independent of

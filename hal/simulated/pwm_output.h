@@ -25,6 +25,7 @@ class SimulatedPwmOutput final : public PwmOutput {
   // The number of writes that are kept.
   static constexpr std::size_t kRecorded = 256;
 
+  // The clock gives the times of the writes and must outlive this.
   explicit SimulatedPwmOutput(const Clock& clock) : clock_(clock) {}
 
   // Returns the writes since opening, at most the first kRecorded. `write_count` counts all.

@@ -31,6 +31,7 @@ class SimulatedSerialPort final : public SerialPort, private SimulatedEventSourc
   // The room at the receiving end for bytes on the line and unread ones together.
   static constexpr std::size_t kBufferBytes = 4096;
 
+  // The clock must outlive this.
   explicit SimulatedSerialPort(SimulatedClock& clock, const SimulatedSerialConfig& config = {});
   SimulatedSerialPort(const SimulatedSerialPort&) = delete;
   SimulatedSerialPort& operator=(const SimulatedSerialPort&) = delete;
@@ -50,6 +51,7 @@ class SimulatedSerialPort final : public SerialPort, private SimulatedEventSourc
   // Makes the device available again, so that reopen() succeeds.
   void plug_in();
 
+  // The value of take_only() that ends the fault.
   static constexpr std::size_t kTakeAll = std::numeric_limits<std::size_t>::max();
 
  private:

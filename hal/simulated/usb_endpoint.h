@@ -49,6 +49,7 @@ struct SimulatedUsbConfig {
 // transfer takes.
 class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSource {
  public:
+  // The largest size of a packet, bytes.
   static constexpr std::size_t kMaxPacketBytes = 512;
   // The largest number of packets that wait for the host.
   static constexpr std::size_t kMaxPackets = 64;
@@ -81,6 +82,7 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   // Makes the device available again, so that reopen() succeeds.
   void plug_in();
 
+  // The value of take_only() that ends the fault.
   static constexpr std::size_t kTakeAll = std::numeric_limits<std::size_t>::max();
 
  private:

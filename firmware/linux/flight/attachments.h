@@ -14,7 +14,7 @@
 
 namespace tactus::firmware {
 
-// The device image and the scene image, as they were given to the program.
+// The names of the device image and the scene image, as they were given to the program.
 inline constexpr std::string_view kDeviceAttachment = "device.tactus";
 inline constexpr std::string_view kSceneAttachment = "scene.tactus";
 // The ControllerConfig written by save_config(), for a run without a device image.

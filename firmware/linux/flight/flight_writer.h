@@ -26,7 +26,9 @@ struct FlightPlan {
   const char* folder = ".";
   // The number of ticks per second.
   double rate_hz = 1000.0;
+  // The metadata of the run.
   RunDescription run;
+  // The images, such as the device's and the scene's.
   std::span<const Attachment> images;
 };
 

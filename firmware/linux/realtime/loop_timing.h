@@ -31,6 +31,7 @@ struct LoopTick {
 // The durations that have a histogram. `tick` is from the wake-up to the end of the device's write.
 enum class Timed : std::uint8_t { wake_up, tick, read, check, kinematics, touch, safety, write };
 
+// The names of the durations in the order of Timed, for tables.
 inline constexpr std::array<std::string_view, 8> kTimedNames = {
     "wake_up", "tick", "read", "check", "kinematics", "touch", "safety", "write"};
 

@@ -23,6 +23,7 @@ namespace tactus::firmware {
 struct RunImages {
   // The controller's configuration.
   const ControllerConfig& config;
+  // The device image.
   std::span<const std::byte> device;
   // The scene image; empty: free space.
   std::span<const std::byte> scene;

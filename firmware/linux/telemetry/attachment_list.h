@@ -11,6 +11,7 @@ namespace tactus::firmware {
 
 // A file that is stored whole in the recording. `name` and `bytes` must outlive the list.
 struct Attachment {
+  // The name in the recording, and the content.
   std::string_view name;
   std::span<const std::byte> bytes;
 };

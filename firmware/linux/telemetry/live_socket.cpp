@@ -108,7 +108,7 @@ void LiveSocket::publish(std::span<const std::byte> message) {
 
 void LiveSocket::append(Reader& reader, std::span<const std::byte> message) {
   if (kLengthBytes + message.size() > kBufferBytes - reader.end) {
-    // What is left moves to the front only when the end of the buffer is reached.
+    // The rest moves to the front only when the end of the buffer is reached.
     std::memmove(reader.buffer.data(), reader.buffer.data() + reader.begin,
                  reader.end - reader.begin);
     reader.end -= reader.begin;

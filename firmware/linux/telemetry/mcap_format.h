@@ -66,6 +66,7 @@ class Packer {
     }
     return bytes(stored);
   }
+  // Add numbers of 1, 2, 4 and 8 bytes.
   Packer& u8(std::uint8_t value) { return number(value); }
   Packer& u16(std::uint16_t value) { return number(value); }
   Packer& u32(std::uint32_t value) { return number(value); }
@@ -81,6 +82,7 @@ class Packer {
 
   // Returns the bytes written so far.
   [[nodiscard]] std::span<const std::byte> packed() const { return room_.first(size_); }
+  // Returns the number of bytes written so far.
   [[nodiscard]] std::size_t size() const { return size_; }
   // Returns true if a value did not fit.
   [[nodiscard]] bool overflowed() const { return overflowed_; }
@@ -118,6 +120,7 @@ class Unpacker {
     }
     return static_cast<Number>(value);
   }
+  // Return the next numbers of 1, 2, 4 and 8 bytes.
   std::uint8_t u8() { return number<std::uint8_t>(); }
   std::uint16_t u16() { return number<std::uint16_t>(); }
   std::uint32_t u32() { return number<std::uint32_t>(); }

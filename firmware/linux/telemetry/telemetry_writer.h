@@ -28,14 +28,13 @@ class TelemetryWriter {
   TelemetryWriter& operator=(const TelemetryWriter&) = delete;
   ~TelemetryWriter() { stop(); }
 
-  // Sets the description of the run. Call this, open_live_socket and open_udp before `start`. They
-  // and `start` return 0 or errno.
+  // Sets the description of the run. Call this, open_live_socket and open_udp before `start`.
   void describe(const RunDescription& run);
-  // Opens the live socket (live_socket.h).
+  // Opens the live socket (live_socket.h). Returns 0 or errno.
   int open_live_socket(const char* path) { return live_.open(path); }
-  // Sends one of `every` ticks as JSON to a port of this machine.
+  // Sends one of `every` ticks as JSON to a port of this machine. Returns 0 or errno.
   int open_udp(std::uint16_t port, std::uint32_t every);
-  // Starts the thread.
+  // Starts the thread. Returns 0 or errno.
   int start();
 
   // Publish a tick or an event. Call from the loop's thread; real time, wait-free.
