@@ -28,7 +28,6 @@ struct CanFrame {
   bool extended = false;
   // True for a request for data. It carries a length but no bytes. It does not exist in CAN FD.
   bool remote = false;
-  // True for a CAN FD frame.
   bool fd = false;
   // CAN FD only: the data phase runs at the bus's faster bit rate.
   bool bit_rate_switch = false;

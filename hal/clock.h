@@ -28,7 +28,6 @@ struct Phase {
 // for a time before it.
 TimeNs next_instant_ns(const Phase& phase, TimeNs after_ns);
 
-// The result of a sleep.
 struct Wake {
   // The instant that was requested.
   TimeNs scheduled_ns = 0;

@@ -25,7 +25,6 @@ enum class Verdict : std::uint8_t {
   never_still,
   sample_bad,
 };
-// The number of verdicts.
 inline constexpr std::size_t kVerdicts = 12;
 
 // The range over which the hand has moved a joint, rad or m.

@@ -8,7 +8,6 @@
 
 namespace tactus::firmware {
 
-// The checks of one configuration.
 class RangeCheck {
  public:
   // Notes an error if the value is outside the closed range and no error was noted before. NaN is

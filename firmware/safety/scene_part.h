@@ -33,7 +33,6 @@ inline constexpr double kNoWall_m = 10.0;
 // The box that the tool is kept in, world frame (safety/workspace_walls.h). The default has no
 // walls.
 struct FeltWalls {
-  // The number of walls.
   static constexpr std::size_t kCount = 6;
 
   Vec3 lower_W = Vec3::Constant(-kNoWall_m);  // m

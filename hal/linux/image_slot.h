@@ -15,7 +15,6 @@ namespace tactus::hal {
 
 // Why a file was not taken, as a text for the user; empty on success.
 struct FileError {
-  // The text; empty on success.
   std::string_view what;
   // The errno behind the text; 0: the text is complete without it.
   int errno_value = 0;
@@ -54,7 +53,6 @@ class ImageSlot {
   std::span<std::byte> room_;
   // The number of bytes whose pages are allocated, a multiple of the page size.
   std::size_t committed_ = 0;
-  // The size of the file.
   std::size_t used_ = 0;
 };
 

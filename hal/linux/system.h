@@ -13,7 +13,6 @@
 
 namespace tactus::hal {
 
-// The number of nanoseconds in a second.
 inline constexpr TimeNs kNsPerSecond = 1'000'000'000;
 
 // Convert between TimeNs and the system's seconds and nanoseconds.

@@ -24,7 +24,7 @@ struct SimulatedCanNetworkConfig {
 // Returns how long a frame occupies the wire, ns, without stuff bits (which add up to a fifth).
 TimeNs wire_time_ns(const CanFrame& frame, const SimulatedCanNetworkConfig& config);
 
-// The wire.
+// The wire that the nodes share.
 //
 // Simulated: arbitration (when the wire becomes idle, the node whose oldest frame has the lowest
 // identifier sends it), the duration of a frame, delivery to every other node that is up, and loss.

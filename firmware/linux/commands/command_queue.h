@@ -41,7 +41,6 @@ struct EventSink {
 
 // The tick that carried out a stop, and the mode after it.
 struct StopTaken {
-  // The number of the tick.
   std::uint64_t tick = 0;
   Mode after = Mode::init;
 };

@@ -27,7 +27,6 @@ struct SceneStoreError {
   int errno_value = 0;
 };
 
-// The two scenes.
 class SceneStore {
  public:
   // The largest size of a path, with its zero.

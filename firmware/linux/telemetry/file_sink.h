@@ -19,7 +19,6 @@ enum class IfThere : std::uint8_t {
   refuse,
 };
 
-// The file.
 class FileSink {
  public:
   // Creates the file. Returns 0 or errno; EEXIST also for a pipe, a socket or a disk, and ELOOP for
