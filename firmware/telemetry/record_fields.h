@@ -1,7 +1,7 @@
 // Visits every field of a record with its name, for CSV files, comparisons and displays.
 //
 // A new field of TelemetryRecord or RecordedTick gets its line here, its place in record.fbs, and
-// its lines in outputs/record_encoder.cpp and host_tools/recording/record_decoder.cpp; tests hold
+// its lines in firmware/linux/telemetry/record_encoder.cpp and host_tools/recording/record_decoder.cpp; tests hold
 // all of them against each other.
 #pragma once
 
