@@ -11,6 +11,7 @@ using rendering::Material;
 // Returns the largest change of force between two materials, N: of spring, damper and friction,
 // which is a share of the spring's force.
 double force_between(const Material& a, const Material& b, double stretch_m, double speed_m_per_s) {
+  // Friction is a share of the spring's force, so the larger stiffness bounds it.
   const double stiffness = std::max(a.stiffness_N_per_m, b.stiffness_N_per_m);
   const double friction =
       std::max(std::abs(a.friction.static_level - b.friction.static_level),

@@ -83,9 +83,12 @@ std::optional<Delta::Solution> Delta::solve(const Offsets& offset, const Vec3& s
     if (!std::isfinite(length)) {
       return std::nullopt;
     }
+    // Newton's step: to first order a motion changes the lengths by N . move, which has to be
+    // -excess.
     p_D += length > kLongestStep_m ? Vec3(move * (kLongestStep_m / length)) : move;
     if (length < kLastStep_m) {
       const Rods last = rods(p_D, offset);
+      // The equations also hold for mirrored and folded assemblies, which the device cannot reach.
       const bool as_built = last.direction_D.determinant() < 0.0 && last.reach.minCoeff() > 0.0;
       return as_built ? std::optional<Solution>({p_D, last.direction_D}) : std::nullopt;
     }
@@ -135,6 +138,7 @@ std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {
   for (std::size_t leg = 0; leg < 3; ++leg) {
     const Vec3 hinge = in_leg_frame(leg, p_D) + Vec3(g.platform_radius_m - g.base_radius_m,
                                                      g.platform_tangent_m - g.base_tangent_m, 0.0);
+    // The sine of the angle by which the rods leave the leg's plane.
     const double across = hinge.y() / g.rod_m;
     if (!(std::abs(across) < 1.0)) {
       return std::nullopt;

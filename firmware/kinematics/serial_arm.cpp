@@ -82,6 +82,8 @@ std::optional<Vec3> SerialArm::inverse(const Vec3& p_D, const Vec3& near) const 
   if (!is_triangle) {
     return std::nullopt;
   }
+  // The angle at the shoulder between the line to the tool and the upper arm, by the law of
+  // cosines.
   const double bend = std::acos(cosine);
   std::optional<Vec3> best;
   for (const double facing : {1.0, -1.0}) {

@@ -61,6 +61,8 @@ double least_certified_stiffness(const StiffnessCertificate& certificate, double
                                  double to_Ns_per_m) {
   double least = std::min(certified_stiffness(certificate, from_Ns_per_m),
                           certified_stiffness(certificate, to_Ns_per_m));
+  // The certified stiffness is linear between the points, so its least value is at an end or at a
+  // point.
   for (const CertifiedPoint& point : certificate.all()) {
     if (point.damping_Ns_per_m > from_Ns_per_m && point.damping_Ns_per_m < to_Ns_per_m) {
       least = std::min(least, point.stiffness_N_per_m);

@@ -8,7 +8,7 @@
 namespace tactus::firmware {
 namespace {
 
-// Weaker efforts and slower motions do not count: friction and noise dominate them.
+// Weaker efforts and slower motions do not count.
 constexpr double kLeast_N = 0.8;
 constexpr double kLeast_m_per_s = 0.01;
 // The mass M of a device's handle and a hand.

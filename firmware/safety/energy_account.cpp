@@ -63,6 +63,8 @@ TickEnergy EnergyAccount::settle(const Vec3& p_W, const rendering::Touch& touch,
     const double friction_J = (parts_.friction_W + parts.friction_W).dot(half_way);
     const double texture_J = (parts_.texture_W + parts.texture_W).dot(half_way);
     const double effect_J = (parts_.effect_W + parts.effect_W).dot(half_way);
+    // driven_power is the power that the surfaces' own motion gives, so its energy is the mean over
+    // the tick.
     const double coupling_J = 0.5 * share * step_s * (parts_.driven_power + parts.driven_power);
     const double held_J = acting.rendered_W.dot(way);
     tick.given_J = acting.all_W.dot(way);

@@ -34,6 +34,8 @@ void ForceLimiter::configure(const ControllerConfig& config) {
 
 void ForceLimiter::retune(const ControllerConfig& config) {
   wanted_max_force_N_ = config.safety.max_force_N;
+  // A raised limit comes in over soft_start_s; a lowered one has already acted in retune() or
+  // hold_below().
   max_force_N_ = std::min(max_force_N_, wanted_max_force_N_);
   max_step_N_ = config.safety.force_slew_N_per_s / config.rate_hz;
   activation_gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);

@@ -232,10 +232,13 @@ void MotorSignCheck::take_sample(double position, double mean_effort) {
 }
 
 EffortFinding MotorSignCheck::judge() {
+  // The products of y and r after a cubic is subtracted from each: the powers are orthonormal, so
+  // the cubic's part is the sum of the products of the first four coefficients.
   const double y_y = sums_.y_y - dot(sums_.y_powers, sums_.y_powers, kCubic);
   const double y_r = sums_.y_r - dot(sums_.y_powers, sums_.r_powers, kCubic);
   const double r_r = sums_.r_r - dot(sums_.r_powers, sums_.r_powers, kCubic);
   const double gain = sums_.z_y / sums_.z_r;
+  // The squared size of y - g r, both without their cubics.
   const double left = y_y - 2.0 * gain * y_r + gain * gain * r_r;
   const bool is_clear = y_y > 0.0 && left < (1.0 - kExplained) * y_y &&
                         sums_.z_r * sums_.z_r > kInstrumentShare * kInstrumentShare * r_r;

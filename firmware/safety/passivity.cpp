@@ -29,6 +29,7 @@ void PassivityControl::restart() {
 }
 
 std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
+  // Only a debt is forgotten. A credit ends with the contact.
   if (credit_J_ < 0.0) {
     credit_J_ -= step_s_ / kForgetting_s * credit_J_;
   }

@@ -40,6 +40,7 @@ StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Ma
 // at d^2 = 3 c^2 / 2, with -2 S / (5/2)^(5/2) / c^3, and below -2 S / (d^2 + c^2)^(3/2) at every
 // distance.
 CertifiedPoint core_of(const rendering::Magnet& magnet) {
+  // S is 3 sqrt(3) / 2 strength c^2, because the pull is `strength_N` at c / sqrt(2).
   const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
   const double away = -2.0 / (2.5 * 2.5 * std::sqrt(2.5));
   return {.stiffness_N_per_m = middle >= 0.0 ? middle : away * middle};

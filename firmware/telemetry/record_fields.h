@@ -1,8 +1,9 @@
-// Visits every field of a record with its name, for CSV files, comparisons and displays.
+// Visits every field of a record with its name, for CSV files, comparisons and displays. Pure
+// functions for any thread.
 //
 // A new field of TelemetryRecord or RecordedTick gets its line here, its place in record.fbs, and
-// its lines in firmware/linux/telemetry/record_encoder.cpp and host_tools/recording/record_decoder.cpp; tests hold
-// all of them against each other.
+// its lines in firmware/linux/telemetry/record_encoder.cpp and
+// host_tools/recording/record_decoder.cpp; tests hold all of them against each other.
 #pragma once
 
 #include <string_view>

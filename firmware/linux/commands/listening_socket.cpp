@@ -68,6 +68,7 @@ std::expected<void, ListenError> ListeningSocket::open(const char* path, const c
     if (!S_ISSOCK(status.st_mode)) {
       return listen_error("there is a file in the socket's place; remove it", EEXIST);
     }
+    // Nobody listens there any more: the file is left over from a program that was killed.
     ::unlink(path);
   }
   path_.fill('\0');

@@ -126,6 +126,7 @@ void McapWriter::add_message(Channel channel, std::int64_t time_ns,
     flush();
   }
   const auto log_time_ns = static_cast<std::uint64_t>(clock_offset_ns_ + time_ns);
+  // A channel's messages are numbered from 0.
   std::uint32_t& sequence = sequence_[static_cast<std::size_t>(channel)];
   Packer record{std::span(chunk_).subspan(kFrontBytes, kChunkBytes).subspan(records_bytes_)};
   record.record(Opcode::message, content)

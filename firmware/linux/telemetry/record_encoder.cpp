@@ -147,6 +147,7 @@ std::span<const std::byte> RecordEncoder::encode(std::span<const MetadataEntry> 
   std::array<flatbuffers::Offset<telemetry::Entry>, kMaxEntries> entries;
   std::size_t count = 0;
   for (const MetadataEntry& entry : run_info.first(std::min(run_info.size(), kMaxEntries))) {
+    // Half of the buffer stays free for the tables and the builder's notes.
     if (builder_.GetSize() + entry.key.size() + entry.value.size() + kPerEntry >
         kMaxMessageBytes / 2) {
       break;
