@@ -1,6 +1,6 @@
 // Saves and restores the controller's memory (see rendering/state/state_archive.h). Configuration
-// and scene are not part of it. Each function lists all members of its class, so that a new member
-// does not compile until it is decided whether it is saved.
+// and scene are not part of it. A function that names all members of its class does not compile
+// with a new member until it is decided whether that member is saved.
 #include <bit>
 
 #include "firmware/control/controller.h"
