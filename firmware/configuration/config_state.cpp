@@ -2,7 +2,7 @@
 // added here; then change kConfigVersion.
 #include "firmware/configuration/config_state.h"
 
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

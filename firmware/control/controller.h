@@ -33,7 +33,7 @@
 #include "firmware/safety/workspace_walls.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 #include "rendering/world/world.h"
 
 namespace tactus::firmware {

@@ -1,4 +1,4 @@
-// Saves and restores the controller's memory (see rendering/state/state_archive.h). Configuration
+// Saves and restores the controller's memory (see rendering/state_archive.h). Configuration
 // and scene are not part of it. A function that names all members of its class does not compile
 // with a new member until it is decided whether that member is saved.
 #include <bit>

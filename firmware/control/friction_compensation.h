@@ -41,7 +41,7 @@
 #include "firmware/kinematics/pose.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

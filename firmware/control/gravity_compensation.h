@@ -15,7 +15,7 @@
 #include "firmware/configuration/controller_config.h"
 #include "firmware/kinematics/mechanism.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

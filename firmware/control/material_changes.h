@@ -12,7 +12,7 @@
 
 #include "rendering/limits.h"
 #include "rendering/material/material.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 #include "rendering/world/world.h"
 
 namespace tactus::firmware {

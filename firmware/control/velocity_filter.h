@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

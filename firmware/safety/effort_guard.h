@@ -30,7 +30,7 @@
 #include "firmware/configuration/controller_config.h"
 #include "firmware/kinematics/pose.h"
 #include "firmware/safety/encoder_guard.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

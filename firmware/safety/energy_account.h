@@ -19,8 +19,8 @@
 #include "firmware/safety/energy_ledger.h"
 #include "firmware/safety/held_forces.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/touch.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 
 namespace tactus::firmware {
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

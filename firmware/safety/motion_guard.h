@@ -12,7 +12,7 @@
 
 #include "firmware/configuration/controller_config.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

@@ -48,7 +48,7 @@
 #include "firmware/kinematics/pose.h"
 #include "firmware/safety/effort_guard.h"
 #include "firmware/safety/encoder_guard.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

@@ -24,7 +24,7 @@
 #include "firmware/safety/buzz_detector.h"
 #include "firmware/safety/energy_account.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

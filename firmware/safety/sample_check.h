@@ -5,7 +5,7 @@
 
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::firmware {
 

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "rendering/effects/effect.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::firmware {
 

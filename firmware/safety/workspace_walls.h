@@ -9,7 +9,7 @@
 #include "firmware/configuration/controller_config.h"
 #include "firmware/safety/scene_part.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::firmware {
 

@@ -11,7 +11,7 @@
 #include "firmware/control/mode.h"
 #include "firmware/control/parameters.h"
 #include "firmware/safety/energy_ledger.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::firmware {
 

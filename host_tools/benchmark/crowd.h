@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host_tools/bake/scene/mesh_bake.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

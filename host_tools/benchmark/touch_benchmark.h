@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

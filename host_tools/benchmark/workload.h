@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

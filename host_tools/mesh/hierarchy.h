@@ -1,12 +1,12 @@
-// Builds the bounding-volume hierarchy that the controller walks (rendering/world/object.h has the
-// node's layout).
+// Builds the bounding-volume hierarchy that the controller walks (rendering/objects/object.h has
+// the node's layout).
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

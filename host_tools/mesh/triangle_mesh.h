@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host_tools/plot/run_data.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

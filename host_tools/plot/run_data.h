@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rendering/geometry/vector.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::host {
 

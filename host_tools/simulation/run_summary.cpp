@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "firmware/safety/faults.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::host {
 namespace {

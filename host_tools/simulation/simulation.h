@@ -17,7 +17,7 @@
 #include "host_tools/simulation/hand.h"
 #include "host_tools/simulation/simulated_device.h"
 #include "host_tools/simulation/wish_path.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

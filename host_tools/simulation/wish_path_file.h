@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host_tools/simulation/wish_path.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

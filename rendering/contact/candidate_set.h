@@ -24,8 +24,8 @@
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/scene_objects.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 

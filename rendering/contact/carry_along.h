@@ -6,8 +6,8 @@
 
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/world/scene_objects.h"
-#include "rendering/world/touch.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

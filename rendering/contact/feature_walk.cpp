@@ -7,6 +7,7 @@
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/limits.h"
+#include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "rendering/friction/surface_friction.h"
 #include "rendering/material/material.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 #include "rendering/surface/connected_mesh.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

@@ -3,7 +3,7 @@
 
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/contact/tick_budget.h"
-#include "rendering/world/scene_objects.h"
+#include "rendering/objects/scene_objects.h"
 
 namespace tactus::rendering {
 

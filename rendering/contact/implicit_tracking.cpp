@@ -22,6 +22,7 @@
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
+#include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
 namespace {

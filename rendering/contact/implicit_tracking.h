@@ -9,9 +9,9 @@
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/material/material.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 #include "rendering/surface/implicit_surface.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

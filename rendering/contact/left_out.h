@@ -9,8 +9,8 @@
 
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/scene_objects.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 

@@ -5,7 +5,7 @@
 
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/world/scene_objects.h"
+#include "rendering/objects/scene_objects.h"
 
 namespace tactus::rendering {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/surface/mesh.h"
+#include "rendering/geometry/mesh.h"
 #include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {

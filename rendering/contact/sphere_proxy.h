@@ -14,9 +14,9 @@
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/scene_objects.h"
-#include "rendering/world/touch.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

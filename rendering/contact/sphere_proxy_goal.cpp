@@ -7,6 +7,7 @@
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/tangential.h"
+#include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 

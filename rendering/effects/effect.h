@@ -6,7 +6,7 @@
 
 #include "rendering/effects/phase.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

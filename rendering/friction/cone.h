@@ -10,7 +10,7 @@
 #pragma once
 
 #include "rendering/geometry/vector.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

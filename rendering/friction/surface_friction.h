@@ -23,9 +23,8 @@
 #include "rendering/friction/friction_model.h"
 #include "rendering/friction/grain.h"
 #include "rendering/geometry/vector.h"
-#include "rendering/material/material.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/touch.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 
@@ -40,20 +39,6 @@ struct FrictionLag {
   Vec3 lag_m = Vec3::Zero();  // tangential, along the tool's motion: the proxy is at p_s less this
   FrictionState state = FrictionState::stick;
 };
-
-// Returns the sliding surface of a contact in the object's own frame.
-inline SlidingSurface sliding_surface(const Material& material) {
-  return {.friction = material.friction,
-          .stiffness_N_per_m = material.stiffness_N_per_m,
-          .grain = {.direction = to_vec3(material.grain.direction_O),
-                    .along = material.grain.along,
-                    .across = material.grain.across}};
-}
-
-// Returns true if the friction circle's exact rule (cone.h) applies and no model runs.
-inline bool is_plain_cone(const Material& material) {
-  return material.friction.kind == FrictionKind::cone && !material.grain.differs();
-}
 
 class SurfaceFriction {
  public:

@@ -13,10 +13,10 @@
 
 #include "rendering/geometry/box_entry.h"
 #include "rendering/geometry/hierarchy_walk.h"
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/near_box.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
-#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/near_box.h"
 #include "rendering/limits.h"
-#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

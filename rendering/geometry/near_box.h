@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "rendering/geometry/floats.h"
-#include "rendering/surface/mesh.h"
+#include "rendering/geometry/mesh.h"
 
 namespace tactus::rendering {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "rendering/geometry/floats.h"
-#include "rendering/surface/mesh.h"
+#include "rendering/geometry/mesh.h"
 
 namespace tactus::rendering {
 

@@ -25,7 +25,7 @@
 #pragma once
 
 #include "rendering/geometry/vector.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 

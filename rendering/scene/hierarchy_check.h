@@ -3,8 +3,8 @@
 
 #include <expected>
 
+#include "rendering/objects/object.h"
 #include "rendering/scene/scene_error.h"
-#include "rendering/world/object.h"
 
 namespace tactus::rendering {
 

@@ -5,8 +5,8 @@
 #include <expected>
 #include <span>
 
+#include "rendering/objects/object.h"
 #include "rendering/scene/scene_error.h"
-#include "rendering/world/object.h"
 
 namespace tactus::rendering {
 

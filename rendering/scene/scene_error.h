@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::rendering {
 

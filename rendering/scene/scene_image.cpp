@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/objects/scene_objects.h"
 #include "rendering/scene/effect_reader.h"
 #include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_generated.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
-#include "rendering/world/scene_objects.h"
 
 namespace tactus::rendering {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
+#include "rendering/objects/object.h"
 #include "rendering/scene/mesh_check.h"
 #include "rendering/scene/scene_error.h"
-#include "rendering/world/object.h"
 
 namespace tactus::rendering {
 

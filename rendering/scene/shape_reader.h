@@ -4,8 +4,8 @@
 #include <expected>
 #include <optional>
 
+#include "rendering/objects/object.h"
 #include "rendering/scene/scene_error.h"
-#include "rendering/world/object.h"
 
 namespace tactus::rendering {
 

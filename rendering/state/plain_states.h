@@ -8,11 +8,11 @@
 #include "rendering/geometry/capsule.h"
 #include "rendering/geometry/rigid_pose.h"
 #include "rendering/geometry/triangle.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/objects/motion.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
 #include "rendering/surface/connected_mesh.h"
-#include "rendering/world/motion.h"
-#include "rendering/world/scene_objects.h"
-#include "rendering/world/touch.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

@@ -1,8 +1,8 @@
 // Saves and restores the state of a world: the places of its objects, then the state of each tool.
+#include "rendering/objects/scene_objects.h"
 #include "rendering/state/plain_states.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/world/effect_touch.h"
-#include "rendering/world/scene_objects.h"
 #include "rendering/world/tool_touch.h"
 #include "rendering/world/world.h"
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/triangle.h"
-#include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {

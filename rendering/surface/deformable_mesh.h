@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/surface/mesh.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 

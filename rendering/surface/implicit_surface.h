@@ -1,9 +1,9 @@
 // An implicit surface and its place in the world.
 #pragma once
 
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/surface/formula.h"
-#include "rendering/surface/mesh.h"
 
 namespace tactus::rendering {
 

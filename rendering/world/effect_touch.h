@@ -6,8 +6,8 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/touch.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

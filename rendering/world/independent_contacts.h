@@ -9,9 +9,9 @@
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/limits.h"
 #include "rendering/material/force_shading.h"
-#include "rendering/state/state_archive.h"
-#include "rendering/world/scene_objects.h"
-#include "rendering/world/touch.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 
 namespace tactus::rendering {
 

@@ -1,11 +1,11 @@
 // The touch of one tool with all objects, and its state from tick to tick.
 #pragma once
 
-#include "rendering/state/state_archive.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 #include "rendering/world/independent_contacts.h"
 #include "rendering/world/proxy_touch.h"
-#include "rendering/world/scene_objects.h"
-#include "rendering/world/touch.h"
 
 namespace tactus::rendering {
 

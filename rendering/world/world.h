@@ -7,12 +7,12 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/objects/object.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
+#include "rendering/touch.h"
 #include "rendering/world/effect_touch.h"
-#include "rendering/world/object.h"
-#include "rendering/world/scene_objects.h"
 #include "rendering/world/tool_touch.h"
-#include "rendering/world/touch.h"
 
 namespace tactus::rendering {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "rendering/surface/mesh.h"
+#include "rendering/geometry/mesh.h"
 #include "tests/support/shapes.h"
 
 namespace tactus::testing {

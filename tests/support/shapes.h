@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::testing {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 #include "tests/support/shapes.h"
 
 namespace tactus::testing {

@@ -1,7 +1,7 @@
 # Fails when a file includes a folder that stands above its own:
 #   host_tools, tests  ->  firmware  ->  drivers -> hal
 #                                    ->  rendering
-# or when a portable room of firmware/ includes what needs Linux.
+# or when a portable room of firmware/ includes what needs Linux, or a room of rendering/ one that is built on it.
 # Checked when the project is configured, and again by every build that follows a change to a source file.
 
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -39,6 +39,16 @@ tactus_check_includes(host_tools tests)
 foreach(room IN ITEMS commissioning configuration control device_file kinematics safety telemetry)
   tactus_check_includes(firmware/${room} hal/linux firmware/linux)
 endforeach()
+
+# The rooms of rendering/, the lowest first: none includes one that follows it.
+set(higher_rooms geometry surface friction material effects objects contact world state scene)
+while(higher_rooms)
+  list(POP_FRONT higher_rooms room)
+  if(higher_rooms)
+    list(TRANSFORM higher_rooms PREPEND rendering/ OUTPUT_VARIABLE forbidden)
+    tactus_check_includes(rendering/${room} ${forbidden})
+  endif()
+endwhile()
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   get_property(files GLOBAL PROPERTY TACTUS_CHECKED_FILES)

@@ -15,7 +15,7 @@
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
-#include "rendering/world/scene_objects.h"
+#include "rendering/objects/scene_objects.h"
 
 namespace tactus::host {
 namespace {

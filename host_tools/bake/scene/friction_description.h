@@ -8,7 +8,7 @@
 #include "host_tools/friction/parameter_names.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/material/material.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

@@ -11,7 +11,7 @@
 #include "host_tools/bake/scene/motion_description.h"
 #include "host_tools/bake/scene/shape_description.h"
 #include "rendering/effects/effect.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

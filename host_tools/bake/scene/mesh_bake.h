@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "host_tools/bake/scene/mesh_cleanup.h"
+#include "rendering/objects/object.h"
 #include "rendering/scene/mesh_check.h"
 #include "rendering/scene/scene_image.h"
-#include "rendering/world/object.h"
 
 namespace tactus::host {
 

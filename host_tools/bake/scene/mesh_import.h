@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

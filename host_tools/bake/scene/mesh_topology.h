@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "rendering/objects/object.h"
 #include "rendering/scene/mesh_check.h"
-#include "rendering/world/object.h"
 
 namespace tactus::host {
 

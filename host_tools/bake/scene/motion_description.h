@@ -6,8 +6,8 @@
 
 #include "host_tools/bake/scene/shape_description.h"
 #include "host_tools/bake/toml/toml_section.h"
-#include "rendering/world/motion.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/motion.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

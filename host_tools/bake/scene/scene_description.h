@@ -14,7 +14,7 @@
 #include "host_tools/bake/scene/shape_description.h"
 #include "host_tools/bake/scene/target_device.h"
 #include "rendering/effects/effect.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

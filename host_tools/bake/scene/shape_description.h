@@ -7,7 +7,7 @@
 #include "host_tools/bake/formula/formula_parser.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/bake/toml/toml_section.h"
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 namespace tactus::host {
 

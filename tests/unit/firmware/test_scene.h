@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 #include "rendering/world/world.h"
 
 namespace tactus::firmware {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-#include "rendering/surface/mesh.h"
+#include "rendering/geometry/mesh.h"
 
 namespace tactus::testing {
 

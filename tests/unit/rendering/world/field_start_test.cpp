@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "rendering/state/state_archive.h"
+#include "rendering/state_archive.h"
 #include "rendering/world/world.h"
 #include "tests/support/connected_solid.h"
 #include "tests/support/shapes.h"

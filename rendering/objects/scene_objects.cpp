@@ -1,4 +1,4 @@
-#include "rendering/world/scene_objects.h"
+#include "rendering/objects/scene_objects.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/mesh.h"
 #include "rendering/material/material.h"
 #include "rendering/material/surface_detail.h"
+#include "rendering/objects/motion.h"
 #include "rendering/surface/implicit_surface.h"
-#include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/motion.h"
 
 namespace tactus::rendering {
 

@@ -1,4 +1,4 @@
-#include "rendering/world/motion.h"
+#include "rendering/objects/motion.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "rendering/world/object.h"
+#include "rendering/objects/object.h"
 
 #include "rendering/limits.h"
 

@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/rigid_pose.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
-#include "rendering/state/state_archive.h"
+#include "rendering/objects/motion.h"
+#include "rendering/objects/object.h"
+#include "rendering/state_archive.h"
 #include "rendering/surface/deformable_mesh.h"
-#include "rendering/surface/mesh.h"
 #include "rendering/surface/primitive.h"
-#include "rendering/world/motion.h"
-#include "rendering/world/object.h"
 
 namespace tactus::rendering {
 
