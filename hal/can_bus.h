@@ -117,6 +117,9 @@ class CanBus {
   CanBus() = default;
   ~CanBus() = default;
 
+  // Sets the counters to 0, except receive_dropped. An implementation calls it at each opening.
+  void clear_counters() { counters_ = {}; }
+
  private:
   // The public functions have checked the arguments; `frames` and `received` are not empty.
   virtual Result<std::size_t> DoSend(std::span<const CanFrame> frames) = 0;

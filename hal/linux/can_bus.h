@@ -50,7 +50,7 @@ class LinuxCanBus final : public CanBus {
   // Sets the options of a new socket and binds it to the interface.
   Result<void> configure_socket();
   Result<std::size_t> take_waiting(std::span<CanReceived> received);
-  Result<void> may_send_again(int error, int tries);
+  Result<void> may_send_again(int error, bool& was_down);
   Result<void> check_link();
   bool hand_out(CanReceived& item);
   // Takes the socket's count of dropped frames so far.

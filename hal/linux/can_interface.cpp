@@ -160,7 +160,7 @@ Result<void> CanInterface::restart() const {
   alignas(Answer) std::array<std::byte, 512> buffer{};
   const ssize_t got = recv(netlink.get(), buffer.data(), buffer.size(), 0);
   if (got < static_cast<ssize_t>(sizeof(Answer))) {
-    return failure(ErrorCode::io, errno);
+    return failure(ErrorCode::io, got < 0 ? errno : 0);
   }
   Answer answer{};
   std::memcpy(&answer, buffer.data(), sizeof(answer));
