@@ -1,6 +1,6 @@
 // The active constraints of a sub-goal: the contact planes that hold the proxy when it is as near
 // to the tool as all planes allow, and the friction that they give together. It is the third step
-// of a sub-goal (sphere_proxy.cpp).
+// of a sub-goal (proxy_tick.cpp).
 #pragma once
 
 #include "rendering/contact/carry_along.h"

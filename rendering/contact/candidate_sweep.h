@@ -1,5 +1,5 @@
 // Sweeps the sphere from the proxy to the sub-goal, and finds the candidate that blocks it. It is
-// the last step of a sub-goal (sphere_proxy.cpp).
+// the last step of a sub-goal (proxy_tick.cpp).
 //
 // A distance is convex along the segment, so a candidate that the tangent at the start shows out of
 // reach at the end is out of reach all along. Most of the others lie behind the planes that hold

@@ -13,7 +13,7 @@
 
 namespace tactus::rendering {
 
-// What it learnt lives from tick to tick; CandidateSet has one.
+// Its memory lives from tick to tick; CandidateSet has one.
 class CapsulePlan {
  public:
   // Returns the capsule of the next gathering, which starts at p. It extends in the direction in

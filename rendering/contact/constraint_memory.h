@@ -1,5 +1,5 @@
 // The constraints that the proxy met earlier in the same tick. They keep its straight moves from
-// going round in a cycle. Every sub-goal leaves them to the next (sphere_proxy.cpp).
+// going round in a cycle. Every sub-goal leaves them to the next (proxy_tick.cpp).
 #pragma once
 
 #include <algorithm>

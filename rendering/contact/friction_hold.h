@@ -1,5 +1,5 @@
 // Holds the proxy back by friction: from the point that the contact planes allow to the point that
-// friction allows. It is the fourth step of a sub-goal (sphere_proxy.cpp).
+// friction allows. It is the fourth step of a sub-goal (proxy_tick.cpp).
 #pragma once
 
 #include "rendering/contact/active_constraints.h"

@@ -1,4 +1,4 @@
-// Collects the contact planes at the proxy: the second step of a sub-goal (sphere_proxy.cpp).
+// Collects the contact planes at the proxy: the second step of a sub-goal (proxy_tick.cpp).
 //
 // A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the

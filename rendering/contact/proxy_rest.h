@@ -1,5 +1,5 @@
 // The result of the shared proxy's move in one tick: the planes that hold it, and its path. The
-// steps of a tick write it (sphere_proxy.cpp), and ProxyTouch makes the force of it.
+// steps of a tick write it (proxy_tick.cpp), and ProxyTouch makes the force of it.
 #pragma once
 
 #include <algorithm>
