@@ -31,16 +31,16 @@ std::expected<void, OpenError> LinuxBoards::open(const DeviceConfig& config,
   return wire(config, device);
 }
 
-LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::CanConnection& can) {
-  const ConnectionConfig& setup = place.connection();
-  CanLine& line = can_[place.index];
+LinuxBoards::Outcome LinuxBoards::open(const Opening& opening, const drivers::CanConnection& can) {
+  const ConnectionConfig& setup = opening.connection();
+  CanLine& line = can_[opening.index];
   if (const auto opened = line.bus.open(can.interface); !opened) {
     return cannot(setup, "the CAN interface cannot be opened; see ip link show type can",
                   opened.error());
   }
   line.board.emplace(line.bus, clock_);
-  for (const AxisConfig& axis : place.axes()) {
-    if (axis.connection != place.index) {
+  for (const AxisConfig& axis : opening.axes()) {
+    if (axis.connection != opening.index) {
       continue;
     }
     const bool added = drivers::visit_drive(axis.drive, [&](const auto& driver, const auto& drive) {
@@ -55,12 +55,13 @@ LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::CanCon
       return cannot(setup, "too many drives on one bus");
     }
   }
-  boards_[place.index] = drivers::BoardRef(*line.board);
+  boards_[opening.index] = drivers::BoardRef(*line.board);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::FalconConnection& usb) {
-  const ConnectionConfig& setup = place.connection();
+LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
+                                       const drivers::FalconConnection& usb) {
+  const ConnectionConfig& setup = opening.connection();
   if (falcon_) {
     return cannot(setup, "one Falcon is all that fits");
   }
@@ -75,15 +76,16 @@ LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::Falcon
                   opened.error());
   }
   drivers::FalconConfig falcon = usb.falcon;
-  falcon.firmware = place.falcon_firmware;
-  falcon.unproven_watchdog = falcon.unproven_watchdog || place.has_watchdog_line();
+  falcon.firmware = opening.falcon_firmware;
+  falcon.unproven_watchdog = falcon.unproven_watchdog || opening.has_watchdog_line();
   falcon_.emplace(usb_, clock_, falcon);
-  boards_[place.index] = drivers::BoardRef(*falcon_);
+  boards_[opening.index] = drivers::BoardRef(*falcon_);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::HaplyConnection& haply) {
-  const ConnectionConfig& setup = place.connection();
+LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
+                                       const drivers::HaplyConnection& haply) {
+  const ConnectionConfig& setup = opening.connection();
   if (haply_) {
     return cannot(setup, "one Haply board is all that fits");
   }
@@ -93,17 +95,18 @@ LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::HaplyC
                   opened.error());
   }
   drivers::HaplyConfig board = haply.haply;
-  board.unproven_watchdog = board.unproven_watchdog || place.has_watchdog_line();
+  board.unproven_watchdog = board.unproven_watchdog || opening.has_watchdog_line();
   haply_.emplace(serial_, clock_, board);
-  boards_[place.index] = drivers::BoardRef(*haply_);
+  boards_[opening.index] = drivers::BoardRef(*haply_);
   return {};
 }
 
-LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::GpioConnection& gpio) {
-  const ConnectionConfig& setup = place.connection();
+LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
+                                       const drivers::GpioConnection& gpio) {
+  const ConnectionConfig& setup = opening.connection();
   const drivers::GpioAxisConfig* drive = nullptr;
-  for (const AxisConfig& axis : place.axes()) {
-    if (axis.connection == place.index) {
+  for (const AxisConfig& axis : opening.axes()) {
+    if (axis.connection == opening.index) {
       if (drive != nullptr) {
         return cannot(setup, "a gpio connection carries one axis; give each its own");
       }
@@ -113,7 +116,7 @@ LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::GpioCo
   if (drive == nullptr) {
     return cannot(setup, "no axis uses this connection");
   }
-  GpioLine& line = gpio_[place.index];
+  GpioLine& line = gpio_[opening.index];
   const std::size_t slash = gpio.pwm_folder.rfind('/');
   const std::string_view chip = gpio.pwm_folder.substr(slash + 1);
   const auto opened = slash == std::string_view::npos
@@ -133,7 +136,7 @@ LinuxBoards::Outcome LinuxBoards::open(const Place& place, const drivers::GpioCo
     }
     line.axis.emplace(*drive, line.counter, *line.lines, line.pwm, clock_);
   }
-  boards_[place.index] = drivers::BoardRef(*line.axis);
+  boards_[opening.index] = drivers::BoardRef(*line.axis);
   return {};
 }
 

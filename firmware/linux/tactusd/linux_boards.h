@@ -63,7 +63,7 @@ class LinuxBoards {
   using Outcome = std::expected<void, OpenError>;
 
   // A connection of the device that is to be opened.
-  struct Place {
+  struct Opening {
     const DeviceConfig& device;
     std::size_t index;
     std::span<const std::byte> falcon_firmware;
@@ -88,10 +88,10 @@ class LinuxBoards {
   };
 
   // These open a connection of each kind.
-  Outcome open(const Place& place, const drivers::CanConnection& can);
-  Outcome open(const Place& place, const drivers::FalconConnection& usb);
-  Outcome open(const Place& place, const drivers::HaplyConnection& haply);
-  Outcome open(const Place& place, const drivers::GpioConnection& gpio);
+  Outcome open(const Opening& opening, const drivers::CanConnection& can);
+  Outcome open(const Opening& opening, const drivers::FalconConnection& usb);
+  Outcome open(const Opening& opening, const drivers::HaplyConnection& haply);
+  Outcome open(const Opening& opening, const drivers::GpioConnection& gpio);
   Outcome wire(const DeviceConfig& config, drivers::ComposedDevice& device) const;
 
   // Numbers the axes of a connection's board in the order in which they were added to it.
