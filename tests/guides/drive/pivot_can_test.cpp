@@ -59,9 +59,10 @@ TEST(AddedDrive, IsNamedWithTheOthers) {
 }
 
 TEST(AddedDrive, GetsAdviceOnAWrongKey) {
-  EXPECT_TRUE(complaint(device("max_torque = 0.25\n"))
-                  .contains(":8: [[axis]] 1: unknown key 'max_torque'; did you mean "
-                            "'max_torque_Nm'?"));
+  const std::string said = complaint(device("nodes = 3\n"));
+  EXPECT_TRUE(said.contains(":11: [[axis]] 1: unknown key 'nodes'; did you mean node?")) << said;
+  const std::string unit = complaint(device("max_torque = 0.25\n"));
+  EXPECT_TRUE(unit.contains("max_torque_Nm")) << unit;
 }
 
 TEST(AddedDrive, RefusesAValueOutOfItsRange) {
@@ -79,7 +80,7 @@ TEST(AddedDrive, PushesAndIsReadOnABus) {
   hal::SimulatedCanBus host(network);
   hal::SimulatedCanBus node(network);
   drivers::RegisteredCanBoard board(host, clock);
-  ASSERT_TRUE(board.add(drivers::PivotCan({.node = 3, .max_torque_Nm = 0.1})));
+  ASSERT_TRUE(board.add(drivers::PivotCan({.node = 3, .max_torque_Nm = 0.125})));
   board.start();
 
   std::array<drivers::AxisSample, 1> samples;
@@ -101,7 +102,7 @@ TEST(AddedDrive, PushesAndIsReadOnABus) {
   EXPECT_EQ(samples[0].status, drivers::kDeviceOk);
   EXPECT_NEAR(samples[0].position_rad, 4.0 * 2.0 * 3.14159265358979 / 8192.0, 1e-12);
   EXPECT_EQ(heard.id, 0x303U);
-  EXPECT_EQ(heard.data[0], std::byte{100});  // the limit, 0.1 N m
+  EXPECT_EQ(heard.data[0], std::byte{125});  // the limit, 0.125 N m
 
   clock.advance_by(10 * kMs);
   board.read(samples, clock.now_ns());
