@@ -1,5 +1,5 @@
-// What follows from the lists of registered drivers and connections: variants that hold the
-// settings of any of them, their choice by name, and visits together with the registration.
+// Variants over the lists of registered drivers and connections: the settings of any of them,
+// their choice by name, and visits together with the registration.
 #pragma once
 
 #include <array>

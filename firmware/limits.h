@@ -1,4 +1,6 @@
-// The fixed sizes and bounds of the controller. Each comment says what happens at the bound.
+// The fixed sizes and bounds of the controller, in one place. Each comment says what happens at the
+// bound. A change of a size changes the static memory of the program; a change of a range changes
+// which configurations validate() accepts.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +27,7 @@ inline constexpr std::size_t kJointCount = 3;
 // The largest number of stops between two links in a configuration.
 inline constexpr std::size_t kMaxCoupledLimits = 2;
 
+// The default of ControllerConfig::gravity_D, downward in the device frame.
 inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
 
 // The most Newton steps of the delta's forward kinematics. Two or three are enough from the pose of

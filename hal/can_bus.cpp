@@ -12,6 +12,8 @@ Result<std::size_t> CanBus::send(std::span<const CanFrame> frames) {
     return failure(ErrorCode::invalid_argument);
   }
   if (!DoFdEnabled() && std::ranges::any_of(frames, &CanFrame::fd)) {
+    // An interface without CAN FD cannot send the frame. The check is here so that every
+    // implementation returns the same error.
     return failure(ErrorCode::not_supported);
   }
   const auto taken = DoSend(frames);

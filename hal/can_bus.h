@@ -1,4 +1,8 @@
-// One node on a CAN bus, for motor drives over CAN and CAN FD.
+// One node on a CAN bus: the interface through which the motor drives on CAN and CAN FD are
+// reached.
+//
+// A driver takes a reference to CanBus. SocketCAN (hal/linux/can_bus.h) and the bus in memory
+// (hal/simulated/can_bus.h) implement it.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +15,29 @@
 
 namespace tactus::hal {
 
+// The largest number of filters that set_filters takes.
 inline constexpr std::size_t kMaxCanFilters = 64;
 
+// The state of the node's controller, by its error counters (ISO 11898-1, fault confinement).
 enum class CanState : std::uint8_t {
-  error_active,   // normal: both error counters are below 96
-  error_warning,  // a counter at 96 or more
-  error_passive,  // a counter at 128 or more
-  bus_off,        // the transmit counter passed 255: no traffic until `restart`
-  stopped,        // the interface is down
+  // Normal: both error counters are below 96.
+  error_active,
+  // One of the counters is 96 or more.
+  error_warning,
+  // One of the counters is 128 or more: the node may no longer disturb the frames of others.
+  error_passive,
+  // The transmit counter passed 255: the node neither sends nor receives until `restart`.
+  bus_off,
+  // The network interface is down, or gone.
+  stopped,
 };
 
+// The controller's state and its error counters, as last reported.
 struct CanStatus {
   CanState state = CanState::error_active;
-  std::uint8_t transmit_errors = 0;  // 255 stands for more
+  // Each failed transmission adds 8 and each good one subtracts 1. 255 stands for 255 or more.
+  std::uint8_t transmit_errors = 0;
+  // The same for received frames; 255 stands for 255 or more.
   std::uint8_t receive_errors = 0;
 };
 
@@ -36,9 +50,12 @@ struct CanCounters {
   std::uint64_t receive_dropped = 0;  // frames and reports lost because the receive queue was full
 };
 
+// A node that sends and receives frames through two bounded queues.
+//
 // Real time: send, receive, status and counters are real time after opening and allocate nothing;
-// filters and restart are not. Thread: one at a time for each object; not from an interrupt. Each
-// implementation has its own way to open.
+// set_filters, set_error_classes and restart are not. Thread: one at a time for each object; not
+// from an interrupt. Opening is not part of the interface: each implementation has its own
+// function.
 class CanBus {
  public:
   CanBus(const CanBus&) = delete;
@@ -54,6 +71,7 @@ class CanBus {
   //   invalid_argument  !is_valid(frame)
   //   io                anything else the system reports
   Result<std::size_t> send(std::span<const CanFrame> frames);
+  // Puts one frame into the send queue. The errors are those above.
   Result<void> send(const CanFrame& frame);
 
   // Waits until something has arrived or the deadline has passed. Then returns the number of items
@@ -89,6 +107,7 @@ class CanBus {
 
   // Returns the last known status, without a system call.
   CanStatus status() const { return DoStatus(); }
+  // Returns the numbers of frames sent, received and lost since opening, without a system call.
   CanCounters counters() const;
 
   // Returns true if the bus carries CAN FD.
@@ -97,6 +116,9 @@ class CanBus {
  protected:
   CanBus() = default;
   ~CanBus() = default;
+
+  // Sets the counters to 0, except receive_dropped. An implementation calls it at each opening.
+  void clear_counters() { counters_ = {}; }
 
  private:
   // The public functions have checked the arguments; `frames` and `received` are not empty.
@@ -109,6 +131,7 @@ class CanBus {
   virtual std::uint64_t DoReceiveDropped() const = 0;
   virtual bool DoFdEnabled() const = 0;
 
+  // All but receive_dropped, which the implementation counts.
   CanCounters counters_;
 };
 

@@ -6,6 +6,7 @@ namespace tactus::hal {
 
 namespace {
 
+// The lengths above 8 bytes that a CAN FD frame can have (ISO 11898-1, data length codes 9 to 15).
 constexpr std::array<std::uint8_t, 7> kLongFdLengths{12, 16, 20, 24, 32, 48, 64};
 
 }  // namespace

@@ -18,6 +18,8 @@ Wake Clock::sleep_until(TimeNs wake_ns) {
 }
 
 Wake Clock::sleep_to_phase(const Phase& phase, const Wake& last) {
+  // A loop that overran wakes at an instant after now, not at the one that it missed: it skips
+  // ticks and keeps its phase.
   const TimeNs first_ns = next_instant_ns(phase, last.scheduled_ns);
   const TimeNs target_ns = std::max(first_ns, next_instant_ns(phase, DoNowNs()));
   Wake wake = sleep_until(target_ns);

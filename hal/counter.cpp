@@ -26,6 +26,7 @@ Result<CounterReading> Counter::read() {
     return failure(ErrorCode::invalid_state);
   }
   const auto reading = DoRead();
+  // A count above the ceiling would make count_difference return nonsense.
   if (reading && reading->count > ceiling_) {
     return failure(ErrorCode::io);
   }

@@ -1,4 +1,5 @@
-// A quadrature counter in hardware: counts every step of an encoder without an interrupt.
+// A quadrature counter in hardware: it counts every step of an encoder without an interrupt, and
+// can latch the count at the encoder's index pulse.
 #pragma once
 
 #include <cstddef>
@@ -10,32 +11,40 @@
 
 namespace tactus::hal {
 
+// The direction of the last step; `unknown` if the hardware does not report it.
 enum class CountDirection : std::uint8_t { unknown, forward, backward };
 
+// The settings of Counter::start.
 struct CounterConfig {
   // The highest count; the counter wraps between it and 0. 0: the hardware's own ceiling.
   std::uint64_t ceiling = 0;
-  bool watch_index = false;  // report the count at every index pulse
+  // True: the count at every index pulse is kept for read_index.
+  bool watch_index = false;
 };
 
+// The count at one moment.
 struct CounterReading {
   std::uint64_t count = 0;  // from 0 to the ceiling
-  TimeNs time_ns = 0;       // just before the count was read, on the clock of Clock::now_ns
+  // A time just before the count was read, on the clock of Clock::now_ns.
+  TimeNs time_ns = 0;
   CountDirection direction = CountDirection::unknown;
-  bool noisy = false;  // the hardware saw states that cannot follow each other, or excessive noise
+  // True if the hardware saw states that cannot follow each other, or excessive noise: steps may be
+  // lost.
+  bool noisy = false;
 };
 
+// The count that the hardware or the kernel took at an index pulse.
 struct CounterIndexEvent {
   std::uint64_t count = 0;  // the count at the pulse
   TimeNs time_ns = 0;       // the time of the pulse, on the clock of Clock::now_ns
 };
 
-// Returns the signed distance from `from` to `to` on a counter that wraps after `ceiling`, in the
-// shorter direction.
+// Returns the signed distance, in counts, from `from` to `to` on a counter that wraps after
+// `ceiling`, in the shorter direction. Both are from 0 to `ceiling`.
 std::int64_t count_difference(std::uint64_t from, std::uint64_t to, std::uint64_t ceiling);
 
-// It counts x4: every edge of both channels. A power cycle or another program may change the count,
-// so only differences are meaningful.
+// A counter with one encoder. It counts x4: every edge of both channels. A power cycle or another
+// program may change the count, so only differences are meaningful.
 //
 // Real time: read and read_index, after start; they allocate nothing. Thread: one at a time for
 // each object; not from an interrupt. Every call can return, besides the errors that it lists:
@@ -55,7 +64,7 @@ class Counter {
   // Returns the ceiling in effect; 0 before `start`.
   std::uint64_t ceiling() const { return ceiling_; }
 
-  // Returns the count now.
+  // Returns the count now. A count above the ceiling is the error io.
   //   invalid_state  not started
   Result<CounterReading> read();
 

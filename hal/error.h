@@ -1,4 +1,4 @@
-// The error codes of all hal interfaces.
+// The error codes of all hal interfaces. Start-up and I/O return them in a Result; nothing throws.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 
 namespace tactus::hal {
 
+// A cause to which a caller reacts. `words` gives its text for the user.
 enum class ErrorCode : std::uint8_t {
   timeout,           // the deadline passed before anything was done
   queue_full,        // a send queue has no room: the frame was not taken; try again next tick
@@ -26,6 +27,7 @@ enum class ErrorCode : std::uint8_t {
   no_memory,         // the system had no memory left; only while opening
 };
 
+// Why a call failed.
 struct Error {
   ErrorCode code = ErrorCode::io;
   // The original error, for the log: errno (> 0) of a system call, LIBUSB_ERROR_* (< 0), or 0.
@@ -35,8 +37,10 @@ struct Error {
 };
 
 template <class T>
+// The value of a call, or why it failed.
 using Result = std::expected<T, Error>;
 
+// Returns the failed Result of `code`: return failure(ErrorCode::timeout).
 constexpr std::unexpected<Error> failure(ErrorCode code, int errno_value = 0) {
   return std::unexpected(Error{code, errno_value});
 }

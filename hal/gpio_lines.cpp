@@ -6,6 +6,7 @@ namespace tactus::hal {
 
 namespace {
 
+// Edges and debouncing exist for inputs only, a drive for outputs only.
 bool is_valid_line(const GpioLineConfig& line) {
   if (line.direction == GpioDirection::output) {
     return line.edges == GpioEdges::none && line.debounce_us == 0;
@@ -23,6 +24,8 @@ bool names_an_offset_twice(std::span<const GpioLineConfig> lines) {
   return false;
 }
 
+// Returns a mask of the lowest `count` bits. A shift by 64 is undefined, hence the case of all
+// bits.
 std::uint64_t first_bits(std::size_t count) {
   return count >= kMaxGpioLines ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }

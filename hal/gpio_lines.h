@@ -1,5 +1,5 @@
 // Several lines of one GPIO chip, requested together, for encoder edges, emergency stop, enable and
-// direction.
+// direction of an axis.
 #pragma once
 
 #include <array>
@@ -13,49 +13,67 @@
 
 namespace tactus::hal {
 
+// The largest number of lines of one request, one bit of a mask each.
 inline constexpr std::size_t kMaxGpioLines = 64;
+// The largest size of the edge buffer, in events.
 inline constexpr std::size_t kMaxGpioEdgeBuffer = 1024;
-inline constexpr std::size_t kGpioEdgesPerLine = 16;  // default size of the edge buffer per line
+// The default size of the edge buffer, in events for each line.
+inline constexpr std::size_t kGpioEdgesPerLine = 16;
 
 enum class GpioDirection : std::uint8_t { input, output };
+// The pull resistor of a line; `as_is` keeps the one that the board has set.
 enum class GpioBias : std::uint8_t { as_is, disabled, pull_up, pull_down };
+// The output stage: open_drain drives low only, open_source high only.
 enum class GpioDrive : std::uint8_t { push_pull, open_drain, open_source };
+// The edges that a line reports, in logical levels.
 enum class GpioEdges : std::uint8_t { none, rising, falling, both };
 
-// Values and edges are logical: active is 1, and rising means from inactive to active. Active-low
-// inverts the physical level.
+// The settings of one line. Values and edges are logical: active is 1, and rising means from
+// inactive to active. `active_low` inverts the physical level.
 struct GpioLineConfig {
-  std::uint32_t offset = 0;  // number of the line on the chip
+  // The number of the line on the chip, from 0.
+  std::uint32_t offset = 0;
   GpioDirection direction = GpioDirection::input;
   GpioBias bias = GpioBias::as_is;
   bool active_low = false;
-  GpioEdges edges = GpioEdges::none;       // inputs only
-  std::uint32_t debounce_us = 0;           // inputs only; 0 is off
+  GpioEdges edges = GpioEdges::none;  // inputs only
+  // Inputs only: a level counts when it has been stable for this time, us; 0 is off.
+  std::uint32_t debounce_us = 0;
   GpioDrive drive = GpioDrive::push_pull;  // outputs only
-  bool initial_active = false;             // outputs only; the level from the request on
+  // Outputs only: the level from the request on.
+  bool initial_active = false;
 };
 
+// The lines of one request. Bit i of every mask is lines[i].
 struct GpioRequest {
+  // The lines in the order of the bits of every mask.
   std::span<const GpioLineConfig> lines;
-  std::string_view consumer = "tactus";  // shown as the holder; the first 31 characters are used
-  std::size_t edge_buffer = 0;  // events; 0: kGpioEdgesPerLine per line; the board may round up
+  // The name shown as the holder of the lines. Linux uses its first 31 characters.
+  std::string_view consumer = "tactus";
+  // The number of events that wait for read_edges; 0 stands for kGpioEdgesPerLine for each line.
+  // The board may round it up.
+  std::size_t edge_buffer = 0;
 };
 
-// Sequence numbers start at 1 and wrap at 2^32. If the buffer is full, the oldest event is dropped,
-// so a gap in the numbers shows a loss. After a loss `rising` may be wrong too: read the level.
-// With a single line in the request the kernel does not count edges that its own interrupt missed,
-// so request two or more lines if every edge matters.
+// An edge on one line. Sequence numbers start at 1 and wrap at 2^32. If the buffer is full, the
+// oldest event is dropped, so a gap in the numbers shows a loss. After a loss `rising` may be wrong
+// too: read the level. With a single line in the request the kernel does not count edges that its
+// own interrupt missed, so request two or more lines if every edge matters.
 struct GpioEdgeEvent {
   // Time of the interrupt, or with debouncing the time when the level had settled, on the clock of
   // Clock::now_ns.
   TimeNs time_ns = 0;
-  std::uint32_t offset = 0;         // number of the line on the chip
-  std::uint32_t sequence = 0;       // among all lines of the request
-  std::uint32_t line_sequence = 0;  // on this line
+  std::uint32_t offset = 0;  // number of the line on the chip
+  // The number of the edge among all lines of the request.
+  std::uint32_t sequence = 0;
+  // The number of the edge on its line.
+  std::uint32_t line_sequence = 0;
+  // True for an edge from inactive to active.
   bool rising = false;
 };
 
-// Counts the events that are missing in the sequence numbers.
+// Counts the events that are missing in the sequence numbers of a request. Give it every event in
+// order.
 class GpioLossCounter {
  public:
   // Returns how many events are missing between the last event and this one.
@@ -65,6 +83,7 @@ class GpioLossCounter {
     lost_ += missing;
     return missing;
   }
+  // Returns the number of missing events so far.
   std::uint64_t lost() const { return lost_; }
 
  private:
@@ -72,7 +91,8 @@ class GpioLossCounter {
   std::uint64_t lost_ = 0;
 };
 
-// A bit of a mask stands for a line, in the order of the request: bit 0 is lines[0].
+// A request of lines. A bit of a mask stands for a line, in the order of the request: bit 0 is
+// lines[0].
 //
 // Real time: get, set and read_edges, between request and release; they allocate nothing. Thread:
 // one at a time for each object; not from an interrupt. Each implementation has its own way to
@@ -96,9 +116,11 @@ class GpioLines {
   //   not_permitted, no_memory
   Result<void> request(const GpioRequest& request);
 
-  // Releases the lines. The level of an output afterwards depends on the board.
+  // Releases the lines, or does nothing if none are held. The level of an output afterwards depends
+  // on the board.
   void release();
 
+  // Returns the number of lines held; 0 before a request.
   std::size_t line_count() const { return count_; }
 
   // Returns the levels of the lines in `mask`, inputs and outputs; the other bits are 0. Debounced
@@ -130,6 +152,7 @@ class GpioLines {
   virtual Result<std::size_t> DoReadEdges(std::span<GpioEdgeEvent> events, TimeNs deadline_ns) = 0;
 
   std::size_t count_ = 0;
+  // A bit for each line of the request that is an output.
   std::uint64_t outputs_ = 0;
   bool watches_edges_ = false;
 };

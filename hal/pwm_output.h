@@ -1,4 +1,5 @@
-// One PWM channel, for driving an H-bridge.
+// One PWM channel, for driving an H-bridge: the share of the period in which the output is high is
+// the motor's voltage.
 #pragma once
 
 #include "hal/clock.h"
@@ -8,17 +9,20 @@ namespace tactus::hal {
 
 // The output is high for the duty time, then low.
 struct PwmSettings {
+  // The length of a period; 0 while none was set.
   TimeNs period_ns = 0;
+  // The part of each period that is high, or low if inversed; 0 to period_ns.
   TimeNs duty_ns = 0;
   bool enabled = false;
 };
 
-// The level of a disabled output depends on the board. For a safe zero keep the output enabled at
-// duty 0, and switch the bridge off by a separate line.
+// One channel. An implementation opens it disabled, at duty 0. The level of a disabled output
+// depends on the board. For a safe zero keep the output enabled at duty 0, and switch the bridge
+// off by a separate line.
 //
 // Real time: set_duty_ns and set_enabled, after opening; they allocate nothing. Thread: one at a
-// time for each object; not from an interrupt. An implementation opens the channel disabled, at
-// duty 0. Every call can return, besides the errors that it lists:
+// time for each object; not from an interrupt. Every call can return, besides the errors that it
+// lists:
 //   disconnected   the chip is gone
 //   not_supported  the hardware cannot do this period or duty
 //   io             anything else the system reports
@@ -38,7 +42,7 @@ class PwmOutput {
   Result<void> set_duty_ns(TimeNs duty_ns);
 
   // Enables or disables the output.
-  //   invalid_state  no period was set
+  //   invalid_state  enabling before a period was set
   Result<void> set_enabled(bool enabled);
 
   // Returns the settings as last set, without a system call.

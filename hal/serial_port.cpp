@@ -21,6 +21,7 @@ Result<std::size_t> SerialPort::read_all(std::span<std::byte> buffer, TimeNs dea
   do {
     const auto more = read(buffer.subspan(got), deadline_ns);
     if (!more) {
+      // Bytes that have come before the deadline are the result; only none at all is a timeout.
       const bool enough = got > 0 && more.error().code == ErrorCode::timeout;
       return enough ? Result<std::size_t>(got) : more;
     }

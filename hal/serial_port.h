@@ -9,8 +9,8 @@
 
 namespace tactus::hal {
 
-// The stream has no framing and no acknowledgement, and a real line does not detect wrong bytes.
-// The driver must interpret and check the bytes.
+// One end of the stream. It has no framing and no acknowledgement, and a real line does not detect
+// wrong bytes. The driver must interpret and check the bytes.
 //
 // Real time: everything but reopen, after opening; nothing is allocated. Thread: one at a time for
 // each object; not from an interrupt. Every call can return, besides the errors that it lists:
@@ -21,14 +21,15 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  // Puts the bytes into the send buffer, in one piece if they fit, and returns how many were taken
-  // by the deadline; fewer than given is no error, nor are no bytes. Bytes in the buffer are not
-  // sent yet.
+  // Puts the bytes into the send buffer, in one piece if they fit, and returns how many it took by
+  // the deadline. To take fewer than given is no error. With no bytes given it returns 0 at once.
+  // Bytes in the buffer are not sent yet.
   //   timeout  no byte was taken
   Result<std::size_t> write(std::span<const std::byte> bytes, TimeNs deadline_ns);
 
-  // Waits for the first byte, then returns the number of bytes read without waiting for more.
-  //   timeout           nothing arrived
+  // Waits for the first byte, then takes what has arrived without waiting for more. Returns the
+  // number of bytes put into `buffer`, at least 1.
+  //   timeout           nothing arrived by the deadline
   //   invalid_argument  `buffer` is empty
   Result<std::size_t> read(std::span<std::byte> buffer, TimeNs deadline_ns);
 

@@ -6,6 +6,7 @@ namespace {
 
 constexpr std::uint8_t kDeviceToHost = 0x80;
 
+// Returns true if the setup's direction bit matches the call and the data is not too large.
 bool fits(const UsbSetup& setup, UsbDirection direction, std::size_t bytes) {
   const bool says_in = (setup.request_type & kDeviceToHost) != 0;
   return says_in == (direction == UsbDirection::in) && bytes <= kMaxUsbControlBytes;
@@ -68,6 +69,8 @@ Result<std::size_t> UsbEndpoint::run(UsbTransfer& transfer, TimeNs deadline_ns) 
   if (transfer.state() == UsbTransfer::State::done) {
     return transfer.result();
   }
+  // The deadline has passed. The buffer belongs to the caller again only after the cancellation;
+  // the transfer may still have ended well, or carry some bytes, before it was cancelled.
   cancel(transfer);
   const auto result = transfer.result();
   if (result || result.error().code != ErrorCode::cancelled) {

@@ -1,4 +1,5 @@
-// Gives a controller its configuration, or tells the user which part of that is at fault.
+// Gives a controller its configuration, or tells the user which entry of it is out of range.
+// Simulation, replay and certify call it before the first tick; it never runs in the control loop.
 #pragma once
 
 #include <sstream>
@@ -8,7 +9,9 @@
 
 namespace tactus::host {
 
-// Throws InputError where the controller refuses it.
+// Configures `controller`, which starts anew in mode `init`. If it refuses, it keeps its old
+// configuration, and this throws InputError that names the refused field, its value and the
+// permitted range, in the units of ControllerConfig.
 inline void configure(firmware::Controller& controller, const firmware::ControllerConfig& config) {
   if (const auto configured = controller.configure(config); !configured) {
     const firmware::ConfigError& error = configured.error();

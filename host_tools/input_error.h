@@ -1,12 +1,13 @@
-// The exception of host tools for an error in the user's input.
+// The exception that every host tool throws for an error in the user's input. The controller has no
+// exceptions; this type exists in host tools alone.
 #pragma once
 
 #include <stdexcept>
 
 namespace tactus::host {
 
-// One line for the user: `file:line: what; remedy`. The program prints it and ends with exit
-// code 2.
+// The message is one line for the user: `file:line: what; remedy`. The program `tactus` catches it
+// in main, prints it to stderr and ends with exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

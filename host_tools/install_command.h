@@ -1,4 +1,4 @@
-// How a user installs a Debian package; the tools say it and never do it.
+// The command by which a user installs a Debian package. The tools print it and never run it.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 
 namespace tactus::host {
 
+// Returns the command for a package of the given name, as one line for a shell.
 inline std::string install_command(std::string_view package) {
   return "sudo apt install " + std::string(package);
 }

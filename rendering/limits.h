@@ -107,6 +107,7 @@ inline constexpr double kWorldBound_m = 100.0;
 
 // The largest sphere that touches, metres. Beyond: the world and the loader refuse the scene.
 inline constexpr double kMaxToolRadius_m = 1.0;
+// Returns true if a sphere of this radius may touch; NaN may not.
 constexpr bool is_tool_radius(double radius_m) {
   return radius_m >= 0.0 && radius_m <= kMaxToolRadius_m;
 }

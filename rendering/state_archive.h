@@ -29,12 +29,15 @@ namespace tactus::rendering {
 // the end: good() is then false, and what is read is zero. A writer never changes a member.
 class StateArchive {
  public:
+  // Return an archive that writes into `room`, or one that reads `bytes`.
   static StateArchive writer(std::span<std::byte> room) { return {room, {}, false}; }
   static StateArchive reader(std::span<const std::byte> bytes) { return {{}, bytes, true}; }
 
+  // Returns true for a reader.
   [[nodiscard]] bool is_reading() const { return is_reading_; }
+  // Returns false once anything has failed; nothing is read or written from then on.
   [[nodiscard]] bool good() const { return good_; }
-  // Bytes so far.
+  // Returns the number of bytes so far.
   [[nodiscard]] std::size_t size() const { return place_; }
   // Returns true if everything was read.
   [[nodiscard]] bool at_end() const { return place_ == from_.size(); }
@@ -42,13 +45,14 @@ class StateArchive {
   // Rejects the state if `holds` is false for the members read or to be written.
   void require(bool holds) { good_ = good_ && holds; }
 
-  // Numbers, vectors, arrays of them, and what has a transfer() of its own.
+  // Transfers numbers, vectors, arrays of them, and classes with a transfer() of their own, in this
+  // order.
   template <class... Members>
   void operator()(Members&... members) {
     (item(members), ...);
   }
 
-  // An enumerator from 0 to `last`.
+  // Transfers an enumerator from 0 to `last`; another value is refused.
   template <class Enum>
   void choice(Enum& value, Enum last) {
     auto number = static_cast<std::uint8_t>(value);
@@ -59,7 +63,7 @@ class StateArchive {
     }
   }
 
-  // A count or an index that is at most `most`.
+  // Transfers a count or an index that is at most `most`; a larger one is refused and read as 0.
   template <std::unsigned_integral Number>
   void up_to(Number& value, std::type_identity_t<Number> most) {
     item(value);
@@ -90,6 +94,7 @@ class StateArchive {
   StateArchive(std::span<std::byte> to, std::span<const std::byte> from, bool is_reading)
       : to_(to), from_(from), is_reading_(is_reading) {}
 
+  // Transfers raw bytes. A reader that has too few gives zeros.
   void bytes(void* members, std::size_t size) {
     const std::size_t room = (is_reading_ ? from_.size() : to_.size()) - place_;
     if (!good_ || size > room) {
@@ -152,6 +157,7 @@ class StateArchive {
 
   std::span<std::byte> to_;
   std::span<const std::byte> from_;
+  // The place of the next byte.
   std::size_t place_ = 0;
   bool is_reading_;
   bool good_ = true;

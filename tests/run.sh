@@ -21,6 +21,7 @@ all_stages=(
   "heap-check        heap_check_catches_offences.sh"
   "include-check     include_check_catches_offences.sh"
   "tidy-check        tidy_catches_offences.sh"
+  "guides            guides.sh"
   "mutations         mutations.sh"
   "install           install_package.sh"
   "packages-list     packages_come_from_one_list.sh"

@@ -6,21 +6,27 @@
 namespace tactus::firmware {
 namespace {
 
-// Length of a quarter pulse. A pulse has a push out, a push back (two quarters) and a brake; the
-// mirrored pulse and a rest follow.
+// The length of a quarter of a pulse. A pulse has a push out, a push back (two quarters) and a
+// brake; the mirrored pulse and a rest of two quarters follow, so that a delayed answer is still
+// recorded.
 constexpr double kQuarter_s = 0.02;
 constexpr std::size_t kQuartersOfAPulse = 4;
 constexpr std::size_t kQuarters = (2 * kQuartersOfAPulse) + 2;
 
-constexpr double kStill_s = 0.2;  // without leaving the band, to count as at rest
+// A joint counts as at rest if it stays within a band for this time.
+constexpr double kStill_s = 0.2;
 constexpr double kLongestSettling_s = 10.0;
-constexpr double kBandShare = 0.1;  // of the wanted travel
+// The width of the band, as a share of the wanted travel.
+constexpr double kBandShare = 0.1;
+// The ratio of the efforts of two pulses in a row.
 constexpr double kGrowth = 1.6;
+// The travel of a measured pulse in encoder counts: the steps of the counts are then 4 % of it.
 constexpr double kWantedQuanta = 25.0;
 // The largest share of the pulse that friction may take. Above it the inertia would be the
 // difference of two nearly equal numbers.
 constexpr double kMostFriction = 0.2;
 
+// Returns true if the sample can be used. An old sample can: the pulse is a record over many ticks.
 bool is_well(const drivers::JointSample& sample, std::size_t joint) {
   return (sample.status & ~static_cast<std::uint32_t>(drivers::kDeviceStale)) == 0 &&
          std::isfinite(sample.position[joint]);
@@ -107,6 +113,7 @@ double JointTrial::pulse(const drivers::JointSample& sample) {
 void JointTrial::judge() {
   fit_ = fit_pulse(record_, 1.0 / config_.rate_hz);
   const double wanted = std::max(config_.wanted_travel, kWantedQuanta * fit_.quantum);
+  // Half of the largest travel is enough where the wanted one cannot be reached safely.
   const bool is_far_enough = fit_.travel >= std::min(wanted, 0.5 * config_.largest_travel);
   const bool is_strong_enough = fit_.friction <= kMostFriction * effort_;
   if (is_far_enough && (is_strong_enough || effort_ >= config_.most_effort)) {

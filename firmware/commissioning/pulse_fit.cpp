@@ -14,12 +14,13 @@ namespace {
 using Vec4 = Eigen::Vector4d;
 using Mat4 = Eigen::Matrix4d;
 
-// A joint slower than this share of the record's fastest step counts as standing still.
+// A joint that moves less than this share of the record's largest step counts as standing still.
 constexpr double kStandingShare = 0.02;
 // The number of positions over which a step is smoothed, so that single encoder counts do not
 // determine the sign of friction.
 constexpr std::size_t kSmoothing = 3;
 
+// Returns the sign of the motion around sample k: -1, 0 or 1. `standing` is in rad or m.
 double direction(std::span<const double> position, std::size_t k, double standing) {
   const std::size_t before = k >= kSmoothing ? k - kSmoothing : 0;
   const std::size_t after = std::min(k + kSmoothing, position.size() - 1);
@@ -27,6 +28,7 @@ double direction(std::span<const double> position, std::size_t k, double standin
   return std::abs(step) <= standing ? 0.0 : std::copysign(1.0, step);
 }
 
+// Returns the largest smoothed step of the record, rad or m.
 double fastest_step(std::span<const double> position) {
   double fastest = 0.0;
   for (std::size_t k = 2 * kSmoothing; k < position.size(); ++k) {
@@ -35,8 +37,11 @@ double fastest_step(std::span<const double> position) {
   return fastest;
 }
 
+// The solution for one delay.
 struct Solved {
+  // Inertia, viscous friction, sliding friction and load.
   Vec4 parameters = Vec4::Zero();
+  // The squared error that is left, and the squared size of the right-hand side before the fit.
   double residual = std::numeric_limits<double>::infinity();
   double size = 0.0;
 };
@@ -81,6 +86,8 @@ Solved solve(const PulseRecord& record, double step_s, std::size_t delay, double
   return solved;
 }
 
+// Returns the ratio of reported to commanded effort by least squares, at the shift with the largest
+// correlation, because a report arrives some ticks after its command.
 double reported_share(const PulseRecord& record) {
   double best = 0.0;
   double most = 0.0;

@@ -39,10 +39,12 @@ constexpr std::array<VerdictText, kVerdicts> kTexts = {{
 // of its range.
 constexpr double kMuchFarther = 4.0;
 
+// Returns true if another joint moved much farther than the tried one.
 bool another_moved(const JointTrial& trial, std::size_t joint, const JointExpectation& expected) {
   const auto share = [&](std::size_t i) {
     return expected.range[i] > 0.0 ? trial.travel()[i] / expected.range[i] : 0.0;
   };
+  // A smaller share of the range is noise, or the table moves.
   constexpr double kSeen = 1e-3;
   for (std::size_t i = 0; i < drivers::kMaxJoints; ++i) {
     if (i != joint && share(i) > kSeen && share(i) > kMuchFarther * share(joint)) {
@@ -52,6 +54,8 @@ bool another_moved(const JointTrial& trial, std::size_t joint, const JointExpect
   return false;
 }
 
+// Judges a measured pulse. The order matters: a fit that explains little says nothing about the
+// sign, and the sign nothing about the scale.
 Verdict judge_fit(const PulseFit& fit, const JointExpectation& expected) {
   if (fit.explained < kExplained) {
     return Verdict::unclear;

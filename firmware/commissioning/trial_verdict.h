@@ -1,4 +1,5 @@
-// Judges a joint's trial: whether motor, encoder and their scales agree with device.toml.
+// Judges a joint's trial: whether motor, encoder and their scales agree with device.toml. All are
+// pure functions for any thread; not real time.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,8 @@
 
 namespace tactus::firmware {
 
+// The result for one joint. `no_motion` and those after `unclear` are the ends of a trial
+// (TrialEnd).
 enum class Verdict : std::uint8_t {
   passed,
   reversed,       // the joint moves against its effort
@@ -32,8 +35,10 @@ struct TravelSeen {
 
 // The values of the joint in device.toml.
 struct JointExpectation {
-  double inertia = 0.0;  // apparent inertia at the joint, kg m^2 or kg
-  double lower = 0.0;    // limits, rad or m
+  // The apparent inertia at the joint, kg m^2 or kg.
+  double inertia = 0.0;
+  // The limits of the joint, rad or m.
+  double lower = 0.0;
   double upper = 0.0;
   // The range of every joint, rad or m, to judge how far another joint moved.
   std::array<double, drivers::kMaxJoints> range{};
@@ -52,7 +57,10 @@ inline constexpr double kTravelBeyond = 0.1;
 // A fit that explains less than this share is not used.
 inline constexpr double kExplained = 0.8;
 
+// Returns the verdict on a trial that has ended. A trial that is still running counts as
+// sample_bad. `joint` is the index of the tried joint.
 Verdict judge_trial(const JointTrial& trial, std::size_t joint, const JointExpectation& expected);
+// Returns `passed` or `travel_differs` for the range over which the hand has moved the joint.
 Verdict judge_travel(const TravelSeen& seen, const JointExpectation& expected);
 
 // The texts of a verdict.
@@ -62,6 +70,7 @@ struct VerdictText {
   std::string_view what;    // for people, as "moves against its effort"
   std::string_view remedy;  // says what to check
 };
+// Returns the texts of a verdict, in static storage.
 const VerdictText& text_of(Verdict verdict);
 
 }  // namespace tactus::firmware

@@ -1,5 +1,5 @@
 // Lists every member of every struct of a configuration. A new member does not compile until it is
-// added here; then change kVersion.
+// added here; then change kConfigVersion.
 #include "firmware/configuration/config_state.h"
 
 #include "rendering/state_archive.h"
@@ -9,6 +9,7 @@ namespace tactus::firmware {
 using rendering::FrictionKind;
 using rendering::StateArchive;
 
+// The bytes begin with it, so that an older recording is refused and not misread.
 inline constexpr std::uint64_t kConfigVersion = 3;
 
 template <std::size_t kKind>

@@ -1,4 +1,5 @@
-// Saves a configuration as bytes, so that a recording can be replayed on any machine.
+// Saves a configuration as bytes, so that a recording can be replayed on any machine. Any thread;
+// not real time.
 #pragma once
 
 #include <cstddef>

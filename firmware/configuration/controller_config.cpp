@@ -8,15 +8,18 @@
 namespace tactus::firmware {
 namespace {
 
-// The bound of a joint's range and effort for a desktop device, in m, rad, N or N m.
+// The bounds of a desktop device: of a joint's range, m or rad, and of its effort, N or N m. They
+// only exclude wrong units; the limits that protect are configured.
 constexpr double kWidest = 10.0;
 constexpr double kStrongest = 1000.0;
-constexpr double kMostSignCheck_N = 1.5;  // of the 2 N that a hand may feel unchecked
+// The largest push of the sign check. It leaves 0.5 N of the 2 N that a hand may feel unchecked.
+constexpr double kMostSignCheck_N = 1.5;
 constexpr double kLeastEffort = 1e-6;
 constexpr double kStiffest = 1e12;
 constexpr double kMostMargin = 100.0;
 constexpr double kLeastTurnLength = 1e-9;
-constexpr double kStrongestGravity = 25.0;  // m/s^2: that of the planets one can stand on
+// The largest gravity in each direction, m/s^2: Jupiter's, the largest of the planets.
+constexpr double kStrongestGravity = 25.0;
 
 void check_friction(RangeCheck& check, const JointFriction& joint) {
   check.in("friction.compensated_share", joint.compensated_share, 0.0, kMaxCompensatedShare);
@@ -28,6 +31,7 @@ void check_friction(RangeCheck& check, const JointFriction& joint) {
              rendering::has_static_level(model.kind) ? model.coulomb : 0.0, kStrongest);
     check.in("friction.model.viscous_s_per_m", model.viscous_s_per_m, 0.0, kStrongest);
     check.in("friction.model.stiffness_N_per_m", model.stiffness_N_per_m, 0.0, kStiffest);
+    // A length of 0 would make the bristle of the compensation infinitely stiff.
     check.in("friction.turn_length", presliding_length(joint), kLeastTurnLength, 1.0);
   }
 }
@@ -84,6 +88,7 @@ void check_certificate(RangeCheck& check, const StiffnessCertificate& certificat
   for (const CertifiedPoint& point : std::span(certificate.points).first(count)) {
     check.in("certificate.damping_Ns_per_m", point.damping_Ns_per_m, least_damping, kStiffest);
     check.in("certificate.stiffness_N_per_m", point.stiffness_N_per_m, 0.0, kStiffest);
+    // The dampings must rise, because stiffness is interpolated between neighbours.
     least_damping = std::nextafter(point.damping_Ns_per_m, kStiffest);
   }
 }

@@ -1,4 +1,5 @@
-// The configuration of the controller. Names end in units; the defaults are safe on a bench.
+// The configuration of the controller: everything that is set before the start. Names end in units;
+// the defaults are safe on a bench. Plain data; not for a tick.
 #pragma once
 
 #include <array>
@@ -17,19 +18,26 @@
 
 namespace tactus::firmware {
 
-// The limits of a joint: rad and N m for a revolute joint, m and N for a prismatic one.
+// The limits of a joint: rad and N m for a revolute joint, m and N for a prismatic one. A position
+// outside lower to upper is kFaultJointLimit.
 struct JointLimits {
-  double lower = -0.25;  // a position outside lower to upper is kFaultJointLimit
+  // The lowest allowed position.
+  double lower = -0.25;
+  // The highest allowed position.
   double upper = 0.25;
-  double max_effort = 10.0;  // all efforts are scaled down together to keep each joint within this
+  // The largest effort. All joints' efforts are scaled down together to keep each joint within
+  // this.
+  double max_effort = 10.0;
 };
 
 // A stop between two links that are both driven from the base, as in a parallelogram. If the
 // position of `joint` minus that of `minus` is outside lower to upper, it is kFaultJointLimit. The
-// default is no stop.
+// default is no stop: the difference of a joint with itself is 0.
 struct CoupledLimit {
-  std::size_t joint = 0;  // 0 is the first
+  // The indices of the two joints; 0 is the first.
+  std::size_t joint = 0;
   std::size_t minus = 0;
+  // The range of the difference, rad or m.
   double lower = 0.0;
   double upper = 0.0;
 };
@@ -37,9 +45,12 @@ struct CoupledLimit {
 // The measured friction of a joint, and the share of it that the motor compensates
 // (control/friction_compensation.h). Levels are in N and N s/m, or N m and N m s/rad.
 struct JointFriction {
+  // The measured friction. The compensation uses its Coulomb and viscous levels; its presliding
+  // length follows from its largest level at rest and its stiffness.
   rendering::FrictionParameters model;
-  // Compensated share of Coulomb and viscous friction, 0 to kMaxCompensatedShare; 0 is off. It must
-  // be below 1 by as much as the true friction may be below the model's.
+  // The compensated share of Coulomb and viscous friction, 0 to kMaxCompensatedShare; 0 is off. It
+  // must be below 1 by as much as the true friction may be below the model's, or the joint moves by
+  // itself.
   double compensated_share = 0.0;
   // The least displacement over which the compensation changes its sign, m or rad: a few encoder
   // counts. With 0 the model's presliding length alone counts, if it has a stiffness.
@@ -50,67 +61,99 @@ struct JointFriction {
 // neither the model nor turn_length gives one.
 double presliding_length(const JointFriction& joint);
 
+// The limits and thresholds of the guards (firmware/safety/README.md). Force and speed are those of
+// the tool.
 struct SafetyConfig {
-  double max_force_N = 10.0;           // largest force on the hand, vector magnitude
-  double force_slew_N_per_s = 4000.0;  // fastest change of the force vector
-  double soft_start_s = 0.5;  // after activation the force's gain rises from 0 to 1 in this time
-  double contact_start_s = 0.02;  // the same after the first contact since activation
+  // The largest force on the hand, N: the length of the vector.
+  double max_force_N = 10.0;
+  // The fastest change of the force vector, N/s, up and down.
+  double force_slew_N_per_s = 4000.0;
+  // After activation the force's gain rises from 0 to 1 in this time.
+  double soft_start_s = 0.5;
+  // The same after the first contact since activation, for all but effects.
+  double contact_start_s = 0.02;
+  // An older sample is stale, us.
   std::uint32_t max_sample_age_us = 5000;
-  std::uint32_t stale_ticks_to_fault = 3;  // this many samples in a row that are too old
-  std::uint32_t late_ticks_to_fault = 3;   // this many late ticks in a row
-  double max_tick_gap_s = 0.005;           // a gap of missed ticks longer than this is a fault
+  // This many stale samples in a row are kFaultStaleSamples.
+  std::uint32_t stale_ticks_to_fault = 3;
+  // This many late ticks in a row are kFaultLateTicks.
+  std::uint32_t late_ticks_to_fault = 3;
+  // Missed ticks in a row that take at least this long, s, are kFaultTickOverrun.
+  double max_tick_gap_s = 0.005;
 
-  // safety/encoder_guard.h; rad and rad/s for a revolute joint, m and m/s for a prismatic one.
-  double max_joint_speed = 100.0;     // between two samples
-  double frozen_travel = 0.05;        // largest integral of the velocity at an unchanged position
-  double blocked_effort_share = 0.5;  // a change by this share of the largest effort must move it
-  double blocked_s = 0.5;             // within this time
+  // safety/encoder_guard.h: the largest speed between two samples, rad/s or m/s.
+  double max_joint_speed = 100.0;
+  // The largest integral of the velocity while the position stays the same, rad or m.
+  double frozen_travel = 0.05;
+  // A change of the effort by more than this share of the joint's largest must move the joint.
+  double blocked_effort_share = 0.5;
+  // The time, s, within which it must move.
+  double blocked_s = 0.5;
 
-  // safety/motor_sign_check.h: the largest push at the handle that checks a motor's direction after
-  // activation. 0 switches the check off, for tests whose samples do not depend on the effort.
+  // safety/motor_sign_check.h: the largest push at the handle, N, that checks a motor's direction
+  // after activation. 0 switches the check off, for tests whose samples do not depend on the
+  // effort.
   double sign_check_N = 1.0;
-  // The device's mass at the handle. A joint that answers a push more than twice as strongly as
-  // this mass allows is a fault. 0: the mass is not known, and nothing is checked.
+  // The device's mass at the handle, kg. A joint that answers a push more than twice as strongly as
+  // this mass allows is kFaultEffortMismatch. 0: the mass is not known, and only the direction is
+  // checked.
   double moving_mass_kg = 0.0;
 
-  // safety/motion_guard.h
+  // safety/motion_guard.h: a faster tool is kFaultOverspeed. Force along the motion fades from half
+  // of it.
   double max_tool_speed_m_per_s = 5.0;
-  double runaway_speed_m_per_s = 2.5;  // a tool faster than this without a push ...
-  double runaway_travel_m = 0.25;      // ... over this distance runs away
+  // A tool that is faster than this, and that no force pushes in its direction, runs away.
+  double runaway_speed_m_per_s = 2.5;
+  // A tool that runs away over this distance is kFaultMotionWithoutTorque.
+  double runaway_travel_m = 0.25;
 
-  // safety/workspace_walls.h: by default there are no walls. World frame, m.
+  // safety/workspace_walls.h: the corners of the box that the tool shall not leave, world frame, m.
+  // The default is so large that there are no walls.
   Vec3 workspace_lower_W = Vec3::Constant(-10.0);
   Vec3 workspace_upper_W = Vec3::Constant(10.0);
   double workspace_stiffness_N_per_m = 500.0;
   double workspace_damping_Ns_per_m = 1.0;
-  double workspace_overrun_m = 0.02;  // deeper in a wall than this is a fault
+  // A tool that is deeper in a wall than this is kFaultWorkspace.
+  double workspace_overrun_m = 0.02;
 
-  // safety/passivity.h
-  double device_delay_s = 0.0015;  // from a sample until half of the force that answers it is there
-  double device_damping_Ns_per_m = 0.3;     // least damping of the device without a hand
-  double passivity_damping_Ns_per_m = 5.0;  // most damping that the controller adds; 0: none
-  double passivity_fault_travel_m = 0.003;  // a debt above max_force_N times this is a fault
+  // safety/passivity.h: the time from a sample until half of the force that answers it is there, s.
+  double device_delay_s = 0.0015;
+  // The least damping of the device without a hand. It takes back what sampling adds.
+  double device_damping_Ns_per_m = 0.3;
+  // The most damping that the controller adds; 0: none.
+  double passivity_damping_Ns_per_m = 5.0;
+  // A debt above max_force_N times this is kFaultNotPassive.
+  double passivity_fault_travel_m = 0.003;
 
-  // FaultBits that are not raised, for tests. A device's file has no key for it, and every tick
+  // The FaultBits that are not raised, for tests. A device's file has no key for it, and every tick
   // reports the limit guards_off.
   std::uint64_t guards_off = 0;
 };
 
+// The configuration of one controller. validate() checks it.
 struct ControllerConfig {
-  double rate_hz = 1000.0;  // ticks per second
+  // The number of ticks per second.
+  double rate_hz = 1000.0;
+  // The kind of mechanism with its lengths and weights.
   MechanismGeometry mechanism = CartesianGeometry{};
-  Vec3 workspace_origin_D = Vec3::Zero();  // origin of the world frame in the device frame, m
-  // Acceleration of gravity in the device frame, m/s^2, in the direction in which things fall
+  // The origin of the world frame in the device frame, m. Both frames have the same directions.
+  Vec3 workspace_origin_D = Vec3::Zero();
+  // The acceleration of gravity in the device frame, m/s^2, in the direction in which things fall
   // (control/gravity_compensation.h).
   Vec3 gravity_D = {0.0, -kStandardGravity_m_per_s2, 0.0};
-  double velocity_cutoff_hz = 0.0;  // first-order low-pass on the tool's velocity; 0 is none
-  std::array<JointLimits, kJointCount> joints{};  // the mechanism's joints; further ones are unused
+  // The cutoff of the first-order low-pass on the tool's velocity, Hz; 0 is none.
+  double velocity_cutoff_hz = 0.0;
+  // The limits of the mechanism's joints. Entries beyond them are unused.
+  std::array<JointLimits, kJointCount> joints{};
+  // The stops between two links; unused ones have the default.
   std::array<CoupledLimit, kMaxCoupledLimits> coupled_limits{};
+  // The friction of the joints and the compensated share.
   std::array<JointFriction, kJointCount> friction{};
   SafetyConfig safety;
   // The stiffness that surfaces may have. Without a certificate any scene may be loaded.
   StiffnessCertificate certificate;
-  bool allow_uncertified = false;  // load a scene beyond the certificate too
+  // True: a scene beyond the certificate is loaded too.
+  bool allow_uncertified = false;
 };
 
 // Returns the first field that is out of range as the error. Not real time.

@@ -1,4 +1,5 @@
-// The figures are published for the device unless a comment calls them assumed.
+// The configurations of known mechanisms. The figures are published for the device unless a comment
+// calls them assumed.
 #include <numbers>
 
 #include "firmware/configuration/controller_config.h"
@@ -46,11 +47,12 @@ ControllerConfig haply_pantograph_config() {
   ControllerConfig config;
   config.mechanism = PantographGeometry{};
   config.workspace_origin_D = {0.01, 0.0, 0.075};
-  // The range goes from home (180 and 0 degrees) inward. It is assumed: the stops are not
+  // The range goes from the home pose (180 and 0 degrees) inward. It is assumed: the stops are not
   // published.
   config.joints[0] = {.lower = 80.0 * kDegree, .upper = 185.0 * kDegree, .max_effort = 0.123};
   config.joints[1] = {.lower = -5.0 * kDegree, .upper = 100.0 * kDegree, .max_effort = 0.123};
-  config.safety.max_force_N = 2.4;  // what the motors give in the worst direction
+  // The force that the motors give in the worst direction.
+  config.safety.max_force_N = 2.4;
   return config;
 }
 

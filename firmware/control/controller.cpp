@@ -12,6 +12,7 @@ namespace {
 
 static_assert(sizeof(Controller) <= kMaxControllerBytes);
 
+// Returns the first three entries: the controller's kJointCount joints.
 Vec3 joints_of(const std::array<double, drivers::kMaxJoints>& values) {
   return {values[0], values[1], values[2]};
 }
@@ -83,6 +84,7 @@ void Controller::raise(std::uint64_t bits) {
   }
 }
 
+// Applies an event to the mode and does the work of entering the new mode.
 void Controller::step_mode(Event event) {
   const Mode from = mode_;
   mode_ = next_mode(from, event);
@@ -115,6 +117,8 @@ void Controller::step_mode(Event event) {
   }
 }
 
+// Applies the tick's device event and then its request. Faults of this tick have been applied
+// already.
 void Controller::advance_mode(std::uint32_t status, Request request) {
   if (!configured_) {
     raise(kFaultNotConfigured);
@@ -138,6 +142,7 @@ void Controller::advance_mode(std::uint32_t status, Request request) {
     case Request::disable:
       step_mode(Event::disable);
       break;
+    // A reset in a tick with trouble would only raise the fault again.
     case Request::reset:
       if (healthy) {
         step_mode(Event::reset);
@@ -256,12 +261,15 @@ rendering::Touch Controller::touch(bool located) {
   return touch;
 }
 
+// Returns the rendered force with the forces of the guards, limited for a hand, N; zero in every
+// mode but `active`. The order of the steps is that of firmware/README.md, "One tick".
 Vec3 Controller::limit_force(const rendering::Touch& touch) {
   if (mode_ != Mode::active) {
     return Vec3::Zero();
   }
   const bool pushes =
       touch.contact != rendering::ContactKind::none || (raised_ & kLimitWorkspace) != 0;
+  // The held force acted over the missed ticks, too.
   const double step_s = (1.0 + record_.missed_ticks) / config_.rate_hz;
   raise(passivity_.observe(energy_.settle(tool_.p_W, touch, step_s), pushes));
   if (mode_ != Mode::active) {
@@ -270,6 +278,7 @@ Vec3 Controller::limit_force(const rendering::Touch& touch) {
   const Vec3 added_W = add_safety(pushes);
   const LimitedForce soft =
       force_limiter_.soften(touch.force_W + added_W, touch.parts.effect_W, pushes);
+  // Until every motor has answered, the force stays so small that a reversed motor cannot hurt.
   if (!sign_check_.is_done()) {
     force_limiter_.hold_below(sign_check_.force_limit_N());
   }
@@ -293,6 +302,8 @@ Vec3 Controller::add_safety(bool pushes) {
   return added_W;
 }
 
+// Returns the joint efforts of the force and of the two compensations. The rendered force is scaled
+// into the limits that gravity leaves, friction into the limits that both leave.
 drivers::JointCommand Controller::command_joints(const drivers::JointSample& sample,
                                                  const Vec3& force_W) {
   Vec3 effort = joint_effort(pose_, force_W);
@@ -373,6 +384,7 @@ Vec3 Controller::compensated(const drivers::JointSample& sample, const Vec3& eff
   return sum;
 }
 
+// Starts the record of the tick. Only counters and hash continue from the record before.
 void Controller::open_record(const drivers::JointSample& sample, Request request) {
   raised_ = config_.safety.guards_off != kNoFault ? kLimitGuardsOff : kNoFault;
   const TelemetryRecord before = record_;

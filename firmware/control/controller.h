@@ -3,7 +3,8 @@
 //
 // It has no thread and no locks: one thread configures it, loads a scene and then ticks it. No
 // member allocates, throws, blocks or prints. World frame W is right-handed, x right, y up, z
-// toward the user: the device frame D moved to workspace_origin_D.
+// toward the user: the device frame D moved to workspace_origin_D. firmware/README.md describes the
+// stages of a tick, the modes and the faults.
 #pragma once
 
 #include <cstddef>
@@ -43,11 +44,14 @@ enum class SceneFault : std::uint8_t {
   world,        // World::set_scene refused it
   uncertified,  // a part of it is beyond the configuration's certificate
 };
+// Why a scene was not loaded.
 struct SceneRefusal {
   SceneFault fault = SceneFault::active;
-  UncertifiedPart part;  // the part, if uncertified
+  // The part that is too stiff; set if the fault is `uncertified`.
+  UncertifiedPart part;
 };
 
+// The controller of one device with one tool.
 class Controller {
  public:
   // Takes a configuration and starts anew in mode `init`, with the loaded scene. On an error
@@ -63,9 +67,15 @@ class Controller {
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);
 
-  // Changes a parameter from the next tick on, which records the change. Call it between ticks, at
-  // most once per tick, because a record holds one change. On a refusal nothing changes. Real time.
+  // Changes a parameter from the next tick on, which records the change. Returns the number of that
+  // tick. Call it between ticks, at most once per tick, because a record holds one change. On a
+  // refusal nothing changes. Real time and bounded, but a certified device checks the scene again
+  // for a change of a material (safety/pushing_together.h).
   std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
+  // Returns the present value of a parameter and its allowed range. During a gradual change it is
+  // the value at the change's end. Call between ticks; real time.
+  //   no_such_parameter, no_such_object   there is none of that number
+  //   not_of_this_model                   the object's friction has no such term
   [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
       const ParameterPlace& place) const;
   // Returns the part that the last `uncertified` set_parameter would have made too stiff.
@@ -82,19 +92,22 @@ class Controller {
   std::size_t save(std::span<std::byte> room);
 
   // Continues from the state of save(): the next ticks give the same bits. The controller must have
-  // the same configuration and scene. Returns false if the bytes do not belong to them: then
-  // configure and load the scene again.
+  // the same configuration and scene. Returns false if the bytes do not belong to them; the
+  // controller then counts as not configured: configure it and load the scene again.
   bool restore(std::span<const std::byte> bytes);
 
   // Returns the record of the last tick.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
+  // Returns the mode after the last tick.
   [[nodiscard]] Mode mode() const { return mode_; }
+  // Returns the configuration with the changes of set_parameter.
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   // Returns the number of the next tick.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
   // Sets the clock for the record's stage times. Without one they are 0.
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
+  // Returns the clock of set_clock; null if none was set.
   [[nodiscard]] NowNs clock() const { return now_ns_; }
 
   // Takes the loop's report for the next tick. The loop calls it before the tick.
@@ -105,9 +118,13 @@ class Controller {
   void note_transfers(std::uint32_t write_status, std::uint32_t read_ns, std::uint32_t write_ns);
 
  private:
+  // Starts the tick's record with its inputs.
   void open_record(const drivers::JointSample& sample, Request request);
+  // Adds the results of the touch to the record.
   void record_touch(const rendering::Touch& touch);
+  // Adds the rest to the record and hashes it.
   void close_record(const drivers::JointCommand& command);
+  // The functions of the stages; Controller::tick calls them in order.
   void raise(std::uint64_t bits);
   void step_mode(Event event);
   void advance_mode(std::uint32_t status, Request request);
@@ -121,6 +138,7 @@ class Controller {
   Vec3 add_safety(bool pushes);
   Vec3 hold_up(const drivers::JointSample& sample);
   drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
+  // Each writes a part of the memory to the archive, or reads it back (controller_state.cpp).
   void transfer(rendering::StateArchive& archive);
   void transfer_guards(rendering::StateArchive& archive);
   void transfer_parameters(rendering::StateArchive& archive);
@@ -128,6 +146,7 @@ class Controller {
   void transfer_record(rendering::StateArchive& archive);
   Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
+  // Applies a change of one of the controller's own parameters.
   void apply_own(const ParameterChange& change);
   // The materials of the loaded scene after all changes, with `changed` (if not null) in place of
   // that of `object`.
@@ -138,12 +157,18 @@ class Controller {
   };
   [[nodiscard]] static FeltScene felt_scene(const WantedMaterials& materials,
                                             const SafetyConfig& safety);
+  // Returns true if the certificate allows the object with that material. Notes the part that it
+  // refuses.
   bool is_certified(std::uint32_t object, const rendering::Material& material);
+  // Passes changed parameters to the parts that use them, without starting their ramps anew.
   void retune();
 
-  ControllerConfig config_;         // includes the changes of set_parameter
-  SafetyConfig configured_safety_;  // as given to configure(): the ends of the parameters' ranges
-  ParameterChange change_;          // the change for the next tick's record
+  // The configuration with the changes of set_parameter.
+  ControllerConfig config_;
+  // The safety as given to configure(): the ends of the parameters' ranges.
+  SafetyConfig configured_safety_;
+  // The change for the next tick's record.
+  ParameterChange change_;
   bool configured_ = false;
   Mechanism mechanism_;
   SampleCheck sample_check_;
@@ -167,13 +192,17 @@ class Controller {
   UncertifiedPart uncertified_part_;  // used in messages only
 
   Mode mode_ = Mode::init;
-  std::uint64_t faults_ = 0;        // latched faults
-  std::uint32_t fault_joint_ = 0;   // joint of a latched fault of effort_guard_ or sign_check_
+  std::uint64_t faults_ = 0;  // latched faults
+  // The joint of a latched fault of effort_guard_ or sign_check_, 1 for the first; 0: none.
+  std::uint32_t fault_joint_ = 0;
   std::uint64_t raised_ = 0;        // faults and limits of this tick
   std::uint32_t write_status_ = 0;  // DeviceStatus of the last write
   LoopReport loop_report_;          // report for the next tick
-  JointEfforts held_effort_{};      // efforts commanded by the last tick
+  // The efforts that the last tick commanded. The motors hold them until the next command.
+  JointEfforts held_effort_{};
+  // The pose of the last tick, which is also the seed of the next one's kinematics.
   Pose pose_;
+  // The tool in the world frame: position, m, and filtered velocity, m/s.
   rendering::ToolState tool_;
   TelemetryRecord record_;
   std::uint64_t next_tick_ = 0;

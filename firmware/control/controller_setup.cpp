@@ -15,7 +15,7 @@ std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
              : first_uncertified(config.certificate, scene.objects, scene.effects, scene.feel);
 }
 
-// The field of the configuration to blame for it.
+// Returns the field of the configuration to which the refused part is attributed.
 ConfigError uncertified_field(const UncertifiedPart& part) {
   const bool is_wall = part.kind == UncertifiedPart::Kind::wall;
   if (is_wall && part.damping_Ns_per_m > part.most_damping_Ns_per_m) {
@@ -86,6 +86,7 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
     return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
   }
   material_changes_.clear();
+  // The world is empty after a refusal, so the controller forgets the objects as well.
   const bool taken = world_.set_scene(objects, config);
   objects_ = taken ? objects : std::span<const rendering::Object>{};
   effects_ = taken ? config.effects : std::span<const rendering::Effect>{};

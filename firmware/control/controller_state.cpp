@@ -1,5 +1,6 @@
 // Saves and restores the controller's memory (see rendering/state_archive.h). Configuration
-// and scene are not part of it.
+// and scene are not part of it. A function that names all members of its class does not compile
+// with a new member until it is decided whether that member is saved.
 #include <bit>
 
 #include "firmware/control/controller.h"
@@ -10,7 +11,8 @@ namespace {
 
 using rendering::StateArchive;
 
-constexpr std::uint64_t kMagic = 0x3430'5355'5443'4154U;  // "TACTUS04", the last the version's
+// The bytes "TACTUS04" with which a state begins. A change of the format gets another last digit.
+constexpr std::uint64_t kMagic = 0x3430'5355'5443'4154U;
 
 }  // namespace
 
@@ -51,6 +53,7 @@ void EffortGuard::transfer(StateArchive& archive) {
   }
 }
 
+// Bounds the numbers that index arrays, because a damaged file may hold anything.
 void MotorSignCheck::transfer(StateArchive& archive) {
   for (Joint& joint : joints_) {
     auto& [force_N, right, wrong, strong, unclear] = joint;

@@ -19,6 +19,8 @@ void FrictionCompensation::configure(const ControllerConfig& config) {
     joints_[i] = Joint{
         .bristle = {.kind = rendering::FrictionKind::dahl,
                     .coulomb = level,
+                    // Dahl's bristle yields at `coulomb` after about `coulomb` / `stiffness`: this
+                    // makes that length l.
                     .stiffness_N_per_m = level > 0.0 ? level / presliding_length(joint) : 0.0},
         .memory = {},
         .viscous = joint.compensated_share * joint.model.viscous_s_per_m};
@@ -64,6 +66,7 @@ FrictionPush FrictionCompensation::push(const Vec3& position, const Vec3& veloci
   return push;
 }
 
+// One factor for all joints keeps the direction of the push at the tool.
 double FrictionCompensation::share_that_fits(const Vec3& effort, const PushRoom& room) const {
   double share = 1.0;
   for (std::size_t i = 0; i < kJointCount; ++i) {

@@ -22,6 +22,7 @@ void GravityCompensation::retune(const ControllerConfig& config) {
 GravityHold GravityCompensation::hold(const Mechanism& mechanism, const Vec3& joints,
                                       const Pose& pose) {
   GravityHold hold{.effort = gain_ * mechanism.gravity_effort(joints, pose, gravity_D_)};
+  // The gain of this tick was used above: the first active tick gives zero.
   gain_ = std::min(1.0, gain_ + gain_per_tick_);
   for (std::size_t i = 0; i < kJointCount; ++i) {
     double& effort = hold.effort[static_cast<Eigen::Index>(i)];

@@ -1,4 +1,4 @@
-// Holds the mechanism's own weights, so that the hand does not have to.
+// Holds the mechanism's own weights, so that the hand does not have to. One thread; real time.
 //
 // The effort is dU/dq of the weights in the mechanism's geometry, at this tick's joint positions
 // (kinematics/link_weight.h). It is a feed-forward and not part of the rendered force; the hand
@@ -19,18 +19,24 @@
 
 namespace tactus::firmware {
 
+// The efforts of a tick.
 struct GravityHold {
-  Vec3 effort = Vec3::Zero();  // N or N m
-  bool is_held_back = false;   // true if a joint's effort limit cut it
+  // The efforts that hold the weights, N or N m.
+  Vec3 effort = Vec3::Zero();
+  // True if a joint's effort limit cut one of them.
+  bool is_held_back = false;
 };
 
+// The compensation of one mechanism.
 class GravityCompensation {
  public:
+  // Takes gravity, limits and soft start, and clears the gain.
   void configure(const ControllerConfig& config);
 
   // Takes a new soft start. A rising gain continues from where it is.
   void retune(const ControllerConfig& config);
 
+  // Returns true if the mechanism has a weight and there is gravity.
   [[nodiscard]] bool is_on() const { return is_on_; }
 
   // Clears the gain, so that the next hold starts from zero. Call in every tick that is not active.

@@ -11,6 +11,7 @@ using rendering::Material;
 // Returns the largest change of force between two materials, N: of spring, damper and friction,
 // which is a share of the spring's force.
 double force_between(const Material& a, const Material& b, double stretch_m, double speed_m_per_s) {
+  // Friction is a share of the spring's force, so the larger stiffness bounds it.
   const double stiffness = std::max(a.stiffness_N_per_m, b.stiffness_N_per_m);
   const double friction =
       std::max(std::abs(a.friction.static_level - b.friction.static_level),
@@ -21,6 +22,7 @@ double force_between(const Material& a, const Material& b, double stretch_m, dou
          friction * stiffness * stretch_m;
 }
 
+// Moves a value by a share of its distance to the wanted one.
 void go_on(double& value, double wanted, double share) {
   value += share * (wanted - value);
 }
@@ -60,6 +62,7 @@ Material MaterialChanges::wanted(const rendering::World& world, std::uint32_t ob
 }
 
 void MaterialChanges::step(rendering::World& world, double most_N, double speed_m_per_s) {
+  // Each object gets an equal part of the step, because several may be touched at once.
   const double each_N = most_N / static_cast<double>(std::max<std::size_t>(count_, 1));
   for (std::size_t i = 0; i < count_;) {
     const auto& [object, wanted] = changes_[i];
@@ -71,6 +74,7 @@ void MaterialChanges::step(rendering::World& world, double most_N, double speed_
       continue;
     }
     world.set_material(object, wanted);
+    // The order of the changes does not matter.
     changes_[i] = changes_[--count_];
   }
 }

@@ -1,4 +1,4 @@
-// Applies changes of materials gradually while the motors are on.
+// Applies changes of materials gradually while the motors are on. One thread; real time.
 //
 // A stiffer surface under a pressed tool would push at once as if the hand had gone deeper.
 // Therefore each value moves linearly to the new one, in steps that change the force by no more
@@ -17,9 +17,12 @@
 
 namespace tactus::firmware {
 
+// The changes that are not complete yet.
 class MaterialChanges {
  public:
+  // Returns true if a change is not complete.
   [[nodiscard]] bool any() const { return count_ > 0; }
+  // Forgets the changes and leaves the materials as they are.
   void clear() { count_ = 0; }
 
   // Sets the material that the object shall get. The object must be among the world's changed ones.
@@ -29,8 +32,8 @@ class MaterialChanges {
   [[nodiscard]] rendering::Material wanted(const rendering::World& world,
                                            std::uint32_t object) const;
 
-  // Advances the changes so that the force changes by at most `most_N` in all at the given speed of
-  // the tool. Call between two ticks.
+  // Advances the changes so that the force changes by at most `most_N` in all. `speed_m_per_s` is
+  // the tool's speed. Call between two ticks.
   void step(rendering::World& world, double most_N, double speed_m_per_s);
 
   // Completes all changes at once.

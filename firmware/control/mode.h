@@ -1,4 +1,5 @@
-// The controller's modes and the table of transitions between them.
+// The controller's modes and the table of transitions between them. Constants and pure functions;
+// any thread.
 //
 // Only `active` puts effort on the motors; every other mode commands zero effort and motor power
 // off. In `homing` the device finds its own reference, or the user moves it there, while the
@@ -12,7 +13,10 @@
 
 namespace tactus::firmware {
 
+// The modes: before homing, while the device finds its reference, without force, with force, and
+// stopped. Recordings hold these numbers.
 enum class Mode : std::uint8_t { init, homing, ready, active, fault };
+// The number of modes, and their names in the order of Mode.
 inline constexpr std::size_t kModeCount = 5;
 inline constexpr std::array<std::string_view, kModeCount> kModeNames = {"init", "homing", "ready",
                                                                         "active", "fault"};
@@ -50,10 +54,12 @@ inline constexpr std::array<std::array<Mode, kEventCount>, kModeCount> kTransiti
   }};
 }();
 
+// Returns the mode after the event.
 constexpr Mode next_mode(Mode mode, Event event) {
   return kTransitions[static_cast<std::size_t>(mode)][static_cast<std::size_t>(event)];
 }
 
+// Returns the name of a mode for messages, "ready".
 constexpr std::string_view mode_name(Mode mode) {
   return kModeNames[static_cast<std::size_t>(mode)];
 }

@@ -15,6 +15,7 @@ static_assert(std::ranges::all_of(kParameterTexts, [](const ParameterText& text)
   return kObjectPrefix.size() + kMaxNumber + text.name.size() <= kMaxParameterName;
 }));
 
+// Returns the row with that name; null if there is none of that kind.
 const ParameterText* find_by_name(std::string_view name, bool of_object) {
   const auto* const found = std::ranges::find_if(kParameterTexts, [&](const ParameterText& text) {
     return text.name == name && is_of_object(text.parameter) == of_object;
@@ -29,6 +30,7 @@ std::optional<ParameterName> parse_parameter_name(std::string_view text) {
   std::string_view rest = text;
   if (text.starts_with(kObjectPrefix)) {
     rest.remove_prefix(kObjectPrefix.size());
+    // An object's name may hold dots itself; a parameter's does not.
     const std::size_t dot = rest.rfind('.');
     if (dot == std::string_view::npos || dot == 0) {
       return std::nullopt;

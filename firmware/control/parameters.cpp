@@ -16,6 +16,8 @@ constexpr double kMostFrictionSet = 10.0;
 constexpr double kLongestStart_s = 60.0;
 constexpr double kSlowestSlew_N_per_s = 1.0;
 
+// Returns the value and the range of an object's parameter. The static friction must not fall below
+// the dynamic one, so each is an end of the other's range.
 ParameterValue material_value(Parameter parameter, const rendering::Material& material) {
   const rendering::FrictionParameters& friction = material.friction;
   switch (parameter) {
@@ -34,6 +36,7 @@ ParameterValue material_value(Parameter parameter, const rendering::Material& ma
   }
 }
 
+// Returns the field of a material that an object's parameter names.
 double& material_field(Parameter parameter, rendering::Material& material) {
   switch (parameter) {
     case Parameter::stiffness:
@@ -49,6 +52,7 @@ double& material_field(Parameter parameter, rendering::Material& material) {
   }
 }
 
+// Returns true if friction of that kind uses the parameter.
 bool has_term(Parameter parameter, rendering::FrictionKind kind) {
   switch (parameter) {
     case Parameter::static_friction:
@@ -60,6 +64,7 @@ bool has_term(Parameter parameter, rendering::FrictionKind kind) {
   }
 }
 
+// Returns true for a ramp, whose length must not change while it rises.
 bool waits_for_rest(Parameter parameter) {
   return parameter == Parameter::soft_start || parameter == Parameter::contact_start;
 }
@@ -133,6 +138,7 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   return ParameterEvent{.tick = next_tick_, .change = change};
 }
 
+// Returns the loaded scene as the certificate sees it. `materials` must outlive the result.
 FeltScene Controller::felt_scene(const WantedMaterials& materials, const SafetyConfig& safety) {
   const Controller& controller = *materials.controller;
   const auto wanted = [](const void* context, std::uint32_t object) {

@@ -17,7 +17,7 @@
 
 namespace tactus::firmware {
 
-// The numbers are stable, because recordings contain them.
+// The parameters. The numbers are stable, because recordings contain them.
 enum class Parameter : std::uint8_t {
   none = 0,
   max_force = 1,
@@ -32,16 +32,21 @@ enum class Parameter : std::uint8_t {
   viscous_friction = 20,
 };
 
+// Returns true for a parameter of an object of the scene, false for the controller's own.
 constexpr bool is_of_object(Parameter parameter) {
   return parameter >= Parameter::stiffness;
 }
 
+// The texts of a parameter.
 struct ParameterText {
   Parameter parameter;
   std::string_view
+      // The name for programs, with the unit. An object's parameter is written object.<name or
+      // number>.<name>.
       name;  // for programs, with the unit; an object's is object.<name or number>.<name>
   std::string_view unit;
-  std::string_view meaning;  // for people
+  // The meaning for people.
+  std::string_view meaning;
 };
 
 // The texts, in the order of the numbers.
@@ -85,12 +90,14 @@ struct ParameterPlace {
 // A new value of a parameter, in its unit. `place.parameter` is `none` if nothing changed.
 struct ParameterChange {
   ParameterPlace place;
+  // The new value, in the parameter's unit.
   double value = 0.0;
 };
 
 // A change that took effect.
 struct ParameterEvent {
-  std::uint64_t tick = 0;  // number of the first tick with the change
+  // The number of the first tick with the change.
+  std::uint64_t tick = 0;
   ParameterChange change;
 };
 
@@ -101,6 +108,7 @@ struct ParameterValue {
   double greatest = 0.0;
 };
 
+// Why a parameter was not read or changed.
 enum class ParameterRefusal : std::uint8_t {
   no_such_parameter,
   no_such_object,
@@ -112,7 +120,7 @@ enum class ParameterRefusal : std::uint8_t {
   uncertified,        // beyond the device's certificate, alone or with other parts that push there
 };
 
-// Returns a text for people that says why and what to do.
+// Returns a text for people that says why and what to do, without a full stop.
 constexpr std::string_view describe(ParameterRefusal refusal) {
   switch (refusal) {
     case ParameterRefusal::no_such_parameter:

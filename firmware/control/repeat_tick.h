@@ -1,4 +1,4 @@
-// Repeats a recorded tick.
+// Repeats a recorded tick, for replays and their tests. One thread; as fast as a tick.
 #pragma once
 
 #include "drivers/device.h"

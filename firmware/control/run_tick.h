@@ -1,4 +1,5 @@
-// One cycle of the device loop: read -> tick -> write, for any device.
+// One cycle of the device loop for any device: read, tick, write. It is what tactusd, the simulator
+// and the replay's tests have in common.
 #pragma once
 
 #include "drivers/device.h"
@@ -8,7 +9,7 @@ namespace tactus::firmware {
 
 // Reads a sample, runs a tick and writes the command. It takes as long as the device's two
 // transfers and the tick. The next tick gets the status of the write. A reset in mode `fault` first
-// clears the faults that the device has latched.
+// clears the faults that the device has latched. Real time if the device is; the loop's thread.
 template <drivers::Device D>
 void run_tick(Controller& controller, D& device, Request request) {
   if (request == Request::reset && controller.mode() == Mode::fault) {

@@ -1,4 +1,4 @@
-// First-order low-pass of the tool's velocity, by backward Euler:
+// First-order low-pass of a velocity, by backward Euler, which is stable for every cutoff:
 //   y += a (x - y),   a = 2 pi f T / (1 + 2 pi f T).
 #pragma once
 
@@ -9,9 +9,10 @@
 
 namespace tactus::firmware {
 
+// The filter of one vector. One thread; real time.
 class VelocityFilter {
  public:
-  // Sets the cutoff and clears the state. A cutoff of 0 switches the filter off.
+  // Sets the cutoff, Hz, and clears the state. A cutoff of 0 switches the filter off.
   void configure(double cutoff_hz, double rate_hz) {
     retune(cutoff_hz, rate_hz);
     state_.setZero();
@@ -23,8 +24,10 @@ class VelocityFilter {
     share_ = cutoff_hz > 0.0 ? w / (1.0 + w) : 1.0;
   }
 
+  // Clears the state to rest.
   void reset() { state_.setZero(); }
 
+  // Takes the velocity of this tick and returns the filtered one. Call once per tick.
   Vec3 filter(const Vec3& velocity) {
     state_ += share_ * (velocity - state_);
     return state_;

@@ -1,4 +1,5 @@
-// Three prismatic joints along x, y and z: the joint positions are the tool's position.
+// Three prismatic joints along x, y and z of frame D: the joint positions, m, are the tool's
+// position. Pure functions for any thread; real time.
 #pragma once
 
 #include <array>
@@ -10,8 +11,10 @@
 
 namespace tactus::firmware {
 
+// The weights of the three axes.
 struct CartesianGeometry {
-  std::array<double, 3> carried_kg{};  // mass that moves with each axis, with the axes it carries
+  // The mass that moves with each axis, kg, together with the axes that it carries.
+  std::array<double, 3> carried_kg{};
 };
 
 inline void transfer(rendering::StateArchive& archive, CartesianGeometry& geometry) {
@@ -19,10 +22,12 @@ inline void transfer(rendering::StateArchive& archive, CartesianGeometry& geomet
   archive(carried_kg);
 }
 
+// Returns the pose, which is never singular.
 inline Pose cartesian_forward(const Vec3& joints) {
   return {joints, Mat3::Identity(), kPoseGood};
 }
 
+// Returns true if a mass is set.
 inline bool has_weight(const CartesianGeometry& g) {
   return g.carried_kg != std::array<double, 3>{};
 }

@@ -26,12 +26,16 @@ namespace {
 // The last Newton step is below this: convergence is quadratic, so the next step would be below
 // rounding (1e-17 m).
 constexpr double kLastStep_m = 1e-10;
+// A longer Newton step is cut to this length, because far from the solution the linear model is
+// wrong.
 constexpr double kLongestStep_m = 0.03;
 
-// The threshold of a singular pose. -det N, the volume that the rods span, is 0.82 at the Falcon's
-// centre, 0.18 at the farthest reach on its axis (z = 0.18 m); D/a is 0.96 at the centre and 0.06
-// at the nearest (z = 0.06 m). The signs are those of the Falcon's own assembly; the mirrored ones
-// fail the same tests.
+// The thresholds of a singular pose, with the Falcon's values of both quantities:
+// | pose                                  | -det N, the volume that the rods span | D/a  |
+// | its centre                            | 0.82                                  | 0.96 |
+// | farthest reach on its axis, z = 0.18 m| 0.18                                  |      |
+// | nearest, z = 0.06 m                   |                                       | 0.06 |
+// The signs are those of the Falcon's own assembly; the mirrored ones fail the same tests.
 constexpr double kLeastRodVolume = 0.1;
 constexpr double kLeastLeverage = 0.05;
 
@@ -79,9 +83,12 @@ std::optional<Delta::Solution> Delta::solve(const Offsets& offset, const Vec3& s
     if (!std::isfinite(length)) {
       return std::nullopt;
     }
+    // Newton's step: to first order a motion changes the lengths by N . move, which has to be
+    // -excess.
     p_D += length > kLongestStep_m ? Vec3(move * (kLongestStep_m / length)) : move;
     if (length < kLastStep_m) {
       const Rods last = rods(p_D, offset);
+      // The equations also hold for mirrored and folded assemblies, which the device cannot reach.
       const bool as_built = last.direction_D.determinant() < 0.0 && last.reach.minCoeff() > 0.0;
       return as_built ? std::optional<Solution>({p_D, last.direction_D}) : std::nullopt;
     }
@@ -131,6 +138,7 @@ std::optional<Vec3> Delta::inverse(const Vec3& p_D) const {
   for (std::size_t leg = 0; leg < 3; ++leg) {
     const Vec3 hinge = in_leg_frame(leg, p_D) + Vec3(g.platform_radius_m - g.base_radius_m,
                                                      g.platform_tangent_m - g.base_tangent_m, 0.0);
+    // The sine of the angle by which the rods leave the leg's plane.
     const double across = hinge.y() / g.rod_m;
     if (!(std::abs(across) < 1.0)) {
       return std::nullopt;

@@ -1,9 +1,11 @@
-// The three-arm delta of the Novint Falcon.
+// The three-arm delta of the Novint Falcon. Pure functions of the geometry for any thread; real
+// time, except where a function says otherwise.
 //
 // Three arms turn on the base, each joined to the grip's platform by a parallelogram of rods, so
-// that the platform only translates. Frame D: origin on the base's axis at the height of the motor
-// axes, x right, y up, z from the base toward the user. Joint i is arm i's angle from the base
-// plane, growing toward the user; arms are top, right, left as the user sees them.
+// that the platform only translates. Frame D has its origin on the base's axis at the height of the
+// motor axes, x to the right, y up, z from the base toward the user. Joint i is arm i's angle from
+// the base plane, rad, growing toward the user; arms are top, right, left as the user sees them.
+// delta.cpp derives the equations.
 #pragma once
 
 #include <array>
@@ -19,23 +21,35 @@
 
 namespace tactus::firmware {
 
-// Lengths in m. The defaults are the Falcon's (R. E. Stamper's delta, with the figures of
-// libnifalcon).
+// The dimensions of a delta, lengths in m. The defaults are the Falcon's (R. E. Stamper's delta,
+// with the figures of libnifalcon).
 struct DeltaGeometry {
-  double arm_m = 0.060;                // motor axis to elbow
-  double rod_m = 0.1025;               // between the parallelogram's hinges
-  double hinge_offset_m = 0.0225;      // elbow to rod hinge plus platform to rod hinge
-  double base_radius_m = 0.0400;       // base axis to motor axis, along the arm's azimuth
-  double base_tangent_m = -0.02309;    // base axis to motor axis, across the azimuth
-  double platform_radius_m = 0.01443;  // tool to platform hinge, along the azimuth
-  double platform_tangent_m = -0.025;  // tool to platform hinge, across the azimuth
+  // From the motor axis to the elbow.
+  double arm_m = 0.060;
+  // The length of the rods between the parallelogram's hinges.
+  double rod_m = 0.1025;
+  // From the elbow to the rod's hinge plus from the platform to the rod's hinge.
+  double hinge_offset_m = 0.0225;
+  // From the base's axis to the motor axis, along the arm's azimuth.
+  double base_radius_m = 0.0400;
+  // The same across the azimuth.
+  double base_tangent_m = -0.02309;
+  // From the tool to the platform's hinge, along the azimuth.
+  double platform_radius_m = 0.01443;
+  // The same across the azimuth.
+  double platform_tangent_m = -0.025;
+  // The directions of the arms in the base plane, from x toward y.
   std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
                                        -15.0 * std::numbers::pi / 180.0,
                                        -135.0 * std::numbers::pi / 180.0};
-  double nominal_height_m = 0.12;  // z inside the workspace: Newton starts there without a seed
-  LinkWeight arm;                  // of each arm, from the motor axis toward the elbow
-  double rods_kg = 0.0;            // mass of the pair of rods of one leg
-  double platform_kg = 0.0;        // mass of the platform with the grip
+  // A z inside the workspace: the iteration starts there if the seed leads nowhere.
+  double nominal_height_m = 0.12;
+  // The weight of each arm, from the motor axis toward the elbow.
+  LinkWeight arm;
+  // The mass of the pair of rods of one leg.
+  double rods_kg = 0.0;
+  // The mass of the platform with the grip.
+  double platform_kg = 0.0;
 };
 
 inline void transfer(rendering::StateArchive& archive, DeltaGeometry& geometry) {
@@ -45,6 +59,7 @@ inline void transfer(rendering::StateArchive& archive, DeltaGeometry& geometry) 
           platform_tangent_m, azimuth_rad, nominal_height_m, arm, rods_kg, platform_kg);
 }
 
+// The kinematics of one geometry.
 class Delta {
  public:
   using Geometry = DeltaGeometry;
@@ -56,13 +71,15 @@ class Delta {
 
   explicit Delta(const DeltaGeometry& geometry);
 
-  // Returns the pose for finite joint angles, rad. `seed_D` is a guess of the tool's position, best
-  // that of the previous tick. It changes the time taken, and the answer by no more than 1e-12 m.
-  // The time is bounded.
+  // Returns the pose for finite joint angles, rad. `seed_D` is a guess of the tool's position, m,
+  // best that of the previous tick. It changes the time taken, and the answer by no more than 1e-12
+  // m. The status is kPoseNotConverged if no position was found, with p_D the seed. The time is
+  // bounded.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
-  // Returns the joint angles for a tool position in closed form, or nothing if it is out of reach.
-  // For simulators and tests: it is not part of the tick and uses the C library's arc functions.
+  // Returns the joint angles, rad, for a tool position, m, in closed form, or nothing if it is out
+  // of reach. For simulators and tests: it is not part of the tick and uses the C library's arc
+  // functions.
   [[nodiscard]] std::optional<Vec3> inverse(const Vec3& p_D) const;
 
   // Returns the efforts that hold arms, rods and platform at a good `pose`, N m. `gravity_D` is in
@@ -71,12 +88,17 @@ class Delta {
                                     const Vec3& gravity_D) const;
 
  private:
+  // The rods of all legs at one position of the tool.
   struct Rods {
-    Mat3 direction_D;  // row i: unit vector along rod i, elbow to platform
-    Vec3 excess_m;     // missing length of rod i, to first order
-    Vec3 reach;  // share of rod i in its leg's plane: positive unless folded back past its hinges
+    // Row i is the unit vector along rod i, from elbow to platform.
+    Mat3 direction_D;
+    // The length that rod i would have to be longer, to first order.
+    Vec3 excess_m;
+    // The share of rod i in its leg's plane: positive unless it is folded back past its hinges.
+    Vec3 reach;
   };
 
+  // A tool position that fits the arms.
   struct Solution {
     Vec3 p_D;
     Mat3 rods_D;  // Rods::direction_D at p_D
@@ -86,9 +108,13 @@ class Delta {
   using Offsets = std::array<Vec3, 3>;
   using Arms = std::array<rendering::SineCosine, 3>;
 
+  // Returns the vector in the frame of a leg: u outward along its azimuth, v across, w = z.
   [[nodiscard]] Vec3 in_leg_frame(std::size_t leg, const Vec3& v_D) const;
+  // Returns the rods for a tool at p_D.
   [[nodiscard]] Rods rods(const Vec3& p_D, const Offsets& offset) const;
+  // Finds the tool position by Newton's method from the seed; nothing if it does not converge.
   [[nodiscard]] std::optional<Solution> solve(const Offsets& offset, const Vec3& seed_D) const;
+  // Solves from the seed and computes Jacobian and status.
   [[nodiscard]] Pose assemble(const Arms& arms, const Vec3& seed_D) const;
 
   DeltaGeometry geometry_;
@@ -96,6 +122,7 @@ class Delta {
   std::array<double, 3> azimuth_cosine_{};
 };
 
+// Returns true if a weight is set.
 bool has_weight(const DeltaGeometry& g);
 
 // Checks every field. An error names the field after "mechanism.".

@@ -1,4 +1,4 @@
-// The mechanism of a device, one of registered_mechanisms.h.
+// The mechanisms that the controller knows, behind one interface. Any thread; real time.
 #pragma once
 
 #include <cstddef>
@@ -37,12 +37,13 @@ void visit_mechanism(MechanismGeometry& geometry, Visitor&& visit) {
   });
 }
 
+// The kinematics of the configured mechanism.
 class Mechanism {
  public:
   explicit Mechanism(const MechanismGeometry& geometry = CartesianGeometry{});
 
   // Returns the pose in frame D for finite joint positions, rad or m. `seed_D` is a guess of the
-  // tool's position, m, for mechanisms that iterate.
+  // tool's position, m, for mechanisms that iterate. The time is bounded.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
 
   // Returns the efforts dU/dq that hold the mechanism's own weights at a good `pose` of these

@@ -1,8 +1,10 @@
-// The one-axis paddle of the Hapkit: a handle on an arc.
+// The one-axis paddle of the Hapkit: a handle on an arc. Pure functions for any thread; real time,
+// except paddle_inverse.
 //
 // Frame D: origin on the paddle's axis, which is z; the handle is straight up, on +y, at joint 0,
 // and moves to the right, to +x, as the joint grows. The joint is the angle of the paddle (of the
-// sector that the capstan drives), rad. A force across the arc meets the bearing: it has no effort.
+// sector that the capstan drives), rad. The bearing takes a force across the arc: it needs no
+// effort.
 #pragma once
 
 #include <cmath>
@@ -17,9 +19,12 @@
 
 namespace tactus::firmware {
 
+// The dimensions of a paddle.
 struct PaddleGeometry {
-  double handle_radius_m = 0.065659;  // axis to handle: Stanford's Hapkit
-  LinkWeight paddle;                  // the paddle with its handle, from the axis to the handle
+  // From the axis to the handle, m. The default is that of Stanford's Hapkit.
+  double handle_radius_m = 0.065659;
+  // The weight of the paddle with its handle, from the axis to the handle.
+  LinkWeight paddle;
 };
 
 inline void transfer(rendering::StateArchive& archive, PaddleGeometry& geometry) {
@@ -27,6 +32,7 @@ inline void transfer(rendering::StateArchive& archive, PaddleGeometry& geometry)
   archive(handle_radius_m, paddle);
 }
 
+// Returns the pose, which is never singular. The second and third columns of the Jacobian are zero.
 inline Pose paddle_forward(const PaddleGeometry& g, double joint) {
   const rendering::SineCosine turn = rendering::sine_cosine(joint);
   const double r = g.handle_radius_m;
@@ -44,6 +50,7 @@ inline std::optional<double> paddle_inverse(const Vec3& p_D) {
   return std::atan2(p_D.x(), p_D.y());
 }
 
+// Returns true if the paddle has a weight off its axis.
 inline bool has_weight(const PaddleGeometry& g) {
   return g.paddle.moment_kg_m() != 0.0;
 }

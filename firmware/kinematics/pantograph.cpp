@@ -26,15 +26,19 @@ constexpr double kLeastSineOfElbow = 0.05;
 // error.
 constexpr double kSmallestGap_m = 1e-9;
 
+// Returns the vector in frame D.
 Vec3 in_device(const InPlane& v) {
   return {v.x(), 0.0, v.y()};
 }
 
+// A proximal link at one angle.
 struct Crank {
   InPlane elbow;
-  InPlane slope;  // d elbow / d joint
+  // The derivative of the elbow's position by the joint, m/rad.
+  InPlane slope;
 };
 
+// Returns the proximal link of the motor at x = base_m.
 Crank crank(double base_m, double length_m, double joint) {
   const rendering::SineCosine turn = rendering::sine_cosine(joint);
   return {{base_m + length_m * turn.cosine, length_m * turn.sine},
@@ -54,6 +58,8 @@ Pose Pantograph::forward(const Vec3& joints, const Vec3& seed_D) const {
   if (!meets) {
     return {seed_D, Mat3::Zero(), kPoseNotConverged};
   }
+  // The tool is the apex of the triangle on the line between the elbows, whose other sides are the
+  // distal links; `left` is square to that line.
   const InPlane left(-way.y() / gap, way.x() / gap);
   const InPlane tool = first.elbow + 0.5 * way + std::sqrt(height_squared) * left;
 
@@ -66,6 +72,7 @@ Pose Pantograph::forward(const Vec3& joints, const Vec3& seed_D) const {
   Pose pose{in_device(tool), Mat3::Zero(), kPoseSingular};
   if (sine_of_rods >= kLeastSineOfRods && sine_of_elbow >= kLeastSineOfElbow) {
     pose.status = kPoseGood;
+    // The columns of J = N^-1 D by Cramer's rule.
     pose.jacobian_D.col(0) = in_device({n2.y(), -n2.x()}) * (d1 / sine_of_rods);
     pose.jacobian_D.col(1) = in_device({-n1.y(), n1.x()}) * (d2 / sine_of_rods);
   }
@@ -78,6 +85,7 @@ std::optional<PantographJoints> Pantograph::inverse(const Vec3& p_D) const {
   for (std::size_t side = 0; side < 2; ++side) {
     const double x = p_D.x() - (side == 0 ? 0.0 : g.base_m);
     const double reach = std::hypot(x, p_D.z());
+    // The law of cosines gives the angle between the line to the tool and the proximal link.
     const double cosine = (g.proximal_m * g.proximal_m + reach * reach - g.distal_m * g.distal_m) /
                           (2.0 * g.proximal_m * reach);
     const bool is_triangle = std::abs(cosine) <= 1.0;

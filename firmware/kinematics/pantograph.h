@@ -1,8 +1,10 @@
 // The five-bar pantograph of the Haply: two motors on the base, two links each, joined at the tool.
+// Pure functions of the geometry for any thread; real time, except `inverse`.
 //
-// Frame D: origin on the first motor's axis, the second at +x; the linkage lies flat in the plane
-// y = 0, x right, z toward the user. Joint i is the angle (rad) of motor i's proximal link from +x
-// toward +z. A force across the plane meets the bearings: it has no effort.
+// Frame D: origin on the first motor's axis, the second at +x; the linkage lies flat in the plane y
+// = 0, x right, z toward the user. Joint i is the angle (rad) of motor i's proximal link from +x
+// toward +z. The bearings take a force across the plane: it needs no effort. pantograph.cpp derives
+// the equations.
 #pragma once
 
 #include <array>
@@ -16,13 +18,18 @@
 
 namespace tactus::firmware {
 
-// The defaults are the Haply development kit's.
+// The dimensions of a pantograph, lengths in m. The defaults are the Haply development kit's.
 struct PantographGeometry {
-  double base_m = 0.02;      // from one motor axis to the other
-  double proximal_m = 0.05;  // motor axis to elbow
-  double distal_m = 0.07;    // elbow to tool
-  LinkWeight proximal;       // each of the two, from the motor axis
-  LinkWeight distal;         // each of the two, from the elbow
+  // From one motor axis to the other.
+  double base_m = 0.02;
+  // From a motor axis to its elbow.
+  double proximal_m = 0.05;
+  // From an elbow to the tool.
+  double distal_m = 0.07;
+  // The weight of each of the two proximal links, from the motor axis.
+  LinkWeight proximal;
+  // The weight of each of the two distal links, from the elbow.
+  LinkWeight distal;
   double tool_kg = 0.0;
 };
 
@@ -33,6 +40,7 @@ inline void transfer(rendering::StateArchive& archive, PantographGeometry& geome
 
 using PantographJoints = std::array<double, 2>;
 
+// The kinematics of one geometry.
 class Pantograph {
  public:
   using Geometry = PantographGeometry;
@@ -44,8 +52,8 @@ class Pantograph {
 
   explicit Pantograph(const PantographGeometry& geometry) : geometry_(geometry) {}
 
-  // Returns the pose in closed form. Of the two assemblies it takes the one with the tool to the
-  // left of the line from the first elbow to the second (drawn with x right and z up): the one
+  // Returns the pose in closed form. Two assemblies are possible; it takes the one with the tool to
+  // the left of the line from the first elbow to the second (drawn with x right and z up): the one
   // farther from the base while the links do not cross. If the elbows are too far apart or
   // coincide, the status is kPoseNotConverged and p_D is the seed.
   [[nodiscard]] Pose forward(const Vec3& joints, const Vec3& seed_D) const;
@@ -62,6 +70,7 @@ class Pantograph {
   PantographGeometry geometry_;
 };
 
+// Returns true if a weight is set.
 bool has_weight(const PantographGeometry& g);
 
 // Checks every field. An error names the field after "mechanism.".

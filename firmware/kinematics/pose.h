@@ -1,4 +1,5 @@
-// The result of forward kinematics, and the linear maps between joints and tool.
+// The result of forward kinematics, and the linear maps between joints and tool. Pure functions for
+// any thread; real time.
 //
 // Frame D is the device's own: right-handed, x right, y up, z toward the user, origin where the
 // mechanism's geometry puts it. Revolute joints are in rad, rad/s, N m; prismatic ones in m, m/s,
@@ -12,17 +13,23 @@
 
 namespace tactus::firmware {
 
+// The bits of Pose::status.
 enum PoseStatus : std::uint8_t {
   kPoseGood = 0,
-  kPoseNotConverged = 1U << 0,  // no tool position was found for these joints; p_D is the seed
-  kPoseSingular = 1U << 1,      // p_D is right, but a force needs unbounded torques or none at all
+  // No tool position was found for these joints; p_D is the seed.
+  kPoseNotConverged = 1U << 0,
+  // The position is right, but a force needs unbounded torques or none at all.
+  kPoseSingular = 1U << 1,
 };
 
+// The place of the tool for given joints.
 struct Pose {
-  Vec3 p_D = Vec3::Zero();  // tool position, m
-  // d p_D / d joint. It is zero unless the status is good; the columns of joints beyond the
-  // mechanism's are zero.
+  // The position of the tool, m.
+  Vec3 p_D = Vec3::Zero();
+  // The derivative of p_D by the joints, m/rad or 1. It is zero unless the status is good; the
+  // columns of joints beyond the mechanism's are zero.
   Mat3 jacobian_D = Mat3::Zero();
+  // PoseStatus bits.
   std::uint8_t status = kPoseGood;
 };
 

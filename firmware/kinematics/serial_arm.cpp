@@ -33,6 +33,7 @@ struct Links {
   double sine_between = 0.0;  // cos(q2 - q3)
 };
 
+// Returns the links' directions for the joints, rad.
 Links links(const Vec3& joints) {
   const auto [s1, c1] = rendering::sine_cosine(joints.x());
   const auto [s2, c2] = rendering::sine_cosine(joints.y());
@@ -81,9 +82,13 @@ std::optional<Vec3> SerialArm::inverse(const Vec3& p_D, const Vec3& near) const 
   if (!is_triangle) {
     return std::nullopt;
   }
+  // The angle at the shoulder between the line to the tool and the upper arm, by the law of
+  // cosines.
   const double bend = std::acos(cosine);
   std::optional<Vec3> best;
   for (const double facing : {1.0, -1.0}) {
+    // The arm reaches the point either facing it or turned away from it, each with the elbow to
+    // either side.
     const double out = facing * from_axis;
     for (const double elbow : {1.0, -1.0}) {
       const double elevation = std::atan2(up, out) + elbow * bend;
@@ -102,6 +107,7 @@ std::optional<Vec3> SerialArm::inverse(const Vec3& p_D, const Vec3& near) const 
 Vec3 SerialArm::gravity_effort(const Vec3& joints, const Pose& /*pose*/,
                                const Vec3& gravity_D) const {
   const SerialArmGeometry& g = geometry_;
+  // The forearm's mass and the tool also hang on the end of the upper arm.
   const double upper_kg_m = g.upper.moment_kg_m() + (g.forearm.mass_kg + g.tool_kg) * g.upper_m;
   const double forearm_kg_m = g.forearm.moment_kg_m() + g.tool_kg * g.forearm_m;
   const Links at = links(joints);

@@ -5,9 +5,13 @@
 namespace tactus::firmware {
 namespace {
 
+// This many peaks in a row are a buzz.
 constexpr std::uint32_t kPeaks = 5;
+// Peaks that are further apart do not belong to one buzz: 12.5 Hz.
 constexpr double kLongestPeriod_s = 0.08;
+// The force must fall to, and rise from, this part of a peak: a quarter.
 constexpr double kFall = 4.0;
+// A peak below this share of the first one shows that the motion dies away; the count begins anew.
 constexpr double kDying = 0.8;
 
 }  // namespace
@@ -21,6 +25,7 @@ void BuzzDetector::restart() {
 }
 
 bool BuzzDetector::observe(double force_N, double step_s) {
+  // The bound keeps the number finite while there is no contact.
   since_peak_s_ = std::min(since_peak_s_ + step_s, 2.0 * kLongestPeriod_s);
   if (since_peak_s_ > kLongestPeriod_s) {
     peaks_ = 0;

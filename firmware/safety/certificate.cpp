@@ -8,7 +8,7 @@
 namespace tactus::firmware {
 namespace {
 
-// Checks the part by itself.
+// Checks one part by itself. Returns it with its limits if it is beyond the certificate.
 std::optional<UncertifiedPart> beyond_alone(const StiffnessCertificate& certificate,
                                             const FeltScene& scene, std::size_t number) {
   const CertifiedPoint felt = part_of(scene, number).felt;
@@ -53,6 +53,7 @@ double certified_stiffness(const StiffnessCertificate& certificate, double dampi
              share * (point.stiffness_N_per_m - before.stiffness_N_per_m);
     }
   }
+  // Nothing was measured there, so nothing is certified.
   return 0.0;
 }
 
@@ -60,6 +61,8 @@ double least_certified_stiffness(const StiffnessCertificate& certificate, double
                                  double to_Ns_per_m) {
   double least = std::min(certified_stiffness(certificate, from_Ns_per_m),
                           certified_stiffness(certificate, to_Ns_per_m));
+  // The certified stiffness is linear between the points, so its least value is at an end or at a
+  // point.
   for (const CertifiedPoint& point : certificate.all()) {
     if (point.damping_Ns_per_m > from_Ns_per_m && point.damping_Ns_per_m < to_Ns_per_m) {
       least = std::min(least, point.stiffness_N_per_m);

@@ -15,15 +15,21 @@
 
 namespace tactus::firmware {
 
+// The largest number of dampings at which a device is certified.
 inline constexpr std::size_t kMaxCertifiedPoints = 16;
 
 // The certificate: the certified stiffness at several dampings.
 struct StiffnessCertificate {
-  std::array<CertifiedPoint, kMaxCertifiedPoints> points{};  // in order of rising damping
-  std::size_t count = 0;  // 0: no certificate, so nothing is refused
-  double margin = 1.0;    // each point was stable up to this times its stiffness
+  // The certified points, in order of rising damping.
+  std::array<CertifiedPoint, kMaxCertifiedPoints> points{};
+  // The number of points; 0: there is no certificate, so nothing is refused.
+  std::size_t count = 0;
+  // Each point was stable up to this many times its stiffness.
+  double margin = 1.0;
 
+  // Returns true if there is a certificate.
   [[nodiscard]] bool exists() const { return count > 0; }
+  // Returns the certified points.
   [[nodiscard]] std::span<const CertifiedPoint> all() const { return {points.data(), count}; }
 };
 
@@ -35,30 +41,41 @@ double certified_stiffness(const StiffnessCertificate& certificate, double dampi
 double least_certified_stiffness(const StiffnessCertificate& certificate, double from_Ns_per_m,
                                  double to_Ns_per_m);
 
-// Returns true if that stiffness and damping is beyond the certificate.
+// Returns true if that stiffness or damping is beyond the certificate, which must exist.
 bool is_beyond(const StiffnessCertificate& certificate, const CertifiedPoint& felt);
 
 // The part of a scene that is stiffer than certified, or several parts that push at one place.
+// Messages name it.
 struct UncertifiedPart {
-  enum class Kind : std::uint8_t { object, effect, wall };  // wall: of the workspace box
+  // An object, an effect, or a wall of the workspace box.
+  enum class Kind : std::uint8_t { object, effect, wall };
+  // Another part that pushes at the same place.
   struct Other {
     Kind kind = Kind::object;
     std::size_t index = 0;
   };
+  // The largest number of other parts that are named.
   static constexpr std::size_t kMostOthers = 3;
 
   Kind kind = Kind::object;
-  std::size_t index = 0;           // index into the objects, effects or walls (FeltWalls)
-  double stiffness_N_per_m = 0.0;  // of all parts together; the largest value of a texture
-  double damping_Ns_per_m = 0.0;   // of all parts together
-  double limit_N_per_m = 0.0;      // certified with that damping
+  // The index into the objects, the effects or the walls (FeltWalls).
+  std::size_t index = 0;
+  // The stiffness of all parts together; the largest value of a texture.
+  double stiffness_N_per_m = 0.0;
+  // The damping of all parts together.
+  double damping_Ns_per_m = 0.0;
+  // The stiffness that is certified with that damping.
+  double limit_N_per_m = 0.0;
+  // The largest damping that was certified.
   double most_damping_Ns_per_m = 0.0;
-  std::size_t other_count = 0;  // number of other parts that push there
-  std::size_t listed = 0;       // number of them that are in `others`
+  // The number of other parts that push there.
+  std::size_t other_count = 0;
+  // The number of them that are in `others`.
+  std::size_t listed = 0;
   std::array<Other, kMostOthers> others{};
 };
 
-// Returns the kind and the index of part `number` of the scene.
+// Returns the kind and the index of part `number` of the scene, counted as in part_of().
 UncertifiedPart::Other name_of_part(const FeltScene& scene, std::size_t number);
 
 // Returns the first part that is beyond the certificate by itself: an object, or else an effect

@@ -8,21 +8,30 @@
 namespace tactus::firmware {
 namespace {
 
+// Weaker efforts and slower motions do not count.
 constexpr double kLeast_N = 0.8;
 constexpr double kLeast_m_per_s = 0.01;
-constexpr double kMass_kg = 0.3;  // of a device's handle and a hand
+// The mass M of a device's handle and a hand.
+constexpr double kMass_kg = 0.3;
+// The share of the effort by which the mass must be accelerated.
 constexpr double kShare = 0.3;
+// The growth that is a fault: effort and speed have become e^1.3 = 3.7 times as large.
 constexpr double kGrowth = 1.3;
-constexpr double kForgotten = 0.8;  // of the growth, in a tick without
+// The share of the growth that is left after a tick without growth.
+constexpr double kForgotten = 0.8;
+// The time constants of the low-passes, and the time for which a mismatch must last.
 constexpr double kMotionSmoothing_s = 0.004;
 
+// The tolerance: a quarter of the commanded effort and a tenth of the joint's largest.
 constexpr double kTolerance = 0.25;
 constexpr double kLeastShare = 0.1;
 constexpr double kEffortSmoothing_s = 0.02;
 constexpr double kMismatch_s = 0.01;
 
-constexpr double kLeastLever = 1e-6;  // a joint that moves the tool less than this does not count
+// A joint whose unit moves the tool by less than this, m, does not count.
+constexpr double kLeastLever = 1e-6;
 
+// Returns the share by which a low-pass of that time constant follows in a tick (backward Euler).
 double share_a_tick(double step_s, double smoothing_s) {
   return step_s / (step_s + smoothing_s);
 }
@@ -75,6 +84,7 @@ bool EffortGuard::is_driven_against(Joint& joint, double force_N, double speed_m
   const double speed_step = motion_share_ * (speed_m_per_s - joint.speed_m_per_s);
   joint.force_N += force_step;
   joint.speed_m_per_s += speed_step;
+  // The signs are turned so that the force is positive and the speed is positive against it.
   const double way = joint.force_N < 0.0 ? -1.0 : 1.0;
   const double force = way * joint.force_N;
   const double speed = -way * joint.speed_m_per_s;
@@ -87,7 +97,7 @@ bool EffortGuard::is_driven_against(Joint& joint, double force_N, double speed_m
   return joint.growth > kGrowth;
 }
 
-// Counts a measurement that is not finite as a mismatch.
+// A measurement that is not finite counts as a mismatch, of the size of the command.
 bool EffortGuard::is_mismatched(Joint& joint, double commanded, double measured) const {
   const double finite = std::isfinite(measured) ? measured : -commanded;
   joint.commanded += effort_share_ * (commanded - joint.commanded);

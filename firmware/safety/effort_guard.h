@@ -1,23 +1,26 @@
-// Finds motors that push the wrong way, or with another effort than commanded.
+// Finds motors that push the wrong way, or with another effort than commanded. One thread; real
+// time.
 //
-// Joint i moves the tool by L_i metres a unit of it, the length of column i of the Jacobian. In a
-// hand's units its effort is then f = tau / L and its speed u = q' L, and
+// Reversed motors. Joint i moves the tool by L_i metres for each unit of its own motion; L_i is the
+// length of column i of the Jacobian. At the tool its effort is f = tau / L and its speed u = q' L,
+// and
 //   M du/dt = k f + h
-// with a mass M of device and hand, the hand's own push h, and k = 1 for a joint that is wired
-// right, -1 for one that is reversed. A surface makes f grow with the depth, so behind a reversed
-// motor speed and effort drive each other: both grow by the same power of e, and M du/dt keeps up
-// with f. A hand that presses drives the speed alone: to do the same it has to push twice as hard
-// as the surface, and its push has to grow as fast. So both growths are summed while
+// with the mass M of device and hand, the hand's own push h, and k = 1 for a joint that is wired
+// right, -1 for one that is reversed. A surface makes f grow with the depth. Behind a reversed
+// motor, speed and effort therefore drive each other: both grow by the same power of e, and M du/dt
+// keeps up with f. A hand that presses drives the speed alone. To look the same it has to push
+// twice as hard as the surface, and its push has to grow as fast. So both growths are summed while
 //   f > kLeast_N, u > kLeast_m_per_s against f, both rising, and M |du/dt| > kShare f.
 //
-//  motor reversed   the smaller growth passes kGrowth: the effort and the speed against it have
-//                   both become e^kGrowth times as large. This needs motion: a firm hand that
-//                   yields slowly to a reversed motor looks like one that presses.
-//  effort mismatch  a drive's measured effort, for kMismatch_s, is further from the commanded one
-//                   than kTolerance of it and kLeastShare of the joint's largest; both pass one
-//                   low-pass, so that neither a drive's delay nor its noise counts.
+// The two faults:
+//  - motor_reversed: the smaller growth passes kGrowth. The effort and the speed against it have
+//    then both become e^kGrowth times as large. This needs motion: a firm hand that yields slowly
+//    to a reversed motor looks like one that presses.
+//  - effort_mismatch: a drive's measured effort differs from the commanded one by more than
+//    kTolerance of it plus kLeastShare of the joint's largest effort, for kMismatch_s. Both pass
+//    the same low-pass, so that neither a drive's delay nor its noise counts.
 //
-// The figures are a hand's, in newtons, metres a second and kilograms: none is a device's.
+// The constants are a hand's, in newtons, metres a second and kilograms: none is a device's.
 #pragma once
 
 #include <array>
@@ -31,13 +34,18 @@
 
 namespace tactus::firmware {
 
+// The result of a check of the motors.
 struct EffortFinding {
-  std::uint64_t faults = 0;  // FaultBits
-  std::uint32_t joint = 0;   // the joint that has the fault, 1 for the first; 0: none
+  // FaultBits.
+  std::uint64_t faults = 0;
+  // The joint that has the fault, 1 for the first; 0: none.
+  std::uint32_t joint = 0;
 };
 
+// The guard of all joints of a mechanism.
 class EffortGuard {
  public:
+  // Takes rate, joints and limits, and forgets all samples.
   void configure(const ControllerConfig& config);
 
   // Forgets all samples. Call while the motors have no power.
@@ -52,23 +60,35 @@ class EffortGuard {
   void transfer(rendering::StateArchive& archive);
 
  private:
+  // The memory of one joint. Smoothed values are low-passed.
   struct Joint {
-    double force_N = 0.0;        // smoothed
-    double speed_m_per_s = 0.0;  // smoothed
-    double growth = 0.0;         // natural logarithm of the growth
-    double commanded = 0.0;      // smoothed
-    double measured = 0.0;       // smoothed
-    double largest = 1.0;        // the joint's largest effort, N or N m
+    // The effort at the tool, N, smoothed.
+    double force_N = 0.0;
+    // The joint's speed at the tool, m/s, smoothed.
+    double speed_m_per_s = 0.0;
+    // The natural logarithm of the growth so far.
+    double growth = 0.0;
+    // The commanded effort, N or N m, smoothed.
+    double commanded = 0.0;
+    // The effort that the drive measured, N or N m, smoothed.
+    double measured = 0.0;
+    // The joint's largest effort, N or N m.
+    double largest = 1.0;
+    // The number of ticks in a row with a mismatch.
     std::uint32_t wrong_ticks = 0;
   };
 
+  // Takes the joint's effort and speed at the tool. Returns true if its motor is reversed.
   bool is_driven_against(Joint& joint, double force_N, double speed_m_per_s) const;
+  // Takes the joint's efforts, N or N m. Returns true if they have differed for long enough.
   bool is_mismatched(Joint& joint, double commanded, double measured) const;
 
   std::array<Joint, kJointCount> joints_{};
   std::size_t joint_count_ = kJointCount;
   double step_s_ = 0.001;
-  double motion_share_ = 1.0;  // low-pass: share of the step to a new value per tick
+  // The low-pass of force and speed: the share of the step to a new value in a tick.
+  double motion_share_ = 1.0;
+  // The same of the efforts.
   double effort_share_ = 1.0;
   std::uint32_t wrong_ticks_to_fault_ = 1;
 };

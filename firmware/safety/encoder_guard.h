@@ -1,13 +1,13 @@
-// Finds encoders that stand still, jump, or do not move with their motor.
+// Finds encoders that stand still, jump, or do not move with their motor. One thread; real time.
+// Positions q are in rad or m, efforts tau in N m or N, and T is the period.
 //
-//  jump     |q - last| > max_joint_speed T (ticks since the last fresh sample)
-//  frozen   q is the same to the bit while the integral of |q'| since it last changed, which is how
-//           far the joint says it went, passes frozen_travel; slower than frozen_travel a second
-//           it stands still
-//  torque without motion
-//           q is the same to the bit since the joint's effort was tau0, and |tau - tau0| has been
-//           above blocked_effort_share of its largest effort for blocked_s. A hand that resists
-//           holds still to within counts, not to within none: it yields while the force rises.
+//  - encoder_jump: |q - last| > max_joint_speed T (ticks since the last fresh sample).
+//  - encoder_frozen: q is the same to the bit while the velocity q' says that the joint moves: the
+//    integral of |q'| since q last changed passes frozen_travel. A joint slower than frozen_travel
+//    a second counts as standing still.
+//  - torque_without_motion: q has been the same to the bit since the joint's effort was tau0, and
+//    |tau - tau0| has been above blocked_effort_share of its largest effort for blocked_s. A hand
+//    that resists is not found: it yields by some counts while the force rises.
 #pragma once
 
 #include <array>
@@ -19,10 +19,13 @@
 
 namespace tactus::firmware {
 
+// One effort for each joint, N m or N.
 using JointEfforts = std::array<double, drivers::kMaxJoints>;
 
+// The guard of all encoders of a mechanism.
 class EncoderGuard {
  public:
+  // Takes rate and thresholds, and forgets the joints.
   void configure(const ControllerConfig& config);
 
   // Forgets the joints' positions. Call when their zero changes.
@@ -41,23 +44,32 @@ class EncoderGuard {
   void transfer(rendering::StateArchive& archive);
 
  private:
+  // The memory of one joint.
   struct Joint {
+    // The last position, rad or m.
     double position = 0.0;
-    double travel = 0.0;        // integral of |velocity| since the position last changed
-    double effort = 0.0;        // effort when the position last changed
-    double blocked_step = 0.0;  // a larger change of effort must move the joint
+    // The integral of |velocity| since the position last changed, rad or m.
+    double travel = 0.0;
+    // The effort when the position last changed.
+    double effort = 0.0;
+    // A larger change of the effort must move the joint.
+    double blocked_step = 0.0;
     std::uint32_t blocked_ticks = 0;
   };
 
+  // Takes one joint's values and returns its FaultBits. `elapsed_ticks` have passed since the last
+  // ones.
   std::uint64_t check_joint(Joint& joint, double position, double velocity, double effort,
                             double elapsed_ticks) const;
 
   std::array<Joint, kJointCount> joints_{};
   std::size_t joint_count_ = kJointCount;
   double step_s_ = 0.001;
+  // The largest step of a position in one tick, rad or m.
   double max_step_ = 0.0;
   double frozen_travel_ = 0.0;
   std::uint32_t blocked_ticks_to_fault_ = 0;
+  // The number of ticks since the last check.
   std::uint32_t passed_ticks_ = 0;
   bool is_placed_ = false;
 };

@@ -6,6 +6,7 @@
 namespace tactus::firmware {
 namespace {
 
+// Returns the ledger's entry of a source.
 double& entry(EnergyLedger& ledger, EnergySource source) {
   return ledger[static_cast<std::size_t>(source)];
 }
@@ -16,11 +17,13 @@ double share_of(const Vec3& held, const Vec3& rendered) {
   return size > 0.0 ? std::clamp(held.dot(rendered) / size, 0.0, 1.0) : 1.0;
 }
 
+// Returns the contact's part of the rendered force, N.
 Vec3 contact_of(const rendering::Touch& touch) {
   const rendering::ForceParts& parts = touch.parts;
   return touch.force_W - parts.friction_W - parts.texture_W - parts.effect_W;
 }
 
+// Returns the number of ticks, at least 1, bounded by the memory of the held forces.
 std::size_t ticks_of(double ticks) {
   return static_cast<std::size_t>(
       std::clamp(ticks + 0.5, 1.0, static_cast<double>(HeldForces::kMost)));
@@ -53,12 +56,15 @@ TickEnergy EnergyAccount::settle(const Vec3& p_W, const rendering::Touch& touch,
     const double share = share_of(held_W(), rendered_W_);
     const HeldForce acting = held_.acting_over(ticks_of(step_s / tick_s_));
     const Vec3 way = p_W - p_W_;
+    // Half of the motion, times the share: the factor of the sums of two ticks' forces below.
     const Vec3 half_way = 0.5 * share * way;
     const rendering::ForceParts& parts = touch.parts;
     const double all_J = (rendered_W_ + touch.force_W).dot(half_way);
     const double friction_J = (parts_.friction_W + parts.friction_W).dot(half_way);
     const double texture_J = (parts_.texture_W + parts.texture_W).dot(half_way);
     const double effect_J = (parts_.effect_W + parts.effect_W).dot(half_way);
+    // driven_power is the power that the surfaces' own motion gives, so its energy is the mean over
+    // the tick.
     const double coupling_J = 0.5 * share * step_s * (parts_.driven_power + parts.driven_power);
     const double held_J = acting.rendered_W.dot(way);
     tick.given_J = acting.all_W.dot(way);

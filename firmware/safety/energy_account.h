@@ -1,16 +1,18 @@
-// Keeps the ledger of the energy that the device gives to the hand.
+// Keeps the ledger of the energy that the device gives to the hand. One thread; real time.
 //
-// The device answers the sample at x with the force f after its delay d and holds it for a tick, so
-// the hand gets f_d . (x' - x) while the tool goes from x to x': f_d is the force of d before
-// (safety/held_forces.h), with d = 0 that of the past tick. Of that, with c the share of the
-// rendered force that the limits let through and r = sum r_s its parts by source:
+// The device answers the sample at x with the force f after its delay d, and holds it for a tick.
+// While the tool goes from x to x', the force f_d of the time d before acts on it
+// (safety/held_forces.h); for d = 0 that is the force of the past tick. The hand gets f_d . (x' -
+// x). This energy is divided among the sources. r = sum r_s is the rendered force with its parts by
+// source, a prime marks the values of this tick, and c is the share of r that the limits let
+// through:
 //
-//  source s   c (r_s + r_s') / 2 . (x' - x), of a force that follows the motion at once
-//  coupling   that part of it which surfaces give that move by themselves; it is not contact's
-//  safety     (f_d - (c r)_d) . (x' - x)
-//  delay      the rest: ((c r)_d - c (r + r') / 2) . (x' - x). Of a spring K at the speed v it is
-//             K v^2 T (T / 2 + d): for d = 0 the energy that a sampled wall makes (Colgate and
-//             Schenkel 1997)
+//   source s   c (r_s + r_s') / 2 . (x' - x): the energy of a force that follows the motion at once
+//   coupling   the part of it which surfaces give that move by themselves; it is not contact's
+//   safety     (f_d - (c r)_d) . (x' - x)
+//   delay      the rest: ((c r)_d - c (r + r') / 2) . (x' - x). For a spring K at the speed v it is
+//              K v^2 T (T / 2 + d): for d = 0 the energy that a sampled wall makes (Colgate and
+//              Schenkel 1997)
 #pragma once
 
 #include "firmware/configuration/controller_config.h"
@@ -24,13 +26,19 @@ namespace tactus::firmware {
 
 // The energy of one tick.
 struct TickEnergy {
-  double given_J = 0.0;    // given to the hand by all sources
-  double passive_J = 0.0;  // the part that has to be passive: without effects and coupling
-  double way_m2 = 0.0;     // squared length of the tool's motion, |x' - x|^2, m^2
-  double contact_N = 0.0;  // contact force rendered now, without friction, textures and effects
-  double step_s = 0.0;     // length of the tick
+  // The energy given to the hand by all sources, J; negative if the hand gave it.
+  double given_J = 0.0;
+  // The part of it that has to be passive: without effects and coupling.
+  double passive_J = 0.0;
+  // The squared length of the tool's motion, |x' - x|^2, m^2.
+  double way_m2 = 0.0;
+  // The contact force that is rendered now, N, without friction, textures and effects.
+  double contact_N = 0.0;
+  // The length of the tick, s, with the ticks missed before it.
+  double step_s = 0.0;
 };
 
+// The ledger of one tool.
 class EnergyAccount {
  public:
   // Takes the rate and the device's delay. Before the first call, a force acts without delay.
@@ -45,8 +53,10 @@ class EnergyAccount {
 
   // Sets the force that goes out in this tick and is held until the next, N.
   void hold(const Vec3& force_W);
+  // Returns the force that went out in the last tick, N.
   [[nodiscard]] const Vec3& held_W() const { return held_.newest().all_W; }
 
+  // Returns the energy given since activation, J, by source.
   [[nodiscard]] const EnergyLedger& ledger_J() const { return ledger_J_; }
 
   // Returns the source that has given most energy so far.
@@ -60,6 +70,7 @@ class EnergyAccount {
   HeldForces held_;
   EnergyLedger ledger_J_{};
   rendering::ForceParts parts_;  // the rendered force of the previous tick, by source
+  // The rendered force, N, and the tool's position, m, of the previous tick.
   Vec3 rendered_W_ = Vec3::Zero();
   Vec3 p_W_ = Vec3::Zero();
   bool is_placed_ = false;

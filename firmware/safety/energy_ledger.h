@@ -1,4 +1,5 @@
-// The sources of the energy that the device gives to the hand, with their names.
+// The sources of the energy that the device gives to the hand, with their names. Constants and
+// plain data.
 #pragma once
 
 #include <array>
@@ -8,7 +9,8 @@
 
 namespace tactus::firmware {
 
-// All but coupling and delay are sources of a force; those two are sources of energy only.
+// The sources. All but coupling and delay are sources of a force; those two are sources of energy
+// only.
 enum class EnergySource : std::uint8_t {
   contact,   // stiffness and damping of surfaces, along the normal
   friction,  // friction, along the surface
@@ -18,6 +20,7 @@ enum class EnergySource : std::uint8_t {
   safety,    // the controller's own force: workspace walls, passivity damping, effect of limits
   delay,     // the energy that a force held for a tick gives beyond one that follows at once
 };
+// The number of sources, and their names in the order of EnergySource.
 inline constexpr std::size_t kEnergySourceCount = 7;
 inline constexpr std::array<std::string_view, kEnergySourceCount> kEnergySourceNames = {
     "contact", "friction", "texture", "effect", "coupling", "safety", "delay"};

@@ -14,6 +14,7 @@
 
 namespace tactus::firmware {
 
+// One bit for each fault and limit; the bit's number is the stable code.
 enum FaultBits : std::uint64_t {
   kNoFault = 0,
   kFaultNotConfigured = 1ULL << 0,
@@ -65,15 +66,21 @@ enum FaultBits : std::uint64_t {
   kLimitSignCheck = 1ULL << 54,
 };
 
+// The bits of all faults, and of all limits.
 inline constexpr std::uint64_t kFaultMask = 0x0000'FFFF'0000'FFFFULL;
 inline constexpr std::uint64_t kLimitMask = ~kFaultMask;
 
+// The row of a fault or limit in the table.
 struct FaultText {
   FaultBits bit;
-  std::string_view name;      // for programs
-  std::string_view meaning;   // the trigger, for people
-  std::string_view reaction;  // in addition to the zero effort of every fault
-  std::string_view recovery;  // "reset": remove the cause, then reset, home, enable
+  // The name, for programs.
+  std::string_view name;
+  // The trigger, for people.
+  std::string_view meaning;
+  // The reaction in addition to the zero effort of every fault.
+  std::string_view reaction;
+  // The way back. "reset" stands for: remove the cause, then reset, home, enable.
+  std::string_view recovery;
 };
 
 // The texts, in the order of the codes.

@@ -43,6 +43,8 @@ FieldPieces pieces_of_box(const rendering::Primitive& box, double tool_radius_m,
   const Vec3 half_O(box.dimensions_m[0], box.dimensions_m[1], box.dimensions_m[2]);
   FieldPieces all;
   for (int number = 0; number < kSides; ++number) {
+    // The 27 combinations of below, within and beyond along three axes; within along all is the
+    // inside.
     const std::array<int, 3> sides{number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1};
     const Vec3 across_O(std::abs(sides[0]), std::abs(sides[1]), std::abs(sides[2]));
     const bool is_felt = across_O.sum() == 1.0 || (across_O.sum() > 1.0 && tool_radius_m > 0.0);
@@ -52,6 +54,7 @@ FieldPieces pieces_of_box(const rendering::Primitive& box, double tool_radius_m,
     const Mat3& rotation = box.X_WO.rotation;
     all.pieces[all.count++] = {
         .box = in_world(box.X_WO, piece_box_O(half_O, sides, tool_radius_m, slack_m)),
+        // The projection onto the axes across which the tool is pushed.
         .directions_W = rotation * across_O.asDiagonal() * rotation.transpose()};
   }
   return all;

@@ -15,7 +15,8 @@ namespace tactus::firmware {
 
 // One piece of the field.
 struct FieldPiece {
-  rendering::Bounds box;  // contains the whole piece; world frame
+  // A box along the axes that contains the whole piece, world frame, m.
+  rendering::Bounds box;
   // An upper bound of n n^T for every direction n of the push in the piece: the projection onto all
   // of them.
   Mat3 directions_W = Mat3::Zero();
@@ -24,9 +25,11 @@ struct FieldPiece {
 // The pieces are 6 faces, 12 edges and 8 corners.
 inline constexpr std::size_t kMostFieldPieces = 26;
 
+// All pieces of a box's field.
 struct FieldPieces {
   std::array<FieldPiece, kMostFieldPieces> pieces;
-  std::size_t count = 0;  // 6 for a tool without a radius
+  // The number of pieces: 6 for a tool without a radius, else 26.
+  std::size_t count = 0;
 };
 
 // Returns the pieces of the field of a box, for a tool of that radius (m, >= 0). Each is enlarged

@@ -8,8 +8,8 @@
 namespace tactus::firmware {
 namespace {
 
-// Returns the vector, shortened to `limit` if it is longer. It divides by the length first, so that
-// 1e300 N does not overflow.
+// Returns the vector with the length `limit`. It divides by the length first, so that 1e300 N does
+// not overflow.
 Vec3 shortened(const Vec3& v, double length, double limit) {
   return v / length * limit;
 }
@@ -22,6 +22,7 @@ double gain_per_tick(double duration_s, double rate_hz) {
 }
 
 double length_of(const Vec3& v) {
+  // The coordinates are scaled before they are squared, so that no square overflows.
   const double largest = v.cwiseAbs().maxCoeff();
   return largest > 0.0 ? largest * (v / largest).norm() : 0.0;
 }
@@ -33,6 +34,8 @@ void ForceLimiter::configure(const ControllerConfig& config) {
 
 void ForceLimiter::retune(const ControllerConfig& config) {
   wanted_max_force_N_ = config.safety.max_force_N;
+  // A raised limit comes in over soft_start_s; a lowered one has already acted in retune() or
+  // hold_below().
   max_force_N_ = std::min(max_force_N_, wanted_max_force_N_);
   max_step_N_ = config.safety.force_slew_N_per_s / config.rate_hz;
   activation_gain_per_tick_ = gain_per_tick(config.safety.soft_start_s, config.rate_hz);
@@ -94,6 +97,7 @@ double effort_scale(const Vec3& effort, const std::array<JointLimits, kJointCoun
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     const auto axis = static_cast<Eigen::Index>(joint);
     const double size = std::abs(effort[axis]);
+    // The room in the direction of the effort: `given` takes from it or adds to it.
     const double room = limits[joint].max_effort - std::copysign(1.0, effort[axis]) * given[axis];
     if (size * scale > room) {
       scale = room / size;

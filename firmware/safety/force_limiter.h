@@ -1,14 +1,15 @@
-// Limits a rendered force to one that is safe for a hand. Once per tick, in this order:
+// Limits a rendered force to one that is safe for a hand. One thread; real time. Once per tick, in
+// this order:
 //
-//  soft start  f1 = (e + s g(ticks since first contact / contact_start_s))
-//                   g(ticks since activation / soft_start_s),
-//              g(x) = min(x, 1), with e the force of the effects and s the rest. First contact is
-//              the first tick in contact after activation; it is the tick of activation itself if
-//              the tool is pressed into something then. The ramp of the first contact does not act
-//              on effects, because they need no contact.
-//  clamp       |f2| <= max_force_N, in the direction of f1. A limit that is raised while there is
-//              force takes soft_start_s to come in; a lowered one acts at once.
-//  slew        |f3 - last| <= force_slew_N_per_s / rate_hz, straight from the last force toward f2
+//   soft start  f1 = (e + s g(ticks since first contact / contact_start_s))
+//                    g(ticks since activation / soft_start_s),   g(x) = min(x, 1),
+//               with e the force of the effects and s the rest. The first contact is the first tick
+//               in contact after activation, or the tick of activation itself if the tool is
+//               pressed into something then. Effects need no contact, so its ramp does not act on
+//               them.
+//   clamp       |f2| <= max_force_N, in the direction of f1. A limit that is raised while there is
+//               force takes soft_start_s to come in; a lowered one acts at once.
+//   slew        |f3 - last| <= force_slew_N_per_s / rate_hz, straight from the last force toward f2
 //
 // The slew limits rise and fall of the force vector. The zero force of a fault or a disable does
 // not pass through this class.
@@ -23,13 +24,17 @@
 
 namespace tactus::firmware {
 
+// A force and the limits that acted on it.
 struct LimitedForce {
   Vec3 force_W = Vec3::Zero();  // N
-  std::uint64_t limits = 0;     // FaultBits: the limits that held the force back
+  // The FaultBits of the limits that held the force back.
+  std::uint64_t limits = 0;
 };
 
+// The limiter of one tool.
 class ForceLimiter {
  public:
+  // Takes limits and ramps, and restarts.
   void configure(const ControllerConfig& config);
 
   // Takes new limits. Ramps and slew continue from where they are, and the largest force rises
@@ -60,14 +65,20 @@ class ForceLimiter {
   void transfer(rendering::StateArchive& archive);
 
  private:
+  // The configured largest force, N.
   double wanted_max_force_N_ = 0.0;
-  double max_force_N_ = 0.0;  // the present limit; it rises to the wanted one
+  // The present limit, N; it rises to the wanted one.
+  double max_force_N_ = 0.0;
+  // The largest step of the force vector in a tick, N.
   double max_step_N_ = 0.0;
   double activation_gain_per_tick_ = 1.0;
   double contact_gain_per_tick_ = 1.0;
+  // The gains of the two ramps, 0 to 1.
   double activation_gain_ = 0.0;
   double contact_gain_ = 0.0;
+  // True from the first contact since activation on.
   bool touched_ = false;
+  // The force that went out in the last tick, N.
   Vec3 last_W_ = Vec3::Zero();
 };
 

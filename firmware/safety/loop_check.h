@@ -1,4 +1,5 @@
-// Guards the controller's own time: turns the loop's reports into faults and limits.
+// Guards the controller's own time: turns the loop's reports into faults and limits. One thread;
+// real time.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +12,26 @@ namespace tactus::firmware {
 // The bits of the loop's report. They are an input of the tick and are recorded with it.
 enum LoopStatus : std::uint32_t {
   kLoopOnTime = 0,
-  kLoopLate = 1U << 0,           // this tick began later than the loop allows
-  kLoopWatchdogLost = 1U << 1,   // the watchdog output could not be driven
-  kLoopHelperCrashed = 1U << 2,  // a thread beside the loop has crashed; the program will end
+  // This tick began later than the loop allows.
+  kLoopLate = 1U << 0,
+  // The watchdog output could not be driven.
+  kLoopWatchdogLost = 1U << 1,
+  // A thread beside the loop has crashed; the program will end.
+  kLoopHelperCrashed = 1U << 2,
 };
 
+// The loop's report for one tick.
 struct LoopReport {
+  // LoopStatus bits.
   std::uint32_t status = kLoopOnTime;
-  std::uint32_t missed_ticks = 0;  // whole periods skipped just before this tick
+  // The number of whole periods that were skipped just before this tick.
+  std::uint32_t missed_ticks = 0;
 };
 
+// The check of one loop.
 class LoopCheck {
  public:
+  // Takes the thresholds and sets all counts to 0.
   void configure(const ControllerConfig& config);
 
   // Returns the FaultBits of this tick, faults and limits. A tick after missed ones is late, too.

@@ -18,6 +18,7 @@ void MotionGuard::configure(const ControllerConfig& config) {
 std::uint64_t MotionGuard::check(const Vec3& v_W, const Vec3& held_W) {
   const double speed = length_of(v_W);
   if (speed > runaway_speed_m_per_s_ && held_W.dot(v_W) <= 0.0) {
+    // The bound keeps the number finite while the fault lasts.
     runaway_m_ = std::min(runaway_m_ + speed * step_s_, 2.0 * runaway_travel_m_);
   } else {
     runaway_m_ = 0.0;

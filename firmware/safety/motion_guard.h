@@ -1,12 +1,11 @@
-// Finds a tool that is too fast or runs away, and slows it.
+// Finds a tool that is too fast or runs away, and slows it. One thread; real time.
 //
-//  speed limit  from max_tool_speed / 2 on, force along the motion is taken away, linearly up to
-//               all of it at max_tool_speed: the device does not drive the hand faster
-//  overspeed    |v| > max_tool_speed
-//  motion without torque
-//               the tool went runaway_travel_m faster than runaway_speed while the commanded force
-//               did not push it that way: an encoder whose direction flipped turns every force into
-//               this, and so does a drive that makes torque of its own
+//  - limiting_speed: from max_tool_speed / 2 on, force along the motion is taken away, linearly up
+//    to all of it at max_tool_speed. So the device does not drive the hand faster.
+//  - overspeed: |v| > max_tool_speed.
+//  - motion_without_torque: the tool moves by runaway_travel_m faster than runaway_speed, and the
+//    commanded force does not push it that way. An encoder whose direction flipped turns every
+//    force into this, and so does a drive that makes torque of its own.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +16,17 @@
 
 namespace tactus::firmware {
 
+// A force and the limits that acted on it.
 struct SlowedForce {
   Vec3 force_W = Vec3::Zero();  // N
-  std::uint64_t limits = 0;     // FaultBits
+  // FaultBits.
+  std::uint64_t limits = 0;
 };
 
+// The guard of one tool.
 class MotionGuard {
  public:
+  // Takes rate and thresholds, and rests.
   void configure(const ControllerConfig& config);
 
   // Sets the distance that the tool has run away to 0. Call when the tool's position starts anew.
@@ -44,6 +47,7 @@ class MotionGuard {
   double max_speed_m_per_s_ = 0.0;
   double runaway_speed_m_per_s_ = 0.0;
   double runaway_travel_m_ = 0.0;
+  // The distance that the tool has run away without a push, m.
   double runaway_m_ = 0.0;
 };
 

@@ -10,23 +10,35 @@
 namespace tactus::firmware {
 namespace {
 
+// The length of a unit, and T.
 constexpr double kUnit_s = 0.001;
 constexpr double kQuarter_s = 0.006;
+// The number of times T in a pulse: three times four.
 constexpr std::size_t kQuarters = 12;
-constexpr double kFirstShare = 0.6;  // of the largest push
+// The first pulse, as a share of the largest push.
+constexpr double kFirstShare = 0.6;
+// The ratio of the pulses before and after a joint was unclear.
 constexpr double kStronger = 1.3;
-constexpr double kMostOfEffort = 0.5;  // of the joint's largest
+// The largest pulse, as a share of the joint's largest effort.
+constexpr double kMostOfEffort = 0.5;
+// The share of the motion that the pulse must explain.
 constexpr double kExplained = 0.5;
-constexpr double kInstrumentShare = 0.3;  // of r that z has to be a part of
+// The share of r that must lie along z: else the joint's other efforts outweigh the pulse.
+constexpr double kInstrumentShare = 0.3;
+// The numbers of pulses in a row that decide.
 constexpr std::uint32_t kRight = 2;
 constexpr std::uint32_t kWrong = 3;
-constexpr std::uint32_t kUnclear = 3;       // pulses in a row, then it is another joint's turn
-constexpr std::uint32_t kMostUnclear = 12;  // then there is a pause before the next
+// After this many unclear pulses in a row it is another joint's turn.
+constexpr std::uint32_t kUnclear = 3;
+// After this many there is a pause before the next pulse.
+constexpr std::uint32_t kMostUnclear = 12;
 constexpr double kPause_s = 0.3;
-constexpr double kStrong = 2.0;  // times the gain of the device without a hand
+// The factor by which a joint may answer more strongly than the device without a hand.
+constexpr double kStrong = 2.0;
 constexpr double kLeastSignLever = 1e-6;
 
-constexpr std::size_t kCubic = 4;  // powers
+// The number of powers of a cubic.
+constexpr std::size_t kCubic = 4;
 
 // Returns the scalar product of the first `count` entries.
 template <std::size_t kSize>
@@ -220,10 +232,13 @@ void MotorSignCheck::take_sample(double position, double mean_effort) {
 }
 
 EffortFinding MotorSignCheck::judge() {
+  // The products of y and r after a cubic is subtracted from each: the powers are orthonormal, so
+  // the cubic's part is the sum of the products of the first four coefficients.
   const double y_y = sums_.y_y - dot(sums_.y_powers, sums_.y_powers, kCubic);
   const double y_r = sums_.y_r - dot(sums_.y_powers, sums_.r_powers, kCubic);
   const double r_r = sums_.r_r - dot(sums_.r_powers, sums_.r_powers, kCubic);
   const double gain = sums_.z_y / sums_.z_r;
+  // The squared size of y - g r, both without their cubics.
   const double left = y_y - 2.0 * gain * y_r + gain * gain * r_r;
   const bool is_clear = y_y > 0.0 && left < (1.0 - kExplained) * y_y &&
                         sums_.z_r * sums_.z_r > kInstrumentShare * kInstrumentShare * r_r;

@@ -1,36 +1,42 @@
 // Checks after every activation, with small pushes, whether each motor moves its joint in the
-// commanded direction. Until all have answered, the rendered force stays small.
+// commanded direction. Until all have answered, the rendered force stays small. One thread; real
+// time: no heap, at most some 40 multiplications a tick and 200 at the end of a pulse.
 //
-// A push that the controller knows and the hand does not is the only evidence that cannot be
-// mistaken for the hand: the motion behind a reversed motor is, without it, that of a hand that
-// presses. A pulse on one joint takes the effort
-//   +a for T, -a for 2 T, +a for T, three times over, with T = 6 ms,
-// which is too fast for the hand's spring and damper: the joint answers with its mass, so
-//   q'' = g u(t - d) + h
-// with u all of the joint's commanded effort, d the configured delay, g = 1 / mass, below 0 behind
-// a reversed motor or encoder, and h all that the hand and friction add. Over the 72 ms of a pulse,
-// h moves the joint by a polynomial of time of the fifth degree and little more. With y the
-// positions, r the double integral of the effort, and z that of the pulse alone less its polynomial
-// (an instrument, as in Soderstrom and Stoica 1983: it knows nothing of the hand),
+// Reason. Without a push of its own the controller cannot tell a reversed motor from a hand that
+// presses: both move the tool alike. The hand does not know the push, so the answer to it is not
+// the hand's.
+//
+// Pulse. A pulse on one joint takes the effort
+//   +a for T, -a for 2 T, +a for T, three times over, with T = 6 ms.
+// That is too fast for the hand's spring and damper: the joint answers with its mass, so
+//   q'' = g u(t - d) + h.
+// u is all of the joint's commanded effort, d the configured delay, g = 1 / mass, below 0 behind a
+// reversed motor or encoder, and h is all that the hand and friction add.
+//
+// Estimate. Over the 72 ms of a pulse, h moves the joint by a polynomial of time of the fifth
+// degree and little more. Let y be the positions, r the double integral of the effort, and z that
+// of the pulse alone, less its polynomial. z is an instrument (Soderstrom and Stoica 1983): it
+// knows nothing of the hand. Then
 //   g = (z . y) / (z . r).
-// A pulse counts if g r explains more than half of what a cubic leaves of y: where a hand shakes,
-// even at 25 Hz, the fourth and fifth degree are most of that. The pulses alternate in sign. A
-// delay that is 1 ms longer than said changes no answer.
+// A pulse counts if g r explains more than half of the motion y that is left after a cubic is
+// subtracted. The comparison uses a cubic and not the fifth degree, because a hand that shakes,
+// even at 25 Hz, makes mostly motions of the fourth and fifth degree, and they must count against
+// the pulse. The pulses alternate in sign. A delay that is 1 ms longer than configured changes no
+// answer.
 //
-//  right       two pulses in a row with g > 0
-//  reversed    three in a row with g < 0: motor_reversed, with the joint's number
-//  too strong  three in a row with g more than twice what the device's own mass allows:
-//              effort_mismatch, with the joint's number. A mass m at the handle has the mobility
-//              (m J^T J)^-1, whose diagonal is each joint's g while the others are free; the hand's
-//              own mass can only lessen it. A motor of three times the torque that is said, or an
-//              encoder of four times the counts, is found so; one that is too weak feels like a
-//              heavy hand, and is for `tactus commission` to find.
+// Verdicts, each with the joint's number:
+//  - The motor is right after two pulses in a row with g > 0.
+//  - motor_reversed: three pulses in a row have g < 0.
+//  - effort_mismatch: three pulses in a row have a g more than twice what the device's own mass
+//    allows. A mass m at the handle has the mobility (m J^T J)^-1, whose diagonal is each joint's g
+//    while the other joints are free; the hand's own mass can only lessen it. This finds a motor of
+//    three times the torque that is configured, or an encoder of four times the counts. A motor
+//    that is too weak feels like a heavy hand; `tactus commission` finds it.
 //
-// A joint that does not answer, because it is held or its friction is larger, is pushed harder, up
-// to sign_check_N at the handle, and asked again; the others' turn comes in between. Sizes at the
-// handle are effort over L, the length of the joint's column of the Jacobian.
-//
-// Real time: no heap, at most some 40 multiplications a tick and 200 at the end of a pulse.
+// A joint may not answer because it is held or because its friction is larger than the push. It is
+// then pushed harder, up to sign_check_N at the handle, and asked again; the other joints' turn
+// comes in between. Sizes at the handle are effort over L, the length of the joint's column of the
+// Jacobian.
 #pragma once
 
 #include <array>
@@ -49,8 +55,10 @@ namespace tactus::firmware {
 // The largest sum of the rendered force and a pulse, N, until all motors have answered.
 inline constexpr double kUncheckedForce_N = 2.0;
 
+// The check of all motors of a mechanism.
 class MotorSignCheck {
  public:
+  // Takes rate, joints, delay and mass, computes the tables and restarts.
   void configure(const ControllerConfig& config);
 
   // Checks all joints anew. Call at activation.
@@ -68,6 +76,7 @@ class MotorSignCheck {
   // Returns the pulse's part of this tick's efforts, N or N m. The caller adds it to the others.
   [[nodiscard]] const JointEfforts& push() const { return push_; }
 
+  // Returns true if all motors have answered, or if the check is switched off.
   [[nodiscard]] bool is_done() const { return unanswered_ == 0; }
 
   // Returns the largest rendered force while the check is not done, N.
@@ -77,19 +86,25 @@ class MotorSignCheck {
   void transfer(rendering::StateArchive& archive);
 
  private:
+  // The largest number of samples of a pulse.
   static constexpr std::size_t kMaxSamples = 80;
-  static constexpr std::size_t kPowers = 6;  // powers of time that are projected out
+  // The number of powers of time that are projected out: 0 to 5.
+  static constexpr std::size_t kPowers = 6;
+  // The largest delay in units. A longer one is cut to it.
   static constexpr std::size_t kMaxDelay = 7;
 
+  // The memory of one joint.
   struct Joint {
-    double force_N = 0.0;     // next pulse at the handle, with the sign with which it begins
-    std::uint32_t right = 0;  // pulses in a row, as the three below
+    // The next pulse at the handle, N, with the sign with which it begins.
+    double force_N = 0.0;
+    // The numbers of pulses in a row with each answer.
+    std::uint32_t right = 0;
     std::uint32_t wrong = 0;
     std::uint32_t strong = 0;
     std::uint32_t unclear = 0;
   };
 
-  // Sums over the samples of a pulse.
+  // The sums over the samples of a pulse: scalar products of y, r, z and the powers.
   struct Sums {
     std::array<double, kPowers> y_powers{};
     std::array<double, kPowers> r_powers{};
@@ -100,41 +115,62 @@ class MotorSignCheck {
     double r_r = 0.0;
   };
 
+  // Computes powers_ and instrument_ for the configured pulse.
   void prepare_tables();
+  // Starts a pulse on the joint whose turn it is, from this sample.
   void begin_pulse(const drivers::JointSample& sample, const Pose& pose);
+  // Adds a sample: the joint's displacement since the pulse's start, and the unit's mean effort.
   void take_sample(double position, double mean_effort);
+  // Judges the pulse that has ended and counts its answer.
   EffortFinding judge();
   void choose_next();
+  // Returns the largest g that the joint has without a hand; 0 if the mass is not known.
   [[nodiscard]] double free_gain(const Pose& pose) const;
+  // Returns the sign of the pulse in that unit: 1, -1, or 0 after its end.
   [[nodiscard]] double pattern(std::size_t unit) const;
 
-  // These are set by the configuration. A unit is a whole number of ticks, about a millisecond.
+  // The configuration sets these. A unit is a whole number of ticks, about a millisecond.
   std::size_t joint_count_ = kJointCount;
   std::array<double, kJointCount> max_effort_{};
   double most_N_ = 0.0;
   double moving_mass_kg_ = 0.0;
   double unit_s_ = 0.001;
   std::uint32_t ticks_a_unit_ = 1;
-  std::size_t quarter_ = 6;  // units: the T above
-  std::size_t delay_ = 0;    // units
-  std::size_t samples_ = 0;  // samples of a pulse
+  // The length of T in units.
+  std::size_t quarter_ = 6;
+  // The configured delay in units.
+  std::size_t delay_ = 0;
+  // The number of samples of a pulse.
+  std::size_t samples_ = 0;
   std::uint32_t pause_ticks_ = 0;
-  std::array<std::array<double, kPowers>, kMaxSamples> powers_{};  // orthonormal
-  std::array<double, kMaxSamples> instrument_{};  // z, of length 1, without the powers
+  // The powers of time at each sample, made orthonormal.
+  std::array<std::array<double, kPowers>, kMaxSamples> powers_{};
+  // z, without the powers and of length 1.
+  std::array<double, kMaxSamples> instrument_{};
 
   std::array<Joint, kJointCount> joints_{};
-  std::uint32_t unanswered_ = 0;  // a bit for each joint
-  std::size_t asked_ = 0;         // the joint whose turn it is
+  // A bit for each joint that has not answered.
+  std::uint32_t unanswered_ = 0;
+  // The index of the joint whose turn it is.
+  std::size_t asked_ = 0;
   bool is_pulsing_ = false;
   std::uint32_t ticks_to_wait_ = 0;
-  std::uint32_t ticks_ = 0;                      // ticks since the pulse began
-  double start_ = 0.0;                           // position at the pulse's start, rad or m
-  double effort_sum_ = 0.0;                      // sum over this unit's ticks
-  std::array<double, kMaxDelay + 1> efforts_{};  // the last units, by unit modulo the length
+  // The number of ticks since the pulse began.
+  std::uint32_t ticks_ = 0;
+  // The position at the pulse's start, rad or m.
+  double start_ = 0.0;
+  // The sum of the efforts over this unit's ticks.
+  double effort_sum_ = 0.0;
+  // The mean efforts of the last units, by unit modulo the length.
+  std::array<double, kMaxDelay + 1> efforts_{};
+  // The integral of the delayed effort, and its double integral r, in units of time.
   double effort_integral_ = 0.0;
   double effort_double_integral_ = 0.0;
-  double amplitude_ = 0.0;  // effort, with sign
-  double most_gain_ = 0.0;  // largest gain of the joint in this pose, in units; 0: not known
+  // The effort a of the pulse, with its sign.
+  double amplitude_ = 0.0;
+  // Twice the largest g that the joint has without a hand in this pose, in units of time; 0: not
+  // known.
+  double most_gain_ = 0.0;
   Sums sums_;
   JointEfforts push_{};
 };

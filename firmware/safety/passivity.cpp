@@ -7,8 +7,10 @@
 namespace tactus::firmware {
 namespace {
 
+// The time constant with which a debt decays.
 constexpr double kForgetting_s = 1.0;
-constexpr double kWeakestBuzz = 0.05;  // of max_force_N
+// Peaks below this share of max_force_N do not count as a buzz.
+constexpr double kWeakestBuzz = 0.05;
 
 }  // namespace
 
@@ -27,6 +29,7 @@ void PassivityControl::restart() {
 }
 
 std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
+  // Only a debt is forgotten. A credit ends with the contact.
   if (credit_J_ < 0.0) {
     credit_J_ -= step_s_ / kForgetting_s * credit_J_;
   }

@@ -1,10 +1,11 @@
 // Time-domain passivity observer and controller, in the impedance form: B. Hannaford and J.-H. Ryu,
 // "Time-Domain Passivity Control of Haptic Interfaces", IEEE Transactions on Robotics and
 // Automation 18(1), 2002. Surfaces of any material give the hand no more energy than it has given
-// them. If sampling, delay or a badly made scene gives more, a damper takes it back.
+// them. If sampling, delay or a badly made scene gives more, a damper takes it back. One thread;
+// real time.
 //
-//  observer    E += -E_held + b |dx|^2 / T    energy that the hand has given and not got back, J
-//  controller  F = -a v, a = min(-E / (T |v|^2), passivity_damping), while E < 0
+//   observer    E += -E_held + b |dx|^2 / T    energy that the hand has given and not got back, J
+//   controller  F = -a v, a = min(-E / (T |v|^2), passivity_damping), while E < 0
 //
 // E_held is the energy that the force of the past tick gave over the motion dx of the same tick,
 // including the damper's force (safety/energy_account.h). The force of this tick must not be paired
@@ -27,8 +28,10 @@
 
 namespace tactus::firmware {
 
+// The observer and the damper of one tool.
 class PassivityControl {
  public:
+  // Takes rate, dampings and threshold, and restarts.
   void configure(const ControllerConfig& config);
 
   // Sets the credit to 0. Call at activation.
@@ -52,7 +55,9 @@ class PassivityControl {
   double step_s_ = 0.001;
   double device_damping_Ns_per_m_ = 0.0;
   double max_damping_Ns_per_m_ = 0.0;
+  // A debt above this is a fault, J.
   double fault_J_ = 0.0;
+  // E, J.
   double credit_J_ = 0.0;
   BuzzDetector buzz_;
 };

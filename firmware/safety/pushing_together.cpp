@@ -14,12 +14,14 @@ namespace {
 
 using rendering::Bounds;
 
-// The most parts in one set, and the most parts that a search looks at. Beyond these, all parts
-// that may push together with the set count as members. A look takes some 60 ns, and a scene of
-// 1,024 objects 2 ms more.
+// The most parts in one set. Beyond it, all parts that may push together with the set count as
+// members.
 constexpr std::size_t kMostTogether = 16;
-constexpr std::size_t kMostLooks = std::size_t{1} << 16U;       // while a scene is loaded
-constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;  // at the edge of an active tick
+// The most parts that a search looks at while a scene is loaded. Beyond it the same holds. A look
+// takes some 60 ns; preparing a scene of 1,024 objects takes 2 ms more.
+constexpr std::size_t kMostLooks = std::size_t{1} << 16U;
+// The same for a change of one object between two ticks of an active controller.
+constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;
 
 constexpr std::size_t kMostParts =
     rendering::kMaxObjects + rendering::kMaxEffects + FeltWalls::kCount;
@@ -32,18 +34,23 @@ constexpr float kSlack_m = 2e-5F;
 
 // A rough shape of a part, which separates most pairs.
 struct Outline {
-  std::array<float, 3> lower{};  // of the surface, or of an effect's region
+  // The corners of the surface, or of an effect's region, m.
+  std::array<float, 3> lower{};
   std::array<float, 3> upper{};
-  float reach_m = 0.0F;    // the part is felt up to this distance from there
-  float contact_m = 0.0F;  // contact distance of the shared proxy's centre
+  // The part is felt up to this distance from there, m.
+  float reach_m = 0.0F;
+  // The contact distance of the shared proxy's centre, m.
+  float contact_m = 0.0F;
   bool shares_proxy = false;
   bool is_felt = false;
 };
 
+// Returns true if the part pushes at all.
 bool is_felt(const ScenePart& part) {
   return part.felt.stiffness_N_per_m > 0.0 || part.felt.damping_Ns_per_m > 0.0;
 }
 
+// Returns the rough shape of a part.
 Outline outline_of(const ScenePart& part) {
   Outline outline{.contact_m = static_cast<float>(part.contact_m),
                   .shares_proxy = part.shares_proxy,
@@ -117,6 +124,7 @@ class Search {
     return is_felt(members_[0]) && grow(0, members_[0].region.box);
   }
 
+  // Returns the set that finds() has found.
   [[nodiscard]] UncertifiedPart found() const {
     UncertifiedPart part{.stiffness_N_per_m = felt_.stiffness_N_per_m,
                          .damping_Ns_per_m = felt_.damping_Ns_per_m,
@@ -181,6 +189,7 @@ class Search {
     return fits(part, box);
   }
 
+  // Returns what all parts from place `next` on could add to the set.
   Rest rest_of(std::size_t next, const Bounds& box) {
     Rest rest;
     ScenePart part;
@@ -202,6 +211,7 @@ class Search {
   }
 
   // Adds parts near the first one, from place `next` on, to the set, which pushes in the box.
+  // Returns true if a set is beyond the certificate; the members are then that set.
   bool grow(std::size_t next, const Bounds& box) {
     const CertifiedPoint own = felt_in(box);
     const Rest rest = rest_of(next, box);

@@ -64,6 +64,7 @@ std::uint64_t SampleCheck::check_joints(const drivers::JointSample& sample) cons
       faults |= kFaultJointLimit;
     }
   }
+  // Before homing, positions mean nothing; numbers that are not finite are a fault all the same.
   return is_referenced(sample.status) ? faults : faults & kFaultJointNotFinite;
 }
 

@@ -1,4 +1,4 @@
-// Checks whether a sample may be used: the first guard of a tick.
+// Checks whether a sample may be used: the first guard of a tick. One thread; real time.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,10 @@
 
 namespace tactus::firmware {
 
+// The check of one device.
 class SampleCheck {
  public:
+  // Takes the limits and sets all counts to 0.
   void configure(const ControllerConfig& config);
 
   // Returns the FaultBits of this sample, faults and limits, for the joints of the mechanism.
@@ -25,7 +27,9 @@ class SampleCheck {
   void transfer(rendering::StateArchive& archive);
 
  private:
+  // Returns the bits of a stale sample.
   std::uint64_t check_age(const drivers::JointSample& sample);
+  // Returns the bits of the joints' numbers and limits.
   [[nodiscard]] std::uint64_t check_joints(const drivers::JointSample& sample) const;
 
   std::size_t joint_count_ = kJointCount;

@@ -13,12 +13,13 @@ namespace {
 // Tolerance within which a direction is an axis of the world, or two planes are parallel.
 constexpr double kSameDirection = 1e-9;
 
-// The smallest and the largest stiffness that a texture makes.
+// The smallest and the largest stiffness that an object's textures make.
 struct StiffnessRange {
   double least_N_per_m = 0.0;
   double most_N_per_m = 0.0;
 };
 
+// Returns the range over the object's surface.
 StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Material& material) {
   double low = 1.0;
   double high = 1.0;
@@ -40,8 +41,8 @@ Falloff falloff_of(const rendering::Magnet& magnet) {
           .steepness = middle >= 0.0 ? middle : -2.0 * middle};
 }
 
-// Beyond the distance at which the spring reaches its largest force, its force only changes
-// direction.
+// Returns the falloff of a spring with a largest force. Beyond the distance at which it reaches
+// that force, its force only changes direction.
 Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
   return {.kind = Falloff::Kind::bounded_spring,
           .middle_W = spring.anchor_W,
@@ -52,6 +53,7 @@ bool along_world_axis(const Vec3& direction_W) {
   return direction_W.cwiseAbs().maxCoeff() > 1.0 - kSameDirection;
 }
 
+// Returns the box, larger by `by_m` on each side.
 rendering::Bounds grown(const rendering::Bounds& box, double by_m) {
   return {.lower_W = box.lower_W - Vec3::Constant(by_m),
           .upper_W = box.upper_W + Vec3::Constant(by_m)};
@@ -123,8 +125,9 @@ double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
                                  : kBoundless_m;
 }
 
-// The tool is in contact with a smooth box along the axes only if it came in through a side, so it
-// leaves the other side with less depth left.
+// Returns the box in which the tool's centre feels the object. The tool is in contact with a smooth
+// box along the axes only if it came in through a side, so it leaves the other side with less depth
+// left.
 rendering::Bounds felt_box(const rendering::Object& object, const rendering::Material& material,
                            const ScenePart& part, double beyond_m) {
   Vec3 beyond = Vec3::Constant(beyond_m);
@@ -135,12 +138,14 @@ rendering::Bounds felt_box(const rendering::Object& object, const rendering::Mat
   return {.lower_W = contact.lower_W - beyond, .upper_W = contact.upper_W + beyond};
 }
 
+// Returns the region between two planes, `below_m` and `above_m` from the point along the normal.
 FeltRegion slab(const Vec3& point_W, const Vec3& normal_W, double below_m, double above_m) {
   const double height = normal_W.dot(point_W);
   return {.normal_W = normal_W, .lowest_m = height - below_m, .highest_m = height + above_m};
 }
 
-// The line is infinite, so its region is a box only if it is along an axis of the world.
+// Returns the region in which a line captures the tool. The line is infinite, so it is a box only
+// if the line is along an axis of the world.
 FeltRegion region_of(const rendering::SnapToLine& line) {
   FeltRegion region;
   const rendering::Bounds near = around(line.point_W, line.law.capture_m);
@@ -153,7 +158,8 @@ FeltRegion region_of(const rendering::SnapToLine& line) {
   return region;
 }
 
-// At this many cores from the pole the slope of the pull is a hundredth of that in the middle.
+// A magnet is felt up to this many cores from its pole: the slope of the pull is then a hundredth
+// of that in the middle.
 constexpr double kCoresFelt = 4.6;
 
 FeltRegion region_of(const rendering::FluidDrag& drag) {
@@ -226,6 +232,7 @@ bool common_area(const rendering::Bounds& common, Eigen::Index across) {
   return true;
 }
 
+// Returns true if the boxes and the contact distances are the same.
 bool same_box(const ScenePart& a, const ScenePart& b) {
   const auto far = [](const Vec3& p, const Vec3& q) { return (p - q).cwiseAbs().maxCoeff(); };
   return std::max(far(a.surface.lower_W, b.surface.lower_W),
@@ -234,11 +241,13 @@ bool same_box(const ScenePart& a, const ScenePart& b) {
          a.surface.upper_W.maxCoeff() < kBoundless_m;
 }
 
+// Returns true if the planes are the same, with the same side outward.
 bool same_plane(const FeltRegion& a, const FeltRegion& b) {
   return a.normal_W.dot(b.normal_W) > 1.0 - kSameDirection &&
          std::abs(a.highest_m - b.highest_m) < kSamePlace_m;
 }
 
+// Returns the part of an object with that material.
 ScenePart part_of_object(const rendering::Object& object, const rendering::Material& material,
                          const SceneFeel& feel) {
   const StiffnessRange stiffness = stiffness_of(object, material);
@@ -272,6 +281,7 @@ ScenePart part_of_object(const rendering::Object& object, const rendering::Mater
   return part;
 }
 
+// Returns the part of an effect by the kind of its law.
 ScenePart part_of_effect(const rendering::Effect& effect) {
   const rendering::LawSlopes slopes = rendering::steepest(effect);
   ScenePart part{.felt = {.damping_Ns_per_m = slopes.damping_Ns_per_m,
@@ -280,8 +290,8 @@ ScenePart part_of_effect(const rendering::Effect& effect) {
   return part;
 }
 
-// Wall 0 is the lower one across x, wall 1 the upper one, then y and z. A wall that no device can
-// reach does not count.
+// Returns a wall of the workspace. Wall 0 is the lower one across x, wall 1 the upper one, then y
+// and z. A wall that no device can reach does not count.
 ScenePart part_of_wall(const FeltWalls& walls, std::size_t wall) {
   const auto axis = static_cast<Eigen::Index>(wall / 2);
   const bool is_upper = wall % 2 == 1;

@@ -24,9 +24,11 @@ struct CertifiedPoint {
 // Two objects of the shared proxy whose sides are at most this far apart are in one place.
 inline constexpr double kSamePlace_m = 1e-4;
 
-inline constexpr double kBoundless_m = 1e3;  // beyond the world
+// A distance beyond the world.
+inline constexpr double kBoundless_m = 1e3;
 
-inline constexpr double kNoWall_m = 10.0;  // a wall of the workspace so far away does not count
+// A wall of the workspace that is so far away does not count.
+inline constexpr double kNoWall_m = 10.0;
 
 // The box that the tool is kept in, world frame (safety/workspace_walls.h). The default has no
 // walls.
@@ -37,26 +39,31 @@ struct FeltWalls {
   Vec3 upper_W = Vec3::Constant(kNoWall_m);
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
-  double reach_m = 0.0;  // deepest position in a wall while the motors are on
+  // The deepest position in a wall while the motors are on, m.
+  double reach_m = 0.0;
 };
 
 // The tool and the settings that decide how a scene is felt.
 struct SceneFeel {
+  // The radius of the tool's sphere.
   double tool_radius_m = 0.0;
-  // A surface is felt until the force of its spring reaches this value.
+  // The largest force on the hand: a surface is felt until the force of its spring reaches it.
   double max_force_N = std::numeric_limits<double>::infinity();
-  // Returns the material of an object, to replace the scene's; null for the scene's.
+  // A function that returns the material of an object, to replace the scene's; null for the
+  // scene's.
   rendering::Material (*material)(const void* context, std::uint32_t object) = nullptr;
+  // The first argument of `material`.
   const void* context = nullptr;
   FeltWalls walls;
 };
 
-// A scene as the certificate sees it. `size` is the number of its parts.
+// A scene as the certificate sees it.
 struct FeltScene {
   std::span<const rendering::Object> objects;
   std::span<const rendering::Effect> effects;
   SceneFeel feel;
 
+  // Returns the number of parts: objects, effects and walls.
   [[nodiscard]] std::size_t size() const {
     return objects.size() + effects.size() + FeltWalls::kCount;
   }
@@ -67,39 +74,51 @@ struct FeltScene {
 struct FeltRegion {
   rendering::Bounds box{.lower_W = Vec3::Constant(-kBoundless_m),
                         .upper_W = Vec3::Constant(kBoundless_m)};
-  Vec3 normal_W = Vec3::Zero();  // unit, or zero
+  // A unit vector, or zero: the region is then the whole box.
+  Vec3 normal_W = Vec3::Zero();
+  // The range of the coordinate along the normal, m.
   double lowest_m = -kBoundless_m;
   double highest_m = kBoundless_m;
 };
 
-// The directions of motion that a spring resists.
+// The directions of motion that a spring resists: all, only along its axis, or all across its axis.
 enum class SpringDirections : std::uint8_t { all, along_axis, across_axis };
 
 // The decrease of an effect's stiffness with the distance d from its middle.
 struct Falloff {
   enum class Kind : std::uint8_t { none, pole, bounded_spring };
   Kind kind = Kind::none;
+  // The pole, or the spring's anchor, world frame, m.
   Vec3 middle_W = Vec3::Zero();
-  double core_m = 0.0;         // of a pole
-  double steepness = 0.0;      // of a pole, N/m; it is multiplied by (1 + (d / core)^2)^(-3/2)
-  double largest_force_N = 0;  // of a bounded spring; divided by d
+  // The radius, m, within which a pole's pull is nearly a spring.
+  double core_m = 0.0;
+  // The stiffness at a pole's middle, N/m. It is multiplied by (1 + (d / core)^2)^(-3/2).
+  double steepness = 0.0;
+  // The largest force of a bounded spring, N. Divided by d it bounds the stiffness.
+  double largest_force_N = 0;
 };
 
-// One part of a scene.
+// One part of a scene, as part_of() describes it.
 struct ScenePart {
-  CertifiedPoint felt;  // the largest values
+  // The largest stiffness and damping of the part.
+  CertifiedPoint felt;
   Falloff falloff;
   SpringDirections directions = SpringDirections::all;
-  Vec3 axis_W = Vec3::Zero();  // unit; for along_axis and across_axis
+  // The unit axis of along_axis and across_axis, world frame.
+  Vec3 axis_W = Vec3::Zero();
   FeltRegion region;
-  // These are for an object that the shared proxy touches.
+  // True for an object that the shared proxy touches.
   bool shares_proxy = false;
-  bool has_flat_sides = false;  // the sides of its box are its surface
-  rendering::Bounds surface;    // its box; larger than kWorldBound_m on all sides if it moves
-  double contact_m = 0.0;       // distance at which the tool's centre is in contact
+  // True if the sides of its box are its surface.
+  bool has_flat_sides = false;
+  // Its box; larger than kWorldBound_m on all sides if it moves.
+  rendering::Bounds surface;
+  // The distance from the surface at which the tool's centre is in contact, m.
+  double contact_m = 0.0;
   // The box of a potential field, which pushes along the normals of its faces; else null.
   const rendering::Primitive* field_box = nullptr;
-  bool is_wall = false;  // a wall of the workspace, which damps only along its own axis
+  // True for a wall of the workspace, which damps only along its own axis.
+  bool is_wall = false;
 };
 
 // Returns part `number` of a scene. The objects come first, then the effects, then the workspace's

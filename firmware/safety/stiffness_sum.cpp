@@ -11,23 +11,27 @@ namespace {
 
 using rendering::Bounds;
 
-// The cost of the pieces of one more field, in looks of some 60 ns.
+// The cost of the pieces of one more field, in looks of some 60 ns (safety/pushing_together.cpp).
 constexpr std::size_t kLooksOfAField = 32;
 
+// Returns the largest stiffness in any direction.
 double largest_eigenvalue(const Mat3& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
 
-// The stiffness matrix of the parts whose directions are the same everywhere in the box.
+// The stiffness of the parts whose directions are the same everywhere in the box.
 struct Fixed {
+  // The sum of K n n^T, N/m.
   Mat3 directed = Mat3::Zero();
-  double alike = 0.0;  // equal in all directions
+  // The sum of the stiffnesses that are equal in all directions, N/m.
+  double alike = 0.0;
 
   [[nodiscard]] double most() const {
     return alike + (directed.isZero(0.0) ? 0.0 : largest_eigenvalue(directed));
   }
 };
 
+// Adds a part. A spring across an axis is one in all directions less one along the axis.
 void add(const Bounds& box, const ScenePart& part, Fixed& sum) {
   const double stiffness = stiffness_in(box, part);
   const Mat3 along = stiffness * part.axis_W * part.axis_W.transpose();
@@ -54,7 +58,8 @@ double sum_of_fields(std::span<const ScenePart> parts) {
   return sum;
 }
 
-// Visits the choices of one piece for each field of a box.
+// Searches the choices of one piece for each field of a box, depth first. A branch ends if it
+// cannot exceed the largest sum found so far (branch and bound).
 class PieceSum {
  public:
   PieceSum(std::span<const ScenePart> parts, const Fixed& fixed, std::size_t& looks_left)
@@ -64,6 +69,7 @@ class PieceSum {
         fields_N_per_m_(sum_of_fields(parts)),
         most_possible_(fixed.most() + fields_N_per_m_) {}
 
+  // Returns the largest stiffness somewhere in the box, N/m.
   double most_in(const Bounds& box, double enough_N_per_m) {
     if (fields_N_per_m_ == 0.0 || most_possible_ <= enough_N_per_m) {
       return most_possible_;
@@ -73,13 +79,16 @@ class PieceSum {
   }
 
  private:
+  // Pays for a part of the search.
   void take(std::size_t looks) { looks_left_ -= std::min(looks_left_, looks); }
 
+  // Returns true if the search may end: it is paid out, or nothing larger is possible.
   [[nodiscard]] bool is_done() const {
     constexpr double kRoundingOfSums = 1e-12;
     return looks_left_ == 0 || largest_ >= (1.0 - kRoundingOfSums) * most_possible_;
   }
 
+  // Returns true if every part pushes somewhere in the box.
   [[nodiscard]] bool has_place(const Bounds& box) const {
     return std::ranges::all_of(
         parts_, [&](const ScenePart& part) { return has_point_in(box, part.region); });
@@ -117,6 +126,7 @@ class PieceSum {
   const Fixed& fixed_;
   std::size_t& looks_left_;
   double fields_N_per_m_;
+  // The sum if all fields pushed in the worst direction, N/m.
   double most_possible_;
   double largest_ = -1.0;  // the largest of the choices so far
 };

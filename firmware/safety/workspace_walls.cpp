@@ -7,6 +7,7 @@
 namespace tactus::firmware {
 
 FeltWalls felt_walls(const SafetyConfig& safety) {
+  // A test that switches the fault off can push the tool to any depth.
   const bool ends_in_fault = (safety.guards_off & kFaultWorkspace) == 0;
   return {.lower_W = safety.workspace_lower_W,
           .upper_W = safety.workspace_upper_W,

@@ -1,7 +1,7 @@
 // A box in the world frame that the tool shall not leave. Its walls push back as springs with
 // dampers that never pull: F = max(K depth - B v, 0) inward, where v is the velocity inward. A tool
 // deeper than workspace_overrun_m is a kFaultWorkspace. The certificate limits the walls together
-// with the scene.
+// with the scene. One thread; real time.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,7 @@ namespace tactus::firmware {
 // place.
 FeltWalls felt_walls(const SafetyConfig& safety);
 
+// The walls of one workspace.
 class WorkspaceWalls {
  public:
   // Takes over the box and the walls' stiffness and damping. Call before the first tick.
@@ -30,6 +31,7 @@ class WorkspaceWalls {
   [[nodiscard]] Vec3 push_W(const rendering::ToolState& tool) const;
 
  private:
+  // The corners of the box, m.
   Vec3 lower_W_ = Vec3::Zero();
   Vec3 upper_W_ = Vec3::Zero();
   double stiffness_N_per_m_ = 0.0;

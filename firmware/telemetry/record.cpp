@@ -5,6 +5,8 @@
 namespace tactus::firmware {
 namespace {
 
+// The hash of a sequence of words. The multiplier is 2^64 divided by the golden ratio, which
+// spreads near inputs.
 class Hash {
  public:
   explicit Hash(std::uint64_t start) : state_(start) {}
@@ -14,7 +16,8 @@ class Hash {
     state_ ^= state_ >> 32;
   }
 
-  // A NaN's sign and payload depend on the processor.
+  // Adds the bits of a number. All NaNs count alike, because their sign and payload depend on the
+  // processor.
   void add_real(double value) {
     add(value == value ? std::bit_cast<std::uint64_t>(value) : 0x7FF8'0000'0000'0000U);
   }

@@ -1,8 +1,9 @@
-// Visits every field of a record with its name, for CSV files, comparisons and displays.
+// Visits every field of a record with its name, for CSV files, comparisons and displays. Pure
+// functions for any thread.
 //
 // A new field of TelemetryRecord or RecordedTick gets its line here, its place in record.fbs, and
-// its lines in outputs/record_encoder.cpp and host_tools/recording/record_decoder.cpp; tests hold
-// all of them against each other.
+// its lines in firmware/linux/telemetry/record_encoder.cpp and
+// host_tools/recording/record_decoder.cpp; tests hold all of them against each other.
 #pragma once
 
 #include <string_view>
@@ -14,8 +15,11 @@ namespace tactus::firmware {
 // The names of a field. The name of a CSV column is `column`, then for arrays the element (1, 2, ..
 // for joints, x, y, z of a triple, or an energy source), then the unit: joint1, tool_x_m.
 struct FieldName {
-  std::string_view name;  // the name in the struct
+  // The name in the struct.
+  std::string_view name;
+  // The beginning of the CSV column's name.
   std::string_view column;
+  // The unit as it stands in the column's name; empty without one.
   std::string_view unit;
 };
 

@@ -1,4 +1,5 @@
 // A recorded tick: the controller's record, and the times and motor values of the loop around it.
+// Plain data, copied as bytes.
 #pragma once
 
 #include <array>
@@ -10,14 +11,19 @@
 
 namespace tactus::firmware {
 
-// Times of a tick, ns of CLOCK_MONOTONIC. In a simulation scheduled_ns is simulated time and the
-// others are 0.
+// The times of a tick, ns of CLOCK_MONOTONIC. In a simulation scheduled_ns is simulated time and
+// the others are 0.
 struct LoopTimes {
-  std::int64_t scheduled_ns = 0;  // when the tick was due
-  std::int64_t woke_ns = 0;       // when the loop woke for it
-  std::int64_t done_ns = 0;       // when the device's write had returned
-  std::int64_t sample_ns = 0;     // when the first joint's encoder was sampled
+  // The time at which the tick was due.
+  std::int64_t scheduled_ns = 0;
+  // The time at which the loop woke for it.
+  std::int64_t woke_ns = 0;
+  // The time at which the device's write had returned.
+  std::int64_t done_ns = 0;
+  // The time at which the first joint's encoder was sampled.
+  std::int64_t sample_ns = 0;
 
+  // Return how late the loop woke, and how long the tick took, ns.
   [[nodiscard]] std::int64_t wake_latency_ns() const { return between(scheduled_ns, woke_ns); }
   [[nodiscard]] std::int64_t busy_ns() const { return between(woke_ns, done_ns); }
 
@@ -29,13 +35,18 @@ struct LoopTimes {
   }
 };
 
+// The item that goes through the ring to recordings and readers.
 struct RecordedTick {
   TelemetryRecord record;
   LoopTimes loop;
-  std::array<double, drivers::kMaxJoints> shaft_rad{};  // angles of the encoders' shafts
-  std::array<double, drivers::kMaxJoints> torque_Nm{};  // commanded at the motors' shafts
-  std::uint32_t joint_count = 0;                        // joints that the device has
-  std::uint64_t dropped = 0;  // ticks dropped before this one because the ring was full
+  // The angles of the encoders' shafts, rad.
+  std::array<double, drivers::kMaxJoints> shaft_rad{};
+  // The torques commanded at the motors' shafts, N m.
+  std::array<double, drivers::kMaxJoints> torque_Nm{};
+  // The number of joints that the device has.
+  std::uint32_t joint_count = 0;
+  // The number of ticks that were dropped before this one because the ring was full.
+  std::uint64_t dropped = 0;
 };
 static_assert(std::is_trivially_copyable_v<RecordedTick>);
 

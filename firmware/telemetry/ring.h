@@ -16,6 +16,8 @@
 
 namespace tactus::firmware {
 
+// A ring of kCapacity items. Each side works on its own copy of the other's count and looks at the
+// true one only if the ring seems full or empty, so that the cache line is seldom shared.
 template <class Item, std::size_t kCapacity>
 class Ring {
   static_assert(std::is_trivially_copyable_v<Item>);
@@ -63,17 +65,20 @@ class Ring {
   static constexpr std::size_t kCacheLine = 64;
 
   alignas(kCacheLine) std::atomic<std::size_t> end_{0};
-  std::size_t seen_begin_ = 0;  // the producer's last look at begin_
+  // The producer's last look at begin_.
+  std::size_t seen_begin_ = 0;
   std::atomic<std::uint64_t> dropped_{0};
   alignas(kCacheLine) std::atomic<std::size_t> begin_{0};
-  std::size_t seen_end_ = 0;  // the consumer's last look at end_
+  // The consumer's last look at end_.
+  std::size_t seen_end_ = 0;
   alignas(kCacheLine) std::array<Item, kCapacity> items_{};
 
   static_assert(std::atomic<std::size_t>::is_always_lock_free);
 };
 
-// Holds 4 s of ticks at 1 kHz, half a second at 8 kHz. A disk stalls for less.
+// The ring of ticks: 4 s at 1 kHz, half a second at 8 kHz, because a disk stalls for less.
 using RecordRing = Ring<RecordedTick, 4096>;
+// The ring of events, which are as rare as requests.
 using EventRing = Ring<TelemetryEvent, 256>;
 
 }  // namespace tactus::firmware

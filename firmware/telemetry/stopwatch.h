@@ -1,4 +1,4 @@
-// Measures the stages of a tick with the caller's clock.
+// Measures the stages of a tick with the caller's clock. One thread; real time if the clock is.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@ namespace tactus::firmware {
 // A function that returns a monotonic time in ns and may be called from the tick; null: no clock.
 using NowNs = std::uint64_t (*)();
 
+// A watch that starts with its construction.
 class Stopwatch {
  public:
   explicit Stopwatch(NowNs now_ns) : now_ns_(now_ns), last_ns_(now_ns != nullptr ? now_ns() : 0) {}

@@ -22,13 +22,15 @@ namespace tactus::hal {
 
 namespace {
 
+// Returns an ioctl request that names the interface.
 ifreq request_for(const std::array<char, IFNAMSIZ>& name) {
   ifreq request{};
   std::memcpy(request.ifr_name, name.data(), name.size());
   return request;
 }
 
-// Builds a netlink message; attributes may be nested.
+// Builds a netlink message that changes an interface. Attributes may be nested: open() begins one
+// and returns its place, close() ends it and sets its length.
 class LinkMessage {
  public:
   explicit LinkMessage(int interface_index) {
@@ -74,6 +76,7 @@ class LinkMessage {
   std::size_t size_ = NLMSG_HDRLEN;
 };
 
+// Converts the error of the kernel's answer, a positive errno; 0 is success.
 Result<void> restart_failure(int error) {
   switch (error) {
     case 0:
@@ -110,6 +113,7 @@ Result<void> CanInterface::find(int socket, std::string_view name) {
   if (ioctl(socket, SIOCGIFHWADDR, &request) < 0) {
     return failure(ErrorCode::io, errno);
   }
+  // Other kinds of interfaces have names, too: eth0 is no CAN interface.
   if (request.ifr_hwaddr.sa_family != ARPHRD_CAN) {
     return failure(ErrorCode::invalid_argument);
   }
@@ -117,6 +121,7 @@ Result<void> CanInterface::find(int socket, std::string_view name) {
   if (ioctl(socket, SIOCGIFMTU, &request) < 0) {
     return failure(ErrorCode::io, errno);
   }
+  // The MTU is the size of the largest frame: 72 bytes with CAN FD, 16 without.
   fd_ = request.ifr_mtu == static_cast<int>(CANFD_MTU);
   return {};
 }
@@ -151,10 +156,11 @@ Result<void> CanInterface::restart() const {
     nlmsghdr header;
     nlmsgerr error;
   };
+  // The kernel always answers, because the message has NLM_F_ACK.
   alignas(Answer) std::array<std::byte, 512> buffer{};
   const ssize_t got = recv(netlink.get(), buffer.data(), buffer.size(), 0);
   if (got < static_cast<ssize_t>(sizeof(Answer))) {
-    return failure(ErrorCode::io, errno);
+    return failure(ErrorCode::io, got < 0 ? errno : 0);
   }
   Answer answer{};
   std::memcpy(&answer, buffer.data(), sizeof(answer));

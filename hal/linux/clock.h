@@ -1,11 +1,11 @@
-// The board's monotonic clock.
+// The board's monotonic clock on Linux.
 #pragma once
 
 #include "hal/clock.h"
 
 namespace tactus::hal {
 
-// Uses CLOCK_MONOTONIC and sleeps by clock_nanosleep to an absolute time. Any thread.
+// CLOCK_MONOTONIC, with sleeps by clock_nanosleep to an absolute time. Any thread; real time.
 class LinuxClock final : public Clock {
  private:
   TimeNs DoNowNs() const override;

@@ -20,6 +20,8 @@ const sockaddr* general(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
+// Returns the process that listens at the address, 0 if that is not known. Connecting is enough:
+// the kernel notes the credentials of a listener when it begins to listen.
 pid_t listener_of(const sockaddr_un& address, socklen_t size) {
   const FileDescriptor probe(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   ucred credentials{};

@@ -12,13 +12,17 @@
 
 namespace tactus::hal {
 
+// The result of ExclusiveClaim::take.
 struct ClaimOutcome {
-  bool is_held = false;  // true: this object holds it from now on
-  pid_t holder = 0;      // process of the program that holds it; 0: not known
-  int errno_value = 0;   // the reason if not held; EADDRINUSE: another program holds it
+  // True: the object holds the claim from now on.
+  bool is_held = false;
+  // The process of the program that holds the claim; 0: not known.
+  pid_t holder = 0;
+  // The reason if the claim is not held; EADDRINUSE: another program holds it.
+  int errno_value = 0;
 };
 
-// Holds the claim until it is destroyed. Not real time.
+// Holds one claim until it is destroyed. Not real time; one thread at a time.
 class ExclusiveClaim {
  public:
   // Takes the claim. `name` has at most 100 characters. The socket's name is "tactus/" and `name`.

@@ -14,9 +14,11 @@ namespace tactus::hal {
 
 namespace {
 
+// The size of the event buffer: libgpiod zeroes all of it in each read, so a larger one costs time.
 constexpr std::size_t kEventsAtOnce = 64;
 
 template <auto kFree>
+// Deletes an object of libgpiod by its own function.
 struct FreeWith {
   template <class T>
   void operator()(T* object) const {
@@ -88,6 +90,7 @@ void apply(const GpioLineConfig& line, gpiod_line_settings* settings) {
   gpiod_line_settings_set_event_clock(settings, GPIOD_LINE_CLOCK_MONOTONIC);
 }
 
+// Returns true if both lines can be added by one call.
 bool same_settings(const GpioLineConfig& a, const GpioLineConfig& b) {
   return a.direction == b.direction && a.bias == b.bias && a.active_low == b.active_low &&
          a.edges == b.edges && a.debounce_us == b.debounce_us && a.drive == b.drive &&

@@ -1,4 +1,4 @@
-// Lines of a Linux GPIO chip, through libgpiod 2.
+// Lines of a Linux GPIO chip, through libgpiod 2. Errors and threads are those of GpioLines.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@ struct gpiod_line_request;
 
 namespace tactus::hal {
 
-// Between request and release, get, set and read_edges allocate nothing: libgpiod 2.1 keeps their
-// arguments on the stack and the edges in the buffer made by `request`. Each read of edges zeroes
-// that buffer, 88 bytes per event, so it holds 64 events even if the kernel keeps more; the rest
-// comes with the next call.
+// A request of lines. Between request and release, get, set and read_edges allocate nothing:
+// libgpiod 2.1 keeps their arguments on the stack and the edges in the buffer made by `request`.
+// Each read of edges zeroes that buffer, 88 bytes per event, so it holds 64 events even if the
+// kernel keeps more; the rest comes with the next call.
 //
 // Edges of two lines may be swapped if different processors serve the lines' interrupts. It shows
 // as a gap in `sequence`. Pin the interrupts to one processor.
@@ -47,6 +47,7 @@ class LinuxGpioLines final : public GpioLines {
   std::string chip_;
   gpiod_line_request* request_ = nullptr;
   gpiod_edge_event_buffer* buffer_ = nullptr;
+  // The lines' numbers on the chip, in the order of the request.
   std::array<std::uint32_t, kMaxGpioLines> offsets_{};
 };
 

@@ -20,6 +20,7 @@ constexpr FileError kTooLarge{
         "simplify its meshes"};
 constexpr FileError kCut{.what = "became shorter while it was read; send the command again"};
 
+// Returns the size rounded up to whole memory pages.
 std::size_t whole_pages(std::size_t bytes) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   return (bytes + page - 1) / page * page;
@@ -64,6 +65,7 @@ ImageSlot::~ImageSlot() {
 int ImageSlot::reserve(std::size_t bytes) {
   const std::size_t size = whole_pages(bytes);
   void* const room =
+      // The addresses are reserved without memory behind them: PROT_NONE pages cost nothing.
       ::mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) {
     return errno;
@@ -109,6 +111,7 @@ FileError ImageSlot::copy(int file, std::size_t size) {
       return cannot_read(errno);
     }
   }
+  // The bytes are checked once and used in place, so a stray write shall fail and not change them.
   (void)::mprotect(room_.data(), pages, PROT_READ);
   used_ = size;
   return {};

@@ -13,15 +13,17 @@
 
 namespace tactus::hal {
 
-// An error text for the user; empty on success.
+// Why a file was not taken, as a text for the user; empty on success.
 struct FileError {
   std::string_view what;
-  int errno_value = 0;  // 0: the text is complete without it
+  // The errno behind the text; 0: the text is complete without it.
+  int errno_value = 0;
 
+  // Returns true if the file was not taken.
   [[nodiscard]] bool is_error() const { return !what.empty(); }
 };
 
-// One thread at a time. Not real time; reading `bytes` is.
+// A block for one file. One thread at a time. Not real time; reading `bytes` is.
 class ImageSlot {
  public:
   ImageSlot() = default;
@@ -40,18 +42,22 @@ class ImageSlot {
   // Frees the pages.
   void clear();
 
+  // Returns the copied file; empty before the first read and after clear().
   [[nodiscard]] std::span<const std::byte> bytes() const { return room_.first(used_); }
+  // Returns the size of the largest file that fits, bytes.
   [[nodiscard]] std::size_t capacity() const { return room_.size(); }
 
  private:
   FileError copy(int file, std::size_t size);
 
   std::span<std::byte> room_;
+  // The number of bytes whose pages are allocated, a multiple of the page size.
   std::size_t committed_ = 0;
   std::size_t used_ = 0;
 };
 
-// Opens a regular file for reading and gives its size. Refuses anything else without opening it.
+// Opens a regular file for reading and gives its size, above 0. Refuses anything else, and an empty
+// file. A device or a pipe is not opened, because that can have an effect or wait.
 FileError open_regular_file(const char* path, FileDescriptor& file, std::size_t& size);
 
 }  // namespace tactus::hal

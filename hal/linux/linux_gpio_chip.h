@@ -1,4 +1,5 @@
-// Finds a GPIO chip by its label or its path.
+// Finds a GPIO chip by its label or its path, and converts the errors of libgpiod. Any thread; not
+// real time.
 #pragma once
 
 #include <gpiod.h>
@@ -10,6 +11,7 @@
 
 namespace tactus::hal {
 
+// An open chip, which is closed when it is destroyed.
 struct CloseGpioChip {
   void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }
 };

@@ -14,6 +14,7 @@ Result<void> export_channel(const std::string& chip_folder, unsigned channel) {
     return opened;
   }
   const auto exported = file.write_number(channel);
+  // The kernel answers a channel's number that the chip does not have with ENODEV.
   if (!exported && exported.error().errno_value == ENODEV) {
     return failure(ErrorCode::not_found, ENODEV);
   }

@@ -1,4 +1,4 @@
-// A PWM channel of Linux, through sysfs.
+// A PWM channel of Linux, through sysfs. Errors and threads are those of PwmOutput.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace tactus::hal {
 
+// The folder of the PWM chips.
 inline constexpr std::string_view kPwmRoot = "/sys/class/pwm";
 
-// One write costs one system call, without path lookup or allocation. While no period is set, a
-// write that would change nothing is skipped, because the kernel refuses all writes then.
-//
-// Threads: see PwmOutput.
+// A channel that stays open. One write costs one system call, without path lookup or allocation.
+// While no period is set, a write that would change nothing is skipped, because the kernel refuses
+// all writes then.
 class LinuxPwmOutput final : public PwmOutput {
  public:
   LinuxPwmOutput() = default;
@@ -40,7 +40,9 @@ class LinuxPwmOutput final : public PwmOutput {
   Result<void> DoSetDuty(TimeNs duty_ns) override;
   Result<void> DoSetEnabled(bool enabled) override;
 
+  // Opens the attributes of an exported channel.
   Result<void> open_files(const std::string& channel_folder);
+  // Writes a duty of 0 and disables the channel, as far as they are not so already.
   [[nodiscard]] Result<void> silence() const;
 
   SysfsFile period_;

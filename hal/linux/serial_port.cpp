@@ -16,6 +16,7 @@ namespace tactus::hal {
 
 namespace {
 
+// The rates in bit/s that `open` takes, with the constants of termios.
 constexpr std::array<std::pair<std::uint32_t, speed_t>, 10> kSerialSpeeds = {{
     {9600, B9600},
     {19200, B19200},
@@ -34,6 +35,7 @@ bool means_gone(int errno_value) {
   return errno_value == EIO || errno_value == ENODEV || errno_value == ENXIO;
 }
 
+// Converts the errno of opening or of setting a tty.
 std::unexpected<Error> not_opened(int errno_value) {
   switch (errno_value) {
     case ENOENT:
@@ -54,6 +56,7 @@ std::unexpected<Error> not_opened(int errno_value) {
   }
 }
 
+// Sets raw mode and the speed, and drops bytes of an earlier session.
 bool set_raw(int descriptor, speed_t speed) {
   termios settings{};
   if (tcgetattr(descriptor, &settings) != 0) {

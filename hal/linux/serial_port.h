@@ -1,4 +1,5 @@
-// A tty of Linux: /dev/ttyACM0, /dev/ttyUSB0, /dev/ttyS0, or a pseudo-terminal.
+// A tty of Linux: /dev/ttyACM0, /dev/ttyUSB0, /dev/ttyS0, or a pseudo-terminal. Errors and threads
+// are those of SerialPort.
 #pragma once
 
 #include <array>
@@ -10,10 +11,10 @@
 
 namespace tactus::hal {
 
-// It transfers raw bytes with eight bits, no parity and no flow control, and holds the tty
-// exclusively. The kernel has only the driver's buffers (4 kB for input), so `discard_input` drops
-// everything. Closing waits until the device has taken the written bytes, at most 30 s, unless it
-// is gone, so that the last command arrives.
+// An open tty. It transfers raw bytes with eight bits, no parity and no flow control, and holds the
+// tty exclusively. The kernel has only the driver's buffers (4 kB for input), so `discard_input`
+// drops everything. Closing waits until the device has taken the written bytes, at most 30 s,
+// unless it is gone, so that the last command arrives.
 class LinuxSerialPort final : public SerialPort {
  public:
   // Opens a tty. `baud` is one of the rates of termios; a board with its own USB ignores it. Not
@@ -33,14 +34,17 @@ class LinuxSerialPort final : public SerialPort {
   Result<void> DoDiscardInput() override;
   Result<void> DoReopen() override;
 
+  // Opens the node of `path_` and sets its speed.
   Result<void> open_node();
   // Converts the errno of a read, a write or an ioctl. Closes the node if the device is gone.
   std::unexpected<Error> failed(int errno_value);
   // Waits until the tty can be read or written. Returns false at the deadline.
   Result<bool> wait_for(short events, TimeNs deadline_ns);
 
+  // The path of the node, ended by a zero; empty after adopt().
   std::array<char, 256> path_{};
-  std::uint32_t speed_ = 0;  // a constant of termios, such as B115200
+  // A constant of termios, such as B115200.
+  std::uint32_t speed_ = 0;
   FileDescriptor node_;
 };
 

@@ -1,5 +1,5 @@
 // Helpers for the Linux implementations: an owned file descriptor, conversion of times, blocked
-// signals, and waiting for a descriptor.
+// signals, and waiting for a descriptor. All but the opening of descriptors are real time.
 #pragma once
 
 #include <poll.h>
@@ -15,11 +15,13 @@ namespace tactus::hal {
 
 inline constexpr TimeNs kNsPerSecond = 1'000'000'000;
 
+// Convert between TimeNs and the system's seconds and nanoseconds.
 timespec to_timespec(TimeNs time_ns);
 TimeNs to_ns(const timespec& time);
+// Returns the time of CLOCK_MONOTONIC.
 TimeNs monotonic_now_ns();
 
-// Owns a descriptor and closes it. -1 means none.
+// Owns a descriptor and closes it when it is destroyed or assigned another. -1 means none.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -30,8 +32,11 @@ class FileDescriptor {
   FileDescriptor& operator=(FileDescriptor&& other) noexcept;
   ~FileDescriptor() { reset(); }
 
+  // Returns the descriptor; -1 if there is none.
   [[nodiscard]] int get() const { return descriptor_; }
+  // Returns true if there is a descriptor.
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  // Closes the descriptor, if there is one.
   void reset();
 
  private:
@@ -52,7 +57,7 @@ class SignalMask {
 };
 
 // Calls ppoll until an absolute time, again after a signal. Returns how many descriptors are ready,
-// 0 at the deadline, or -1 with errno. Real time.
+// 0 at the deadline, or -1 with errno. With kNoWait it looks once. Real time.
 int wait_for_descriptors(std::span<pollfd> descriptors, TimeNs deadline_ns);
 
 // Waits until there is something to read or an error to fetch. Returns false at the deadline. Real

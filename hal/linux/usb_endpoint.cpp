@@ -9,6 +9,8 @@ namespace tactus::hal {
 
 namespace {
 
+// A cancellation takes a few USB frames of 1 ms. It is waited for in rounds of this length, for as
+// many as it takes, because the buffer must not be left to a running transfer.
 constexpr TimeNs kWithdrawalRound_ns = 10'000'000;
 
 // Returns the buffer as libusb takes it for both directions. It does not write to an outgoing one.
@@ -20,6 +22,7 @@ unsigned char* transfer_buffer(const UsbTransfer& transfer) {
   return reinterpret_cast<unsigned char*>(const_cast<std::byte*>(transfer.out_data().data()));
 }
 
+// Returns the size of the buffer, bytes.
 int transfer_length(const UsbTransfer& transfer) {
   return static_cast<int>(transfer.direction() == UsbDirection::in ? transfer.in_buffer().size()
                                                                    : transfer.out_data().size());

@@ -1,4 +1,4 @@
-// A USB interface through libusb-1.0.
+// A USB interface through libusb-1.0. Errors and threads are those of UsbEndpoint.
 #pragma once
 
 #include <poll.h>
@@ -18,18 +18,23 @@ struct libusb_transfer;  // NOLINT(readability-identifier-naming): libusb's name
 
 namespace tactus::hal {
 
+// The device and the interface of it that is claimed.
 struct LinuxUsbConfig {
+  // The vendor and product number of the device.
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
-  std::string_view serial;  // empty: the first found; must outlive the endpoint
+  // The serial number of the device; empty: the first found. The text must outlive the endpoint.
+  std::string_view serial;
+  // The number of the interface.
   std::uint8_t interface = 0;
+  // The addresses of the bulk endpoints; bit 7 is set for `in`.
   std::uint8_t endpoint_out = 0x02;
   std::uint8_t endpoint_in = 0x81;
 };
 
-// The device is identified by vendor, product and serial number, so that it may come back at
-// another port. An arrival is noticed only if a udev daemon runs; a departure then within
-// milliseconds.
+// One claimed interface. The device is identified by vendor, product and serial number, so that it
+// may come back at another port. An arrival is noticed only if a udev daemon runs; a departure then
+// within milliseconds.
 //
 // Transfers are allocated in `open`, and this class allocates nothing afterwards. libusb itself
 // allocates 56 bytes for each submission and frees them at its completion. The class waits by ppoll
@@ -69,26 +74,39 @@ class LinuxUsbEndpoint final : public UsbEndpoint {
   Result<void> DoReopen() override;
   std::size_t DoMaxPacketBytes() const override { return max_packet_bytes_; }
 
+  // Starts libusb, allocates the transfers and registers the callbacks.
   Result<void> start_library();
+  // Claims the first device that fits, and sets the state. `disconnected` if there is none.
   Result<void> open_device();
   Result<void> claim(libusb_device* device);
+  // Return true if vendor and product, or the serial number, are the configured ones.
   bool is_ours(libusb_device* device) const;
   bool has_our_serial(libusb_device* device, libusb_device_handle* handle) const;
+  // Withdraws all transfers and closes the device.
   void close_device();
 
+  // Returns the error of a device that is gone or not reopened.
   Result<void> check_present() const;
+  // Runs the control transfer whose data is in control_buffer_, and returns the number of bytes.
   Result<std::size_t> run_control(const UsbSetup& setup, std::size_t length, TimeNs deadline_ns);
+  // Returns the flight that carries the transfer, or a free one for null; null if there is none.
   Flight* flight_of(const UsbTransfer* transfer);
+  // Handles the events of libusb that are there, without waiting.
   void serve();
+  // Handles events until `done()` or the deadline. Returns `done()`.
   template <class Done>
   bool serve_until(TimeNs deadline_ns, Done done);
+  // Cancels a transfer and waits until libusb has called back, which sets `done`.
   void withdraw(libusb_transfer* transfer, const bool& done);
 
   // libusb calls its callbacks only from within `serve` and `open_device`.
   friend struct LibusbCallbacks;
+  // Keep the list of the descriptors on which libusb waits.
   void add_descriptor(int descriptor, short events);
   void remove_descriptor(int descriptor);
+  // Takes the arrival or departure of a device of our vendor and product.
   void note_plug(libusb_device* device, bool arrived);
+  // Returns the success or the error of a transfer that has ended.
   Result<void> outcome_of(const libusb_transfer& transfer);
 
   LinuxUsbConfig config_;

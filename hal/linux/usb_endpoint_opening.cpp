@@ -140,6 +140,8 @@ Result<void> LinuxUsbEndpoint::claim(libusb_device* device) {
     libusb_close(handle);
     return failure(ErrorCode::disconnected, LIBUSB_ERROR_NOT_FOUND);
   }
+  // A kernel driver may have bound to the interface; libusb gives it back when the interface is
+  // released.
   libusb_set_auto_detach_kernel_driver(handle, 1);
   if (const int code = libusb_claim_interface(handle, config_.interface); code != LIBUSB_SUCCESS) {
     libusb_close(handle);

@@ -10,8 +10,10 @@ namespace {
 constexpr std::uint32_t kWarningThreshold = 96;
 constexpr std::uint32_t kPassiveThreshold = 128;
 constexpr std::uint32_t kBusOffThreshold = 256;
+// The cost of a failed transmission in counts; a good one takes back one count.
 constexpr std::uint32_t kCostOfAFailure = 8;
 
+// Returns the counter as CanStatus shows it.
 std::uint8_t saturated(std::uint32_t counter) {
   return static_cast<std::uint8_t>(std::min<std::uint32_t>(counter, 255));
 }

@@ -18,10 +18,14 @@ struct BitCount {
 BitCount count_bits(const CanFrame& frame) {
   const auto payload = static_cast<TimeNs>(8 * frame.bytes().size());
   if (!frame.fd) {
+    // A classic frame without data has 44 bits, an extended one 64; the interframe space adds 3.
     return {.nominal = (frame.extended ? 67 : 47) + payload, .data = 0};
   }
-  const TimeNs checksum = frame.length <= 16 ? 17 + 5 : 21 + 6;  // with its fixed stuff bits
+  // The CRC has 17 bits up to 16 bytes of data and 21 bits above. The stuff count, with its parity,
+  // precedes it. A fixed stuff bit begins the field of both and follows after every fourth bit of
+  // it: 6 or 7 in all (ISO 11898-1:2015).
   const TimeNs stuff_count = 4;
+  const TimeNs checksum = frame.length <= 16 ? 17 + 6 : 21 + 7;  // with the fixed stuff bits
   return {.nominal = (frame.extended ? 36 : 17) + 13,
           .data = 1 + 4 + payload + stuff_count + checksum};
 }

@@ -10,6 +10,7 @@ void SimulatedClock::advance_to(TimeNs time_ns) {
 }
 
 bool SimulatedClock::step(TimeNs limit_ns) {
+  // An event that waits would let time pass inside another event, so it does not wait.
   if (in_event_) {
     return false;
   }

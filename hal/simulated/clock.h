@@ -1,4 +1,5 @@
-// Simulated time, shared by all simulated parts.
+// Simulated time, shared by all simulated parts of a test. Tests use one thread; nothing here is
+// safe for two.
 #pragma once
 
 #include "hal/clock.h"
@@ -32,16 +33,20 @@ class SimulatedEventSource : public SimulatedEventLink {
   ~SimulatedEventSource() = default;
 };
 
+// The time of a test.
+//
 // Simulated: a monotonic clock that moves only by advance_* and while a caller waits. Waiting takes
 // simulated time and no real time. Events on the way run in the order of their time, then of
-// attachment. So a deadline is exact and a run repeats to the nanosecond.
-// Not simulated: latency (a sleeper wakes exactly on time), threads (there is one only).
+// attachment. So a deadline is exact and a run repeats to the nanosecond. Not simulated: latency (a
+// sleeper wakes exactly on time), threads (there is one only).
 class SimulatedClock final : public Clock {
  public:
+  // Starts at one second, so that a time of 0 is in the past (see kNoWait).
   explicit SimulatedClock(TimeNs start_ns = 1'000'000'000) : now_ns_(start_ns) {}
 
   // Moves to that time and runs the events up to and at it. Never moves back.
   void advance_to(TimeNs time_ns);
+  // Moves by that duration.
   void advance_by(TimeNs duration_ns) { advance_to(now_ns_ + duration_ns); }
 
   // Lets time pass until `ready()` or the deadline. Returns true if ready. A wait without a
@@ -57,7 +62,7 @@ class SimulatedClock final : public Clock {
     return true;
   }
 
-  // The source must outlive its attachment, and the clock the source.
+  // Adds or removes a source. The source must outlive its attachment, and the clock the source.
   void attach(SimulatedEventSource& source);
   void detach(SimulatedEventSource& source);
 
@@ -68,10 +73,12 @@ class SimulatedClock final : public Clock {
   // Moves to the next event and runs it. If there is none up to the limit, moves to the limit and
   // returns false.
   bool step(TimeNs limit_ns);
+  // Returns the source whose event comes first; null without sources.
   SimulatedEventSource* earliest() const;
 
   TimeNs now_ns_;
   SimulatedEventSource* first_ = nullptr;
+  // True while a source's run_event is on the stack.
   bool in_event_ = false;
 };
 

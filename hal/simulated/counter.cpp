@@ -8,6 +8,8 @@ void SimulatedCounter::move(std::int64_t steps) {
   }
   direction_ = steps > 0 ? CountDirection::forward : CountDirection::backward;
   const auto way = static_cast<std::uint64_t>(steps > 0 ? steps : -steps);
+  // The count wraps from the ceiling to 0 and back. The sums are arranged so that they cannot
+  // overflow.
   if (steps > 0) {
     const std::uint64_t room = ceiling_now_ - count_;
     count_ = way <= room ? count_ + way : way - room - 1;

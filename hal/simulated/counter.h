@@ -1,4 +1,4 @@
-// A quadrature counter in memory.
+// A quadrature counter in memory. One thread; see simulated/clock.h.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,24 @@
 
 namespace tactus::hal {
 
+// A counter whose encoder the test moves.
+//
 // Simulated: a count that wraps, index pulses kept until read (the newest is lost if 64 wait, as in
-// the kernel), noise, removal.
-// Not simulated: the signals, a missed count.
+// the kernel), noise, removal. Not simulated: the signals, a missed count.
 class SimulatedCounter final : public Counter {
  public:
+  // The number of index pulses that are kept, as in the kernel.
   static constexpr std::size_t kIndexEvents = 64;
 
   // `hardware_ceiling` is the default ceiling and the largest possible one.
   explicit SimulatedCounter(SimulatedClock& clock, std::uint64_t hardware_ceiling = 0xFFFF)
       : clock_(clock), hardware_ceiling_(hardware_ceiling), ceiling_now_(hardware_ceiling) {}
 
-  // Moves the encoder by `steps`, at most half the ceiling.
+  // Moves the encoder by `steps`, at most half the ceiling in either direction.
   void move(std::int64_t steps);
+  // Gives an index pulse at the present count, if start() asked for them.
   void pulse_index();
+  // Sets CounterReading::noisy of the next readings.
   void set_noisy(bool noisy) { noisy_ = noisy; }
 
   // After remove() every call returns `disconnected`, until plug_in().
@@ -37,6 +41,7 @@ class SimulatedCounter final : public Counter {
 
   SimulatedClock& clock_;
   std::uint64_t hardware_ceiling_;
+  // The ceiling in effect since start().
   std::uint64_t ceiling_now_;
   std::uint64_t count_ = 0;
   CountDirection direction_ = CountDirection::forward;

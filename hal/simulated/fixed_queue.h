@@ -1,4 +1,4 @@
-// A first-in first-out queue of fixed capacity, without a heap.
+// A first-in first-out queue of fixed capacity, without a heap. One thread.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 
 namespace tactus::hal {
 
+// A queue of at most kCapacity items of type T, which are copied.
 template <class T, std::size_t kCapacity>
 class FixedQueue {
  public:

@@ -22,6 +22,7 @@ void SimulatedGpioChip::leave_open(std::size_t offset) {
 bool SimulatedGpioChip::resolve(const Pin& pin) {
   if (pin.holder != nullptr && pin.config.direction == GpioDirection::output) {
     const bool high = pin.output_active != pin.config.active_low;
+    // An open-drain output only pulls low, an open-source output only high; else the pin floats.
     const bool left_open = (pin.config.drive == GpioDrive::open_drain && high) ||
                            (pin.config.drive == GpioDrive::open_source && !high);
     if (!left_open) {

@@ -1,4 +1,4 @@
-// A request of lines of a simulated GPIO chip.
+// A request of lines of a simulated GPIO chip. One thread; see simulated/clock.h.
 #pragma once
 
 #include <array>
@@ -12,13 +12,15 @@
 
 namespace tactus::hal {
 
+// A request that a driver holds.
+//
 // Simulated: edges with times and sequence numbers in a bounded buffer that loses the oldest; the
 // kernel's debouncing (an edge is reported when the level has been stable for the period, with that
-// time); edges that the interrupt missed.
-// Not simulated: a wrong `rising` after a loss, interrupt latency, the rounding of the debounce
-// period to the kernel's timer tick.
+// time); edges that the interrupt missed. Not simulated: a wrong `rising` after a loss, interrupt
+// latency, the rounding of the debounce period to the kernel's timer tick.
 class SimulatedGpioLines final : public GpioLines, private SimulatedEventSource {
  public:
+  // The chip must outlive this.
   explicit SimulatedGpioLines(SimulatedGpioChip& chip);
   SimulatedGpioLines(const SimulatedGpioLines&) = delete;
   SimulatedGpioLines& operator=(const SimulatedGpioLines&) = delete;
@@ -27,15 +29,20 @@ class SimulatedGpioLines final : public GpioLines, private SimulatedEventSource 
   // Causes a fault: the next `count` edges are numbered but never reported.
   void lose_next_edges(std::uint32_t count) { losing_ = count; }
 
+  // Returns the number of edges that were not read yet.
   std::size_t edges_waiting() const { return edges_.size(); }
 
  private:
   friend class SimulatedGpioChip;
 
+  // A line of the request.
   struct Line {
     GpioLineConfig config;
-    bool settled = false;  // the debounced physical level
+    // The debounced physical level.
+    bool settled = false;
+    // The time at which the debounced level takes over the pin's; kForever: nothing is pending.
     TimeNs settles_ns = kForever;
+    // The number of the line's last edge.
     std::uint32_t sequence = 0;
   };
 

@@ -1,4 +1,4 @@
-// A PWM channel in memory.
+// A PWM channel in memory. One thread; see simulated/clock.h.
 #pragma once
 
 #include <array>
@@ -10,17 +10,22 @@
 
 namespace tactus::hal {
 
+// One recorded write of a setting.
 struct SimulatedPwmWrite {
   TimeNs time_ns = 0;
   PwmSettings settings;  // the settings after the write
 };
 
-// Simulated: a channel that records each write with its time, and that can fail.
-// Not simulated: the waveform, the rounding to a hardware clock, the duration of a write.
+// A channel whose writes a test can read back.
+//
+// Simulated: a channel that records each write with its time, and that can fail. Not simulated: the
+// waveform, the rounding to a hardware clock, the duration of a write.
 class SimulatedPwmOutput final : public PwmOutput {
  public:
+  // The number of writes that are kept.
   static constexpr std::size_t kRecorded = 256;
 
+  // The clock gives the times of the writes and must outlive this.
   explicit SimulatedPwmOutput(const Clock& clock) : clock_(clock) {}
 
   // Returns the writes since opening, at most the first kRecorded. `write_count` counts all.
@@ -37,6 +42,7 @@ class SimulatedPwmOutput final : public PwmOutput {
   Result<void> DoSetPeriod(TimeNs period_ns) override;
   Result<void> DoSetDuty(TimeNs duty_ns) override;
   Result<void> DoSetEnabled(bool enabled) override;
+  // Records the settings, or fails as fail_next() says.
   Result<void> record(const PwmSettings& settings);
 
   const Clock& clock_;

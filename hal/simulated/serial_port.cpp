@@ -50,6 +50,8 @@ std::size_t SimulatedSerialPort::room() const {
   if (other_ == nullptr || other_->plug_ != Plug::in) {
     return will_take_;
   }
+  // Bytes on the line count as well, so that the other end's buffers cannot overflow when they
+  // arrive.
   const std::size_t used = other_->line_.size() + other_->input_.size();
   return std::min(will_take_, kBufferBytes - std::min(used, kBufferBytes));
 }

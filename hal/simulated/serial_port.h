@@ -1,4 +1,5 @@
-// A serial line in memory.
+// A serial line in memory, between a driver and an emulated device. One thread; see
+// simulated/clock.h.
 #pragma once
 
 #include <array>
@@ -12,9 +13,12 @@
 
 namespace tactus::hal {
 
+// The speed of one end.
 struct SimulatedSerialConfig {
-  TimeNs byte_time_ns = 0;  // duration of a byte: 86,806 at 115,200 baud; 0: virtual port over USB
-  TimeNs latency_ns = 0;    // additional delay of each byte
+  // The duration of a byte on the line, ns: 86,806 at 115,200 baud; 0 is a virtual port over USB.
+  TimeNs byte_time_ns = 0;
+  // The additional delay of each byte, ns.
+  TimeNs latency_ns = 0;
 };
 
 // One end of a line. `connect` it to the other end, which an emulated device or a test uses.
@@ -24,8 +28,10 @@ struct SimulatedSerialConfig {
 // Not simulated: different baud rates, framing errors, flow control.
 class SimulatedSerialPort final : public SerialPort, private SimulatedEventSource {
  public:
+  // The room at the receiving end for bytes on the line and unread ones together.
   static constexpr std::size_t kBufferBytes = 4096;
 
+  // The clock must outlive this.
   explicit SimulatedSerialPort(SimulatedClock& clock, const SimulatedSerialConfig& config = {});
   SimulatedSerialPort(const SimulatedSerialPort&) = delete;
   SimulatedSerialPort& operator=(const SimulatedSerialPort&) = delete;
@@ -34,17 +40,22 @@ class SimulatedSerialPort final : public SerialPort, private SimulatedEventSourc
   // Connects the two ends of a line. Both must outlive its use.
   void connect(SimulatedSerialPort& other);
 
-  // These cause faults. Bytes written beyond `bytes` wait; kTakeAll ends the fault.
+  // The following functions cause faults. This one accepts only the next `bytes` bytes; later ones
+  // wait. kTakeAll ends the fault.
   void take_only(std::size_t bytes) { will_take_ = bytes; }
-  void fail_next(std::uint32_t count, ErrorCode code);  // reads and writes
+  // Makes the next `count` reads or writes fail with `code`.
+  void fail_next(std::uint32_t count, ErrorCode code);
   // Loses the bytes on the line and makes every call return `disconnected`, until plug_in() and
   // reopen(). The other end only sees that no bytes come.
   void unplug();
+  // Makes the device available again, so that reopen() succeeds.
   void plug_in();
 
+  // The value of take_only() that ends the fault.
   static constexpr std::size_t kTakeAll = std::numeric_limits<std::size_t>::max();
 
  private:
+  // A byte and when it arrives at this end.
   struct OnTheLine {
     TimeNs arrives_ns = 0;
     std::byte byte{};
@@ -58,8 +69,11 @@ class SimulatedSerialPort final : public SerialPort, private SimulatedEventSourc
   TimeNs next_event_ns() const override;
   void run_event() override;
 
+  // Returns the error of an unplugged or failing port.
   Result<void> check();
+  // Returns how many bytes a write can take now.
   std::size_t room() const;
+  // Puts a byte on the line to the other end.
   void carry(std::byte byte);
 
   SimulatedClock& clock_;

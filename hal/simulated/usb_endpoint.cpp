@@ -61,6 +61,7 @@ void SimulatedUsbEndpoint::unplug(TimeNs departure_ns) {
   plug_ = Plug::out;
   departure_ns_ = clock_.now_ns() + departure_ns;
   packets_.clear();
+  // Linux reports most transfers of a device just unplugged as io, before it notices the departure.
   fail_all(departure_ns > 0 ? ErrorCode::io : ErrorCode::disconnected);
 }
 

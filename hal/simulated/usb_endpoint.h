@@ -1,4 +1,4 @@
-// A USB interface in memory, and the device connected to it.
+// A USB interface in memory, and the device connected to it. One thread; see simulated/clock.h.
 #pragma once
 
 #include <array>
@@ -24,6 +24,7 @@ class SimulatedUsbPeer {
   virtual Result<std::size_t> control_out(const UsbSetup& setup,
                                           std::span<const std::byte> data) = 0;
   virtual Result<std::size_t> control_in(const UsbSetup& setup, std::span<std::byte> buffer) = 0;
+  // Takes bytes of a bulk-out. A transfer may come in several parts.
   virtual void bulk_out(std::span<const std::byte> data) = 0;
 
  protected:
@@ -31,21 +32,29 @@ class SimulatedUsbPeer {
   ~SimulatedUsbPeer() = default;
 };
 
+// The properties of the device's pipes.
 struct SimulatedUsbConfig {
-  std::size_t max_packet_bytes = 64;  // at most SimulatedUsbEndpoint::kMaxPacketBytes
-  TimeNs out_time_ns = 0;             // duration of a bulk-out
+  // The size of a packet, at most SimulatedUsbEndpoint::kMaxPacketBytes.
+  std::size_t max_packet_bytes = 64;
+  // The time, ns, that a bulk-out takes to reach the device.
+  TimeNs out_time_ns = 0;
 };
 
+// The host's end.
+//
 // Simulated: control and bulk transfers with deadlines, several in flight, short packets, packets
 // longer than the room left; a device that stops answering, takes only a part, halts or fails;
-// unplugging as on Linux, and coming back.
-// Not simulated: enumeration, frames and bandwidth of the bus (the peer decides when an answer is
-// there), the milliseconds that the cancellation of a transfer takes.
+// unplugging as on Linux, and coming back. Not simulated: enumeration, frames and bandwidth of the
+// bus (the peer decides when an answer is there), the milliseconds that the cancellation of a
+// transfer takes.
 class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSource {
  public:
+  // The largest size of a packet, bytes.
   static constexpr std::size_t kMaxPacketBytes = 512;
+  // The largest number of packets that wait for the host.
   static constexpr std::size_t kMaxPackets = 64;
 
+  // Clock and peer must outlive this.
   SimulatedUsbEndpoint(SimulatedClock& clock, SimulatedUsbPeer& peer,
                        const SimulatedUsbConfig& config = {});
   SimulatedUsbEndpoint(const SimulatedUsbEndpoint&) = delete;
@@ -59,26 +68,35 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   // Returns the number of packets that the host has not read yet.
   std::size_t packets_waiting() const { return packets_.size(); }
 
-  // These cause faults. A stopped device neither answers nor takes bytes: every deadline passes.
+  // The following functions cause faults. A stopped device neither answers nor takes bytes: every
+  // deadline passes.
   void set_stopped(bool stopped);
-  void take_only(std::size_t bytes);  // bulk-out beyond these bytes waits; kTakeAll ends it
-  void set_halted(bool halted);       // bulk transfers stall
-  void fail_next(std::uint32_t count, ErrorCode code);  // bulk transfers
-  // Makes every transfer fail with io, and after `departure_ns` with disconnected.
+  // Lets the device take the next `bytes` bytes of bulk-out; later ones wait. kTakeAll ends it.
+  void take_only(std::size_t bytes);
+  // Makes bulk transfers return `stalled`, also those in flight.
+  void set_halted(bool halted);
+  // Makes the next `count` bulk transfers fail with `code`.
+  void fail_next(std::uint32_t count, ErrorCode code);
+  // Makes every transfer fail with io, and after `departure_ns` with disconnected, as on Linux.
   void unplug(TimeNs departure_ns = 0);
+  // Makes the device available again, so that reopen() succeeds.
   void plug_in();
 
+  // The value of take_only() that ends the fault.
   static constexpr std::size_t kTakeAll = std::numeric_limits<std::size_t>::max();
 
  private:
+  // A packet for bulk-in and when the host can read it.
   struct Packet {
     TimeNs ready_ns = 0;
     std::size_t size = 0;
     std::array<std::byte, kMaxPacketBytes> bytes{};
   };
+  // A submitted transfer.
   struct Flight {
     UsbTransfer* transfer = nullptr;
-    TimeNs due_ns = 0;  // bulk-out: when the device has the data
+    // The time at which the device has the data of a bulk-out.
+    TimeNs due_ns = 0;
   };
 
   Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,
@@ -95,13 +113,19 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   TimeNs next_event_ns() const override;
   void run_event() override { serve(); }
 
+  // Returns the state as Linux would report it now: an unplugged device stays attached for a while.
   UsbState current_state() const;
   Result<void> check_present() const;
+  // Waits while the device is stopped. Returns `timeout`, or the error of an absent device.
   Result<void> wait_for_device(TimeNs deadline_ns);
+  // Returns the first transfer of one direction that is in flight; null if there is none.
   const Flight* oldest(UsbDirection direction) const;
   void serve();
+  // Advance the oldest transfer of a direction by one step. Return false if nothing can be done
+  // now.
   bool serve_out();
   bool serve_in();
+  // Ends a transfer in flight and removes it from the list.
   void finish(UsbTransfer& transfer, Result<void> outcome);
   void fail_all(ErrorCode code);
 

@@ -14,6 +14,7 @@
 namespace tactus::host {
 namespace {
 
+// The sizes of the meshes, which the help text of `tactus bench` names.
 constexpr double kSphereRadius_m = 0.1;
 constexpr double kDragonSide_m = 0.2;
 

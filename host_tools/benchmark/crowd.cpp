@@ -8,10 +8,11 @@
 namespace tactus::host {
 namespace {
 
+// The balls' radius, and the distance of neighbours from middle to middle.
 constexpr double kRadius_m = 0.01;
 constexpr double kApart_m = 0.03;
 
-// The places of a cubic grid, the nearest to the origin first.
+// Returns points of a cubic grid, the nearest to the origin first, m.
 std::vector<Vec3> places(std::size_t count) {
   const int half = static_cast<int>(std::ceil(0.5 * std::cbrt(static_cast<double>(count)))) + 1;
   std::vector<Vec3> grid;
@@ -27,6 +28,7 @@ std::vector<Vec3> places(std::size_t count) {
   return grid;
 }
 
+// Returns a ball of 320 triangles.
 BakedMesh ball_at(const Vec3& place) {
   constexpr int kSubdivisions = 2;
   TriangleMesh ball = icosphere(kRadius_m, kSubdivisions);

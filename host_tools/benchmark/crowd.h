@@ -1,4 +1,4 @@
-// Many objects of which one is touched: what the others cost.
+// A scene of many objects of which only one is touched, to measure the cost of the others.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,13 @@
 
 namespace tactus::host {
 
-// Balls of 10 mm radius, 30 mm apart, filling a cube round the first, which is at the origin; every
-// second of the others is a primitive, the rest are meshes of 320 triangles like the first.
+// Balls of 10 mm radius at distances of 30 mm, filling a cube around the first one at the origin.
+// Every second ball is a primitive, the others are meshes of 320 triangles.
 class Crowd {
  public:
   explicit Crowd(std::size_t count);
 
+  // Returns the objects, which view this crowd's meshes.
   [[nodiscard]] std::span<const rendering::Object> objects() const { return objects_; }
 
  private:

@@ -14,11 +14,12 @@ namespace tactus::host {
 
 namespace {
 
+// Refuses output that this version does not understand.
 [[noreturn]] void not_cyclictests(const char* what) {
   throw InputError(fmt::format("cyclictest's answer is not known to this version: {}", what));
 }
 
-// Its bins are named by their lower edge.
+// cyclictest names its bins by their lower edge in us, and leaves empty ones out.
 void read_bins(const nlohmann::json& histogram, Jitter& jitter) {
   std::uint64_t binned = 0;
   for (const auto& [edge_us, count] : histogram.items()) {
@@ -32,6 +33,7 @@ void read_bins(const nlohmann::json& histogram, Jitter& jitter) {
   jitter.overflow = jitter.count - std::min(binned, jitter.count);
 }
 
+// Makes a folder that nobody else can have and returns it. Throws InputError if it cannot.
 std::filesystem::path folder_of_ones_own() {
   std::string name = (std::filesystem::temp_directory_path() / "tactus-cyclictest-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {

@@ -1,4 +1,4 @@
-// Finds the benchmark's real mesh, the Stanford bunny of Debian's package.
+// Finds the benchmark's scanned mesh, the Stanford bunny.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace tactus::host {
 
-// The Stanford bunny (75,408 triangles) of Debian's package libcgal-demo, taken out of the
-// package's archive into `folder`; nothing if the package is not installed.
+// Extracts the bunny (75,408 triangles) from the archive of Debian's package libcgal-demo into
+// `folder` and returns the file; nothing if the package is not installed.
 std::optional<std::filesystem::path> extract_debian_bunny(const std::filesystem::path& folder);
 
 }  // namespace tactus::host

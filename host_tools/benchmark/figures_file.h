@@ -1,4 +1,5 @@
-// A file of benchmark figures, one row a measurement, that says on which machine they were taken.
+// A CSV file of benchmark figures, one row a measurement, that says on which machine they were
+// taken.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +11,35 @@
 
 namespace tactus::host {
 
+// One row: what was touched, and how long it took.
 struct TouchFigures {
+  // The mesh's name, its triangles, the tool's radius, and whether the surface has friction.
   std::string mesh;
   std::size_t triangles = 0;
   double radius_m = 0.0;
   bool friction = true;
   TouchTiming timing;
+  // Empty if instructions were not counted.
   std::optional<InstructionCount> instructions;
 };
 
-// Processor, cores, system, compiler, flags and date, one line.
+// Returns processor, cores, system, compiler, flags and date on one line.
 std::string describe_machine();
 
-// Comma-separated values: the column names where the file is new, and at the first `append` a line
-// `# <machine>`, because another run may have been elsewhere.
+// Appends rows to a file. A new file gets the column names first; the first row of every run is
+// preceded by a line `# <machine>`, since another run may have been elsewhere.
 class FiguresFile {
  public:
-  // Throws InputError when the file has other columns or cannot be written.
+  // Throws InputError if the file has other columns or cannot be written.
   explicit FiguresFile(std::filesystem::path path);
+  // Appends a row. Throws InputError if the file cannot be written.
   void append(const TouchFigures& figures);
 
  private:
   void write(const std::string& text);
 
   std::filesystem::path path_;
+  // True once this run has written its line about the machine.
   bool described_ = false;
 };
 

@@ -19,7 +19,8 @@
 #include "host_tools/input_error.h"
 #include "rendering/world/world.h"
 
-// A name of its own, without C++'s ornaments, for callgrind's command line.
+// Callgrind counts inside of this function only, and writes a part of its output before every call:
+// one part for each tick. The name has C linkage, so that it can stand in callgrind's command line.
 extern "C" [[gnu::noinline]] void tactus_counted_touch(tactus::rendering::World& world,
                                                        const tactus::Vec3& p_W) {
   world.touch({.p_W = p_W});
@@ -30,10 +31,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The files in the folder that both programs share.
 constexpr const char* kScene = "scene.tactus";
 constexpr const char* kPath = "path";
 constexpr const char* kCounts = "callgrind.out";
 
+// Writes the scene and the path for the program under callgrind.
 void write_work(const fs::path& folder, const BenchmarkMesh& mesh, bool friction,
                 double tool_radius_m, std::span<const Vec3> path) {
   const rendering::Object object = object_of(mesh, friction);
@@ -44,6 +47,7 @@ void write_work(const fs::path& folder, const BenchmarkMesh& mesh, bool friction
   write_file_atomically(folder / kPath, std::as_bytes(path));
 }
 
+// Returns the positions that write_work() has written: bytes of the same program.
 std::vector<Vec3> read_path(const fs::path& file) {
   const std::string bytes = read_file(file);
   std::vector<Vec3> path(bytes.size() / sizeof(Vec3));

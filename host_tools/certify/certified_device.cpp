@@ -15,16 +15,18 @@
 namespace tactus::host {
 namespace {
 
+// How far from the middle to the stops the outer places lie, and the largest press on a wall.
 constexpr double kReach = 0.6;
 constexpr double kMostPress_N = 2.0;
 
+// Returns the joints' positions, rad or m.
 Vec3 joints_at(MechanismKind kind, const MechanismPose& pose) {
   return {joint_position(kind, 0, pose.coordinate[0]), joint_position(kind, 1, pose.coordinate[1]),
           joint_position(kind, 2, pose.coordinate[2])};
 }
 
-// The controller's own idea of where the handle is; nothing where the mechanism does not reach, is
-// singular or beyond its joints' limits.
+// Returns where the controller believes the handle to be; nothing if the mechanism does not reach
+// there, is singular, or is beyond its joints' limits.
 std::optional<firmware::Pose> controller_pose(const firmware::ControllerConfig& config,
                                               MechanismKind kind, const Vec3& point_B) {
   MechanismPose pose;
@@ -40,7 +42,8 @@ std::optional<firmware::Pose> controller_pose(const firmware::ControllerConfig& 
   return pose.reachable && seen.status == firmware::kPoseGood ? std::optional(seen) : std::nullopt;
 }
 
-// The simulated device whose joints mean the same points to the controller.
+// Returns the preset whose joints mean the same points to the controller. Two points are compared,
+// since different lengths can agree at one.
 DevicePreset matching_preset(const firmware::ControllerConfig& config) {
   constexpr double kSame_m = 2e-4;
   for (const std::string_view name : firmware::kPresetNames) {
@@ -66,7 +69,7 @@ DevicePreset matching_preset(const firmware::ControllerConfig& config) {
       fmt::join(firmware::kPresetNames, ", ")));
 }
 
-// A count of the joint's encoder, if the file says it.
+// Returns the size of a count of the joint's encoder, if the file tells it.
 std::optional<double> resolution_of(const firmware::DeviceConfig& config,
                                     const firmware::JointConfig& joint) {
   const auto& drive = config.axes[joint.encoder].drive;
@@ -78,6 +81,7 @@ std::optional<double> resolution_of(const firmware::DeviceConfig& config,
              : std::nullopt;
 }
 
+// Returns the preset with what the file says about the plant, encoders and motors.
 DeviceParameters parameters_of(const firmware::DeviceConfig& config, const DevicePreset& preset) {
   DeviceParameters device = preset.device;
   const firmware::PlantConfig& given = config.plant;
@@ -94,7 +98,8 @@ DeviceParameters parameters_of(const firmware::DeviceConfig& config, const Devic
   plant.moving_mass_kg = given.moving_mass_kg.value_or(plant.moving_mass_kg);
   plant.viscous_Ns_per_m = given.viscous_Ns_per_m.value_or(plant.viscous_Ns_per_m);
   if (given.coulomb_friction) {
-    // The bristles as far apart as they were, and as well damped.
+    // Friction is scaled so that the bristles' deflection stays the same. Their damping then grows
+    // with the square root, which keeps the damping ratio.
     const double share = friction.coulomb > 0.0 ? *given.coulomb_friction / friction.coulomb : 0.0;
     friction.coulomb = *given.coulomb_friction;
     friction.static_level = given.breakaway_friction.value_or(*given.coulomb_friction);
@@ -112,11 +117,14 @@ DeviceParameters parameters_of(const firmware::DeviceConfig& config, const Devic
   return device;
 }
 
+// A point of the workspace and its name.
 struct Place {
   Vec3 point_B = Vec3::Zero();
   std::string name;
 };
 
+// Returns the middle of the workspace and a place toward each stop, moved onto the manifold. Places
+// that fall together there count once.
 std::vector<Place> places_in(const DevicePreset& preset) {
   const PlantParameters& plant = preset.device.plant;
   const MechanismKind kind = plant.mechanism;
@@ -137,7 +145,8 @@ std::vector<Place> places_in(const DevicePreset& preset) {
   return places;
 }
 
-// Half of what the motors can press with there, at most 2 N.
+// Returns the force with which the wall is pressed there: half of what the motors can hold, at most
+// 2 N.
 double press_at(const firmware::ControllerConfig& config, const firmware::Pose& pose,
                 const Vec3& normal_B) {
   const Vec3 effort = firmware::joint_effort(pose, normal_B);
@@ -149,6 +158,7 @@ double press_at(const firmware::ControllerConfig& config, const firmware::Pose& 
   return std::min(kMostPress_N, 0.5 * most_N);
 }
 
+// Returns the description of the simulation that the certificate keeps.
 std::string in_words(const DeviceParameters& device, const firmware::ControllerConfig& config,
                      std::size_t places) {
   const bool slides = device.plant.mechanism == MechanismKind::cartesian;
@@ -177,6 +187,8 @@ CertifiedDevice certified_device(const firmware::DeviceConfig& config) {
       // The free side is toward the middle.
       const double side = place.point_B[axis] > preset.centre_B[axis] ? -1.0 : 1.0;
       const Vec3 along_B = along_manifold(kind, place.point_B, side * Vec3::Unit(axis));
+      // On an arc or a plane a wall is certified only across directions in which the handle really
+      // moves.
       constexpr double kMostlyAlong = 0.7;
       if (along_B.norm() > kMostlyAlong) {
         contact.point_B = place.point_B;

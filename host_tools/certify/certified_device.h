@@ -1,5 +1,6 @@
-// The simulated device that stands for a device.toml: the preset of its mechanism, what its [plant]
-// says, and where in its workspace it is to be pressed against walls.
+// Chooses the simulated device that stands for a device.toml: the preset with its mechanism,
+// changed by its [plant], and the places in its workspace where it is pressed against walls.
+// Certify and commission use it.
 #pragma once
 
 #include <string>
@@ -10,21 +11,27 @@
 
 namespace tactus::host {
 
-// A place of the device at which walls are touched. The hand in `contact` is not set.
+// A place of the device at which a wall is touched.
 struct ContactPlace {
+  // The device and the wall; the hand is set later.
   WallContact contact;
-  std::string where;  // "wall across x at the middle"
+  // The place in words: "a wall across x at the middle".
+  std::string where;
 };
 
+// The device with all of its places.
 struct CertifiedDevice {
-  std::vector<ContactPlace> places;  // at least one
-  std::string measured_with;         // what was simulated, for the certificate
+  // At least one.
+  std::vector<ContactPlace> places;
+  // A description of the simulated device, for the certificate.
+  std::string measured_with;
 };
 
-// The middle of the workspace and the points at six tenths of the way from it to each side, as far
-// as the mechanism reaches them within its joints' limits, with walls across every axis along which
-// the handle can move there. Weights are left out, and with them their compensation: both are
-// constant. Throws InputError if the mechanism's lengths are not those of any simulated device.
+// Returns the device with these places: the middle of the workspace, and the points at six tenths
+// of the way from it to each side, as far as the mechanism reaches them within its joints' limits;
+// at each of them a wall across every axis along which the handle can move. Weights and their
+// compensation are left out, since both are constant forces. Throws InputError if the mechanism's
+// lengths are not those of a simulated device.
 CertifiedDevice certified_device(const firmware::DeviceConfig& config);
 
 }  // namespace tactus::host

@@ -7,7 +7,8 @@ namespace tactus::host {
 namespace {
 
 // Returns the end of the stretch in which `holds` is true, between `good`, where it is true, and
-// `bad`, where it is false. The result is at most a factor 1 + `precision` below the true end.
+// `bad`, where it is false. The result is below the true end by at most the factor 1 + `precision`.
+// The middle is the geometric mean, since stiffness matters by its ratio.
 template <class Predicate>
 double end_of(double good, double bad, double precision, const Predicate& holds) {
   while (bad > (1.0 + precision) * good) {
@@ -17,15 +18,16 @@ double end_of(double good, double bad, double precision, const Predicate& holds)
   return good;
 }
 
-// The stretch of values to look at, in steps of a factor.
+// The values to try, in steps of a factor.
 struct Range {
   double first = 0.0;
   double last = 0.0;
   double step = 2.0;
-  bool last_is_bad = false;  // known not to hold
+  // True if `last` is known not to hold.
+  bool last_is_bad = false;
 };
 
-// The end of the first stretch that holds, or 0.
+// Returns the end of the first stretch that holds; 0 if `first` does not hold.
 template <class Predicate>
 double end_of_first_stretch(const Range& range, double precision, const Predicate& holds) {
   if (!holds(range.first)) {
@@ -42,8 +44,8 @@ double end_of_first_stretch(const Range& range, double precision, const Predicat
   return good;
 }
 
-// The stiffest wall up to `most`. A contact that does not hold the softest wall is looked at from
-// the faintest one on: a light device with little damping holds less than that by itself, and much
+// Returns the stiffest wall up to `most`. A contact that does not hold the softest wall is tried
+// from the faintest one on: a light device with little damping holds little by itself, and much
 // more in a hand.
 template <class Predicate>
 double end_below(double most, bool most_is_bad, double precision, const Predicate& holds) {
@@ -60,7 +62,7 @@ double end_below(double most, bool most_is_bad, double precision, const Predicat
   return end_of_first_stretch(range, precision, holds);
 }
 
-// The largest damping with which the contacts hold a wall of that stiffness, or 0.
+// Returns the largest damping with which all contacts hold a wall of that stiffness; 0 if none.
 double largest_damping_of(ContactTrial& trial, std::span<const WallContact> contacts,
                           double stiffness_N_per_m) {
   constexpr double kPrecision = 0.05;
@@ -69,6 +71,7 @@ double largest_damping_of(ContactTrial& trial, std::span<const WallContact> cont
     const auto holds = [&](double damping) {
       return is_stable(trial.run(contact, {stiffness_N_per_m, damping}));
     };
+    // A contact that holds the limit of the contacts before it cannot lower it.
     if (range.last_is_bad && holds(range.last)) {
       continue;
     }

@@ -14,6 +14,8 @@
 namespace tactus::host {
 namespace {
 
+// The numbers of the trial and of the verdict, as the header describes them. The press is reduced
+// so that the wall is never deeper than kDeepest_m.
 constexpr double kShareOfLiftOff = 0.7;
 constexpr double kDeepest_m = 0.005;
 constexpr int kWindows = 5;
@@ -21,19 +23,25 @@ constexpr double kPeriodsInWindow = 4.0;
 constexpr double kShortestWindow_s = 0.15;
 constexpr double kShortestQuiet_s = 0.1;
 constexpr double kLeastLoss = 1e-3;
-// A damper without a spring, stiff enough to lead the handle through any wall at its speed.
+// The guide: a damper without a spring, stiff enough to move the handle through any wall at its
+// speed.
 constexpr HandParameters kGuide{.damping_Ns_per_m = 2000.0};
+// How long the guide moves before it reaches the wall, and how soon the controller must be active.
 constexpr double kApproach_s = 0.01;
 constexpr int kMostTicksToActive = 20;
 
 // The course of a trial, from the numbers of the ideal contact.
 struct Course {
   double press_N = 0.0;
-  double depth_m = 0.0;  // where the wall carries the press
+  // The depth at which the wall carries the press.
+  double depth_m = 0.0;
   double speed_m_per_s = 0.0;
   double period_s = 0.0;
 };
 
+// The ideal contact is a mass on the two springs of wall and hand, with the period 2 pi sqrt(m /
+// k). At the depth of the press, a speed of depth * 2 pi / period would let the handle swing back
+// to the surface; it moves at kShareOfLiftOff of that.
 Course plan_course(const WallContact& contact, const WallStiffness& wall) {
   const double mass = contact.device.plant.moving_mass_kg + contact.hand.mass_kg;
   const double stiffness = wall.stiffness_N_per_m + contact.hand.stiffness_N_per_m;
@@ -46,14 +54,15 @@ Course plan_course(const WallContact& contact, const WallStiffness& wall) {
   return course;
 }
 
-// The hand that presses with that force in equilibrium, and where it wants to be.
+// The hand that presses, and where it wants to be for that.
 struct Press {
   HandParameters hand;
   Vec3 wish_B = Vec3::Zero();
 };
 
+// Returns the hand whose spring pushes with the press where the wall carries it.
 Press press_of(const WallContact& contact, const Course& course) {
-  // A hand that is off presses with a spring so soft and long that its force does not change.
+  // A hand that is off presses by a spring so soft and long that its force does not change.
   constexpr double kSoft_N_per_m = 1e-3;
   Press press{.hand = contact.hand};
   if (press.hand.stiffness_N_per_m == 0.0) {
@@ -64,6 +73,7 @@ Press press_of(const WallContact& contact, const Course& course) {
   return press;
 }
 
+// Returns a plane through the world's origin, with the contact's normal as its outside.
 rendering::Object wall_object(const WallContact& contact, const WallStiffness& wall) {
   rendering::Object object;
   object.surface = rendering::SurfaceKind::primitive;
@@ -75,22 +85,24 @@ rendering::Object wall_object(const WallContact& contact, const WallStiffness& w
   return object;
 }
 
+// The device's start is no part of the trial.
 DeviceParameters ready_at_once(DeviceParameters device) {
   device.power_up_s = 0.0;
   device.homing_s = 0.0;
   return device;
 }
 
-// Prepares the controller with its full force at once and without passivity control: the
-// certificate is for the wall alone, and that control is there for walls without a certificate.
+// Prepares the controller with its full force from the first tick and without passivity control:
+// the certificate is for the bare wall, and that control is for walls without a certificate.
 void prepare(firmware::Controller& controller, const WallContact& contact,
              std::span<const rendering::Object> wall) {
   firmware::ControllerConfig config = contact.controller;
   config.workspace_origin_D = contact.point_B;
   config.safety.soft_start_s = 0.0;
-  config.safety.sign_check_N = 0.0;  // the wall alone pushes
+  // The sign check would push by itself; here the wall alone pushes.
+  config.safety.sign_check_N = 0.0;
   config.safety.contact_start_s = 0.0;
-  // The trial looks at the bare wall: nothing damps it, and the verdict on it is the trial's.
+  // Nothing may damp the wall, and the trial itself gives the verdict on it.
   config.safety.passivity_damping_Ns_per_m = 0.0;
   config.safety.guards_off = firmware::kFaultNotPassive;
   config.allow_uncertified = true;
@@ -100,6 +112,7 @@ void prepare(firmware::Controller& controller, const WallContact& contact,
   }
 }
 
+// Returns the request that brings the controller one mode closer to `active`.
 firmware::Request wish_for_force(firmware::Mode mode) {
   switch (mode) {
     case firmware::Mode::init:
@@ -111,6 +124,7 @@ firmware::Request wish_for_force(firmware::Mode mode) {
   }
 }
 
+// The handle on the wall, tick by tick.
 class Contact {
  public:
   Contact(firmware::Controller& controller, const WallContact& contact, const Course& course)
@@ -121,7 +135,8 @@ class Contact {
         guide_B_(contact.point_B + kApproach_s * course.speed_m_per_s * contact.normal_B),
         device_(ready_at_once(contact.device), tick_s_, guide_B_) {}
 
-  // True when the motors are on and the handle is where the wall carries the press.
+  // Moves the handle in. Returns true if the motors are on and the handle is where the wall carries
+  // the press.
   bool lead_in() {
     for (int i = 0; i < kMostTicksToActive && controller_.mode() != firmware::Mode::active; ++i) {
       tick(kGuide, guide_B_, guide_B_);
@@ -136,7 +151,7 @@ class Contact {
     return active();
   }
 
-  // One tick of the hand's press; the handle's squared speed after it.
+  // Makes one tick of the hand's press; returns the square of the handle's speed after it, m^2/s^2.
   double press(const Press& press) {
     tick(press.hand, press.wish_B, press.wish_B);
     return device_.plant().v_B().squaredNorm();
@@ -162,12 +177,15 @@ class Contact {
   SimulatedDevice device_;
 };
 
+// The lengths of a window and of the stretch that must be quiet, ticks.
 struct WindowTicks {
   int all = 0;
-  int for_quiet = 0;  // of one period: a slow oscillation has no speed where it turns
+  // Ticks of one period: a slow oscillation has no speed where it turns.
+  int for_quiet = 0;
 };
 
-// The mean of the squared speed in the window, weighted with a Hann window; 0 if it became quiet.
+// Returns the mean of the squared speed in the window, weighted with a Hann window; 0 if it became
+// quiet.
 double motion_in_window(Contact& contact, const Press& press, const WindowTicks& ticks) {
   constexpr double kQuiet = kQuietSpeed_m_per_s * kQuietSpeed_m_per_s;
   const double turn = 2.0 * std::numbers::pi / ticks.all;
@@ -204,6 +222,7 @@ ContactVerdict ContactTrial::run(const WallContact& contact, const WallStiffness
   const WindowTicks ticks{
       .all = ticks_of(std::max(kPeriodsInWindow * course.period_s, kShortestWindow_s)),
       .for_quiet = ticks_of(std::max(course.period_s, kShortestQuiet_s))};
+  // The first period is not judged: the change from the guide to the hand disturbs it.
   (void)motion_in_window(now, press, {ticks_of(course.period_s), ticks.for_quiet});
   double before = std::numeric_limits<double>::infinity();
   for (int window = 0; window < kWindows; ++window) {

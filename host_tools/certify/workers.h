@@ -1,4 +1,4 @@
-// The same work on many things, on all processors.
+// Does the same work on many things, on all processors.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace tactus::host {
 
-// work(worker, i) for every i below count, where `worker` is what make_worker() gave for the
-// thread. Which thread takes which i is left to chance. Throws the first exception that a call
-// threw, after all threads have ended.
+// Calls work(worker, i) for every i below `count`; `worker` is what make_worker() returned in that
+// thread. Which thread takes which i is not defined. `threads` = 0 takes one a processor. Throws
+// the first exception of a call, after all threads have ended; no new work is begun after it.
 template <class MakeWorker, class Work>
 void for_all(std::size_t count, unsigned threads, const MakeWorker& make_worker, const Work& work) {
   std::atomic<std::size_t> next{0};

@@ -11,6 +11,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the device's places with that hand, without its tremor.
 std::vector<WallContact> contacts_of(const CertifiedDevice& device, const HandParameters& hand) {
   std::vector<WallContact> contacts;
   for (const ContactPlace& place : device.places) {
@@ -21,13 +22,15 @@ std::vector<WallContact> contacts_of(const CertifiedDevice& device, const HandPa
   return contacts;
 }
 
-// A wall on the certified line, and the points that it hangs on.
+// A wall on the certified line, and the points between which it lies.
 struct Check {
   WallStiffness wall;
   std::size_t point = 0;
   std::size_t other_point = 0;
 };
 
+// Returns the walls that a certificate promises. A third of a stiffness is tried too, since
+// stability is not always lost from the stiff side.
 std::vector<Check> checks_of(const firmware::StiffnessCertificate& certificate) {
   constexpr double kSofter = 1.0 / 3.0;
   const auto points = certificate.all();
@@ -45,8 +48,8 @@ std::vector<Check> checks_of(const firmware::StiffnessCertificate& certificate) 
   return checks;
 }
 
-// Chatter of a coarse encoder makes the limit ragged. What is certified rises to one peak and falls
-// from there: no point stands higher than those between it and the peak.
+// Lowers points until the curve rises to one peak and falls from there: no point is higher than
+// those between it and the peak. Chatter of a coarse encoder makes the measured limit ragged.
 void smooth_down(std::span<firmware::CertifiedPoint> points) {
   const auto lower = [](firmware::CertifiedPoint& point, const firmware::CertifiedPoint& nearer) {
     point.stiffness_N_per_m = std::min(point.stiffness_N_per_m, nearer.stiffness_N_per_m);
@@ -62,7 +65,7 @@ void smooth_down(std::span<firmware::CertifiedPoint> points) {
   }
 }
 
-// Returns the value rounded down to two digits.
+// Returns the value rounded down to two digits, so that the dampings are plain numbers.
 double rounded_down(double value) {
   if (!(value > 0.0)) {
     return 0.0;
@@ -71,6 +74,7 @@ double rounded_down(double value) {
   return std::floor(value / unit) * unit;
 }
 
+// One measurement, step by step.
 class Sweep {
  public:
   Sweep(const CertifiedDevice& device, const ZWidthOptions& options,
@@ -95,6 +99,7 @@ class Sweep {
   }
 
  private:
+  // Runs the work on all processors and reports the progress.
   template <class Work>
   void for_all_of(std::string_view what, std::size_t count, const Work& work) {
     std::atomic<std::size_t> done{0};
@@ -109,7 +114,7 @@ class Sweep {
         });
   }
 
-  // Even steps up to what every hand bears on the softest wall.
+  // Chooses even steps up to the damping that every hand bears on the softest wall.
   void choose_dampings() {
     std::vector<double> most(contacts_.size());
     for_all_of("looking for the largest damping", contacts_.size(),
@@ -124,6 +129,7 @@ class Sweep {
     }
   }
 
+  // Finds the largest stable stiffness of each hand and damping.
   void search() {
     const std::size_t dampings = result_.dampings_Ns_per_m.size();
     for (const NamedHand& hand : options_.hands) {
@@ -139,6 +145,8 @@ class Sweep {
                });
   }
 
+  // Takes the worst hand at each damping, divided by the margin, up to the first damping that bears
+  // nothing.
   void propose() {
     firmware::StiffnessCertificate& certificate = result_.certificate;
     certificate.margin = options_.margin;
@@ -180,7 +188,8 @@ class Sweep {
     }
   }
 
-  // Returns which points belong to a failed check. Only checks that depend on an untried point run.
+  // Returns which points belong to a failed check. Only checks that depend on a point that has
+  // changed are run.
   std::vector<bool> bad_points(const std::vector<bool>& untried) {
     std::vector<Check> checks = checks_of(result_.certificate);
     std::erase_if(checks, [&](const Check& check) {
@@ -208,7 +217,8 @@ class Sweep {
 
   const ZWidthOptions& options_;
   const CertifyProgress& progress_;
-  std::vector<std::vector<WallContact>> contacts_;  // by hand
+  // The device's places for each hand.
+  std::vector<std::vector<WallContact>> contacts_;
   ZWidth result_;
 };
 

@@ -1,11 +1,12 @@
-// Every stiffness and damping that a device can render as a stable wall: its Z-width (Colgate and
-// Brown, ICRA 1994), and the part of it that is certified.
+// Measures every stiffness and damping that a device can render as a stable wall: its Z-width
+// (Colgate and Brown, ICRA 1994), and derives the part that is certified. `tactus certify` runs it
+// for minutes.
 //
-// For each damping the largest stable stiffness is searched for, hand by hand, at every place of
-// the device; the worst place counts. The certificate takes the worst hand and divides by the
-// margin. Then it is tried out: every certified point, a third of it, and the middle of the
-// straight line to the next point, at every place with every hand; a point that is not stable is
-// lowered until it is.
+// For each damping and each hand it searches for the largest stable stiffness at every place of the
+// device; the worst place counts. The certificate takes the worst hand and divides by the margin.
+// Then it is confirmed: every certified point, a third of it, and the middle of the straight line
+// to the next point are tried at every place with every hand, and a point that fails is lowered
+// until it does not.
 #pragma once
 
 #include <cstddef>
@@ -20,39 +21,54 @@
 
 namespace tactus::host {
 
+// A hand and its name in tables.
 struct NamedHand {
   std::string name;
   HandParameters hand;
 };
-// Off, and the simulation's three.
+// Returns the hands of a certificate: off, and the simulation's three.
 std::vector<NamedHand> certifying_hands();
 
+// How thorough the measurement is.
 struct ZWidthOptions {
+  // The hands with which every wall is tried.
   std::vector<NamedHand> hands = certifying_hands();
-  std::size_t dampings = 9;  // 2 to kMaxCertifiedPoints
-  double precision = 0.02;   // of a stiffness, relative
+  // How many dampings are tried, 2 to kMaxCertifiedPoints.
+  std::size_t dampings = 9;
+  // The relative precision of a stiffness.
+  double precision = 0.02;
+  // The stiffness that was found stable is divided by this.
   double margin = 1.25;
-  unsigned threads = 0;  // 0: one a processor
+  // 0: one a processor.
+  unsigned threads = 0;
 };
 
-// One line of the picture.
+// The limits of one hand.
 struct ZWidthCurve {
+  // The hand's name.
   std::string hand;
-  std::vector<StableStiffness> limits;  // one a damping
+  // One for each damping.
+  std::vector<StableStiffness> limits;
 };
 
+// The result.
 struct ZWidth {
-  std::vector<double> dampings_Ns_per_m;  // from 0 to the largest that a soft wall bears, rising
+  // Rising from 0 to the largest damping that a soft wall bears.
+  std::vector<double> dampings_Ns_per_m;
+  // One for each hand.
   std::vector<ZWidthCurve> curves;
+  // For each damping the least limit over all hands divided by the margin, lowered until every wall
+  // that it promises has held in a trial.
   firmware::StiffnessCertificate certificate;
 };
 
-// Called from any thread: what is being done, how much of it is done.
+// Is called from any thread with what is being done and how much of it is done.
 using CertifyProgress =
     std::function<void(std::string_view what, std::size_t done, std::size_t all)>;
 
-// The same device and options give the same result, on however many threads. Throws InputError when
-// the device bears no wall at all.
+// Measures the largest stable stiffness of a wall, for each hand and each damping. The same device
+// and options give the same result on any number of threads. Throws InputError if the device bears
+// no wall at all.
 ZWidth measure_z_width(const CertifiedDevice& device, const ZWidthOptions& options,
                        const CertifyProgress& progress = {});
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kZWidthWidth = 1200;
 constexpr double kZWidthHeight = 800;
 
-// Dark to light from the hand that counts most; told apart in grey as well.
+// From dark to light, with the most important hand first, so that they differ in grey too.
 constexpr std::array<std::string_view, 5> kHandColours{"#d0421b", "#17406d", "#4c7fb0", "#8fb3d3",
                                                        "#8e6bb3"};
 
@@ -57,6 +57,7 @@ std::string curve_block(const ZWidth& z_width, std::size_t curve) {
   return block + "EOD\n";
 }
 
+// Returns the largest stiffness of all curves, N/m.
 double most_of(const ZWidth& z_width) {
   double most = 0.0;
   for (const ZWidthCurve& curve : z_width.curves) {
@@ -67,7 +68,7 @@ double most_of(const ZWidth& z_width) {
   return most;
 }
 
-// Splits the text at the comma before the middle, to fill two lines.
+// Splits a text at a comma near its middle, to fill two lines.
 std::array<std::string, 2> halves(const std::string& text) {
   const std::size_t comma = text.rfind(", ", text.size() / 2 + 8);
   return comma == std::string::npos ? std::array{text, std::string()}

@@ -31,6 +31,7 @@ constexpr const char* kBakeExamples =
     "  tactus bake scene.toml --quiet             prints warnings and errors alone\n"
     "  tactus bake scene.toml --json | jq '.objects[].open_edges'";
 
+// The verb's options as the user gave them.
 struct BakeOptions {
   std::string scene;
   std::string output;
@@ -38,6 +39,7 @@ struct BakeOptions {
   bool quiet = false;
 };
 
+// Bakes a scene; on a terminal a line shows what has been going on for how long.
 BakeReport bake_with_progress(const BakeOptions& options, const std::filesystem::path& output) {
   if (options.quiet || ::isatty(STDERR_FILENO) != 1) {
     return bake_file(options.scene, output);
@@ -88,6 +90,7 @@ void print_table(const BakeReport& report) {
              report.tool_radius_m, report.seconds);
 }
 
+// Bakes a device file. Its certificate is an input too, and must not be overwritten.
 void run_device(const BakeOptions& options, const std::filesystem::path& output) {
   keep_inputs_safe({output}, {options.scene, certificate_path(options.scene)});
   const LoadedDevice device = bake_device(options.scene);
@@ -111,6 +114,7 @@ void run_device(const BakeOptions& options, const std::filesystem::path& output)
   }
 }
 
+// A file with a [mechanism] is a device, any other a scene.
 void run(const BakeOptions& options) {
   const std::filesystem::path output =
       options.output.empty() ? std::filesystem::path(options.scene).replace_extension(".tactus")

@@ -43,7 +43,8 @@ void print(std::string_view what, const LoopBenchOptions& options, const Jitter&
   std::fflush(stdout);
 }
 
-// Returns a curve of the bins that are not empty, logarithmic so that one in a million can be seen.
+// Returns a curve of the bins that are not empty, with logarithmic counts, so that one wake-up in a
+// million can be seen.
 Curve curve_of(const char* name, const Jitter& jitter, CurveStyle style) {
   Curve curve{.name = name, .x = {}, .y = {}, .style = style};
   for (std::size_t i = 0; i < kJitterBins; ++i) {
@@ -55,6 +56,7 @@ Curve curve_of(const char* name, const Jitter& jitter, CurveStyle style) {
   return curve;
 }
 
+// Draws both histograms into the file that the user named.
 void draw(const LoopBenchOptions& options, const Jitter& loop,
           const std::optional<Jitter>& cyclictest) {
   Panel panel{.x_label = "wake-up late by, us", .y_label = "log10 of wake-ups", .curves = {}};
@@ -78,6 +80,7 @@ void bench_loop(const LoopBenchOptions& options) {
                loop.not_real_time);
   }
   print("loop", options, loop);
+  // The comparison runs with real-time priority only if the loop had it.
   const auto cyclictest = measure_cyclictest(options.plan, loop.not_real_time.empty());
   if (!cyclictest) {
     fmt::print(stderr, "tactus bench: nothing to compare with: no cyclictest; {}\n",

@@ -7,13 +7,15 @@
 
 namespace tactus::host {
 
+// The measurement, and the form in which it is shown.
 struct LoopBenchOptions {
   JitterPlan plan;
-  std::string figure;  // PNG; empty: none
+  // The PNG file of the histogram; empty: none.
+  std::string figure;
   bool json = false;
 };
 
-// Prints; throws InputError.
+// Measures and prints. Throws InputError if cyclictest fails or the figure cannot be drawn.
 void bench_loop(const LoopBenchOptions& options);
 
 }  // namespace tactus::host

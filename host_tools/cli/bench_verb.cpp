@@ -55,6 +55,7 @@ constexpr const char* kBenchExamples =
     "  tactus bench touch --mesh statue.ply --longest-side-m 0.2 --radius-m 0.002\n"
     "  tactus bench sim --seconds 30 --json | jq .simulated_s_per_s";
 
+// The verb's options as the user gave them.
 struct BenchOptions {
   std::string what = "all";
   std::string mesh;
@@ -117,6 +118,7 @@ void print_text(const TouchFigures& figures) {
   }
 }
 
+// Strokes one mesh with each tool radius, and prints and appends a row for each.
 void bench_touch(const BenchOptions& options, const BenchmarkMesh& mesh, FiguresFile* file) {
   const rendering::Object object = object_of(mesh, !options.frictionless);
   for (const double radius_m : options.radii_m) {
@@ -137,7 +139,7 @@ void bench_touch(const BenchOptions& options, const BenchmarkMesh& mesh, Figures
   }
 }
 
-// One ball is stroked, alone and among others.
+// Strokes one ball, alone and among others, to show what the others cost.
 void bench_objects(const BenchOptions& options) {
   constexpr double kToolRadius_m = 0.002;
   double alone_ns = 0.0;
@@ -165,7 +167,8 @@ void bench_objects(const BenchOptions& options) {
   }
 }
 
-// One ball is stroked under every friction model; the cone is the first.
+// Strokes one ball under every friction model. The cone comes first: the others are compared with
+// it.
 void bench_friction(const BenchOptions& options) {
   constexpr int kLevel = 5;
   constexpr double kToolRadius_m = 0.002;
@@ -191,6 +194,7 @@ void bench_friction(const BenchOptions& options) {
   }
 }
 
+// Runs the whole simulation on a mesh, to show simulated seconds for each second.
 void bench_sim(const BenchOptions& options, const BenchmarkMesh& mesh) {
   constexpr double kToolRadius_m = 0.002;
   rendering::Object object = object_of(mesh, !options.frictionless);
@@ -217,7 +221,8 @@ void bench_sim(const BenchOptions& options, const BenchmarkMesh& mesh) {
   }
 }
 
-// Every mesh in turn; only one is held at a time.
+// Calls `use` with every mesh in turn. Only one is in memory at a time, since the largest has a
+// million triangles.
 void for_each_mesh(const BenchOptions& options,
                    const std::function<void(const BenchmarkMesh&)>& use) {
   if (!options.mesh.empty()) {
@@ -229,6 +234,7 @@ void for_each_mesh(const BenchOptions& options,
     use(dragon_mesh());
     return;
   }
+  // Subdivisions of the icospheres: 1,280 to 1,310,720 triangles.
   constexpr int kCoarsest = 3;
   constexpr int kFinest = 8;
   if (options.what != "sim") {
@@ -341,6 +347,8 @@ void add_bench_verb(CLI::App& app) {
                  "For touch, count instructions a tick too, with valgrind; a millisecond a tick");
   verb->add_option("--csv", options->csv,
                    "For touch, append the figures and the machine's description to this file");
+  // Not for users: count_instructions() starts this program again with it. The empty group hides
+  // it.
   verb->add_option("--touch-to-be-counted", options->to_be_counted)->group("");
   add_loop_options(*verb, *options);
   verb->add_flag("--json", options->json, "Print one JSON object a line");

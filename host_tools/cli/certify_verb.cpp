@@ -37,6 +37,7 @@ constexpr const char* kCertifyExamples =
     "  tactus certify arm.toml --margin 2            half of what was found to be stable\n"
     "  tactus certify arm.toml --dampings 16 --json | jq .certified";
 
+// The verb's options as the user gave them.
 struct CertifyOptions {
   std::string device;
   double margin = ZWidthOptions{}.margin;
@@ -45,6 +46,7 @@ struct CertifyOptions {
   bool json = false;
 };
 
+// A larger margin certifies next to nothing and is surely a slip.
 constexpr double kMostMargin = 100.0;
 
 ZWidth measure_with_progress(const CertifyOptions& options, const CertifiedDevice& device) {
@@ -60,6 +62,7 @@ ZWidth measure_with_progress(const CertifyOptions& options, const CertifiedDevic
                          });
 }
 
+// The three files that the verb writes beside the device's.
 struct CertifyFiles {
   std::filesystem::path certificate;
   std::filesystem::path csv;

@@ -47,6 +47,7 @@ constexpr const char* kCommissionExamples =
 
 constexpr int kFailed = 1;
 
+// The verb's options as the user gave them.
 struct CommissionOptions {
   std::string device;
   bool simulated = false;
@@ -54,6 +55,7 @@ struct CommissionOptions {
   BoardBenchOptions bench;
 };
 
+// Returns the firmware image for a Falcon; empty if the device has none.
 std::vector<std::byte> falcon_firmware_of(const firmware::DeviceConfig& config) {
   const std::string_view file = firmware::board_firmware_file(config);
   if (file.empty()) {
@@ -64,13 +66,14 @@ std::vector<std::byte> falcon_firmware_of(const firmware::DeviceConfig& config) 
   return {bytes.begin(), bytes.end()};
 }
 
-// The mass at the handle: the file's, or that of the simulated device with this mechanism.
+// Returns the mass at the handle: the file's, or that of the simulated device with this mechanism.
 double mass_of(const firmware::DeviceConfig& config) {
   return config.plant.moving_mass_kg
              ? *config.plant.moving_mass_kg
              : certified_device(config).places.front().contact.device.plant.moving_mass_kg;
 }
 
+// Returns the real device, or the simulated one for a rehearsal.
 std::unique_ptr<Bench> bench_for(const CommissionOptions& options,
                                  const firmware::DeviceConfig& config,
                                  std::span<const std::byte> falcon_firmware) {
@@ -93,6 +96,7 @@ CommissionReport run_trials(const CommissionOptions& options,
   std::optional<ProgressLine> progress;
   return commission(*bench, plan, [&](std::string_view step) {
     if (::isatty(STDERR_FILENO) == 1) {
+      // A new line for each step: its clock starts at zero.
       progress.emplace().step(step);
     } else {
       fmt::print(stderr, "{}\n", step);

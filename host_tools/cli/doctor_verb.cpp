@@ -31,6 +31,7 @@ constexpr const char* kDoctorExamples =
     "  tactus doctor --save board           records what was looked at, to be sent to someone\n"
     "  tactus doctor --root board           examines a recorded machine";
 
+// The verb's options as the user gave them.
 struct DoctorOptions {
   std::string device;
   std::string root;
@@ -38,6 +39,7 @@ struct DoctorOptions {
   bool json = false;
 };
 
+// Reads a device that is baked already. Throws InputError.
 LoadedDevice load_image(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
   std::ostringstream text;
@@ -49,6 +51,7 @@ LoadedDevice load_image(const std::string& name) {
   return {{bytes.begin(), bytes.end()}, name};
 }
 
+// Returns what a device needs of the machine, or the needs of any device without a file.
 Needs needs_of_file(const std::string& name) {
   if (name.empty()) {
     return needs_of_any_device();

@@ -19,6 +19,7 @@
 namespace tactus::host {
 namespace {
 
+// The options of each board as the user gave them.
 struct FalconOptions {
   MachineOptions machine;
   std::string function_fs = "/dev/ffs/falcon";
@@ -47,6 +48,7 @@ struct PaddleOptions {
   double full_torque_Nm = 0.03;
 };
 
+// Returns a function that connects the board to a machine; the board must outlive it.
 ConnectDevice connection_to(auto& device) {
   return [&device](EmulatedMachine& machine, std::span<const drivers::Transmission> transmissions) {
     device.connect(machine, transmissions);
@@ -86,6 +88,7 @@ void emulate_haply(const HaplyOptions& options) {
   emulate(options.machine, fmt::format("a Haply board on {}", place), connection_to(haply));
 }
 
+// Returns the value of one of two names. Throws InputError that names the option for any other.
 template <class Value>
 Value named(const std::string& name, const char* option, const char* first_name, Value first,
             const char* second_name, Value second) {
@@ -117,8 +120,8 @@ drivers::GpioAxisConfig paddle_config(const PaddleOptions& options) {
 
 void emulate_paddle(const PaddleOptions& options) {
   constexpr std::size_t kLines = 64;
-  // 10,000 edges a second, about what gpio-sim passes on without loss; a faster shaft is ahead of
-  // its encoder.
+  // 10,000 edges a second, about as many as gpio-sim passes on without loss. A faster shaft is then
+  // ahead of its encoder.
   constexpr std::uint32_t kStepsPerRun = 1;
   const drivers::GpioAxisConfig config = paddle_config(options);
   GpioSimPins pins(options.chip, options.chip, kLines, options.pwm);
@@ -130,7 +133,7 @@ void emulate_paddle(const PaddleOptions& options) {
           connection_to(paddle));
 }
 
-// The options live as long as the verb's callback.
+// Adds the verb of one board. The options live as long as the verb's callback, which holds them.
 template <class Options>
 std::pair<CLI::App*, Options*> add_board(CLI::App& emulate, const char* name, const char* text,
                                          const char* mechanism, void (*run)(const Options&)) {

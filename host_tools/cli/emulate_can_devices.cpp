@@ -35,6 +35,7 @@ struct CanDeviceOptions {
   bool no_watchdog = false;
 };
 
+// Runs the drives of any kind on a CAN interface until the run ends.
 void emulate_can(const CanDeviceOptions& options, const std::string& kind, bool needs_fd,
                  const MakeCanEmulator& make) {
   CanDrives drives(options.interface, options.nodes, needs_fd, options.machine.seed, make);
@@ -108,12 +109,14 @@ void emulate_vesc(const CanDeviceOptions& options) {
   });
 }
 
+// A verb and its options, to add what only this kind of drive has.
 struct Device {
   CLI::App& verb;
   CanDeviceOptions& options;
 };
 
-// The options live as long as the verb's callback.
+// Adds the verb of one kind of drive. The options live as long as the verb's callback, which holds
+// them.
 Device add_can_device(CLI::App& emulate, const char* name, const char* text,
                       const std::vector<unsigned>& nodes, void (*run)(const CanDeviceOptions&)) {
   const auto options = std::make_shared<CanDeviceOptions>();

@@ -5,9 +5,9 @@
 
 namespace tactus::host {
 
-// odrive, moteus, cia402, vesc
+// Adds odrive, moteus, cia402 and vesc.
 void add_emulated_can_devices(CLI::App& emulate);
-// falcon, haply, paddle
+// Adds falcon, haply and paddle.
 void add_emulated_boards(CLI::App& emulate);
 
 }  // namespace tactus::host

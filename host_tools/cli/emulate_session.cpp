@@ -14,6 +14,7 @@
 namespace tactus::host {
 namespace {
 
+// Rewrites the line of the terminal that shows the running machine.
 void show_status(const EmulatedRun& run) {
   const MachineTruth& truth = run.machine().truth();
   const double time_s = 1e-9 * static_cast<double>(truth.time_ns - run.machine().start_ns());
@@ -103,7 +104,8 @@ void emulate(const MachineOptions& options, const std::string& what, const Conne
   connect(machine, transmissions(options, machine.joints()));
   EmulatedRun run(machine, run_config(options));
   if (!options.truth.empty()) {
-    write_truth(options.truth, {}, machine.joints());  // a file that cannot be written: say so now
+    // A file that cannot be written should be reported now and not after the run.
+    write_truth(options.truth, {}, machine.joints());
   }
   fmt::print("emulating {}; mechanism {}, hand {}\n", what, options.mechanism, options.hand);
   std::fflush(stdout);

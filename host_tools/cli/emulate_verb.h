@@ -5,6 +5,7 @@
 
 namespace tactus::host {
 
+// Adds the verb, with one verb for each device below it. The work is done in emulators/.
 void add_emulate_verb(CLI::App& app);
 
 }  // namespace tactus::host

@@ -48,6 +48,7 @@ constexpr const char* kFitExamples =
     "  tactus fit joint.csv --model lugre --joint --output friction.toml --figure fit.png\n"
     "  tactus fit stroke.csv --model stribeck --fit-alpha --json | jq .fits[0].parameters";
 
+// The verb's options as the user gave them.
 struct FitVerbOptions {
   std::string record;
   std::string model = "all";
@@ -67,6 +68,7 @@ std::vector<std::string_view> fitted_names() {
   return names;
 }
 
+// Returns the models that --model names. Throws InputError for one that cannot be fitted.
 std::vector<rendering::FrictionKind> kinds_to_fit(const std::string& model) {
   const std::vector<rendering::FrictionKind> all = fitted_kinds();
   if (model == "all") {
@@ -80,6 +82,7 @@ std::vector<rendering::FrictionKind> kinds_to_fit(const std::string& model) {
                                in_words(fitted_names(), "and")));
 }
 
+// A parameter that the data cannot tell has the value null and the reason.
 nlohmann::ordered_json json_of(const FittedParameter& p, ForceScale scale) {
   nlohmann::ordered_json json{{"name", p.symbol},
                               {"unit", parameter_name(p.symbol).unit_of(scale)}};

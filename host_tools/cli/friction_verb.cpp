@@ -44,6 +44,7 @@ constexpr const char* kFrictionExamples =
 
 constexpr double kDefaultRate_hz = 1000.0;
 
+// The verb's options as the user gave them.
 struct FrictionOptions {
   std::string model = "lugre";
   std::vector<std::string> parameters;
@@ -59,6 +60,7 @@ struct FrictionOptions {
   bool json = false;
 };
 
+// Returns the published parameters with the user's changes. Throws InputError.
 rendering::FrictionParameters parameters_from(const FrictionOptions& options) {
   const ForceScale scale = options.normal_force_N ? ForceScale::per_newton : ForceScale::newton;
   rendering::FrictionParameters parameters = published_parameters(friction_kind(options.model));
@@ -69,6 +71,7 @@ rendering::FrictionParameters parameters_from(const FrictionOptions& options) {
   return parameters;
 }
 
+// A value that does not exist is NaN in the table and null in JSON.
 nlohmann::ordered_json json_of(const FindingsTable& findings) {
   auto rows = nlohmann::ordered_json::array();
   for (const std::vector<double>& row : findings.rows) {

@@ -23,18 +23,20 @@ constexpr const char* kInspectExamples =
     "  tactus inspect scene.tactus\n"
     "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'";
 
+// The verb's options as the user gave them.
 struct InspectOptions {
   std::string image;
   bool json = false;
 };
 
-// One object, gathered from the image's views.
+// The image's data about one object, gathered from its views.
 struct ObjectSummary {
   std::string name;
   rendering::Object object;
   rendering::BakeCounters counters;
   double bytes_per_triangle;
 
+  // The corners of the object's box, world frame, m: the root of the hierarchy has them.
   [[nodiscard]] const Float3& lower() const { return object.mesh.nodes.front().lower; }
   [[nodiscard]] const Float3& upper() const { return object.mesh.nodes.front().upper; }
   [[nodiscard]] const char* sides() const {
@@ -42,6 +44,7 @@ struct ObjectSummary {
   }
 };
 
+// Returns the summary of one object.
 ObjectSummary summarise(const SceneImage& image, std::size_t index) {
   const rendering::BakedMeshView baked = image.baked_mesh(index);
   const std::size_t bytes = baked.mesh.vertices.size_bytes() + baked.mesh.triangles.size_bytes() +

@@ -34,6 +34,8 @@
 
 namespace {
 
+// The exit codes of all verbs; host_tools/cli/README.md lists them. Some verbs have the same number
+// for outcomes of their own.
 enum ExitCode : int {
   kOk = 0,
   kInternalFailure = 1,
@@ -58,20 +60,21 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_watch_verb},
 };
 
-// "tactus bake", or "tactus" before a verb is known.
+// Returns "tactus bake", or "tactus" before a verb is known.
 std::string name_of_run(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   return verbs.empty() ? app.get_name() : app.get_name() + " " + verbs.front()->get_name();
 }
 
+// Prints one line to stderr and returns the exit code.
 int report(const CLI::App& app, std::string_view message, ExitCode code) {
   // If stderr cannot be written either, only the exit code is left to report the failure.
   std::fputs(fmt::format("{}: {}\n", name_of_run(app), message).c_str(), stderr);
   return code;
 }
 
-// Help and version are no errors, nor is a verb that ends with an exit code of its own, by
-// CLI::RuntimeError; every other end of parsing is a wrong command line.
+// Handles the ways in which CLI11 ends parsing. Help and version are no errors, nor is a verb that
+// ends with an exit code of its own by CLI::RuntimeError. Everything else is a wrong command line.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0 || error.get_name() == "RuntimeError") {
     return app.exit(error);
@@ -79,7 +82,7 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   return report(app, fmt::format("{}; see {} --help", error.what(), name_of_run(app)), kBadInput);
 }
 
-// CLI11 would only say that a subcommand is required.
+// Reports a missing or unknown verb; CLI11 would only say that a subcommand is required.
 void require_verb(const CLI::App& app, std::span<char*> arguments) {
   const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
   const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
@@ -92,7 +95,8 @@ void require_verb(const CLI::App& app, std::span<char*> arguments) {
   }
 }
 
-// A full disk or a closed pipe shows when the last bytes of standard output are written.
+// Returns `code` if all of standard output was written. A full disk or a closed pipe shows only
+// when the last bytes are flushed.
 int with_output_written(const CLI::App& app, int code) {
   // A reader that has seen enough, such as head, closes the pipe: no error of anybody's.
   if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || errno == EPIPE) {
@@ -118,7 +122,9 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const tactus::host::UnreachableError& error) {
     return report(app, error.what(), kUnreachable);
   } catch (const std::exception& error) {
-    if (std::ferror(stdout) != 0) {  // fmt throws where a full buffer cannot be written
+    // fmt throws if the buffer of standard output cannot be written; with_output_written() reports
+    // that.
+    if (std::ferror(stdout) != 0) {
       return kNotWritten;
     }
     return report(app, fmt::format("internal failure: {}", error.what()), kInternalFailure);

@@ -5,6 +5,7 @@
 
 namespace tactus::host {
 
+// Each adds its verb with options and examples to the command line. The work is done in monitor/.
 void add_monitor_verb(CLI::App& app);
 void add_watch_verb(CLI::App& app);
 

@@ -30,6 +30,7 @@ constexpr const char* kPlotExamples =
     "                                                        and shaded_against.png: both forces, "
     "and how they turn";
 
+// The verb's options as the user gave them.
 struct PlotOptions {
   std::string run;
   std::string scene;

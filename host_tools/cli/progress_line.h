@@ -1,4 +1,5 @@
-// One line on the terminal that tells how long a slow step has been going on.
+// A line on the terminal that shows how long a slow step has been going on. The verbs use it on
+// stderr, if that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -10,11 +11,11 @@
 
 namespace tactus::host {
 
-// Takes back the terminal's line that the cursor is in.
+// Clears the line of the terminal in which the cursor is.
 inline constexpr const char* kWipeLine = "\r\x1b[K";
 
-// Shows nothing in the first two seconds; then rewrites a line of stderr twice a second, from a
-// thread of its own, until destroyed, which wipes the line.
+// Shows nothing in the first two seconds. From then on a thread of its own rewrites a line of
+// stderr twice a second, until this object is destroyed, which clears the line.
 class ProgressLine {
  public:
   ProgressLine();
@@ -22,7 +23,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Sets the text of the step that begins now. Any thread may call it.
+  // Sets the text that is shown from now on. Any thread may call it.
   void step(std::string_view what);
 
  private:

@@ -23,6 +23,7 @@ constexpr const char* kExitCodes =
     "\nExit codes: 0 done, 1 refused (the reply says why and what to do), 2 no controller could be "
     "reached.\nThe replies are described in firmware/linux/commands/README.md.";
 
+// The options of all these verbs; each uses some of them.
 struct RemoteOptions {
   std::string run_dir = std::string(kDefaultRunDir);
   std::string name;
@@ -33,12 +34,14 @@ struct RemoteOptions {
 };
 using SharedOptions = std::shared_ptr<RemoteOptions>;
 
+// The texts of a verb for its help.
 struct VerbText {
   const char* name;
   const char* description;
   const char* examples;
 };
 
+// Adds a verb with the options that all of them have.
 std::pair<CLI::App*, SharedOptions> add_verb(CLI::App& app, const VerbText& text) {
   CLI::App* const verb = app.add_subcommand(text.name, text.description);
   auto options = std::make_shared<RemoteOptions>();
@@ -50,6 +53,7 @@ std::pair<CLI::App*, SharedOptions> add_verb(CLI::App& app, const VerbText& text
   return {verb, options};
 }
 
+// Prints a reply. Throws Refused if the controller refused.
 void tell(const Reply& reply) {
   for (const std::string& line : reply.lines) {
     fmt::print("{}\n", line);
@@ -60,8 +64,9 @@ void tell(const Reply& reply) {
   }
 }
 
+// Sends one line and prints the reply.
 void tell(const RemoteOptions& options, const std::string& line) {
-  // A list asks the tick for each parameter of each object.
+  // The reply to `list` takes a tick for every parameter of every object.
   constexpr std::chrono::minutes kLongList(1);
   Remote remote(options.run_dir);
   tell(remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)

@@ -20,6 +20,7 @@
 namespace tactus::host {
 namespace {
 
+// The exit code if a tick differs.
 constexpr int kDiffers = 1;
 
 constexpr const char* kReplayExamples =
@@ -44,6 +45,7 @@ constexpr const char* kReplayExamples =
     "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
     "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png";
 
+// The verb's options as the user gave them.
 struct ReplayOptions {
   std::string recording;
   RunImages images;
@@ -83,10 +85,12 @@ bool compare(RecordedRun& run, const std::string& name) {
   return !result.difference.has_value();
 }
 
+// Returns a row that has a force only.
 RunRow row_of(double time_s, const Vec3& force_W) {
   return {.t_s = time_s, .force_W = force_W, .force_N = force_W.norm()};
 }
 
+// Returns as many rows as a picture can show.
 RunData thinned(const std::vector<RunRow>& rows) {
   constexpr std::size_t kMostRows = 8000;
   RunData data;
@@ -96,7 +100,7 @@ RunData thinned(const std::vector<RunRow>& rows) {
   return data;
 }
 
-// Writes both forces to the outputs that the user named.
+// Collects both forces of every tick and writes them to the outputs that the user named.
 class ForceTraces {
  public:
   explicit ForceTraces(const ReplayOptions& options) : picture_(options.picture) {
@@ -107,6 +111,7 @@ class ForceTraces {
     }
   }
 
+  // Takes a tick into the outputs.
   void add(const WhatIfTick& tick) {
     if (csv_) {
       const Vec3& a = tick.recorded_W;
@@ -121,6 +126,7 @@ class ForceTraces {
     }
   }
 
+  // Completes the CSV file and draws the picture.
   void close() {
     if (csv_) {
       csv_->close();
@@ -138,6 +144,7 @@ class ForceTraces {
   std::vector<RunRow> changed_;
 };
 
+// Replays with the user's changes and prints both forces side by side.
 void show_changed(RecordedRun& run, const ReplayOptions& options) {
   std::vector<firmware::ParameterChange> changes;
   changes.reserve(options.changes.size());
@@ -164,6 +171,7 @@ void show_changed(RecordedRun& run, const ReplayOptions& options) {
   }
 }
 
+// Returns the exit code. Throws InputError if the recording cannot be replayed.
 int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
     throw InputError("--csv and --picture show two forces: give --set name=value, too");

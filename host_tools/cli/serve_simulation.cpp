@@ -28,6 +28,7 @@
 namespace tactus::host {
 namespace {
 
+// A signal handler can reach nothing but globals.
 std::atomic<bool> g_is_to_end{false};
 
 void on_end_signal(int /*signal*/) {
@@ -38,7 +39,7 @@ std::uint64_t clock_now_ns() {
   return static_cast<std::uint64_t>(hal::monotonic_now_ns());
 }
 
-// The services of tactusd around a simulated device.
+// The services of tactusd (telemetry, commands, scenes) around a simulated device.
 class ServedSimulation {
  public:
   ServedSimulation(const std::filesystem::path& scene, const RunOptions& run, ServeOptions options)
@@ -60,6 +61,7 @@ class ServedSimulation {
     start_commands();
   }
 
+  // Ticks in wall-clock time until the time is over or a signal comes.
   void run() {
     hal::LinuxClock clock;
     const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz_)};
@@ -75,6 +77,7 @@ class ServedSimulation {
   }
 
  private:
+  // Maps the scene as tactusd does, so that a command can exchange it later.
   const rendering::SceneImage& open(const std::filesystem::path& path) {
     const auto opened = scenes_->open_next(std::filesystem::absolute(path).string());
     if (!opened) {
@@ -86,11 +89,14 @@ class ServedSimulation {
     return **opened;
   }
 
+  // Throws InputError with the system's reason.
   [[noreturn]] void fail(const std::string& path, std::string_view what, int error) const {
     throw InputError(fmt::format("{}: {} ({}); --run-dir names another folder", path, what,
                                  std::strerror(error)));
   }
 
+  // Starts the recording and the telemetry socket, with what a replay needs: scene and
+  // configuration.
   void start_telemetry() {
     const std::string socket = (options_.run_dir / "telemetry.sock").string();
     if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
@@ -121,6 +127,7 @@ class ServedSimulation {
     }
   }
 
+  // Starts the threads that listen to requests and to the stop.
   void start_commands() {
     const std::string socket = (options_.run_dir / kCommandSocket).string();
     const std::string stop_socket = (options_.run_dir / kStopSocket).string();
@@ -134,6 +141,7 @@ class ServedSimulation {
     }
   }
 
+  // Makes one tick as tactusd does: the request of the sockets, the tick, its record.
   void tick(const hal::Wake& wake) {
     firmware::Controller& controller = simulation_->controller();
     const firmware::Request request = queue_->before_tick(controller);
@@ -156,12 +164,14 @@ class ServedSimulation {
   double rate_hz_;
   std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
   std::size_t joints_ = 0;
+  // The texts that `info_` views.
   std::string rate_text_;
   std::string joints_text_;
   std::string checksum_text_;
   std::array<firmware::MetadataEntry, 4> info_;
   std::array<std::byte, firmware::kMaxConfigBytes> config_{};
-  // Megabytes each: not for the stack. The server goes before what it serves.
+  // Each has megabytes, too many for the stack. Members are destroyed in reverse order: the server
+  // goes before what it serves.
   std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<firmware::TelemetryWriter> writer_ =

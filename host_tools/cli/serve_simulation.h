@@ -9,14 +9,18 @@
 
 namespace tactus::host {
 
+// How the simulation is served.
 struct ServeOptions {
-  std::filesystem::path run_dir;  // made if it is not there
+  // The folder of the sockets; it is made if it is not there.
+  std::filesystem::path run_dir;
+  // True if `tactus inject` may raise faults.
   bool allow_inject = false;
-  std::string record;  // this file, from the first tick; empty: none
+  // A file that records the run from its first tick; empty: none.
+  std::string record;
 };
 
-// Serves a simulation until SIGINT or SIGTERM, or for as long as `run` says. The hand repeats its
-// path to and fro; the operator homes and enables. Throws InputError, text for a user.
+// Serves until SIGINT or SIGTERM, or for `run.seconds`. The hand repeats its path to and fro;
+// homing and enabling are left to the user's commands. Throws InputError.
 void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
                       const ServeOptions& options);
 

@@ -42,6 +42,7 @@ constexpr const char* kSimExamples =
     "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
     "    then, elsewhere: export TACTUS_RUN_DIR=/tmp/tactus; tactus home --wait; tactus enable";
 
+// The verb's options as the user gave them.
 struct SimOptions {
   std::string scene;
   std::string output;
@@ -53,7 +54,7 @@ struct SimOptions {
   RunOptions run;
 };
 
-// Writes the outputs and shows the progress after each tick.
+// Writes the outputs that the user asked for and shows the progress, after each tick.
 class Recorder {
  public:
   Recorder(const SimOptions& options, double seconds, const Simulation& simulation,
@@ -73,6 +74,7 @@ class Recorder {
     }
   }
 
+  // Writes the last tick to every output.
   void add(const Simulation& simulation) {
     constexpr std::uint64_t kTicksBetweenSteps = 4096;
     const firmware::TelemetryRecord& record = simulation.record();
@@ -91,6 +93,7 @@ class Recorder {
     }
   }
 
+  // Completes the outputs. Throws InputError if one cannot be written to its end.
   void close() {
     progress_.reset();
     if (csv_) {
@@ -134,6 +137,7 @@ void run_sim(const SimOptions& options) {
   const RunSummary summary = run(simulation, plan.seconds, options.run.rate_hz,
                                  [&](const Simulation& now) { recorder.add(now); });
   recorder.close();
+  // Rows on standard output must not be mixed with the summary.
   std::FILE* const out =
       is_standard_output(options.output) || is_standard_output(options.hashes) ? stderr : stdout;
   fmt::print(out, "{}", options.json ? summary_json(summary) : summary_text(summary));

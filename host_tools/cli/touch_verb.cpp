@@ -44,6 +44,7 @@ constexpr std::string_view kHeader =
     "contact,depth_m,"
     "friction_state\n";
 
+// The verb's options as the user gave them.
 struct TouchOptions {
   std::string scene;
   std::string path;
@@ -51,6 +52,7 @@ struct TouchOptions {
   bool json = false;
 };
 
+// Counts and extremes over all ticks.
 struct TouchSummary {
   std::size_t ticks = 0;
   std::size_t contact_ticks = 0;
@@ -58,6 +60,7 @@ struct TouchSummary {
   double max_force_N = 0.0;
   double max_depth_m = 0.0;
 
+  // Adds one tick.
   void add(const rendering::Touch& touch) {
     ++ticks;
     contact_ticks += touch.contact != rendering::ContactKind::none ? 1 : 0;
@@ -67,7 +70,7 @@ struct TouchSummary {
   }
 };
 
-// The tool's path with velocities by backward differences.
+// The tool's positions from a file, with velocities by backward differences.
 class ToolPath {
  public:
   explicit ToolPath(const std::string& file) : table_(CsvTable::read(file, kColumns)) {
@@ -83,6 +86,7 @@ class ToolPath {
 
   [[nodiscard]] std::size_t size() const { return table_.rows(); }
   [[nodiscard]] double time_s(std::size_t row) const { return table_.column("t_s")[row]; }
+  // Returns the tool at a row, world frame, m and m/s; at rest in the first row.
   [[nodiscard]] rendering::ToolState tool(std::size_t row) const {
     const Vec3 p = position(row);
     const Vec3 v = row == 0 ? Vec3{Vec3::Zero()}
@@ -104,6 +108,7 @@ void append(std::string& line, const Vec3& v) {
   fmt::format_to(std::back_inserter(line), ",{},{},{}", v.x(), v.y(), v.z());
 }
 
+// Appends the row of a tick.
 void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Touch& touch) {
   std::string& line = file.buffer();
   fmt::format_to(std::back_inserter(line), "{}", t_s);
@@ -116,6 +121,7 @@ void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Tou
   file.flush_if_full();
 }
 
+// Prints the summary: to standard error if the rows go to standard output.
 void print(const TouchOptions& options, const TouchSummary& s) {
   std::FILE* const out = is_standard_output(options.output) ? stderr : stdout;
   if (options.json) {

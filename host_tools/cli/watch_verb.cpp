@@ -33,6 +33,7 @@ constexpr const char* kWatchExamples =
     "  tactus watch | grep -m 1 'mode=fault'            waits for a fault\n"
     "  tactus watch --fields mode,joint --seconds 1 | wc -l";
 
+// The verb's options as the user gave them.
 struct WatchOptions {
   std::string run_dir{kDefaultRunDir};
   std::vector<std::string> fields;
@@ -41,7 +42,8 @@ struct WatchOptions {
   bool list = false;
 };
 
-// False: nobody reads any more, which is how a pipe ends.
+// Prints a line; empty ones are left out. Returns false if the reader has closed the pipe. Throws
+// InputError if the output cannot be written.
 bool print_line(const std::string& line) {
   if (!line.empty() && (std::fputs(line.c_str(), stdout) < 0 || std::fputc('\n', stdout) < 0)) {
     if (errno == EPIPE) {
@@ -52,6 +54,7 @@ bool print_line(const std::string& line) {
   return true;
 }
 
+// Returns the line of a message; empty if it has none.
 std::string line_of(WatchLines& lines, const LiveMessage& message) {
   if (const auto* tick = std::get_if<firmware::RecordedTick>(&message)) {
     return lines.line(*tick);

@@ -22,19 +22,24 @@
 namespace tactus::host {
 namespace {
 
+// A signal handler can reach nothing but globals: the signal that arrived, and the device that a
+// crash must stop.
 std::atomic<int> ended_by{0};
 drivers::ComposedDevice* stopped_in_a_crash = nullptr;
 
+// Notes the signal; wait() then throws, so that the destructor stops the device.
 void on_signal(int signal) {
   ended_by.store(signal, std::memory_order_relaxed);
 }
 
+// Takes the motors' power away before the process dies.
 void stop_in_a_crash() {
   if (stopped_in_a_crash != nullptr) {
     stopped_in_a_crash->stop();
   }
 }
 
+// Returns true if the person has pressed Enter, or standard input has ended.
 bool has_typed_a_line() {
   pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
   if (::poll(&input, 1, 0) <= 0) {
@@ -44,6 +49,7 @@ bool has_typed_a_line() {
   return ::read(STDIN_FILENO, line.data(), line.size()) >= 0;
 }
 
+// Returns the words that ask the person for the task.
 const char* words_of(HandTask task) {
   switch (task) {
     case HandTask::hold_for_homing:
@@ -57,6 +63,8 @@ const char* words_of(HandTask task) {
          "that it hangs at rest.";
 }
 
+// The bench of a real device: opens its boards, and runs the loop in this process with real-time
+// priority. Only one program may have the device.
 class BoardBench final : public Bench {
  public:
   BoardBench(const firmware::DeviceConfig& config, std::span<const std::byte> falcon_firmware,
@@ -126,8 +134,8 @@ class BoardBench final : public Bench {
   }
 
  private:
-  // Returns how long a read may wait. As in tactusd, half of every period stays for the rest of the
-  // tick.
+  // Returns the longest time that a read may wait, ns. Half of every period is kept for the rest of
+  // the tick, as in tactusd.
   static hal::TimeNs read_limit_ns(const firmware::DeviceConfig& config) {
     const double half_period_s = 0.5 / config.controller.rate_hz;
     return static_cast<hal::TimeNs>(1e9 * std::min(config.read_limit_s, half_period_s));

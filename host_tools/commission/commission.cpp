@@ -16,11 +16,12 @@ namespace {
 using firmware::ControllerConfig;
 using firmware::Verdict;
 
-// Shares of a joint's range: what a pulse shall move it at least, and at most.
+// Shares of a joint's range: a pulse grows until it moves the joint by the first, and is cut off at
+// the second.
 constexpr double kWantedTravel = 0.004;
 constexpr double kLargestTravel = 0.06;
 
-// The motors have no power after this, whatever ends the scope.
+// Takes the motors' power away at the end of its scope, however that ends.
 class PowerOff {
  public:
   explicit PowerOff(Bench& bench) : bench_(&bench) {}
@@ -32,10 +33,12 @@ class PowerOff {
   Bench* bench_;
 };
 
+// Returns the joint's range by device.toml, rad or m.
 double range_of(const ControllerConfig& config, std::size_t joint) {
   return config.joints[joint].upper - config.joints[joint].lower;
 }
 
+// One run of the check, step by step.
 class Session {
  public:
   Session(Bench& bench, const CommissionPlan& plan, const CommissionProgress& progress)
@@ -44,6 +47,7 @@ class Session {
         progress_(&progress),
         joints_(firmware::joint_count(plan.controller.mechanism)) {}
 
+  // Does all steps. A trouble of the device ends the run early and is in the report.
   CommissionReport run() {
     const PowerOff at_the_end(*bench_);
     home();
@@ -64,19 +68,22 @@ class Session {
   }
 
  private:
+  // Reports a step to the person, if someone listens.
   void tell(const std::string& step) {
     if (*progress_) {
       (*progress_)(step);
     }
   }
 
+  // Writes a command, waits for the next tick and reads the sample.
   void tick(const drivers::JointCommand& command) {
     bench_->write(command);
     bench_->wait();
     bench_->read(sample_);
   }
 
-  // The device goes on ticking meanwhile: its drives' watchdogs watch.
+  // Waits for the person. The loop goes on meanwhile, since a drive's watchdog would stop it
+  // otherwise.
   void let_person(HandTask task) {
     bench_->ask(task);
     while (bench_->is_at_work(task)) {
@@ -84,6 +91,7 @@ class Session {
     }
   }
 
+  // Waits until the device has its reference. Throws InputError if that takes too long or fails.
   void home() {
     tell("homing");
     bench_->read(sample_);
@@ -103,6 +111,7 @@ class Session {
     }
   }
 
+  // Notes how far each joint goes while the person moves the handle.
   void watch_travel() {
     tell("travel: the hand moves the handle everywhere");
     bench_->ask(HandTask::move_everywhere);
@@ -123,6 +132,7 @@ class Session {
     }
   }
 
+  // Returns what the joint's trial should show according to device.toml.
   firmware::JointExpectation expected(std::size_t joint) const {
     firmware::JointExpectation expected{.inertia = report_.joints[joint].expected_inertia,
                                         .lower = report_.joints[joint].lower,
@@ -133,6 +143,7 @@ class Session {
     return expected;
   }
 
+  // Pulses one joint's motor and judges what the joints did. The other motors have no effort.
   void try_joint(std::size_t joint) {
     const PowerOff after(*bench_);
     JointReport& own = report_.joints[joint];

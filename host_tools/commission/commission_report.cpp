@@ -16,7 +16,7 @@ namespace {
 
 using firmware::Verdict;
 
-// The units of a joint that turns or slides.
+// The units of a joint that turns or slides, as text.
 struct Units {
   const char* position;
   const char* effort;
@@ -31,6 +31,7 @@ const Units& units_of(const JointReport& joint) {
   return joint.slides ? kSliding : kTurning;
 }
 
+// Returns true if a pulse was measured.
 bool has_fit(const JointReport& joint) {
   return joint.fit.explained > 0.0;
 }
@@ -57,6 +58,7 @@ void append_numbers(std::string& text, const JointReport& joint) {
   }
 }
 
+// Returns one number of every joint.
 std::vector<double> each(const CommissionReport& report, double (*number)(const JointReport&)) {
   std::vector<double> numbers;
   numbers.reserve(report.joints.size());

@@ -1,4 +1,4 @@
-// Reports the result of commissioning for people and for the image.
+// Reports the result of commissioning: as text, as JSON, and as the file that `tactus bake` reads.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,15 @@
 
 namespace tactus::host {
 
-// One block a joint: what it did, what is wrong, what to check.
+// Returns a block of lines a joint: what it did, what is wrong, what to check.
 std::string report_text(const CommissionReport& report);
+// Returns one JSON object on one line, with a newline.
 std::string report_json(const CommissionReport& report);
 
-// Writes the result, good or bad, for `tactus bake`. `settings_checksum` is
-// firmware::all_settings_checksum of the device that was measured. Throws InputError if it cannot
-// be written.
+// Writes the result, good or bad, as TOML for `tactus bake`. `measured_with` names the method;
+// `settings_checksum` is firmware::all_settings_checksum of the device that was measured, so that
+// the result is refused for a device with other settings. Throws InputError if the file cannot be
+// written.
 void write_commissioning(const std::filesystem::path& file, const CommissionReport& report,
                          const std::string& measured_with, std::uint64_t settings_checksum);
 

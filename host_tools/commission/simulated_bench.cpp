@@ -7,10 +7,12 @@
 namespace tactus::host {
 namespace {
 
-constexpr double kReach = 0.98;  // of the way from the middle to each stop
-constexpr double kLeg_s = 0.8;   // from the middle to a stop and back
-constexpr int kLegs = 6;         // both ways along three axes
-constexpr double kRest_s = 0.5;  // in the middle, at the end
+// The simulated person goes this share of the way from the middle to each stop, there and back in
+// kLeg_s, along three axes in both directions, and then rests in the middle for kRest_s.
+constexpr double kReach = 0.98;
+constexpr double kLeg_s = 0.8;
+constexpr int kLegs = 6;
+constexpr double kRest_s = 0.5;
 
 }  // namespace
 
@@ -22,6 +24,8 @@ SimulatedBench::SimulatedBench(const DeviceParameters& parameters, double rate_h
       mistake_(mistake),
       device_(parameters, step_s_, middle_B_) {}
 
+// The mistakes of wiring are between device and loop: factors on positions and torques, and motors
+// that are swapped.
 void SimulatedBench::read(drivers::JointSample& sample) {
   device_.read(sample);
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
@@ -57,6 +61,7 @@ void SimulatedBench::ask(HandTask task) {
   moved_m_ = 0.0;
 }
 
+// Only moving the handle takes time; the simulated person holds and lets go at once.
 double SimulatedBench::task_s() const {
   return task_ == HandTask::move_everywhere ? kLegs * kLeg_s + kRest_s : 0.0;
 }
@@ -65,8 +70,8 @@ bool SimulatedBench::is_at_work(HandTask task) {
   return task == task_ && step_s_ * static_cast<double>(ticks_) < task_s();
 }
 
-// Returns the wish of a hand that goes along one axis to a stop and back, one axis after the other,
-// each way by a half cosine.
+// Returns the wished position of a hand that goes along one axis to a stop and back, one axis after
+// the other, by a half cosine each way.
 Vec3 SimulatedBench::wish_at(double time_s) const {
   const int leg = static_cast<int>(time_s / kLeg_s);
   if (task_ != HandTask::move_everywhere || leg >= kLegs) {

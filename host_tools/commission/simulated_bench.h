@@ -1,5 +1,5 @@
-// A simulated device on the bench, for rehearsals and tests: with a person who does what is asked,
-// and, if wanted, with a mistake in its wiring.
+// Commissioning with a simulated device and a simulated person who does what is asked, for
+// rehearsals (`tactus commission --simulated`) and tests. It can have mistakes in its wiring.
 #pragma once
 
 #include <array>
@@ -9,18 +9,24 @@
 
 namespace tactus::host {
 
-// Differences between the device's wiring or scales and device.toml, by joint.
+// How the device's wiring or scales differ from device.toml, joint by joint.
 struct WiringMistake {
-  std::array<double, kPlantJoints> torque_scale{1.0, 1.0, 1.0};    // -1: the motor is reversed
-  std::array<double, kPlantJoints> position_scale{1.0, 1.0, 1.0};  // -1: the encoder is
-  std::array<std::size_t, kPlantJoints> motor_of{0, 1, 2};         // which joint each motor moves
-  bool reports_torque = false;    // the drive reports what it does, in the units that it believes
-  bool holds_the_handle = false;  // the person does not let go
+  // The effort that a motor makes for each unit of command; -1: it is reversed.
+  std::array<double, kPlantJoints> torque_scale{1.0, 1.0, 1.0};
+  // The position that an encoder reports for each unit of the true one; -1: it is reversed.
+  std::array<double, kPlantJoints> position_scale{1.0, 1.0, 1.0};
+  // The joint that each motor moves.
+  std::array<std::size_t, kPlantJoints> motor_of{0, 1, 2};
+  // True if the drives report their torque, in the units that they believe in.
+  bool reports_torque = false;
+  // True if the person does not let go when asked to.
+  bool holds_the_handle = false;
 };
 
+// A simulated device on the bench. wait() advances the simulation by one tick and does not sleep.
 class SimulatedBench final : public Bench {
  public:
-  // The device begins at rest at `middle_B`, m.
+  // Places the device at rest at `middle_B`, m, in its base frame.
   SimulatedBench(const DeviceParameters& parameters, double rate_hz, const Vec3& middle_B,
                  const WiringMistake& mistake = {});
 
@@ -31,7 +37,7 @@ class SimulatedBench final : public Bench {
   bool is_at_work(HandTask task) override;
   [[nodiscard]] std::string trouble() const override { return {}; }
 
-  // The largest distance of the handle from where it was let go, m.
+  // Returns the largest distance of the handle from where it was let go.
   [[nodiscard]] double moved_m() const { return moved_m_; }
 
  private:
@@ -44,7 +50,8 @@ class SimulatedBench final : public Bench {
   WiringMistake mistake_;
   SimulatedDevice device_;
   HandTask task_ = HandTask::let_go;
-  std::uint64_t ticks_ = 0;  // since the task was asked for
+  // Ticks since the last task was asked for.
+  std::uint64_t ticks_ = 0;
   double moved_m_ = 0.0;
   drivers::JointCommand written_;
 };

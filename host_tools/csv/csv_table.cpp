@@ -17,6 +17,8 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
+// Returns the text without blanks at either end. A carriage return counts as blank, so files of
+// Windows are read as well.
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
   const std::size_t first = text.find_first_not_of(kBlank);
@@ -26,6 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+// Puts the fields of a line into `fields`, without the blanks around them.
 void split(std::string_view line, Fields& fields) {
   fields.clear();
   while (true) {
@@ -38,7 +41,8 @@ void split(std::string_view line, Fields& fields) {
   }
 }
 
-// Lines of a text, blank ones left out, each with its number from 1.
+// Gives out the lines of a text that are not blank, each with its number, counted from 1 over all
+// lines.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {
@@ -48,6 +52,7 @@ class Lines {
     }
   }
 
+  // Returns the next line that is not blank; nothing at the end.
   std::optional<std::string_view> next() {
     while (!rest_.empty()) {
       const std::size_t end = rest_.find('\n');
@@ -61,6 +66,7 @@ class Lines {
     return std::nullopt;
   }
 
+  // Returns the number of the line that next() has returned.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:
@@ -68,6 +74,8 @@ class Lines {
   std::size_t number_ = 0;
 };
 
+// Returns the number that makes up the whole field; std::from_chars ignores the locale, so that the
+// decimal point is a point everywhere.
 std::optional<double> finite_number(std::string_view field) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
@@ -77,7 +85,7 @@ std::optional<double> finite_number(std::string_view field) {
   return value;
 }
 
-// The place of a wanted column in a row.
+// The place of a requested column in a row, and the vector that its values go to.
 struct Place {
   std::size_t field = 0;
   std::vector<double>* values = nullptr;

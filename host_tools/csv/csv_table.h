@@ -1,4 +1,5 @@
-// Reading a table of numbers from a comma-separated file whose first line names the columns.
+// Reads tables of numbers from comma-separated files whose first line names the columns: wish
+// paths, tool paths, runs and measurements. The host tools call it; it is for one thread.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +12,28 @@
 
 namespace tactus::host {
 
-// Holds the asked-for columns; others in the file are skipped unread. Rows have line numbers for
-// messages.
+// Holds the requested columns of one file; the others are skipped unread. Every row remembers its
+// line in the file, for messages of the caller.
 class CsvTable {
  public:
-  // Every name in `required` must be in the header; names in `optional` may be. Throws InputError,
-  // one line for a user that names the file, the line and the column, like `path.csv:7: column x_m:
-  // 'abc' is not a number`: no such file, no header, a missing or repeated column, a short or long
-  // row, a field that is not a finite number, no rows.
+  // Reads a file. Every name in `required` must be in the header; names in `optional` may be. Blank
+  // lines and a byte-order mark are skipped. Throws InputError, one line that names the file, the
+  // line and the column, like `path.csv:7: column x_m: 'abc' is not a number`, for: a missing file,
+  // no header, a missing or repeated column, a row with too few or too many fields, a field that is
+  // not a finite number, and a file without rows.
   static CsvTable read(const std::filesystem::path& file,
                        std::span<const std::string_view> required,
                        std::span<const std::string_view> optional = {});
 
+  // Returns the number of rows below the header, blank lines not counted; at least 1.
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+  // Returns true if the column was requested and is in the file.
   [[nodiscard]] bool has(std::string_view column) const { return columns_.contains(column); }
-  // Returns the values of a column; empty if there is no such column.
+  // Returns a column's values in the order of the rows, valid as long as the table; empty if the
+  // table has no such column.
   [[nodiscard]] std::span<const double> column(std::string_view name) const;
-  // The line of the file that row came from, from 1.
+  // Returns the number of the line in the file that the row came from; the header usually has line
+  // 1.
   [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }
 
  private:

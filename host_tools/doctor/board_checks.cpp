@@ -16,11 +16,13 @@ namespace {
 constexpr const char* kUsb = "/sys/bus/usb/devices/";
 constexpr const char* kGpio = "/sys/bus/gpio/devices";
 
-// Access comes with the udev rules, for those in the group.
+// The installed udev rules give the group tactus access to devices.
 constexpr const char* kInstallRules =
     "sudo cmake --install build/release --prefix /usr && sudo udevadm control --reload && sudo "
     "udevadm trigger";
 
+// Judges whether this user may use a device file. `found` describes it in words, `when_missing` is
+// the remedy if it is not there.
 Finding judge_access(Machine& machine, const std::string& check, const std::string& path,
                      const std::string& found, const std::string& when_missing) {
   const auto writable = machine.writable(path);
@@ -35,6 +37,7 @@ Finding judge_access(Machine& machine, const std::string& check, const std::stri
 }
 
 // Returns the device files of the Falcons that are plugged in, such as "/dev/bus/usb/001/005".
+// libusb opens these files, so their permissions decide.
 std::vector<std::string> falcon_files(Machine& machine) {
   const std::string vendor = fmt::format("{:04x}", drivers::kFalconVendor);
   const std::string product = fmt::format("{:04x}", drivers::kFalconProduct);
@@ -54,10 +57,13 @@ std::vector<std::string> falcon_files(Machine& machine) {
 }
 
 struct GpioChip {
-  std::string name;   // "gpiochip0"
-  std::string label;  // empty: not known, the chip may not be opened
+  // The chip's name in /dev, such as "gpiochip0"; it may change with the order of drivers at boot.
+  std::string name;
+  // The driver's name for the chip; empty if the chip may not be opened, so that it is not known.
+  std::string label;
 };
 
+// Returns all GPIO chips of the machine.
 std::vector<GpioChip> gpio_chips(Machine& machine) {
   std::vector<GpioChip> chips;
   for (const std::string& name : machine.names(kGpio)) {
@@ -68,12 +74,15 @@ std::vector<GpioChip> gpio_chips(Machine& machine) {
   return chips;
 }
 
+// Judges whether this user may open the chip.
 Finding judge_chip(Machine& machine, const GpioChip& chip) {
   const std::string found =
       chip.label.empty() ? chip.name : fmt::format("{} ({})", chip.name, chip.label);
   return judge_access(machine, "GPIO " + chip.name, "/dev/" + chip.name, found, kInstallRules);
 }
 
+// A device's file names a chip by its path or its label. A label can only be read from a chip that
+// may be opened, so "not found" may mean "not permitted".
 Finding judge_named_chip(Machine& machine, const std::string& named) {
   if (named.contains('/')) {
     return judge_access(machine, "GPIO " + named, named, "there",
@@ -93,12 +102,14 @@ Finding judge_named_chip(Machine& machine, const std::string& named) {
           "gpiodetect   # lists those there are"};
 }
 
+// Judges whether this user may take a PWM output, which begins with a write to `export`.
 Finding judge_pwm(Machine& machine, const std::string& folder) {
   return judge_access(machine, "PWM", folder + "/export", folder,
                       "ls /sys/class/pwm   # those there are; enable one in the board's device "
                       "tree");
 }
 
+// Judges whether this user may start the kernel's counter for an encoder.
 Finding judge_counter(Machine& machine, const std::string& counter) {
   const std::string folder = "/sys/bus/counter/devices/" + counter;
   return judge_access(machine, "counter " + counter, folder + "/count0/enable", folder,

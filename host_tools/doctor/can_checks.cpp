@@ -15,25 +15,34 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kNet = "/sys/class/net/";
-constexpr const char* kCanType = "280";            // ARPHRD_CAN
-constexpr std::uint64_t kUpFlag = 1;               // IFF_UP
-constexpr const char* kFdMtu = "72";               // CANFD_MTU
-constexpr std::int64_t kUsualBitrate = 1'000'000;  // three axes at 1 kHz need it
+// The kernel's constants as sysfs prints them: ARPHRD_CAN, IFF_UP and CANFD_MTU.
+constexpr const char* kCanType = "280";
+constexpr std::uint64_t kUpFlag = 1;
+constexpr const char* kFdMtu = "72";
+// Bit/s; the frames of three axes at 1 kHz need it.
+constexpr std::int64_t kUsualBitrate = 1'000'000;
 
+// A CAN interface as `ip` describes it.
 struct CanLink {
+  // True for vcan, which has no bit rate.
   bool is_virtual = false;
-  bool told = false;  // `ip` said something
+  // False if `ip` is missing or printed nothing that is understood.
+  bool told = false;
+  // Bit/s; 0 if not set. The data bit rate is that of CAN FD frames.
   std::int64_t bitrate = 0;
   std::int64_t data_bitrate = 0;
-  std::string state;  // of the controller: "ERROR-ACTIVE" is well
+  // The error state of the CAN controller; "ERROR-ACTIVE" is the normal one.
+  std::string state;
 };
 
+// Returns the bit rate of a group such as "bittiming", bit/s; 0 if it is not there.
 std::int64_t bitrate_in(const nlohmann::json& data, const char* timing) {
   return data.contains(timing) && data[timing].is_object()
              ? data[timing].value("bitrate", std::int64_t{0})
              : 0;
 }
 
+// Reads the JSON of `ip`. Throws nlohmann::json::exception if a value has an unexpected type.
 CanLink link_from(const std::string& text) {
   CanLink link;
   const auto json = nlohmann::json::parse(text, nullptr, false);
@@ -53,6 +62,7 @@ CanLink link_from(const std::string& text) {
   return link;
 }
 
+// Asks `ip` about an interface.
 CanLink look_at(Machine& machine, const std::string& interface) {
   try {
     return link_from(machine.ip_link(interface).value_or(""));
@@ -61,16 +71,19 @@ CanLink look_at(Machine& machine, const std::string& interface) {
   }
 }
 
+// Returns true if the interface is switched on.
 bool is_up(Machine& machine, const std::string& interface) {
   const std::string flags = machine.text(kNet + interface + "/flags").value_or("0x0");
   return (std::strtoull(flags.c_str(), nullptr, 16) & kUpFlag) != 0;
 }
 
+// Returns the command that sets the interface up as the device needs it.
 std::string bring_up(const CanNeed& need) {
   return fmt::format("sudo ip link set {0} down; sudo ip link set {0} up type can {1}",
                      need.interface, need.set_up);
 }
 
+// Returns for example "up, 1000 kbit/s, ERROR-ACTIVE".
 std::string in_words(const CanLink& link) {
   std::string text = fmt::format("up, {:g} kbit/s", static_cast<double>(link.bitrate) * 1e-3);
   if (link.data_bitrate > 0) {
@@ -108,6 +121,7 @@ Finding judge(const CanNeed& need, const CanLink& link, const std::string& mtu) 
   return well(check, in_words(link));
 }
 
+// Judges an interface from the outside in: present, of type CAN, up, then its settings.
 Finding look_and_judge(Machine& machine, const CanNeed& need) {
   const std::string check = "CAN " + need.interface;
   const auto type = machine.text(kNet + need.interface + "/type");

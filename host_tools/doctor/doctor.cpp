@@ -12,6 +12,7 @@ namespace tactus::host {
 
 namespace {
 
+// The order is that of importance: a user mends the first lines first.
 constexpr std::array kMachineChecks{
     check_kernel,       check_real_time_priority,  check_locked_memory,
     check_group,        check_cpu_latency,         check_frequency_governor,
@@ -83,6 +84,7 @@ std::string in_json(const Findings& findings) {
                                       {"state", state_name(finding.state)},
                                       {"found", finding.found},
                                       {"remedy", finding.remedy}};
+    // Names of interfaces come from the kernel as bytes; whatever is not UTF-8 is replaced.
     text += json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   }
   return text;

@@ -1,4 +1,6 @@
-// Checks that a machine can run the controller on time, and says how to mend what prevents it.
+// `tactus doctor`: examines whether a machine can run the controller on time, and names the command
+// that mends each fault. It changes nothing on the machine. The verb and its tests call it; not
+// real time.
 #pragma once
 
 #include <string>
@@ -9,18 +11,19 @@
 
 namespace tactus::host {
 
-// Everything that matters to a device with these needs, in the order of importance.
+// Runs all checks and returns their findings: first the machine in the order of importance, then
+// what the device needs.
 Findings examine(Machine& machine, const Needs& needs);
 
-// 0 all well (advice is well), 1 something to mend, 2 nothing to mend was seen but something could
-// not be looked at.
+// Returns the program's exit code: 0 if all is well (advice counts as well), 1 if something must be
+// mended, 2 if nothing was seen to mend but something could not be looked at.
 int exit_code(const Findings& findings);
 
-// A line a finding, its remedy on a line of its own below; and a last line with the count. Lines
-// of what was found fit into 80 columns unless a finding is long.
+// Returns one line a finding with its remedy on the line below, and a last line with the counts. A
+// line fits into 80 columns unless the finding's text is long.
 std::string in_words(const Findings& findings);
 
-// A JSON object a line.
+// Returns one JSON object a line, with the keys check, state, found and remedy.
 std::string in_json(const Findings& findings);
 
 }  // namespace tactus::host

@@ -13,7 +13,7 @@ namespace tactus::host {
 
 namespace {
 
-// "Linux version 6.1.0-18-rt-amd64 (debian-kernel@...": the third word.
+// Returns the release in a text like "Linux version 6.1.0-18-rt-amd64 (debian-kernel@...".
 std::string release_in(const std::string& version) {
   constexpr std::string_view kHead = "Linux version ";
   return version.starts_with(kHead)
@@ -21,6 +21,8 @@ std::string release_in(const std::string& version) {
              : version;
 }
 
+// Returns Debian's package of the real-time kernel for this machine. Old kernels do not tell their
+// architecture in /proc/sys/kernel/arch; their release often does.
 std::string real_time_kernel_for(std::string_view release, std::string_view architecture) {
   if (architecture == "aarch64" || release.contains("arm64")) {
     return "linux-image-rt-arm64";
@@ -31,7 +33,8 @@ std::string real_time_kernel_for(std::string_view release, std::string_view arch
   return "linux-image-rt-amd64";
 }
 
-// A read of one of these is a read of a register; of the others, of a device on a bus.
+// Clock sources that are read from a register of the processor. Any other, such as hpet, is a
+// device on a bus, whose read takes a microsecond or more. Earlier ones are preferred.
 constexpr std::array<std::string_view, 6> kQuickClocks = {
     "tsc",      "arch_sys_counter", "kvm-clock", "riscv_clocksource", "hyperv_clocksource_tsc_page",
     "tsc-early"};
@@ -46,7 +49,7 @@ void check_kernel(Machine& machine, Findings& findings) {
     return;
   }
   const std::string release = release_in(*version);
-  // Kernels with the patches of old say it in sysfs, all of them in their version.
+  // Kernels with the out-of-tree patches say it in sysfs, all of them in their version.
   if (machine.text("/sys/kernel/realtime") == "1" || version->contains("PREEMPT_RT") ||
       version->contains("PREEMPT RT")) {
     findings.push_back(well("kernel", release + ", PREEMPT_RT"));
@@ -86,8 +89,8 @@ void check_clock_source(Machine& machine, Findings& findings) {
 }
 
 void check_real_time_throttling(Machine& machine, Findings& findings) {
-  // The controller sleeps for most of a period. What it needs is that real-time threads may have a
-  // usual share at all.
+  // The controller sleeps for most of a period, so any usual share is enough. A small share is
+  // wrong: the kernel then stops the loop's thread in the middle of a tick.
   constexpr double kShareWanted = 0.9;
   const auto runtime_us = machine.text("/proc/sys/kernel/sched_rt_runtime_us");
   const auto period_us = machine.text("/proc/sys/kernel/sched_rt_period_us");

@@ -18,7 +18,8 @@ namespace tactus::host {
 
 namespace {
 
-// Interface names go to a shell: the kernel allows characters in them that mean something there.
+// Returns true if a name is safe in a shell command. The kernel permits characters in the names of
+// interfaces that mean something to a shell, and popen() goes through one.
 bool is_plain_name(std::string_view name) {
   return !name.empty() && name.front() != '-' && std::ranges::all_of(name, [](char letter) {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' ||

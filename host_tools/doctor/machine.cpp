@@ -15,14 +15,17 @@ namespace tactus::host {
 
 namespace {
 
+// The files of a recorded machine for what no file of /proc or /sys tells: a line for each.
 constexpr const char* kAccessFile = "tactus/access";
 constexpr const char* kGpioFile = "tactus/gpio_chips";
 
+// Returns the text without blanks and line ends at its end.
 std::string without_end(std::string text) {
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   return text;
 }
 
+// Files of /proc and /sys have no size, so the stream is read to its end.
 std::optional<std::string> read_whole(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
@@ -46,6 +49,7 @@ std::string ip_file(std::string_view interface) {
   return fmt::format("tactus/ip_link_{}.json", interface);
 }
 
+// Writes a file and the folders above it. Throws InputError if it cannot be written.
 void write_whole(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::create_directories(path.parent_path());
   std::ofstream file(path, std::ios::binary);

@@ -1,10 +1,13 @@
-// A machine as the doctor sees it: this one, or a recorded one in a folder.
+// The machine that the doctor examines: this one, or one that was recorded in a folder. Checks look
+// only through this class, so every machine can be recorded and examined elsewhere, and the tests
+// present machines that they do not have.
 //
-// A recorded machine is the tree of the files that were read, by their paths (proc/version,
-// sys/class/net/can0/flags), and beside them tactus/, with what no file says: tactus/access, a line
-// `w PATH` for what may be written and `- PATH` for what may not, tactus/gpio_chips, a line
-// `gpiochip0 LABEL` a chip, and tactus/ip_link_can0.json, what `ip -details -json link show can0`
-// prints.
+// A recorded machine is a copy of the files that were read, by their paths (proc/version,
+// sys/class/net/can0/flags), beside a folder tactus/ with the facts that stand in no file:
+//
+// - tactus/access: a line `w PATH` for what may be written to, `- PATH` for what may not.
+// - tactus/gpio_chips: a line `gpiochip0 LABEL` a chip.
+// - tactus/ip_link_can0.json: the output of `ip -details -json link show can0`.
 #pragma once
 
 #include <filesystem>
@@ -16,36 +19,42 @@
 
 namespace tactus::host {
 
+// Answers questions about a machine. One thread.
 class Machine {
  public:
-  // This machine, every look at which is remembered.
+  // This machine. Every answer is remembered for save().
   Machine() = default;
-  // A recorded one. Throws InputError if there is no such folder, or it holds no proc/.
+  // A recorded machine. Throws InputError if the folder is missing or holds no proc/.
   explicit Machine(std::filesystem::path root);
 
-  // The file without the white space at its end; nothing if it cannot be read.
+  // Returns the content of a file without the white space at its end; nothing if it cannot be read.
   std::optional<std::string> text(std::string_view path);
   // Returns the names in the folder, sorted; empty if there is no such folder.
   std::vector<std::string> names(std::string_view folder);
-  // Returns whether the user may write to a file or device; nothing if there is none.
+  // Returns true if this user may write to a file or device; nothing if there is none.
   std::optional<bool> writable(std::string_view path);
-  // The label that a GPIO chip's driver gives it; nothing if the chip may not be opened.
+  // Returns the label that a GPIO chip's driver gives it; nothing if the chip may not be opened.
   std::optional<std::string> gpio_label(std::string_view chip);
   // Returns the JSON that `ip` prints for a network interface; nothing without `ip` or the
   // interface.
   std::optional<std::string> ip_link(std::string_view interface);
 
-  // Writes what was looked at so far as a recorded machine. Throws InputError.
+  // Writes all remembered answers as a recorded machine. Throws InputError if the folder cannot be
+  // written to.
   void save(const std::filesystem::path& folder) const;
 
  private:
+  // Returns the other half of the first line "A B" of a recorded file whose half A, or B if not
+  // `key_first`, is `key`.
   std::optional<std::string> recorded_line(const char* file, std::string_view key,
                                            bool key_first) const;
 
-  std::filesystem::path root_;  // empty: this machine
+  // The folder of a recorded machine; empty for this machine.
+  std::filesystem::path root_;
   std::map<std::string, std::string, std::less<>> files_;
   std::map<std::string, bool, std::less<>> writable_;
   std::map<std::string, std::string, std::less<>> gpio_labels_;
+  // Entries of the folders that were listed; save() makes them, so that names() lists them again.
   std::vector<std::string> folders_;
 };
 

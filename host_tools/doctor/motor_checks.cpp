@@ -1,4 +1,5 @@
-// Checks for each motor what stops it when the host fails.
+// Tells for each motor of the device what stops it when the host fails. It cannot test a circuit,
+// so a line outside of the drive is advice to try it.
 #include <fmt/format.h>
 
 #include "host_tools/doctor/checks.h"
@@ -7,11 +8,13 @@ namespace tactus::host {
 
 namespace {
 
+// SIGSTOP freezes the loop without any of its clean-up, as a crash of the machine would.
 constexpr const char* kTry =
     "sudo kill -STOP $(pidof tactusd)   # while it pushes: the motor must let go";
 constexpr const char* kAcceptedRemedy =
     "remove unproven_watchdog once something stops it; until then keep its supply within reach";
 
+// Judges a motor whose drive has a watchdog of its own.
 Finding judge_drive(const std::string& check, const MotorNeed& motor) {
   const std::string time = fmt::format("its drive's watchdog of {:.0f} ms", 1e3 * motor.watchdog_s);
   if (motor.is_accepted) {

@@ -11,6 +11,8 @@ namespace tactus::host {
 
 namespace {
 
+// Returns the bit timing for `ip link`. The sample points for CAN FD are those that the maker of
+// moteus, the one drive here that speaks it, gives for 1 and 5 Mbit/s.
 std::string set_up_words(const drivers::CanConnection& can, bool fd) {
   return fd ? fmt::format(
                   "bitrate {:.0f} dbitrate {:.0f} sample-point 0.666 dsample-point 0.666 "

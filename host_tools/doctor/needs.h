@@ -1,4 +1,5 @@
-// The interfaces, permissions and settings that a device needs on its machine.
+// The interfaces, permissions and settings that a device needs on its machine, taken from its
+// configuration. The checks of the doctor compare them with the machine.
 #pragma once
 
 #include <optional>
@@ -10,38 +11,55 @@
 
 namespace tactus::host {
 
+// A CAN interface of the device.
 struct CanNeed {
+  // Its name, such as "can0".
   std::string interface;
-  bool fd = false;     // a drive on it speaks CAN FD
-  std::string set_up;  // what `ip link set can0 up type can` takes for its drives
+  // True if a drive on it speaks CAN FD.
+  bool fd = false;
+  // The words that follow `ip link set can0 up type can` for the drives on it.
+  std::string set_up;
 };
 
+// The pins of a motor that the board drives itself.
 struct GpioNeed {
-  std::string chip;  // label or path
+  // The GPIO chip's label or path.
+  std::string chip;
+  // The PWM chip's folder in /sys/class/pwm.
   std::string pwm_folder;
-  std::string counter;  // empty: none
+  // The quadrature counter's name in /sys/bus/counter/devices; empty if there is none.
+  std::string counter;
 };
 
-// A motor, and what takes its torque away when the host dies.
+// A motor, and the means that takes its torque away when the host dies.
 struct MotorNeed {
+  // The name of the motor's axis in the device's file.
   std::string axis;
   firmware::MotorStop stop = firmware::MotorStop::nothing;
-  bool is_accepted = false;  // by unproven_watchdog = true
-  drivers::Advice advice;    // on its drive's watchdog
-  double watchdog_s = 0.0;   // of a drive
+  // True if the owner accepts the risk by unproven_watchdog = true.
+  bool is_accepted = false;
+  // Advice on the watchdog of the drive.
+  drivers::Advice advice;
+  // The timeout of the drive's own watchdog; 0 if it has none.
+  double watchdog_s = 0.0;
 };
 
+// All needs of one device.
 struct Needs {
   std::vector<MotorNeed> motors;
   std::vector<CanNeed> can;
   std::vector<GpioNeed> gpio;
+  // Paths such as "/dev/ttyACM0".
   std::vector<std::string> serial_ports;
+  // True if the device is a Novint Falcon on USB.
   bool falcon = false;
-  // Whatever is there: no device was named.
+  // True if no device was named: the checks then look at whatever is plugged in.
   bool anything = false;
 };
 
+// Returns the needs of a device. A motor is listed once for each joint that it drives.
 Needs needs_of(const firmware::DeviceConfig& config);
+// Returns the needs for an examination without a device.
 inline Needs needs_of_any_device() {
   return {.anything = true};
 }

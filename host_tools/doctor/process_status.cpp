@@ -8,7 +8,7 @@ namespace tactus::host {
 
 namespace {
 
-// The number that the text begins with.
+// Returns the number that the text begins with; nothing if it begins with something else.
 std::optional<std::uint64_t> leading_number(std::string_view text, int base = 10) {
   std::uint64_t number = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number, base);
@@ -50,6 +50,7 @@ bool has_capability(Machine& machine, unsigned capability) {
   return effective && (leading_number(*effective, 16).value_or(0) >> capability & 1U) != 0;
 }
 
+// The line holds the real, effective, saved and file system user, in this order.
 bool is_root(Machine& machine) {
   std::istringstream numbers(status_line(machine, "Uid:").value_or(""));
   std::string real;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kCpus = "/sys/devices/system/cpu/";
 
-// The highest of "0-3" or "0,2": the kernel lists them in order.
+// Returns the highest number of a list like "0-3" or "0,2"; the kernel writes them in order.
+// Processor 0 usually serves interrupts, so the last one is the best to isolate.
 unsigned last_processor(std::string_view online) {
   const std::size_t at = online.find_last_of("-,");
   const std::string_view last = at == std::string_view::npos ? online : online.substr(at + 1);

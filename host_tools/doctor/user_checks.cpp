@@ -13,16 +13,19 @@ namespace tactus::host {
 
 namespace {
 
-constexpr std::uint64_t kPriorityWanted = 80;  // tactusd's, unless told otherwise
-// A scene of a million triangles has 100 MB; the program and its libraries are small against it.
+// The real-time priority of tactusd unless --priority changes it.
+constexpr std::uint64_t kPriorityWanted = 80;
+// tactusd locks itself and its scene. A scene of a million triangles has 100 MB; the program and
+// its libraries are small against it.
 constexpr std::uint64_t kLockedWanted_bytes = 256ULL << 20U;
+// The group that owns devices and sockets; the limits installed with the service are put on it.
 constexpr const char* kGroup = "tactus";
-// Puts the limits of firmware/linux/tactusd/deploy/ on the group.
 constexpr const char* kJoinGroup = "sudo usermod -aG tactus $USER   # then log in again";
 constexpr const char* kInstallLimits =
     "sudo cmake --install build/release --prefix /usr && sudo usermod -aG tactus $USER   # then "
     "log in again";
 
+// Reports that a file of /proc could not be read.
 void not_known(Findings& findings, const char* check, const char* path) {
   findings.push_back({check, FindingState::not_looked, fmt::format("{} cannot be read", path),
                       "mount -t proc proc /proc"});

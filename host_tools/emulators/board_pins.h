@@ -1,12 +1,13 @@
-// The outside of a board's pins: what an emulated encoder, switch or bridge is wired to.
+// The outside of a board's pins, to which an emulated encoder, switch or bridge is wired. It is
+// implemented in memory (simulated_pins.h) and on the kernel's gpio-sim (gpio_sim_pins.h).
 #pragma once
 
 #include <cstdint>
 
 namespace tactus::host {
 
-// Physical levels: high or low, whatever active-low says on the other side. Throws InputError where
-// the system refuses.
+// All levels are physical, high or low, whatever a driver calls active. The functions throw
+// InputError if the system refuses.
 class BoardPins {
  public:
   BoardPins() = default;
@@ -14,13 +15,13 @@ class BoardPins {
   BoardPins& operator=(const BoardPins&) = delete;
   virtual ~BoardPins() = default;
 
-  // Drives an input of the board.
+  // Sets the level of a line that is an input of the board.
   virtual void drive(std::uint32_t offset, bool high) = 0;
-  // Senses an output of the board.
+  // Returns the level of a line that is an output of the board.
   virtual bool level(std::uint32_t offset) = 0;
-  // The part of the time from 0 to 1 that the PWM output is high.
+  // Returns the share of the time, 0 to 1, in which the PWM output is high.
   virtual double pwm_level() = 0;
-  // The chip leaves the board.
+  // Removes the chip from the board.
   virtual void unplug() = 0;
 };
 

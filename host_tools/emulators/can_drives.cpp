@@ -10,6 +10,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns why an interface cannot be opened, with the commands that make one.
 std::string why_no_can(const std::string& interface, const hal::Error& error) {
   switch (error.code) {
     case hal::ErrorCode::not_found:

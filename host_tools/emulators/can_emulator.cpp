@@ -21,6 +21,7 @@ constexpr std::array<std::pair<std::string_view, EmulatorFault>, 7> kFaultNames 
     {"power_cycled", EmulatorFault::power_cycled},
 }};
 
+// Inverts one bit of the payload, as a bus error that the checksum missed would.
 void flip_a_bit(hal::CanFrame& frame, std::mt19937& random) {
   if (frame.remote || frame.length == 0) {
     return;
@@ -108,6 +109,7 @@ void CanEmulator::send(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   }
 }
 
+// A full transmit queue is no error: the frame stays in front and is sent in a later run.
 void CanEmulator::send_what_is_due(hal::TimeNs now_ns) {
   while (!waiting_.empty() && waiting_.front().due_ns <= now_ns) {
     if (!bus_.send(waiting_.front().frame)) {

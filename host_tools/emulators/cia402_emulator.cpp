@@ -9,11 +9,13 @@ namespace tactus::host {
 namespace {
 
 constexpr hal::TimeNs kMs = 1'000'000;
+// Error codes of CiA 301 and 402, and the bit of a PDO's identifier that switches it off.
 constexpr std::uint16_t kOverCurrent = 0x2310;
 constexpr std::uint16_t kHeartbeatError = 0x8130;
 constexpr std::uint16_t kPdoTooShort = 0x8210;
 constexpr std::uint32_t kPdoOff = 0x8000'0000;
 
+// Returns the unsigned number of `size` bytes from `at` on, the least significant byte first.
 std::uint32_t number_at(const hal::CanFrame& frame, std::size_t at, std::size_t size) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < size; ++i) {
@@ -22,19 +24,21 @@ std::uint32_t number_at(const hal::CanFrame& frame, std::size_t at, std::size_t 
   return number;
 }
 
+// Writes the number's lowest `size` bytes from `at` on, the least significant byte first.
 void write_number(hal::CanFrame& frame, std::size_t at, std::size_t size, std::uint32_t number) {
   for (std::size_t i = 0; i < size; ++i) {
     frame.data[at + i] = static_cast<std::byte>(number >> (8 * i) & 0xFFU);
   }
 }
 
-// The object that a mapping entry names, and its bytes.
+// The object that an entry of a PDO mapping names, and its size.
 struct Mapped {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
   std::size_t bytes = 0;
 };
 
+// An entry is index, subindex and length in bits: 16, 8 and 8 bits from the top.
 Mapped mapped(std::uint32_t entry) {
   return {static_cast<std::uint16_t>(entry >> 16U), static_cast<std::uint8_t>(entry >> 8U & 0xFFU),
           (entry & 0xFFU) / 8U};
@@ -49,7 +53,11 @@ Cia402Emulator::Cia402Emulator(hal::CanBus& bus, std::uint32_t seed,
   define_communication();
 }
 
+// Objects 1xxx: identity, heartbeats, four PDOs each way with the default identifiers of CiA 301.
 void Cia402Emulator::define_communication() {
+  // 1000 is a servo drive (2) of profile 402 (0x192); 1016 the heartbeats to watch, 1017 the own
+  // heartbeat's period in ms, 1018 the identity, 1029 the reaction of the communication state to
+  // errors.
   const std::uint32_t node = config_.node;
   objects_[{0x1000, 0}] = {0x0002'0192, 4, false};
   objects_[{0x1001, 0}] = {0, 1, false};
@@ -60,6 +68,8 @@ void Cia402Emulator::define_communication() {
   objects_[{0x1029, 0}] = {1, 1, false};
   objects_[{0x1029, 1}] = {config_.error_behaviour.value_or(0), 1, !config_.error_behaviour};
   objects_[{0x1018, 1}] = {0x0000'5441, 4, false};
+  // Only the first PDO of each direction is switched on. A received PDO of type 255 takes effect on
+  // receipt.
   constexpr std::array<std::uint32_t, 4> kReceiveIds = {0x200, 0x300, 0x400, 0x500};
   constexpr std::array<std::uint32_t, 4> kTransmitIds = {0x180, 0x280, 0x380, 0x480};
   for (std::uint16_t pdo = 0; pdo < 4; ++pdo) {
@@ -81,6 +91,12 @@ void Cia402Emulator::define_communication() {
   objects_[{0x1A00, 1}].value = 0x6041'0010;
 }
 
+// Objects 6xxx of the profile: those that are measured are read-only and set by refresh_measured().
+//
+// - 6502 lists the supported modes, among them cyclic synchronous torque (bit 9).
+// - 6072, 60E0 and 60E1 limit the torque, in thousandths of the rated torque; 60B2 is added to it.
+// - 60C2 is the interpolation period, 1 * 10^-3 s.
+// - 6007 is the reaction to a lost master, 605E to a fault.
 void Cia402Emulator::define_profile() {
   for (const auto& [index, size] : std::initializer_list<std::pair<std::uint16_t, std::uint8_t>>{
            {0x603F, 2}, {0x6041, 2}, {0x6061, 1}, {0x6064, 4}, {0x606C, 4}, {0x6077, 2}}) {
@@ -115,7 +131,7 @@ std::uint32_t Cia402Emulator::object(std::uint16_t index, std::uint8_t sub) cons
   return found == objects_.end() ? 0 : found->second.value;
 }
 
-// Nothing that happened before is remembered, but what the maker's tool has saved.
+// Power-up: everything is forgotten but what the maker's tool has saved in the configuration.
 void Cia402Emulator::get_power(hal::TimeNs now_ns) {
   power_ = Power::switch_on_disabled;
   controlword_ = 0;
@@ -179,6 +195,7 @@ void Cia402Emulator::take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   if (frame.length != 2 || (node != 0 && node != config_.node)) {
     return;
   }
+  // 1 start, 2 stop, 0x80 pre-operational, 0x81 reset node, 0x82 reset communication.
   switch (number_at(frame, 0, 1)) {
     case 0x01:
       nmt_ = nmt_ == Nmt::booting ? Nmt::booting : Nmt::operational;
@@ -201,7 +218,8 @@ void Cia402Emulator::take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   }
 }
 
-// Applies the objects that waited for the SYNC, then takes the samples.
+// Applies the receive PDOs that waited for the SYNC, then samples and sends the transmit PDOs that
+// are due: types 1 to 240 are sent with every n-th SYNC.
 void Cia402Emulator::take_sync(hal::TimeNs now_ns) {
   for (std::size_t pdo = 0; pdo < received_.size(); ++pdo) {
     if (received_[pdo].waits) {
@@ -221,6 +239,7 @@ void Cia402Emulator::take_sync(hal::TimeNs now_ns) {
   }
 }
 
+// Types 0 to 240 wait for the SYNC; higher ones take effect on receipt.
 void Cia402Emulator::take_pdo(hal::TimeNs now_ns, std::size_t pdo, const hal::CanFrame& frame) {
   if (object(static_cast<std::uint16_t>(0x1400 + pdo), 2) <= 240) {
     received_[pdo] = {frame, true};
@@ -292,6 +311,8 @@ void Cia402Emulator::watch_master(hal::TimeNs now_ns) {
   abort_connection(now_ns);
 }
 
+// Object 6007, the reaction to a lost master: 1 fault, 2 disable voltage, 3 quick stop, else
+// nothing. Object 1029 then decides about the communication state.
 void Cia402Emulator::abort_connection(hal::TimeNs now_ns) {
   switch (object(0x6007, 0)) {
     case 1:
@@ -323,6 +344,7 @@ void Cia402Emulator::beat(hal::TimeNs now_ns) {
   }
   beat_ns_ = now_ns;
   hal::CanFrame frame{.id = 0x700U + config_.node, .length = 1};
+  // The state codes of CiA 301: 5 operational, 4 stopped, 0x7F pre-operational.
   const std::uint32_t state = nmt_ == Nmt::operational ? 0x05U
                               : nmt_ == Nmt::stopped   ? 0x04U
                                                        : 0x7FU;

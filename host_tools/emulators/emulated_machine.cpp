@@ -13,6 +13,7 @@ double seconds_of(hal::TimeNs duration_ns) {
   return 1e-9 * static_cast<double>(duration_ns);
 }
 
+// Returns the step if the plant can bear it; throws InputError otherwise.
 hal::TimeNs checked_step(hal::TimeNs step_ns) {
   if (step_ns <= 0 || step_ns > kLongestMachineStep_ns) {
     throw InputError(fmt::format("a step of {} ns: the plant needs steps of at most {} ns", step_ns,
@@ -21,7 +22,7 @@ hal::TimeNs checked_step(hal::TimeNs step_ns) {
   return step_ns;
 }
 
-// The zero vector as parameters means no hand.
+// Returns false for parameters that are all zero, which mean that there is no hand.
 bool holds(const HandParameters& hand) {
   return hand.stiffness_N_per_m > 0.0 || hand.damping_Ns_per_m > 0.0;
 }
@@ -109,6 +110,7 @@ JointEfforts EmulatedMachine::take_torques() {
 
 void EmulatedMachine::move(const JointEfforts& effort) {
   const double dt_s = seconds_of(step_ns_);
+  // A hand that has let go is one with all parameters 0: the wish goes on without it.
   const bool is_held = seconds_of(next_step_ns_ - start_ns_) < let_go_s_;
   const HandParameters hand = is_held ? hand_.parameters() : HandParameters{};
   const Vec3 wish_B = hand_.wish_W() + origin_B_;

@@ -1,10 +1,10 @@
-// A whole haptic device on the far side of its bus: the plant of host_tools/simulation, with a hand
-// on its handle, turned by emulated drives.
+// A whole haptic device on the far side of its bus: the plant of host_tools/simulation with a hand
+// on its handle, turned by emulated drives. `tactus emulate` runs it against the clock, tests in
+// simulated time.
 //
-// Fakes: the mechanism with its friction, weight and end stops; gears and capstans between each
-// joint and its drive's shaft; a hand that follows a wish.
-// Does not fake: play and give in the transmission, the drives' rotor inertia (it is in the plant's
-// moving mass).
+// It fakes the mechanism with its friction, weight and end stops, the gears and capstans between
+// each joint and its drive's shaft, and a hand that follows a wish. It does not fake play and
+// compliance in the transmission, or the rotors' inertia apart from the plant's moving mass.
 #pragma once
 
 #include <array>
@@ -25,24 +25,30 @@
 
 namespace tactus::host {
 
-// The longest step that joint friction and end stops bear.
+// The longest step for which the plant's joint friction and end stops are accurate.
 inline constexpr hal::TimeNs kLongestMachineStep_ns = 100'000;
 
+// The device and the hand.
 struct EmulatedMachineConfig {
   DevicePreset device = cartesian_preset();
-  HandParameters hand;                                 // all zero: nobody holds the handle
-  WishPath path{{{.t_s = 0.0, .p_W = Vec3::Zero()}}};  // from the machine's start on
-  Vec3 origin_B = Vec3::Zero();                        // m: the wish path's origin
-  std::uint64_t seed = 1;                              // of the hand's tremor
+  // All zero: nobody holds the handle.
+  HandParameters hand;
+  // The hand's wish from the machine's start on, in the frame of the scene.
+  WishPath path{{{.t_s = 0.0, .p_W = Vec3::Zero()}}};
+  // The origin of the wish path in the mechanism's base frame, m.
+  Vec3 origin_B = Vec3::Zero();
+  // Chooses the hand's tremor.
+  std::uint64_t seed = 1;
   hal::TimeNs step_ns = kLongestMachineStep_ns;
-  // The time after the machine's start at which the hand leaves the handle for good, s.
+  // When the hand lets go of the handle for good, s after the machine's start.
   double let_go_s = std::numeric_limits<double>::infinity();
 };
 
-// One joint and what drives it. The shaft must outlive the machine.
+// A joint's drive. The shaft must outlive the machine.
 struct EmulatedAxis {
   EmulatedShaft* shaft = nullptr;
   drivers::Transmission transmission;
+  // Sets a fault of this drive.
   std::function<void(EmulatorFault)> set_fault;
 };
 
@@ -54,48 +60,59 @@ struct MachineTruth {
   std::array<double, kPlantJoints> joint_velocity{};
   std::array<double, kPlantJoints> shaft_torque_Nm{};
   std::array<EmulatorFault, kPlantJoints> fault{};
-  Vec3 handle_p_B = Vec3::Zero();     // m
-  Vec3 handle_v_B = Vec3::Zero();     // m/s
-  Vec3 motor_force_B = Vec3::Zero();  // N, of the motors at the handle
-  Vec3 hand_force_B = Vec3::Zero();   // N, of the hand's spring and damper, mean of the last step
+  // The handle's position, m, and velocity, m/s, in the base frame.
+  Vec3 handle_p_B = Vec3::Zero();
+  Vec3 handle_v_B = Vec3::Zero();
+  // The motors' torques as a force at the handle, N.
+  Vec3 motor_force_B = Vec3::Zero();
+  // The force of the hand's spring and damper on the handle, N, mean over the last step.
+  Vec3 hand_force_B = Vec3::Zero();
 };
 
+// The machine. One thread.
 class EmulatedMachine {
  public:
-  // The machine begins at rest at `start_ns` where the hand wants the handle, or in the middle of
-  // the workspace. Throws InputError on a step that is not positive or too long.
+  // Begins at `start_ns` at rest, where the hand wants the handle or, without a hand, in the middle
+  // of the workspace. Throws InputError if the step is not positive or is longer than
+  // kLongestMachineStep_ns.
   EmulatedMachine(const EmulatedMachineConfig& config, hal::TimeNs start_ns);
 
-  // Connects the next joint's axis, beginning with joint 0. Throws InputError when all joints have
-  // one, and on a transmission that is not valid.
+  // Connects the next joint's drive, beginning with joint 0. Throws InputError if every joint has
+  // one, or the transmission is not valid.
   void connect(EmulatedAxis axis);
-  // Adds the device's own program. It is called with the time of each step, after the step has
-  // turned its shafts.
+  // Adds the program of a device. It is called in every step with the step's time, after the shafts
+  // have been turned.
   void add_device(std::function<void(hal::TimeNs)> run) { devices_.push_back(std::move(run)); }
 
+  // Returns the number of joints of the mechanism.
   [[nodiscard]] std::size_t joints() const { return joints_of(plant_parameters_.mechanism); }
+  // Returns when the machine's first step begins.
   [[nodiscard]] hal::TimeNs start_ns() const { return start_ns_; }
 
-  // Returns when the next step begins; plant and shafts stand still until then.
+  // Returns when the next step begins; plant and shafts do not move until then.
   [[nodiscard]] hal::TimeNs next_step_ns() const { return next_step_ns_; }
   // Turns the shafts to the joints' positions, runs the devices, and advances the plant by one
   // step.
   void step();
   // Makes every step that begins at `now_ns` or earlier.
   void run(hal::TimeNs now_ns);
-  // Leaves out the steps that begin before `now_ns`: the machine stood still meanwhile.
+  // Leaves out the steps that begin before `now_ns`; the machine does not move in that time.
   void skip_to(hal::TimeNs now_ns);
 
-  // Sets the fault of that joint's axis.
+  // Sets a fault of that joint's drive.
   void set_fault(std::size_t joint, EmulatorFault fault);
 
   // Returns the state after the last step.
   [[nodiscard]] const MachineTruth& truth() const { return truth_; }
+  // Returns the mechanics, for tests.
   [[nodiscard]] const Plant& plant() const { return plant_; }
 
  private:
+  // Notes the true state and turns each shaft by its transmission.
   void turn_shafts();
+  // Returns the joints' efforts from the shafts' torques.
   JointEfforts take_torques();
+  // Advances plant and hand by one step.
   void move(const JointEfforts& effort);
 
   PlantParameters plant_parameters_;

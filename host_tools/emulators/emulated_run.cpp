@@ -18,7 +18,7 @@ EmulatedRun::EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config)
                                    *planned.joint, machine_.joints() - 1));
     }
   }
-  // The faults are sorted by time; those of one instant keep the order in which they were given.
+  // An insertion sort by time: faults of one instant keep the order in which they were given.
   for (auto next = config_.faults.begin(); next != config_.faults.end(); ++next) {
     const auto place =
         std::upper_bound(config_.faults.begin(), next, *next,

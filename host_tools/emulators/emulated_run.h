@@ -1,4 +1,4 @@
-// An emulated machine over time: faults at their times, the true state kept.
+// An emulated machine over time: faults at their times, and a record of the true state.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,32 @@
 
 namespace tactus::host {
 
+// The planned events of a run, and the recording.
 struct EmulatedRunConfig {
   std::vector<PlannedFault> faults;
-  hal::TimeNs truth_period_ns = 0;  // 0: the truth is not kept
-  double expected_s = 60.0;         // how much of it memory is set aside for
+  // The period of the recorded truth; 0: nothing is recorded.
+  hal::TimeNs truth_period_ns = 0;
+  // The time for which memory is reserved, so that a run in real time does not allocate.
+  double expected_s = 60.0;
 };
 
+// A run. One thread.
 class EmulatedRun {
  public:
-  // A run that is later than this skips the time instead of catching up.
+  // A run that is later than this leaves the time out instead of catching up.
   static constexpr hal::TimeNs kLongestDelay_ns = 50'000'000;
 
-  // Throws InputError on a fault of a joint that the machine has not. The machine has its axes, and
-  // outlives the run.
+  // The machine must have its axes connected and must outlive the run. Throws InputError if a fault
+  // names a joint that the machine has not.
   EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config);
 
   // Makes every step that begins by `now_ns`, each after the faults that are due by then.
   void run(hal::TimeNs now_ns);
 
   [[nodiscard]] hal::TimeNs next_step_ns() const { return machine_.next_step_ns(); }
+  // Returns the machine, for reports.
   [[nodiscard]] const EmulatedMachine& machine() const { return machine_; }
+  // Returns the recorded states.
   [[nodiscard]] std::span<const MachineTruth> truth() const { return truth_; }
 
   // Returns the largest delay of a step, and the time that was left out because a delay was longer
@@ -41,7 +47,9 @@ class EmulatedRun {
   [[nodiscard]] hal::TimeNs left_out_ns() const { return left_out_ns_; }
 
  private:
+  // Sets the faults that are due at the next step.
   void apply_faults();
+  // Records the state if its period is over.
   void keep_truth();
 
   EmulatedMachine& machine_;
@@ -53,7 +61,7 @@ class EmulatedRun {
   hal::TimeNs left_out_ns_ = 0;
 };
 
-// Lets a run go on as simulated time passes. Both must outlive it.
+// Lets a run advance whenever simulated time passes. Run and clock must outlive it.
 class ClockedRun final : private hal::SimulatedEventSource {
  public:
   ClockedRun(EmulatedRun& run, hal::SimulatedClock& clock);
@@ -69,7 +77,8 @@ class ClockedRun final : private hal::SimulatedEventSource {
   hal::SimulatedClock& clock_;
 };
 
-// One line a sample, columns as in README.md. Throws InputError if the file cannot be written.
+// Writes one line a state, with the columns of README.md. Throws InputError if the file cannot be
+// written.
 void write_truth(const std::filesystem::path& path, std::span<const MachineTruth> truth,
                  std::size_t joints);
 

@@ -9,14 +9,17 @@ namespace tactus::host {
 
 namespace {
 
-// The status that a chip with nothing to complain of sends: which bits are set does not matter.
+// The two status bytes of an FTDI chip without errors; the driver ignores their values.
 constexpr std::array kChipStatus = {std::byte{0x31}, std::byte{0x60}};
+// The divisors for the baud rate by which the host selects firmware, greeting and loader, and the
+// loader's greeting.
 constexpr std::uint16_t kBaudNormal = 0x0002;
 constexpr std::uint16_t kBaudGreeting = 0x4138;
 constexpr std::uint16_t kBaudLoader = 0x0015;
 constexpr std::string_view kGreeting = "\x0A\x43\x0D";
 constexpr std::string_view kGreetingAnswer = "\x0A\x44\x2C\x0D";
-// Encoder disc of 320 slots read four times, capstan 14.25 mm, arm arc 110 mm, zero at 35 degrees.
+// The encoder's disc has 320 slots, read four times each; the capstan has 14.25 mm, the arm's arc
+// 110 mm. The firmware's zero is at 35 degrees.
 constexpr double kArmDegreesPerCount = 360.0 * 14.25 / (320.0 * 4.0 * 110.0);
 constexpr double kArmDegreesAtZero = 35.0;
 
@@ -31,15 +34,18 @@ std::vector<std::byte> bytes_of(std::string_view text) {
   return bytes;
 }
 
+// The firmware writes each half byte as a letter from 'A' on, the lowest half byte first.
 int nibble(std::byte letter) {
   return std::to_integer<int>(letter) - 'A';
 }
 
+// Returns the signed number of four letters.
 std::int16_t motor_value(std::span<const std::byte> letters) {
   return static_cast<std::int16_t>(nibble(letters[0]) + 16 * nibble(letters[1]) +
                                    256 * nibble(letters[2]) + 4096 * nibble(letters[3]));
 }
 
+// Appends the lowest 16 bits of a number as four letters.
 void append_letters(std::vector<std::byte>& packet, int value) {
   auto rest = static_cast<unsigned>(value) & 0xFFFFU;
   for (int i = 0; i < 4; ++i) {
@@ -68,7 +74,7 @@ void FalconEmulator::set_fault(EmulatorFault fault) {
   }
 }
 
-// Its supply goes through the same wall as the cable: firmware, reference and torque are gone.
+// Cable and supply count as one: firmware, reference and torque are lost.
 void FalconEmulator::cut_power() {
   firmware_loaded_ = false;
   homed_ = 0;
@@ -83,12 +89,15 @@ void FalconEmulator::cut_power() {
   }
 }
 
+// Requests of an FTDI chip to the device: 0 reset, 1 modem control, 2 flow control, 3 baud rate, 4
+// data format, 9 latency timer (ms).
 bool FalconEmulator::control(std::uint8_t request_type, std::uint8_t request, std::uint16_t value) {
   if (request_type != 0x40) {
     return false;
   }
   switch (request) {
-    case 0:  // 1 empties what waits for the host, 2 what waits for the device
+    // Value 1 empties what waits for the host, 2 what waits for the device.
+    case 0:
       if (value == 1) {
         output_.clear();
       } else if (value == 2) {
@@ -110,6 +119,7 @@ bool FalconEmulator::control(std::uint8_t request_type, std::uint8_t request, st
   }
 }
 
+// The host starts an upload by the greeting's baud rate and ends it by the normal one.
 void FalconEmulator::set_baud(std::uint16_t code) {
   baud_ = code;
   command_.clear();
@@ -144,6 +154,7 @@ void FalconEmulator::receive(hal::TimeNs now_ns, std::span<const std::byte> byte
   }
 }
 
+// The loader greets, waits for 'A' at its own baud rate, and echoes every byte of the image.
 void FalconEmulator::take_loader_byte(hal::TimeNs now_ns, std::byte byte) {
   const hal::TimeNs due_ns = now_ns + config_.answer_ns;
   if (loader_ == Loader::loading) {
@@ -172,6 +183,7 @@ void FalconEmulator::take_loader_byte(hal::TimeNs now_ns, std::byte byte) {
   }
 }
 
+// A command has 16 bytes from '<' to '>'; anything else is dropped.
 void FalconEmulator::take_firmware_byte(hal::TimeNs now_ns, std::byte byte) {
   if (command_.empty() && byte != std::byte{'<'}) {
     return;
@@ -249,6 +261,8 @@ hal::TimeNs FalconEmulator::next_packet_ns() const {
   return output_.empty() ? idle_ns : std::min(output_.front().due_ns, idle_ns);
 }
 
+// Each packet begins with the chip's two status bytes. The chip sends such an empty packet whenever
+// the latency timer expires without data.
 std::vector<std::byte> FalconEmulator::packet(hal::TimeNs now_ns) {
   if (now_ns < next_packet_ns()) {
     return {};

@@ -1,4 +1,5 @@
-// The emulated Falcon behind a real kernel's USB: function_fs.h tells how to set the gadget up.
+// The emulated Falcon behind a real kernel's USB; function_fs.h tells how to set the gadget up.
+// `tactus emulate falcon` uses it.
 #pragma once
 
 #include <mutex>
@@ -9,17 +10,18 @@
 
 namespace tactus::host {
 
+// The device with the threads that serve its endpoints.
 class FalconGadget final : private GadgetDevice {
  public:
-  // Unplugged at first. Throws InputError, text for a user.
+  // Starts unplugged. Throws InputError if the kernel does not accept the gadget.
   FalconGadget(const FalconEmulatorConfig& config, std::uint32_t seed, const GadgetPlace& place);
 
-  // Plugging in and out as a hand does; unplugged, the device has no power.
+  // Plug the device in and out as a hand does. Unplugged, it has no power.
   void plug_in();
   void unplug();
 
-  // Calls action(FalconEmulator&) while nobody else uses it: for the plant's angles and torques,
-  // for faults. `unplugged` among them is better said by unplug().
+  // Calls action(FalconEmulator&) while no thread uses the emulator: for faults and settings. Use
+  // unplug() instead of the fault `unplugged`.
   template <class Action>
   auto with_emulator(Action&& action) {
     const std::lock_guard lock(gadget_.mutex());
@@ -27,7 +29,8 @@ class FalconGadget final : private GadgetDevice {
     return std::forward<Action>(action)(emulator_);
   }
 
-  // The same for the shafts alone, which a plant turns many times between two packets.
+  // Calls action() with the shafts alone, which a plant turns many times between two packets; it
+  // does not wake the thread that sends.
   template <class Action>
   auto with_shafts(Action&& action) {
     const std::lock_guard lock(gadget_.mutex());
@@ -42,7 +45,8 @@ class FalconGadget final : private GadgetDevice {
   std::vector<std::byte> packet(hal::TimeNs now_ns) override;
 
   FalconEmulator emulator_;
-  FunctionFs gadget_;  // last: its threads use the rest
+  // The last member, since its threads use the others.
+  FunctionFs gadget_;
 };
 
 }  // namespace tactus::host

@@ -39,7 +39,7 @@ void FalconUsbPeer::bulk_out(std::span<const std::byte> data) {
   emulator_.receive(clock_.now_ns(), data);
 }
 
-// The chip sends only what the host asks for: an idle packet does not queue up behind others.
+// The chip sends only what the host asks for, so an idle packet does not queue up behind others.
 void FalconUsbPeer::run_event() {
   const auto packet = emulator_.packet(clock_.now_ns());
   const bool idle = packet.size() <= 2;

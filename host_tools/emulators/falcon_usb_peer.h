@@ -1,4 +1,4 @@
-// The emulated Falcon on a USB bus in memory.
+// The emulated Falcon on a USB bus in memory, for tests in simulated time.
 #pragma once
 
 #include "hal/simulated/usb_endpoint.h"
@@ -6,10 +6,11 @@
 
 namespace tactus::host {
 
-// Attaches itself to the clock; the emulator and the clock must outlive it. The fault `unplugged`
-// is unplug(), which the host sees as on Linux: io first, then disconnected.
+// Attaches itself to the clock; emulator and clock must outlive it. For the fault `unplugged` call
+// unplug(), which the host sees as on Linux: first an I/O error, then `disconnected`.
 class FalconUsbPeer final : public hal::SimulatedUsbPeer, private hal::SimulatedEventSource {
  public:
+  // The time from the first I/O error to `disconnected`.
   static constexpr hal::TimeNs kDeparture_ns = 3'000'000;
 
   FalconUsbPeer(FalconEmulator& emulator, hal::SimulatedClock& clock);
@@ -17,7 +18,9 @@ class FalconUsbPeer final : public hal::SimulatedUsbPeer, private hal::Simulated
   FalconUsbPeer& operator=(const FalconUsbPeer&) = delete;
   ~FalconUsbPeer();
 
+  // Returns the host's end.
   [[nodiscard]] hal::SimulatedUsbEndpoint& endpoint() { return endpoint_; }
+  // Pulls the plug, and puts it in again.
   void unplug();
   void plug_in();
 

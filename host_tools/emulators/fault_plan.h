@@ -1,4 +1,5 @@
-// A plan of faults: which axis fails, how and when, in a user's words.
+// Reads planned faults in the user's words: which axis fails, how and when. For `tactus emulate
+// --fault`.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +10,18 @@
 
 namespace tactus::host {
 
+// A fault of a run.
 struct PlannedFault {
-  std::optional<std::size_t> joint;  // nothing: every joint's axis
+  // The joint whose axis fails; all of them if not given.
+  std::optional<std::size_t> joint;
+  // `none` heals what was set before.
   EmulatorFault fault = EmulatorFault::none;
-  double at_s = 0.0;  // since the machine's start
+  // When it begins, s from the machine's start.
+  double at_s = 0.0;
 };
 
-// "0:silent@3" or "all:none@3.5": joint or all, a fault (see emulator_fault), seconds. Throws
-// InputError, text for a user, on anything else.
+// Returns the fault of a text like "0:silent@3" or "all:none@3.5": a joint or `all`, a fault by its
+// name in emulator_fault(), seconds. Throws InputError for any other text.
 PlannedFault parse_planned_fault(std::string_view text);
 
 }  // namespace tactus::host

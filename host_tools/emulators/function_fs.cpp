@@ -19,16 +19,20 @@ namespace tactus::host {
 
 namespace {
 
+// How soon the threads notice that the program ends, how long they wait after an error, and the
+// size of a high-speed bulk packet.
 constexpr int kPollInterval_ms = 5;
 constexpr std::chrono::milliseconds kRetry{1};
 constexpr std::size_t kLargestPacket = 512;
 
+// Little-endian bytes, as USB descriptors are.
 class Blob {
  public:
   void add(std::uint32_t value) { add_bytes(value, 4); }
   void add_short(std::uint32_t value) { add_bytes(value, 2); }
   void add_byte(std::uint32_t value) { add_bytes(value, 1); }
-  // The second word of both of FunctionFS's headers is the length of the whole.
+  // Returns the bytes with their length in the second word, where both headers of FunctionFS have
+  // it.
   std::vector<std::uint8_t> with_length() const {
     auto bytes = bytes_;
     bytes.at(4) = static_cast<std::uint8_t>(bytes.size());
@@ -45,6 +49,7 @@ class Blob {
   std::vector<std::uint8_t> bytes_;
 };
 
+// Adds the descriptor of a bulk endpoint.
 void add_endpoint(Blob& blob, std::uint32_t address, std::uint32_t max_packet) {
   blob.add_byte(USB_DT_ENDPOINT_SIZE);
   blob.add_byte(USB_DT_ENDPOINT);
@@ -54,6 +59,7 @@ void add_endpoint(Blob& blob, std::uint32_t address, std::uint32_t max_packet) {
   blob.add_byte(0);
 }
 
+// Adds an interface with a bulk endpoint in each direction, 1 in and 2 out, as an FTDI chip has.
 void add_interface(Blob& blob, std::uint32_t max_packet) {
   blob.add_byte(USB_DT_INTERFACE_SIZE);
   blob.add_byte(USB_DT_INTERFACE);
@@ -68,11 +74,13 @@ void add_interface(Blob& blob, std::uint32_t max_packet) {
   add_endpoint(blob, USB_DIR_OUT | 2U, max_packet);
 }
 
+// Returns the descriptors for full speed (packets of 64 bytes) and high speed, three of each.
 std::vector<std::uint8_t> descriptors() {
   Blob blob;
   blob.add(FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
   blob.add(0);
-  // The requests of an FTDI chip are addressed to the device, not to its interface.
+  // An FTDI chip's requests are addressed to the device and not to its interface, so all recipients
+  // are wanted.
   blob.add(FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_ALL_CTRL_RECIP);
   blob.add(3);
   blob.add(3);
@@ -81,6 +89,7 @@ std::vector<std::uint8_t> descriptors() {
   return blob.with_length();
 }
 
+// Returns the table of strings, which FunctionFS demands: an empty one.
 std::vector<std::uint8_t> no_strings() {
   Blob blob;
   blob.add(FUNCTIONFS_STRINGS_MAGIC);
@@ -90,6 +99,7 @@ std::vector<std::uint8_t> no_strings() {
   return blob.with_length();
 }
 
+// Returns a file descriptor. Throws InputError with the reason.
 int open_file(const std::filesystem::path& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
   if (descriptor < 0) {
@@ -98,6 +108,7 @@ int open_file(const std::filesystem::path& path, int flags) {
   return descriptor;
 }
 
+// Throws InputError if FunctionFS does not take all bytes.
 void write_all(int descriptor, const std::vector<std::uint8_t>& bytes) {
   if (::write(descriptor, bytes.data(), bytes.size()) != std::ssize(bytes)) {
     throw InputError(std::string("FunctionFS does not take the descriptors: ") +
@@ -119,11 +130,12 @@ FunctionFs::FunctionFs(GadgetDevice& device, const GadgetPlace& place)
   control_ = open_file(place.function_fs / "ep0", O_RDWR);
   write_all(control_, descriptors());
   write_all(control_, no_strings());
-  // Non-blocking only means that an endpoint of an unplugged gadget says so.
+  // Non-blocking: an endpoint of an unplugged gadget then returns an error instead of waiting for
+  // ever.
   in_ = open_file(place.function_fs / "ep1", O_RDWR | O_NONBLOCK);
   out_ = open_file(place.function_fs / "ep2", O_RDWR | O_NONBLOCK);
-  // Those that end the run are the main thread's: another would swallow them where the shell has
-  // them ignored, or die of them.
+  // The signals that end the run belong to the main thread. Another thread would consume them where
+  // the shell ignores them, or die of them.
   sigset_t all;
   sigfillset(&all);
   const hal::SignalMask no_signals(SIG_SETMASK, all);
@@ -179,7 +191,8 @@ void FunctionFs::serve_control() {
   }
 }
 
-// Reading what is to be written, or the other way round, is how FunctionFS stalls a request.
+// FunctionFS stalls a request when the program reads where data are to be written, or the other way
+// round.
 void FunctionFs::answer(const hal::UsbSetup& setup, std::size_t length) {
   std::array<std::byte, hal::kMaxUsbControlBytes> buffer{};
   const std::lock_guard lock(mutex_);
@@ -201,7 +214,8 @@ void FunctionFs::answer(const hal::UsbSetup& setup, std::size_t length) {
 void FunctionFs::serve_out() {
   std::array<std::byte, kLargestPacket> packet{};
   while (!ending_) {
-    // A transfer ends with its buffer: one packet of the speed at which the host has enumerated us.
+    // A transfer ends when its buffer is full, so the buffer is one packet at the speed that the
+    // host has negotiated.
     usb_endpoint_descriptor descriptor{};
     const bool known = ioctl(out_, FUNCTIONFS_ENDPOINT_DESC, &descriptor) == 0;
     const ssize_t got = known ? ::read(out_, packet.data(), descriptor.wMaxPacketSize) : -1;

@@ -1,7 +1,7 @@
-// An emulated USB device behind a real kernel: one vendor-specific interface with a bulk endpoint
-// each way, served from this program through Linux' FunctionFS.
+// Puts an emulated USB device behind a real kernel: one vendor-specific interface with a bulk
+// endpoint each way, served from this program through Linux' FunctionFS.
 //
-// The gadget itself is a matter of the shell, before this object is made (names are examples):
+// The gadget itself is set up by shell commands before this object is made (names are examples):
 //   modprobe -a dummy_hcd libcomposite usb_f_fs      with is_high_speed=0 for a full-speed device
 //   cd /sys/kernel/config/usb_gadget && mkdir -p falcon/configs/c.1 falcon/functions/ffs.falcon
 //   echo 0x0403 >falcon/idVendor && echo 0xCB48 >falcon/idProduct
@@ -35,52 +35,62 @@ class GadgetDevice {
   GadgetDevice& operator=(const GadgetDevice&) = delete;
   virtual ~GadgetDevice() = default;
 
-  // Takes a request without data. Returns false for a stall.
+  // Handles a request without data. Returns false to stall it.
   virtual bool control_out(const hal::UsbSetup& setup) = 0;
-  // Returns the answer to a request, or nothing for a stall.
+  // Returns the answer to a request; nothing to stall it.
   virtual std::optional<std::vector<std::byte>> control_in(const hal::UsbSetup& setup) = 0;
-  // Takes one packet of the host.
+  // Handles one packet from the host.
   virtual void bulk_out(hal::TimeNs now_ns, std::span<const std::byte> bytes) = 0;
-  // Return when there will be a packet for the host, and the packet; kForever and an empty one if
-  // there is none.
+  // Returns when there will be a packet for the host; kForever if never.
   virtual hal::TimeNs next_packet_ns() = 0;
+  // Returns the packet for the host; empty if there is none.
   virtual std::vector<std::byte> packet(hal::TimeNs now_ns) = 0;
 
  protected:
   GadgetDevice() = default;
 };
 
+// The kernel's paths of the gadget.
 struct GadgetPlace {
-  std::filesystem::path function_fs;  // where it is mounted: "/dev/ffs/falcon"
-  std::filesystem::path gadget;       // "/sys/kernel/config/usb_gadget/falcon"
+  // The mount point of FunctionFS, such as "/dev/ffs/falcon".
+  std::filesystem::path function_fs;
+  // The gadget's folder, such as "/sys/kernel/config/usb_gadget/falcon".
+  std::filesystem::path gadget;
+  // The USB device controller, one of /sys/class/udc.
   std::string controller = "dummy_udc.0";
 };
 
+// Serves a device from three threads: control requests, packets out, packets in.
 class FunctionFs {
  public:
-  // Serves the device, unplugged at first. Throws InputError, text for a user, when the kernel does
-  // not take it.
+  // Starts unplugged; `device` must outlive it. Throws InputError if the kernel does not accept the
+  // descriptors.
   FunctionFs(GadgetDevice& device, const GadgetPlace& place);
   FunctionFs(const FunctionFs&) = delete;
   FunctionFs& operator=(const FunctionFs&) = delete;
   ~FunctionFs();
 
-  // Throws InputError as well.
+  // Bind and unbind the gadget. Throw InputError if the kernel refuses.
   void plug_in();
   void unplug();
 
-  // Returns the mutex that is held while the device is called. Whoever changes the device from
-  // outside holds it too.
+  // Returns the mutex that is held while the device is called. Code that changes the device from
+  // outside must hold it too.
   std::mutex& mutex() { return mutex_; }
-  // Call it after a change that lets the device send earlier than it said.
+  // Wakes the thread that sends. Call it after a change that lets the device send earlier than it
+  // had said.
   void wake() { changed_.notify_all(); }
 
  private:
+  // Binds the gadget to a USB controller; an empty name unplugs it. Throws InputError.
   void bind(const std::string& controller) const;
+  // The threads: control requests, bulk data from the host and bulk data to the host.
   void serve_control();
+  // Hands a control request to the device; stalls what it refuses.
   void answer(const hal::UsbSetup& setup, std::size_t length);
   void serve_out();
   void serve_in();
+  // Waits for the device's next packet; empty when the program ends.
   std::vector<std::byte> next_packet();
 
   GadgetDevice& device_;

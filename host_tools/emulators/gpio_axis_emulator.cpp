@@ -8,11 +8,14 @@ namespace tactus::host {
 
 namespace {
 
+// Under the fault `corrupted`, the mean number of runs between skipped counts. A skip of two counts
+// changes both channels.
 constexpr unsigned kRunsBetweenGlitches = 50;
 
-// A and B in the order of forward counts, A leading.
+// Channels A and B (bits 1 and 0) in the order of forward counts, with A leading.
 constexpr std::array<unsigned, 4> kStates{0b00, 0b10, 0b11, 0b01};
 
+// Returns the remainder in [0, by), also of a negative value.
 std::int64_t floor_mod(std::int64_t value, std::int64_t by) {
   return ((value % by) + by) % by;
 }
@@ -107,7 +110,8 @@ void GpioAxisEmulator::move_encoder() {
   }
 }
 
-// The index ends before the channels leave its state and begins after they have entered it.
+// The index ends before the channels leave its state and begins after they have entered it, so that
+// no edge shows an index in a wrong state.
 void GpioAxisEmulator::show(std::int64_t count) {
   const unsigned state = kStates[static_cast<std::size_t>(floor_mod(count, 4))];
   const auto in_turn = floor_mod(count, axis_.encoder.counts_per_rev);
@@ -130,6 +134,8 @@ void GpioAxisEmulator::watch_heartbeat(hal::TimeNs now_ns) {
   }
 }
 
+// Locked antiphase: 50 % duty is no torque. Sign and magnitude: a line gives the direction. A
+// bridge with the square-root law makes a torque that grows with the square of the duty.
 double GpioAxisEmulator::motor_torque(hal::TimeNs now_ns) {
   const bool beats = !axis_.pins.heartbeat || (beat_ns_ != 0 && now_ns - beat_ns_ < kHeartbeat_ns);
   const bool enabled = !axis_.pins.enable || is_active(axis_.pins.enable);

@@ -1,12 +1,12 @@
-// An encoder, a bridge with a motor, switches and an emergency stop, on the pins of a board: the
-// far side of drivers/gpio_axis. The same object runs on a SimulatedGpioChip in a test and on
-// gpio-sim in the emulated machine.
+// An encoder, a bridge with a motor, switches and an emergency stop on the pins of a board, as
+// drivers/gpio_axis sees them. The same object runs on a SimulatedGpioChip in a test and on
+// gpio-sim in `tactus emulate paddle`.
 //
-// Fakes: a quadrature encoder with an index pulse of one state, the bridge's law, an enable that
+// It fakes a quadrature encoder with an index pulse of one state, the bridge's law, an enable that
 // needs the chain closed and, if wired, a heartbeat (a monostable of kHeartbeat_ns), the fault
-// output, switches.
-// Does not fake: bounce, the motor's current loop and inductance (torque follows the duty at once),
-// the PWM waveform (its mean is read), the brake's grip (ask brake_is_closed).
+// output, and switches. It does not fake bounce, the motor's current loop and inductance (torque
+// follows the duty at once), the PWM waveform (its mean is read), and the brake's grip (see
+// brake_is_closed()).
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,27 @@
 
 namespace tactus::host {
 
-// The meaning of each EmulatorFault here:
-//   silent     the encoder's plug is out: its lines stay as they are. When it is plugged in again
-//              the lines jump to where the shaft is by then
-//   delayed    the encoder's lines follow kFaultDelay_ns late. The driver cannot tell a late
-//              encoder from a late hand: this fault is not detected
-//   corrupted  now and then both channels change at once
-//   erroring   the bridge reports a fault, if the line is wired, and gives no torque
-//   power_cycled  encoder and bridge are without power for kPowerCycle_ns: the encoder's lines
-//              stay, then they jump to where the shaft is by then
-//   unplugged  the GPIO chip is gone, for good; no torque
+// One axis. The faults mean here:
+//   silent     the encoder's plug is out and its lines stay as they are; when it is plugged in
+//   again,
+//              they jump to where the shaft is by then
+//   delayed    the encoder's lines follow kFaultDelay_ns late; the driver cannot tell a late
+//   encoder
+//              from a late hand, so it does not detect this fault
+//   corrupted  both channels change at once now and then
+//   erroring   the bridge gives no torque, and reports a fault if the line is wired
+//   power_cycled  encoder and bridge have no power for kPowerCycle_ns; the encoder's lines stay,
+//   then
+//              they jump to where the shaft is by then
+//   unplugged  the GPIO chip is gone for good, and there is no torque
 class GpioAxisEmulator {
  public:
+  // How long one edge of the heartbeat keeps the bridge enabled.
   static constexpr hal::TimeNs kHeartbeat_ns = 10'000'000;
 
-  // `axis` as the driver has it: the emulator is wired to the same pins. It drives the encoder at
-  // most `steps_per_run` counts further in one run: 1 where time stands still during a run, or both
-  // channels would change at once. The pins must outlive it.
+  // `axis` is the driver's configuration: the emulator is wired to the same pins, which must
+  // outlive it. In one run the encoder moves by at most `steps_per_run` counts. It must be 1 where
+  // the driver cannot look during a run, or both channels would change at once.
   GpioAxisEmulator(const drivers::GpioAxisConfig& axis, BoardPins& pins, std::uint32_t seed,
                    std::uint32_t steps_per_run = 1);
 
@@ -52,23 +56,32 @@ class GpioAxisEmulator {
   void set_fault(EmulatorFault fault);
   [[nodiscard]] EmulatorFault fault() const { return fault_; }
 
-  // The contacts. The chain is closed and the switches are free at first.
+  // Open or close the contacts. At first the chain is closed and no limit switch is open.
   void open_emergency_stop(bool open);
   void open_limit_low(bool open);
   void open_limit_high(bool open);
 
+  // Returns true if the brake is wired and has no power to release it.
   [[nodiscard]] bool brake_is_closed();
-  // Returns the position that the encoder's lines show, in counts.
+  // Returns the position that the encoder's lines show, counts.
   [[nodiscard]] std::int64_t count() const { return count_; }
 
  private:
+  // Drives a line to its active or inactive level; does nothing if the axis has no such line.
   void drive(const std::optional<drivers::InputPin>& pin, bool active);
+  // Returns true if the controller drives the line to its active level.
   [[nodiscard]] bool is_active(const std::optional<drivers::OutputPin>& pin);
+  // Returns the counts that belong to the shaft's position, late under the fault `delayed`.
   [[nodiscard]] std::int64_t wanted_count() const;
+  // Moves the encoder toward the shaft's count, by `steps_per_run_` counts at most.
   void move_encoder();
+  // Drives the encoder's lines to the state of a count.
   void show(std::int64_t count);
+  // Notes the time of each edge of the heartbeat.
   void watch_heartbeat(hal::TimeNs now_ns);
+  // Switches the axis off for a power cycle. The encoder has no count while it is off.
   void follow_power(hal::TimeNs now_ns);
+  // Returns the torque on the shaft, N m, from the lines that the controller drives.
   [[nodiscard]] double motor_torque(hal::TimeNs now_ns);
 
   drivers::GpioAxisConfig axis_;
@@ -78,15 +91,18 @@ class GpioAxisEmulator {
   EmulatedShaft shaft_;
   EmulatorFault fault_ = EmulatorFault::none;
   std::int64_t count_ = 0;
+  // An earlier position of the shaft, for the fault `delayed`.
   struct Past {
     hal::TimeNs time_ns = 0;
     double position_rad = 0.0;
   };
   std::deque<Past> past_;
+  // The last edge of the heartbeat and the level after it.
   hal::TimeNs beat_ns_ = 0;
   bool beat_level_ = false;
   bool chain_open_ = false;
-  hal::TimeNs off_until_ns_ = 0;  // in power_cycled; 0: not begun
+  // The end of a power cycle; 0 if it has not begun.
+  hal::TimeNs off_until_ns_ = 0;
   bool is_off_ = false;
 };
 

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Throws InputError with the reason in `errno`.
 [[noreturn]] void refuse(const fs::path& path) {
   throw InputError(path.string() + ": " + std::strerror(errno) +
                    " (gpio-sim needs root and `modprobe gpio-sim`)");
@@ -29,7 +30,7 @@ int open_attribute(const fs::path& path, int access) {
   return descriptor;
 }
 
-// Configfs and sysfs report an error with the write itself, not with the closing.
+// Configfs and sysfs report an error with the write and not when the file is closed.
 void write_attribute(const fs::path& path, std::string_view text) {
   const int descriptor = open_attribute(path, O_WRONLY);
   const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -39,6 +40,7 @@ void write_attribute(const fs::path& path, std::string_view text) {
   }
 }
 
+// Returns the first line of a file of configfs or sysfs.
 std::string read_attribute(const fs::path& path) {
   std::string line;
   std::ifstream file(path);
@@ -84,7 +86,7 @@ void GpioSimPins::lay_out_pwm() const {
   }
 }
 
-// Read many times a millisecond: they stay open.
+// The files are read many times a millisecond, so they stay open.
 void GpioSimPins::open_pwm() {
   const std::array<std::pair<const char*, hal::SysfsFile*>, 3> files{
       {{"enable", &pwm_enable_}, {"period", &pwm_period_}, {"duty_cycle", &pwm_duty_}}};
@@ -133,7 +135,7 @@ void GpioSimPins::close_lines() {
   values_.clear();
 }
 
-// Nothing happens to the pins of a chip that is gone.
+// A chip that is gone has no lines; driving one then does nothing.
 void GpioSimPins::drive(std::uint32_t offset, bool high) {
   const std::string_view pull = high ? "pull-up" : "pull-down";
   if (offset < pulls_.size() && ::pwrite(pulls_[offset], pull.data(), pull.size(), 0) < 0) {
@@ -149,6 +151,7 @@ bool GpioSimPins::level(std::uint32_t offset) {
   return value == '1';
 }
 
+// The mean level from 0 to 1: duty over period, 0 while the output is off.
 double GpioSimPins::pwm_level() {
   const auto number = [](const hal::SysfsFile& file) {
     return static_cast<double>(file.read_number().value_or(0));

@@ -9,6 +9,7 @@ namespace tactus::host {
 
 namespace {
 
+// The firmware clamps every torque to this.
 constexpr double kBoardTorqueLimit_Nm = 0.123;
 constexpr double kFullTurn_deg = 360.0;
 
@@ -29,6 +30,7 @@ void HaplyEmulator::set_fault(EmulatorFault fault) {
   }
 }
 
+// The board forgets its setup, and its motors lose their torque.
 void HaplyEmulator::restart() {
   motor_reversed_.clear();
   encoders_.clear();
@@ -62,7 +64,7 @@ void HaplyEmulator::run(hal::TimeNs now_ns) {
     }
   } while (finish_command(now_ns) && !heard_.empty());
   while (!late_.empty() && late_.front().due_ns <= now_ns) {
-    // A host that does not listen loses what the board says.
+    // A host that does not listen loses what the board sends.
     (void)port_.write(late_.front().bytes, hal::kNoWait);
     late_.pop_front();
   }
@@ -91,11 +93,13 @@ double HaplyEmulator::next_float() {
   return static_cast<double>(std::bit_cast<float>(bytes));
 }
 
+// Command 0 resets, 1 sets up, 2 commands torques.
 void HaplyEmulator::start_command() {
   const std::uint8_t type = byte_if_there();
   device_id_ = byte_if_there();
   switch (type) {
-    case 0:  // the motors keep what they have
+    // A reset forgets the setup; the motors keep their torque.
+    case 0:
       motor_reversed_.clear();
       encoders_.clear();
       analogue_ = 0;
@@ -115,6 +119,8 @@ void HaplyEmulator::start_command() {
   }
 }
 
+// The setup lists motors, encoders, analogue inputs and PWM outputs, each as a mask or count and
+// one byte for each; the encoders' floats follow.
 void HaplyEmulator::start_setup() {
   coming_ = {};
   const auto motors = static_cast<std::size_t>(std::popcount(byte_if_there() & 0xFU));
@@ -136,7 +142,7 @@ void HaplyEmulator::start_setup() {
   waiting_ = Waiting::setup_floats;
 }
 
-// False while it waits for the rest.
+// Returns false while the parser waits for the rest of a command.
 bool HaplyEmulator::finish_command(hal::TimeNs now_ns) {
   const std::size_t floats = waiting_ == Waiting::torques        ? motor_reversed_.size()
                              : waiting_ == Waiting::setup_floats ? 2 * coming_.encoders.size()

@@ -1,4 +1,4 @@
-// The emulated Haply board on a serial line in memory.
+// The emulated Haply board on a serial line in memory, for tests in simulated time.
 #pragma once
 
 #include "hal/simulated/serial_port.h"
@@ -6,9 +6,10 @@
 
 namespace tactus::host {
 
-// Attaches itself to the clock, which must outlive it. The fault `unplugged` is unplug().
+// Attaches itself to the clock, which must outlive it. For the fault `unplugged` call unplug().
 class HaplySerialPeer final : private hal::SimulatedEventSource {
  public:
+  // How often the firmware polls its line.
   static constexpr hal::TimeNs kPoll_ns = 50'000;
 
   HaplySerialPeer(hal::SimulatedClock& clock, std::uint32_t seed);
@@ -16,8 +17,11 @@ class HaplySerialPeer final : private hal::SimulatedEventSource {
   HaplySerialPeer& operator=(const HaplySerialPeer&) = delete;
   ~HaplySerialPeer();
 
+  // Returns the board, for its faults and shafts.
   [[nodiscard]] HaplyEmulator& emulator() { return emulator_; }
+  // Returns the host's end of the line.
   [[nodiscard]] hal::SimulatedSerialPort& host() { return host_; }
+  // Pulls the plug, and puts it in again.
   void unplug();
   void plug_in();
 

@@ -14,6 +14,8 @@
 namespace tactus::host {
 namespace {
 
+// Returns a joint's number from a list with one for all joints or one for each. Throws InputError
+// that names the option.
 double for_joint(const std::vector<double>& values, std::size_t joint, std::size_t joints,
                  std::string_view option) {
   if (values.size() != 1 && values.size() != joints) {

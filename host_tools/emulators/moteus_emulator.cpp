@@ -14,6 +14,7 @@ namespace tactus::host {
 namespace {
 
 constexpr double kMoteusRevPerRad = 0.5 / std::numbers::pi;
+// The modes of register 0x000. From `enabling` to `calibrated` the servo starts; above it runs.
 constexpr int kMoteusStopped = 0;
 constexpr int kMoteusFault = 1;
 constexpr int kMoteusEnabling = 2;
@@ -22,14 +23,16 @@ constexpr int kMoteusPosition = 10;
 constexpr int kMoteusTimeout = 11;
 constexpr int kMoteusZeroVelocity = 12;
 constexpr int kMoteusLastMode = 15;
+// The fault code of register 0x00F for an error of the motor driver.
 constexpr int kMotorDriverFaultCode = 33;
+// The type of a register's value: 0 int8, 1 int16, 2 int32, 3 float.
 constexpr unsigned kFloatType = 3;
-// It has not run for so long: it was without power.
+// A servo that has not been run for this time was without power.
 constexpr hal::TimeNs kMoteusPowerLoss_ns = 200'000'000;
 constexpr double kMoteusVoltage_V = 24.0;
 constexpr double kMoteusTemperature_C = 31.0;
 
-// The least significant bit of int8, int16 and int32 at that register; one for plain numbers.
+// Returns the value of one bit of int8, int16 and int32 in that register; 1 for plain numbers.
 std::array<double, 3> moteus_steps(unsigned at) {
   switch (at) {
     case 0x001:
@@ -62,15 +65,18 @@ std::array<double, 3> moteus_steps(unsigned at) {
   }
 }
 
+// Returns the number of bytes of a value of that type.
 std::size_t moteus_width(unsigned type) {
   return type == 0 ? 1 : type == 1 ? 2 : 4;
 }
 
+// Returns the lowest integer of `width` bytes.
 double lowest_of(std::size_t width) {
   return -std::ldexp(1.0, static_cast<int>(8 * width) - 1);
 }
 
-// A value that is there: the caller has checked.
+// Takes a value off `rest`; the caller has checked that it is there. The lowest integer stands for
+// NaN in registers with a scale.
 double take_value(std::span<const std::byte>& rest, unsigned type, unsigned at) {
   const std::size_t width = moteus_width(type);
   std::uint32_t bits = 0;
@@ -88,6 +94,7 @@ double take_value(std::span<const std::byte>& rest, unsigned type, unsigned at) 
                                            : raw * moteus_steps(at)[type];
 }
 
+// Appends a value in the given type; what is not finite becomes the lowest integer.
 void put_value(std::vector<std::uint8_t>& bytes, unsigned type, unsigned at, double value) {
   const std::size_t width = moteus_width(type);
   std::uint32_t bits = 0;
@@ -105,6 +112,7 @@ void put_value(std::vector<std::uint8_t>& bytes, unsigned type, unsigned at, dou
   }
 }
 
+// A varuint has seven bits a byte, the lowest first; a set top bit means that more follow.
 void put_varuint(std::vector<std::uint8_t>& bytes, unsigned value) {
   while (value >= 0x80U) {
     bytes.push_back(static_cast<std::uint8_t>(0x80U | (value & 0x7FU)));
@@ -113,7 +121,7 @@ void put_varuint(std::vector<std::uint8_t>& bytes, unsigned value) {
   bytes.push_back(static_cast<std::uint8_t>(value));
 }
 
-// False at the end of the bytes.
+// Takes a varuint off `rest`; returns false if the bytes end before it does.
 bool take_varuint(std::span<const std::byte>& rest, unsigned& value) {
   value = 0;
   for (unsigned shift = 0; shift < 32 && !rest.empty(); shift += 7) {
@@ -154,6 +162,8 @@ void MoteusEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
 void MoteusEmulator::read_subframes(Bytes payload) {
   unsigned header = 0;
   while (take_varuint(payload, header)) {
+    // 0x50 is padding. Below 0x20 the header has the type in bits 2 and 3 and the count in bits 0
+    // and 1.
     if (header == 0x50U) {
       continue;
     }
@@ -181,6 +191,7 @@ bool MoteusEmulator::do_write(unsigned type, unsigned count, Bytes& rest) {
       return false;
     }
     if (!write_register(at, take_value(rest, type, at))) {
+      // 0x30: a write error, with the register and an error number.
       answer_.push_back(0x30);
       put_varuint(answer_, at);
       put_varuint(answer_, 1);
@@ -198,6 +209,7 @@ bool MoteusEmulator::do_read(unsigned type, unsigned count, Bytes& rest) {
   for (unsigned i = 0; i < count && values.size() < hal::kMaxCanFdBytes; ++i) {
     double value = 0.0;
     if (!read_register(first + i, value)) {
+      // 0x31: a read error.
       answer_.push_back(0x31);
       put_varuint(answer_, first + i);
       put_varuint(answer_, 1);
@@ -293,7 +305,8 @@ bool MoteusEmulator::read_register(unsigned at, double& value) const {
   }
 }
 
-// The state that the reply told of is that from before.
+// Carries out a frame that writes the mode. The reply to it was made before and shows the earlier
+// state, as that of a servo does.
 void MoteusEmulator::obey(hal::TimeNs now_ns) {
   if (written_.mode == kMoteusStopped) {
     command_ = written_;
@@ -330,8 +343,8 @@ void MoteusEmulator::lose_position(bool is_lost) {
   position_lost_ = is_lost;
 }
 
-// The rotor's encoder tells the angle within a turn of the rotor, the output's within one of the
-// output; turns are forgotten.
+// After power-up the rotor's encoder tells the angle within a turn of the rotor, and the output's
+// encoder within a turn of the output; whole turns are lost.
 void MoteusEmulator::boot() {
   mode_ = kMoteusStopped;
   fault_ = 0;
@@ -364,11 +377,15 @@ void MoteusEmulator::proceed(hal::TimeNs now_ns) {
   const double silent_s = 1e-9 * static_cast<double>(now_ns - commanded_ns_);
   const double timeout_s =
       command_.timeout_s == 0.0 ? config_.default_timeout_s : command_.timeout_s;
-  if (config_.has_watchdog && mode_ == kMoteusPosition && silent_s > timeout_s) {  // never with NaN
+  // A time-out of NaN never expires.
+  if (config_.has_watchdog && mode_ == kMoteusPosition && silent_s > timeout_s) {
     mode_ = kMoteusTimeout;
   }
 }
 
+// The control law of moteus, of position p, velocity v and scales s, with the torque limited:
+//
+//   tau = s_p k_p (p_goal - p) + s_d k_d (v_goal - v) + feedforward
 void MoteusEmulator::set_torque() {
   const double position_rev = kMoteusRevPerRad * shaft().position_rad;
   const double velocity_rev_per_s = kMoteusRevPerRad * shaft().velocity_rad_per_s;
@@ -395,6 +412,7 @@ void MoteusEmulator::set_torque() {
 }
 
 void MoteusEmulator::reply(hal::TimeNs now_ns, const hal::CanFrame& query) {
+  // The payload lengths that CAN FD has; the rest of a frame is padding.
   constexpr std::array<std::size_t, 16> kLengths{0, 1,  2,  3,  4,  5,  6,  7,
                                                  8, 12, 16, 20, 24, 32, 48, 64};
   const std::uint32_t host = (query.id >> 8U) & 0x7FU;

@@ -1,10 +1,11 @@
-// A moteus servo on a CAN FD bus, as its register protocol shows it from outside.
+// A moteus servo on a CAN FD bus, as its register protocol shows it. Tests and `tactus emulate
+// moteus` run it.
 //
-// Fakes: writes and reads of any integer or float type in one frame, replies in the frame kind of
-// the query, the modes of position control with its start, faults and what ends them, the command's
-// time-out, refused registers.
-// Does not fake: calibration, the other control modes (their torque is zero), the integral and the
-// limits of position control, encoders, console, current, voltage and temperature (constant).
+// It fakes writes and reads of any integer or float type in one frame, replies in the frame kind of
+// the query, the modes of position control with their start, faults and what ends them, the
+// command's time-out, and refused registers. It does not fake calibration, other control modes
+// (their torque is zero), the integral and the limits of position control, encoders, the console,
+// current, voltage and temperature (constant).
 #pragma once
 
 #include <cstddef>
@@ -19,34 +20,50 @@
 
 namespace tactus::host {
 
+// The servo's settings and what it is attached to. Turns (rev) are those of the output.
 struct MoteusEmulatorConfig {
+  // Its number in the CAN identifier, 1 to 127.
   std::uint8_t servo_id = 1;
+  // The upper bits of the CAN identifier that it answers to.
   std::uint16_t prefix = 0;
+  // The time for which it obeys a silent host whose command gave no time-out.
   double default_timeout_s = 0.1;
-  int timeout_mode = 12;  // 12: hold the speed at zero; 0: free
+  // Its mode after the command's time-out: 12 damps the motion, 0 lets go.
+  int timeout_mode = 12;
+  // The largest torque of that damping.
   double timeout_max_torque_Nm = 5.0;
+  // The largest torque of position control.
   double max_torque_Nm = 1.0;
-  double kp_Nm_per_rev = 4.0;  // of the servo's own position control
+  // The gains of its own position control.
+  double kp_Nm_per_rev = 4.0;
   double kd_Nm_s_per_rev = 0.05;
-  double start_s = 0.02;        // through modes 2, 3 and 4
-  double gear = 1.0;            // turns of the rotor in one of the output
-  bool output_encoder = false;  // else it knows its rotor within a turn after power-up
+  // The time from the first command to position control, through the modes 2, 3 and 4.
+  double start_s = 0.02;
+  // Turns of the rotor in one turn of the output.
+  double gear = 1.0;
+  // True if it has an encoder at the output; else it knows its rotor within a turn after power-up.
+  bool output_encoder = false;
+  // False for a servo that ignores the command's time-out.
   bool has_watchdog = true;
 };
 
+// One servo.
 class MoteusEmulator final : public CanEmulator {
  public:
   MoteusEmulator(hal::CanBus& bus, std::uint32_t seed, const MoteusEmulatorConfig& config);
 
+  // Returns the mode that register 0x000 shows.
   [[nodiscard]] int mode() const { return mode_; }
 
-  // Faults inside a servo, which the fault port does not offer.
-  void raise_fault(int code);        // 32 to 50
-  void limit(int code);              // 96 to 103, or 0: what holds the torque back
-  void lose_position(bool is_lost);  // positions are NaN from now on
+  // Faults inside of the servo. This one sets a fault code, 32 to 50, and stops the motor.
+  void raise_fault(int code);
+  // Sets what holds the torque back, 96 to 103; 0: nothing.
+  void limit(int code);
+  // Makes positions read NaN from now on.
+  void lose_position(bool is_lost);
 
  private:
-  // The registers that the host writes; a write of the mode resets them to these values.
+  // The registers that the host writes; a write of the mode resets the others to these values.
   struct Command {
     int mode = 0;
     double position_rev = 0.0;
@@ -62,31 +79,46 @@ class MoteusEmulator final : public CanEmulator {
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
   void advance(hal::TimeNs now_ns, bool erroring) override;
 
+  // Handles the reads and writes of a frame, one subframe after the other.
   void read_subframes(Bytes payload);
+  // do_write() and do_read() handle one subframe: `count` registers in the given type. They take it
+  // off `rest` and return false if the frame ends before the subframe does.
   bool do_write(unsigned type, unsigned count, Bytes& rest);
   bool do_read(unsigned type, unsigned count, Bytes& rest);
+  // Writes a register of the command; returns false if there is no such register or mode.
   bool write_register(unsigned at, double value);
+  // Reads a register into `value`, in its unit; returns false if there is no such register.
   bool read_register(unsigned at, double& value) const;
   void obey(hal::TimeNs now_ns);
+  // Starts as after a power cycle: stopped, without fault and command, whole turns lost.
   void boot();
+  // Goes through the states of the start, and into the time-out if the host is silent.
   void proceed(hal::TimeNs now_ns);
+  // Sets the shaft's torque from mode and command.
   void set_torque();
+  // Sends the answer to the frame `query`, padded to a length that CAN FD has.
   void reply(hal::TimeNs now_ns, const hal::CanFrame& query);
 
   MoteusEmulatorConfig config_;
-  Command written_;        // of the frame being read
-  bool has_mode_ = false;  // that frame writes the mode
+  // The command of the frame that is being read, and whether it contains the mode.
+  Command written_;
+  bool has_mode_ = false;
+  // The payload of the answer that is being built.
   std::vector<std::uint8_t> answer_;
   Command command_;
+  // The registers 0x000 (mode) and 0x00F (fault, else the limit code).
   int mode_ = 0;
   int fault_ = 0;
   int limit_ = 0;
-  double held_rev_ = 0.0;  // the position to stay at
+  // The position to hold when the command's position is NaN.
+  double held_rev_ = 0.0;
+  // When the mode was entered, when the host last commanded, and when the servo last ran.
   hal::TimeNs mode_since_ns_ = 0;
   hal::TimeNs commanded_ns_ = 0;
   hal::TimeNs ran_ns_ = 0;
   bool has_run_ = false;
-  double zero_rad_ = 0.0;  // of the output, where the reported position is zero
+  // The output's angle at which the reported position is zero.
+  double zero_rad_ = 0.0;
   bool position_lost_ = false;
   bool was_erroring_ = false;
 };

@@ -20,10 +20,11 @@ namespace {
 constexpr double kODriveTurnsPerRad = 0.5 / std::numbers::pi;
 constexpr hal::TimeNs kODriveNsPerMs = 1'000'000;
 
+// The axis states that are faked.
 constexpr std::uint32_t kODriveIdle = 1;
 constexpr std::uint32_t kODriveClosedLoop = 8;
 
-// Firmware 0.5.
+// Error bits of firmware 0.5.
 constexpr std::uint32_t kODriveInvalidState = 0x1;
 constexpr std::uint32_t kODriveMotorFailed = 0x40;
 constexpr std::uint32_t kODriveControllerFailed = 0x200;
@@ -31,11 +32,12 @@ constexpr std::uint32_t kODriveWatchdogExpired_0_5 = 0x800;
 constexpr std::uint32_t kODriveEstop_0_5 = 0x4000;
 constexpr std::uint64_t kODriveMotorDriverFault = 0x8;
 constexpr std::uint32_t kODriveControllerOverspeed = 0x1;
-// Firmware 0.6.
+// Error bits of firmware 0.6.
 constexpr std::uint32_t kODriveDriverFault_0_6 = 0x20;
 constexpr std::uint32_t kODriveVelocityLimit_0_6 = 0x8000;
 constexpr std::uint32_t kODriveWatchdogExpired_0_6 = 0x0100'0000;
 constexpr std::uint32_t kODriveEstop_0_6 = 0x0200'0000;
+// The procedure results of firmware 0.6.
 constexpr std::uint8_t kODriveSuccess = 0;
 constexpr std::uint8_t kODriveCancelled = 2;
 constexpr std::uint8_t kODriveInvalidStateResult = 13;
@@ -54,10 +56,12 @@ void put_odrive_u32(std::array<std::uint8_t, kSize>& bytes, std::size_t at, std:
   }
 }
 
+// Returns the 32-bit float that begins at byte `at`.
 double odrive_f32(const std::array<std::uint8_t, 8>& bytes, std::size_t at) {
   return static_cast<double>(std::bit_cast<float>(odrive_u32(bytes, at)));
 }
 
+// Returns a payload of two 32-bit floats.
 std::array<std::uint8_t, 8> odrive_floats(double first, double second) {
   std::array<std::uint8_t, 8> bytes{};
   put_odrive_u32(bytes, 0, std::bit_cast<std::uint32_t>(static_cast<float>(first)));
@@ -65,6 +69,7 @@ std::array<std::uint8_t, 8> odrive_floats(double first, double second) {
   return bytes;
 }
 
+// Returns a payload of two 32-bit integers.
 std::array<std::uint8_t, 8> odrive_words(std::uint32_t first, std::uint32_t second) {
   std::array<std::uint8_t, 8> bytes{};
   put_odrive_u32(bytes, 0, first);
@@ -112,11 +117,13 @@ void ODriveEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   for (std::size_t i = 0; i < frame.bytes().size(); ++i) {
     payload[i] = std::to_integer<std::uint8_t>(frame.data[i]);
   }
-  // 0.5: whatever the host says feeds it; 0.6: setpoints.
+  // Firmware 0.5 feeds its watchdog with any frame of the host, 0.6 with setpoints only.
   const bool is_setpoint = command >= 0x0C && command <= 0x0E;
   if (!is_0_6() || is_setpoint) {
     fed_ns_ = now_ns;
   }
+  // Newer firmware takes an empty frame for a request, except for commands that have no data
+  // anyway.
   const bool understands_empty =
       config_.firmware == ODriveFirmware::v0_5_6 || config_.firmware == ODriveFirmware::v0_6;
   if (frame.remote || (frame.length == 0 && understands_empty && command != 0x02 &&
@@ -127,6 +134,7 @@ void ODriveEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   }
 }
 
+// Answers a request; a firmware that does not know the message stays silent.
 void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
   const bool is_0_5_6 = config_.firmware == ODriveFirmware::v0_5_6;
   switch (command) {
@@ -138,6 +146,7 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
     case 0x01:
       send_heartbeat(now_ns);
       return;
+    // Firmware 0.6 sends its errors and what disarmed it, firmware 0.5 the motor's error.
     case 0x03:
       if (is_0_6()) {
         send_payload(now_ns, command, odrive_words(error_, disarm_reason_));
@@ -155,23 +164,29 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
     case 0x09:
       send_estimates(now_ns);
       return;
+    // The currents that are wanted and that flow, A.
     case 0x14:
       send_payload(now_ns, command,
                    odrive_floats(input_torque_Nm_ / config_.torque_constant_Nm_per_A,
                                  shaft().torque_Nm / config_.torque_constant_Nm_per_A));
       return;
+    // Firmware 0.6 sends the temperatures of transistors and motor, degrees C. Firmware 0.5 has the
+    // sensorless estimates here.
     case 0x15:
       send_payload(now_ns, command,
                    is_0_6() ? odrive_floats(41.5, 36.25) : odrive_floats(0.0, 0.0));
       return;
+    // Voltage and current of the supply, V and A.
     case 0x17:
       send_payload(now_ns, command, odrive_floats(24.0, is_0_6() || is_0_5_6 ? 0.75 : 0.0));
       return;
+    // The torques that are wanted and that act, N m.
     case 0x1C:
       if (is_0_6()) {
         send_payload(now_ns, command, odrive_floats(input_torque_Nm_, shaft().torque_Nm));
       }
       return;
+    // The powers of firmware 0.6; firmware 0.5.6 has the controller's error here.
     case 0x1D:
       if (is_0_6()) {
         send_payload(now_ns, command, odrive_floats(0.0, 0.0));
@@ -184,6 +199,8 @@ void ODriveEmulator::answer(hal::TimeNs now_ns, unsigned command) {
   }
 }
 
+// Commands: 0x02 estop, 0x07 axis state, 0x0B controller modes, 0x0E torque, 0x0F limits, 0x18
+// clear errors.
 void ODriveEmulator::obey(hal::TimeNs now_ns, unsigned command, const Payload& payload) {
   switch (command) {
     case 0x02:
@@ -316,6 +333,7 @@ void ODriveEmulator::watch(hal::TimeNs now_ns) {
   if (config_.watchdog_s > 0.0 && silent_s > config_.watchdog_s) {
     raise(is_0_6() ? kODriveWatchdogExpired_0_6 : kODriveWatchdogExpired_0_5);
   }
+  // The firmware tolerates 20 % above the limit before it raises an error.
   constexpr double kOverspeedRatio = 1.2;
   const double speed = std::abs(kODriveTurnsPerRad * shaft().velocity_rad_per_s);
   if (config_.enable_overspeed_error && state_ == kODriveClosedLoop &&
@@ -329,7 +347,8 @@ void ODriveEmulator::watch(hal::TimeNs now_ns) {
   }
 }
 
-// Torque only in closed loop and torque control with the input passed through.
+// There is torque in closed loop only, with torque control and the input passed through. The speed
+// limit of torque mode acts as a steep damper beyond the limit.
 void ODriveEmulator::set_torque() {
   constexpr std::uint32_t kTorqueControl = 1;
   constexpr std::uint32_t kPassthrough = 1;

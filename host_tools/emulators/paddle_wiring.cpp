@@ -18,6 +18,7 @@ namespace {
 
 using drivers::AxisPins;
 
+// gpio-sim makes chips of at most this many lines here.
 constexpr std::uint32_t kMostLines = 64;
 
 constexpr std::array<std::pair<std::string_view, std::optional<drivers::InputPin> AxisPins::*>, 7>
@@ -62,6 +63,7 @@ NamedLine parse_line(std::string_view text) {
   return line;
 }
 
+// Sets the pin of that name; returns false if the table has no such name.
 template <class Table, class Pin>
 bool put_line(const Table& table, const NamedLine& line, const Pin& pin, AxisPins& pins) {
   const auto found = std::ranges::find(table, line.name, &Table::value_type::first);

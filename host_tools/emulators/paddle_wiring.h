@@ -1,4 +1,4 @@
-// The lines of an emulated paddle, in a user's words.
+// Reads the wiring of an emulated paddle in the user's words, for `tactus emulate paddle --pins`.
 #pragma once
 
 #include <span>
@@ -8,8 +8,9 @@
 
 namespace tactus::host {
 
-// "encoder_a=0", "emergency_stop=5:active_low": the names of the lines as device.toml has them.
-// Throws InputError on a name, a number or a word that is none, and on a line given twice.
+// Returns the pins of texts like "encoder_a=0" or "emergency_stop=5:active_low"; the names are
+// those of device.toml. Throws InputError for an unknown name, a line number out of range, and a
+// line that is given twice.
 drivers::AxisPins parse_pins(std::span<const std::string> texts);
 
 }  // namespace tactus::host

@@ -15,9 +15,11 @@
 namespace tactus::host {
 namespace {
 
-// The signals that end a run, held back while it lives, so that nothing interrupts a step.
+// Holds back the signals that end a run while it lives, so that nothing interrupts a step; came()
+// asks for them.
 class EndSignals {
  public:
+  // Returns true if one of the signals has arrived; does not wait.
   [[nodiscard]] bool came() const {
     constexpr timespec kNoTime{};
     return sigtimedwait(&signals_, nullptr, &kNoTime) > 0;
@@ -52,6 +54,8 @@ hal::TimeNs start_of_run_ns(const RealTimeOptions& options) {
 }
 
 void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const RunStatusSink& sink) {
+  // The status is reported each second. Signals are asked for every 5 ms only, since the question
+  // is a system call.
   constexpr hal::TimeNs kSecond_ns = 1'000'000'000;
   constexpr hal::TimeNs kSignalPeriod_ns = 5'000'000;
   const EndSignals end_signals;

@@ -1,4 +1,4 @@
-// Runs an emulated machine against the monotonic clock of this machine.
+// Runs an emulated machine against the monotonic clock of this machine. `tactus emulate` uses it.
 #pragma once
 
 #include <functional>
@@ -9,22 +9,25 @@
 
 namespace tactus::host {
 
+// How long, and in which steps.
 struct RealTimeOptions {
-  std::optional<double> seconds;  // nothing: until SIGINT or SIGTERM
+  // The length of the run; without it the run lasts until SIGINT or SIGTERM.
+  std::optional<double> seconds;
   hal::TimeNs step_ns = kLongestMachineStep_ns;
 };
 
-// Gives this thread, and those that it starts from now on, a SCHED_FIFO priority from 1 to 99.
-// Throws InputError, text for a user, where the system refuses.
+// Gives this thread, and those that it starts later, a SCHED_FIFO priority from 1 to 99. Throws
+// InputError if the system refuses.
 void take_realtime_priority(int priority);
 
-// Returns when a machine that is about to be made should start: an instant of the loop's phase.
+// Returns when a machine that is about to be made should start: the next instant of the loop's
+// phase.
 hal::TimeNs start_of_run_ns(const RealTimeOptions& options);
 
-// Called once a second of the run.
+// Is called once a second of the run.
 using RunStatusSink = std::function<void(const EmulatedRun&)>;
 
-// Returns when the time is over or the user ends the program.
+// Runs until the time is over or a signal ends the program.
 void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const RunStatusSink& sink);
 
 }  // namespace tactus::host

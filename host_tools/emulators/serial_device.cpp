@@ -15,7 +15,8 @@
 namespace tactus::host {
 
 void SerialDevice::open(const std::string& tty) {
-  constexpr unsigned kAnyBaud = 115200;  // a tty without wires ignores it
+  // A tty without wires ignores its baud rate.
+  constexpr unsigned kAnyBaud = 115200;
   if (const auto opened = port_.open(tty, kAnyBaud); !opened) {
     throw InputError(fmt::format("{}: {} (errno {}); is the gadget there? see README.md", tty,
                                  hal::words(opened.error().code), opened.error().errno_value));
@@ -47,7 +48,8 @@ std::string SerialDevice::open_pseudo_terminal() {
 }
 
 void SerialDevice::note(const hal::Error& error) {
-  constexpr unsigned kCallsBetween = 1000;  // 0.1 s at the emulator's pace
+  // Calls between two attempts to open it again: 0.1 s at the emulator's pace.
+  constexpr unsigned kCallsBetween = 1000;
   if (error.code != hal::ErrorCode::disconnected) {
     return;
   }
@@ -65,6 +67,7 @@ hal::Result<std::size_t> SerialDevice::DoWrite(std::span<const std::byte> bytes,
 
 hal::Result<std::size_t> SerialDevice::DoRead(std::span<std::byte> buffer,
                                               hal::TimeNs deadline_ns) {
+  // A host that sends without a pause must not fill the memory.
   constexpr std::size_t kMostHeld_bytes = 4096;
   const auto got = port_.read(buffer, deadline_ns);
   if (got) {

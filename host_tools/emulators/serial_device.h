@@ -1,4 +1,5 @@
 // The device's end of a serial line of this machine: a pseudo-terminal, or the tty of a USB gadget.
+// `tactus emulate haply` uses it.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +11,10 @@
 
 namespace tactus::host {
 
-// Polled by one emulator, without waiting. What arrives is handed out one poll later, when no more
-// has come, so that a message that a kernel hands over in two parts is seen whole, as in a device's
-// own buffer. Comes back by itself after its tty was hung up, as a gadget's is when its cable is
-// pulled.
+// A port that one emulator polls without waiting. Bytes are handed out one poll later, when no more
+// have come, so that a message that the kernel delivers in two parts is seen whole, as in a
+// device's own buffer. After its tty was hung up, as a gadget's is when the cable is pulled, it
+// opens it again by itself.
 class SerialDevice final : public hal::SerialPort {
  public:
   SerialDevice() = default;
@@ -21,10 +22,10 @@ class SerialDevice final : public hal::SerialPort {
   SerialDevice& operator=(const SerialDevice&) = delete;
   ~SerialDevice();
 
-  // Opens a tty. Throws InputError, text for a user, if it cannot be opened.
+  // Opens a tty. Throws InputError if it cannot be opened.
   void open(const std::string& tty);
   // Makes a pseudo-terminal and returns the path of the host's end, which opens like any tty.
-  // Throws InputError too.
+  // Throws InputError.
   std::string open_pseudo_terminal();
 
  private:
@@ -37,7 +38,8 @@ class SerialDevice final : public hal::SerialPort {
 
   hal::LinuxSerialPort port_;
   std::vector<std::byte> arrived_;
-  int host_end_ = -1;  // held open: a pseudo-terminal is hung up when the last host closes it
+  // The host's end, held open: a pseudo-terminal is hung up when the last host closes it.
+  int host_end_ = -1;
   unsigned calls_until_reopen_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The outside of a simulated GPIO chip and PWM channel.
+// The outside of a simulated GPIO chip and PWM channel, for tests in simulated time.
 #pragma once
 
 #include "hal/simulated/gpio_chip.h"
@@ -7,9 +7,10 @@
 
 namespace tactus::host {
 
+// Connects an emulator to the simulated hal.
 class SimulatedPins final : public BoardPins {
  public:
-  // Both must outlive it.
+  // Chip and PWM channel must outlive it.
   SimulatedPins(hal::SimulatedGpioChip& chip, const hal::SimulatedPwmOutput& pwm)
       : chip_(chip), pwm_(pwm) {}
 

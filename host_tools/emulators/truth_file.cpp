@@ -9,6 +9,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the names of the columns for that many joints.
 std::string truth_header(std::size_t joints) {
   std::string header = "t_ns";
   for (const char* const column :
@@ -23,6 +24,7 @@ std::string truth_header(std::size_t joints) {
          "hand_force_x_N,hand_force_y_N,hand_force_z_N\n";
 }
 
+// Appends three columns.
 void append_vector(std::string& line, const Vec3& v) {
   fmt::format_to(std::back_inserter(line), ",{:.9g},{:.9g},{:.9g}", v.x(), v.y(), v.z());
 }

@@ -8,12 +8,14 @@ namespace tactus::host {
 
 namespace {
 
+// The fault code of VESC for an absolute overcurrent.
 constexpr std::uint8_t kAbsoluteOverCurrent = 4;
+// The receiver that addresses every VESC on the bus.
 constexpr std::uint32_t kEverybody = 255;
 constexpr double kSupply_V = 48.0;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// Most significant byte first.
+// Returns a signed number; VESC sends the most significant byte first.
 std::int64_t signed_at(const hal::CanFrame& frame, std::size_t at, std::size_t size) {
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < size; ++i) {
@@ -23,6 +25,7 @@ std::int64_t signed_at(const hal::CanFrame& frame, std::size_t at, std::size_t s
   return static_cast<std::int64_t>(bits) - static_cast<std::int64_t>((bits & sign) * 2U);
 }
 
+// Appends the lowest `size` bytes of a number, the most significant first.
 void append(hal::CanFrame& frame, std::size_t size, std::int64_t value) {
   for (std::size_t i = size; i > 0; --i) {
     frame.data[frame.length] = static_cast<std::byte>(value >> (8 * (i - 1)) & 0xFF);
@@ -30,6 +33,7 @@ void append(hal::CanFrame& frame, std::size_t size, std::int64_t value) {
   }
 }
 
+// Returns an empty frame: the identifier holds the packet's kind and the VESC's number.
 hal::CanFrame message(std::uint32_t packet, std::uint32_t to_or_from) {
   return {.id = packet * 256U + to_or_from, .extended = true};
 }
@@ -49,6 +53,8 @@ void VescEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   if (!frame.extended || frame.remote || frame.fd || (to != config_.vesc_id && to != kEverybody)) {
     return;
   }
+  // 1 is the current command; the other commands of a motor take the torque away here. 8 is a
+  // question, 17 a PING.
   switch (frame.id >> 8U) {
     case 1:
       take_current(now_ns, frame);
@@ -88,7 +94,8 @@ void VescEmulator::take_current(hal::TimeNs now_ns, const hal::CanFrame& frame) 
   holds_until_ns_ = frame.length >= 6 ? now_ns + signed_at(frame, 4, 2) * 1'000'000 : 0;
 }
 
-// host, 0, "get values, selected", mask.
+// A question has: the host's number, 0, "get selected values" (0x32), and a mask of the values. Bit
+// 15 is the fault code, bit 21 the flags.
 void VescEmulator::answer(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   if (frame.length != 7 || frame.data[2] != std::byte{0x32}) {
     return;
@@ -164,8 +171,8 @@ void VescEmulator::send_due_status(hal::TimeNs now_ns) {
 void VescEmulator::send_status(hal::TimeNs now_ns) {
   hal::CanFrame frame = message(9, config_.vesc_id);
   append(frame, 4, std::llround(shaft().velocity_rad_per_s / kTurn * 60.0 * config_.pole_pairs));
-  // The current is positive where it drives and negative where it brakes; the duty has the sign of
-  // the voltage, which is what the resistance and the turning motor take.
+  // A VESC reports a current that is positive where it drives and negative where it brakes. The
+  // duty has the sign of the voltage, which resistance and turning motor take up.
   const double voltage_V = flowing_A_ * config_.phase_resistance_ohm +
                            shaft().velocity_rad_per_s * config_.torque_constant_Nm_per_A;
   const double driving_A = std::copysign(flowing_A_, flowing_A_ * voltage_V);
@@ -193,6 +200,7 @@ void VescEmulator::send_status_5(hal::TimeNs now_ns) {
 }
 
 std::int32_t VescEmulator::shaft_counts() const {
+  // The tachometer counts six commutation steps for each electrical turn.
   const auto counts = std::llround(shaft().position_rad / kTurn * 6.0 * config_.pole_pairs);
   return static_cast<std::int32_t>(counts + offset_counts_);
 }

@@ -30,6 +30,7 @@ std::string with_fault_table(const std::string& document) {
   if (start == std::string::npos) {
     throw InputError(fmt::format("no table of faults; its header is {}", kHeader));
   }
+  // A blank line ends a table in Markdown.
   const std::size_t end = document.find("\n\n", start);
   const std::string after = end == std::string::npos ? "" : document.substr(end + 1);
   return document.substr(0, start) + fault_table_markdown() + after;

@@ -12,6 +12,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the words of an errno.
 std::string reason(int error) {
   return std::generic_category().message(error);
 }

@@ -1,4 +1,5 @@
-// Files that are there whole or not at all.
+// Reads and writes whole files at once. Every tool that writes an image, a table or a report in one
+// go uses it; a reader sees either the old file or the complete new one.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +9,14 @@
 
 namespace tactus::host {
 
-// Writes beside `path` and renames, so that a failure or a reader never meets half of the new file;
-// into a pipe directly. Throws InputError naming `path` and the reason: output_place.h refuses it,
-// or the system.
+// Writes `bytes` to a temporary file beside `path` and renames it to `path`, so that a failure
+// leaves the old file and no reader sees half of the new one. A pipe or terminal is written to
+// directly. Throws InputError that names `path` and the reason: output_place() refuses it, or the
+// system does.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-// The whole file. Throws InputError naming `path`: missing, a folder, not readable.
+// Returns the content of a file. Throws InputError that names `path` if it is missing, is a folder
+// or cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace tactus::host

@@ -13,8 +13,11 @@
 namespace tactus::host {
 namespace {
 
+// The permission bits of st_mode for owner, group and others; set-user-id and sticky bits are left
+// out.
 constexpr ::mode_t kPermissions = 0777;
 
+// Opens a pipe, socket, terminal or null device for writing; returns -1 with errno set on failure.
 int open_pipe(const std::filesystem::path& path) {
   // Standard output may be a file that a shell has opened: only its own descriptor knows where the
   // next byte goes.
@@ -22,7 +25,8 @@ int open_pipe(const std::filesystem::path& path) {
                                   : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
 }
 
-// A replaced file keeps its permissions. 0, or errno.
+// Gives the temporary file the permissions of the file that it replaces. Returns 0 or errno; a file
+// that does not exist yet has none to keep.
 int keep_permissions(int file, const std::filesystem::path& old) {
   struct stat status{};
   if (::stat(old.c_str(), &status) != 0) {
@@ -41,6 +45,8 @@ OutputFile::OutputFile(const std::filesystem::path& output, OutputKind kind)
   } else {
     partial_ = partial_of(place_);
     file_ = hal::FileDescriptor(
+        // O_EXCL and O_NOFOLLOW: nobody can plant a link under the temporary name that leads the
+        // bytes into another file.
         ::open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   }
   if (!file_.is_open()) {

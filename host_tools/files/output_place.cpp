@@ -16,7 +16,8 @@
 namespace tactus::host {
 namespace {
 
-// Linux's numbers of devices: Documentation/admin-guide/devices.txt.
+// Linux's major numbers of character devices, and the minor numbers of those among them that are
+// safe to write to: Documentation/admin-guide/devices.txt.
 constexpr unsigned kMemoryDevices = 1;
 constexpr unsigned kNull = 3;
 constexpr unsigned kFull = 7;
@@ -24,12 +25,15 @@ constexpr unsigned kOwnTerminal = 5;  // minor 0: /dev/tty
 constexpr unsigned kFirstPseudoTerminal = 136;
 constexpr unsigned kLastPseudoTerminal = 143;
 
+// Returns what the system knows of the file that the path leads to; nothing if there is none.
 std::optional<struct stat> status_of(const std::filesystem::path& path) {
   struct stat status{};
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-// True for what takes a stream of bytes and loses nothing by it.
+// Returns true if the file takes a stream of bytes and no stored data is lost by it: pipes,
+// sockets, terminals, /dev/null and /dev/full. A disk or a serial port is a device that would be
+// overwritten.
 bool takes_a_stream(const struct stat& status) {
   if (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)) {
     return true;
@@ -44,7 +48,8 @@ bool takes_a_stream(const struct stat& status) {
          (kind >= kFirstPseudoTerminal && kind <= kLastPseudoTerminal);
 }
 
-// True for one regular file under whatever names and links.
+// Returns true if both names lead to one regular file: device and inode number are equal, so hard
+// links and symbolic links are found out too.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   const std::optional<struct stat> first = status_of(a);
   const std::optional<struct stat> second = status_of(b);
@@ -52,16 +57,20 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
          first->st_ino == second->st_ino;
 }
 
-// The same for files that may not be there yet.
+// Returns true if two outputs would be written to the same path. Outputs need not exist yet, so the
+// paths are compared and not the inodes; two outputs may share standard output.
 bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
   return !a.empty() && !is_standard_output(a) &&
          std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
 }
 
+// Throws InputError with the reason and that nothing was written.
 [[noreturn]] void refuse(const std::filesystem::path& output, std::string_view why) {
   throw InputError(fmt::format("{}: {}; nothing was written", output.string(), why));
 }
 
+// Returns the target of a symbolic link, so that the rename replaces the target and the link stays;
+// any other path is returned unchanged.
 std::filesystem::path followed(const std::filesystem::path& output) {
   std::error_code error;
   if (!std::filesystem::is_symlink(output, error)) {
@@ -74,6 +83,7 @@ std::filesystem::path followed(const std::filesystem::path& output) {
   return target;
 }
 
+// Accepts a stream, unless the program needs a file.
 OutputPlace pipe_place(const std::filesystem::path& output, OutputKind kind) {
   if (kind == OutputKind::file) {
     refuse(output, "is a pipe or a terminal, and this output must be a file; name one");

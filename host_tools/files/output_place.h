@@ -1,5 +1,6 @@
-// The place where a program may write what the user named with -o: nothing that exists is lost by a
-// wrong name.
+// Decides where a program may write the output that the user named with -o, so that a wrong name
+// never destroys a file that exists. Every verb of `tactus` that writes calls it before it reads or
+// writes anything.
 #pragma once
 
 #include <cstdint>
@@ -9,34 +10,40 @@
 
 namespace tactus::host {
 
-// How a program writes an output: in one go or line by line, which a pipe takes too, or as a file
-// that it must be able to seek in or replace.
+// How a program writes an output. `may_be_a_pipe`: in one go or line by line, so that a pipe will
+// do. `file`: the program must be able to seek in the output or to replace it.
 enum class OutputKind : std::uint8_t { may_be_a_pipe, file };
 
 struct OutputPlace {
-  std::filesystem::path file;  // with symbolic links followed
-  bool is_pipe = false;        // a pipe, socket, terminal or null device, written to as it is
+  // The output with symbolic links followed.
+  std::filesystem::path file;
+  // True for a pipe, socket, terminal or null device: it is written to directly, without a
+  // temporary file.
+  bool is_pipe = false;
 };
 
-// Says where an output goes, and changes nothing. Throws InputError naming `output` and the remedy
-// if it is a folder, a device, a link to nothing, a read-only file, or, for `OutputKind::file`, a
-// pipe.
+// Returns where an output goes, and changes nothing on the disk. Throws InputError that names
+// `output` and the remedy if it is a folder, a device, a link to nothing, a file without write
+// permission, "-", or, for `OutputKind::file`, a pipe.
 OutputPlace output_place(const std::filesystem::path& output, OutputKind kind);
 
-// The name of the file that is written before it takes that place.
+// Returns the name of the temporary file beside `place`: it holds this process's number, so that
+// two programs that write the same output do not share it.
 std::filesystem::path partial_of(const OutputPlace& place);
 
-// Throws InputError if an output is one of the inputs, by whatever name or link, or the same file
-// as another output. Empty paths are skipped. Programs call it before they read or write anything.
+// Throws InputError if an output is the same file as one of the inputs, under any name or link, or
+// as another output. Empty paths are skipped.
 void keep_inputs_safe(std::span<const std::filesystem::path> outputs,
                       std::span<const std::filesystem::path> inputs);
 void keep_inputs_safe(std::initializer_list<std::filesystem::path> outputs,
                       std::initializer_list<std::filesystem::path> inputs);
 
-// Throws InputError if `output` is a baked scene or device: for programs that write something else.
+// Throws InputError if `output` is a baked scene or device. Programs that write anything else call
+// it, so that a slip of the user does not replace an image by a table.
 void keep_images_safe(const std::filesystem::path& output);
 
-// True if the output is this process's standard output: words for the user then belong on stderr.
+// Returns true if the output is this process's standard output. Text for the user then belongs on
+// stderr, so that it does not mix with the rows.
 bool is_standard_output(const std::filesystem::path& output);
 
 }  // namespace tactus::host

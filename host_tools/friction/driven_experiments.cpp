@@ -13,6 +13,7 @@ using rendering::FrictionMemory;
 using rendering::update_friction;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
+// A finding that does not exist.
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t ticks(double duration_s, double rate_hz) {
@@ -20,7 +21,7 @@ std::size_t ticks(double duration_s, double rate_hz) {
 }
 
 // Returns the force where the velocity first passes `v`, rising or falling, by linear interpolation
-// between two samples.
+// between two samples; kNone if it never does.
 double force_at(std::span<const FrictionSample> samples, double v, bool rising) {
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const FrictionSample& a = samples[k - 1];
@@ -34,6 +35,7 @@ double force_at(std::span<const FrictionSample> samples, double v, bool rising) 
   return kNone;
 }
 
+// Returns the area of the closed loop of force over velocity, W, by trapezoids.
 double area_over_velocity(std::span<const FrictionSample> samples) {
   double area = 0.0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -53,7 +55,8 @@ Setup lag_setup() {
 }
 
 ExperimentResult run_lag(const ExperimentRun& run) {
-  constexpr double kFromMean = 0.5;  // of the swing: where rising and falling are compared
+  // Rising and falling are compared at this share of the swing from the mean.
+  constexpr double kFromMean = 0.5;
   const double mean = run.setup.number("mean_m_per_s");
   const double swing = run.setup.number("swing_m_per_s");
   const double step_s = 1.0 / run.rate_hz;
@@ -66,6 +69,8 @@ ExperimentResult run_lag(const ExperimentRun& run) {
   NamedColumn column{.name = "omega_rad_per_s", .values = {}};
   std::vector<FrictionSample>& samples = result.track.samples;
   for (const double omega : run.setup.list("omegas_rad_per_s")) {
+    // The place is the integral of the velocity mean + swing cos(omega t). The first period lets
+    // the bristle settle; the second is kept.
     const auto way = [&](double t) { return mean * t + swing * std::sin(omega * t) / omega; };
     const std::size_t period = std::max<std::size_t>(ticks(kTurn / omega, run.rate_hz), 1);
     const std::size_t begin = samples.size();
@@ -116,6 +121,7 @@ ExperimentResult run_hysteresis(const ExperimentRun& run) {
   result.findings.columns = {"amplitude_m", "turning_force_N", "loop_area_J"};
   NamedColumn column{.name = "amplitude_m", .values = {}};
   for (const double amplitude : run.setup.list("amplitudes_m")) {
+    // The phase is reduced to one period first, so that all cycles have the same bits.
     const auto place = [&](std::size_t k) {
       return amplitude *
              std::sin(kTurn * static_cast<double>(k % period) / static_cast<double>(period));

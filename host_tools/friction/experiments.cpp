@@ -37,6 +37,7 @@ constexpr std::array kExperiments{
                hysteresis_setup, run_hysteresis},
 };
 
+// Compares names, with a hyphen equal to an underscore.
 bool same_name(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](char x, char y) {
     const auto hyphen = [](char c) { return c == '_' ? '-' : c; };
@@ -44,6 +45,7 @@ bool same_name(std::string_view a, std::string_view b) {
   });
 }
 
+// Returns the numbers of a list separated by commas. Throws InputError for one that is not above 0.
 std::vector<double> positive_numbers(std::string_view assignment, std::string_view text) {
   std::vector<double> numbers;
   for (bool more = true; more;) {

@@ -36,14 +36,17 @@ constexpr bool can_be_fitted(const FrictionModelTraits& model) {
          });
 }
 
-// A logarithm with this standard error or more is unknown: plus and minus two of it reach 0.
+// A parameter whose logarithm has this standard error or more is unknown: plus and minus two of
+// them come down to almost nothing.
 constexpr double kUnknownFrom = 0.5;
+// The 97.5 % quantile of the normal distribution: 95 % lie within it on both sides.
 constexpr double kTwoSided95 = 1.96;
 
-// Rows a reversal on which the force is on its way. With fewer the turn itself, which happens
+// How many rows of presliding a reversal must have. With fewer, the turn itself, which happens
 // between two rows, decides what the model does in them.
 constexpr std::size_t kPreslidingRows = 2;
 
+// Returns the standard error of a quantity's logarithm; 0 if it was not searched.
 double error_of(const Solution& solution, Quantity quantity) {
   const std::vector<Quantity> free = solution.point.free_quantities();
   const auto found = std::ranges::find(free, quantity);
@@ -80,8 +83,8 @@ void take_out(FitPoint& point, Quantity quantity) {
   }
 }
 
-// The quantity that the data tell least about, if they do not tell enough: the fall with speed as a
-// whole before its parts.
+// Returns the quantity that the data tell least about, if they do not tell enough. The fall with
+// speed is judged as a whole before its parts.
 std::optional<Quantity> least_known(const Solution& solution) {
   if (!(error_of(solution, Quantity::excess) < kUnknownFrom)) {
     return Quantity::excess;
@@ -98,11 +101,13 @@ std::optional<Quantity> least_known(const Solution& solution) {
   return worst;
 }
 
-// A curve that falls finds something to follow in any noise, and its standard errors do not tell
-// it: they are those of that place. So the fit without the fall must be clearly worse.
+// Returns the fit without a fall of friction with speed, unless it is clearly worse. A curve that
+// falls finds something to follow in any noise, and standard errors do not show it, since they hold
+// for that place only.
 Solution with_a_fall_that_is_there(Solution solution, const FrictionRecord& record,
                                    const RecordTraits& traits) {
-  constexpr double kClearly = 12.0;  // of twice the logarithm of the likelihood
+  // The required gain in twice the logarithm of the likelihood.
+  constexpr double kClearly = 12.0;
   if (!solution.point.is_free(Quantity::excess)) {
     return solution;
   }
@@ -117,12 +122,13 @@ Solution with_a_fall_that_is_there(Solution solution, const FrictionRecord& reco
   return gain < kClearly ? other : solution;
 }
 
+// Returns true if the record has enough rows of presliding for its reversals.
 bool shows_presliding(const RecordTraits& traits) {
   return traits.presliding_rows >= kPreslidingRows * (traits.reversals + 1);
 }
 
-// A soft bristle could take the shape of anything in a record that does not show presliding: one
-// is held that is too stiff to be seen.
+// Returns a point whose bristle is held so stiff that it cannot be seen. In a record that does not
+// show presliding, a soft bristle could take the shape of anything.
 FitPoint without_presliding(const FitPoint& start, const RecordTraits& traits) {
   FitPoint point = start;
   take_out(point, Quantity::stiffness);
@@ -130,9 +136,10 @@ FitPoint without_presliding(const FitPoint& start, const RecordTraits& traits) {
   return point;
 }
 
-// A stiffness that the data do not tell still has a least value: where the sum of squares has
-// risen by what chance raises it in one of twenty cases. 0 if there is none.
+// Returns the least stiffness that the data permit: where the sum of squares has risen by what
+// chance raises it in one case of twenty. 0 if there is none.
 double least_stiffness(const Solution& solution, const FrictionRecord& record) {
+  // The 95 % quantile of the chi-squared distribution with one degree of freedom.
   constexpr double kByChance = 3.84;
   constexpr int kHalvings = 60;
   constexpr int kBisections = 6;
@@ -157,6 +164,7 @@ double least_stiffness(const Solution& solution, const FrictionRecord& record) {
   return halvings < kHalvings ? enough : 0.0;
 }
 
+// Returns why the record does not tell the stiffness, for the user.
 std::string why_no_stiffness(const Solution& solution, const FrictionRecord& record,
                              const RecordTraits& traits) {
   const double least = least_stiffness(solution, record);
@@ -174,6 +182,7 @@ std::string why_no_stiffness(const Solution& solution, const FrictionRecord& rec
   return "the noise hides presliding" + bound;
 }
 
+// Returns why the data do not tell a quantity, for the user.
 std::string why_unknown(Quantity quantity, const Solution& solution, const FrictionRecord& record,
                         const RecordTraits& traits) {
   switch (quantity) {
@@ -200,7 +209,8 @@ std::string why_unknown(Quantity quantity, const Solution& solution, const Frict
   }
 }
 
-// Static friction is the sum of two quantities; the errors of logarithms are relative ones.
+// Returns the relative error of static friction, which is the sum of two quantities. Errors of
+// logarithms are relative ones, so each counts by its share.
 double static_error(const Solution& solution) {
   const std::vector<Quantity> free = solution.point.free_quantities();
   const double level = solution.point[Quantity::coulomb] + solution.point[Quantity::excess];
@@ -219,6 +229,8 @@ double static_error(const Solution& solution) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
+// Returns a parameter with its 95 % interval, or with why it has none. Intervals are those of the
+// logarithm: value / f to value * f.
 FittedParameter described(Quantity quantity, const Solution& solution, bool was_searched,
                           const FrictionRecord& record, const RecordTraits& traits) {
   const bool is_static = quantity == Quantity::excess;
@@ -239,6 +251,9 @@ FittedParameter described(Quantity quantity, const Solution& solution, bool was_
   return result;
 }
 
+// Returns the result: parameters, forces, residual and Akaike's criterion, n ln(residual^2) + 2 (k
+// + 1), which is smaller for the better model; k is the number of free quantities, and the noise is
+// one more.
 FrictionFit report_of(const Solution& solution, const FitPoint& start, const FrictionRecord& record,
                       const RecordTraits& traits) {
   FrictionFit fit{.friction = solution.point.friction(),
@@ -255,6 +270,7 @@ FrictionFit report_of(const Solution& solution, const FitPoint& start, const Fri
   Eigen::VectorXd forces;
   model_forces(solution.point, record, forces);
   fit.force_N.assign(forces.begin(), forces.end());
+  // The first row has no tick before it and is no evidence.
   const auto rows = static_cast<double>(record.rows() - 1);
   const auto count = static_cast<double>(solution.point.free_quantities().size());
   const double sum = sum_of_squares(solution.point, record) -
@@ -280,6 +296,7 @@ FrictionFit fit_friction(const FrictionRecord& record, FrictionKind kind,
   Solution solution = knows_bristles ? best_solution(starts, record)
                                      : best_solution({{without_presliding(start, traits)}}, record);
   solution = with_a_fall_that_is_there(std::move(solution), record, traits);
+  // Quantities that the data do not tell leave the search one by one, and the rest is solved anew.
   while (const std::optional<Quantity> unknown = least_known(solution)) {
     FitPoint without = solution.point;
     take_out(without, *unknown);
@@ -299,6 +316,8 @@ std::vector<FrictionKind> fitted_kinds() {
 }
 
 std::size_t preferred(std::span<const FrictionFit> fits) {
+  // A difference of Akaike's criterion below 2 is no evidence (Burnham and Anderson, "Model
+  // selection and multimodel inference", 2002).
   constexpr double kSaysNothing = 2.0;
   const double least = std::ranges::min_element(fits, {}, &FrictionFit::aic)->aic;
   const auto first = std::ranges::find_if(

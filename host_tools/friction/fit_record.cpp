@@ -49,6 +49,7 @@ double travel(const std::vector<double>& displacement_m) {
                                [](double d) { return std::fabs(d); });
 }
 
+// Returns how far the motion goes, between its lowest and highest place, m.
 double range_of(const std::vector<double>& displacement_m) {
   double place = 0.0;
   double low = 0.0;
@@ -61,6 +62,8 @@ double range_of(const std::vector<double>& displacement_m) {
   return high - low;
 }
 
+// Replaces the displacements by the integral of the velocity if that is clearly smoother. Throws
+// InputError if the two do not fit each other, as with mixed units.
 void take_velocity(FrictionRecord& record, std::span<const double> v, const std::string& file) {
   std::vector<double> from_v(record.rows(), 0.0);
   for (std::size_t k = 1; k < record.rows(); ++k) {
@@ -75,7 +78,7 @@ void take_velocity(FrictionRecord& record, std::span<const double> v, const std:
                     "metres and seconds?",
                     file, by_x, by_v));
   }
-  // A velocity that was taken from x_m by differences is as rough as x_m, but for its mean.
+  // A velocity that was computed from x_m by differences is as rough as x_m.
   constexpr double kClearly = 3.0;
   if (roughness(record.displacement_m, record.step_s) >
       kClearly * roughness(from_v, record.step_s)) {
@@ -84,6 +87,7 @@ void take_velocity(FrictionRecord& record, std::span<const double> v, const std:
   }
 }
 
+// Throws InputError if nothing moves, nothing resists, or the force feeds energy into the motion.
 void refuse_what_no_friction_is(const FrictionRecord& record, const std::string& file) {
   if (!(travel(record.displacement_m) > 0.0)) {
     throw InputError(fmt::format("{}: x_m never changes; friction shows only in motion", file));
@@ -98,6 +102,7 @@ void refuse_what_no_friction_is(const FrictionRecord& record, const std::string&
   if (!(size_J > 0.0)) {
     throw InputError(fmt::format("{}: force_N is 0 wherever x_m changes", file));
   }
+  // Noise and presliding give back some energy; more than a fifth means that the sign is wrong.
   constexpr double kDriven = -0.2;
   if (work_J < kDriven * size_J) {
     throw InputError(
@@ -118,6 +123,7 @@ void refuse_time_that_stands(const CsvTable& table, const std::string& file) {
   }
 }
 
+// Returns the value below which the share of the values lies; 0 without values.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) {
     return 0.0;
@@ -182,7 +188,8 @@ FrictionRecord read_friction_record(const std::filesystem::path& file,
 RecordTraits traits_of(const FrictionRecord& record) {
   constexpr double kMost = 0.9;
   constexpr double kFew = 0.05;
-  constexpr double kOnTheWay = 0.6;  // of the typical level
+  // Below this share of the typical level the force has not arrived on the other side.
+  constexpr double kOnTheWay = 0.6;
   constexpr double kRough = 0.5;
   RecordTraits traits;
   std::vector<double> levels;

@@ -19,7 +19,8 @@ bool can_be_zero(std::string_view symbol) {
   return symbol == "sigma1" || symbol == "sigma2" || symbol == "Fs";
 }
 
-// A surface without a normal force given was pressed with 1 N, so to speak.
+// For a surface the parameters are shares; without a normal force in the record they count as if it
+// were 1 N.
 ForceScale scale_of(TomlUse use) {
   return use == TomlUse::surface ? ForceScale::per_newton : ForceScale::newton;
 }
@@ -109,6 +110,7 @@ void draw_fit(const std::string& name, const FrictionFit& fit, const FrictionRec
               const std::filesystem::path& png) {
   constexpr double kMicrometre = 1e6;
   constexpr double kMillimetre = 1e3;
+  // Shorter motions are drawn in micrometres.
   constexpr double kShort_m = 0.5e-3;
   const auto [low, high] = std::ranges::minmax(record.x_m);
   const bool is_short = high - low < kShort_m;

@@ -12,9 +12,11 @@ namespace {
 
 using rendering::FrictionKind;
 
+// Enough to tell good starts from bad ones, and enough to finish.
 constexpr SearchLimits kShortSearch{.most_evaluations = 15, .tolerance = 1e-4};
 constexpr SearchLimits kWholeSearch{.most_evaluations = 80, .tolerance = 1e-9};
 
+// Returns the least sum of squares that Levenberg and Marquardt's method finds from a start.
 Solution search(const FitPoint& start, const FrictionRecord& record, const SearchLimits& limits) {
   const auto rows = static_cast<Eigen::Index>(record.rows());
   const Eigen::Map<const Eigen::VectorXd> measured(record.force_N.data(), rows);
@@ -30,6 +32,7 @@ Solution search(const FitPoint& start, const FrictionRecord& record, const Searc
   return solution;
 }
 
+// Returns the mean normal force over the rows in contact, N.
 double mean_contact_force(const FrictionRecord& record) {
   double sum = 0.0;
   double rows = 0.0;
@@ -40,9 +43,11 @@ double mean_contact_force(const FrictionRecord& record) {
   return rows > 0.0 ? sum / rows : 1.0;
 }
 
-// Stiffnesses from presliding all along the record to presliding within a tick.
+// Returns stiffnesses in even ratios, from presliding within a tick to presliding all along the
+// record.
 std::vector<double> stiffnesses(const FitPoint& point, const RecordTraits& traits) {
   constexpr int kStiffnesses = 40;
+  // Presliding within this share of a small step cannot be told from a rigid model.
   constexpr double kBelowAStep = 0.1;
   const double longest_m = traits.travel_m / static_cast<double>(traits.reversals + 1);
   const double shortest_m = std::min(kBelowAStep * traits.small_step_m, 1e-3 * longest_m);
@@ -55,15 +60,18 @@ std::vector<double> stiffnesses(const FitPoint& point, const RecordTraits& trait
   return result;
 }
 
+// A point and how well it fits.
 struct Candidate {
   FitPoint point;
   double sum_of_squares = std::numeric_limits<double>::infinity();
 };
 
-// The stiffness, of many, with which presliding fits best, if the damping is `time_s` of it.
+// Returns the stiffness, of many, with which presliding fits best, with a damping of `time_s` times
+// the stiffness.
 Candidate best_bristle(const FitPoint& point, const FrictionRecord& record,
                        const RecordTraits& traits, double time_s) {
-  constexpr std::array kLevels{1.0, 1.6};  // times Fc: the record may never have got there
+  // Times Fc: the record may never have got there.
+  constexpr std::array kLevels{1.0, 1.6};
   const double normal_N = mean_contact_force(record);
   Candidate best{.point = point};
   for (const double stiffness : stiffnesses(point, traits)) {
@@ -81,11 +89,12 @@ Candidate best_bristle(const FitPoint& point, const FrictionRecord& record,
   return best;
 }
 
-// One for each damping that does not fit much worse than the best: a bristle that is too stiff can
-// stand for one that is damped, and a search does not come back from there.
+// Returns a start for each damping that does not fit much worse than the best. A bristle that is
+// too stiff can stand for one that is damped, and a search does not come back from there.
 std::vector<FitPoint> damped_starts(const FitPoint& point, const FrictionRecord& record,
                                     const RecordTraits& traits) {
-  constexpr std::array kTimes_s{1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};  // sigma1 N / sigma0
+  // The times sigma1 N / sigma0.
+  constexpr std::array kTimes_s{1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
   constexpr double kMuchWorse = 2.0;
   std::vector<Candidate> candidates;
   candidates.reserve(kTimes_s.size());
@@ -131,6 +140,7 @@ std::vector<FitPoint> starts_of(const FrictionRecord& record, const RecordTraits
   if (!rendering::has_bristles(kind)) {
     return {point};
   }
+  // The bristle of the first row holds at most Fc; the measured force says how much of it.
   const double strongest_N = curve.coulomb * std::max(record.normal_force_N[0], 0.0);
   point.set(Quantity::start_force, std::clamp(record.force_N[0], -strongest_N, strongest_N));
   point.set_free(Quantity::start_force, true);
@@ -153,6 +163,7 @@ Solution best_solution(std::span<const FitPoint> starts, const FrictionRecord& r
   for (const FitPoint& start : starts.subspan(1)) {
     attempt(start, kShortSearch);
   }
+  // The sum of squares may have several minima in vs, so the search also starts far to both sides.
   if (starts.front().is_free(Quantity::stribeck_velocity)) {
     for (const double factor : {0.2, 5.0}) {
       FitPoint other = starts.front();
@@ -160,6 +171,8 @@ Solution best_solution(std::span<const FitPoint> starts, const FrictionRecord& r
       attempt(other, kShortSearch);
     }
   }
+  // Nothing in the file tells whose velocity a row has; both meanings are tried and the better is
+  // kept.
   FitPoint of_ticks = best.point;
   of_ticks.row_time = RowTime::tick;
   best = search(best.point, record, kWholeSearch);

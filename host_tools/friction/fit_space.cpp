@@ -10,13 +10,15 @@ using rendering::FrictionParameters;
 namespace {
 
 // Returns the force of the first row, which has no tick before it: the bristle's and the viscous
-// part.
+// part, N.
 double start_force_N(const FitPoint& point, const FrictionParameters& friction,
                      const FrictionRecord& record) {
   const double v = record.displacement_m[1] / record.step_s[1];
   return point[Quantity::start_force] + friction.viscous_s_per_m * record.normal_force_N[0] * v;
 }
 
+// Replaces a rigid model's force at reversals by the measured one, as far as static friction
+// permits.
 void bound_at_reversals(const FrictionParameters& friction, const FrictionRecord& record,
                         Eigen::VectorXd& forces) {
   const double hold = rendering::steady_level(friction, 0.0);
@@ -47,7 +49,8 @@ std::vector<Quantity> FitPoint::free_quantities() const {
 }
 
 FitPoint FitPoint::moved(const Eigen::VectorXd& by) const {
-  constexpr double kFarthest = 25.0;  // of a logarithm
+  // A step of a logarithm beyond this would overflow the model.
+  constexpr double kFarthest = 25.0;
   FitPoint there = *this;
   Eigen::Index i = 0;
   for (const Quantity q : free_quantities()) {

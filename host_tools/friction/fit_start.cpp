@@ -10,20 +10,22 @@
 namespace tactus::host {
 namespace {
 
+// The medians of the rows in a range of speeds. The weight is the square root of their number.
 struct Bin {
   double speed_m_per_s = 0.0;
   double level = 0.0;
   double weight = 0.0;
 };
 
+// Returns the middle value (the upper of two); changes the order. `values` must not be empty.
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
 }
 
-// Sorts rows into bins of speed. Only rows whose force opposes the motion with at least half its
-// typical size count: in the others the force is still building up.
+// Sorts rows into bins of speed, even in its logarithm. Only rows whose force opposes the motion
+// with at least half its typical size count: in the others the force is still building up.
 std::vector<Bin> bins_of(const FrictionRecord& record, const RecordTraits& traits) {
   constexpr std::size_t kBins = 40;
   constexpr double kHalf = 0.5;
@@ -53,12 +55,13 @@ std::vector<Bin> bins_of(const FrictionRecord& record, const RecordTraits& trait
   return bins;
 }
 
+// A curve and how well it passes through the bins.
 struct LinearCurve {
   SteadyCurve curve;
   double sum_of_squares = std::numeric_limits<double>::infinity();
 };
 
-// Fits the curve for a given vs: it is linear in the other parameters.
+// Returns the best curve for a given vs: in the other parameters the problem is linear.
 LinearCurve through(const std::vector<Bin>& bins, double vs_m_per_s, bool falls) {
   const Eigen::Index columns = falls ? 3 : 2;
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(bins.size()), columns);
@@ -83,8 +86,10 @@ LinearCurve through(const std::vector<Bin>& bins, double vs_m_per_s, bool falls)
 }  // namespace
 
 SteadyCurve steady_curve(const FrictionRecord& record, const RecordTraits& traits, bool falls) {
+  // Values of vs that are tried, even in the logarithm.
   constexpr int kTries = 40;
-  constexpr double kLeastShare = 0.02;  // of the friction: below, a start has no slope to go by
+  // Below this share of the friction a search has no slope to follow.
+  constexpr double kLeastShare = 0.02;
   const std::vector<Bin> bins = bins_of(record, traits);
   LinearCurve best{.curve = {.coulomb = traits.typical_level,
                              .stribeck_velocity_m_per_s = traits.slowest_m_per_s}};

@@ -13,7 +13,7 @@
 namespace tactus::host {
 namespace {
 
-// The unit of a length in which the largest of them is a handy number.
+// A unit for the axis, chosen so that the largest length is a handy number.
 struct LengthUnit {
   std::string_view name;
   double per_metre;
@@ -26,6 +26,7 @@ LengthUnit unit_for(double largest_m) {
   return largest_m < 0.5e-3 ? kMicrometres : largest_m < 0.5 ? kMillimetres : kMetres;
 }
 
+// Returns the largest absolute value of a member.
 double largest(const std::vector<FrictionSample>& samples, double FrictionSample::* member) {
   double result = 0.0;
   for (const FrictionSample& sample : samples) {
@@ -34,6 +35,7 @@ double largest(const std::vector<FrictionSample>& samples, double FrictionSample
   return result;
 }
 
+// Returns a member of all samples, times a factor.
 std::vector<double> values(const std::vector<FrictionSample>& samples,
                            double FrictionSample::* member, double factor = 1.0) {
   std::vector<double> result;
@@ -51,6 +53,7 @@ std::vector<double> scaled(std::vector<double> numbers, double factor) {
   return numbers;
 }
 
+// Returns a curve over the samples' time.
 Curve over_time(const FrictionTrack& track, std::string name, std::vector<double> y,
                 CurveStyle style = CurveStyle::line) {
   return {.name = std::move(name),
@@ -59,6 +62,7 @@ Curve over_time(const FrictionTrack& track, std::string name, std::vector<double
           .style = style};
 }
 
+// Returns the panel of friction force over displacement, on which hysteresis shows as an area.
 Panel force_over_displacement(const FrictionTrack& track) {
   const LengthUnit unit = unit_for(largest(track.samples, &FrictionSample::x_m));
   return {.x_label = fmt::format("displacement ({})", unit.name),
@@ -67,7 +71,7 @@ Panel force_over_displacement(const FrictionTrack& track) {
                       .y = values(track.samples, &FrictionSample::force_N)}}};
 }
 
-// The part of the samples whose further column has the same value, once for each value.
+// Returns the samples in groups of equal values of a further column.
 std::vector<std::pair<double, FrictionTrack>> parts(const FrictionTrack& track,
                                                     std::string_view column) {
   std::vector<std::pair<double, FrictionTrack>> result;
@@ -98,6 +102,8 @@ std::vector<Panel> presliding_panels(const ExperimentRun& /*run*/, const Frictio
   return {force_over_displacement(track)};
 }
 
+// Each frequency draws a closed loop around the steady curve; the wider, the more the friction
+// lags.
 std::vector<Panel> lag_panels(const ExperimentRun& run, const FrictionTrack& track) {
   constexpr double kMillimetres = 1e3;
   constexpr int kSteadyPoints = 300;
@@ -127,6 +133,7 @@ std::vector<Panel> lag_panels(const ExperimentRun& run, const FrictionTrack& tra
   return {panel};
 }
 
+// The break-away force falls with the rate of the push, from Fs toward Fc.
 std::vector<Panel> break_away_panels(const ExperimentRun& run, const FrictionTrack& track) {
   const std::vector<double>& rates = track.column("rate_N_per_s")->values;
   const auto [least, most] = std::ranges::minmax(rates);
@@ -146,6 +153,8 @@ std::vector<Panel> break_away_panels(const ExperimentRun& run, const FrictionTra
   return {panel};
 }
 
+// Returns position and force of a driven mass over time. `goal` and `drive` are names of columns:
+// where the mass should go, if there is such a column, and what pulls at it.
 std::vector<Panel> mass_panels(const FrictionTrack& track, std::string_view goal,
                                const std::string& goal_name, std::string_view drive,
                                const std::string& drive_name) {
@@ -178,6 +187,7 @@ std::vector<Panel> hunting_panels(const ExperimentRun& /*run*/, const FrictionTr
   return mass_panels(track, "target_m", "target", "control_N", "controller");
 }
 
+// Which panels show which experiment.
 struct ExperimentPanels {
   std::string_view name;
   std::vector<Panel> (*panels)(const ExperimentRun& run, const FrictionTrack& track);

@@ -54,7 +54,7 @@ TimeSeries read_time_series(const std::filesystem::path& file, std::string_view 
 
 namespace {
 
-// The number of whole ticks in a course of that length, rounding forgiven.
+// Returns the number of whole ticks in a course; rounding of its ends is forgiven.
 std::size_t ticks_in(const TimeSeries& series, double rate_hz) {
   constexpr double kSlack = 1e-9;
   const double ticks = (series.t_s.back() - series.t_s.front()) * rate_hz;

@@ -8,6 +8,7 @@
 namespace tactus::host {
 namespace {
 
+// The residuals and their derivatives, by central differences, in the form that Eigen asks for.
 class Functor : public Eigen::DenseFunctor<double> {
  public:
   Functor(const Residuals& residuals, Eigen::Index inputs, Eigen::Index values)
@@ -19,6 +20,7 @@ class Functor : public Eigen::DenseFunctor<double> {
   }
 
   int df(const InputType& parameters, JacobianType& out) const {
+    // Balances rounding and curvature: parameters are logarithms or scaled to 1.
     constexpr double kStep = 1e-5;
     InputType shifted = parameters;
     ValueType above(values());
@@ -38,8 +40,9 @@ class Functor : public Eigen::DenseFunctor<double> {
   const Residuals& residuals_;
 };
 
-// Returns the factor by which the errors are wider than those of independent residuals, from the
-// correlation of neighbours (an autoregressive process of first order).
+// Returns the factor by which errors are wider than for independent residuals. Neighbouring
+// residuals are taken for an autoregressive process of first order with correlation r: sqrt((1 + r)
+// / (1 - r)).
 double widening(const Eigen::VectorXd& residuals) {
   constexpr double kMost = 0.99;
   const Eigen::Index n = residuals.size();
@@ -52,8 +55,8 @@ double widening(const Eigen::VectorXd& residuals) {
   return std::sqrt((1.0 + correlation) / (1.0 - correlation));
 }
 
-// The inverse of J'J, by the eigenvectors of the matrix with its columns scaled to 1; directions
-// that nothing depends on get a huge variance.
+// Returns the inverse of J'J, by the eigenvectors of the matrix with its columns scaled to 1.
+// Directions on which nothing depends get a huge variance instead of a division by zero.
 Eigen::MatrixXd inverse_of_normal(const Eigen::MatrixXd& jacobian) {
   constexpr double kNothing = 1e-13;
   Eigen::VectorXd scale = jacobian.colwise().norm();
@@ -87,6 +90,7 @@ LeastSquares least_squares(const Residuals& residuals, Eigen::Index count,
     functor.df(result.parameters, jacobian);
     residuals(result.parameters, values);
     const double degrees = std::max<double>(1.0, static_cast<double>(count - start.size()));
+    // The covariance s^2 (J'J)^-1 of independent residuals, widened for those that are not.
     const double factor = widening(values);
     result.covariance =
         factor * factor * values.squaredNorm() / degrees * inverse_of_normal(jacobian);

@@ -1,4 +1,4 @@
-// Nonlinear least squares with Eigen's Levenberg-Marquardt, and what the solution is worth.
+// Nonlinear least squares with Eigen's Levenberg-Marquardt method, and the errors of the solution.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,23 +6,31 @@
 
 namespace tactus::host {
 
-// Writes the residuals of the given parameters.
+// Writes the residuals that belong to the parameters into `out`.
 using Residuals = std::function<void(const Eigen::VectorXd& parameters, Eigen::VectorXd& out)>;
 
+// When a search ends.
 struct SearchLimits {
-  int most_evaluations = 100;  // each of a whole set of residuals; derivatives are not counted
-  double tolerance = 1e-9;     // relative, of the sum of squares and of the parameters
+  // Evaluations of all residuals; those for derivatives are not counted.
+  int most_evaluations = 100;
+  // Relative change of the sum of squares and of the parameters.
+  double tolerance = 1e-9;
 };
 
+// The result of a search.
 struct LeastSquares {
+  // The parameters at which the search ended.
   Eigen::VectorXd parameters;
-  Eigen::VectorXd standard_errors;  // infinite where the residuals do not depend on the parameter
+  // Infinite or huge where the residuals do not depend on a parameter.
+  Eigen::VectorXd standard_errors;
   Eigen::MatrixXd covariance;
   double sum_of_squares = 0.0;
+  // False if it ended at the limit of evaluations.
   bool has_converged = false;
 };
 
-// Parameters should be of the size 1, as logarithms are: derivatives are differences of 1e-5.
+// Searches from `start`; `count` is the number of residuals. Parameters should be of the size 1, as
+// logarithms are, since derivatives are differences over 1e-5.
 LeastSquares least_squares(const Residuals& residuals, Eigen::Index count,
                            const Eigen::VectorXd& start, const SearchLimits& limits);
 

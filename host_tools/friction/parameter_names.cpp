@@ -65,6 +65,7 @@ std::vector<std::string_view> names_of(const Predicate& is_meant) {
   return names;
 }
 
+// Returns the name with underscores for hyphens.
 std::string plain(std::string_view name) {
   std::string result(name);
   std::ranges::replace(result, '-', '_');
@@ -97,6 +98,7 @@ std::string with_unit(const FrictionParameterName& name, ForceScale scale) {
   return fmt::format("{} ({})", name.symbol, name.unit_of(scale));
 }
 
+// Returns the model's parameter of that symbol. Throws InputError with those that it has.
 const FrictionParameterName& parameter_of(FrictionKind kind, std::string_view symbol,
                                           ForceScale scale) {
   const auto found = std::ranges::find(kParameterNames, symbol, &FrictionParameterName::symbol);
@@ -163,6 +165,7 @@ FrictionParameters published_parameters(FrictionKind kind) {
           .stribeck_velocity_m_per_s = 1e-3,
           .stribeck_exponent = 2.0,
           .stiffness_N_per_m = rendering::has_bristles(kind) ? kBristleStiffness_N_per_m : 0.0,
+          // Table I: sigma1 = sqrt(sigma0).
           .damping_s_per_m = std::sqrt(kBristleStiffness_N_per_m),
           .damping_fade_m_per_s = 0.0,
           .stick_velocity_m_per_s = 1e-3,

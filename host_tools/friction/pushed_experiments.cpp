@@ -10,12 +10,14 @@
 namespace tactus::host {
 namespace {
 
+// A finding that does not exist.
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t tick_count(double duration_s, double rate_hz) {
   return static_cast<std::size_t>(std::lround(duration_s * rate_hz));
 }
 
+// Returns the mass of the experiment, at rest at 0.
 SlidingMass mass_of(const ExperimentRun& run, double spring_N_per_m) {
   return SlidingMass({.friction = run.friction,
                       .mass_kg = run.mass_kg,
@@ -23,6 +25,7 @@ SlidingMass mass_of(const ExperimentRun& run, double spring_N_per_m) {
                       .normal_force_N = run.normal_force_N});
 }
 
+// Returns the row of a state.
 FrictionSample sample_of(const SlidingMassState& state, double t_s) {
   return {.t_s = t_s,
           .x_m = state.x_m,
@@ -31,6 +34,7 @@ FrictionSample sample_of(const SlidingMassState& state, double t_s) {
           .bristle_m = state.friction.bristle_m};
 }
 
+// Returns the force over time: up, hold, down to the opposite, hold, up again, hold.
 TimeSeries presliding_push(const ExperimentRun& run) {
   const double peak_N = run.setup.number("peak_share") * run.holding_force_N();
   const double ramp_s = run.setup.number("ramp_s");
@@ -69,6 +73,7 @@ ExperimentResult run_presliding(const ExperimentRun& run) {
   const auto at = [&](std::size_t corner) {
     return std::min(tick_count(push.t_s[corner], run.rate_hz), samples.size() - 1);
   };
+  // The area of force over place from the first peak on, by trapezoids: what the loop dissipates.
   double loop_J = 0.0;
   for (std::size_t k = at(2) + 1; k < samples.size(); ++k) {
     loop_J +=
@@ -100,6 +105,8 @@ ExperimentResult run_break_away(const ExperimentRun& run) {
     // The mean force of a tick belongs to its middle.
     FrictionSample best;
     bool is_maximum = false;
+    // The force grows until friction has its first maximum or, in a model without one, the mass
+    // slides.
     while (!is_maximum && mass.state().v_m_per_s < sliding) {
       const double middle_s = mass.state().time_s + 0.5 * step_s;
       const SlidingMassState& now = mass.step({.push_N = rate * middle_s}, step_s);
@@ -120,17 +127,19 @@ ExperimentResult run_break_away(const ExperimentRun& run) {
 
 namespace {
 
-// A passage of a threshold, by a straight line between two ticks.
+// The passage of a threshold, by linear interpolation between two ticks.
 struct Passage {
   double t_s = 0.0;
   double x_m = 0.0;
 };
 
+// Returns where the speed passes `v_m_per_s` between the samples a and b.
 Passage passage(const FrictionSample& a, const FrictionSample& b, double v_m_per_s) {
   const double share = (v_m_per_s - a.v_m_per_s) / (b.v_m_per_s - a.v_m_per_s);
   return {.t_s = std::lerp(a.t_s, b.t_s, share), .x_m = std::lerp(a.x_m, b.x_m, share)};
 }
 
+// Returns a row for each slip; the first has no period, since nothing came before.
 FindingsTable slips_of(const std::vector<FrictionSample>& samples, double threshold) {
   FindingsTable table;
   table.columns = {"start_s",         "period_s",           "duration_s",
@@ -193,7 +202,8 @@ ExperimentResult run_stick_slip(const ExperimentRun& run) {
 
 namespace {
 
-// Times at which the mass passes the target upward, in the second half.
+// Returns period and amplitude from the times at which the mass passes the target upwards, in the
+// second half.
 FindingsTable cycles_of(const std::vector<FrictionSample>& samples, double target_m) {
   std::vector<double> passages_s;
   double highest_m = 0.0;
@@ -238,6 +248,8 @@ ExperimentResult run_hunting(const ExperimentRun& run) {
   double integral_m_s = 0.0;
   const std::size_t count = tick_count(run.setup.number("seconds"), run.rate_hz);
   for (std::size_t k = 1; k <= count; ++k) {
+    // The PID controller of the paper, sampled at the start of a tick: u = -Kv v - Kp e - Ki
+    // integral(e).
     const double error_m = mass.state().x_m - target_m;
     integral_m_s += error_m * step_s;
     const double control_N = -kp * error_m - ki * integral_m_s - kv * mass.state().v_m_per_s;

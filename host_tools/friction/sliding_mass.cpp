@@ -16,8 +16,8 @@ double SlidingMass::energy_J() const {
          rendering::stored_J(parameters_.friction, bristle_);
 }
 
-// Returns by how much the forces fall short of stopping the mass at d, N, by the equation of the
-// header: its root is the displacement. `supply_N` is 2 m v0 / T + u + k (y - x0).
+// Returns by how much the forces exceed what stops the mass at d, N; its root is the displacement.
+// `supply_N` is 2 m v0 / T + u + k (y - x0).
 double SlidingMass::excess_N(double displacement_m, double supply_N, double step_s) const {
   rendering::FrictionMemory<double> trial = bristle_;
   const double friction_N = rendering::update_friction(parameters_.friction, trial, displacement_m,
@@ -27,9 +27,9 @@ double SlidingMass::excess_N(double displacement_m, double supply_N, double step
   return (inertia + 0.5 * parameters_.spring_N_per_m) * displacement_m + friction_N - supply_N;
 }
 
-// The bracket grows from v0 T toward the side on which a root must lie, so that it holds the
-// nearest one or, of several within its last stretch, one of them. Then it is halved until doubles
-// end.
+// The bracket grows from v0 T to the side on which a root must lie, so that it contains the nearest
+// root, or one of several in its last stretch. Then it is halved until no double lies between its
+// ends.
 double SlidingMass::solve(double supply_N, double step_s) const {
   constexpr int kMostDoublings = 200;
   constexpr int kMostHalvings = 200;
@@ -58,7 +58,8 @@ double SlidingMass::solve(double supply_N, double step_s) const {
   return far;
 }
 
-// Rigid friction at rest is whatever is needed, up to a level.
+// Rigid friction at rest is whatever force is needed, up to a level. Coulomb's model, and a cone
+// that was slipping, let go at Fc; the others at Fs.
 bool SlidingMass::hold(double supply_N, double step_s) {
   const rendering::FrictionParameters& friction = parameters_.friction;
   if (friction.stiffness_N_per_m > 0.0) {

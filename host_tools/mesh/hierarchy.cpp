@@ -14,14 +14,18 @@ using rendering::BvhNode;
 using rendering::Float3;
 using rendering::TriangleIndices;
 
+// A range of at most this many triangles becomes a leaf without asking the heuristic.
 constexpr std::uint32_t kLeafTriangles = 4;
+// Planes are tried at the borders of this many bins along each axis; Wald found that 16 bins lose
+// hardly anything against trying every triangle.
 constexpr std::size_t kBins = 16;
-// Ranges at this level and deeper are halved, which bounds the depth: 2^(64-40) triangles still fit
-// below it.
+// Ranges at this level and deeper are halved by count, which bounds the depth: the 24 levels that
+// are left hold 2^(64-40) leaves. Above it the heuristic may peel off one triangle at a time.
 constexpr std::uint32_t kBalancedFromLevel = 40;
 
 using Point = std::array<float, 3>;
 
+// An axis-aligned box, m, world frame; a new one is empty.
 struct Box {
   Point lower{std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
               std::numeric_limits<float>::max()};
@@ -34,13 +38,15 @@ struct Box {
       upper[k] = std::max(upper[k], p[k]);
     }
   }
-  // An empty box adds nothing.
+  // An empty box adds nothing, since its limits are reversed.
   void grow(const Box& b) {
     for (std::size_t k = 0; k < 3; ++k) {
       lower[k] = std::min(lower[k], b.lower[k]);
       upper[k] = std::max(upper[k], b.upper[k]);
     }
   }
+  // Returns half of the surface, m^2. The heuristic compares costs, so a common factor does not
+  // matter.
   [[nodiscard]] float half_area() const {
     const float x = upper[0] - lower[0];
     const float y = upper[1] - lower[1];
@@ -49,12 +55,14 @@ struct Box {
   }
 };
 
+// A triangle as the builder sees it: its box, the box's centre and its index in the caller's list.
 struct Primitive {
   Box box;
   Point centre;
   std::uint32_t triangle;
 };
 
+// A node whose triangles, from `begin` up to but not with `end`, are still to be divided.
 struct Range {
   std::uint32_t node;
   std::uint32_t begin;
@@ -62,14 +70,18 @@ struct Range {
   std::uint32_t level;
 };
 
+// The triangles whose centres lie in a slice of the range.
 struct Bin {
   Box box;
   std::uint32_t count = 0;
 };
 
+// A way to divide a range in two.
 struct Split {
   std::size_t axis = 0;
-  std::size_t bin = 0;  // bins up to and with this one go left
+  // Bins up to and including this one go to the left child.
+  std::size_t bin = 0;
+  // Estimated cost of a ray or query: sum over both children of half area times triangles.
   float cost = std::numeric_limits<float>::max();
 };
 
@@ -89,13 +101,17 @@ std::vector<Primitive> make_primitives(std::span<const Float3> vertices,
   return primitives;
 }
 
+// Returns the bin in which a triangle's centre lies; both passes call it, so that counting and
+// dividing agree to the bit.
 std::size_t bin_of(const Primitive& p, std::size_t axis, const Box& centres) {
   const float extent = centres.upper[axis] - centres.lower[axis];
   const float place = (p.centre[axis] - centres.lower[axis]) / extent;
   return std::min(kBins - 1, static_cast<std::size_t>(place * static_cast<float>(kBins)));
 }
 
-// The cheapest of the planes between bins along one axis.
+// Returns the cheapest of the planes between bins along one axis; its cost is the largest number if
+// all centres coincide on that axis. One pass from the right prepares the right side's costs, one
+// from the left completes them.
 Split best_split_on(std::size_t axis, std::span<const Primitive> primitives, const Box& centres) {
   Split best{.axis = axis};
   if (!(centres.upper[axis] > centres.lower[axis])) {
@@ -132,8 +148,9 @@ Split best_split_on(std::size_t axis, std::span<const Primitive> primitives, con
   return best;
 }
 
-// Puts the primitives of the left child first and returns how many they are; always at least one on
-// either side.
+// Moves the primitives of the left child to the front and returns their number; both sides always
+// get at least one. stable_partition keeps the order of equal triangles, so that the result does
+// not depend on the library's algorithm.
 std::size_t partition(std::span<Primitive> primitives, std::uint32_t level) {
   Box centres;
   for (const Primitive& p : primitives) {
@@ -154,6 +171,7 @@ std::size_t partition(std::span<Primitive> primitives, std::uint32_t level) {
   return static_cast<std::size_t>(right.begin() - primitives.begin());
 }
 
+// Returns a node with the box of the primitives; the caller fills in children or triangles.
 BvhNode make_node(std::span<const Primitive> primitives) {
   Box box;
   for (const Primitive& p : primitives) {

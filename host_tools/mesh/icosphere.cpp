@@ -11,11 +11,14 @@ namespace {
 
 using rendering::TriangleIndices;
 
+// A mesh on the unit sphere, in double precision until the last step.
 struct UnitMesh {
   std::vector<Vec3> vertices;
   std::vector<TriangleIndices> triangles;
 };
 
+// The twelve vertices are the corners of three golden rectangles in the coordinate planes,
+// normalised.
 UnitMesh icosahedron() {
   constexpr double g = std::numbers::phi;
   UnitMesh mesh{.vertices = {{-1, g, 0},
@@ -40,12 +43,14 @@ UnitMesh icosahedron() {
   return mesh;
 }
 
-// Four triangles for each; the middle of an edge is made once for both of its sides.
+// Replaces every triangle by four. The middle of an edge is made once for both of its triangles, so
+// that the mesh stays closed.
 void subdivide(UnitMesh& mesh) {
   std::unordered_map<std::uint64_t, std::uint32_t> middles;
   middles.reserve(mesh.triangles.size() * 2);
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
+    // Both triangles of an edge name it in opposite directions; the sorted pair is the same.
     const std::uint64_t edge = (std::uint64_t{low} << 32U) | high;
     const auto [place, fresh] =
         middles.try_emplace(edge, static_cast<std::uint32_t>(mesh.vertices.size()));

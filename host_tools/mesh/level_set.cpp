@@ -12,11 +12,13 @@ namespace {
 
 using Tetrahedron = std::array<std::size_t, 4>;
 
-// A cube's corner k is at x = k & 1, y = k >> 1 & 1, z = k >> 2. Six tetrahedra round the diagonal
-// from 0 to 7, all wound alike; neighbouring cubes agree on the faces between them.
+// Corner k of a cube is at x = k & 1, y = k >> 1 & 1, z = k >> 2. The six tetrahedra lie round the
+// diagonal from corner 0 to 7. Neighbouring cubes cut the face between them along the same
+// diagonal, so the mesh has no cracks.
 constexpr std::array<Tetrahedron, 6> kTetrahedra{
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
+// Holds the function's values at all points of the grid, and the mesh that grows from them.
 class Mesher {
  public:
   Mesher(const LevelFunction& function, const Vec3& lower, const Vec3& upper, int cells)
@@ -27,6 +29,7 @@ class Mesher {
       for (std::size_t y = 0; y < points_[1]; ++y) {
         for (std::size_t x = 0; x < points_[0]; ++x) {
           const double value = function(place(number(x, y, z)));
+          // A point where the function is not defined counts as outside.
           values_.push_back(std::isfinite(value) ? value : 1.0);
         }
       }
@@ -45,10 +48,12 @@ class Mesher {
   }
 
  private:
+  // Returns the index of a grid point; x counts fastest.
   [[nodiscard]] std::size_t number(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * points_[1] + y) * points_[0] + x;
   }
 
+  // Returns the position of a grid point, m, world frame.
   [[nodiscard]] Vec3 place(std::size_t point) const {
     const std::size_t x = point % points_[0];
     const std::size_t y = point / points_[0] % points_[1];
@@ -69,6 +74,8 @@ class Mesher {
     }
   }
 
+  // Adds the part of the surface inside one tetrahedron. Zero or four points inside: none. One or
+  // three: a triangle round the odd point. Two and two: a quadrilateral, as two triangles.
   void cut(const Tetrahedron& t) {
     Tetrahedron in{};
     Tetrahedron out{};
@@ -91,7 +98,7 @@ class Mesher {
     }
   }
 
-  // Wound so that the point inside is behind.
+  // Adds a triangle, wound so that `point_inside` is behind it.
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::size_t point_inside) {
     const Vec3 pa = rendering::to_vec3(mesh_.vertices[a]);
     const Vec3 pb = rendering::to_vec3(mesh_.vertices[b]);
@@ -102,8 +109,9 @@ class Mesher {
     mesh_.triangles.push_back({a, b, c});
   }
 
-  // Finds the zero between two points by bisection: a formula of high degree is far from straight
-  // within a part.
+  // Finds the zero between a point inside and one outside. Bisection instead of interpolation: a
+  // polynomial of high degree is far from straight within a part. 12 halvings leave 1/4096 of the
+  // edge.
   [[nodiscard]] Vec3 zero_between(Vec3 in, Vec3 out) const {
     constexpr int kHalvings = 12;
     for (int i = 0; i < kHalvings; ++i) {
@@ -113,6 +121,8 @@ class Mesher {
     return 0.5 * (in + out);
   }
 
+  // Returns the vertex on the edge between two grid points. Up to six tetrahedra share an edge; the
+  // first one makes the vertex.
   std::uint32_t crossing(std::size_t in, std::size_t out) {
     const std::size_t key = std::min(in, out) * values_.size() + std::max(in, out);
     const auto [found, is_new] =

@@ -10,20 +10,24 @@ namespace {
 
 using rendering::PrimitiveKind;
 
+// Sides of a full turn: a sphere then differs from its mesh by 0.2 % of the radius.
 constexpr std::uint32_t kSides = 48;
+// Half the edge of the square that stands for an infinite plane.
 constexpr double kShownOfAPlane_m = 0.1;
 
-// Half of a section through the axis: distance from it, and y.
+// A point of the section through the axis, which is y: its distance from the axis and its height.
 struct ProfilePoint {
   double radius_m = 0.0;
   double y_m = 0.0;
 };
 using Profile = std::vector<ProfilePoint>;
 
-// Makes meshes in the primitive's own frame.
+// Turns a profile about the y axis of the primitive's own frame.
 class Lathe {
  public:
-  // The profile goes down along the outside; a point on the axis becomes one vertex.
+  // Returns the surface of a profile that runs downwards along the outside. A point on the axis
+  // becomes one vertex, any other a ring of kSides vertices. `closed` joins the last ring to the
+  // first, for a torus.
   TriangleMesh turn(const Profile& profile, bool closed) {
     std::vector<std::uint32_t> rings;
     for (const ProfilePoint& point : profile) {
@@ -41,6 +45,7 @@ class Lathe {
  private:
   static bool on_axis(const ProfilePoint& point) { return point.radius_m == 0.0; }
 
+  // Adds the vertices of a profile point and returns the first one's index.
   std::uint32_t add_ring(const ProfilePoint& point) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     const std::uint32_t count = on_axis(point) ? 1 : kSides;
@@ -52,6 +57,7 @@ class Lathe {
     return first;
   }
 
+  // Joins two rings by triangles that face outwards; next to the axis one of each pair is left out.
   void join(const ProfilePoint& upper, std::uint32_t above, const ProfilePoint& lower,
             std::uint32_t below) {
     for (std::uint32_t k = 0; k < kSides; ++k) {
@@ -70,8 +76,8 @@ class Lathe {
   TriangleMesh mesh_;
 };
 
-// A quarter or more of a circle in the section, from one angle to the other; angles from the
-// outside up.
+// Appends an arc of a circle about `middle`. `from` and `to` are in rad, counted from the outside
+// (away from the axis) upwards.
 void add_arc(Profile& profile, const ProfilePoint& middle, double radius_m, double from,
              double to) {
   const auto steps =
@@ -83,6 +89,7 @@ void add_arc(Profile& profile, const ProfilePoint& middle, double radius_m, doub
   }
 }
 
+// Returns a primitive with an axis, in its own frame.
 TriangleMesh round_mesh(const rendering::Primitive& primitive) {
   constexpr double kQuarter = 0.5 * std::numbers::pi;
   const auto& [a, b, c] = primitive.dimensions_m;
@@ -94,7 +101,7 @@ TriangleMesh round_mesh(const rendering::Primitive& primitive) {
       return Lathe().turn({{0.0, b}, {a, 0.0}, {0.0, 0.0}}, false);
     case PrimitiveKind::torus:
       add_arc(profile, {a, 0.0}, b, kQuarter, -3.0 * kQuarter);
-      profile.pop_back();  // it is the first again
+      profile.pop_back();  // The full turn ends where it began, and `closed` joins the two.
       return Lathe().turn(profile, true);
     case PrimitiveKind::capsule:
       add_arc(profile, {0.0, b}, a, kQuarter, 0.0);
@@ -104,10 +111,12 @@ TriangleMesh round_mesh(const rendering::Primitive& primitive) {
       add_arc(profile, {}, a, kQuarter, -kQuarter);
       break;
   }
+  // The cosine of a quarter turn is not exactly 0, and a point on the axis must be.
   profile.front().radius_m = profile.back().radius_m = 0.0;
   return Lathe().turn(profile, false);
 }
 
+// Returns a box of twelve triangles. Bits 0, 1 and 2 of a corner's number are the signs of x, y, z.
 TriangleMesh box_mesh(const Vec3& half_m) {
   TriangleMesh mesh;
   for (int corner = 0; corner < 8; ++corner) {
@@ -120,6 +129,7 @@ TriangleMesh box_mesh(const Vec3& half_m) {
   return mesh;
 }
 
+// Returns a square of the plane y = 0 that faces upwards.
 TriangleMesh plane_mesh() {
   constexpr auto kHalf = static_cast<float>(kShownOfAPlane_m);
   return {

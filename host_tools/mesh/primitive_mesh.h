@@ -1,4 +1,5 @@
-// Primitives as meshes: what they look like. Touching them needs none.
+// Meshes of primitives, for pictures and exports. The controller touches a primitive by its formula
+// and needs no mesh.
 #pragma once
 
 #include "host_tools/mesh/triangle_mesh.h"
@@ -6,9 +7,10 @@
 
 namespace tactus::host {
 
-// World frame, wound counter-clockwise seen from outside; every vertex lies on the surface. Of a
-// plane a square of 0.2 m about its origin, of all others the whole closed surface: a box exactly,
-// the other ready ones as 48-sided, and any new one as mesh_level_set finds it.
+// Returns the closed surface in the world frame, m, wound counter-clockwise seen from outside.
+// Every vertex lies on the surface. A box is exact, the other built-in round primitives have 48
+// sides, and a primitive without a mesh of its own is the one that mesh_level_set finds. A plane,
+// which is infinite, is shown as a square of 0.2 m about its origin.
 TriangleMesh primitive_mesh(const rendering::Primitive& primitive);
 
 }  // namespace tactus::host

@@ -1,4 +1,5 @@
-// A mesh in memory, as host tools make and change it.
+// A triangle mesh in memory, as host tools make and change it. The controller sees meshes only as
+// parts of a baked image.
 #pragma once
 
 #include <vector>
@@ -7,11 +8,13 @@
 
 namespace tactus::host {
 
-// World frame, metres.
+// An indexed mesh in the world frame, m.
 struct TriangleMesh {
   std::vector<rendering::Float3> vertices;
+  // Three indices into `vertices` each, counter-clockwise seen from outside.
   std::vector<rendering::TriangleIndices> triangles;
-  std::vector<rendering::CornerPlaces> corner_places;  // one a triangle, or none
+  // The texture places of a triangle's corners, one entry a triangle, or none at all.
+  std::vector<rendering::CornerPlaces> corner_places;
 };
 
 }  // namespace tactus::host

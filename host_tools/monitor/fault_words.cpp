@@ -5,7 +5,7 @@ namespace tactus::host {
 
 namespace {
 
-// Returns the remedy in full: the table's "reset" stands for several steps.
+// Returns the remedy in full: "reset" in the table stands for several steps.
 std::string remedy_of(const firmware::FaultText& text) {
   return text.recovery == "reset" ? "remove the cause, then reset, home, enable"
                                   : std::string(text.recovery);

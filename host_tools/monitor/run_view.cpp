@@ -6,13 +6,15 @@ namespace tactus::host {
 
 namespace {
 
-constexpr std::size_t kInstants = 1000;  // that the rate is taken over
+// How many ticks the rate is taken over.
+constexpr std::size_t kInstants = 1000;
 
 double magnitude(const firmware::Triple& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-// The next of 1, 2, 5, 10, 20...
+// Returns the next of 1, 2, 5, 10, 20, and so on; the small number absorbs rounding in the
+// logarithm.
 double next_scale(double scale) {
   const double decade = std::pow(10.0, std::floor(std::log10(scale) + 1e-9));
   const double lead = scale / decade;
@@ -31,7 +33,8 @@ void RunView::take(const RunInfo& info) {
 
 void RunView::take(const firmware::RecordedTick& tick) {
   const bool begins = !newest_ || tick.record.tick <= newest_->record.tick;
-  if (begins) {  // the first, or that of another run
+  // The first tick, or the first one of another run.
+  if (begins) {
     instants_.clear();
   } else {
     missing_ += tick.record.tick - newest_->record.tick - 1;

@@ -1,5 +1,5 @@
-// Rows: 0 head, 1-4 faults and limits, 5-12 axes and wake-up latency, 13-18 touch and loop, 19-21
-// energy, 22 answer, 23 keys.
+// The layout of the screen by rows: 0 head, 1-4 faults and limits, 5-12 axes and wake-up latency,
+// 13-18 touch and loop, 19-21 energy, 22 the controller's answer, 23 keys.
 #include "host_tools/monitor/screen.h"
 
 #include <fmt/format.h>
@@ -28,9 +28,10 @@ constexpr std::size_t kEnergyRow = 19;
 constexpr std::size_t kAnswerRow = 22;
 constexpr std::size_t kKeysRow = 23;
 constexpr std::size_t kRightColumn = 48;
-constexpr double kMostTime_s = 1e9;  // 32 years
+// A time beyond 32 years is not a time of a run.
+constexpr double kMostTime_s = 1e9;
 
-// Seven characters and the sign, whatever the size; what is no number is said to be.
+// Returns a number in nine columns, whatever its size.
 std::string number(double value, int digits) {
   if (!std::isfinite(value)) {
     return fmt::format("{:>9}", std::isnan(value) ? "no number" : "infinite");
@@ -50,12 +51,13 @@ Style style_of(Mode mode) {
   }
 }
 
-// A mode that this version does not know may come from a newer controller.
+// Returns the mode's name; a newer controller may have a mode that this version does not know.
 std::string_view known_name(Mode mode) {
   const auto index = static_cast<std::size_t>(mode);
   return index < firmware::kModeNames.size() ? firmware::kModeNames[index] : "unknown";
 }
 
+// Draws a horizontal line with a title at the left and one at the right.
 void rule(Canvas& canvas, std::size_t row, std::string_view left, std::string_view right) {
   canvas.put(row, 0, std::string(kScreenColumns, '-'), Style::faint);
   canvas.put(row, 2, fmt::format(" {} ", left));
@@ -84,8 +86,8 @@ void draw_head(Canvas& canvas, const RunView& view) {
   canvas.put(0, kScreenColumns - std::min(when.size(), kScreenColumns), when);
 }
 
-// Draws as many faults as fit with their remedies, and how many more there are. Limits stand in the
-// last row.
+// Draws as many faults with their remedies as fit, and how many more there are. Limits get the last
+// row.
 void draw_faults(Canvas& canvas, const RecordedTick& tick) {
   const FaultWords words = fault_words(tick.record.faults, tick.record.limits);
   const std::size_t room = (words.limits.empty() ? kFaultRows : kFaultRows - 1) / 2;
@@ -119,9 +121,11 @@ void draw_axes(Canvas& canvas, const RecordedTick& tick) {
   }
 }
 
+// A range of latencies that shares a bar.
 struct LatencyBand {
   std::string_view name;
-  std::size_t end_us;  // the band ends before it
+  // The band ends before this latency.
+  std::size_t end_us;
 };
 constexpr std::array<LatencyBand, 6> kLatencyBands = {{{"   <5", 5},
                                                        {"  <10", 10},
@@ -130,7 +134,8 @@ constexpr std::array<LatencyBand, 6> kLatencyBands = {{{"   <5", 5},
                                                        {" <200", 200},
                                                        {">=200", firmware::kTimeBins}}};
 
-// A bar by the logarithm of the share: one late tick of a million is to be seen.
+// Returns the length of a bar by the logarithm of the share, so that one late tick in a million
+// shows.
 std::size_t bar_length(std::uint64_t count, std::uint64_t all, std::size_t room) {
   if (count == 0) {
     return 0;
@@ -174,6 +179,7 @@ void draw_triple(Canvas& canvas, std::size_t row, std::string_view name,
                          number(scale * value[1], digits), number(scale * value[2], digits)));
 }
 
+// Describes what the proxy touches.
 std::string contact_words(const firmware::TelemetryRecord& record) {
   constexpr std::array<std::string_view, 4> kKinds = {"no contact", "face", "edge", "vertex"};
   constexpr std::array<std::string_view, 3> kFriction = {"free", "sticks", "slips"};

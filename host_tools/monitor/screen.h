@@ -1,4 +1,4 @@
-// The monitor's screen, drawn from what is known of a run.
+// Draws the monitor's screen. It needs neither a terminal nor a clock.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,19 @@
 
 namespace tactus::host {
 
+// Returns the screen for what is known of a run.
 Canvas draw_screen(const RunView& view);
 
-// A line "name: meaning" and a line with the remedy for each fault in the bits, as `tactus faults`
-// lists them; the limits follow in one line of names, if there are any. For people.
+// Faults and limits in words for people, from the table that `tactus faults` prints.
 struct FaultWords {
-  std::vector<std::string> faults;    // "joint_limit: joint position outside its range"
-  std::vector<std::string> remedies;  // as many: "move back inside by hand, reset"
-  std::string limits;                 // "soft_start, limiting_force"
+  // A line for each fault: "joint_limit: joint position outside its range".
+  std::vector<std::string> faults;
+  // The remedy of each fault: "move back inside by hand, reset".
+  std::vector<std::string> remedies;
+  // The names of the limits on one line: "soft_start, limiting_force".
+  std::string limits;
 };
+// Returns the words for the bits of firmware/safety/faults.h.
 FaultWords fault_words(std::uint64_t faults, std::uint64_t limits);
 
 }  // namespace tactus::host

@@ -26,9 +26,12 @@ namespace {
 using std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto kRedraw = 100ms;     // ten times a second are all that ssh and an eye want
-constexpr auto kTryAgain = 1000ms;  // for a controller that has gone
-constexpr auto kPatience = 1500ms;  // the controller answers within a second
+// Ten pictures a second are enough for an eye, and little for ssh.
+constexpr auto kRedraw = 100ms;
+// The time between two attempts to reach a controller that has gone.
+constexpr auto kTryAgain = 1000ms;
+// The controller answers within one second.
+constexpr auto kPatience = 1500ms;
 
 // Written by a signal, read by the loop.
 volatile std::sig_atomic_t asked_to_end = 0;
@@ -37,6 +40,7 @@ void on_end(int /*signal*/) {
   asked_to_end = 1;
 }
 
+// Returns the command of a key; nullptr for a key without one.
 const char* command_of(int key) {
   switch (key) {
     case 'h':
@@ -54,6 +58,7 @@ const char* command_of(int key) {
   }
 }
 
+// One use of the monitor.
 class Session {
  public:
   explicit Session(const std::filesystem::path& run_dir)
@@ -113,7 +118,7 @@ class Session {
     }
   }
 
-  // False: to be left.
+  // Sends the commands of the keys that were pressed. Returns false if the user wants to leave.
   bool take_keys(Terminal& terminal) {
     for (int key = terminal.key(); key != 0; key = terminal.key()) {
       if (key == 'q' || key == 'Q') {
@@ -126,6 +131,7 @@ class Session {
     return true;
   }
 
+  // Sends a command and returns the reply, or why there is none.
   [[nodiscard]] std::string ask(const char* command) const {
     try {
       return std::string_view(command) == "estop" ? send_stop(run_dir_, kPatience).text

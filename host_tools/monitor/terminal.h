@@ -1,21 +1,24 @@
-// The terminal that the monitor runs in, by ncurses.
+// The terminal in which the monitor runs, through ncurses.
 #pragma once
 
 #include "host_tools/monitor/canvas.h"
 
 namespace tactus::host {
 
+// Owns the terminal as long as it lives; there can be one at a time.
 class Terminal {
  public:
-  // Takes the terminal. Throws InputError where standard output is none, or one that is not known.
+  // Takes the terminal over. Throws InputError if standard input or output is no terminal, or the
+  // terminal's kind is unknown.
   Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
-  // Gives it back as it was.
+  // Gives the terminal back as it was.
   ~Terminal();
 
+  // Shows the screen.
   void show(const Canvas& canvas);
-  // The next key that was pressed; 0 if none was. Never waits.
+  // Returns the next key that was pressed, 0 if none was. It never waits.
   int key();
 };
 

@@ -22,15 +22,17 @@ namespace {
 using firmware::FieldName;
 using PerJoint = std::array<double, drivers::kMaxJoints>;
 
+// The fields of a user who names none.
 constexpr std::array<std::string_view, 10> kUsualFields = {
     "tick",     "mode",     "faults", "limits",  "tool_x_m",
     "tool_y_m", "tool_z_m", "proxy",  "contact", "force"};
 
-// "tool" and "x" and "m": tool_x_m.
+// Returns a column's name: "tool" with "_x" in m becomes tool_x_m.
 std::string column(const FieldName& name, std::string_view part) {
   return fmt::format("{}{}{}{}", name.column, part, name.unit.empty() ? "" : "_", name.unit);
 }
 
+// Returns the names of all set bits, separated by commas; "none" without any.
 std::string fault_names(std::uint64_t bits) {
   std::string names;
   for (const firmware::FaultText& text : firmware::kFaultTexts) {
@@ -41,13 +43,14 @@ std::string fault_names(std::uint64_t bits) {
   return names.empty() ? "none" : names;
 }
 
+// Returns the word of an enumeration's value, or its number if this version does not know it.
 template <std::size_t kCount, class Enum>
 std::string word_of(const std::array<std::string_view, kCount>& words, Enum value) {
   const auto index = static_cast<std::size_t>(value);
   return index < kCount ? std::string(words[index]) : fmt::format("{}", index);
 }
 
-// Names and values of all columns of a tick, in order.
+// A visitor of a tick's fields that collects the names and values of all columns, in order.
 class Columns {
  public:
   explicit Columns(std::size_t joints) : joints_(joints) {}
@@ -121,6 +124,7 @@ Columns columns_of(const firmware::RecordedTick& tick, std::size_t joints) {
   return columns;
 }
 
+// Returns true if `field` is the column's name, or its beginning up to an underscore or a number.
 bool is_meant(std::string_view field, std::string_view name) {
   if (!name.starts_with(field)) {
     return false;
@@ -142,7 +146,7 @@ WatchLines::WatchLines(std::vector<std::string> fields, std::uint64_t every)
   }
 }
 
-// A name that is a column by itself means that one alone: `tool` has no column, `tick` has.
+// Chooses the columns. A field that is a column's whole name means that column alone.
 void WatchLines::choose(std::size_t joints) {
   joints_ = std::min(joints, drivers::kMaxJoints);
   names_ = watch_fields(joints_);

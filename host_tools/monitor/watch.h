@@ -1,4 +1,5 @@
-// A run as lines of text: one a tick, `name=value` apart by blanks, for grep and awk.
+// A run as lines of text, one a tick, `name=value` separated by blanks, for grep and awk. `tactus
+// watch` prints them.
 #pragma once
 
 #include <cstdint>
@@ -10,33 +11,39 @@
 
 namespace tactus::host {
 
-// The names that a field may have, those of the columns of a recording's CSV, of a run with that
-// many joints.
+// Returns the names of all fields for a run with that many joints; they are the columns of a
+// recording's CSV.
 std::vector<std::string> watch_fields(std::size_t joints);
 
-// Writes ticks in the fields asked for.
+// Turns ticks into lines of the fields that the user asked for.
 class WatchLines {
  public:
-  // Fields by name, or by a name's beginning before an underscore or a number ("force" for
-  // force_x_N, force_y_N, force_z_N; "joint" for joint1 and on); none: the usual ones. Every
-  // `every`-th tick, 1 or more.
+  // `fields` are names, or beginnings of names before an underscore or a number: "force" stands for
+  // force_x_N, force_y_N and force_z_N, "joint" for joint1 and so on. Without any it writes the
+  // usual ones. It writes every `every`-th tick.
   WatchLines(std::vector<std::string> fields, std::uint64_t every);
 
-  // The line for a tick, without its newline; empty for one that is passed over. Throws InputError
-  // at the first if a field is not known, with those that are.
+  // Returns the line of a tick without its newline; empty for a tick that is passed over. The first
+  // call throws InputError, with the known fields, if a field is not known.
   std::string line(const firmware::RecordedTick& tick);
-  // Events are never passed over: "event tick=7 kind=parameter name=stiffness value=1000".
+  // Returns the line of an event; events are never passed over. An example: "event tick=7
+  // kind=parameter name=stiffness value=1000".
   static std::string line(const firmware::TelemetryEvent& event);
 
  private:
+  // Finds the columns of the fields, by the number of joints. Throws InputError for an unknown
+  // field.
   void choose(std::size_t joints);
 
   std::vector<std::string> fields_;
   std::uint64_t every_ = 1;
   std::uint64_t seen_ = 0;
-  std::size_t joints_ = 0;            // of the first tick; so many columns have all
-  std::vector<std::string> names_;    // of all columns
-  std::vector<std::size_t> columns_;  // those wanted, into names_
+  // The joints of the first tick, which decide the columns of all.
+  std::size_t joints_ = 0;
+  // The names of all columns.
+  std::vector<std::string> names_;
+  // The columns that are printed, as indices into `names_`.
+  std::vector<std::size_t> columns_;
 };
 
 }  // namespace tactus::host

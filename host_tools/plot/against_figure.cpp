@@ -11,7 +11,7 @@
 namespace tactus::host {
 namespace {
 
-// Returns the angle between the forces of two ticks, degrees; 0 if a force is zero.
+// Returns the angle between the forces of two ticks, degrees; 0 if one of them is zero.
 double turn_deg(const RunRow& before, const RunRow& now) {
   if (!(before.force_N > 0.0) || !(now.force_N > 0.0)) {
     return 0.0;
@@ -20,6 +20,7 @@ double turn_deg(const RunRow& before, const RunRow& now) {
   return std::atan2(sine, before.force_W.dot(now.force_W)) * 180.0 / std::numbers::pi;
 }
 
+// Returns a run as gnuplot's data: time, force, and turn since the row before.
 std::string data_block(std::string_view name, const RunData& run) {
   std::string block = fmt::format("${} << EOD\n", name);
   for (std::size_t i = 0; i < run.rows.size(); ++i) {
@@ -74,6 +75,7 @@ unset output
 
 void draw_against_figure(const NamedRun& run, const NamedRun& other,
                          const std::filesystem::path& png) {
+  // Room above the curves, and the least height of an axis.
   constexpr double kAir = 1.1;
   constexpr double kLeastTop = 0.1;
   const double force_top = std::max(largest_force_N(run.run), largest_force_N(other.run));

@@ -1,4 +1,5 @@
-// The figures of a run, as PNG files.
+// The figures of a run, as PNG files. `tactus plot` draws the first two, `tactus replay --picture`
+// the last.
 #pragma once
 
 #include <filesystem>
@@ -10,34 +11,41 @@
 
 namespace tactus::host {
 
+// The files of the figures.
 struct FigureFiles {
-  std::filesystem::path force;    // force and depth over time
-  std::filesystem::path path;     // the proxy's path over the scene, from two sides
-  std::filesystem::path against;  // two runs over one another
+  // Force and depth over time.
+  std::filesystem::path force;
+  // The proxy's path over the scene, from two sides.
+  std::filesystem::path path;
+  // Two runs over each other.
+  std::filesystem::path against;
 };
 
-// Names from the user's -o: an existing folder, or a name ending in a slash, gives
-// FOLDER/<stem>_force.png, ..._path.png and ..._against.png; anything else is a prefix:
+// Returns the files for the user's -o. An existing folder, or a name that ends in a slash, gives
+// FOLDER/<stem>_force.png, ..._path.png and ..._against.png. Anything else is a prefix:
 // <prefix>_force.png and so on.
 FigureFiles figure_files(const std::filesystem::path& output, const std::string& stem);
 
-// Force and depth in stacked panels over a shared time axis, the background telling stick from
-// slip. Throws InputError when gnuplot is missing or fails.
+// Draws force and depth in two panels over one time axis; the background shows stick and slip.
+// Throws InputError if gnuplot is missing or fails.
 void draw_force_figure(const RunData& run, const std::string& title,
                        const std::filesystem::path& png);
 
-// The path of the proxy's centre, coloured by force where it touched, from the front and from the
-// side, both panels with equal axes. Throws InputError when gnuplot is missing or fails.
+// Draws the path of the proxy's centre over the scene, from the front and from the side, with equal
+// axes; where it touches, it is coloured by force. Throws InputError if gnuplot is missing or
+// fails.
 void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
                       const std::string& title, const std::filesystem::path& png);
 
+// A run and its name in the key.
 struct NamedRun {
+  // Must outlive this.
   const RunData& run;
   std::string name;
 };
 
-// The forces of two runs in one panel, and by how much each turns from tick to tick in another.
-// Throws InputError when gnuplot is missing or fails.
+// Draws the forces of two runs in one panel, and the angle by which each turns from tick to tick in
+// another. Throws InputError if gnuplot is missing or fails.
 void draw_against_figure(const NamedRun& run, const NamedRun& other,
                          const std::filesystem::path& png);
 

@@ -12,12 +12,12 @@ namespace {
 // More points than pixels change nothing that can be seen.
 constexpr std::size_t kMostForcePoints = 12000;
 
-// An axis that starts at zero and leaves a little air above the curve.
+// Returns the end of an axis that starts at zero, a little above the curve.
 double axis_top(double largest, double least_top) {
   return std::max(1.1 * largest, least_top);
 }
 
-// The last row's tick is drawn whole.
+// Returns the end of the last row's tick, so that it is drawn whole.
 double end_s(const std::vector<RunRow>& rows) {
   const double step_s = rows.size() > 1 ? rows.back().t_s - rows[rows.size() - 2].t_s : 1e-3;
   return rows.back().t_s + step_s;
@@ -33,8 +33,8 @@ std::string time_series(const std::vector<RunRow>& rows) {
   return block + "EOD\n";
 }
 
-// A line far left of the axis keeps gnuplot content, and the key complete, when there is no stretch
-// at all.
+// Returns the stretches as gnuplot's data. The first line lies far left of the axis: it keeps
+// gnuplot from failing, and the key complete, when there is no stretch at all.
 std::string background(std::string_view name, const std::vector<Stretch>& bands) {
   std::string block = fmt::format("${} << EOD\n-1e9 -1e9 -1e9\n", name);
   for (const Stretch& band : bands) {

@@ -33,8 +33,8 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
   }
 }
 
-// gnuplot's own words come as: a blank line, the offending input, a caret, `"script", line 3: what
-// is wrong`.
+// Returns gnuplot's error in one line. Its own form is a blank line, the offending input, a caret,
+// and `"script", line 3: what is wrong`.
 std::string complaint(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
@@ -81,6 +81,7 @@ std::filesystem::path picture_of(const TemporaryFolder& folder) {
   return folder.path() / "picture.png";
 }
 
+// Runs gnuplot without a shell, so that no file name can be taken for a command. Throws InputError.
 void draw(const TemporaryFolder& folder, std::string_view script) {
   const std::filesystem::path script_file = folder.path() / "script.gp";
   const std::filesystem::path messages = folder.path() / "messages.txt";
@@ -112,7 +113,7 @@ void draw(const TemporaryFolder& folder, std::string_view script) {
   }
 }
 
-// True if the bytes begin and end as a PNG file does: gnuplot does not say when the disk is full.
+// Returns true if the bytes begin and end as a PNG file does. gnuplot does not report a full disk.
 bool is_whole_png(std::string_view bytes) {
   constexpr std::string_view kHead = "\x89PNG\r\n\x1a\n";
   constexpr std::string_view kLastChunk = "IEND\xae\x42\x60\x82";

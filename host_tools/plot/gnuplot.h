@@ -1,4 +1,4 @@
-// Running gnuplot on a script and the pictures that it needs.
+// Runs gnuplot on a script and the pictures that it needs. All figures go through it.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,11 @@
 
 namespace tactus::host {
 
-// A private folder under the system's temporary one, removed with everything in it at the end.
+// A private folder below the system's folder for temporary files, removed with its content at the
+// end.
 class TemporaryFolder {
  public:
-  // Throws InputError, text for a user, where none can be made.
+  // Throws InputError if no folder can be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -26,22 +27,21 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// Writes the picture as raw red-green-blue bytes for gnuplot's `binary` plots. Throws
-// InputError.
+// Writes the picture as raw red-green-blue bytes for gnuplot's `binary` plots. Throws InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 
-// Begins a script that draws several panels into the folder's picture, of that many pixels. No name
-// of the user's goes into a script as a file: gnuplot runs a file name that begins with | as a
-// command.
+// Returns the beginning of a script that draws several panels into the folder's picture, `width` by
+// `height` pixels. A name of the user's never goes into a script as a file, since gnuplot runs a
+// file name that begins with | as a command.
 std::string picture_head(const TemporaryFolder& folder, double width, double height);
 
-// Runs gnuplot on the script, then writes the folder's picture, once it is whole, to `png`. Throws
-// InputError: gnuplot is not installed, it complained, or `png` cannot be written.
+// Runs gnuplot on the script, and writes the folder's picture to `png` once it is complete. Throws
+// InputError if gnuplot is not installed or fails, or `png` cannot be written.
 void run_gnuplot(const TemporaryFolder& folder, std::string_view script,
                  const std::filesystem::path& png);
 
-// A string in gnuplot's single quotes, with spaces for control characters: a line end would begin
-// a command.
+// Returns the text in gnuplot's single quotes, with blanks for control characters: a line end would
+// begin a command.
 std::string gnuplot_string(std::string_view text);
 
 }  // namespace tactus::host

@@ -15,7 +15,7 @@ constexpr double kPanelsWidth = 1200;
 constexpr double kLonePanelHeight = 800;
 constexpr double kPanelHeight = 430;
 
-// Told apart by people who see few colours too, and by their brightness.
+// Colours that differ in brightness too, for people who see few colours.
 constexpr std::array<std::string_view, 5> kColours{"#17406d", "#d0421b", "#4c9a78", "#8e6bb3",
                                                    "#b8860b"};
 
@@ -85,7 +85,8 @@ set autoscale noextend
 set label 1 {title} at screen 0.105,{title_height:.4g} left font ",18" textcolor "#111111" noenhanced
 )gnuplot";
 
-// Heights are shares of the picture's, from below. The key stands above the panel.
+// Returns the script of one panel. `top` and `bottom` are shares of the picture's height, from
+// below. The key stands above the panel.
 std::string panel_script(const Panel& panel, std::size_t index, double top, double bottom) {
   constexpr std::string_view kPanel = R"gnuplot(
 set tmargin at screen {top:.4g}
@@ -112,7 +113,7 @@ plot )gnuplot";
 
 void draw_panels(const std::string& title, std::span<const Panel> panels,
                  const std::filesystem::path& png) {
-  // Pixels.
+  // Heights in pixels: of the title, and around each panel.
   constexpr double kTitle = 50;
   constexpr double kAbovePanel = 35;
   constexpr double kBelowPanel = 80;

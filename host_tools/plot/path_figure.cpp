@@ -11,6 +11,7 @@
 namespace tactus::host {
 namespace {
 
+// More points change nothing that can be seen.
 constexpr std::size_t kMostPathPoints = 40000;
 
 // The sheet, in pixels: two panels side by side with room for their axes, and a colour bar at the
@@ -23,20 +24,27 @@ constexpr double kGap = 125.0;
 constexpr double kRight = 175.0;
 constexpr double kLargestPanelHeight = 1400.0;
 
+// One view and its place on the sheet.
 struct Panel {
   View view = View::front;
-  Window window;      // mm
-  double left = 0.0;  // pixels
+  // In mm.
+  Window window;
+  // In pixels, like `right`.
+  double left = 0.0;
   double right = 0.0;
 };
 
+// The layout of the figure.
 struct Sheet {
   Panel front;
   Panel side;
-  double top = 0.0;     // of the panels, pixels
-  double height = 0.0;  // of the sheet
+  // The upper edge of the panels, pixels.
+  double top = 0.0;
+  // The height of the sheet, pixels.
+  double height = 0.0;
 };
 
+// Turns metres into millimetres.
 void scale_to_mm(Window& window) {
   for (PlanePoint* point : {&window.lower, &window.upper}) {
     point->right *= 1e3;
@@ -44,6 +52,7 @@ void scale_to_mm(Window& window) {
   }
 }
 
+// Returns the window that holds the scene and the path, with a margin, mm.
 Window window_of(View view, const RunData& run, std::span<const rendering::Object> objects) {
   Window window = bounds(view, objects);
   for (const RunRow& row : run.rows) {
@@ -59,8 +68,8 @@ Window window_of(View view, const RunData& run, std::span<const rendering::Objec
   return window;
 }
 
-// One scale for both panels: their windows share the up axis, and the sheet's width or height
-// decides.
+// Lays out both panels with one scale. Their windows share the up axis, and either the width or the
+// height of the sheet decides.
 Sheet lay_out(const RunData& run, std::span<const rendering::Object> objects) {
   Sheet sheet;
   sheet.front = {.view = View::front, .window = window_of(View::front, run, objects)};
@@ -82,8 +91,8 @@ Sheet lay_out(const RunData& run, std::span<const rendering::Object> objects) {
   return sheet;
 }
 
-// Two blocks: the moves in contact with their force, and the free ones. A blank line lifts the pen;
-// each piece begins where the one before ended.
+// Returns two data blocks: the moves in contact with their force, and the free ones. A blank line
+// lifts the pen, and each piece begins where the one before ended.
 std::string path_blocks(const RunData& run, View view, std::string_view suffix) {
   std::string touching = fmt::format("$touching{} << EOD\n", suffix);
   std::string free = fmt::format("$free{} << EOD\n", suffix);
@@ -103,6 +112,7 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
       was_contact = row.contact;
     }
   }
+  // Gnuplot complains about a block without points, so each has one that is never on the sheet.
   const std::string_view off_sheet = "\n1e9 1e9 0\nEOD\n";
   return touching.append(off_sheet) + free.append(off_sheet);
 }
@@ -110,7 +120,8 @@ std::string path_blocks(const RunData& run, View view, std::string_view suffix) 
 // Returns gnuplot's data block of the labels at the two ends of the drawn path.
 std::string ends_block(const RunData& run, View view, const Window& window_mm,
                        std::string_view suffix) {
-  constexpr double kTogether = 0.08;  // of the panel's width: closer, two labels would overlap
+  // Ends that are closer than this share of the panel's width get one label; two would overlap.
+  constexpr double kTogether = 0.08;
   const auto located = [](const RunRow& row) { return row.located; };
   const auto first = std::ranges::find_if(run.rows, located);
   const auto last = std::ranges::find_if(std::views::reverse(run.rows), located);
@@ -159,6 +170,8 @@ plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
 unset label
 )gnuplot";
 
+// Returns the commands that draw a panel over its picture of the objects, which it writes into
+// `folder`. The last panel has the colour bar.
 std::string panel_script(const Sheet& sheet, const Panel& panel,
                          std::span<const rendering::Object> objects, const TemporaryFolder& folder,
                          bool last) {

@@ -21,13 +21,15 @@ constexpr std::array<std::string_view, 3> kCommanded = {
     "commanded_force_x_N", "commanded_force_y_N", "commanded_force_z_N"};
 constexpr std::array<std::string_view, 4> kOptional = {kCommanded[0], kCommanded[1], kCommanded[2],
                                                        kMode};
-constexpr double kFirstLocatedMode = 2.0;  // ready
+// The number of the mode `ready` in firmware::Mode.
+constexpr double kFirstLocatedMode = 2.0;
 
 Vec3 triple(const CsvTable& table, std::size_t row, std::string_view x, std::string_view y,
             std::string_view z) {
   return {table.column(x)[row], table.column(y)[row], table.column(z)[row]};
 }
 
+// Returns the state of a number in the file; nothing if it is none of them.
 std::optional<rendering::FrictionState> friction_state(double value) {
   using enum rendering::FrictionState;
   for (const rendering::FrictionState state : {free, stick, slip}) {

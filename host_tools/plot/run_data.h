@@ -1,5 +1,5 @@
-// The columns of a run that the figures need, whether the simulation (`tactus sim`) or a replay
-// (`tactus touch`) wrote it.
+// The columns of a run that the figures need, whether `tactus sim` or `tactus touch` wrote the
+// file.
 #pragma once
 
 #include <cstddef>
@@ -13,32 +13,43 @@
 
 namespace tactus::host {
 
+// One tick.
 struct RunRow {
   double t_s = 0.0;
-  Vec3 proxy_W = Vec3::Zero();  // m
-  Vec3 force_W = Vec3::Zero();  // N, the rendered force
-  double force_N = 0.0;         // its magnitude
-  double commanded_N =
-      0.0;  // of the force after the limits; equal to force_N where the run has none
+  // The proxy's centre, m, world frame.
+  Vec3 proxy_W = Vec3::Zero();
+  // The rendered force, N, world frame.
+  Vec3 force_W = Vec3::Zero();
+  // Its magnitude.
+  double force_N = 0.0;
+  // The magnitude of the force after the safety limits, N; equal to `force_N` if the run has no
+  // such column.
+  double commanded_N = 0.0;
+  // How far the tool is below the surface.
   double depth_m = 0.0;
   bool contact = false;
-  bool located = true;  // false while the controller does not know where the tool is
+  // False while the controller does not know where the tool is.
+  bool located = true;
+  // The friction state: the proxy sticks or slides.
   rendering::FrictionState friction = rendering::FrictionState::free;
 };
 
+// A run, with at least one row and rising times.
 struct RunData {
-  std::vector<RunRow> rows;  // at least one, times rising
+  std::vector<RunRow> rows;
+  // True if the file has the force after the safety limits.
   bool has_commanded = false;
 };
 
-// Throws InputError, one line that names file, line and column.
+// Reads a run. Throws InputError, one line that names file, line and column.
 RunData read_run(const std::filesystem::path& file);
 
-// Indices of at most about `limit` rows that look like all of them: the first and the last, and of
-// every bucket the rows with the smallest and the largest force. Rising.
+// Returns the rising indices of at most about `limit` rows that look like all of them: the first
+// and the last, and of every bucket the rows with the smallest and the largest force, so that every
+// peak is kept.
 std::vector<std::size_t> thin(const std::vector<RunRow>& rows, std::size_t limit);
 
-// A stretch of rows of one kind.
+// A span of time.
 struct Stretch {
   double from_s = 0.0;
   double to_s = 0.0;

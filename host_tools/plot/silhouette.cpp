@@ -9,10 +9,12 @@
 namespace tactus::host {
 namespace {
 
-constexpr int kOversampling = 3;  // per axis: 9 grey levels on an edge
+// Sub-pixels of a pixel along each axis: an edge then has nine grey levels.
+constexpr int kOversampling = 3;
+// The brightness of a sub-pixel in front of which there is no mesh.
 constexpr float kNothing = -1.0F;
 
-// Brightness and depth of each sub-pixel.
+// Brightness and depth of each sub-pixel (a depth buffer).
 struct Canvas {
   int width;
   int height;
@@ -32,13 +34,16 @@ struct Canvas {
   }
 };
 
+// A vertex on the canvas.
 struct ScreenVertex {
-  double x;  // sub-pixels
+  // In sub-pixels from the left and from the lower edge.
+  double x;
   double y;
-  double depth;  // m, toward the viewer
+  // Toward the viewer, m.
+  double depth;
 };
 
-// Twice the signed area of (a, b, p).
+// Returns twice the signed area of the triangle (a, b, p).
 double edge(const ScreenVertex& a, const ScreenVertex& b, double x, double y) {
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
@@ -76,7 +81,7 @@ void fill(Canvas& canvas, const ScreenVertex& a, const ScreenVertex& b, const Sc
   }
 }
 
-// Twice the area, along the normal.
+// Returns the triangle's normal, twice its area long; summed up, large triangles count more.
 Vec3 area_normal(const rendering::MeshView& mesh, const rendering::TriangleIndices& triangle) {
   const Vec3 a = rendering::to_vec3(mesh.vertices[triangle[0]]);
   const Vec3 b = rendering::to_vec3(mesh.vertices[triangle[1]]);
@@ -84,6 +89,7 @@ Vec3 area_normal(const rendering::MeshView& mesh, const rendering::TriangleIndic
   return (b - a).cross(c - a);
 }
 
+// Returns for each vertex the unit normal averaged over its triangles by their area.
 std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {
@@ -98,11 +104,12 @@ std::vector<Vec3> vertex_normals(const rendering::MeshView& mesh) {
   return normals;
 }
 
-// Returns the vertices' normal, so that the shading shows the surface and not its triangles; at a
-// vertex of a sharp edge the triangle's own.
+// Returns the mean normal of the triangle's vertices, so that the shading shows the surface and not
+// its triangles. At the vertex of a sharp edge it takes the triangle's own.
 Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of_vertices,
                     const rendering::TriangleIndices& triangle) {
-  constexpr double kSharp = 0.6;  // cosine of the angle between the two
+  // The cosine of the angle between the normals of vertex and triangle, about 53 degrees.
+  constexpr double kSharp = 0.6;
   const Vec3 own = area_normal(mesh, triangle).normalized();
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t vertex : triangle) {
@@ -111,17 +118,19 @@ Vec3 shading_normal(const rendering::MeshView& mesh, const std::vector<Vec3>& of
   return sum;
 }
 
+// Returns the unit direction to the light, the same as seen from the viewer in both views.
 Vec3 toward_light(View view) {
   const Vec3 in_view = Vec3(-0.35, 0.55, 0.75).normalized();  // right, up, toward the viewer
   return view == View::front ? in_view : Vec3(-in_view.z(), in_view.y(), in_view.x());
 }
 
+// Returns the unit direction to the viewer.
 Vec3 toward_viewer(View view) {
   return view == View::front ? Vec3(0.0, 0.0, 1.0) : Vec3(-1.0, 0.0, 0.0);
 }
 
-// 0 in the dark, 1 in full light. Both sides of a triangle are lit alike: the one that faces the
-// viewer counts.
+// Returns the brightness, 0 in the dark to 1 in full light. The side that faces the viewer counts,
+// so both sides of a triangle are lit alike.
 float lit(const Vec3& normal, View view) {
   const double length = normal.norm();
   if (length == 0.0) {
@@ -132,6 +141,7 @@ float lit(const Vec3& normal, View view) {
       std::clamp(0.5 + 0.5 * side * normal.dot(toward_light(view)) / length, 0.0, 1.0));
 }
 
+// Draws every triangle; the depth buffer decides which is seen.
 void draw_mesh(Canvas& canvas, View view, const Window& window, const rendering::MeshView& mesh) {
   const std::vector<Vec3> normals = vertex_normals(mesh);
   std::vector<ScreenVertex> screen;
@@ -149,8 +159,9 @@ void draw_mesh(Canvas& canvas, View view, const Window& window, const rendering:
   }
 }
 
-// Mean of the sub-pixels of one pixel, as grey.
+// Returns the mean of a pixel's sub-pixels as grey.
 std::uint8_t pixel(const Canvas& canvas, int column, int row) {
+  // The grey levels of the dark and of full light; the paper is 255, so the mesh always stands out.
   constexpr double kDarkest = 176.0;
   constexpr double kLightest = 240.0;
   double sum = 0.0;

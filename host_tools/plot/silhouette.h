@@ -1,4 +1,5 @@
-// A picture of the scene's meshes from one side, pale enough to draw a path over.
+// Draws the scene's meshes from one side, pale enough to draw a path over. gnuplot itself would be
+// slow at that.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,12 @@
 
 namespace tactus::host {
 
-// The two orthographic views of a run. World frame W: x right, y up, z toward the user.
+// The two orthographic views of a run. The world frame has x right, y up and z toward the user.
 enum class View : std::uint8_t {
-  front,  // from +z: x to the right, y up
-  side,   // from -x: z to the right, y up
+  // From +z: x to the right, y up.
+  front,
+  // From -x: z to the right, y up.
+  side,
 };
 
 // A point of the picture plane, m: to the right and up.
@@ -21,33 +24,37 @@ struct PlanePoint {
   double up = 0.0;
 };
 
+// Returns the point of the picture plane in front of which p_W lies.
 PlanePoint project(View view, const Vec3& p_W);
-// Distance toward the viewer, m; larger is nearer.
+// Returns the distance toward the viewer, m; a larger value is nearer.
 double nearness(View view, const Vec3& p_W);
 
 // A rectangle of the picture plane, m.
 struct Window {
+  // The lower left and the upper right corner; they mean nothing while `empty`.
   PlanePoint lower{.right = 0.0, .up = 0.0};
   PlanePoint upper{.right = 0.0, .up = 0.0};
   bool empty = true;
 
+  // Grows the window to hold the point.
   void include(const PlanePoint& point);
   [[nodiscard]] double width() const { return upper.right - lower.right; }
   [[nodiscard]] double height() const { return upper.up - lower.up; }
 };
 
-// The window that just holds every vertex.
+// Returns the smallest window that holds every vertex.
 Window bounds(View view, std::span<const rendering::Object> objects);
 
-// Rows from the bottom up, `width` pixels each; 255 is white.
+// A picture in grey: rows from the bottom up, `width` pixels each; 255 is white.
 struct GreyImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
 };
 
-// Hidden surfaces removed, softly lit from the viewer's upper left, anti-aliased; white where there
-// is no mesh. Linear in the triangles and pixels: 75k triangles at 900 x 900 take about 30 ms.
+// Returns the meshes with hidden surfaces removed, softly lit from the viewer's upper left and
+// anti-aliased; white where there is no mesh. The time is linear in triangles and pixels: 75k
+// triangles at 900 x 900 take about 30 ms.
 GreyImage draw_silhouette(View view, const Window& window, int width, int height,
                           std::span<const rendering::Object> objects);
 

@@ -13,9 +13,14 @@
 namespace tactus::host {
 namespace {
 
+// Each message follows its length, 4 bytes, little endian.
 constexpr std::size_t kLengthBytes = 4;
+// A larger length means that the other side is no telemetry socket: a message has a few hundred
+// bytes.
 constexpr std::size_t kLongestMessage = std::size_t{1} << 20U;
 
+// Every kind of message has its own FlatBuffers identifier, so at most one decoder accepts the
+// bytes.
 std::optional<LiveMessage> decode(std::span<const std::byte> message) {
   if (auto tick = decode_tick(message)) {
     return *tick;
@@ -83,6 +88,7 @@ bool LiveReader::receive(std::chrono::milliseconds patience) {
   if (ended_ || poll(&readable, 1, static_cast<int>(patience.count())) <= 0) {
     return false;
   }
+  // Bytes that were given out are removed once a receive, not once a message.
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
   begin_ = 0;
   std::array<std::byte, 65536> received;

@@ -1,4 +1,6 @@
-// Reads the live socket of a running tactusd.
+// Reads the live telemetry socket of a running tactusd or `tactus sim --serve`. `tactus watch` and
+// the monitor call it, in their own process and in one thread; the controller never waits for a
+// reader.
 #pragma once
 
 #include <chrono>
@@ -14,18 +16,24 @@
 
 namespace tactus::host {
 
-inline constexpr const char* kLiveSocketFile = "telemetry.sock";  // in the run folder
+// The socket's name in the run folder.
+inline constexpr const char* kLiveSocketFile = "telemetry.sock";
 
+// A message of the live socket. The information about the run comes first, for every reader that
+// connects.
 using LiveMessage = std::variant<RunInfo, firmware::RecordedTick, firmware::TelemetryEvent>;
 
+// A connection to one live socket, with the bytes that have not made a whole message yet.
 class LiveReader {
  public:
-  // Throws InputError, with what to do, if nobody answers at that socket.
+  // Connects to the socket. Throws InputError that names the socket and the remedy if nobody
+  // answers there or its path is too long for the system.
   explicit LiveReader(const std::string& socket);
 
-  // The next message, for which it waits no longer than `patience`; empty if none came, or if the
-  // run has ended. Messages that a reader was too slow for are missing: ticks are numbered. What
-  // this version does not know is left out. Throws InputError if it is no stream of messages.
+  // Returns the next message, and waits for it no longer than `patience`. Returns nothing if none
+  // came or the run has ended. The sender drops messages for a reader that is too slow: a gap shows
+  // in the numbers of the ticks. Messages of a kind that this version does not know are skipped.
+  // Throws InputError if the bytes are no stream of telemetry messages.
   std::optional<LiveMessage> next(std::chrono::milliseconds patience);
 
   // Returns true if the other side has closed and `next` has given out everything that came.
@@ -35,12 +43,16 @@ class LiveReader {
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
  private:
+  // Returns the next whole message in the buffer, without its length; valid until receive().
   std::optional<std::span<const std::byte>> take_message();
+  // Appends the bytes that arrive within `patience`. Returns false if none came.
   bool receive(std::chrono::milliseconds patience);
 
+  // The socket's path, for messages to the user.
   std::string name_;
   hal::FileDescriptor socket_;
   std::vector<std::byte> buffer_;
+  // The bytes of `buffer_` before this place were given out.
   std::size_t begin_ = 0;
   bool ended_ = false;
 };

@@ -14,6 +14,7 @@ using mcap::Unpacker;
 
 namespace {
 
+// Throws InputError with the place in the file, bytes.
 [[noreturn]] void complain_at(std::size_t offset, const std::string& what) {
   throw InputError("byte " + std::to_string(offset) + ": " + what);
 }
@@ -77,6 +78,7 @@ void McapReader::take_top_level(const Record& record, std::span<const std::byte>
 
 void McapReader::take_chunk(std::span<const std::byte> content, std::size_t offset) {
   Unpacker chunk(content);
+  // The start and end of the messages' times, ns, and the size of the records before compression.
   chunk.u64();
   chunk.u64();
   chunk.u64();
@@ -109,11 +111,14 @@ void McapReader::take_metadata(std::span<const std::byte> content) {
 
 void McapReader::take_attachment(std::span<const std::byte> content, std::size_t offset) {
   Unpacker attachment(content);
+  // When it was logged and when it was made, ns.
   attachment.u64();
   attachment.u64();
   const std::string name(attachment.text());
+  // Its media type.
   attachment.text();
   const auto bytes = attachment.bytes(attachment.u64());
+  // The checksum of an attachment covers everything before the checksum itself.
   const auto checked = content.first(content.size() - attachment.rest().size());
   const std::uint32_t crc = attachment.u32();
   if (attachment.failed()) {

@@ -15,8 +15,8 @@ using firmware::TelemetryEvent;
 using firmware::TelemetryRecord;
 using firmware::Triple;
 
-// FlatBuffers reads numbers in place, so they must lie where the processor wants them. Chunks put
-// messages anywhere.
+// A copy of a message at an aligned address. FlatBuffers reads numbers in place, so they must be
+// aligned as the processor demands, while a chunk puts messages at any byte.
 class AlignedMessage {
  public:
   explicit AlignedMessage(std::span<const std::byte> bytes)
@@ -38,6 +38,7 @@ Triple read_triple(const telemetry::Vector3& stored) {
   return {stored.x(), stored.y(), stored.z()};
 }
 
+// The fields of record.fbs, one by one.
 void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.tick = stored.tick();
   record.time_s = stored.time_s();
@@ -95,7 +96,8 @@ void read_counts(const telemetry::Record& stored, TelemetryRecord& record) {
                      .write = stages.write()};
 }
 
-// Older recordings have none.
+// Reads the measured positions, of which there are as many as joints. Recordings of an older format
+// have none, which is no error.
 bool read_measured(const telemetry::Record& stored, RecordedTick& tick) {
   const auto* const measured = stored.measured();
   if (measured == nullptr) {
@@ -114,7 +116,7 @@ bool read_measured(const telemetry::Record& stored, RecordedTick& tick) {
 
 bool read_joints(const telemetry::Record& stored, RecordedTick& tick) {
   const auto& joints = *stored.joints();
-  // The verifier sees to where a vector begins, not to where its first element lies.
+  // The verifier checks where a vector begins, not where its first element lies.
   const bool is_aligned =
       reinterpret_cast<std::uintptr_t>(joints.Data()) % alignof(telemetry::Joint) == 0;
   if (!is_aligned || joints.size() > drivers::kMaxJoints) {
@@ -143,6 +145,8 @@ std::optional<RecordedTick> decode_tick(std::span<const std::byte> message) {
     return std::nullopt;
   }
   const telemetry::Record& stored = *telemetry::GetRecord(aligned.data());
+  // The dereferences below are safe: the schema marks these fields as required, and the verifier
+  // has found them.
   std::optional<RecordedTick> tick(std::in_place);
   read_state(stored, tick->record);
   read_vectors(stored, tick->record);

@@ -1,4 +1,5 @@
-// Messages of a recording or of the live socket back as structs.
+// Turns the messages of a recording or of the live socket back into structs. The bytes come from a
+// file or a socket, so nothing in them is trusted.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +14,13 @@
 
 namespace tactus::host {
 
+// The run's notes about itself, as pairs of key and value in the sender's order. The keys are in
+// firmware/telemetry/README.md.
 using RunInfo = std::vector<std::pair<std::string, std::string>>;
 
-// Each empty if the bytes are no such message, whole and sound; whatever they are, nothing outside
-// of them is read. An enumeration's value may be one that this version does not know.
+// Each of these functions returns nothing if the bytes are not one whole and valid message of its
+// kind; whatever the bytes are, nothing outside of them is read. An enumeration may have a value
+// that this version does not know.
 std::optional<firmware::RecordedTick> decode_tick(std::span<const std::byte> message);
 std::optional<firmware::TelemetryEvent> decode_event(std::span<const std::byte> message);
 std::optional<RunInfo> decode_run_info(std::span<const std::byte> message);

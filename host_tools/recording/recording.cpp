@@ -17,6 +17,8 @@
 namespace tactus::host {
 namespace {
 
+// Maps a file for reading, so that a recording of any size needs no memory of its own. Throws
+// InputError.
 std::span<const std::byte> map_file(const std::string& name) {
   // The variadic interface of open has no other form.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg)
@@ -72,6 +74,7 @@ void Recording::read_events() {
     if (!event) {
       throw InputError("an event is damaged");
     }
+    // The writer interleaves events with ticks of other times; equal ticks keep the file's order.
     const auto after =
         std::ranges::upper_bound(events_, event->tick, {}, &firmware::TelemetryEvent::tick);
     events_.insert(after, *event);

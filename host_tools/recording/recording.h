@@ -1,5 +1,6 @@
-// A run as tactusd or `tactus sim` recorded it: its ticks one after the other, the events between
-// them, and what the run was of.
+// A run as tactusd, its flight recorder or `tactus sim` recorded it: the ticks one after the other,
+// the events between them, the run's information and the images that it used. Replay, plots and
+// inspection read runs through this class, each in its own process.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +17,20 @@
 
 namespace tactus::host {
 
+// An open recording, mapped into memory and read as it is asked for. One thread.
 class Recording {
  public:
-  // Throws InputError, with the file's name, if the file cannot be read or is not of this program.
+  // Opens a recording and reads all of its events. Throws InputError, with the file's name, if the
+  // file cannot be read, is damaged, or is not a recording of this program.
   explicit Recording(const std::string& file);
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
   ~Recording();
 
-  // The next tick in the order of the run; empty at the end. Throws InputError where the file is
-  // damaged.
+  // Returns the next tick in the order of the run; nothing at the end. Throws InputError where the
+  // file is damaged or was written by a newer version.
   std::optional<firmware::RecordedTick> next();
-  // Goes back to the first tick.
+  // Makes next() begin with the first tick again.
   void rewind() { reader_->rewind(); }
 
   // Returns all events of the run, sorted by tick.
@@ -36,22 +39,26 @@ class Recording {
   // Returns the run's information under a key of firmware/telemetry/README.md; empty if there is
   // none.
   [[nodiscard]] std::string_view info(std::string_view key) const;
+  // Returns all of the run's information, by key.
   [[nodiscard]] const McapReader::Texts& info() const { return info_; }
 
-  // The files of a name that are inside the recording, in the order in which they came:
-  // "device.tactus", "scene.tactus".
+  // Returns the attachments of a name, in the order in which they were written. The names are in
+  // firmware/linux/flight/attachments.h; a run that changed its scene has several "scene.tactus".
   [[nodiscard]] std::span<const std::span<const std::byte>> attachments(
       std::string_view name) const;
-  // The first of them. Empty if there is none.
+  // Returns the first attachment of a name; empty if there is none.
   [[nodiscard]] std::span<const std::byte> attachment(std::string_view name) const;
 
-  // The run was cut off: the file lacks what came after its last whole chunk.
+  // Returns true if the recording program was cut off: everything after the last whole chunk is
+  // missing.
   [[nodiscard]] bool cut() const { return reader_->cut(); }
 
  private:
+  // Collects the events of the whole file, sorted by tick.
   void read_events();
 
   std::string name_;
+  // The mapped file, into which all views of the reader point.
   std::span<const std::byte> bytes_;
   std::unique_ptr<McapReader> reader_;
   std::vector<firmware::TelemetryEvent> events_;

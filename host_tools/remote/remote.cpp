@@ -16,6 +16,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the name of the group that may use the socket, else its number, for the remedy.
 std::string group_of(const std::string& path) {
   struct stat status{};
   if (::stat(path.c_str(), &status) != 0) {
@@ -25,6 +26,7 @@ std::string group_of(const std::string& path) {
   return group == nullptr ? fmt::format("{}", status.st_gid) : std::string(group->gr_name);
 }
 
+// Returns the reason for the user, and the command that mends it where there is one.
 std::string remedy(const std::string& path, int error) {
   switch (error) {
     case ENOENT:
@@ -43,6 +45,7 @@ std::string remedy(const std::string& path, int error) {
   }
 }
 
+// Connects to a Unix socket; `type` is SOCK_STREAM or SOCK_DGRAM. Throws UnreachableError.
 hal::FileDescriptor connect_to(const std::string& path, int type) {
   hal::FileDescriptor socket(::socket(AF_UNIX, type | SOCK_CLOEXEC, 0));
   sockaddr_un address{};
@@ -103,6 +106,7 @@ Reply Remote::send(const std::string& line, std::chrono::milliseconds patience) 
   }
 }
 
+// Returns the next line without its newline; bytes after it stay in `received_` for the next call.
 std::string Remote::receive_line(std::chrono::steady_clock::time_point deadline) {
   for (;;) {
     if (const std::size_t end = received_.find('\n'); end != std::string::npos) {

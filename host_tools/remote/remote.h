@@ -1,6 +1,7 @@
-// A running controller, reached through its command socket: one line there, its reply back.
-//
-// The lines and replies are in firmware/linux/commands/README.md. Blocking; one thread.
+// A client of a running controller: it sends one command line through the command socket of tactusd
+// or `tactus sim --serve` and receives the reply. The verbs of `tactus` and the monitor use it, in
+// their own process and one thread; every call blocks until its reply or its time limit. The lines
+// and replies are described in firmware/linux/commands/README.md.
 #pragma once
 
 #include <chrono>
@@ -15,32 +16,43 @@
 
 namespace tactus::host {
 
+// The folder in which tactusd puts its sockets unless --run-dir or TACTUS_RUN_DIR names another,
+// and the sockets in it.
 inline constexpr std::string_view kDefaultRunDir = "/run/tactus";
 inline constexpr std::string_view kCommandSocket = "command.sock";
 inline constexpr std::string_view kStopSocket = "stop.sock";
 
-// Nobody could be asked; the text names the socket and the remedy.
+// Thrown if no controller could be asked or none replied. The text names the socket and the remedy.
 class UnreachableError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
+// The controller's answer to one line.
 struct Reply {
+  // True if the controller did what the line asks; false if it refused.
   bool is_ok = false;
-  std::string text;                // "ok enable tick=7 mode=active", without its newline
-  std::vector<std::string> lines;  // those before it, of `list`
+  // The last line of the reply without its newline, like "ok enable tick=7 mode=active". A refusal
+  // gives the reason and the remedy.
+  std::string text;
+  // The lines before the last one; only `list` has any.
+  std::vector<std::string> lines;
 };
 
-// The value of "name=value" in a line; nothing if it is not there.
+// Returns the value of " name=value" in a line, up to the next blank; nothing if the line has no
+// such field.
 std::optional<std::string> field_of(std::string_view line, std::string_view name);
 
+// A connection to one controller's command socket.
 class Remote {
  public:
-  // Throws UnreachableError.
+  // Connects to the command socket in `run_dir`. Throws UnreachableError if no controller listens
+  // there or this user may not reach it.
   explicit Remote(const std::filesystem::path& run_dir);
 
-  // Throws UnreachableError if no reply comes within the time: the controller itself answers or
-  // refuses within one second. `line` has no newline.
+  // Sends one line, which has no newline, and waits for its reply. Throws UnreachableError if none
+  // comes within `patience`, or the controller has ended. The controller itself answers or refuses
+  // within one second, so a longer wait means an overloaded machine.
   Reply send(const std::string& line,
              std::chrono::milliseconds patience = std::chrono::milliseconds(5000));
 
@@ -53,8 +65,9 @@ class Remote {
   std::string received_;
 };
 
-// The emergency stop, by the socket that no other command can delay. The reply says which tick had
-// it. Throws UnreachableError, also where no reply comes within the time.
+// Sends the emergency stop through its own socket, where no other command can delay it. The reply
+// says in which tick the controller took it. Throws UnreachableError if the socket cannot be
+// reached or no reply comes within `patience`: the user must then cut the power of the motors.
 Reply send_stop(const std::filesystem::path& run_dir,
                 std::chrono::milliseconds patience = std::chrono::milliseconds(1000));
 

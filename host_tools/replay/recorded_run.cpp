@@ -16,6 +16,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the checksum as the recorder writes it: 16 hexadecimal digits.
 std::string checksum_text(std::span<const std::byte> image) {
   std::ostringstream text;
   text << std::hex << std::setw(16) << std::setfill('0') << firmware::checksum_of(image);
@@ -42,8 +43,6 @@ RecordedRun::Image RecordedRun::read(const std::string& file) {
   return copy(std::as_bytes(std::span(text)));
 }
 
-// Returns the image of the user's file, else the one inside the recording; empty if there is
-// neither.
 RecordedRun::Image RecordedRun::image(const std::string& file, const Wanted& wanted) const {
   Image found = file.empty() ? copy(wanted.inside) : read(file);
   const std::string known(recording_.info(wanted.checksum_key));
@@ -96,7 +95,9 @@ void RecordedRun::take_device(const std::string& file) {
   setup_.config = device->controller;
   const std::string rate(recording_.info("rate_hz"));
   if (!rate.empty()) {
-    setup_.config.rate_hz = std::strtod(rate.c_str(), nullptr);  // tactusd --rate
+    // `tactusd --rate` replaces the rate of the device's file, and the run notes the rate that it
+    // had.
+    setup_.config.rate_hz = std::strtod(rate.c_str(), nullptr);
   }
 }
 
@@ -113,8 +114,9 @@ RecordedRun::Scene RecordedRun::open(Image image, const std::string& name) {
   return scene;
 }
 
-// Each change of the scene brought its image, empty if it was too large; the one that the run began
-// with comes before them, if it is there at all.
+// Each change of the scene adds an attachment, an empty one if the image was too large. The scene
+// that the run began with, if it was attached at all, comes before them; so it is the surplus over
+// the number of changes that decides whether it is there.
 void RecordedRun::take_scenes(const std::string& file) {
   const auto inside = recording_.attachments(firmware::kSceneAttachment);
   const std::string own_name = name_ + ": the scene's image";

@@ -1,5 +1,5 @@
-// A recording with all that its run depended on: configuration, scene, and the state that it begins
-// with.
+// A recording together with everything that its run depended on: the configuration, the scene, and
+// the controller's state before the first recorded tick. `tactus replay` and the tests build on it.
 #pragma once
 
 #include <array>
@@ -16,33 +16,38 @@
 
 namespace tactus::host {
 
-// Files to take instead of what is in the recording; empty for none.
+// Image files that replace those inside the recording; an empty name takes the recording's own.
 struct RunImages {
   std::string device;
   std::string scene;
 };
 
+// A run that can be replayed. It holds the images in memory, aligned as the controller needs them.
 class RecordedRun {
  public:
-  // Throws InputError if the recording, or an image that it needs to begin, cannot be read, is
-  // missing or has another checksum than the run's.
+  // Opens the recording `file`. Throws InputError if the recording or an image that it needs at its
+  // beginning cannot be read or is missing, or if an image has another checksum than the run noted.
   RecordedRun(const std::string& file, const RunImages& images);
 
+  // Returns the recording, to step through its ticks.
   [[nodiscard]] Recording& ticks() { return recording_; }
   // Returns the run's setup. Its spans are valid as long as this object.
   [[nodiscard]] const ReplaySetup& setup() const { return setup_; }
+  // Returns the scene that the run began with, or nullptr if it had none.
   [[nodiscard]] const rendering::SceneImage* scene() const { return first_.scene.get(); }
-  // Returns the scene that the run changed to before this tick, or nullptr if it did not. Throws
-  // InputError if that image is not in the recording.
+  // Returns the scene that the run changed to before this tick, or nullptr if it kept its scene.
+  // Throws InputError if that image is not in the recording.
   [[nodiscard]] const rendering::SceneImage* changed_scene(std::uint64_t tick) const;
-  // Returns the state with which the recording begins; empty if it begins with tick 0.
+  // Returns the bytes of Controller::save() before the first recorded tick; empty if the recording
+  // begins with tick 0.
   [[nodiscard]] std::span<const std::byte> state() const;
 
  private:
-  // A piece of memory that is aligned as images must be.
+  // One cache line of memory: images must be aligned to it.
   struct alignas(rendering::kCacheLine) Line {
     std::array<std::byte, rendering::kCacheLine> bytes;
   };
+  // An image in aligned memory; `size` is its length in bytes without the padding of the last line.
   struct Image {
     std::vector<Line> lines;
     std::size_t size = 0;
@@ -51,25 +56,34 @@ class RecordedRun {
       return std::as_bytes(std::span(lines)).first(size);
     }
   };
+  // A scene and the image that it points into.
   struct Scene {
     Image image;
     std::unique_ptr<rendering::SceneImage> scene;
   };
   struct SceneChange {
-    std::uint64_t tick = 0;  // the first with this scene
-    Scene to;                // none: its image is not in the recording
+    // The first tick with the new scene.
+    std::uint64_t tick = 0;
+    // Empty if the image was too large for the recording.
+    Scene to;
   };
-  // An image that the run needs: its attachment, the key of its checksum, and the recording's copy.
+  // An image that the run needs: the name of its attachment, the key of its checksum in the run's
+  // information, and the recording's own copy, which may be empty.
   struct Wanted {
     std::string_view attachment;
     std::string_view checksum_key;
     std::span<const std::byte> inside;
   };
+  // Returns the user's file if one is named, else the recording's copy; an empty image if there is
+  // neither and the run noted no checksum. Throws InputError.
   [[nodiscard]] Image image(const std::string& file, const Wanted& wanted) const;
   static Image read(const std::string& file);
   static Image copy(std::span<const std::byte> bytes);
+  // Takes the configuration: from the user's file, else from the recorded configuration, else from
+  // the recorded device image.
   void take_device(const std::string& file);
   static Scene open(Image image, const std::string& name);
+  // Takes the first scene and all later ones.
   void take_scenes(const std::string& file);
 
   std::string name_;

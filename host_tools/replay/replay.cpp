@@ -7,6 +7,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the words for missing ticks, from `from` up to but not with `to`.
 std::string gap(std::uint64_t from, std::uint64_t to) {
   return "ticks " + std::to_string(from) + " to " + std::to_string(to - 1) +
          " are missing in the recording, and nothing can be replayed beyond them";

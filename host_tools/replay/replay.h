@@ -1,4 +1,5 @@
-// A whole recording lived once more, tick against tick.
+// Replays a whole recording and compares every tick's state hash with the recorded one. `tactus
+// replay` and the determinism tests call it; it is not real time.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +11,23 @@
 
 namespace tactus::host {
 
+// The outcome of a replay.
 struct ReplayResult {
+  // The number of the first tick that was replayed.
   std::uint64_t first_tick = 0;
-  std::uint64_t ticks = 0;  // that were equal
-  bool cut = false;         // the recording lacks its end
+  // How many ticks were replayed with equal hashes.
+  std::uint64_t ticks = 0;
+  // True if the recording lacks its end, because the recording program was cut off.
+  bool cut = false;
+  // The first difference, at which the replay stopped; empty if all ticks were equal.
   std::optional<Difference> difference;
 };
 
-// Called after every equal tick with what was recorded.
+// Receives the recorded tick after every tick that was equal.
 using ReplaySink = std::function<void(const firmware::RecordedTick&)>;
 
-// Up to the first tick that differs. Throws InputError where the recording is damaged, or does not
-// begin where it can be replayed from, or ticks are missing in it.
+// Replays from the beginning up to the first tick that differs. Throws InputError if the recording
+// is damaged, a tick is missing in it, or it begins after tick 0 without the controller's state.
 ReplayResult replay(RecordedRun& run, const ReplaySink& sink = {});
 
 }  // namespace tactus::host

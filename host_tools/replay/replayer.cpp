@@ -16,6 +16,8 @@
 namespace tactus::host {
 namespace {
 
+// Returns the shortest text that reads back to the same bits, as std::to_chars without a precision
+// gives it.
 template <class Number>
   requires std::is_arithmetic_v<Number>
 std::string in_digits(Number value) {
@@ -24,6 +26,7 @@ std::string in_digits(Number value) {
   return {text.data(), end};
 }
 
+// An enumeration's value as a number.
 template <class Value>
 std::string in_digits(Value value)
   requires std::is_enum_v<Value>
@@ -31,7 +34,7 @@ std::string in_digits(Value value)
   return in_digits(static_cast<unsigned>(value));
 }
 
-// Every NaN is alike, as in the hash.
+// Compares bits, so that 0.0 and -0.0 differ; every NaN equals every other, as in the state hash.
 template <class Value>
 bool same_bits(const Value& a, const Value& b) {
   if constexpr (std::floating_point<Value>) {
@@ -42,12 +45,15 @@ bool same_bits(const Value& a, const Value& b) {
   }
 }
 
+// Returns ".x", ".y" or ".z" for an array of three, else for example "[2]".
 std::string element_name(std::size_t index, std::size_t count) {
   constexpr std::string_view kAxes = "xyz";
   return count == 3 ? std::string(".") + kAxes[index] : "[" + std::to_string(index) + "]";
 }
 
-// Goes over the fields of one record beside those of another.
+// A visitor for visit_record_fields(): it compares each field of one record with the same field of
+// the other, and keeps the first difference. The state hash is kept apart, since it follows from
+// the rest.
 struct FieldComparison {
   const firmware::TelemetryRecord& recorded;
   const firmware::TelemetryRecord& replayed;
@@ -56,6 +62,8 @@ struct FieldComparison {
 
   template <class Value>
   void operator()(const firmware::FieldName& name, const Value& here) {
+    // The visitor gets a field of one record only. Both records have the same type, so the same
+    // offset leads to the same field of the other.
     const auto offset =
         reinterpret_cast<const std::byte*>(&here) - reinterpret_cast<const std::byte*>(&recorded);
     const auto& there =
@@ -97,7 +105,8 @@ std::optional<Difference> first_difference(const firmware::TelemetryRecord& reco
 Replayer::Replayer(const ReplaySetup& setup)
     : controller_(std::make_unique<firmware::Controller>()) {
   firmware::ControllerConfig config = setup.config;
-  config.allow_uncertified = true;  // what was loaded then is loaded now
+  config.allow_uncertified =
+      true;  // The run was allowed to load its scene; the replay must be too.
   configure(*controller_, config);
   if (!setup.objects.empty() && !controller_->load_scene(setup.objects, setup.world)) {
     throw InputError("the controller refuses the scene");

@@ -17,6 +17,7 @@ using firmware::ParameterChange;
   throw InputError("--set " + std::string(text) + ": " + std::string(why));
 }
 
+// Returns the number of an object that the user gave by number or by name. Throws InputError.
 std::uint32_t find_object(std::string_view text, std::string_view name,
                           const rendering::SceneImage* scene) {
   if (const auto number = firmware::object_number(name)) {
@@ -34,6 +35,7 @@ Vec3 to_vector(const firmware::Triple& triple) {
   return {triple[0], triple[1], triple[2]};
 }
 
+// Changes a parameter. Throws InputError with the reason and, where it is known, the range.
 void apply(firmware::Controller& controller, const ParameterChange& change) {
   const auto done = controller.set_parameter(change);
   if (done) {
@@ -46,13 +48,14 @@ void apply(firmware::Controller& controller, const ParameterChange& change) {
   refuse(firmware::text_of(change.place.parameter)->name, why);
 }
 
-// Sums of the forces on the hand, N, for their means.
+// Sums for the means: forces in N over the ticks in which either force was felt.
 struct HandForces {
   double recorded_N = 0.0;
   double changed_N = 0.0;
   std::uint64_t ticks = 0;
 };
 
+// Takes a tick into the largest forces, and into the means if one of the two pushes.
 void add(const WhatIfTick& tick, WhatIfSummary& summary, HandForces& forces) {
   const double recorded_N = tick.recorded_W.norm();
   const double changed_N = tick.changed_W.norm();
@@ -120,6 +123,7 @@ WhatIfSummary what_if(RecordedRun& run, std::span<const ParameterChange> changes
       summary.scene_changed_s = record.time_s;
       break;
     }
+    // The run's own change would undo what the user asks for.
     if (is_set(record.change.place)) {
       record.change = {};
     }

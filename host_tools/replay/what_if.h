@@ -1,5 +1,6 @@
-// Computes the force that the hand would have felt with other parameters during the recorded
-// motion. The hand is not simulated; it would have moved otherwise.
+// Computes the force that the hand would have felt with other parameters, for the recorded motion.
+// The hand is not simulated: with another force it would have moved otherwise. `tactus replay
+// --set` calls it.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +14,47 @@
 
 namespace tactus::host {
 
-// `max_force_N=4` or `object.bunny.stiffness_N_per_m=300`, an object by its name in the scene or
-// its number. Throws InputError.
+// Returns the change that a text like `max_force_N=4` or `object.bunny.stiffness_N_per_m=300` asks
+// for; an object is given by its name in the scene or its number. Throws InputError for an unknown
+// parameter or object and for a value that is not a finite number. `scene` may be nullptr.
 firmware::ParameterChange parse_change(std::string_view text, const rendering::SceneImage* scene);
 
-// One tick, both ways.
+// The commanded force of one tick, as recorded and with the changed parameters. World frame.
 struct WhatIfTick {
+  // The time of the run, s.
   double time_s = 0.0;
-  Vec3 recorded_W = Vec3::Zero();  // N, commanded
+  // N, after the safety limits.
+  Vec3 recorded_W = Vec3::Zero();
+  // N, after the safety limits.
   Vec3 changed_W = Vec3::Zero();
 };
 
+// The differences that a what-if replay found over all of its ticks.
 struct WhatIfSummary {
+  // How many ticks were replayed.
   std::uint64_t ticks = 0;
+  // The largest commanded force of either run, N.
   double most_recorded_N = 0.0;
   double most_changed_N = 0.0;
-  double mean_recorded_N = 0.0;  // over the ticks in which either is felt
+  // Means over the ticks in which at least one of the two forces is not zero, N.
+  double mean_recorded_N = 0.0;
   double mean_changed_N = 0.0;
-  double most_apart_N = 0.0;      // of the difference of the two
-  double most_apart_s = 0.0;      // when
-  std::optional<double> fault_s;  // the changed run ends in a fault where the recorded one does not
-  std::optional<double> scene_changed_s;  // no further than here: what was set was of another scene
+  // The largest length of the difference of the two force vectors, N, and the time of it.
+  double most_apart_N = 0.0;
+  double most_apart_s = 0.0;
+  // When the changed run went into a fault while the recorded one did not; empty if it never did.
+  std::optional<double> fault_s;
+  // When the recorded run changed its scene, which ends the replay: the parameters that were set
+  // belong to the scene before. Empty if it kept its scene.
+  std::optional<double> scene_changed_s;
 };
 
+// Receives every replayed tick.
 using WhatIfSink = std::function<void(const WhatIfTick&)>;
 
-// Replays from the recording's start, or from the state in it, to its end or to its first change of
-// scene. The run's own changes of the same parameters are left out. Throws InputError if the
-// controller refuses a change.
+// Replays with `changes` applied before the first tick, from the recording's beginning to its end
+// or to its first change of scene. Changes that the run itself made to the same parameters are left
+// out. Throws InputError if the controller refuses a change.
 WhatIfSummary what_if(RecordedRun& run, std::span<const firmware::ParameterChange> changes,
                       const WhatIfSink& sink);
 

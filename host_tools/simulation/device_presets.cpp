@@ -12,9 +12,10 @@ DevicePreset cartesian_preset() {
   plant.mechanism = MechanismKind::cartesian;
   plant.moving_mass_kg = 0.1;
   plant.viscous_Ns_per_m = 0.5;
-  // A back-drive friction between those of the PHANToM Premium (0.04 N) and Desktop (0.06 N). The
-  // bristles stand for the transmission's give; their damping stays below what the viscous damping
-  // keeps passive.
+  // The Coulomb level is the back-drive friction of a light desktop arm: the PHANToM Premium has
+  // 0.04 N, the Desktop 0.06 N. The bristles' stiffness stands for the compliance of the
+  // transmission. Their damping stays below the value up to which the viscous damping keeps the
+  // joint passive.
   plant.joint_friction = {.kind = rendering::FrictionKind::lugre,
                           .coulomb = 0.04,
                           .static_level = 0.05,
@@ -30,6 +31,7 @@ DevicePreset cartesian_preset() {
 }
 
 DevicePreset falcon_preset() {
+  // Counts of the encoder on the motor, and the capstan's ratio of diameters.
   constexpr double kCountsPerTurn = 1280.0;
   constexpr double kMotorTurnsPerArmTurn = 110.0 / 14.25;
   DevicePreset preset;
@@ -55,6 +57,7 @@ DevicePreset falcon_preset() {
 }
 
 DevicePreset hapkit_preset() {
+  // Radii of the motor's pulley and of the paddle's sector, which it drives by friction.
   constexpr double kPulley_m = 0.004191;
   constexpr double kSector_m = 0.073152;
   DevicePreset preset;
@@ -75,6 +78,7 @@ DevicePreset hapkit_preset() {
   plant.stop_upper_B = preset.centre_B + Vec3(0.04, 0.0, 0.0);
   // A step of the magnetic sensor on the motor's shaft.
   preset.device.encoder_resolution = 0.0107 * std::numbers::pi / 180.0;
+  // 0.03 N m of the motor through the ratio of the radii.
   preset.device.effort_limit = 0.03 * kSector_m / kPulley_m;
   preset.device.motor_time_constant_s = 0.5e-3;
   return preset;
@@ -104,8 +108,10 @@ DevicePreset haply_pantograph_preset() {
 }
 
 DevicePreset phantom_premium_preset() {
+  // The first joint has a ratio of 13.3; the model gives it 11.2 like the others, so it is a little
+  // coarser and weaker than in the real device.
   constexpr double kCountsPerTurn = 4096.0;
-  constexpr double kRatio = 11.2;  // 13.3 at the first joint, which is taken as coarse and as weak
+  constexpr double kRatio = 11.2;
   constexpr double kStall_Nm = 0.129;
   DevicePreset preset;
   preset.centre_B = Vec3(0.0, -0.11, 0.21);
@@ -129,8 +135,9 @@ DevicePreset phantom_premium_preset() {
 }
 
 DevicePreset woodenhaptics_preset() {
+  // The first joint has a ratio of 16; the model gives it 12 like the others.
   constexpr double kCountsPerTurn = 2000.0;
-  constexpr double kRatio = 12.0;  // 16 at the first joint, which is taken as coarse and as weak
+  constexpr double kRatio = 12.0;
   constexpr double kMotor_Nm = 0.0259 * 6.0;
   DevicePreset preset;
   preset.centre_B = Vec3(0.0, 0.08, 0.22);
@@ -147,7 +154,8 @@ DevicePreset woodenhaptics_preset() {
                           .damping_s_per_m = 0.04};
   plant.stop_lower_B = preset.centre_B - Vec3::Constant(0.1);
   plant.stop_upper_B = preset.centre_B + Vec3::Constant(0.1);
-  // Upper arm: 0.17 kg at 51 of 205 mm; forearm: 0.11 kg at 91 of 245 mm.
+  // A link's mass is divided over its two ends so that the centre of mass stays in place. Upper
+  // arm: 0.17 kg, its centre at 51 of 205 mm; forearm: 0.11 kg, at 91 of 245 mm.
   constexpr double kUpperShare = 0.051 / 0.205;
   constexpr double kForearmShare = 0.091 / 0.245;
   plant.elbow_kg = 0.17 * kUpperShare + 0.11 * (1.0 - kForearmShare);

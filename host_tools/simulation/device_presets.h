@@ -1,4 +1,6 @@
-// The simulated devices that `tactus sim` offers by name.
+// The simulated devices that `tactus sim --device` offers by name. The simulation, the certifier
+// and the emulators build their plants from them. simulation/README.md has their figures in a
+// table, and says which are published and which are assumptions.
 #pragma once
 
 #include <optional>
@@ -8,33 +10,37 @@
 
 namespace tactus::host {
 
+// A device and where its workspace lies.
 struct DevicePreset {
+  // Its mechanics, encoders, motors and delays.
   DeviceParameters device;
-  Vec3 centre_B = Vec3::Zero();  // m: the middle of the workspace; the scene's origin is put there
+  // The middle of the workspace in the device's base frame, m. The middle of the wish path is put
+  // there.
+  Vec3 centre_B = Vec3::Zero();
 };
 
-// "cartesian": a fast desktop device with three orthogonal linear axes, 0.24 m of travel each.
+// "cartesian": a fast desktop device with three orthogonal linear axes of 0.24 m travel each. It is
+// no real device; all of its figures are assumptions.
 DevicePreset cartesian_preset();
 
-// Lengths, encoders and motors of the devices below are published; moving mass, damping and
-// friction are assumptions.
-
-// "falcon": Novint Falcon.
+// "falcon": the Novint Falcon. Lengths, encoders and motors of this and the next devices are
+// published; moving mass, damping and friction are assumptions.
 DevicePreset falcon_preset();
 
-// "hapkit": one paddle, its handle on an arc of 66 mm radius.
+// "hapkit": the Hapkit, one paddle whose handle moves on an arc of 66 mm radius.
 DevicePreset hapkit_preset();
 
-// "haply_pantograph": the Haply development kit, flat on the desk, the handle in the plane y = 0.
+// "haply_pantograph": the Haply development kit, which lies flat: its handle stays in the plane y =
+// 0.
 DevicePreset haply_pantograph_preset();
 
-// "phantom_premium": PHANToM Premium 1.5, statically balanced.
+// "phantom_premium": the PHANToM Premium 1.5, statically balanced.
 DevicePreset phantom_premium_preset();
 
 // "woodenhaptics": WoodenHaptics of 2015, with the weight of its links.
 DevicePreset woodenhaptics_preset();
 
-// Returns a preset by its name in firmware::kPresetNames; nothing for another name.
+// Returns a preset by its name, one of firmware::kPresetNames; nothing for any other name.
 std::optional<DevicePreset> device_preset(std::string_view name);
 
 }  // namespace tactus::host

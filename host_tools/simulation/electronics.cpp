@@ -9,13 +9,15 @@
 namespace tactus::host {
 namespace {
 
-// Share of the way to a held target that a first-order system covers in dt.
+// Returns the share of the distance to a constant target that a first-order system covers in dt: 1
+// - exp(-dt / time constant).
 double share_covered(double dt_s, double time_constant_s) {
   return time_constant_s > 0.0 ? 1.0 - rendering::exponential(-dt_s / time_constant_s) : 1.0;
 }
 
-// One step of a first-order system. It arrives once the rest is far below anything that matters:
-// decaying on would end in denormal numbers, a hundred times slower to compute with.
+// Returns the value after one step of a first-order system. Below 1e-15, far under one count or any
+// effort that can be felt, it jumps to the target: an endless decay would end in denormal numbers,
+// which processors compute with a hundred times slower.
 double approach(double value, double target, double share) {
   constexpr double kArrived = 1e-15;
   const double rest = target - value;
@@ -30,6 +32,7 @@ Encoder::Encoder(double resolution, double velocity_cutoff_Hz, double tick_s)
       tick_s_(tick_s) {}
 
 void Encoder::sample(double true_position) {
+  // std::floor(x + 0.5) instead of std::round: both sides of zero round alike.
   const auto counts = static_cast<std::int64_t>(std::floor(true_position / resolution_ + 0.5));
   if (fresh_) {
     velocity_ = 0.0;

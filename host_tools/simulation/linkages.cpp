@@ -6,20 +6,23 @@
 namespace tactus::host {
 namespace {
 
+// The floor of guarded_root(), for squares that are scaled to 1.
 constexpr double kSmallestSquare = 1e-6;
 
-// Haply: motors at x = 0 and x = d, proximal links l, distal links L.
+// The Haply's two motors at x = 0 and x = kHaplyD, its proximal links (kHaplyL) and its distal
+// links (kHaplyDistal), m.
 constexpr double kHaplyD = 0.02;
 constexpr double kHaplyL = 0.05;
 constexpr double kHaplyDistal = 0.07;
 constexpr std::array<double, 2> kHaplyMotor = {0.0, kHaplyD};
 
-// Crank i's elbow, and how it moves with the crank.
+// A crank's elbow, and the elbow's derivative by the crank's angle.
 struct CrankPose {
   Vec3 elbow_B;
   Vec3 slope_B;
 };
 
+// Returns the pose of the crank of motor 0 or 1.
 CrankPose haply_crank(std::size_t side, double tan_half) {
   const Turn from_z = turn_of(tan_half);  // positive toward -x
   return {Vec3(kHaplyMotor[side] - kHaplyL * from_z.sin, 0.0, kHaplyL * from_z.cos),
@@ -38,6 +41,8 @@ Turn turn_of(double tan_half) {
   return {.cos = (1.0 - tan_half * tan_half) / norm, .sin = 2.0 * tan_half / norm};
 }
 
+// The handle's angle from straight up is atan2(x, y), so tan(half) = x / (radius + y). The floor
+// keeps both finite for a point on the axis.
 void solve_paddle(const Vec3& p_B, MechanismPose& pose) {
   constexpr double kLevel = kPaddleRadius_m * kPaddleRadius_m;
   const double square =
@@ -46,10 +51,12 @@ void solve_paddle(const Vec3& p_B, MechanismPose& pose) {
   pose.coordinate = {p_B.x() / (std::sqrt(square) + p_B.y()), 0.0, 0.0};
 }
 
-// Side i: |p - elbow| = L. With v from the motor to p and a the crank's angle from z toward -x,
+// For each side |p - elbow| = L, the distal link. Let v point from the motor to p, and let a be the
+// crank's angle from z toward -x. Then
 //   v_z cos a - v_x sin a = k,   k = (v^2 + l^2 - L^2) / 2 l,
-// a quadratic in tan(a / 2) whose outward root is taken. The crank turns so that the distal link
-// keeps its length: (p - elbow) . (v - elbow') = 0, and (p - elbow) . elbow' = -+ l root.
+// which is a quadratic in tan(a / 2); the root with the elbow outward is taken. The distal link
+// keeps its length while the crank turns: (p - elbow) . (v - elbow') = 0, and (p - elbow) . elbow'
+// = -+ l root, which gives the crank's rate.
 void solve_pantograph(const Vec3& p_B, MechanismPose& pose) {
   for (std::size_t side = 0; side < 2; ++side) {
     const double outward = side == 0 ? 1.0 : -1.0;
@@ -80,8 +87,9 @@ Vec3 pantograph_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B) {
   return pull_B;
 }
 
-// In the arm's own plane (r outward, h up) shoulder, elbow and tool are a triangle with the elbow
-// above. A motion along the forearm is made by the upper arm alone, and the other way round.
+// In the vertical plane of the arm (r outward, h up), shoulder, elbow and handle form a triangle
+// with the elbow above. A velocity along the forearm is made by the upper arm alone, and one along
+// the upper arm by the forearm alone: that gives the rows without a matrix inverse.
 void solve_serial_arm(const ArmLengths& lengths, const Vec3& p_B, MechanismPose& pose) {
   const double upper = lengths.upper_m;
   const double forearm = lengths.forearm_m;
@@ -114,7 +122,8 @@ Vec3 serial_arm_elbow(const ArmLengths& lengths, const MechanismPose& pose) {
           lengths.upper_m * u.cos * azimuth.cos};
 }
 
-// The weight's moments about the azimuth's and the upper arm's axes.
+// The weight's moments about the azimuth's axis and the upper arm's axis, turned into forces at the
+// handle by the rows. The forearm's joint does not move the elbow.
 Vec3 serial_arm_elbow_pull(const ArmLengths& lengths, const MechanismPose& pose,
                            const Vec3& gravity_B) {
   const Turn azimuth = turn_of(pose.coordinate[0]);

@@ -5,7 +5,7 @@
 namespace tactus::host {
 namespace {
 
-// Returns how far p lies outside of the box, signed, axis by axis, m.
+// Returns how far p lies outside of the box, signed and axis by axis, m.
 Vec3 beyond(const Vec3& p_B, const Vec3& lower_B, const Vec3& upper_B) {
   return p_B - p_B.cwiseMax(lower_B).cwiseMin(upper_B);
 }
@@ -40,6 +40,7 @@ Vec3 Plant::stop_force() const {
   return force_B;
 }
 
+// An elbow's weight acts at the handle through the rows, by virtual work.
 Vec3 Plant::weight_force() const {
   Vec3 force_B = parameters_.handle_kg * parameters_.gravity_B;
   if (parameters_.elbow_kg != 0.0) {
@@ -59,8 +60,11 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
     friction_and_stops_B -= joints_[i].advance(row.dot(v_B_), dt_s) * row;
   }
 
-  // Implicit midpoint, solved for the mean velocity u = (v + v')/2 of the step, with p' = p + u dt:
+  // Implicit midpoint rule, solved for the mean velocity u = (v + v')/2 of the step, with p' = p +
+  // u dt:
   //   2 m (u - v)/dt = F + k (w - p - u dt/2) + c (dw/dt - u) - b u
+  // It is linear in u, and k, c and b are alike in all directions, so u is a division and no matrix
+  // solve.
   const double mass = parameters_.moving_mass_kg + grip.mass_kg;
   const double inertia = 2.0 * mass / dt_s;
   const double viscous = parameters_.viscous_Ns_per_m;
@@ -82,7 +86,8 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
   move(mean_v_B, dt_s);
 }
 
-// On an arc the velocity turns with the arc; its size is what the forces made of it.
+// v' = 2 u - v. On the paddle's arc the velocity then turns with the arc: its direction is tangent
+// at the new place, its size is what the forces made of it, so that turning costs no energy.
 void Plant::move(const Vec3& mean_v_B, double dt_s) {
   const MechanismKind kind = parameters_.mechanism;
   const Vec3 ahead_v_B = 2.0 * mean_v_B - v_B_;

@@ -8,7 +8,7 @@
 namespace tactus::host {
 namespace {
 
-// Lengths of the Falcon in m, in the letters of its published geometry.
+// Lengths of the Falcon, m, named by the letters of its published geometry.
 constexpr double kA = 0.060;     // upper arm
 constexpr double kB = 0.1025;    // parallelogram
 constexpr double kC = 0.01443;   // shoulder to the platform's joint circle
@@ -17,6 +17,7 @@ constexpr double kF = -0.025;    // sideways offset of the leg
 constexpr double kR = 0.0400;    // base
 constexpr double kS = -0.02309;  // base, sideways
 
+// The direction of a leg about z.
 struct Azimuth {
   double cos;
   double sin;
@@ -28,9 +29,10 @@ constexpr std::array<Azimuth, kPlantJoints> kLegs{{
     {.cos = -0.7071067811865476, .sin = -0.7071067811865476},
 }};
 
-// One leg in its own plane: P = Rz(azimuth)^T p - (r, s, 0). With theta3 from P_y and q the
-// parallelogram's length seen in the plane, |P + (c, 0, 0) - a (cos theta1, 0, sin theta1)| = q is
-// a quadratic in tan(theta1 / 2).
+// Solves one leg in its own frame, P = Rz(azimuth)^T p - (r, s, 0). The angle theta3 follows from
+// P_y. With q, the parallelogram's length as seen in the leg's plane, the condition
+//   |P + (c, 0, 0) - a (cos theta1, 0, sin theta1)| = q
+// is a quadratic in tan(theta1 / 2).
 void solve_leg(const Vec3& p_B, const Azimuth& leg, Vec3& row, double& tan_half, bool& reachable) {
   const double px = leg.cos * p_B.x() + leg.sin * p_B.y() - kR;
   const double py = -leg.sin * p_B.x() + leg.cos * p_B.y() - kS;
@@ -48,7 +50,8 @@ void solve_leg(const Vec3& p_B, const Azimuth& leg, Vec3& row, double& tan_half,
   const double scale = kA * kA * kA * kA;
   const double root =
       std::sqrt(scale) * guarded_root((half_l1 * half_l1 - l0 * l2) / scale, reachable);
-  tan_half = l0 / (half_l1 + root);  // the elbow-out root, without its cancellation
+  // The root with the elbow outward, in the form that does not subtract nearly equal numbers.
+  tan_half = l0 / (half_l1 + root);
 
   const auto [cos1, sin1] = turn_of(tan_half);
   const double cos2 = (px + kC - kA * cos1) / q;
@@ -58,10 +61,12 @@ void solve_leg(const Vec3& p_B, const Azimuth& leg, Vec3& row, double& tan_half,
                     sin2 * sin3);
 }
 
+// Returns the unit vector from the base's axis to the leg.
 Vec3 outward(const Azimuth& leg) {
   return {leg.cos, leg.sin, 0.0};
 }
 
+// Returns the sum of the three elbows' positions, m.
 Vec3 delta_elbow_sum(const MechanismPose& pose) {
   Vec3 sum_B = Vec3::Zero();
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
@@ -72,6 +77,7 @@ Vec3 delta_elbow_sum(const MechanismPose& pose) {
   return sum_B;
 }
 
+// The weight's moment about each shoulder, turned into a force at the handle by the leg's row.
 Vec3 delta_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B) {
   Vec3 pull_B = Vec3::Zero();
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
@@ -83,6 +89,7 @@ Vec3 delta_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B) {
   return pull_B;
 }
 
+// Returns the lengths of a serial arm.
 const ArmLengths& arm_lengths(MechanismKind kind) {
   return kind == MechanismKind::woodenhaptics ? kWoodenLengths : kPhantomLengths;
 }

@@ -1,17 +1,18 @@
-// The simulation's own pseudo-random numbers: the standard library's distributions may differ from
-// one library to the next, and the same seed must give the same bits everywhere.
+// The simulation's own pseudo-random numbers. The distributions of the standard library may differ
+// from one library to the next, while the same seed must give the same bits everywhere.
 #pragma once
 
 #include <cstdint>
 
 namespace tactus::host {
 
-// SplitMix64 (Steele, Lea, Flood, OOPSLA 2014): one 64-bit word of state, every seed is good,
-// passes BigCrush.
+// The generator SplitMix64 (Steele, Lea, Flood, OOPSLA 2014). Its state is one 64-bit word, every
+// seed is good, and it passes BigCrush.
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
+  // Returns 64 random bits.
   std::uint64_t next() {
     state_ += 0x9E3779B97F4A7C15U;
     std::uint64_t z = state_;

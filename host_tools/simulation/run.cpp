@@ -15,6 +15,7 @@
 namespace tactus::host {
 namespace {
 
+// The faults by their names in --fault.
 constexpr std::array<std::pair<std::string_view, DeviceFault>, 4> kFaultNames = {{
     {"stale", DeviceFault::stale_sample},
     {"nan", DeviceFault::encoder_nan},
@@ -22,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, DeviceFault>, 4> kFaultNames = 
     {"lost", DeviceFault::lost},
 }};
 
-// The whole text as a number, or nothing.
+// Returns the number that makes up the whole text, or nothing.
 template <class Number>
 std::optional<Number> number(std::string_view text) {
   Number value{};
@@ -35,17 +36,20 @@ std::optional<Number> number(std::string_view text) {
   return value;
 }
 
-// Half the workspace, axis by axis.
+// Returns half the device's workspace along each axis, m.
 Vec3 travel(const DevicePreset& device) {
   const PlantParameters& plant = device.device.plant;
   return 0.5 * (plant.stop_upper_B - plant.stop_lower_B);
 }
 
+// Returns the path of the user's file, else one made from the scene that suits the device.
 WishPath choose_path(const RunOptions& options, const DevicePreset& device,
                      std::span<const rendering::Object> objects, double tool_radius_m) {
   if (!options.path.empty()) {
     return read_wish_path(options.path);
   }
+  // How far the wish lies below the surface; the force on the hand follows from the hand's
+  // stiffness.
   constexpr double kPress_m = 0.005;
   if (joints_of(device.device.plant.mechanism) == 1) {
     return sideways_wish_path(objects, tool_radius_m, kPress_m);
@@ -61,6 +65,7 @@ void compensate_friction(double share, SimulationConfig& config) {
     throw InputError(fmt::format("--compensate {}: write a share of the joints' friction, 0 to {}",
                                  share, firmware::kMaxCompensatedShare));
   }
+  // Bristles turn within two counts of the encoder, the smallest motion that it can show.
   constexpr double kCounts = 2.0;
   config.controller.friction.fill(
       {.model = config.device.device.plant.joint_friction,
@@ -68,6 +73,7 @@ void compensate_friction(double share, SimulationConfig& config) {
        .turn_length = kCounts * config.device.device.encoder_resolution});
 }
 
+// Warns where the path is longer than the device's travel.
 void warn_of_stops(RunPlan& plan, const std::string& device_name) {
   const Vec3 reach_m = plan.config.path.reach();
   const Vec3 travel_m = travel(plan.config.device);
@@ -143,6 +149,8 @@ RunSummary run(Simulation& simulation, double seconds, double rate_hz, const Tic
   using Clock = std::chrono::steady_clock;
   RunSummary summary;
   summary.rate_hz = rate_hz;
+  // The small subtraction keeps a product such as 0.1 s * 1000 Hz, which is a little above 100,
+  // from becoming one tick more.
   const auto ticks = static_cast<std::uint64_t>(std::ceil(seconds * rate_hz - 1e-6));
   const Clock::time_point start = Clock::now();
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {

@@ -8,6 +8,7 @@
 namespace tactus::host {
 namespace {
 
+// Bytes that are collected before a write to the disk.
 constexpr std::size_t kPiece = std::size_t{1} << 16;
 
 constexpr std::string_view kHeader =

@@ -1,4 +1,5 @@
-// The files that a run leaves: one line a tick.
+// The text files that a run leaves, with one line a tick: run.csv and the log of hashes. `tactus
+// sim` and replay write them after each tick, outside of the controller.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +12,18 @@
 
 namespace tactus::host {
 
-// A text file, or a pipe, written in large pieces. The file is there under its name once close()
-// has returned. Throws InputError, text for a user, when it cannot be written, or is a baked image.
+// A text file or pipe that is written in large pieces. A file takes its name when close() returns.
+// Throws InputError if it cannot be written, or if the name belongs to a baked image.
 class LogFile {
  public:
+  // Creates the file; `header` is its first line, newline included.
   LogFile(const std::filesystem::path& path, std::string_view header);
 
   // Returns the buffer to append the next line to; call `flush_if_full` afterwards.
   std::string& buffer() { return buffer_; }
+  // Writes the buffer to the file if it is large.
   void flush_if_full();
+  // Writes the rest and puts the file in its place.
   void close();
 
  private:
@@ -29,12 +33,13 @@ class LogFile {
   std::string buffer_;
 };
 
-// run.csv. The first thirteen columns are those of `tactus touch`; contact is 0 or 1; mode
-// and friction_state are numbers in the order of firmware::Mode and rendering::FrictionState,
-// faults and limits are firmware::FaultBits, the hash is hexadecimal.
+// run.csv, for plots and spreadsheets. Its columns are described in simulation/README.md. `contact`
+// is 0 or 1; `mode` and `friction_state` are numbers in the order of firmware::Mode and
+// rendering::FrictionState; `faults` and `limits` are firmware::FaultBits; the hash is hexadecimal.
 class RunCsv {
  public:
   explicit RunCsv(const std::filesystem::path& path);
+  // Appends the last tick.
   void add(const Simulation& simulation);
   void close() { file_.close(); }
 
@@ -42,7 +47,7 @@ class RunCsv {
   LogFile file_;
 };
 
-// One line a tick: tick,hash (hexadecimal).
+// A file with the columns tick and hash (hexadecimal). Two runs are equal if their files are.
 class HashLog {
  public:
   explicit HashLog(const std::filesystem::path& path);

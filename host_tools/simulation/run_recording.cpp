@@ -18,6 +18,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the checksum in the image's header, as 16 hexadecimal digits.
 std::string header_checksum(std::span<const std::byte> image) {
   rendering::ImageHeader header;
   std::memcpy(&header, image.data(), std::min(image.size(), sizeof header));
@@ -51,6 +52,7 @@ RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& 
 
 void RunRecording::add(const Simulation& simulation) {
   firmware::RecordedTick tick{.record = simulation.record()};
+  // There is no clock in a simulation: a tick's time is its number times the period.
   tick.loop.scheduled_ns = std::llround(tick_ns_ * static_cast<double>(tick.record.tick));
   tick.joint_count =
       static_cast<std::uint32_t>(firmware::joint_count(simulation.config().mechanism));

@@ -1,4 +1,6 @@
-// A simulated run as an MCAP recording, with all that a replay needs: configuration and scene.
+// Writes a simulated run as an MCAP recording, with everything that a replay needs: the
+// configuration and the scene. `tactus sim --record` uses it; the recording of a real run is
+// written by tactusd.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +14,23 @@
 
 namespace tactus::host {
 
+// An open recording. It is written to a temporary file that takes its place at close().
 class RunRecording {
  public:
-  // Begin it before the first tick. `scene` is the scene's image. Throws InputError, text for a
-  // user, when the file cannot be written.
+  // Begins a recording, before the first tick. `scene` is the bytes of the scene's image. Throws
+  // InputError if the file cannot be written.
   RunRecording(const std::filesystem::path& path, const Simulation& simulation,
                std::span<const std::byte> scene);
 
-  // Adds a tick; call it after each.
+  // Adds the last tick.
   void add(const Simulation& simulation);
-  // Puts the recording in its place. Throws InputError if anything could not be written.
+  // Completes the recording and puts it in its place. Throws InputError if any part of it could not
+  // be written.
   void close();
 
  private:
-  std::filesystem::path path_;  // as the user named it
+  // The output as the user named it, for messages.
+  std::filesystem::path path_;
   OutputPlace place_;
   double tick_ns_;
   std::unique_ptr<firmware::McapWriter> writer_ = std::make_unique<firmware::McapWriter>();

@@ -13,6 +13,7 @@
 namespace tactus::host {
 namespace {
 
+// The names in the order of the bits of rendering::kTouch...
 constexpr std::array<std::string_view, kTouchFlagCount> kTouchFlagNames = {"candidates_overflow",
                                                                            "iterations_exhausted",
                                                                            "planes_overflow",
@@ -25,14 +26,18 @@ double magnitude(const firmware::Triple& v) {
   return Vec3(v[0], v[1], v[2]).norm();
 }
 
+// Returns the time of that many ticks, s.
 double seconds(const RunSummary& summary, std::uint64_t ticks) {
   return static_cast<double>(ticks) / summary.rate_hz;
 }
 
+// Returns which bit the fault is.
 std::size_t bit_index(const firmware::FaultText& text) {
   return static_cast<std::size_t>(firmware::fault_code(text.bit));
 }
 
+// faults_text(), limits_text() and overflow_text() return lines of the summary; limits_text() none
+// if there were no limits.
 std::string faults_text(const RunSummary& summary) {
   if (summary.faults == 0) {
     return "faults      none\n";

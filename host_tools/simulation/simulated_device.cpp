@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kFewestSubsteps = 10;
 
+// Returns the parameters if they are usable; throws InputError otherwise.
 const DeviceParameters& checked(const DeviceParameters& parameters, double tick_s) {
   if (!(tick_s > 0.0) || tick_s > 0.02) {
     throw InputError("the simulation's rate must be at least 50 Hz");
@@ -33,6 +34,7 @@ const DeviceParameters& checked(const DeviceParameters& parameters, double tick_
   return parameters;  // NOLINT(bugprone-return-const-ref-from-parameter): the caller stores a copy
 }
 
+// Returns the whole ticks that cover a time; the small subtraction absorbs rounding.
 std::uint64_t ticks_of(double seconds, double tick_s) {
   return static_cast<std::uint64_t>(std::ceil(seconds / tick_s - 1e-9));
 }
@@ -102,6 +104,7 @@ std::uint32_t SimulatedDevice::write(const drivers::JointCommand& command) {
 }
 
 void SimulatedDevice::command_motors(const drivers::JointCommand& command) {
+  // A drive without power, connection or start-up makes no torque, whatever is commanded.
   constexpr std::uint32_t kPowerOff =
       drivers::kDeviceEmergencyStop | drivers::kDeviceLost | drivers::kDeviceNotReady;
   const bool powered = command.enable && (status() & kPowerOff) == 0;
@@ -118,6 +121,7 @@ void SimulatedDevice::advance(const HandParameters& hand, const Vec3& wish_B,
       in_flight_[(now + in_flight_.size() - parameters_.delay_ticks) % in_flight_.size()]);
   const double step_s = tick_s_ / parameters_.substeps;
   const Vec3 wish_step_B = (next_wish_B - wish_B) / parameters_.substeps;
+  // The hand moves evenly over the tick; a sub-step wants its wish in the middle of the sub-step.
   Grip grip{.mass_kg = hand.mass_kg,
             .stiffness_N_per_m = hand.stiffness_N_per_m,
             .damping_Ns_per_m = hand.damping_Ns_per_m,
@@ -136,6 +140,7 @@ void SimulatedDevice::advance(const HandParameters& hand, const Vec3& wish_B,
 }
 
 void SimulatedDevice::sample_encoders() {
+  // Homing has found the origin: from now on the encoders count from it.
   if (ticks_ == homed_tick_) {
     encoder_origin_.fill(0.0);
     for (Encoder& encoder : encoders_) {

@@ -8,12 +8,13 @@
 namespace tactus::host {
 namespace {
 
-// True in the one tick that an event's time falls into.
+// Returns true in the one tick into which an event's time falls.
 bool due(double at_s, std::uint64_t tick, double tick_s) {
   return std::floor(at_s / tick_s + 1e-9) == static_cast<double>(tick);
 }
 
-// The motor's time constant is when it is about half way.
+// Returns the device's total delay for the passivity controller. A first-order motor counts as a
+// delay of its time constant.
 double delay_of(const DeviceParameters& device, double tick_s) {
   return 1e-6 * device.sample_age_us + tick_s * static_cast<double>(device.delay_ticks) +
          device.motor_time_constant_s;

@@ -26,8 +26,9 @@ void check(const std::vector<Waypoint>& waypoints) {
   }
 }
 
-// Fritsch and Carlson's choice (SIAM J. Numer. Anal. 17, 1980): zero at a turn, otherwise the
-// harmonic mean of the slopes.
+// Returns the velocity at an inner waypoint from the slopes on both sides: zero if the motion
+// turns, else their harmonic mean (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980), which does
+// not overshoot.
 double via_velocity(double slope_before, double slope_after) {
   if (slope_before * slope_after <= 0.0) {
     return 0.0;
@@ -82,8 +83,8 @@ Vec3 WishPath::at(double time_s) {
   const double duration = to.t_s - from.t_s;
   const double s = (t_s - from.t_s) / duration;
   const double rest = 1.0 - s;
-  // Quintic Hermite basis with zero end accelerations: blend is Flash and Hogan's 10 s^3 - 15 s^4 +
-  // 6 s^5.
+  // Quintic Hermite basis with zero accelerations at both ends; `blend` is Flash and Hogan's 10 s^3
+  // - 15 s^4 + 6 s^5, the other two carry the velocities at either end.
   const double blend = s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
   const double leaving = s * rest * rest * rest * (1.0 + 3.0 * s);
   const double arriving = -s * s * s * rest * (4.0 - 3.0 * s);

@@ -8,33 +8,39 @@
 
 namespace tactus::host {
 
+// The place that the hand wants to reach, and the time at which it wants to be there.
 struct Waypoint {
+  // Time from the start of the run.
   double t_s = 0.0;
-  Vec3 p_W = Vec3::Zero();  // m
+  // Position, m, world frame.
+  Vec3 p_W = Vec3::Zero();
 };
 
-// Between two waypoints each axis follows the quintic with the waypoints' velocities and no
-// acceleration at either end. A waypoint where the motion turns or rests has velocity zero there,
-// so between two of them the motion is Flash and Hogan's minimum-jerk reach; a densely sampled path
-// is followed without stopping, and the curve never overshoots a waypoint that is an extreme of its
-// axis. Before the first time and after the last the hand holds still, unless the path
-// repeats.
+// A smooth curve through waypoints.
+//
+// Between two waypoints each axis follows the quintic polynomial that has the waypoints' velocities
+// and no acceleration at either end. A waypoint at which the motion turns or rests gets velocity
+// zero; between two of these the motion is the minimum-jerk reach of Flash and Hogan (1985). A
+// densely sampled path is followed without stopping, and the curve never overshoots a waypoint that
+// is an extreme of its axis. Before the first time and after the last one the hand holds still,
+// unless the path repeats.
 class WishPath {
  public:
-  // Throws InputError, text ready for a user, on an empty path, on times that do not
-  // rise and on numbers that are not finite.
+  // Throws InputError if there is no waypoint, times do not rise, or a number is not finite.
   explicit WishPath(std::vector<Waypoint> waypoints);
 
-  // The same way and back again, and so on without end.
+  // Returns the path that goes the same way, back again, and so on without end.
   [[nodiscard]] WishPath there_and_back() const;
 
-  // Cheap when time_s rises from call to call; correct for any time_s.
+  // Returns the wished position at a time, m, world frame. The call is cheap if times rise from
+  // call to call, and correct in any order.
   [[nodiscard]] Vec3 at(double time_s);
 
-  // m: the centre of the box around all waypoints.
+  // Returns the centre of the box around all waypoints, m, world frame.
   [[nodiscard]] Vec3 middle() const;
-  // m: half the box's edges.
+  // Returns half the edges of that box, m.
   [[nodiscard]] Vec3 reach() const;
+  // Returns the time of the last waypoint.
   [[nodiscard]] double end_s() const { return waypoints_.back().t_s; }
 
  private:
@@ -42,7 +48,9 @@ class WishPath {
   [[nodiscard]] Vec3 highest() const;
 
   std::vector<Waypoint> waypoints_;
+  // The velocity at each waypoint, m/s.
   std::vector<Vec3> velocities_;
+  // The segment of the last call of at().
   std::size_t segment_ = 0;
   bool repeats_ = false;
 };

@@ -19,11 +19,13 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kColumns = {"t_s", "x_m", "y_m", "z_m"};
 
+// An axis-aligned box, world frame, m; a new one is empty.
 struct Box {
   Vec3 lower_W = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 upper_W = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
+// Returns the box around the meshes of the scene.
 Box bounds(std::span<const rendering::Object> objects) {
   Box box;
   for (const rendering::Object& object : objects) {
@@ -35,7 +37,8 @@ Box bounds(std::span<const rendering::Object> objects) {
   return box;
 }
 
-// z of the triangle over (x, y), if it lies there: barycentric coordinates in the xy plane.
+// Returns z of the triangle abc at (x, y), by barycentric coordinates in the xy plane; nothing if
+// the triangle does not cover that point.
 std::optional<double> height(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y) {
   const auto cross = [](double ux, double uy, double vx, double vy) { return ux * vy - uy * vx; };
   const double area = cross(b.x() - a.x(), b.y() - a.y(), c.x() - a.x(), c.y() - a.y());
@@ -50,7 +53,8 @@ std::optional<double> height(const Vec3& a, const Vec3& b, const Vec3& c, double
   return a.z() + v * (b.z() - a.z()) + w * (c.z() - a.z());
 }
 
-// The front of the scene at each x on the line y: all triangles are tried, once for a whole run.
+// Returns the largest z of the scene at each x on the line y. All triangles are tried, which is
+// fast enough for once a run.
 std::vector<std::optional<double>> front(std::span<const rendering::Object> objects,
                                          std::span<const double> xs, double y) {
   std::vector<std::optional<double>> fronts(xs.size());
@@ -73,7 +77,8 @@ std::vector<std::optional<double>> front(std::span<const rendering::Object> obje
   return fronts;
 }
 
-// The same, seen from the right: z and x change places, which leaves the heights to be found alike.
+// Returns the largest x of the scene at the middle's y and z. Exchanging x and z turns it into a
+// search for a height.
 double right_side(std::span<const rendering::Object> objects, const Vec3& middle_W) {
   std::optional<double> rightmost;
   for (const rendering::Object& object : objects) {
@@ -92,13 +97,14 @@ double right_side(std::span<const rendering::Object> objects, const Vec3& middle
   return rightmost.value_or(middle_W.x());
 }
 
+// Points of the stroke from its left end to its right one.
 constexpr std::size_t kStations = 17;
 constexpr std::size_t kMiddleStation = kStations / 2;
 using Stations = std::array<Vec3, kStations>;
 
-// Points of the front, evenly along x. Outwards from the middle the stroke ends where the front is
-// missing or steeper than 45 degrees, so that the hand is not led under an overhang: the stations
-// beyond repeat the last good one.
+// Returns points of the scene's front, evenly along x. From the middle outwards the stroke ends
+// where the front is missing or steeper than 45 degrees, so that the hand is not led under an
+// overhang; the stations beyond that repeat the last good one.
 Stations find_stations(std::span<const rendering::Object> objects, const Vec3& middle_W,
                        double half_stroke_m) {
   const double step_m = half_stroke_m / static_cast<double>(kMiddleStation);
@@ -126,8 +132,9 @@ Stations find_stations(std::span<const rendering::Object> objects, const Vec3& m
 
 WishPath sideways_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
                             double press_m) {
+  // How far from the side the hand waits, and how close it stays between two presses.
   constexpr double kClear_m = 0.02;
-  constexpr double kTouching_m = 0.002;  // clear of the side, between two presses
+  constexpr double kTouching_m = 0.002;
   const Box box = bounds(objects);
   const Vec3 middle_W = 0.5 * (box.lower_W + box.upper_W);
   const double side_m = right_side(objects, middle_W) + tool_radius_m;
@@ -157,7 +164,8 @@ WishPath read_wish_path(const std::filesystem::path& file) {
 
 WishPath default_wish_path(std::span<const rendering::Object> objects, double tool_radius_m,
                            double press_m, double reach_m) {
-  constexpr double kClear_m = 0.03;  // how far from the front the hand waits and hovers
+  // How far from the front the hand waits before and after.
+  constexpr double kClear_m = 0.03;
   constexpr double kPressed_s = 3.0;
   constexpr double kStroke_s = 5.0;
   const Box box = bounds(objects);

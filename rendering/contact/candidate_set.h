@@ -6,21 +6,21 @@
 // A sphere of radius R that moves aside by at most w can touch a surface only within sqrt(2 R w) of
 // its path, so a slim capsule contains far fewer triangles than a ball of the same length.
 //
-// The distance to a convex shape is a convex function, so its tangent plane at any point is a lower
-// bound everywhere. Each candidate keeps the tangent of its last measurement (before the first one,
-// a plane in front of its corners). One dot product then shows for most candidates that they are
-// out of reach, and only the others are measured.
+// Each candidate keeps the tangent of its last measurement, which is a lower bound of its distance
+// (tangent_bounds.h); before the first measurement it has a plane in front of its corners. Only
+// candidates whose bound is within reach are measured.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "rendering/contact/capsule_plan.h"
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
+#include "rendering/contact/tangent_bounds.h"
 #include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/capsule.h"
-#include "rendering/geometry/floats.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
@@ -32,37 +32,52 @@ namespace tactus::rendering {
 // One member of the set. Most candidates are gathered and never measured, so the fields that
 // gathering writes come first, in one cache line.
 struct alignas(64) Candidate {
-  const Primitive* primitive = nullptr;  // of an object without a mesh
-  std::uint64_t measured_at = 0;         // CandidateSet::move_to's count
+  // The primitive of an object without a mesh; nullptr for a triangle.
+  const Primitive* primitive = nullptr;
+  // The number of the position (CandidateSet::move_to) from which `nearest` was measured; 0: never.
+  std::uint64_t measured_at = 0;
+  // The object's number in the scene.
   std::uint32_t object = 0;
-  std::uint32_t index = 0;  // of the triangle in its mesh
-  bool prepared = false;    // `triangle` is built
+  // The triangle's number in its mesh.
+  std::uint32_t index = 0;
+  // True if `triangle` is built.
+  bool prepared = false;
+  // True if the surface blocks from its front only.
   bool one_sided = true;
-  bool point_tool = false;  // to this object the tool is its centre
-  bool behind = false;      // one-sided, and the place is on its far side
-  Nearest nearest;          // from the place of `measured_at`
-  Triangle triangle;        // of a mesh, once it was measured
-  SurfaceSample seen;       // of the primitive, from the place of `measured_at`
+  // True if this object meets the tool's centre only (god_object).
+  bool point_tool = false;
+  // True if the surface is one-sided and the position is on its far side: it does not block then.
+  bool behind = false;
+  // The nearest point from the position of `measured_at`; world frame.
+  Nearest nearest;
+  // The triangle, built at its first measurement; world frame.
+  Triangle triangle;
+  // The primitive's distance and normal from the position of `measured_at`; world frame.
+  SurfaceSample seen;
 };
 
+// The set of one proxy. It also owns the tick budget, since nearly all of a tick's cost is in
+// gathering and measuring candidates, and the objects that are left out, since those give no
+// candidates.
+//
+// A tick: begin_tick(), start_tick_budget(), then per sub-goal ensure(), within_reach_here() and
+// nearest() for the planes, within_reach() and nearest() for the sweep, move_to(); look_ahead() at
+// the end.
 class CandidateSet {
  public:
   // Removes all candidates; the next `ensure` gathers them again.
   void clear() {
     trust_.radius = -1.0;
     size_ = 0;
-    here_place_ = 0;
-    to_walk_.count = 0;
-    to_walk_.left.clear();
-    is_full_ = false;
+    here_.place = 0;
+    progress_.clear();
   }
   // Resets the set to its initial state, including the learnt size of the capsule.
   void start_over() {
     clear();
     trust_ = {};
-    wanted_length_m_ = 0.0;
-    slimness_ = 1.0;
-    smaller_ = 0;
+    plan_ = {};
+    progress_.smaller = 0;
     budget_ = {};
     left_out_ = {};
   }
@@ -73,6 +88,7 @@ class CandidateSet {
   // Removes all candidates if an object moved near the trusted capsule.
   void begin_tick(const SceneObjects& scene);
 
+  // The outcome of a gathering.
   enum class Gathering : std::uint8_t {
     complete,  // the candidates are valid about p
     smaller,   // the same, but more triangles than kMaxCandidates made the capsule smaller
@@ -87,7 +103,7 @@ class CandidateSet {
   void look_ahead(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p,
                   const Vec3& next);
   // Returns true if a gathering was begun and is not complete.
-  [[nodiscard]] bool is_begun() const { return to_walk_.count > 0; }
+  [[nodiscard]] bool is_begun() const { return progress_.mesh_count > 0; }
 
   // Returns true if the candidates are valid at p and on the segment from the proxy to p.
   [[nodiscard]] bool trusts(const Vec3& p) const { return trust_.depth(p) >= 0.0; }
@@ -100,8 +116,8 @@ class CandidateSet {
 
   // Sets the position from which `nearest` measures.
   void move_to(const Vec3& p) {
-    place_ = p;
-    ++places_;
+    place_.p = p;
+    ++place_.number;
   }
 
   // Return the numbers of the candidates whose distance may be below the contact margin's
@@ -114,21 +130,20 @@ class CandidateSet {
   // Does the same as `move_to` for the p of the last `within_reach` call, and reuses its result.
   void move_to_end(const Vec3& p);
 
-  // A position in the form that the tangent test uses. It is valid until the candidates change.
-  struct Bounded {
-    Bounded(const CandidateSet& of, const Vec3& p);
-    float x, y, z;
-    float most;  // a larger bound is out of reach
-  };
+  // A position in the form that `may_reach` uses. It is valid until the candidates change.
+  [[nodiscard]] TangentBounds::Position bounds_at(const Vec3& p) const { return bounds_.at(p); }
   // Returns false if the tangent shows that candidate i is out of reach of the position.
-  [[nodiscard]] bool may_reach(std::size_t i, const Bounded& at) const {
-    return normal_x_[i] * at.x + normal_y_[i] * at.y + normal_z_[i] * at.z + height_[i] <= at.most;
+  [[nodiscard]] bool may_reach(std::size_t i, const TangentBounds::Position& at) const {
+    return bounds_.may_reach(i, at);
   }
 
   // Returns the nearest point of candidate i from the position of `move_to`. It is measured once
   // per position.
   const Nearest& nearest(std::size_t i, const SceneObjects& scene);
-  [[nodiscard]] bool is_measured(std::size_t i) const { return slots_[i].measured_at == places_; }
+  // Returns true if candidate i was measured from the position of `move_to`.
+  [[nodiscard]] bool is_measured(std::size_t i) const {
+    return slots_[i].measured_at == place_.number;
+  }
 
   // Returns the triangle of candidate i for a test that is cheaper than a measurement, or nullptr
   // if the candidate is a primitive.
@@ -142,25 +157,28 @@ class CandidateSet {
     return &slot.triangle;
   }
 
+  // Returns the number of candidates.
   [[nodiscard]] std::size_t size() const { return size_; }
   // Returns candidate i. Its `triangle` is set after a call of `nearest` or `triangle`.
   [[nodiscard]] const Candidate& candidate(std::size_t i) const { return slots_[i]; }
 
-  [[nodiscard]] std::size_t peak() const { return peak_; }
+  // Returns the largest number of candidates so far.
+  [[nodiscard]] std::size_t peak() const { return counts_.peak; }
 
   // Returns how often the set was gathered. Candidate numbers are valid until it grows.
-  [[nodiscard]] std::size_t gatherings() const { return gatherings_; }
+  [[nodiscard]] std::size_t gatherings() const { return counts_.gatherings; }
 
   // Returns true if the set was gathered since the last `start_tick_budget`.
-  [[nodiscard]] bool is_fresh() const { return gatherings_ >= first_gathering_; }
+  [[nodiscard]] bool is_fresh() const { return counts_.gatherings >= counts_.first_of_tick; }
 
   // Starts the budget of a new tick.
   void start_tick_budget() {
     budget_.begin_tick();
-    waited_ = first_place_ == places_;
-    first_place_ = places_;
-    first_gathering_ = gatherings_ + 1;
+    place_.waited = place_.first_of_tick == place_.number;
+    place_.first_of_tick = place_.number;
+    counts_.first_of_tick = counts_.gatherings + 1;
   }
+  // Returns the tick's budget, which gathering and measuring spend.
   [[nodiscard]] TickBudget& budget() { return budget_; }
   [[nodiscard]] const TickBudget& budget() const { return budget_; }
   // Returns true if the gathering must pause because the tick's budget is spent. It never pauses
@@ -170,7 +188,7 @@ class CandidateSet {
   // so this one may exceed its budget up to the first move: no place can hold the proxy for ever.
   // Near objects that moved nothing is kept for the next tick, and the result is always true.
   [[nodiscard]] bool has_waited() const {
-    return !may_pause_ || (waited_ && places_ == first_place_);
+    return !may_pause_ || (place_.waited && place_.number == place_.first_of_tick);
   }
   // Returns true if candidate i may only be measured in the next tick. Measurements are kept.
   [[nodiscard]] bool must_wait(std::size_t i) const {
@@ -181,28 +199,66 @@ class CandidateSet {
   void transfer(StateArchive& archive, const SceneObjects& scene, const ContactMargins& margins);
 
  private:
-  // The meshes that a begun gathering has yet to search, by object number.
-  struct ToWalk {
+  // A gathering, which may take several ticks.
+  struct Progress {
+    // The numbers of the objects whose meshes are yet to be searched, the first `mesh_count`.
     std::array<std::uint32_t, kMaxObjects> meshes{};
-    std::size_t count = 0;
-    WalkLeft left;  // of the last of them, if its walk was begun
+    std::size_t mesh_count = 0;
+    // The rest of the walk of the last of them, if that was begun.
+    WalkLeft left;
+    // The number of triangles tested, from which the plan of the capsules learns.
+    std::size_t tested = 0;
+    // How often the gathering was begun anew, for want of room.
+    std::size_t smaller = 0;
+    // True if there was no room for a candidate.
+    bool is_full = false;
+
+    void clear() {
+      mesh_count = 0;
+      left.clear();
+      is_full = false;
+    }
   };
 
+  // The position from which candidates are measured.
+  struct Place {
+    // The position; world frame, m.
+    Vec3 p = Vec3::Zero();
+    // The position's number, which grows with every move.
+    std::uint64_t number = 1;
+    // The number at the last `start_tick_budget`.
+    std::uint64_t first_of_tick = 0;
+    // True if the number was the same at the call before: the last tick made no move.
+    bool waited = false;
+  };
+
+  // The candidates within reach of a place. They are valid if both numbers are the current ones.
+  struct Here {
+    CandidateNumbers near;
+    std::uint64_t place = 0;
+    std::size_t gathering = 0;
+  };
+
+  // The counts of gatherings.
+  struct Counts {
+    // The largest number of candidates so far.
+    std::size_t peak = 0;
+    // The number of gatherings that were begun, and the first one since the last
+    // `start_tick_budget`.
+    std::size_t gatherings = 0;
+    std::size_t first_of_tick = 0;  // the first gathering since the last `start_tick_budget`
+  };
+
+  // Visitors of the walks, in candidate_set_gather.cpp.
   struct GatherObjects;
   struct GatherTriangles;
+  // A gathering that would be begun anew so often, each time with half the capsule, gives up.
   static constexpr std::size_t kMostSmaller = 8;
-  static constexpr double kLongTrust_m = 2.5e-3;  // longer only where triangles are few
-  struct Within {
-    std::array<std::uint16_t, kMaxCandidates> number{};
-    std::size_t count = 0;
 
-    void find(const CandidateSet& of, const Vec3& p, double farther_m);
-    [[nodiscard]] std::span<const std::uint16_t> numbers() const { return {number.data(), count}; }
-  };
-
+  // The parts of `ensure`: gather runs or continues a gathering, begin_gathering lists what to
+  // search, go_on_gathering searches until the budget is spent, walk_mesh does so for one mesh,
+  // end_gathering takes stock.
   Gathering gather(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p);
-  // Returns the capsule of the next gathering, which starts at p.
-  [[nodiscard]] Capsule plan(const Vec3& p);
   void begin_gathering(const SceneObjects& scene, const Capsule& trust);
   void go_on_gathering(const SceneObjects& scene);
   void walk_mesh(const SceneObjects& scene, std::uint32_t number);
@@ -210,6 +266,7 @@ class CandidateSet {
   // Returns the next free slot, or nullptr if the set is full.
   Candidate* add(const Object& object, std::uint32_t number);
   void add_primitive(const Object& object, std::uint32_t number, const Primitive& primitive);
+  // Builds the triangle of a candidate, unless that is done.
   static void prepare(Candidate& slot, const SceneObjects& scene) {
     if (!slot.prepared) {
       build(slot, scene);
@@ -217,45 +274,42 @@ class CandidateSet {
   }
   static void build(Candidate& slot, const SceneObjects& scene);
   void measure_primitive(std::size_t i);
-  void set_no_bound(std::size_t i);
-  void fill_last_four();
   void transfer_walk(StateArchive& archive, const SceneObjects& scene);
   void transfer_here(StateArchive& archive);
   void transfer_candidate(StateArchive& archive, const SceneObjects& scene, std::size_t i);
-  // Stores a lower bound of the distance of candidate i: `distance` (m) at the start of the
-  // capsule, and growing along the normal.
-  void store_bound(std::size_t i, const Float3& normal, double distance);
-  void set_bound(std::size_t i, const Vec3& normal, double distance, const Vec3& from);
+  // Returns how much shorter the reach of candidate i is than the sphere's, m.
+  [[nodiscard]] double shorter_reach(std::size_t i) const {
+    return margins_.sphere.reach_m - margins_.of(slots_[i].point_tool).reach_m;
+  }
+  // Returns true if here_ is valid for the current position and candidates.
+  [[nodiscard]] bool knows_here() const {
+    return here_.place == place_.number && here_.gathering == counts_.gatherings;
+  }
+  void set_known_here() {
+    here_.place = place_.number;
+    here_.gathering = counts_.gatherings;
+  }
 
-  Vec3 place_ = Vec3::Zero();
+  // The position from which candidates are measured.
+  Place place_;
+  // The trusted capsule; its radius is negative if there is none.
   Capsule trust_;
-  double wanted_length_m_ = 0.0;
-  double slimness_ = 1.0;  // of the capsule: its radius is its length over this
+  CapsulePlan plan_;
+  // The contact margins of the last gathering.
   ContactMargins margins_{0.0};
-  std::uint64_t places_ = 1;
   std::size_t size_ = 0;
-  std::size_t tested_ = 0;  // triangles, at the last gathering
-  std::size_t peak_ = 0;
-  std::size_t gatherings_ = 0;
-  std::size_t first_gathering_ = 0;  // since the last `start_tick_budget`
-  ToWalk to_walk_;                   // of a gathering that was begun
-  std::size_t smaller_ = 0;          // how often it was begun anew, for want of room
-  bool is_full_ = false;             // there was no room for a candidate
-  bool may_pause_ = true;            // no object moved here in this tick
-  std::uint64_t first_place_ = 0;    // at the last `start_tick_budget`
-  bool waited_ = false;              // and it was so at the one before
+  Counts counts_;
+  Progress progress_;
+  // True if no object moved here in this tick, so that a gathering may go on in the next one.
+  bool may_pause_ = true;
   TickBudget budget_;
   LeftOut left_out_;
-  // The tangents: the distance from p is at least normal . (p - trust_.start) + height. The arrays
-  // are padded to a multiple of four with entries that are always out of reach.
-  alignas(Floats) std::array<float, kMaxCandidates> normal_x_{};
-  alignas(Floats) std::array<float, kMaxCandidates> normal_y_{};
-  alignas(Floats) std::array<float, kMaxCandidates> normal_z_{};
-  alignas(Floats) std::array<float, kMaxCandidates> height_{};
-  Within here_;
-  Within there_;
-  std::uint64_t here_place_ = 0;
-  std::size_t here_gathering_ = 0;
+  // The lower bounds of the candidates' distances.
+  TangentBounds bounds_;
+  // The result of the last `within_reach_here`.
+  Here here_;
+  // The result of the last `within_reach`.
+  CandidateNumbers there_;
   std::array<Candidate, kMaxCandidates> slots_{};
 };
 

@@ -1,8 +1,21 @@
 // Gathers the candidates: plans a capsule, walks the hierarchies of the meshes near it, and adds
 // every triangle within reach of it.
 //
-// In a dense place this costs more than one tick's budget, and the proxy waits there. Near objects
-// that move it does not wait, because the next tick would have to begin again.
+//   1. CapsulePlan chooses the capsule from the last one and from where the proxy left it.
+//   2. GatherObjects visits the objects whose box comes near. It adds primitives at once and lists
+//      the meshes.
+//   3. walk_mesh() walks one mesh at a time. GatherTriangles tests four triangles of a leaf at once
+//      against the capsule's axis (near_segment.h) and adds those within reach. The test gives each
+//      of them a plane in front of it, which is its first lower bound (tangent_bounds.h).
+//   4. If the set is full, everything begins again with a capsule of half the size.
+//   5. If nothing is near, the capsule becomes the largest free ball (free_ball.h).
+//
+// A surface belongs to the set if it comes within the capsule's radius plus the contact margin's
+// reach of the capsule's axis: no other one can touch a sphere whose centre is in the capsule.
+//
+// In a dense place this costs more than one tick's budget, and the proxy waits there. The rest
+// of the walk is kept (Progress), and the next tick goes on. Near objects that move it does not
+// wait, because the next tick would have to begin again.
 #include <algorithm>
 #include <cmath>
 
@@ -13,62 +26,54 @@
 namespace tactus::rendering {
 namespace {
 
-// The capsule's length is chosen so that gathering looks at about kWantedTests triangles: a
-// gathering then lasts for many ticks on a coarse mesh and for few on a fine one. A sphere at rest
-// looks at about 100 triangles whatever the length, so capsules shorter than kLeastTrust_m save
-// nothing. The values were tuned on the median and the slowest ticks of a 2 mm sphere on a fine
-// sphere and on the dragon. The capsule grows beyond kLongTrust_m only if it lasted less than a
-// tick and cost few tests: a tool that jumps over a coarse mesh.
-constexpr double kLeastTrust_m = 0.2e-3;
-constexpr double kMostTrust_m = 16e-3;
-constexpr double kWantedTests = 128.0;
-constexpr double kFewTests = 24.0;
-// The capsule's length is between kLeastSlimness and kMostSlimness times its radius.
-constexpr double kLeastRadius_m = 10e-6;
-constexpr double kLeastSlimness = 4.0;
-constexpr double kMostSlimness = 32.0;
-constexpr double kStraight = 0.8;  // of the length
-constexpr double kSlimmer = 1.4;
-constexpr double kStouter = 0.7;
-// The proxy counts as outside the capsule when it is nearer to the border than this.
+// The proxy counts as outside the capsule when it is nearer to the border than this, so that no
+// move is cut to less than a micrometre.
 constexpr double kBorder_m = 1e-6;
+// A tick that has spent more than this, in cost units, gathers nothing for the next one: the other
+// half of the usual budget is left for the gathering.
 constexpr std::size_t kLookAheadBudget = kUsualTickBudget / 2;
 
 }  // namespace
 
 // Adds the triangles of one object within reach of the trusted capsule, until the set is full or
-// the tick's budget is spent. Everything is in the object's frame.
+// the tick's budget is spent. Everything is in the object's frame. It is a visitor of the walks of
+// geometry/hierarchy_walk.h.
 struct CandidateSet::GatherTriangles {
   CandidateSet& to;
   const Object& object;
   std::uint32_t number;
+  // The object's pose in this tick; nullptr for an object at rest.
   const Mover* mover;
   const MeshView& mesh;
+  // The capsule's axis, which starts at `start`.
   NearSegment segment;
   const Vec3& start;
-  double farthest_m;  // from the start, of what comes within reach of the segment
+  // The distance from the start beyond which nothing comes within reach of the axis.
+  double farthest_m;
 
   void boxes(std::uint32_t pairs) { to.budget_.spend(kCostOfBoxPairNear * pairs); }
 
   void leaf(const BvhNode& leaf) {
-    to.tested_ += leaf.triangle_count;
+    to.progress_.tested += leaf.triangle_count;
     to.budget_.spend(kCostOfLeafTriangle * leaf.triangle_count);
     segment.find(mesh, leaf.first, leaf.triangle_count,
                  [&](std::uint32_t t, const NearSegment::Bound& bound) { take(t, bound); });
   }
-  [[nodiscard]] bool exhausted() const { return to.is_full_ || to.is_budget_spent(); }
+  [[nodiscard]] bool exhausted() const { return to.progress_.is_full || to.is_budget_spent(); }
 
   // Returns true if the triangle is out of reach by an exact measurement. The segment test accepts
   // many long thin triangles around a common point that are not near. The exact test is made only
   // after the set was full once.
   [[nodiscard]] bool is_far(std::uint32_t t) {
-    if (to.smaller_ == 0) {
+    if (to.progress_.smaller == 0) {
       return false;
     }
     to.budget_.spend(kCostOfMeasurement);
     return triangle_of(mesh, t).nearest(start).distance > farthest_m;
   }
 
+  // Adds a triangle with its bound: a plane in front of it, turned to the world frame. From the
+  // start the triangle is at least -offset away, and farther by n . (p - start) at p.
   void take(std::uint32_t t, const NearSegment::Bound& bound) {
     if (is_far(t)) {
       return;
@@ -82,11 +87,12 @@ struct CandidateSet::GatherTriangles {
     if (mover != nullptr) {
       normal = to_float3(direction_from(mover, to_vec3(normal)));
     }
-    to.store_bound(to.size_ - 1, normal, -static_cast<double>(bound.offset));
+    to.bounds_.set_at_origin(to.size_ - 1, normal, -static_cast<double>(bound.offset),
+                             to.shorter_reach(to.size_ - 1));
   }
 };
 
-// Visits objects: adds primitives, and lists meshes to walk.
+// Visits objects: adds primitives, and lists meshes to walk. An object that is left out is skipped.
 struct CandidateSet::GatherObjects {
   CandidateSet& to;
   const SceneObjects& scene;
@@ -99,22 +105,25 @@ struct CandidateSet::GatherObjects {
     }
     const Object& object = scene[number];
     if (object.surface != SurfaceKind::primitive) {
-      to.to_walk_.meshes[to.to_walk_.count++] = number;
+      to.progress_.meshes[to.progress_.mesh_count++] = number;
       return;
     }
     const Capsule& trust = to.trust_;
     const double reach = to.margins_.of(is_point_tool(object)).reach_m + trust.radius;
     const Primitive& primitive = scene.primitive_W(number);
     const Vec3 middle = trust.start + 0.5 * trust.axis;
+    // A distance field is 1-Lipschitz: a primitive that is farther from the middle than the reach
+    // and half the axis is out of reach of the whole capsule.
     if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.axis.norm()) {
       to.add_primitive(object, number, primitive);
     }
   }
 };
 
+// The slot may hold an older candidate; only its fields that are read before a measurement are set.
 Candidate* CandidateSet::add(const Object& object, std::uint32_t number) {
   if (size_ == kMaxCandidates) {
-    is_full_ = true;
+    progress_.is_full = true;
     return nullptr;
   }
   Candidate& slot = slots_[size_++];
@@ -127,21 +136,23 @@ Candidate* CandidateSet::add(const Object& object, std::uint32_t number) {
   return &slot;
 }
 
+// A primitive is always within reach until it is measured: it has no leaf that gives a bound.
 void CandidateSet::add_primitive(const Object& object, std::uint32_t number,
                                  const Primitive& primitive) {
   if (Candidate* const slot = add(object, number); slot != nullptr) {
     slot->primitive = &primitive;
-    set_no_bound(size_ - 1);
+    bounds_.set_none(size_ - 1);
   }
 }
 
+// Begins with an empty set: visits the objects near the box about the capsule, adds the primitives
+// and lists the meshes.
 void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& trust) {
   trust_ = trust;
+  bounds_.start(trust.start, margins_.sphere.reach_m);
   size_ = 0;
-  tested_ = 0;
-  is_full_ = false;
-  to_walk_.count = 0;
-  to_walk_.left.clear();
+  progress_.clear();
+  progress_.tested = 0;
   GatherObjects visitor{.to = *this, .scene = scene};
   const Vec3 middle = trust.start + 0.5 * trust.axis;
   const double reach = margins_.sphere.reach_m + trust.radius;
@@ -156,16 +167,17 @@ void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& tru
 
 // Continues until everything is gathered, the set is full, or the tick's budget is spent.
 void CandidateSet::go_on_gathering(const SceneObjects& scene) {
-  while (to_walk_.count > 0 && !is_full_) {
-    walk_mesh(scene, to_walk_.meshes[to_walk_.count - 1]);
-    if (to_walk_.left.count() > 0) {
+  while (progress_.mesh_count > 0 && !progress_.is_full) {
+    walk_mesh(scene, progress_.meshes[progress_.mesh_count - 1]);
+    if (progress_.left.count() > 0) {
       return;
     }
-    --to_walk_.count;
+    --progress_.mesh_count;
   }
 }
 
-// Continues a walk that was interrupted, or begins one at the root.
+// Continues a walk that was interrupted, or begins one at the root. The reach is the capsule's
+// radius and the object's own contact margin, and farther by the slack of a hierarchy that deforms.
 void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
   const Object& object = scene[number];
   const Mover* const mover = scene.mover_of(number);
@@ -174,8 +186,8 @@ void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
   const Vec3 axis = direction_in(mover, trust_.axis);
   const Vec3 start = point_in(mover, trust_.start);
   const NearBox box(start + 0.5 * axis, 0.5 * axis.cwiseAbs(), reach + placed.slack_m);
-  if (to_walk_.left.count() == 0) {
-    begin_walk(placed.mesh.nodes, box, to_walk_.left);
+  if (progress_.left.count() == 0) {
+    begin_walk(placed.mesh.nodes, box, progress_.left);
   }
   GatherTriangles visitor{.to = *this,
                           .object = object,
@@ -185,41 +197,22 @@ void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
                           .segment = NearSegment(start, axis, reach),
                           .start = start,
                           .farthest_m = reach + axis.norm()};
-  go_on_walking(placed.mesh.nodes, box, to_walk_.left, visitor);
+  go_on_walking(placed.mesh.nodes, box, progress_.left, visitor);
 }
 
+// Ends a complete gathering: the plan learns from it. In free space the capsule gives way to the
+// largest ball that is free, if that is larger.
 void CandidateSet::end_gathering(const SceneObjects& scene) {
-  fill_last_four();
-  peak_ = std::max(peak_, size_);
-  const double tests = 1.0 + static_cast<double>(tested_);
-  const double length = wanted_length_m_ * std::clamp(kWantedTests / tests, 0.5, 2.0);
-  const bool lasted = gatherings_ == first_gathering_;
-  const double sparse = wanted_length_m_ * std::clamp(kFewTests / tests, 0.5, lasted ? 1.0 : 2.0);
-  wanted_length_m_ = std::max(std::min(length, kLongTrust_m), sparse);
+  bounds_.fill_last_four(size_);
+  counts_.peak = std::max(counts_.peak, size_);
+  plan_.learn(progress_.tested, counts_.gatherings == counts_.first_of_tick);
   if (size_ == 0) {
-    wanted_length_m_ = kLeastTrust_m;  // out of free space onto any mesh
+    plan_.shorten();
     const double ball = free_radius(scene, margins_, trust_.start, trust_.radius, budget_);
     if (ball > trust_.radius) {
       trust_ = {.start = trust_.start, .radius = ball};
     }
   }
-}
-
-// Plans the capsule in the direction in which the proxy moved since the last gathering. After the
-// proxy left through the side the next capsule is less slim; after it left through the end,
-// slimmer.
-Capsule CandidateSet::plan(const Vec3& p) {
-  const Vec3 came = p - trust_.start;
-  const double distance = came.norm();
-  const bool straight = distance > kStraight * wanted_length_m_;
-  slimness_ =
-      std::clamp(slimness_ * (straight ? kSlimmer : kStouter), kLeastSlimness, kMostSlimness);
-  wanted_length_m_ = std::clamp(wanted_length_m_, kLeastTrust_m, kMostTrust_m);
-  const double radius = std::max(kLeastRadius_m, wanted_length_m_ / slimness_);
-  const bool known = distance > kLeastRadius_m && distance < kMostTrust_m;
-  return {.start = p,
-          .axis = known ? Vec3{came * (wanted_length_m_ / distance)} : Vec3{Vec3::Zero()},
-          .radius = radius};
 }
 
 CandidateSet::Gathering CandidateSet::ensure(const SceneObjects& scene,
@@ -232,29 +225,32 @@ void CandidateSet::look_ahead(const SceneObjects& scene, const ContactMargins& m
                               const Vec3& p, const Vec3& next) {
   // A point meets too few triangles to be late.
   const bool can_gather = !margins.is_point() && budget_.spent() <= kLookAheadBudget &&
-                          may_pause_ && !is_begun() && smaller_ == 0;
+                          may_pause_ && !is_begun() && progress_.smaller == 0;
   if (can_gather && trust_.depth(next) < kBorder_m) {
     gather(scene, margins, p);
   }
 }
 
+// Begins a gathering at p, or goes on with the one that was begun there. A set that is full halves
+// the capsule, about the same start, until it would be the kMostSmaller-th time: a capsule of less
+// than 1/128 of the planned size is not tried.
 CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
                                              const ContactMargins& margins, const Vec3& p) {
   if (!is_begun() || p != trust_.start) {
     margins_ = margins;
-    smaller_ = 0;
-    ++gatherings_;
+    progress_.smaller = 0;
+    ++counts_.gatherings;
     budget_.spend(kCostOfGathering);
-    begin_gathering(scene, plan(p));
+    begin_gathering(scene, plan_.next(trust_.start, p));
   }
   for (;;) {
     go_on_gathering(scene);
-    if (!is_full_) {
+    if (!progress_.is_full) {
       break;
     }
-    peak_ = kMaxCandidates;
-    wanted_length_m_ *= 0.5;
-    if (++smaller_ >= kMostSmaller) {
+    counts_.peak = kMaxCandidates;
+    plan_.halve();
+    if (++progress_.smaller >= kMostSmaller) {
       clear();
       return Gathering::too_many;
     }
@@ -265,7 +261,7 @@ CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
     return Gathering::begun;
   }
   end_gathering(scene);
-  return smaller_ == 0 ? Gathering::complete : Gathering::smaller;
+  return progress_.smaller == 0 ? Gathering::complete : Gathering::smaller;
 }
 
 }  // namespace tactus::rendering

@@ -5,11 +5,31 @@
 // plane, so a segment in front of the plane does not meet it again: each round adds planes of new
 // surfaces only, and few rounds are needed.
 //
-// A triangle that deforms is tested in another manner. Its corners move on straight lines, so their
-// greatest height over a plane of fixed direction is a convex function of time. If the proxy is in
-// front of such a plane at both ends of the tick, the two were apart throughout. The plane's
-// direction is from the triangle's nearest point to the proxy. A triangle that is farther away than
-// all motions together is not tested.
+//   desired = X_now (X_before^-1 p)              carried by the object in contact, else p
+//   goal    = desired
+//   repeat:  for each object O: sweep X_before^-1 p -> X_now^-1 goal in O, add the plane met
+//            done if nothing was met
+//            goal = the point nearest to `desired` in front of all planes
+//
+// The sweep is in the object's frame, so the object's speed does not matter: a fast object that
+// jumps over the proxy in one tick is met as surely as a slow one. An object at rest has both poses
+// equal.
+//
+// A triangle that deforms has no frame in which it is still, and is tested in another manner. Its
+// corners x_i move on straight lines, and so does the proxy p. Their greatest height over it along
+// a fixed direction n,
+//
+//   max_i n . (x_i(t) - p(t)),
+//
+// is the maximum of linear functions of time, and so it is convex. If it is negative at both ends
+// of the tick, the two were apart throughout. The direction n is that from the triangle's nearest
+// point to the proxy at the start. A triangle that is farther away than all motions together is not
+// tested.
+//
+// There is no solution where moving objects close on the proxy from both sides, or where the
+// rounds, the planes or the budget run out. Then the objects at rest hold the proxy and the moving
+// ones pass over it (kTouchPinched); `left_out` keeps them from being felt until the proxy is clear
+// of them.
 #include "rendering/contact/carry_along.h"
 
 #include <algorithm>
@@ -23,24 +43,31 @@
 namespace tactus::rendering {
 namespace {
 
+// The planes and the rounds of one tick. Beyond either the proxy counts as pinched.
 constexpr std::size_t kMaxPlanes = 24;
 constexpr int kMaxRounds = 12;
-// A sphere that already overlaps a surface is pushed out by at most this.
+// A sphere that already overlaps a surface is pushed out by at most this per tick.
 constexpr double kMostPush_m = 1e-6;
 
 // Visits the triangles of a mesh that deforms and keeps the plane that the proxy's motion violates
-// most.
+// most. One plane a round is enough: the next round visits the others with the new goal.
 struct DeformingPlane {
   const DeformableMesh& deformable;
   bool one_sided;
   const ContactMargin& margin;
+  // The proxy at the start of the tick in the frame before, and the goal in the frame now; m.
   const Vec3& from_O;
   const Vec3& to_O;
+  // The distance at the start beyond which no triangle can be met, m.
   double reach_m;
-  double least_gap_m = -1e-9;  // below rounding
+  // The largest violation so far as a negative gap, m. A smaller one than the initial is rounding.
+  double least_gap_m = -1e-9;
+  // The plane of that violation in the frame now, valid if it is `broken`.
   Plane plane_O{};
   bool broken = false;
 
+  // Returns how far the search must reach: the boxes of the hierarchy may lag the vertices by
+  // slack_m().
   [[nodiscard]] double reach() const { return reach_m + deformable.slack_m(); }
   void operator()(std::uint32_t t) {
     const Triangle before = triangle_of(deformable.before(), t);
@@ -48,11 +75,14 @@ struct DeformingPlane {
     if (nearest.distance > reach_m || (one_sided && before.height(from_O) < 0.0)) {
       return;
     }
+    // The triangle's height along the normal where it is now. At the start its highest point was
+    // the nearest one, which lay `distance` below the proxy.
     const MeshView now = deformable.now();
     double support = -std::numeric_limits<double>::infinity();
     for (const std::uint32_t corner : now.triangles[t]) {
       support = std::max(support, nearest.normal.dot(to_vec3(now.vertices[corner])));
     }
+    // The proxy stays at its rest height over the plane, or where it was if that is nearer.
     const double offset = support + std::min(margin.rest_m, nearest.distance);
     const double gap = nearest.normal.dot(to_O) - offset;
     if (gap < least_gap_m) {
@@ -63,17 +93,22 @@ struct DeformingPlane {
   }
 };
 
+// The planes that one tick's motion has met so far.
 struct MovingObstacles {
   const SceneObjects& scene;
   const ContactMargins& margins;
+  // The proxy's position before the tick; world frame, m.
   const Vec3& from_W;
   const LeftOut& left_out;
+  // The planes are fixed to their objects at the end of the tick; world frame.
   std::array<Plane, kMaxPlanes> planes{};
   std::size_t plane_count = 0;
+  // The cost units left (tick_budget.h). 0 also says that the proxy is pinched.
   std::size_t cost_left = kMaxCarryBudget;
-  bool clear = true;  // in this round
+  // True while nothing has blocked the goal of this round.
+  bool clear = true;
 
-  // Adds a plane that the proxy must stay in front of; world frame.
+  // Adds a plane that the proxy must stay in front of; world frame. One too many counts as pinched.
   void add(const Vec3& normal_W, double offset) {
     if (plane_count == kMaxPlanes) {
       cost_left = 0;
@@ -82,7 +117,8 @@ struct MovingObstacles {
     planes[plane_count++] = {.normal = normal_W, .offset = offset};
   }
 
-  // Sweeps the proxy's motion to goal_W in the object's frame, and adds a plane if it is blocked.
+  // Sweeps the proxy's motion to goal_W in the object's frame, from the pose before to the pose
+  // now, and adds a plane if it is blocked. An object without motion has two equal poses.
   void meet_object(std::uint32_t number, const RigidPose& before, const RigidPose& now,
                    const Vec3& goal_W) {
     if (left_out.has(number)) {
@@ -103,10 +139,13 @@ struct MovingObstacles {
       return;
     }
     clear = false;
+    // The budget ended the sweep: where the rest of the motion leads is not known.
     if (!hit.met) {
       cost_left = 0;
       return;
     }
+    // The plane is that of the impact: through the surface's nearest point, fixed to the object
+    // where it is now, and raised so that the proxy comes to its rest height.
     const Vec3 met_O = from_O + hit.travel_m * sweep.direction;
     const Nearest nearest = nearest_at(scene, number, hit.triangle, met_O);
     const Vec3 normal_W = now.direction(nearest.normal);
@@ -114,6 +153,8 @@ struct MovingObstacles {
     add(normal_W, normal_W.dot(now.point(met_O)) + to_rest);
   }
 
+  // Tests the proxy's motion to goal_W against the triangles of a mesh that deforms, and adds the
+  // plane that it violates most.
   void meet_deforming(const Mover& mover, const Vec3& goal_W) {
     const Vec3 from_O = mover.X_WO_before.point_in(from_W);
     const Vec3 to_O = mover.X_WO.point_in(goal_W);
@@ -136,6 +177,7 @@ struct MovingObstacles {
     add(normal_W, visitor.plane_O.offset + normal_W.dot(mover.X_WO.translation));
   }
 
+  // Tests the objects that move or deform. One whose box the motion cannot reach is skipped.
   void meet_movers(const Vec3& goal_W) {
     for (const Mover& mover : scene.movers()) {
       if (!meets_proxy(scene[mover.object]) || left_out.has(mover.object)) {
@@ -154,6 +196,7 @@ struct MovingObstacles {
     }
   }
 
+  // Tests the objects at rest along the segment to goal_W, through the hierarchy of their boxes.
   void meet_still(const Vec3& goal_W) {
     struct Visitor {
       MovingObstacles& obstacles;
@@ -173,7 +216,8 @@ struct MovingObstacles {
   }
 };
 
-// Returns the end of a sweep that ignores the objects that move and stops at those at rest.
+// Returns the end of a sweep that ignores the objects that move and stops at those at rest; world
+// frame, m.
 Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, const Vec3& from_W,
                     const Vec3& goal_W, const LeftOut& left_out) {
   const Vec3 motion = goal_W - from_W;
@@ -187,7 +231,9 @@ Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, co
                       sweep.direction;
 }
 
-// Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m.
+// Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m. The
+// point moves with its triangle's corners by its barycentric weights, which are ratios of areas:
+// with n = ab x ac the weight of corner b is ((at x ac) . n) / (n . n).
 Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, const Vec3& p_O) {
   const auto corners = [&](const MeshView& mesh) -> std::array<Vec3, 3> {
     const auto& [a, b, c] = mesh.triangles[triangle];
@@ -206,7 +252,8 @@ Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, co
   return (1.0 - b - c) * (now[0] - before[0]) + b * (now[1] - before[1]) + c * (now[2] - before[2]);
 }
 
-// Returns the position to which the object in contact carries the proxy; world frame, m.
+// Returns the position to which the object in contact carries the proxy; world frame, m. It is the
+// proxy's place in the object's frame, moved with the surface there if the object deforms.
 Vec3 carried_position(const SceneObjects& scene, const Vec3& p_W, const LastContact& last_contact) {
   const Mover* const mover =
       last_contact.object == kNoObject ? nullptr : scene.mover_of(last_contact.object);

@@ -14,19 +14,26 @@ namespace tactus::rendering {
 // The contact that held the proxy last.
 struct LastContact {
   std::uint32_t object = kNoObject;
-  std::uint32_t triangle = 0;    // of its mesh
-  Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of all that held it
+  // The triangle of its mesh; 0 for a primitive.
+  std::uint32_t triangle = 0;
+  // The direction of the joint push of all that held the proxy, unit; zero if it is not known.
+  Vec3 normal_W = Vec3::Zero();
 };
 
+// The result of carrying the proxy.
 struct Carried {
-  Vec3 p_W = Vec3::Zero();            // m; clear of every object where it is now
-  std::uint32_t flags = kTouchClean;  // pinched
+  // The proxy's position; world frame, m. It is clear of every object where that is now, unless
+  // `flags` say otherwise.
+  Vec3 p_W = Vec3::Zero();
+  // kTouchPinched if objects that moved have passed over the proxy.
+  std::uint32_t flags = kTouchClean;
 };
 
 // Moves the proxy so that it stays clear of every object where it is now. `p_W` is its position
 // before the tick (world frame, m), clear of every object as it was then, except those in
 // `left_out`. In the frame of each object the proxy moves along a straight segment and crosses
-// nothing. Real time: bounded time, no heap.
+// nothing. SphereProxy calls it first in a tick in which anything moved. Real time: bounded time
+// (kMaxCarryBudget), no heap.
 Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W,
                     const LastContact& last_contact, const LeftOut& left_out = {});
 

@@ -1,3 +1,7 @@
+// The walk of FeatureWalker, and the point's tick around it. An edge k of a triangle runs from its
+// corner k to its corner k + 1, modulo 3. The distance to the tool is measured triangle by
+// triangle, so an edge or a vertex is only the place on a triangle where its nearest point lies:
+// the walk crosses there to the neighbours and asks whether one of them comes nearer.
 #include "rendering/contact/feature_walk.h"
 
 #include <algorithm>
@@ -19,7 +23,9 @@ constexpr std::uint32_t previous_of(std::uint32_t k) {
   return (k + 2U) % 3U;
 }
 
-// The triangle across edge k of t, if it is wound like t; `shared` is then its number of the edge.
+// Returns the triangle across edge k of t, if it is wound like t; then it runs through the edge in
+// the other direction, and `shared` is its own number of the edge. Returns kNoTriangle at an open
+// edge.
 std::uint32_t across(const ConnectedMesh& mesh, std::uint32_t t, std::uint32_t k,
                      std::uint32_t& shared) {
   const std::uint32_t other = mesh.neighbours[t][k];
@@ -36,11 +42,13 @@ std::uint32_t across(const ConnectedMesh& mesh, std::uint32_t t, std::uint32_t k
   return kNoTriangle;
 }
 
+// One walk downhill in the distance to q.
 class Walk {
  public:
   Walk(const ConnectedMesh& mesh, const Vec3& q, std::size_t limit)
       : mesh_(mesh), q_(q), limit_(limit) {}
 
+  // Walks from a triangle until no step comes nearer or the limit is reached.
   FeatureWalk from(std::uint32_t triangle) {
     measure(triangle);
     while (result_.complete && step()) {
@@ -49,7 +57,8 @@ class Walk {
   }
 
  private:
-  // Returns true if it came nearer.
+  // Takes one step from the feature at which the nearest point lies. Returns true if it came
+  // nearer. A nearest point inside a face is the end: the face holds the tool.
   bool step() {
     const MeshFeature here = result_.at.feature;
     result_.at_border = false;
@@ -65,8 +74,10 @@ class Walk {
     return !result_.at_border && measure(other);
   }
 
-  // Round the vertex to one side and, if the ring is open there, to the other. Every triangle of
-  // the ring is measured, so that the nearest is found and not the first that is nearer.
+  // Measures all triangles round a vertex: to one side and, if the ring is open there, to the
+  // other. Every triangle of the ring is measured, so that the nearest is found and not the first
+  // that is nearer. `corner` is the vertex's number in each triangle in turn. Returns true if one
+  // came nearer.
   bool step_from_vertex(const MeshFeature& here) {
     bool nearer = false;
     for (const bool forward : {true, false}) {
@@ -89,8 +100,9 @@ class Walk {
     return nearer;
   }
 
-  // True, and the new place, if the triangle comes nearer to q by more than rounding: a nanometre
-  // to the side at a depth of a millimetre.
+  // Measures a triangle and moves there if it comes nearer to q by more than rounding: 1e-12 of the
+  // squared distance is a nanometre to the side at a depth of a millimetre. Returns true if it
+  // moved.
   bool measure(std::uint32_t triangle) {
     constexpr double kNearer = 1.0 - 1e-12;
     if (result_.visited > 0 && result_.visited >= limit_) {
@@ -112,12 +124,13 @@ class Walk {
   FeatureWalk result_;
 };
 
-// The first triangle that stops a point.
+// Visits the triangles along a sweep and keeps the first one that stops a point.
 struct FirstContact {
   const MeshView& mesh;
   bool one_sided;
   const ContactMargin& margin;
   const Sweep& sweep;
+  // The travel that is free so far, m, and the triangles that may still be measured.
   double free;
   std::size_t room;
   std::uint32_t triangle = kNoTriangle;
@@ -136,6 +149,7 @@ struct FirstContact {
   }
 };
 
+// Returns true if the tool is a number and within the world.
 bool in_reach(const Vec3& h) {
   return h.allFinite() && h.norm() <= kWorldBound_m;
 }
@@ -167,9 +181,12 @@ std::size_t FeatureWalker::most_visits() const {
   return has_waited_ ? kMaxFeatureVisits : kUsualFeatureVisits;
 }
 
+// A point that leaves one surface may meet the next in the same tick. The walk itself decides when
+// it leaves: the nearest place of the surface has the tool in front, or lies on an open border off
+// which the point slips.
 FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Material& material,
                               const Vec3& h_W) {
-  // Off one surface and onto the next: more than this in one tick waits for the next one.
+  // More rounds than this in one tick wait for the next one.
   constexpr int kRounds = 4;
   FeatureRest rest{.proxy_W = p_};
   const ContactMargin margin(0.0);
@@ -186,7 +203,8 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
       settle(mesh, material, h_W, lowest, rest);
       return rest;
     }
-    // The segment to the tool leads straight away from the surface.
+    // The segment to the tool leads straight away from the surface; the point starts on it above
+    // the contact margin, so that the next sweep does not meet the surface that it leaves.
     const Vec3 motion = h_W - lowest.at.point_W;
     p_ = lowest.at.point_W + margin.rest_m / motion.norm() * motion;
     in_contact_ = false;
@@ -197,7 +215,8 @@ FeatureRest FeatureWalker::go(const ConnectedMesh& mesh, Sides sides, const Mate
   return rest;
 }
 
-// Moves the free point toward the tool. Returns true if it met the surface.
+// Sweeps the free point toward the tool through the hierarchy. Returns true if it met the surface.
+// If the visits run out the point stops at the travel up to which everything was measured.
 bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3& h,
                              FeatureRest& rest) {
   const Vec3 motion = h - p_;
@@ -226,6 +245,7 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
   }
   const Vec3 stop = p_ + visitor.free * sweep.direction;
   const MeshNearest at = nearest_on_triangle(mesh.mesh, visitor.triangle, stop);
+  // height_of() is relative to side_, so that is set to the front before the side is measured.
   side_ = 1.0;
   side_ = sides == Sides::two && height_of(mesh, at, stop) < 0.0 ? -1.0 : 1.0;
   p_ = at.point_W;
@@ -248,12 +268,17 @@ FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangl
 }
 
 // Returns the height of h over the surface, on the side of the contact. `at` is the nearest point.
+// The pseudonormal of a face, edge or vertex gives the right sign there
+// (rendering/surface/connected_mesh.h); the magnitude is the distance itself.
 double FeatureWalker::height_of(const ConnectedMesh& mesh, const MeshNearest& at,
                                 const Vec3& h) const {
   const double front = pseudonormal(mesh, at.feature).dot(h - at.point_W);
   return (front < 0.0 ? -side_ : side_) * std::sqrt(at.squared_m2);
 }
 
+// The friction circle about the lowest place holds the point where it was, or lets it slip to the
+// rim. The rim is beside the surface, so a second walk from the lowest place finds the surface
+// point there.
 MeshNearest FeatureWalker::stay_in_friction_circle(const ConnectedMesh& mesh,
                                                    const FrictionParameters& friction, double depth,
                                                    const FeatureWalk& lowest, FeatureRest& rest) {
@@ -269,7 +294,9 @@ MeshNearest FeatureWalker::stay_in_friction_circle(const ConnectedMesh& mesh,
                                        : lowest.at;
 }
 
-// Settles the point in contact. `lowest` is where it would move without friction.
+// Settles the point in contact. `lowest` is where it would move without friction. The normal is the
+// direction of the stretch, which is exact on faces, edges and vertices; a tool on the surface has
+// none, and the pseudonormal serves.
 void FeatureWalker::settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
                            const FeatureWalk& lowest, FeatureRest& rest) {
   const double depth = std::max(0.0, -height_of(mesh, lowest.at, h));

@@ -1,3 +1,14 @@
+// The search for the first crossing halves the segment from its start on: ranges that are proved
+// free are left behind, the nearest other one is looked at next. For a range it knows F at both
+// ends, and by interval arithmetic bounds of F and of its slope dF/dt over the whole of it.
+//
+//   free:     the bound of F is >= 0, or the slope allows no dip below 0 between the two ends
+//   crossed:  F is below 0 at the far end and falls all the way, so there is one crossing
+//   else:     the range is halved, and its first half is looked at
+//
+// A crossing is narrowed by false position to a nanometre. A range shorter than that which is not
+// proved free counts as blocked: a surface that the segment touches cannot be told from one that it
+// crosses.
 #include "rendering/contact/first_crossing.h"
 
 #include <algorithm>
@@ -13,14 +24,16 @@ constexpr double kResolution_m = 1e-9;
 // 100 m halved this often is below the resolution.
 constexpr std::size_t kMostHalvings = 40;
 
+// An end of a range: its share of the segment, and F there.
 struct End {
   double t = 0.0;
   double value = 0.0;  // F
 };
 
-// Returns the least possible F between two ends of a range, from its values there and its slope:
-// the lowest corner of the two lines that fall as steeply as the slope allows.
-double least(const End& a, const End& b, const Interval& slope) {
+// Returns the least possible F between two ends of a range, from its values there and its slope: F
+// is above the line that falls from `a` at the lowest slope and above the one that reaches `b` at
+// the highest, so it is above the point where they meet.
+double least_value(const End& a, const End& b, const Interval& slope) {
   if (slope.lower >= 0.0) {
     return a.value;
   }
@@ -36,10 +49,13 @@ class Search {
  public:
   Search(ImplicitField& field, const Vec3& from, const Vec3& to)
       : field_(field), from_(from), to_(to), segment_(to - from) {
+    // A nanometre of the world as a share of the segment, but never below a double's rounding of 1.
     const double length_m = segment_.norm() * field.surface().scale_m;
     resolution_ = std::max(kResolution_m / length_m, std::numeric_limits<double>::epsilon());
   }
 
+  // Runs the search with at most `most_ranges` ranges; then the segment is free up to the last one
+  // proved.
   Crossing run(std::size_t most_ranges) {
     // Ends that wait to the right of the range, the nearest on top.
     std::array<End, kMostHalvings + 1> open;
@@ -52,7 +68,7 @@ class Search {
         return {.state = SegmentState::unknown, .free_to = a.t};
       }
       const SegmentRange range = field_.along(from_, segment_, {a.t, b.t});
-      if (range.value.lower >= 0.0 || least(a, b, range.slope) >= 0.0) {
+      if (range.value.lower >= 0.0 || least_value(a, b, range.slope) >= 0.0) {
         a = b;
         --depth;
         continue;
@@ -114,6 +130,7 @@ class Search {
 
 }  // namespace
 
+// NaN, such as from the root of a negative number, counts as far above 0.
 double ImplicitField::value(const Vec3& p_O) {
   count();
   const double f = evaluate(surface_.formula, p_O);

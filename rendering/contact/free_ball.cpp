@@ -1,3 +1,6 @@
+// The search measures boxes of triangles and not the triangles: a box is never farther than what it
+// holds, and its distance takes a few comparisons. It is content with a ball of half the possible
+// radius, so it prunes the hierarchy by half of the nearest distance so far.
 #include "rendering/contact/free_ball.h"
 
 #include <algorithm>
@@ -38,9 +41,12 @@ constexpr int kMostLookedAt = 48;
 struct ClearanceVisitor {
   const Vec3& p;
   TickBudget& budget;
+  // The distance of the nearest box so far and the least radius that is of use, m, both before the
+  // share kEasyPart is taken.
   double nearest;
   double least;
   const MeshView* mesh = nullptr;
+  // The slack of a hierarchy that deforms: searches reach farther by it, m.
   double slack_m = 0.0;
   int looked_at = 0;
 
@@ -63,6 +69,7 @@ struct FreeBall {
   const Vec3& p;
   TickBudget& budget;
   double least;
+  // The radius that is free so far, m; the search gives up below `least`.
   double free;
 
   [[nodiscard]] double reach() const { return std::max(0.0, free) + margins.sphere.reach_m; }

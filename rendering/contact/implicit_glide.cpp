@@ -1,3 +1,19 @@
+// The step of a proxy p that rests on a smooth surface, toward the tool h.
+//
+// Near p the surface is z(s) = -1/2 s . S s over its tangent plane, where s is the tangent step, z
+// the height along the normal n and S the shape operator, positive on a bulge. The tool lies at the
+// depth d > 0 below the end of the plain step u, which goes to its projection. The squared distance
+// from the surface point to the tool is
+//
+//   |s - u|^2 + (d - 1/2 s . S s)^2
+//
+// Its gradient is zero, to first order in s, at (1 - d S) s = u. The plain step u takes S for 0 and
+// leaves d times the curvature of the error: from 1 on it never settles in a hollow. The solved
+// step is that of Newton's method, and its error falls quadratically.
+//
+// The surface is not trusted beyond the second order: the step is cut to what the normal's turn
+// permits, its end is brought back to the surface by Newton's method along the gradient, and the
+// path must be proved free. A step that fails is tried again at a quarter of its length.
 #include "rendering/contact/implicit_glide.h"
 
 #include <Eigen/Dense>
@@ -8,7 +24,7 @@
 namespace tactus::rendering {
 namespace {
 
-// The tangent plane: `along` toward the goal, `across` beside it.
+// Unit vectors in the tangent plane: `along` toward the goal, `across` beside it.
 struct Tangents {
   Vec3 along;
   Vec3 across;
@@ -17,22 +33,26 @@ struct Tangents {
 using Mat2 = Eigen::Matrix2d;
 using Vec2 = Eigen::Vector2d;
 
-// How the normal turns along the tangents, 1 per unit of length; positive on a bulge. Differences
-// of normals, not of gradients: beside a singular point the gradient's size says nothing. A guess
-// is good enough here, every step is checked before it is taken.
+// Returns the shape operator S in the basis of the tangents, 1 per unit of length, positive on a
+// bulge: how the normal turns along them. It is measured at `distance` from `at`, at the cost of
+// two evaluations. It takes differences of normals, not of gradients: beside a singular point the
+// gradient's size says nothing. A guess is good enough here, every step is checked before it is
+// taken.
 Mat2 shape_operator(ImplicitField& field, const ImplicitSample& at, const Tangents& t,
                     double distance) {
   const Vec3 along = sample(field, at.point + distance * t.along).normal - at.normal;
   const Vec3 across = sample(field, at.point + distance * t.across).normal - at.normal;
+  // S is symmetric; its two measured halves are not quite.
   const double twist = 0.5 * (along.dot(t.across) + across.dot(t.along));
   Mat2 shape;
   shape << along.dot(t.along), twist, twist, across.dot(t.across);
   return shape / distance;
 }
 
-// The tangent step (1 - depth * S)^-1 (length, 0), shortened to turn the normal by no more than the
-// second order can be trusted with. Where the tool lies beyond the centre of curvature that is no
-// minimum: then as far along the plain step as the normal's turn lets it go.
+// Returns the tangent step (1 - depth * S)^-1 (length, 0), cut so that the normal turns by at most
+// 0.3 rad, as far as the second order is trusted. If the tool lies beyond the centre of curvature,
+// where 1 - depth * S is not positive, the distance has no minimum nearby: the step then goes along
+// the plain one as far as the normal's turn permits.
 Vec2 corrected_step(const Mat2& shape, double depth, double length) {
   constexpr double kMostTurn_rad = 0.3;
   constexpr double kMostStretch = 1e3;
@@ -48,8 +68,12 @@ Vec2 corrected_step(const Mat2& shape, double depth, double length) {
 }
 
 // Returns true if a path between two surface points is free. The straight segment dips into a
-// bulge, so the path has an apex above the middle, high enough that F certainly climbs on the first
-// half and falls on the second. One interval each then mostly proves the path free.
+// bulge, so the path has an apex above the middle of the chord.
+//
+// Against the chord the surface's slope is at most |turn| / 2, at its ends. Each half of the path
+// has the slope 2 rise / length = 0.1 + |turn| + turn / 2, which is steeper on a bulge (turn > 0)
+// and in a hollow. So F certainly climbs on the first half and falls on the second, and one
+// interval each mostly proves the path free.
 bool is_path_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
   constexpr std::size_t kMostRanges = 8;
   constexpr double kLeastSlope = 0.05;
@@ -63,9 +87,11 @@ bool is_path_free(ImplicitField& field, const ImplicitSample& from, const Implic
          first_crossing(field, apex, to.point, kMostRanges).state == SegmentState::free;
 }
 
+// Returns true if the step's end is free, if its normal is within 60 degrees of the normal at the
+// start, and if it is nearer to the tool.
 bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3& tool) {
   constexpr double kMostTurn_cos = 0.5;
-  // Within their resting height the two may differ without being further.
+  // The heights differ by what settling leaves; that must not count as farther.
   const double lift = std::abs(to.height - from.height);
   return to.value >= 0.0 && to.normal.dot(from.normal) > kMostTurn_cos &&
          (to.point - tool).norm() - lift < (from.point - tool).norm();
@@ -74,6 +100,8 @@ bool is_better(const ImplicitSample& from, const ImplicitSample& to, const Vec3&
 }  // namespace
 
 std::optional<ImplicitSample> glide(ImplicitField& field, const GlideStart& start) {
+  // The normal is probed at half the step. Below a micrometre its differences are rounding; beyond
+  // a tenth of a millimetre they say little of the surface at the proxy.
   constexpr int kMostTries = 3;
   constexpr double kShorter = 0.25;
   constexpr double kLeastProbe_m = 1e-6;

@@ -1,4 +1,5 @@
 // One step of the proxy along a smooth implicit surface, corrected for its curvature.
+// ImplicitTracker calls it where one tangent plane holds the proxy.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,11 @@ namespace tactus::rendering {
 
 // The proxy's position and its goal, in the object frame.
 struct GlideStart {
+  // The proxy, at its rest height.
   ImplicitSample from;
-  Vec3 goal = Vec3::Zero();  // on the tangent plane at `from`
+  // The sub-goal, on the tangent plane at `from`.
+  Vec3 goal = Vec3::Zero();
+  // The tool; the step must come nearer to it.
   Vec3 tool = Vec3::Zero();
 };
 

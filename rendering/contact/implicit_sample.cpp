@@ -5,6 +5,8 @@
 
 namespace tactus::rendering {
 
+// The height F / |grad F| is the distance to the surface to first order. stableNorm() does not
+// overflow where a formula is steep.
 ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
   const ValueAndGradient f = field.value_and_gradient(p_O);
   ImplicitSample s{.point = p_O,
@@ -19,9 +21,10 @@ ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
 }
 
 std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p_O, double most) {
+  // A step is over when the height is within 1 % of the rest height. After the last one half is
+  // enough: beside a singular point the height is less than the distance and the steps fall short.
   constexpr int kMostSteps = 6;
   constexpr double kGood = 0.01;
-  // Beside a singular point the height is less than the distance and the steps fall short.
   constexpr double kGoodEnough = 0.5;
   const double rest = kImplicitRest_m / field.surface().scale_m;
   for (int step = 0;; ++step) {
@@ -36,6 +39,7 @@ std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p_O, dou
     if (step == kMostSteps) {
       return std::nullopt;
     }
+    // Newton's method along the gradient: the height is exact if F is a distance.
     p_O += rise * s.normal;
   }
 }

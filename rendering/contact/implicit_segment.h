@@ -10,9 +10,12 @@ namespace tactus::rendering {
 
 // The part of a segment within a box, as shares of its length; empty if enter > leave.
 struct Inside {
+  // The share at which the segment enters the box, 0 if it begins inside.
   double enter = 0.0;
+  // The share at which it leaves the box, 1 if it ends inside.
   double leave = 1.0;
 };
+// Returns the part of the segment from `from` to from + segment that is within the box.
 Inside clip(const Box& box, const Vec3& from, const Vec3& segment);
 
 // A segment and its first crossing of the surface.
@@ -21,6 +24,7 @@ struct SweptSegment {
   Vec3 to = Vec3::Zero();
   Crossing crossing;
 
+  // Returns the point at a share of the length; exactly `to` at 1, without rounding.
   [[nodiscard]] Vec3 at(double share) const {
     return share == 1.0 ? to : Vec3{from + share * (to - from)};
   }
@@ -29,7 +33,8 @@ struct SweptSegment {
 // Sweeps from `from` toward `to`, within the bounds of the surface. F(from) must be >= 0.
 SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to);
 
-// Moves a free point up to the rest height. Returns nothing if the segment there is not free.
+// Returns a free point moved up to the rest height along the gradient. Returns nothing if that is
+// farther than 0.4 um, outside the bounds, or if the segment there is not free.
 std::optional<Vec3> raised_to_rest(ImplicitField& field, const Vec3& from);
 
 // Moves the end of a segment in the bottom of a crease to the rest height, where no double tells

@@ -1,14 +1,24 @@
-// Repeats these steps in each sub-goal of a tick:
+// One tick of a point proxy p on the implicit surface F = 0, toward the tool h. Everything is in
+// the object's frame O, in the formula's own unit of length; a length times `scale_m` is in metres
+// of the world. F = side * f is above 0 on the side of the proxy.
 //
-//   1. if the proxy rests on the surface, the tangent plane there is the active constraint; the
-//      sub-goal is the plane's point nearest to the tool, drawn back to the friction circle;
-//   2. on smooth ground the proxy glides: a tangent step corrected for curvature, back to the
-//      surface along the gradient (rendering/contact/implicit_glide.h);
-//   3. elsewhere it sweeps straight to the sub-goal and stops where intervals find the surface. A
+// Each sub-goal of a tick takes these steps:
+//
+//   1. If the proxy rests on the surface, the tangent plane there is the active constraint. With
+//      n = grad F / |grad F| it is n . x >= n . p + rise, where `rise` brings p to the rest height.
+//      The sub-goal is the plane's point nearest to the tool, drawn back to the friction circle.
+//   2. On smooth ground the proxy glides: a tangent step corrected for curvature, then back to the
+//      surface along the gradient (rendering/contact/implicit_glide.h).
+//   3. Elsewhere it sweeps straight to the sub-goal and stops where intervals find the surface. A
 //      surface that blocks it at once, such as the second wall of a crease, gives one more plane.
 //
 // Without contact the sub-goal is the tool itself. First contact is found in this manner, and
-// contact ends when the tool leaves through the plane.
+// contact ends when the tool leaves through the plane: then no plane is active in the projection.
+//
+// Two things go beyond the paper (see the header) and make the tracking safe. Every move is along
+// segments that interval arithmetic has proved free, so the proxy crosses nothing thin. Every move
+// along the surface brings it nearer to the tool, so it cannot oscillate; is_stalled() ends the
+// ticks in which the gain is only rounding.
 #include "rendering/contact/implicit_tracking.h"
 
 #include <algorithm>
@@ -29,14 +39,18 @@ namespace {
 
 // A shorter move counts as none: its force is a micronewton at 1000 N/m.
 constexpr double kSettled_m = 1e-9;
-// A surface that stops the proxy within this travel counts as an active constraint.
+// A surface that stops the proxy within this travel counts as an active constraint: it gives a
+// plane at the proxy, and the sub-goal is chosen again. After a longer travel the move is made
+// first.
 constexpr double kHeld_m = 1e-6;
-// A move along the surface that gains less than this is none.
+// A move along the surface that brings the proxy nearer to the tool by less than this is none.
 constexpr double kLeastGain_m = 1e-10;
+// The planes that are kept at one position: three can hold a point, and one more is on trial.
 constexpr std::size_t kMostPlanes = 4;
-// Planes that may be met without a move.
+// The planes that may be met without a move, before the sub-goal is given up.
 constexpr std::size_t kMostAttempts = 8;
 
+// One tick: the proxy's state, the tool and what the sub-goals pass on to each other.
 class Tick {
  public:
   Tick(ImplicitProxyState& state, const ImplicitSurface& surface, const Material& material,
@@ -47,6 +61,8 @@ class Tick {
         h_(std::move(h_O)),
         field_(surface, 1.0, kMaxFormulaBudget) {}
 
+  // Repeats sub-goals until the tick is over. After a stall the proxy stays where it was nearest to
+  // the tool, and not where the last swing left it.
   ImplicitRest run() {
     while (!step()) {
       ++rest_.sub_goals;
@@ -58,12 +74,17 @@ class Tick {
   }
 
  private:
+  // The end of the next move.
   struct Goal {
     Vec3 point = Vec3::Zero();
+    // True if there is no move: the proxy is where the tool and friction want it.
     bool settled = false;
   };
 
-  // One sub-goal. True when the tick is over.
+  // Runs one sub-goal. Returns true when the tick is over.
+  //
+  // The order matters: F is defined within the bounds only, its sign gives the side, and only a
+  // proxy on a known side at its rest height has a tangent plane.
   bool step() {
     plane_count_ = 0;
     if (rest_.sub_goals == kMaxSubGoals || !field_.can_evaluate()) {
@@ -83,11 +104,14 @@ class Tick {
       here_ = sample(field_, state_.p_O);
       is_sampled_ = true;
     }
-    if (here_.value < 0.0) {  // another formula since the last tick
+    // The formula has changed since the last tick, so the side is found anew.
+    if (here_.value < 0.0) {
       move_to(state_.p_O);
       state_.side = 0.0;
       return false;
     }
+    // Nearer to the surface than half the rest height, the sign of F is in doubt: the proxy rises
+    // first, once a tick.
     const double height_m = here_.height * surface_.scale_m;
     if (height_m < 0.5 * kImplicitRest_m && !has_risen_) {
       has_risen_ = true;
@@ -104,8 +128,9 @@ class Tick {
   }
 
   // Returns true if the proxy only swings between walls, in a pit or in a crease of singular
-  // points. The tick ends after a few sub-goals without progress, at the place nearest to the tool
-  // where the proxy was at its rest height.
+  // points. It counts the sub-goals in contact since the distance to the tool, from which friction
+  // makes it lag, last fell by a nanometre. After four of them the tick ends, at the place nearest
+  // to the tool where the proxy was at its rest height.
   bool is_stalled(double height_m) {
     constexpr int kPatience = 4;
     constexpr double kGain_m = 1e-9;
@@ -123,25 +148,28 @@ class Tick {
     return stalled_ >= kPatience;
   }
 
-  // Over, with the proxy where it is known to be free. The planes of the last sub-goal stay in the
-  // result.
+  // Ends the tick with the proxy where it is known to be free, and returns true. The planes of the
+  // last sub-goal stay in the result, so that it still gives the force.
   bool exhausted() {
     rest_.flags |= kTouchIterationsExhausted;
     return true;
   }
 
+  // Moves the proxy; the sample of F at the old place is not valid there.
   void move_to(const Vec3& p) {
     state_.p_O = p;
     is_sampled_ = false;
   }
 
+  // Ends the contact: no planes, no normal, no friction.
   void forget_contact() {
     rest_.planes = 0;
     rest_.normal_W = Vec3::Zero();
     state_.friction = FrictionState::free;
   }
 
-  // Nothing blocks the proxy outside the bounds.
+  // Moves a proxy outside the bounds, where nothing blocks it: to the tool, or to where the segment
+  // to the tool enters the bounds. Returns true when the tick is over.
   bool pass_outside() {
     forget_contact();
     state_.side = 0.0;
@@ -151,17 +179,21 @@ class Tick {
       move_to(h_);
       return true;
     }
+    // Rounding must not leave the entry outside, or the next sub-goal would begin there again.
     const Vec3 entry = state_.p_O + inside.enter * segment;
     move_to(entry.cwiseMax(surface_.bounds_O.lower).cwiseMin(surface_.bounds_O.upper));
     return false;
   }
 
+  // Takes the side from the sign of f at the proxy. NaN counts as above 0 (ImplicitField::value).
   void find_side() {
     field_.set_side(1.0);
     state_.side = field_.value(state_.p_O) < 0.0 ? -1.0 : 1.0;
   }
 
-  // Within a one-sided solid the proxy stays with the tool, up to where that comes out.
+  // Moves a proxy within a one-sided solid: it stays with the tool, up to where that comes out.
+  // Seen from inside, the surface blocks a segment where f becomes positive; just beyond it the
+  // side is found anew. Returns true when the tick is over.
   bool come_out() {
     forget_contact();
     field_.set_side(-1.0);
@@ -179,13 +211,17 @@ class Tick {
     return true;
   }
 
+  // Adds the tangent plane at the proxy. `rise` is the way from the proxy's height, which is of
+  // first order, to the rest height.
   void add_tangent_plane() {
     const double rise = kImplicitRest_m / surface_.scale_m - here_.height;
     planes_[plane_count_++] = {.normal = here_.normal,
                                .offset = here_.normal.dot(state_.p_O) + rise};
   }
 
-  // Adds the plane of the surface that blocks the segment at p_O. Returns false if it is not new.
+  // Adds the plane of the surface that blocks the segment at p_O: its tangent plane there, at the
+  // rest height. At a singular point, which has no normal, the direction from the tool to the proxy
+  // serves. Returns false if an equal plane is there that bounds the proxy as far.
   bool add_blocking_plane(const Vec3& p_O) {
     constexpr double kSameNormal = 1e-20;
     const ImplicitSample wall = sample(field_, p_O);
@@ -203,7 +239,7 @@ class Tick {
       planes_[plane_count_++] = plane;
       return true;
     }
-    // At most three planes hold the proxy: another makes room.
+    // At most three planes hold the proxy, so one of the four is idle; the new one takes its place.
     const auto holding_end = holding_.begin() + rest_.planes;
     std::size_t idle = 0;
     while (std::find(holding_.begin(), holding_end, idle) != holding_end) {
@@ -214,6 +250,9 @@ class Tick {
   }
 
   // Moves to the sub-goal, or as far as the segment is free. Returns true when the tick is over.
+  //
+  // A wall that stops the segment at once adds its plane, and the sub-goal is chosen again with it:
+  // two walls of a crease give the goal on the line of the crease.
   bool go() {
     for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
       const Goal goal = choose_goal();
@@ -257,6 +296,8 @@ class Tick {
     return true;
   }
 
+  // Glides toward a goal on the tangent plane, and returns true if it could. The sample at the end
+  // is kept, so that the next sub-goal need not evaluate F there again.
   bool glide_toward(const Vec3& goal) {
     const auto to = glide(field_, {.from = here_, .goal = goal, .tool = h_});
     if (to) {
@@ -267,6 +308,8 @@ class Tick {
     return to.has_value();
   }
 
+  // Chooses the next sub-goal: the tool's projection on the planes, held back by friction. It sets
+  // the active planes and their joint normal, n = sum of pressure times plane normal, made unit.
   Goal choose_goal() {
     const std::span<const Plane> planes{planes_.data(), plane_count_};
     const PlaneProjection projection = project_on_planes(h_, planes);
@@ -288,6 +331,9 @@ class Tick {
                                     : lag_behind(projection, push_m);
   }
 
+  // Draws the goal back to the friction circle, whose radius is mu times the depth of the tool
+  // below the planes (friction/cone.h). The rule is applied in metres of the world, relative to the
+  // goal. A proxy that slipped in this tick stays in the state `slip` in the rest of it.
   Goal stay_in_cone(const PlaneProjection& projection, double push_m) {
     const FrictionStep step =
         apply_cone(surface_.scale_m * (state_.p_O - projection.point), Vec3::Zero(),
@@ -302,6 +348,7 @@ class Tick {
     return {.point = goal, .settled = settled};
   }
 
+  // Lets the goal lag behind the tool by what a friction model says: F = K lag along the surface.
   Goal lag_behind(const PlaneProjection& projection, double push_m) {
     const FrictionLag lag = state_.model.lag(sliding_surface(material_), rest_.normal_W,
                                              material_.stiffness_N_per_m * push_m);
@@ -319,17 +366,24 @@ class Tick {
   const Vec3 h_;
   ImplicitField field_;
   ImplicitRest rest_;
-  ImplicitSample here_;  // at the proxy, if is_sampled_
+  // F at the proxy, valid if is_sampled_.
+  ImplicitSample here_;
   bool is_sampled_ = false;
-  double nearest_m_ = std::numeric_limits<double>::infinity();  // from the lagging tool, in contact
-  Vec3 best_ = Vec3::Zero();                                    // where that was
-  int stalled_ = 0;                                             // sub-goals since it fell
-  bool slipped_ = false;                                        // in this tick
-  bool has_risen_ = false;  // once a tick, from where the sign of F is in doubt
+  // The least distance from the lagging tool in this contact, the place where that was, and the
+  // sub-goals since it last fell.
+  double nearest_m_ = std::numeric_limits<double>::infinity();
+  Vec3 best_ = Vec3::Zero();
+  int stalled_ = 0;
+  // The proxy slipped in this tick.
+  bool slipped_ = false;
+  // The proxy rose from where the sign of F is in doubt; this happens once a tick.
+  bool has_risen_ = false;
   std::array<Plane, kMostPlanes> planes_;
   std::size_t plane_count_ = 0;
-  std::array<std::size_t, 3> holding_{};  // of planes_, the first rest_.planes
-  Vec3 lag_O_ = Vec3::Zero();             // of the tool's nearest point, by a friction model
+  // The indices in planes_ of the active planes, the first rest_.planes of them.
+  std::array<std::size_t, 3> holding_{};
+  // The lag of the tool's nearest point that a friction model asks for; zero otherwise.
+  Vec3 lag_O_ = Vec3::Zero();
 };
 
 }  // namespace

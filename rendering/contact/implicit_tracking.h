@@ -21,20 +21,26 @@ struct ImplicitRest {
   Vec3 normal_W = Vec3::Zero();  // unit, away from the surface; zero without contact
   double depth_m = 0.0;          // (proxy - tool) . normal; 0 without contact
   FrictionState friction = FrictionState::free;
-  std::uint8_t planes = 0;  // tangent planes that hold the proxy: 0 without contact, 2 in a crease
+  // The number of tangent planes that hold the proxy: 0 without contact, 1 on smooth ground, 2 in a
+  // crease, 3 in a corner.
+  std::uint8_t planes = 0;
   std::uint16_t sub_goals = 0;
-  std::uint32_t flags = kTouchClean;  // iterations exhausted, tool invalid
+  // TouchFlags: iterations exhausted, tool invalid.
+  std::uint32_t flags = kTouchClean;
 };
 
 // The state is kept in the object's frame: a surface that moves carries the proxy along, and meets
 // every tool that it sweeps over.
 struct ImplicitProxyState {
   Vec3 p_O = Vec3::Zero();
-  double side = 0.0;  // 1: f >= 0, -1: f < 0 at the proxy; 0: not known yet
+  // The sign of f at the proxy: 1 for f >= 0, -1 for f < 0; 0 while it is not known.
+  double side = 0.0;
   FrictionState friction = FrictionState::free;
   SurfaceFriction model;
 };
 
+// One proxy on one implicit surface. IndependentContacts (rendering/world/independent_contacts.h)
+// has one for each such object and tool.
 class ImplicitTracker {
  public:
   // Starts over, out of contact, at p_W. To be called before the first tick, and when the formula
@@ -53,6 +59,7 @@ class ImplicitTracker {
   // time bounded by kMaxFormulaBudget.
   ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W);
 
+  // Returns the proxy's position after the last tick; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }
 
   // Saves the state to the archive, or restores it.

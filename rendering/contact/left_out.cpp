@@ -1,3 +1,7 @@
+// Finds whether a surface of an object is nearer to the proxy than a distance. The search through a
+// mesh ends at the first such triangle. A search that runs out of budget answers yes: an object in
+// doubt is left out, or stays left out, since the proxy must never be pushed by an object inside
+// which it may be.
 #include "rendering/contact/left_out.h"
 
 #include <algorithm>
@@ -10,12 +14,14 @@
 namespace tactus::rendering {
 namespace {
 
-// Searches a triangle of a mesh that is nearer to p_O than distance_m.
+// Searches a triangle of a mesh that is nearer to p_O than distance_m. It is a visitor of
+// visit_near().
 struct NearTriangle {
   const MeshView& mesh;
   const Vec3& p_O;
   double distance_m;
-  double slack_m;  // that searches reach farther
+  // The slack of a hierarchy that deforms: searches reach farther by it, m.
+  double slack_m;
   std::size_t& cost_left;
   bool found = false;
 
@@ -35,6 +41,7 @@ struct NearTriangle {
   }
 };
 
+// Returns true if a surface of the object is nearer to p_W than distance_m. World frame, m.
 bool is_nearer(const SceneObjects& scene, std::uint32_t number, const Vec3& p_W, double distance_m,
                std::size_t& cost_left) {
   if (distance_m <= 0.0) {

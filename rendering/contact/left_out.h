@@ -14,9 +14,13 @@
 
 namespace tactus::rendering {
 
+// A set of object numbers.
 class LeftOut {
  public:
+  // Returns true if any object is left out.
   [[nodiscard]] bool any() const { return count_ > 0; }
+  // Returns true if the object is left out. The common case, in which none is, costs one
+  // comparison.
   [[nodiscard]] bool has(std::uint32_t object) const {
     return count_ > 0 && (bits_[object / kBits] >> (object % kBits) & 1U) != 0;
   }
@@ -39,6 +43,7 @@ class LeftOut {
 
  private:
   static constexpr std::size_t kBits = 64;
+  // A bit for each object, and the number of the set ones.
   std::array<std::uint64_t, kMaxObjects / kBits> bits_{};
   std::uint32_t count_ = 0;
 };

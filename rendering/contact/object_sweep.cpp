@@ -1,3 +1,6 @@
+// Sweeps against whole objects: a walk through the hierarchy along the line, nearest boxes first.
+// Each triangle that blocks the sphere shortens the sweep, and with it the reach of the walk, so
+// that most of what lies behind it is never looked at.
 #include "rendering/contact/object_sweep.h"
 
 #include <algorithm>
@@ -11,7 +14,9 @@
 namespace tactus::rendering {
 namespace {
 
-// Visits the triangles near the segment and shortens the sweep to the first one that blocks it.
+// Visits the triangles near the segment and shortens the sweep to the first one that blocks it. It
+// is a visitor of visit_along() (geometry/hierarchy_query.h); the members that its walk calls are
+// public.
 class TriangleSweep {
  public:
   TriangleSweep(const MeshView& mesh, bool one_sided, const ObjectSweep& sweep,
@@ -37,12 +42,15 @@ class TriangleSweep {
   }
 
  private:
+  // Returns the part of the sweep that is left, for the test of four triangles at once.
   [[nodiscard]] NearSegment segment() const {
     return {sweep_.from, hit_.travel_m * sweep_.direction, margin_.reach_m};
   }
 
+  // Takes cost units from what is left, down to 0.
   void add_work(std::size_t units) { cost_left_ -= std::min(cost_left_, units); }
 
+  // Sweeps against one triangle and keeps the shorter travel.
   void meet(std::uint32_t t) {
     add_work(kCostOfTriangleSweep);
     const Triangle triangle = triangle_of(mesh_, t);
@@ -85,6 +93,7 @@ struct ObjectsSweep {
     const ObjectHit hit =
         sweep_object(scene, number, {.sweep_O = sweep_O, .limit_m = first.travel_m},
                      margins.of(is_point_tool(scene[number])), cost_left);
+    // A sweep that ran out of budget gives the free travel without an object.
     if (hit.travel_m < first.travel_m) {
       first = {.travel_m = hit.travel_m,
                .object = hit.met ? number : kNoObject,
@@ -93,6 +102,7 @@ struct ObjectsSweep {
   }
 };
 
+// Sweeps against the objects at rest, and returns the visitor so that the movers can be added.
 ObjectsSweep over_still(const SceneObjects& scene, const ContactMargins& margins,
                         const Sweep& sweep_W, double limit_m, std::size_t& cost_left,
                         const LeftOut& left_out) {
@@ -120,6 +130,7 @@ ObjectHit sweep_object(const SceneObjects& scene, std::uint32_t number, const Ob
   }
   const PlacedMesh placed = scene.mesh_O(number);
   TriangleSweep visitor(placed.mesh, object.sides == Sides::one, sweep, margin, cost_left);
+  // The search ended at `visited`: beyond it there may be triangles that were not looked at.
   const double visited = visit_along(placed.mesh.nodes, sweep.sweep_O.from, sweep.sweep_O.direction,
                                      margin.reach_m + placed.slack_m, visitor);
   if (visited < visitor.hit().travel_m) {

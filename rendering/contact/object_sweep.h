@@ -1,4 +1,5 @@
-// Sweeps a sphere along a straight line of any length against whole objects.
+// Sweeps a sphere along a straight line of any length against whole objects. carry_along.cpp sweeps
+// against moving objects in their own frames; candidate_sweep.cpp sweeps beyond the candidate set.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +13,18 @@ namespace tactus::rendering {
 // A sweep in the object's own frame O, up to `limit_m`.
 struct ObjectSweep {
   Sweep sweep_O;
+  // The length of the sweep, m.
   double limit_m = 0.0;
 };
 
+// The end of a sweep against one object.
 struct ObjectHit {
-  double travel_m = 0.0;       // that is free
-  bool met = false;            // the object stops the sphere there
-  std::uint32_t triangle = 0;  // of a mesh
+  // The travel that is free, m.
+  double travel_m = 0.0;
+  // True if the object stops the sphere there; false if the sweep ended, or its budget did.
+  bool met = false;
+  // The triangle of a mesh that stops the sphere; 0 for a primitive.
+  std::uint32_t triangle = 0;
 };
 
 // Sweeps against one object. The cost is taken from `cost_left` (cost units, see tick_budget.h).
@@ -33,7 +39,10 @@ Nearest nearest_at(const SceneObjects& scene, std::uint32_t number, std::uint32_
 
 // The first object that blocks the sphere.
 struct FirstHit {
-  double travel_m = 0.0;  // that is free
+  // The travel that is free, m.
+  double travel_m = 0.0;
+  // The object that stops the sphere there; kNoObject if none does, or if the budget ended the
+  // sweep.
   std::uint32_t object = kNoObject;
   std::uint32_t triangle = 0;
 };

@@ -5,6 +5,7 @@
 namespace tactus::rendering {
 namespace {
 
+// Returns the push for the signed distance at the tool's centre.
 FieldPush push_out(const SurfaceSample& seen, double tool_radius_m) {
   const double depth = tool_radius_m - seen.distance_m;
   if (!(depth > 0.0)) {

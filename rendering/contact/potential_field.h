@@ -17,17 +17,21 @@
 
 namespace tactus::rendering {
 
+// The push of a field on the tool. IndependentContacts makes the force of it: F = K depth normal.
 struct FieldPush {
-  double depth_m = 0.0;          // of the sphere below the surface; 0 outside
-  Vec3 normal_W = Vec3::Zero();  // unit, out of the surface; zero outside
+  // The depth of the sphere below the surface, m; 0 outside.
+  double depth_m = 0.0;
+  // The unit vector out of the surface at the nearest point; zero outside.
+  Vec3 normal_W = Vec3::Zero();
 };
 
-// `tool_radius_m` >= 0; 0 is a point. Real time: no heap. A primitive costs some twenty
-// multiplications; a mesh costs one search for the nearest point, also where nothing is touched but
-// the mesh's box is.
+// Returns the push of a solid primitive on a sphere of the radius `tool_radius_m` >= 0 (0 is a
+// point) at tool_W; m. Real time: no heap. A primitive costs some twenty multiplications; a mesh
+// costs one search for the nearest point, also where nothing is touched but the mesh's box is.
 FieldPush potential_field(const Primitive& primitive, const Vec3& tool_W, double tool_radius_m);
 
-// The mesh has to be closed and wound consistently; elsewhere the sign of the distance is a guess.
+// Returns the push of a mesh. The mesh has to be closed and wound consistently; elsewhere the sign
+// of the distance is a guess.
 FieldPush potential_field(const ConnectedMesh& mesh, const Vec3& tool_W, double tool_radius_m);
 
 }  // namespace tactus::rendering

@@ -2,7 +2,7 @@
 // of f occur, and each has a root finder that never passes the first root:
 //
 // - outside a convex solid f is convex: Newton's method from the free side (as for triangles);
-// - inside a convex skin f is concave: it stays positive between two positive values, and where the
+// - inside a convex skin f is concave: it stays positive between two positive values, and if the
 //   end is negative the chord lies below f and the tangent at the far end above it, so that both
 //   close in on the root;
 // - round a torus f bends down no more than its curvatures allow: the step is the root of the
@@ -10,6 +10,8 @@
 //   Computer 12, 1996, with a second-order bound in place of the Lipschitz bound alone). Inside its
 //   tube the parabola is that of the squared distance from the centre circle, which bends up by no
 //   more than that from a straight line would.
+//
+// f is a signed distance, so |f'| <= 1 and a travel of f - inner is free in every case.
 #include "rendering/contact/primitive_sweep.h"
 
 #include <algorithm>
@@ -23,16 +25,20 @@ constexpr double kParallel = -1e-9;
 // Newton's method and the chord take a handful; a grazing pass round a torus takes the most.
 constexpr int kMostSteps = 128;
 
+// f and its derivative at one travel.
 struct Clearance {
   double height = 0.0;  // m
   double slope = 0.0;   // per metre of travel
 };
 
+// f along one sweep. `side` is -1 inside a two-sided skin, so that f is above 0 where the sphere
+// is.
 class Line {
  public:
   Line(const Primitive& primitive, const Sweep& sweep, double side)
       : primitive_(primitive), sweep_(sweep), side_(side) {}
 
+  // Return f at a travel, and f of a sample that was taken already.
   [[nodiscard]] Clearance at(double travel) const {
     return of(sample(primitive_, sweep_.from + travel * sweep_.direction));
   }
@@ -47,6 +53,7 @@ class Line {
     const Vec3 p = primitive_.X_WO.point_in(sweep_.from + travel * sweep_.direction);
     return std::sqrt(p.x() * p.x() + p.z() * p.z());
   }
+  // Returns the tube's radius of a torus, m.
   [[nodiscard]] double tube_radius() const { return primitive_.dimensions_m[1]; }
 
  private:
@@ -55,6 +62,7 @@ class Line {
   double side_;
 };
 
+// Newton's method for a convex f, as in sphere_sweep.cpp.
 double outside_convex(const Line& line, const Clearance& start, double limit,
                       const ContactMargin& margin) {
   double travel = 0.0;
@@ -76,7 +84,8 @@ double outside_convex(const Line& line, const Clearance& start, double limit,
   return travel;
 }
 
-// The travel, as near to the highest place of a concave f as it takes to be above `enough`.
+// Returns a travel as near to the highest place of a concave f as it takes to be above `enough`.
+// `low` is f at 0, where it rises, and `high` is f at `limit`.
 double climb(const Line& line, Clearance low, double limit, Clearance high, double enough) {
   double from = 0.0;
   double to = limit;
@@ -100,6 +109,10 @@ double climb(const Line& line, Clearance low, double limit, Clearance high, doub
   return from;
 }
 
+// Closes in on the root of a concave f from both sides. The chord from the free travel to the
+// blocked one lies below f, so its root is free; the tangent at the blocked one lies above f, so
+// its root is blocked unless rounding says otherwise. A sphere that starts within the margin may
+// rise first.
 double inside_convex(const Line& line, const Clearance& start, double limit,
                      const ContactMargin& margin) {
   Clearance end = line.at(limit);
@@ -135,8 +148,10 @@ double inside_convex(const Line& line, const Clearance& start, double limit,
   return free;
 }
 
-// The longest step in which f comes down to `inner`, or to where it is if that is lower, at its end
-// at the earliest.
+// Returns the longest step in which f certainly stays above `inner`, or the height over it if that
+// is longer. The bound is the parabola above + slope t - bend t^2 / 2, with bend = 2 / radius: f
+// bends down by at most one over the distance from the axis, and within half of that distance it at
+// most doubles.
 double torus_step(const Line& line, const Clearance& now, double travel,
                   const ContactMargin& margin) {
   const double above = std::max(0.0, now.height - margin.inner_m);
@@ -149,6 +164,10 @@ double torus_step(const Line& line, const Clearance& now, double travel,
   return std::max(above, std::min(root, 0.5 * radius));
 }
 
+// Steps along a line round the outside of a torus. `leaving` says that the sphere starts inside the
+// solid, which it may leave. `clear` is true once it has been clear of the contact margin, and only
+// then does the surface block it again; a sphere that starts within the margin is blocked if it
+// descends.
 double round_torus(const Line& line, const Clearance& start, bool leaving, double limit,
                    const ContactMargin& margin) {
   const double least_step = margin.stop_m - margin.inner_m;
@@ -176,6 +195,9 @@ double round_torus(const Line& line, const Clearance& start, bool leaving, doubl
   return travel;
 }
 
+// Steps along a line inside the tube of a hollow torus. With D the distance from the centre circle,
+// d = D at the start of a step and slope that of f, D^2 is at most d^2 - 2 d slope t + t^2; the
+// step is the larger root of that parabola at the largest distance that the margin permits.
 double inside_tube(const Line& line, const Clearance& start, double limit,
                    const ContactMargin& margin) {
   const double most = line.tube_radius() - margin.inner_m;  // from the centre circle
@@ -189,7 +211,8 @@ double inside_tube(const Line& line, const Clearance& start, double limit,
     const double distance = line.tube_radius() - now.height;
     const double to_nearest = distance * now.slope;
     const double beyond = to_nearest * to_nearest + (most - distance) * (most + distance);
-    // Deep in the contact margin no farther than to where it is nearest to the centre circle.
+    // From deep in the contact margin it moves no farther than to where it is nearest to the centre
+    // circle.
     travel += to_nearest + (clear ? std::sqrt(std::max(0.0, beyond)) : 0.0);
     if (travel >= limit) {
       return limit;

@@ -1,5 +1,5 @@
 // Sweeps a sphere along a straight line against a primitive, as sphere_sweep.h does against a
-// triangle.
+// triangle. The candidate sweep and the object sweep use it.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,6 @@
-// Sweeps a sphere along a straight line against a triangle: time of impact by travel.
+// Sweeps a sphere along a straight line against a triangle: time of impact by travel. The candidate
+// sweep, the object sweep and the feature walk use it; primitive_sweep.h does the same for
+// primitives.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +23,20 @@ struct ContactMargin {
         rest_m(tool_radius_m + 0.5e-6),
         reach_m(tool_radius_m + 0.75e-6) {}
 
+  // The four distances of the centre from a surface, m, in rising order. Nothing brings the centre
+  // below `inner_m`.
   double inner_m;
   double stop_m;
   double rest_m;
-  double reach_m;  // a triangle nearer than this is in contact
+  // A surface nearer than this is in contact.
+  double reach_m;
 };
 
 // The contact margins of the tool as a sphere and as a point; each object uses one of the two.
 struct ContactMargins {
   explicit ContactMargins(double tool_radius_m) : sphere(tool_radius_m) {}
 
+  // Returns the margin for an object that meets the tool as a point or as a sphere.
   [[nodiscard]] const ContactMargin& of(bool point_tool) const {
     return point_tool ? point : sphere;
   }
@@ -42,6 +48,7 @@ struct ContactMargins {
   ContactMargin point{0.0};
 };
 
+// A straight line of motion of the sphere's centre; its length is the caller's.
 struct Sweep {
   Vec3 from = Vec3::Zero();        // m
   Vec3 direction = Vec3::UnitX();  // unit
@@ -53,6 +60,7 @@ class SeparatingPlanes {
  public:
   SeparatingPlanes(Vec3 from, Vec3 to) : from_(std::move(from)), to_(std::move(to)) {}
 
+  // The planes that can hold a sphere.
   static constexpr std::size_t kMost = 3;
 
   // Adds the plane with this unit normal that touches the segment. At most kMost planes.

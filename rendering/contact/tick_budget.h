@@ -1,4 +1,6 @@
-// The tick budget: bounds the computation of the shared proxy in one tick, in cost units.
+// The tick budget: bounds the computation of the shared proxy in one tick, in cost units. Time
+// itself is no bound: it differs from run to run, and a recorded tick must give the same bits
+// again. CandidateSet owns the budget; gathering, measuring and sweeping spend it.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +41,16 @@ inline constexpr std::size_t kCostOfGathering = 25;
 // tick with more to do, such as the first of a contact, may spend what was saved, up to
 // kMaxTickBudget in all. A tick that is repeated for shading or textures may spend kMaxTickBudget
 // whatever was saved.
+//
+//   saved <- min(max(saved - beyond * kTicksPerSavedUnit, 0) + 1, kMaxSaved)
+//   limit <- min(kUsualTickBudget + saved / kTicksPerSavedUnit, kMaxTickBudget)
+//
+// `saved` is in tenths of a unit, one per tick; `beyond` is what the last tick spent over
+// kUsualTickBudget. So a tick that spends 100 units more is paid for by 1,000 later ones, and the
+// time of all but few ticks is that of kUsualTickBudget.
 class TickBudget {
  public:
+  // Begins a tick: pays for the last one from what was saved, and sets the limit of this one.
   void begin_tick() {
     const std::size_t beyond = spent_ - std::min(spent_, kUsualTickBudget);
     saved_ -= std::min(saved_, beyond * kTicksPerSavedUnit);
@@ -51,21 +61,28 @@ class TickBudget {
 
   // Returns true if the cost so far can be spent once more within kMaxTickBudget.
   [[nodiscard]] bool can_repeat() const { return 2 * spent_ <= kMaxTickBudget; }
+  // Raises the tick's limit to kMaxTickBudget, for a repetition of the tick.
   void allow_repeat() { limit_ = kMaxTickBudget; }
 
+  // Adds a cost. Spending never fails: the code that spends asks is_exhausted() where it can stop.
   void spend(std::size_t cost) { spent_ += cost; }
+  // Returns the units spent in this tick, and those that are left of its limit.
   [[nodiscard]] std::size_t spent() const { return spent_; }
   [[nodiscard]] std::size_t left() const { return limit_ - std::min(spent_, limit_); }
+  // Returns true if the tick has spent more than its limit.
   [[nodiscard]] bool is_exhausted() const { return spent_ > limit_; }
 
+  // Saves the budget to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:
   static constexpr std::size_t kMaxSaved = kMaxSavedBudget * kTicksPerSavedUnit;
 
+  // The units spent in this tick, and the most that it may spend. A new budget has all savings.
   std::size_t spent_ = 0;
   std::size_t limit_ = kMaxTickBudget;
-  std::size_t saved_ = kMaxSaved;  // units times kTicksPerSavedUnit
+  // The savings in units times kTicksPerSavedUnit.
+  std::size_t saved_ = kMaxSaved;
 };
 
 }  // namespace tactus::rendering

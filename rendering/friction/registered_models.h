@@ -35,7 +35,7 @@ static_assert(kFrictionKindOf<FrictionConeModel> == FrictionKind::cone &&
               kFrictionKindOf<LugreModel> == FrictionKind::lugre &&
               kFrictionKindOf<ElastoPlasticModel> == FrictionKind::elasto_plastic);
 
-// What a model says of itself.
+// The description of a model, as it gives it.
 struct FrictionModelTraits {
   FrictionKind kind;
   std::string_view name;   // of --model, and of `model` in TOML

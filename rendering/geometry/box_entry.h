@@ -1,4 +1,6 @@
-// Finds where a ray enters the boxes of a hierarchy, two boxes at once.
+// Finds where a ray enters the boxes of a hierarchy, two boxes at once: the slab method (Kay and
+// Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986) in the lanes of a vector. visit_along() of
+// hierarchy_query.h uses it.
 #pragma once
 
 #include <limits>
@@ -8,7 +10,8 @@
 
 namespace tactus::rendering {
 
-// A ray that is tested against the boxes of a hierarchy.
+// A ray that is tested against the boxes of a hierarchy. Everything is rounded so that no box that
+// the exact ray enters is missed.
 class BoxEntry {
  public:
   // The ray starts at `from` along a unit direction; boxes are grown by the margin, m.
@@ -23,7 +26,7 @@ class BoxEntry {
   [[nodiscard]] Pair into(const BvhNode& first, const BvhNode& second, double limit) const {
     const Slabs a = slabs(first);
     const Slabs b = slabs(second);
-    // Past each other by what rounding may have done.
+    // Rounding may have made the entry late or the exit early; both are moved past it.
     constexpr float kRounding = 1e-6F;
     const Floats enter = (1.0F - kRounding) * most(transposed(a.near, b.near, most), Floats{});
     const Floats leave = least((1.0F + kRounding) * transposed(a.far, b.far, least),
@@ -33,6 +36,7 @@ class BoxEntry {
   }
 
  private:
+  // The travels at which the ray is between the two planes of each axis, m.
   struct Slabs {
     Floats near;
     Floats far;
@@ -51,7 +55,9 @@ class BoxEntry {
     return best(best(xy, z), __builtin_shufflevector(xy, xy, 2, 3, 2, 3));
   }
 
-  Floats from_lower_{};  // less the margin
+  // The start of the ray, less and plus the margin, and the inverse of its direction.
+  // The start of the ray, less and plus the margin, and the inverse of its direction.
+  Floats from_lower_{};
   Floats from_upper_{};
   Floats inverse_{};
 };

@@ -6,10 +6,12 @@
 namespace tactus::rendering {
 namespace {
 
+// A travel that leaves every capsule.
 constexpr double kFar_m = 1e9;
 
 // Returns where q + t d leaves the sphere of radius r about the origin, from a q inside: the larger
-// root of a t^2 + 2 b t + c, with c <= 0.
+// root of a t^2 + 2 b t + c, with c <= 0. It takes the one of two forms of the root that adds
+// numbers of the same sign, so that nothing cancels.
 double larger_root(double a, double b, double c) {
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   return b > 0.0 ? -c / (b + root) : (root - b) / a;
@@ -25,20 +27,22 @@ double Capsule::depth(const Vec3& p) const {
   return radius - (from_start - along * axis).norm();
 }
 
-// Through the cylinder without ends, unless that is beyond one of the ends: then through the sphere
-// there.
+// The ray leaves through the cylinder without ends, unless that is beyond one of the ends: then it
+// leaves through the sphere there.
 double Capsule::room_along(const Vec3& p, const Vec3& direction) const {
   const Vec3 from_start = p - start;
   const double squared_length = axis.squaredNorm();
   const double squared_radius = radius * radius;
-  double along = 0.0;  // where it leaves, as a share of the axis
+  // The place where the ray leaves, as a share of the axis.
+  double along = 0.0;
   if (squared_length > 0.0) {
     const double p_along = from_start.dot(axis) / squared_length;
     const double d_along = direction.dot(axis) / squared_length;
     const Vec3 q = from_start - p_along * axis;
     const Vec3 d = direction - d_along * axis;
     const double a = d.squaredNorm();
-    constexpr double kAlongAxis = 1e-18;  // then it leaves through an end for certain
+    // A ray along the axis leaves through an end for certain.
+    constexpr double kAlongAxis = 1e-18;
     const double travel =
         a > kAlongAxis ? larger_root(a, q.dot(d), q.squaredNorm() - squared_radius) : kFar_m;
     along = p_along + travel * d_along;

@@ -12,13 +12,16 @@
 
 namespace tactus::rendering {
 
+// The four lanes of a vector register; the comparison of two Floats gives Integers.
 using Floats [[gnu::vector_size(16)]] = float;
 using Integers [[gnu::vector_size(16)]] = std::int32_t;
 
+// Returns the value in all four lanes.
 inline Floats all(float value) {
   return Floats{value, value, value, value};
 }
 
+// Loads four floats from any address.
 inline Floats floats_at(const float* place) {
   Floats floats;
   std::memcpy(&floats, place, sizeof floats);
@@ -30,7 +33,7 @@ inline Floats aligned_floats_at(const float* place) {
   return floats_at(std::assume_aligned<alignof(Floats)>(place));
 }
 
-// Returns a bit for every lane that holds; all bits of a lane must be equal.
+// Returns a bit for every lane that holds, lane 0 in the lowest; all bits of a lane must be equal.
 inline std::uint32_t which(Integers answers) {
 #ifdef __SSE__
   return static_cast<std::uint32_t>(__builtin_ia32_movmskps(std::bit_cast<Floats>(answers)));
@@ -46,7 +49,7 @@ inline std::uint32_t lowest(std::uint32_t bits) {
   return static_cast<std::uint32_t>(std::countr_zero(bits));
 }
 
-// Returns the smaller lane by lane; no lane may be NaN.
+// Return the smaller and the larger, lane by lane; no lane may be NaN.
 inline Floats least(Floats a, Floats b) {
   return a < b ? a : b;
 }
@@ -54,31 +57,36 @@ inline Floats most(Floats a, Floats b) {
   return a > b ? a : b;
 }
 
+// Returns the absolute values: the sign bits are cleared.
 inline Floats magnitude(Floats a) {
   return std::bit_cast<Floats>(std::bit_cast<Integers>(a) & 0x7fff'ffff);
 }
 
+// Returns the square roots; no lane may be negative.
 inline Floats root(Floats squared) {
   return Floats{std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]),
                 std::sqrt(squared[3])};
 }
 
-// Four points or directions.
+// Four points or directions, component by component: lane i of x, y and z is vector i.
 struct FourVectors {
   Floats x;
   Floats y;
   Floats z;
 };
 
+// Returns the four dot products.
 inline Floats dot(const FourVectors& a, const FourVectors& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+// Returns one vector, rounded to float, four times.
 inline FourVectors four(const Vec3& v) {
   return {all(static_cast<float>(v.x())), all(static_cast<float>(v.y())),
           all(static_cast<float>(v.z()))};
 }
 
+// Returns four vectors side by side: a transposition of 4 x 3 numbers.
 inline FourVectors four(const Float3& a, const Float3& b, const Float3& c, const Float3& d) {
   const Floats va{a.x, a.y, a.z, 0.0F};
   const Floats vb{b.x, b.y, b.z, 0.0F};

@@ -1,7 +1,13 @@
-// Questions to a bounding-volume hierarchy. Fixed stacks, no recursion; a visitor is called with
-// the index of each triangle in the leaves that the query reaches, or its leaf() with each such
-// leaf, and its boxes() with how many pairs of boxes were looked at. (Templates so that the visitor
-// is inlined.)
+// Questions to a bounding-volume hierarchy. They have fixed stacks and no recursion. They are
+// templates so that the visitor is inlined.
+//
+// A visitor gives the question its reach and takes the answers:
+//
+//   operator()(t)   is called with the index of each triangle in the leaves that are reached; or
+//   leaf(node)      with each such leaf instead
+//   reach()         returns the distance that counts, m; it may shrink while the walk goes on
+//   boxes(pairs)    optional: is told how many pairs of boxes were looked at, for a budget
+//   exhausted()     optional: returns true to end the walk
 #pragma once
 
 #include <algorithm>
@@ -20,13 +26,14 @@
 
 namespace tactus::rendering {
 
+// Returns a triangle of the mesh, in the mesh's frame, m.
 inline Triangle triangle_of(const MeshView& mesh, std::uint32_t t) {
   const TriangleIndices& corners = mesh.triangles[t];
   return {to_vec3(mesh.vertices[corners[0]]), to_vec3(mesh.vertices[corners[1]]),
           to_vec3(mesh.vertices[corners[2]])};
 }
 
-// Squared distance from p to the node's box, 0 inside.
+// Returns the squared distance from p to the node's box, m^2; 0 inside.
 inline double squared_distance(const BvhNode& node, const Vec3& p) {
   const double x = std::max(
       {static_cast<double>(node.lower.x) - p.x(), 0.0, p.x() - static_cast<double>(node.upper.x)});
@@ -37,8 +44,8 @@ inline double squared_distance(const BvhNode& node, const Vec3& p) {
   return x * x + y * y + z * z;
 }
 
-// Every triangle whose leaf box comes within visitor.reach() of p, nearer boxes first where that is
-// free to know. The reach may shrink while the walk goes on.
+// Visits every triangle whose leaf box comes within visitor.reach() of p. The nearer of two
+// siblings comes first, so that a reach that shrinks soon rules out the rest.
 template <class Visitor>
 void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor) {
   struct Pending {
@@ -73,7 +80,7 @@ void visit_near(std::span<const BvhNode> nodes, const Vec3& p, Visitor&& visitor
   }
 }
 
-// Every triangle whose leaf box comes within the reach of the box about p with the half sides
+// Visits every triangle whose leaf box comes within `reach` of the box about p with the half sides
 // `half`, in no order.
 template <class Visitor>
 void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& half, double reach,
@@ -84,10 +91,10 @@ void visit_all_near(std::span<const BvhNode> nodes, const Vec3& p, const Vec3& h
   go_on_walking(nodes, box, left, visitor);
 }
 
-// Every triangle whose leaf box, grown by `margin`, the segment from `from` along the unit
-// `direction` enters before visitor.reach(); nearer boxes first. The reach may shrink while the
-// walk goes on. Where the visitor says that it is exhausted(), the walk ends; returned is the
-// travel up to which every triangle has been visited, infinity after a whole walk.
+// Visits every triangle whose leaf box, grown by `margin`, is entered by the segment from `from`
+// along the unit `direction` before visitor.reach(); nearer boxes first. The reach may shrink while
+// the walk goes on. If the visitor says that it is exhausted(), the walk ends. Returns the travel
+// up to which every triangle has been visited, m: infinity after a whole walk.
 template <class Visitor>
 double visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3& direction,
                    double margin, Visitor&& visitor) {
@@ -109,6 +116,7 @@ double visit_along(std::span<const BvhNode> nodes, const Vec3& from, const Vec3&
     }
     if constexpr (requires { visitor.exhausted(); }) {
       if (visitor.exhausted()) {
+        // The nearest box that waits bounds what is known: no triangle before its entry is missing.
         float soonest = pending.entry;
         for (std::size_t i = 0; i < depth; ++i) {
           soonest = std::min(soonest, stack[i].entry);

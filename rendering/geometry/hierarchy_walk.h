@@ -1,4 +1,10 @@
 // A walk to all leaves of a hierarchy that come near a place, which can be left and taken up again.
+// The gathering of candidates walks in this manner, over several ticks in a dense place
+// (rendering/contact/candidate_set_gather.cpp).
+//
+// A hierarchy of a large mesh lies in memory that is not in a cache, so the time of a walk is the
+// time until its boxes arrive. The walk therefore goes breadth first: the next boxes are known, and
+// prefetched, long before their turn.
 #pragma once
 
 #include <array>
@@ -13,7 +19,7 @@
 
 namespace tactus::rendering {
 
-// Reports to a visitor that counts them how many pairs of boxes were looked at.
+// Tells a visitor that counts them how many pairs of boxes were looked at.
 template <class Visitor>
 void count_boxes(Visitor& visitor, std::uint32_t pairs) {
   if constexpr (requires { visitor.boxes(pairs); }) {
@@ -21,6 +27,7 @@ void count_boxes(Visitor& visitor, std::uint32_t pairs) {
   }
 }
 
+// Gives a leaf to the visitor: whole to one that has leaf(), else triangle by triangle.
 template <class Visitor>
 void visit_leaf(const BvhNode& leaf, Visitor& visitor) {
   if constexpr (requires { visitor.leaf(leaf); }) {
@@ -41,14 +48,17 @@ inline void fetch_below(std::span<const BvhNode> nodes, const BvhNode& first,
   __builtin_prefetch(std::bit_cast<const void*>(start + second.first * sizeof(BvhNode)));
 }
 
-// The nodes that a walk has still to look at, in a ring: the first comes first, so that the next
-// ones are known long before their turn, and where one waits for memory the others go on. With more
+// The nodes that a walk has still to look at, in a ring. The first comes first, so that the next
+// ones are known long before their turn, and while one waits for memory the others go on. With more
 // than kRoomy waiting the last comes first, which adds no more than one a level.
 struct WalkLeft {
   static constexpr std::uint32_t kRoomy = 128;
-  static constexpr std::uint32_t kLeaves = 32;  // that are visited together
+  // The leaves that are visited together: their triangles are looked at in one go.
+  static constexpr std::uint32_t kLeaves = 32;
+  // The most nodes that a walk leaves: those before it turned depth first, one a level, the leaves
+  // found.
   static constexpr std::uint32_t kMostLeft = kRoomy + kMaxHierarchyDepth + kLeaves + 2;
-  // A walk may begin with all that one can leave.
+  // The ring's places, a power of two. A walk may begin with all that one can leave.
   static constexpr std::uint32_t kPlaces = 512;
   static_assert(kMostLeft + kMaxHierarchyDepth + kLeaves + 2 <= kPlaces);
 
@@ -56,12 +66,15 @@ struct WalkLeft {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 
+  // Returns the number of nodes that are left.
   [[nodiscard]] std::uint32_t count() const { return end - begin; }
+  // Returns the node at a place of the ring; places only grow, and wrap round in at().
   [[nodiscard]] std::uint32_t& at(std::uint32_t place) { return nodes[place % kPlaces]; }
   void clear() { begin = end = 0; }
   void add(std::uint32_t node) { at(end++) = node; }
 };
 
+// Begins a walk at the root, if the box comes near it.
 inline void begin_walk(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left) {
   left.clear();
   if (!nodes.empty() && box.near(nodes[0])) {
@@ -69,12 +82,13 @@ inline void begin_walk(std::span<const BvhNode> nodes, const NearBox& box, WalkL
   }
 }
 
+// The number of leaves found, and of the pairs of boxes that were looked at for them.
 struct LeavesFound {
   std::uint32_t leaves = 0;
   std::uint32_t pairs = 0;  // of boxes that were looked at
 };
 
-// Takes from what is left until kLeaves leaves, or all, are found that are near.
+// Takes nodes from what is left until kLeaves leaves that are near, or all of them, are found.
 inline LeavesFound find_leaves(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
                                std::span<std::uint32_t, WalkLeft::kLeaves + 2> leaves) {
   std::uint32_t found = 0;
@@ -84,13 +98,14 @@ inline LeavesFound find_leaves(std::span<const BvhNode> nodes, const NearBox& bo
   while (begin != end && found < WalkLeft::kLeaves) {
     const std::uint32_t number = left.at(end - begin > WalkLeft::kRoomy ? --end : begin++);
     const BvhNode& node = nodes[number];
-    if (node.is_leaf()) {  // the root, or one that was left
+    // The root may be a leaf, and a walk that was left may have put leaves back.
+    if (node.is_leaf()) {
       leaves[found++] = number;
       continue;
     }
     // Which of the two is near, and which is a leaf, nobody can predict: both are written to both
-    // lists, and what is not wanted there is written over. What a leaf has fetched is no node, and
-    // not looked at.
+    // lists, and what is not wanted there is written over. A leaf has no children, and what it
+    // prefetches is not looked at.
     ++pairs;
     const BvhNode& first = nodes[node.first];
     const BvhNode& second = nodes[node.first + 1];
@@ -110,8 +125,8 @@ inline LeavesFound find_leaves(std::span<const BvhNode> nodes, const NearBox& bo
   return {.leaves = found, .pairs = pairs};
 }
 
-// Every triangle whose leaf comes near the box, in no order. Where the visitor says after a leaf
-// that it is exhausted(), the walk stops and can go on later from what is left.
+// Visits every triangle whose leaf comes near the box, in no order. If the visitor says after a
+// leaf that it is exhausted(), the walk stops and can go on later from what is left.
 template <class Visitor>
 void go_on_walking(std::span<const BvhNode> nodes, const NearBox& box, WalkLeft& left,
                    Visitor&& visitor) {

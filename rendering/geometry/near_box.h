@@ -1,4 +1,5 @@
 // Tests whether the boxes of a hierarchy come near a place, two boxes at once and without a branch.
+// The walk of hierarchy_walk.h uses it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace tactus::rendering {
 // A box about a point that is tested against the boxes of a hierarchy.
 class NearBox {
  public:
-  // `half` are the half sides of the box about p.
+  // The box about p (m) has the half sides `half`; `reach` is the distance, m, that counts as near.
   NearBox(const Vec3& p, const Vec3& half, double reach) {
     // The reach grows by the rounding to float.
     constexpr double kRounding = 4e-7;
@@ -25,6 +26,7 @@ class NearBox {
     }
   }
 
+  // Returns true if the node's box comes within reach. Rounding only adds boxes.
   [[nodiscard]] bool near(const BvhNode& node) const {
     const Floats squared = squared_gaps(node);
     return squared[0] + squared[2] + squared[1] <= squared_reach_;
@@ -46,14 +48,16 @@ class NearBox {
   }
 
  private:
-  // Along each axis; the last is 0.
+  // Returns the squared gaps between the two boxes along each axis, m^2, 0 where they overlap; the
+  // last lane is 0.
   [[nodiscard]] Floats squared_gaps(const BvhNode& node) const {
     const Floats gap =
         most(most(floats_at(&node.lower.x) - upper_, lower_ - floats_at(&node.upper.x)), Floats{});
     return gap * gap;
   }
 
-  // Beside the corners of a node stand integers: whatever they are, this box reaches past them.
+  // In memory an integer stands beside each corner of a node, and is loaded with it as a fourth
+  // float: whatever it is, this box reaches past it.
   Floats lower_{0.0F, 0.0F, 0.0F, -std::numeric_limits<float>::infinity()};
   Floats upper_{0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity()};
   float squared_reach_ = 0.0F;

@@ -12,16 +12,19 @@
 namespace tactus::rendering {
 namespace {
 
+// The rounding of a result, as a share of the lengths involved.
 constexpr float kSegmentRounding = 1e-6F;
 // A shorter gap may have a square of zero, and its direction is not used.
 constexpr float kLeastSquaredGap = 1e-30F;
 
+// Returns one corner of each of four triangles.
 FourVectors corners(const MeshView& mesh, const std::array<const TriangleIndices*, 4>& triangles,
                     std::size_t corner) {
   return four(mesh.vertices[(*triangles[0])[corner]], mesh.vertices[(*triangles[1])[corner]],
               mesh.vertices[(*triangles[2])[corner]], mesh.vertices[(*triangles[3])[corner]]);
 }
 
+// Returns the largest component of each vector.
 Floats largest(const FourVectors& v) {
   return most(most(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
@@ -55,10 +58,14 @@ NearSegment::Four NearSegment::bounds(const MeshView& mesh, std::uint32_t first,
   constexpr float kThird = 1.0F / 3.0F;
   const FourVectors middle{kThird * (a.x + b.x + c.x), kThird * (a.y + b.y + c.y),
                            kThird * (a.z + b.z + c.z)};
+  // The point of the segment nearest to each triangle's middle, as a share of the length.
   const Floats part = least(most(dot(middle, segment_by_squared_), all(0.0F)), all(1.0F));
   const FourVectors offset{part * segment_.x - middle.x, part * segment_.y - middle.y,
                            part * segment_.z - middle.z};
   const Floats squared = dot(offset, offset);
+  // `offset` points from the triangle's middle to that point. `behind` is the height of the
+  // triangle's highest corner along it, and `distance` that of the segment's lower end over it,
+  // both times |offset|: comparing squares needs no root.
   const Floats behind = most(most(dot(offset, a), dot(offset, b)), dot(offset, c));
   const Floats distance = least(dot(offset, segment_), all(0.0F)) - behind;
   const Floats size = most(most(largest(a), largest(b)), largest(c));
@@ -67,6 +74,7 @@ NearSegment::Four NearSegment::bounds(const MeshView& mesh, std::uint32_t first,
   const Integers directed = squared > kLeastSquaredGap;
   const Integers far = (distance > 0.0F) & (distance * distance > reach * reach * squared);
   Four four{.near = which(~(far & directed))};
+  // The plane in front of the triangle, for those that are near: unit normal and height.
   if (four.near != 0) {
     const Floats over = directed ? (1.0F - kSegmentRounding) / root(squared) : all(0.0F);
     four.normal = {over * offset.x, over * offset.y, over * offset.z};

@@ -1,4 +1,5 @@
-// Tests whether triangles come near a straight segment, four triangles at a time.
+// Tests whether triangles come near a straight segment, four triangles at a time. Gathering tests
+// the capsule's axis, and the object sweep the rest of its line.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 
 namespace tactus::rendering {
 
+// One segment, prepared in floats. near_segment.cpp derives the test and its rounding.
 class NearSegment {
  public:
   // The segment goes from `start` to start + segment, which may be zero; m. `reach` is the distance
@@ -41,6 +43,7 @@ class NearSegment {
   }
 
  private:
+  // The answers for four triangles: `near` has a bit for each that may be near.
   struct Four {
     std::uint32_t near;  // which
     FourVectors normal;
@@ -50,12 +53,16 @@ class NearSegment {
   // Returns the bounds of four triangles from `first` on; the last one is repeated if there are
   // fewer.
   [[nodiscard]] Four bounds(const MeshView& mesh, std::uint32_t first, std::uint32_t last) const;
+  // Returns points relative to the segment's start, with an error relative to the result.
   [[nodiscard]] FourVectors from_start(const FourVectors& p) const;
 
-  FourVectors start_;       // to the nearest float
+  // The start, to the nearest float, and what that leaves of it.
+  FourVectors start_;
   FourVectors start_rest_;  // what that leaves of it
   FourVectors segment_;
-  FourVectors segment_by_squared_;  // over its squared length
+  // The segment over its squared length: its dot product with a point is the point's share of the
+  // length.
+  FourVectors segment_by_squared_;
   float reach_ = 0.0F;
 };
 

@@ -12,12 +12,14 @@
 namespace tactus::rendering {
 namespace {
 
+// A solution: the step from h and the planes that hold it.
 struct Solution {
   PlaneSolution<double> at;
   std::array<std::uint8_t, 3> active{};
   std::uint8_t count = 0;
 };
 
+// The tool and the planes.
 struct Problem {
   const Vec3& h;
   std::span<const Plane> planes;
@@ -25,7 +27,7 @@ struct Problem {
   [[nodiscard]] const Plane& active(const Solution& s, std::size_t i) const {
     return planes[s.active[i]];
   }
-  // Negative where the step leaves plane i violated.
+  // Returns how far h + step is in front of plane i, m; negative if it violates the plane.
   [[nodiscard]] double slack(std::size_t i, const Vec3& step) const {
     return planes[i].normal.dot(step) - planes[i].residual(h);
   }
@@ -33,6 +35,7 @@ struct Problem {
   [[nodiscard]] double rounding(const Vec3& step) const { return 4e-16 * (h.norm() + step.norm()); }
 };
 
+// Solves for the planes that are listed in `s`. Returns true if all of them push.
 bool solve(const Problem& problem, Solution& s) {
   switch (s.count) {
     case 1:
@@ -50,8 +53,8 @@ bool contains(const Solution& s, std::uint8_t plane) {
          s.active.begin() + s.count;
 }
 
-// The largest violation that `trial` leaves among the planes of `base` and the entering plane, 0 if
-// none.
+// Returns the largest violation that `trial` leaves among the planes of `base` and the entering
+// plane, 0 if none.
 double violation_within(const Problem& problem, const Solution& base, std::uint8_t entering,
                         const Solution& trial) {
   double worst = contains(trial, entering) ? 0.0 : -problem.slack(entering, trial.at.step);
@@ -63,9 +66,12 @@ double violation_within(const Problem& problem, const Solution& base, std::uint8
   return worst;
 }
 
-// The minimum over the planes of `base` and the entering one: the subset with positive pressures
-// that violates the rest least. False if no subset qualifies.
+// Replaces `base` by the minimum over its planes and the entering one: the subset with positive
+// pressures that violates the rest least. Returns false if no subset qualifies. All subsets hold
+// the entering plane, as the old solution violates it.
 bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
+  // Bit i stands for plane i of `base`. The single planes come before the pairs: they are cheaper,
+  // and mostly enough.
   constexpr std::array<std::uint8_t, 7> kSubsets{0b000, 0b001, 0b010, 0b100, 0b011, 0b101, 0b110};
   Solution best;
   double best_violation = std::numeric_limits<double>::infinity();
@@ -96,7 +102,7 @@ bool exchange(const Problem& problem, std::uint8_t entering, Solution& base) {
   return best.count != 0;
 }
 
-// Nearly every tick.
+// Projects on a single plane, which is the case of nearly every tick.
 PlaneProjection project_on_one(const Problem& problem) {
   PlaneSolution<double> s;
   const bool pushes = solve_one_plane(problem.h, problem.planes[0], s) &&
@@ -111,7 +117,8 @@ PlaneProjection project_on_one(const Problem& problem) {
 
 PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) {
   constexpr double kRounding_m = 1e-12;
-  constexpr double kNearParallel = 1e-9;  // what nearly parallel planes make of that rounding
+  // The share of the step that nearly parallel planes make of that rounding.
+  constexpr double kNearParallel = 1e-9;
   // Between nearly parallel planes the distance grows by less than it can be told apart: such
   // exchanges are allowed, but few.
   constexpr double kUnclear = 1e-9;
@@ -121,12 +128,14 @@ PlaneProjection project_on_planes(const Vec3& h, std::span<const Plane> planes) 
   if (planes.size() == 1) {
     return project_on_one(problem);
   }
+  // The search ends by itself; this bounds its time whatever rounding does.
   const std::size_t most_exchanges = 8 + 4 * planes.size();
   Solution solution;
   PlaneProjection result;
   result.feasible = false;
   for (std::size_t k = 0; k < most_exchanges; ++k) {
     double worst = -problem.rounding(solution.at.step);
+    // The plane that the solution violates most enters.
     std::size_t entering = planes.size();
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const double slack = problem.slack(i, solution.at.step);

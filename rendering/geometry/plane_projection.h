@@ -1,5 +1,6 @@
 // The point nearest to the tool that satisfies a set of plane constraints (Zilles and Salisbury, "A
-// constraint-based god-object method for haptic display", IROS 1995).
+// constraint-based god-object method for haptic display", IROS 1995). The proxy's sub-goals, the
+// carrying of the proxy and the tracking of implicit surfaces use it.
 #pragma once
 
 #include <array>
@@ -11,18 +12,22 @@
 
 namespace tactus::rendering {
 
+// A plane constraint in double precision: normal . x >= offset.
 using Plane = HalfSpace<double>;
 
 // The minimum of |point - h|^2 over the planes. point = h + sum of pressure_m[i] * normal of plane
 // active[i].
 struct PlaneProjection {
+  // The nearest point, in the frame of the planes, m.
   Vec3 point = Vec3::Zero();
-  std::array<std::uint8_t, 3> active{};  // indices of the planes that hold the point
+  // The indices of the planes that hold the point, the first `active_count`.
+  std::array<std::uint8_t, 3> active{};
   std::array<double, 3>
       pressure_m{};  // Lagrange multipliers, > 0: how far each active plane pushes
   std::uint8_t active_count = 0;
-  bool feasible = true;  // false: the planes contradict each other; `point` is the best found and
-                         // must not be trusted
+  // False if the planes contradict each other: `point` is then the best found and must not be
+  // trusted.
+  bool feasible = true;
 };
 
 // Projects h on at most 255 planes. Bounded time: a fixed number of exchanges, each of seven

@@ -29,7 +29,8 @@ template <class Scalar>
 struct HalfSpace {
   using Vector = Eigen::Matrix<Scalar, 3, 1>;
   Vector normal = Vector::UnitY();
-  Scalar offset = Scalar(0);  // m
+  // The plane's distance from the origin along the normal, m.
+  Scalar offset = Scalar(0);
 
   // Returns how far x would have to move along the normal to reach the plane, m.
   [[nodiscard]] Scalar residual(const Vector& x) const { return offset - normal.dot(x); }
@@ -37,8 +38,10 @@ struct HalfSpace {
 
 template <class Scalar>
 struct PlaneSolution {
-  Eigen::Matrix<Scalar, 3, 1> step = Eigen::Matrix<Scalar, 3, 1>::Zero();  // from h, m
-  std::array<Scalar, 3> pressure{};                                        // m
+  // The step from h to the point, m.
+  Eigen::Matrix<Scalar, 3, 1> step = Eigen::Matrix<Scalar, 3, 1>::Zero();
+  // The Lagrange multipliers: how far each plane pushes, m.
+  std::array<Scalar, 3> pressure{};
 };
 
 // Returns true if the plane is active; otherwise h is in front of it.
@@ -50,11 +53,13 @@ bool solve_one_plane(const Eigen::Matrix<Scalar, 3, 1>& h, const HalfSpace<Scala
   return s.pressure[0] > Scalar(0);
 }
 
-// The first two planes, as seen from h.
+// The first two planes, as seen from h: the terms that two and three planes share.
 template <class Scalar>
 struct Crease {
   using Vector = Eigen::Matrix<Scalar, 3, 1>;
 
+  // Prepares both planes. The cross product is taken with the sum or the difference of the normals,
+  // which nearly cancel, and not with the second normal (see above).
   Crease(const Vector& h, const HalfSpace<Scalar>& first, const HalfSpace<Scalar>& second)
       : cosine(first.normal.dot(second.normal)),
         along(first.normal.cross(cosine < Scalar(0) ? Vector(second.normal + first.normal)
@@ -67,12 +72,18 @@ struct Crease {
   // Returns true if the angle is rounding, or so small that either plane is as good as both.
   [[nodiscard]] bool parallel() const { return squared_sine < Scalar(1e-22); }
 
+  // The cosine of the angle between the normals.
   Scalar cosine;
-  Vector along;         // g
-  Vector across;        // e
-  Scalar squared_sine;  // g^2
-  Scalar residual;      // r1
-  Scalar travel;        // a g^2
+  // The direction g of the crease, not unit.
+  Vector along;
+  // The direction e in the first plane across the crease, of the length of g.
+  Vector across;
+  // g^2: the squared sine of the angle between the normals.
+  Scalar squared_sine;
+  // r1: the distance of h below the first plane, m.
+  Scalar residual;
+  // a g^2: the way across that is left to the second plane, times g^2.
+  Scalar travel;
 };
 
 // Returns true if both planes are active; otherwise one of them is enough. False also for parallel

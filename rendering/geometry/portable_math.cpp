@@ -1,3 +1,6 @@
+// Each function reduces its argument to a short interval, exactly or in two parts, and sums a
+// series there. There are only additions, multiplications and divisions, in a fixed order, so that
+// IEEE 754 determines every bit (with -ffp-contract=off).
 #include "rendering/geometry/portable_math.h"
 
 #include <algorithm>
@@ -46,6 +49,7 @@ double alternating_series(double r_squared, std::size_t first) {
   return sum;
 }
 
+// Returns 2^exponent, by its bits; the exponent must be that of a normal number.
 double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << kMantissaBits);
 }
@@ -58,6 +62,8 @@ SineCosine sine_cosine(double x) {
   if (!is_angle) {
     return {kNaN, kNaN};
   }
+  // x = quadrant * pi / 2 + r with |r| <= pi / 4. The quadrant is below 2^20, so its product with
+  // the high part is exact.
   const int quadrant = static_cast<int>(x * kTwoOverPi + (x < 0.0 ? -0.5 : 0.5));
   const double r = (x - quadrant * kHalfPiHigh) - quadrant * kHalfPiLow;
   const double sine = r * alternating_series(r * r, 1);
@@ -83,6 +89,7 @@ double exponential(double x) {
     }
     return x < 0.0 ? exponential(-kLargestExponent) : kNaN;
   }
+  // x = exponent * ln 2 + r with |r| <= ln(2) / 2, so e^x = 2^exponent e^r.
   const int exponent = static_cast<int>(x * kLog2OfE + (x < 0.0 ? -0.5 : 0.5));
   const double r = (x - exponent * kLn2High) - exponent * kLn2Low;
   // Even and odd powers are two chains that do not wait for each other.

@@ -5,22 +5,24 @@
 
 namespace tactus::rendering {
 
+// The sine and the cosine of one angle.
 struct SineCosine {
   double sine = 0.0;
   double cosine = 1.0;
 };
 
-// Within 4e-16 of the true values for |x| <= kLargestAngle; NaN for a larger or a non-finite one.
+// Returns sine and cosine of x (rad), within 4e-16 of the true values for |x| <= kLargestAngle; NaN
+// for a larger or a non-finite one.
 SineCosine sine_cosine(double x);
 inline constexpr double kLargestAngle = 1.0e6;
 
-// e^x, relative error below 1e-15 for |x| <= kLargestExponent. Beyond, x is taken as that limit, so
-// that the result is finite and above zero; NaN stays NaN.
+// Returns e^x with a relative error below 1e-15 for |x| <= kLargestExponent. Beyond, x is taken as
+// that limit, so that the result is finite and above zero; NaN stays NaN.
 double exponential(double x);
 inline constexpr double kLargestExponent = 700.0;
 
-// The natural logarithm, relative error below 1e-15 plus 1e-16 absolute. At or below
-// kSmallestLogarithmArgument the value there, about -708; NaN stays NaN, infinity infinity.
+// Returns the natural logarithm, with a relative error below 1e-15 plus 1e-16 absolute. At or below
+// kSmallestLogarithmArgument it is the value there, about -708; NaN stays NaN, infinity infinity.
 double logarithm(double x);
 inline constexpr double kSmallestLogarithmArgument = 0x1p-1022;
 

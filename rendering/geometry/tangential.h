@@ -5,7 +5,7 @@
 
 namespace tactus::rendering {
 
-// `normal` is the plane's, a unit vector.
+// Returns the part of v along the plane whose unit normal is `normal`.
 inline Vec3 tangential(const Vec3& v, const Vec3& normal) {
   return v - v.dot(normal) * normal;
 }

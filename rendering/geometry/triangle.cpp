@@ -32,6 +32,9 @@ Nearest Triangle::nearest(const Vec3& q) const {
   return nearest_on_border(q, inward);
 }
 
+// Only edges that have q outside can hold the nearest point. On each, the share `along` is 0 or 1
+// at a corner, so that corners are compared exactly and a vertex is told from an edge without a
+// tolerance.
 Nearest Triangle::nearest_on_border(const Vec3& q, const std::array<double, 3>& inward) const {
   Nearest best;
   double best_squared = std::numeric_limits<double>::infinity();

@@ -1,3 +1,8 @@
+// The fixed-point iteration for G. A pass with the stretch G ends with the normal n and the lean
+// that the detail asks for there; the error is d (n + lean) - G. Its part along n is corrected at
+// once. Its part across, the residual, is multiplied by the relaxation w, which two passes in a row
+// determine (Irons and Tuck): w <- -w r_old . (r - r_old) / |r - r_old|^2, the step at which the
+// line through both residuals is nearest to zero.
 #include "rendering/material/force_shading.h"
 
 #include <algorithm>
@@ -7,15 +12,16 @@
 namespace tactus::rendering {
 namespace {
 
-// A tenth of a micrometre: a tenth of a millinewton at 1000 N/m.
+// The offset is settled when it changes by less than this: a tenth of a millinewton at 1000 N/m.
 constexpr double kSettled_m = 1e-7;
 // The shortest step of the iteration, in units of the plain one, and how much longer the next tick
 // tries again.
 constexpr double kShortest = 0.05;
 constexpr double kLengthening = 1.5;
-// On an edge a pass leaves kDepthOfRadius / (1 - kDepthOfRadius) of the error.
+// The depth of a lifted goal in tool radii, s. On an edge a pass leaves s / (1 - s) of the error.
 constexpr double kDepthOfRadius = 0.25;
-// An edge has no rounding for a point. Much deeper than rounding errors all the same.
+// The least depth of a lifted goal. An edge has no rounding for a point, and any depth is too deep
+// there; this one is much deeper than rounding errors.
 constexpr double kLeastDepth_m = 20e-6;
 
 }  // namespace
@@ -40,12 +46,14 @@ void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes)
     reset();
     return;
   }
+  // The stretch keeps its direction from tick to tick and follows the depth.
   stretch_ *= depth / depth_m_;
   set_offset(depth);
 }
 
 void ForceShading::set_offset(double depth_m) {
   const double most = std::max(kDepthOfRadius * tool_radius_m_, kLeastDepth_m);
+  // The rest of the depth that the goal keeps below the plane.
   const double left = interpolated_ ? std::min(depth_m, most) : depth_m;
   depth_m_ = depth_m;
   lifted_from_m_ = left < depth_m ? depth_m : 0.0;
@@ -64,7 +72,8 @@ bool ForceShading::improve(const ShadedRest& rest) {
     reset();
     return false;
   }
-  if (!is_on()) {  // the proxy went straight to the tool
+  // The proxy went straight to the tool, so the stretch of this pass was along n.
+  if (!is_on()) {
     stretch_ = rest.depth_m * rest.normal_W;
   }
   const Vec3 error = rest.depth_m * (rest.normal_W + rest.lean) - stretch_;
@@ -88,6 +97,7 @@ bool ForceShading::improve(const ShadedRest& rest) {
 
 Vec3 lean_of(const Vec3& shading_normal, const Vec3& normal) {
   constexpr double kMostLean = 1.7320508075688772;  // tan 60 degrees
+  // m / (m . n) - n = (m - (m . n) n) / (m . n): the part of m across n, over the part along it.
   const double facing = shading_normal.dot(normal);
   const Vec3 across = tangential(shading_normal, normal);
   const double length = across.norm();

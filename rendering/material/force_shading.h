@@ -2,10 +2,10 @@
 // graphical environments", SIGGRAPH 1997): the proxy goes to its place on the interpolated planes,
 // and from there to the real ones, which alone decide where it may be.
 //
-// Here the first pass gives the second a goal. Where the proxy p rests on a plane of the normal n,
-// with the tool h at the depth d = (p - h) . n, and the interpolated normal is m, the two passes
-// come to rest when p - h is parallel to m: at p = h + G, G = d m / (m . n). The second pass is
-// given the goal
+// Here the first pass gives the second a goal. Let the proxy p rest on a plane of the normal n,
+// with the tool h at the depth d = (p - h) . n, and let the interpolated normal be m. The two
+// passes come to rest when p - h is parallel to m: at p = h + G, G = d m / (m . n). The second pass
+// is given the goal
 //
 //   g = h + G - d n
 //
@@ -31,12 +31,20 @@ namespace tactus::rendering {
 
 // A pass's outcome.
 struct ShadedRest {
-  Vec3 normal_W = Vec3::Zero();  // unit, of the joint push of the real planes
-  Vec3 lean = Vec3::Zero();      // G / d - n that the detail asks for
-  double depth_m = 0.0;          // (proxy - tool) . normal
-  bool interpolated = false;     // some plane is
+  // The direction of the joint push of the real planes, unit.
+  Vec3 normal_W = Vec3::Zero();
+  // G / d - n, which the detail asks for.
+  Vec3 lean = Vec3::Zero();
+  // (proxy - tool) . normal, m.
+  double depth_m = 0.0;
+  // True if one of the planes has interpolated normals.
+  bool interpolated = false;
 };
 
+// The iteration for one proxy. World frame for the shared proxy, the object's frame for others.
+//
+// A tick: begin(), a pass toward tool + offset(), improve() with its outcome, and again while that
+// returns true and the budget permits.
 class ForceShading {
  public:
   // Takes the radius of the tool, >= 0, and forgets the contact.
@@ -60,6 +68,7 @@ class ForceShading {
 
   // Returns the offset from the tool to the proxy's goal; world frame, m.
   [[nodiscard]] const Vec3& offset() const { return offset_; }
+  // Returns true if the goal is shifted.
   [[nodiscard]] bool is_on() const { return offset_ != Vec3::Zero(); }
   // Returns the tool's depth (m) if the goal is lifted, else 0.
   [[nodiscard]] double lifted_from_m() const { return lifted_from_m_; }
@@ -68,16 +77,24 @@ class ForceShading {
   void transfer(StateArchive& archive);
 
  private:
+  // Sets the offset for a proxy at this depth, lifted if that is too deep.
   void set_offset(double depth_m);
 
   double tool_radius_m_ = 0.0;
+  // n, the joint normal of the real planes after the last pass.
   Vec3 normal_ = Vec3::Zero();
-  Vec3 stretch_ = Vec3::Zero();  // G
-  double depth_m_ = 0.0;         // d, of the proxy that G is for
+  // G, the stretch that the force is to have; m.
+  Vec3 stretch_ = Vec3::Zero();
+  // d, the depth of the proxy that G is for; m.
+  double depth_m_ = 0.0;
+  // True if the planes are interpolated, so that a deep goal is lifted.
   bool interpolated_ = false;
+  // The offset of the goal, and the depth from which it is lifted (0: it is not); m.
   Vec3 offset_ = Vec3::Zero();
   double lifted_from_m_ = 0.0;
-  Vec3 residual_ = Vec3::Zero();  // of the pass before in this tick
+  // The residual of the pass before in this tick, if there is one, and the share of a step that is
+  // taken.
+  Vec3 residual_ = Vec3::Zero();
   bool has_residual_ = false;
   double relaxation_ = 1.0;
 };

@@ -1,4 +1,5 @@
-// The material of a surface: stiffness, damping and friction.
+// The material of a surface: stiffness, damping and friction. Every object has one; set_material of
+// the world may change it while the scene runs.
 #pragma once
 
 #include <cmath>
@@ -10,10 +11,13 @@ namespace tactus::rendering {
 
 // Friction that differs along and across a direction (grain.h): factors of the coefficients.
 struct MaterialGrain {
-  Float3 direction_O{1.0F, 0.0F, 0.0F};  // in the object's frame; not zero
-  double along = 1.0;                    // in [0, 1]
-  double across = 1.0;                   // in [0, 1]
+  // The direction of the grain in the object's frame; not zero, its length has no meaning.
+  Float3 direction_O{1.0F, 0.0F, 0.0F};
+  // The factors of the coefficients for a motion along and across the grain, in [0, 1].
+  double along = 1.0;
+  double across = 1.0;  // in [0, 1]
 
+  // Returns true if the grain has an effect.
   [[nodiscard]] constexpr bool differs() const { return along != 1.0 || across != 1.0; }
 };
 
@@ -24,9 +28,12 @@ inline bool valid(const MaterialGrain& grain) {
   return std::isfinite(length) && length > 0.0 && is_factor(grain.along) && is_factor(grain.across);
 }
 
+// The constants of F = K (proxy - tool) - B v and of the friction.
 struct Material {
-  double stiffness_N_per_m = 0.0;  // K of F = K (proxy - tool) - B v
-  double damping_Ns_per_m = 0.0;   // B
+  // K.
+  double stiffness_N_per_m = 0.0;
+  // B, for the whole velocity of the tool relative to the surface.
+  double damping_Ns_per_m = 0.0;
   FrictionParameters friction;
   MaterialGrain grain;
 };

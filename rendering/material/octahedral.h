@@ -11,7 +11,8 @@
 
 namespace tactus::rendering {
 
-// The layout of the baked image. Every value is a direction.
+// A unit vector in the layout of the baked image: its place on the unfolded octahedron, -1 to 1 in
+// steps of 1 / kOctahedralUnit. Every value is a direction.
 struct OctahedralNormal {
   std::int16_t x = 0;
   std::int16_t y = 0;
@@ -22,18 +23,20 @@ static_assert(sizeof(OctahedralNormal) == 4);
 
 inline constexpr double kOctahedralUnit = 32767.0;
 
-// Unit.
+// Returns the unit vector.
 inline Vec3 decode(const OctahedralNormal& stored) {
   const double x = std::max(stored.x / kOctahedralUnit, -1.0);
   const double y = std::max(stored.y / kOctahedralUnit, -1.0);
   const double z = 1.0 - std::abs(x) - std::abs(y);
-  // Below the equator the corners are folded back.
+  // The corners of the square are the lower half of the octahedron: they are folded back.
   const double fold = std::max(-z, 0.0);
   return Vec3(x >= 0.0 ? x - fold : x + fold, y >= 0.0 ? y - fold : y + fold, z).normalized();
 }
 
-// `n` unit.
+// Returns a stored direction within 7e-5 rad of the unit vector `n`.
 inline OctahedralNormal encode(const Vec3& n) {
+  // The octahedron |x| + |y| + |z| = 1; its lower half is folded outwards over the corners of the
+  // square.
   const double sum = n.cwiseAbs().sum();
   double x = n.x() / sum;
   double y = n.y() / sum;

@@ -5,24 +5,29 @@
 namespace tactus::rendering {
 namespace {
 
-// A triangle's own normal and the interpolated one, both toward the tool.
+// A triangle's own normal and the interpolated one at the contact, both unit and toward the tool.
 struct FaceNormals {
   Vec3 flat = Vec3::Zero();
   Vec3 round = Vec3::Zero();
 };
 
+// The normals about one contact. The results of its on_ functions need not be unit.
 class Shading {
  public:
   Shading(std::span<const CornerNormals> corners, const ConnectedMesh& mesh,
           const SurfaceContact& contact)
       : corners_(corners), mesh_(mesh), contact_(contact) {}
 
+  // Returns the interpolated normal of the touched triangle.
   [[nodiscard]] Vec3 on_face() const { return normals_of(contact_.triangle).round; }
 
+  // Returns the mixture of the two interpolated normals. The contact's normal c = a n1 + b n2 has,
+  // up to a common factor, a = c . n1 - (n1 . n2) c . n2, and b alike.
   [[nodiscard]] Vec3 on_edge() const {
     constexpr double kFlat = 1e-10;  // below it the squared sine is rounding
     const FaceNormals one = normals_of(contact_.triangle);
     const std::uint32_t across = across_edge(contact_.edge);
+    // An open edge has one face: its interpolated normal replaces its flat one.
     if (across == kNoTriangle) {
       return contact_.normal_O + one.round - one.flat;
     }
@@ -38,6 +43,8 @@ class Shading {
            std::max(to_other - cosine * to_one, 0.0) * other.round;
   }
 
+  // Returns the normal of the touched triangle if its neighbours at that corner agree with it to a
+  // quarter of a degree, else the contact's own.
   [[nodiscard]] Vec3 on_vertex() const {
     constexpr double kAgree = 0.99999;
     Vec3 here = on_face();
@@ -53,16 +60,20 @@ class Shading {
   }
 
  private:
+  // Returns the corners of a triangle, object frame, m.
   [[nodiscard]] std::array<Vec3, 3> corners_of(std::uint32_t triangle) const {
     const TriangleIndices& indices = mesh_.mesh.triangles[triangle];
     return {to_vec3(mesh_.mesh.vertices[indices[0]]), to_vec3(mesh_.mesh.vertices[indices[1]]),
             to_vec3(mesh_.mesh.vertices[indices[2]])};
   }
 
+  // Returns the triangle across an edge of the touched one; kNoTriangle if there is none or it is
+  // not known.
   [[nodiscard]] std::uint32_t across_edge(std::size_t edge) const {
     return mesh_.neighbours.empty() ? kNoTriangle : mesh_.neighbours[contact_.triangle][edge];
   }
 
+  // Returns the corner of the touched triangle that is nearest to the contact.
   [[nodiscard]] std::size_t nearest_corner() const {
     const std::array<Vec3, 3> corners = corners_of(contact_.triangle);
     const auto nearest = std::ranges::min_element(
@@ -70,6 +81,8 @@ class Shading {
     return static_cast<std::size_t>(nearest - corners.begin());
   }
 
+  // Returns the normals of a triangle for the contact's point, by its barycentric weights, limited
+  // to the triangle. A triangle without area takes the contact's normal for both.
   [[nodiscard]] FaceNormals normals_of(std::uint32_t triangle) const {
     const auto& [a, b, c] = corners_of(triangle);
     const Vec3 along = b - a;

@@ -1,4 +1,5 @@
-// The friction of a material as the models of friction/ take it.
+// The friction of a material as the models of friction/ take it. The contact methods call it: the
+// room friction knows nothing of materials.
 #pragma once
 
 #include "rendering/friction/surface_friction.h"
@@ -6,7 +7,7 @@
 
 namespace tactus::rendering {
 
-// Returns the sliding surface of a contact in the object's own frame.
+// Returns the sliding surface of a contact; the grain's direction is in the object's own frame.
 inline SlidingSurface sliding_surface(const Material& material) {
   return {.friction = material.friction,
           .stiffness_N_per_m = material.stiffness_N_per_m,

@@ -9,6 +9,7 @@
 namespace tactus::rendering {
 namespace {
 
+// Returns the layer's picture, or nothing if its numbers do not fit the bytes.
 std::optional<TextureView> view_of(const TextureLayer& layer,
                                    std::span<const std::uint8_t> texels) {
   const TextureSize size{layer.width, layer.height};
@@ -28,6 +29,7 @@ bool in_range(double value, double lowest, double highest) {
   return value >= lowest && value <= highest;  // false for NaN
 }
 
+// Returns true if the range of the layer's use is sound.
 bool numbers_in_range(const TextureLayer& layer) {
   switch (layer.use) {
     case TextureUse::stiffness:
@@ -41,6 +43,7 @@ bool numbers_in_range(const TextureLayer& layer) {
   }
 }
 
+// Returns true if every number and byte that detail_at() reads of the layer is there and in range.
 bool sound(const TextureLayer& layer, const SurfaceDetail& detail) {
   const bool wants_colour = layer.use == TextureUse::normal;
   const bool known = layer.use <= TextureUse::normal &&
@@ -52,12 +55,14 @@ bool sound(const TextureLayer& layer, const SurfaceDetail& detail) {
   return known && placed && numbers_in_range(layer) && view_of(layer, detail.texels).has_value();
 }
 
+// Returns true if the texture coordinates are in range; NaN is not.
 bool sound(const CornerPlaces& places) {
   return std::ranges::all_of(places, [](const std::array<float, 2>& uv) {
     return std::abs(uv[0]) <= kMostTexturePlace && std::abs(uv[1]) <= kMostTexturePlace;
   });
 }
 
+// Returns a triangle of the mesh with its texture coordinates; object frame.
 TexturedTriangle textured(const CornerPlaces& places, const MeshView& mesh, std::uint32_t number) {
   TexturedTriangle triangle;
   for (std::size_t k = 0; k < triangle.uv.size(); ++k) {
@@ -68,6 +73,7 @@ TexturedTriangle textured(const CornerPlaces& places, const MeshView& mesh, std:
   return triangle;
 }
 
+// Returns the place of the contact on the layer's picture.
 TexturePlace place_of(const TextureLayer& layer, const SurfaceDetail& detail, const MeshView& mesh,
                       const SurfaceContact& contact) {
   switch (layer.projection) {
@@ -83,6 +89,7 @@ TexturePlace place_of(const TextureLayer& layer, const SurfaceDetail& detail, co
   }
 }
 
+// Returns the value of a grey from black, `low`, to white, `high`.
 double between(const TextureLayer& layer, double grey) {
   return layer.low + grey * (layer.high - layer.low);
 }
@@ -118,6 +125,7 @@ Detail detail_at(const SurfaceDetail& detail, const ConnectedMesh& mesh,
   if (!detail.corner_normals.empty()) {
     felt.normal_O = shading_normal(detail.corner_normals, mesh, contact);
   }
+  // Layers are applied in their order: a bump after a normal map tilts the mapped normal.
   for (const TextureLayer& layer : detail.layers) {
     const std::optional<TextureView> texture = view_of(layer, detail.texels);
     if (!texture) {

@@ -1,5 +1,6 @@
 // Optional detail of a surface: normals interpolated between the corners of its triangles, and
-// textures.
+// textures. An object carries it (rendering/objects/object.h), and the world asks detail_at() for
+// it at every contact.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 
 namespace tactus::rendering {
 
+// The use of a picture.
 enum class TextureUse : std::uint8_t {
   stiffness = 0,  // grey: multiplies K by low (black) to high (white)
   friction = 1,   // grey: multiplies both coefficients by low to high
@@ -27,14 +29,18 @@ enum class TextureProjection : std::uint8_t { uv = 0, x = 1, y = 2, z = 3, tripl
 
 // One texture, the layout of the baked image.
 struct TextureLayer {
+  // The property that the picture changes, and the projection of the picture on the surface.
   TextureUse use = TextureUse::stiffness;
   TextureProjection projection = TextureProjection::triplanar;
   TextureFormat format = TextureFormat::grey;
   std::uint8_t unused = 0;
   std::uint32_t width = 1;
   std::uint32_t height = 1;
-  std::uint32_t first_byte = 0;  // of its pyramid, in SurfaceDetail::texels
-  double tile_m = 1.0;           // not used with uv
+  // The first byte of its pyramid, in SurfaceDetail::texels.
+  std::uint32_t first_byte = 0;
+  // The side of the square that the picture fills, m; not used with uv.
+  double tile_m = 1.0;
+  // The range of the use: factors of K or friction, or the depth of black, m, in `high`.
   double low = 0.0;
   double high = 1.0;
 };
@@ -46,11 +52,16 @@ static_assert(sizeof(CornerNormals) == 12 && sizeof(CornerPlaces) == 24);
 
 // Views of memory that the caller keeps alive and unchanged. The default is no detail.
 struct SurfaceDetail {
-  std::span<const CornerNormals> corner_normals;  // one a triangle, or none: not shaded
-  std::span<const CornerPlaces> corner_places;    // one a triangle, or none: no uv
-  std::span<const TextureLayer> layers;           // at most one a use
+  // The unit normals at each triangle's corners, object frame; none if the surface is not shaded.
+  std::span<const CornerNormals> corner_normals;
+  // The texture coordinates at each triangle's corners; none without uv.
+  std::span<const CornerPlaces> corner_places;
+  // The textures, at most one of each use.
+  std::span<const TextureLayer> layers;
+  // The pictures of all layers, each with its coarser levels (texture.h).
   std::span<const std::uint8_t> texels;
 
+  // Returns true if there is no detail.
   [[nodiscard]] bool empty() const { return corner_normals.empty() && layers.empty(); }
 };
 
@@ -71,9 +82,11 @@ enum class DetailFault : std::uint8_t {
   layer,    // one a use; sizes, bytes, format and projection that are there; numbers in range
 };
 
+// The first fault of a detail, and its place.
 struct DetailCheck {
   DetailFault fault = DetailFault::none;
-  std::size_t place = 0;  // triangle or layer
+  // The number of the triangle or layer at fault; for wrong counts the number found.
+  std::size_t place = 0;
 };
 
 // Checks the detail of a surface with so many triangles; 0 for a surface that is no mesh. The time
@@ -82,20 +95,28 @@ DetailCheck check(const SurfaceDetail& detail, std::size_t triangles);
 
 // The point at which the tool touches the surface, in the object frame.
 struct SurfaceContact {
-  std::uint32_t triangle = 0;       // of a mesh
+  // The triangle of a mesh, and the feature of it that is touched.
+  std::uint32_t triangle = 0;
   Feature feature = Feature::face;  // of that triangle
-  std::uint8_t edge = 0;            // which, for Feature::edge
-  Vec3 point_O = Vec3::Zero();      // of the surface
-  Vec3 normal_O = Vec3::UnitY();    // unit, from there to the tool
-  double travel_m = 0.0;            // of the point since the last tick
+  // The number of the edge, for Feature::edge.
+  std::uint8_t edge = 0;
+  // The point of the surface, m.
+  Vec3 point_O = Vec3::Zero();
+  // The unit vector from there to the tool.
+  Vec3 normal_O = Vec3::UnitY();
+  // The travel of the point since the last tick, m, for the choice of the texture's level.
+  double travel_m = 0.0;
 };
 
 // The detail at a contact.
 struct Detail {
-  Vec3 normal_O = Vec3::UnitY();  // unit: interpolated, then tilted by the textures
+  // The unit normal: interpolated, then tilted by the textures.
+  Vec3 normal_O = Vec3::UnitY();
+  // The factors of K and of both friction coefficients.
   double stiffness_factor = 1.0;
   double friction_factor = 1.0;
-  double height_m = 0.0;  // <= 0: the bump's surface over the geometry's
+  // The height of the bump's surface over the geometry's, m, <= 0.
+  double height_m = 0.0;
 };
 
 // Returns the detail at a contact. `mesh` is empty for a surface that is no mesh; without

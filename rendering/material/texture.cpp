@@ -7,7 +7,8 @@
 namespace tactus::rendering {
 namespace {
 
-// log2 of x > 0, exact at powers of two and linear between them: at most 0.086 too low.
+// Returns log2 of x > 0, exact at powers of two and linear between them: at most 0.086 too low. It
+// is read off the double's exponent and mantissa.
 double even_log2(double x) {
   constexpr int kDoubleMantissaBits = 52;
   constexpr int kDoubleBias = 1023;
@@ -19,14 +20,16 @@ double even_log2(double x) {
   return exponent + (mantissa - 1.0);
 }
 
-// The two texels beside a place along one side, and how far it is from the first to the second.
+// The two texels beside a place along one side, and the share of the way from the first to the
+// second.
 struct Beside {
   std::uint32_t first;
   std::uint32_t second;
   double share;
 };
 
-// Texel i has its centre at (i + 0.5) / count.
+// Texel i has its centre at (i + 0.5) / count. The picture repeats, so the last is beside the
+// first.
 Beside beside(double at, std::uint32_t count) {
   const double scaled = (at - std::floor(at)) * count - 0.5;
   const double low = std::floor(scaled);
@@ -35,6 +38,7 @@ Beside beside(double at, std::uint32_t count) {
   return {first, first == last ? 0 : first + 1, scaled - low};
 }
 
+// Returns the colour within one level.
 Vec3 bilinear(const TextureView& texture, const TexturePoint& at, std::size_t level) {
   const TextureSize size = texture.size(level);
   const Beside x = beside(at.u, size.width);
@@ -47,7 +51,7 @@ Vec3 bilinear(const TextureView& texture, const TexturePoint& at, std::size_t le
   return upper + y.share * (row(y.second) - upper);
 }
 
-// value(level) between the two levels next to `level`.
+// Returns value(level) between the two levels next to `level`.
 template <class Value>
 auto between_levels(const TextureView& texture, double level, const Value& value) {
   const auto last = static_cast<double>(texture.levels() - 1);
@@ -119,6 +123,7 @@ Vec3 look_up(const TextureView& texture, const TexturePoint& at, double level) {
   return between_levels(texture, level, [&](std::size_t k) { return bilinear(texture, at, k); });
 }
 
+// Central differences over half a texel to either side, which bilinear lookup makes continuous.
 TextureSlope slope(const TextureView& texture, const TexturePoint& at, double level) {
   const auto difference = [&](std::size_t k) {
     const TextureSize size = texture.size(k);

@@ -8,11 +8,14 @@
 namespace tactus::rendering {
 namespace {
 
-// Size on the surface of a texel along a direction in which u (or v) grows by `gradient` a metre.
+// Returns the size on the surface of a texel along a direction in which u (or v) grows by
+// `gradient` a metre.
 double texel_size(const Vec3& gradient, std::uint32_t texels) {
   return 1.0 / (gradient.norm() * texels);
 }
 
+// Returns the level for a tool at this speed. The smaller side of the texel decides, so that
+// neither direction aliases.
 double level_for(const TextureView& texture, const TextureSpot& spot, double travel_m) {
   const double texel_m = std::min(texel_size(spot.grad_u_W, texture.size().width),
                                   texel_size(spot.grad_v_W, texture.size().height));
@@ -23,6 +26,8 @@ double level_for(const TextureView& texture, const TextureSpot& spot, double tra
 constexpr std::array<std::array<Eigen::Index, 2>, 3> kPictureAxes{{{2, 1}, {0, 2}, {0, 1}}};
 constexpr std::array<std::array<double, 2>, 3> kPictureSigns{{{-1, 1}, {1, -1}, {1, 1}}};
 
+// Returns the place of p on the picture that shines along one axis, with the gradients along the
+// surface.
 TextureSpot shine(const Vec3& p, const Vec3& n, std::size_t axis, double tile_m) {
   const auto& [u_axis, v_axis] = kPictureAxes[axis];
   const auto& [u_sign, v_sign] = kPictureSigns[axis];
@@ -65,6 +70,7 @@ TexturePlace place_along_axis(const Vec3& p_O, const Vec3& n_O, int axis, double
 }
 
 TexturePlace place_triplanar(const Vec3& p_O, const Vec3& n_O, double tile_m) {
+  // The fourth power of the normal's components; the weights sum up to 1.
   const Vec3 facing = n_O.cwiseAbs2().cwiseAbs2();
   const double sum = facing.sum();
   TexturePlace place{.count = 3};
@@ -96,6 +102,8 @@ Vec3 look_up_colour(const TextureView& texture, const TexturePlace& place, doubl
   return colour;
 }
 
+// The gradient of the raised surface leans the normal against the slope (Blinn, "Simulation of
+// wrinkled surfaces", SIGGRAPH 1978).
 Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m) {
   const Vec3 along = sample.slope_W - sample.slope_W.dot(n_W) * n_W;
   return (n_W - height_m * along).normalized();

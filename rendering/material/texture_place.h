@@ -11,9 +11,12 @@ namespace tactus::rendering {
 
 // One place in a picture, and how it moves with the surface point.
 struct TextureSpot {
+  // The place in the picture.
   TexturePoint at;
-  Vec3 grad_u_W = Vec3::Zero();  // 1/m, along the surface
+  // The gradients of u and v along the surface, 1/m.
+  Vec3 grad_u_W = Vec3::Zero();
   Vec3 grad_v_W = Vec3::Zero();
+  // The share of the blend.
   double weight = 1.0;
 };
 
@@ -35,8 +38,8 @@ TexturePlace place_on_triangle(const TexturedTriangle& triangle, const Vec3& p_W
 
 // Returns the place on a picture of tile_m x tile_m, repeated without end and projected along one
 // axis (0, 1, 2 for x, y, z) of the frame of p_O and the unit surface normal n_O. The picture is
-// upright when seen from the axis's positive end. Where the surface runs along the axis the picture
-// is stretched without end; gradients stay along the surface.
+// upright when seen from the axis's positive end. It is stretched without end on a surface that
+// runs along the axis; gradients stay along the surface.
 TexturePlace place_along_axis(const Vec3& p_O, const Vec3& n_O, int axis, double tile_m);
 
 // Returns the places of the three pictures along the axes, blended by how squarely the surface
@@ -44,8 +47,10 @@ TexturePlace place_along_axis(const Vec3& p_O, const Vec3& n_O, int axis, double
 // parts.
 TexturePlace place_triplanar(const Vec3& p_O, const Vec3& n_O, double tile_m);
 
+// The value and the slope of a texture at a place.
 struct TextureSample {
-  Vec3 colour = Vec3::Zero();  // 0 to 1; grey is the same three times
+  // The colour, each channel from 0 to 1; grey is the same three times.
+  Vec3 colour = Vec3::Zero();
   Vec3 slope_W =
       Vec3::Zero();  // 1/m: the gradient of channel 0 along the surface, at constant weights
 };
@@ -60,12 +65,13 @@ Vec3 look_up_colour(const TextureView& texture, const TexturePlace& place, doubl
 // unit.
 Vec3 bumped_normal(const Vec3& n_W, const TextureSample& sample, double height_m);
 
-// The direction that the colour of a normal map stands for, in the frame of the surface: red to the
-// right (u), green up (v), blue out. Unit; out where the colour stands for none.
+// Returns the direction that the colour of a normal map stands for, in the frame of the surface:
+// red to the right (u), green up (v), blue out. It is unit, and out if the colour stands for no
+// direction.
 Vec3 mapped_normal(const Vec3& colour);
 
-// The unit normal `n_W` tilted by a normal map at that place. Where the picture is drawn out
-// without end it does not tilt.
+// Returns the unit normal `n_W` tilted by a normal map at that place. A picture that is drawn out
+// without end does not tilt it.
 Vec3 mapped_normal(const TextureView& texture, const TexturePlace& place, const Vec3& n_W,
                    double travel_m);
 

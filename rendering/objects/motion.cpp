@@ -9,11 +9,14 @@
 namespace tactus::rendering {
 namespace {
 
-// Returns sine and cosine of a number of full turns.
+// Returns sine and cosine of a number of full turns. Whole turns are taken off first, so that a
+// long run stays within the range of sine_cosine().
 SineCosine of_turns(double turns) {
   return sine_cosine(2.0 * std::numbers::pi * (turns - std::floor(turns)));
 }
 
+// Returns the rotation about a unit axis: Rodrigues' formula, R = c I + s [axis]x + (1 - c) axis
+// axis^T.
 Mat3 turned_about(const Vec3& axis, const SineCosine& angle) {
   const double rest = 1.0 - angle.cosine;
   Mat3 cross;
@@ -21,6 +24,7 @@ Mat3 turned_about(const Vec3& axis, const SineCosine& angle) {
   return angle.cosine * Mat3::Identity() + angle.sine * cross + rest * axis * axis.transpose();
 }
 
+// Returns true if every component is a number within the world.
 bool bounded(const Vec3& v) {
   return v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
 }
@@ -38,6 +42,9 @@ bool valid(const Motion& motion) {
          motion.wave_per_m.allFinite();
 }
 
+// A point p of the object is at pivot + R (p - pivot) + displacement, as the pivot moves along. So
+// the origin is at pivot - R pivot + displacement, and its velocity is that of the displacement
+// plus spin x (-R pivot).
 Placement place_at(const Motion& motion, double t_s) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const SineCosine sway = of_turns(motion.sway_Hz * t_s);

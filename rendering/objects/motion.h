@@ -1,5 +1,6 @@
 // A motion that a scene gives an object: straight, to and fro, in rotation, and in waves over its
-// surface. It ends when the outside sets the object (World::set_pose, World::move_vertex).
+// surface. It ends when the outside sets the object (World::set_pose, World::move_vertex). Movers
+// (movers.h) asks for the place in every tick.
 #pragma once
 
 #include "rendering/geometry/rigid_pose.h"
@@ -12,28 +13,39 @@ struct Twist {
   Vec3 linear_W = Vec3::Zero();   // m/s
   Vec3 angular_W = Vec3::Zero();  // rad/s
 
+  // Returns the velocity of a body's point, m/s. `from_origin_W` leads from the body's origin to
+  // it, m.
   [[nodiscard]] Vec3 at(const Vec3& from_origin_W) const {
     return linear_W + angular_W.cross(from_origin_W);
   }
 };
 
+// The motion of one object, at the time t: its origin moves by velocity t + sway sin(2 pi sway_Hz
+// t), and the object turns about an axis through the pivot, which moves along.
 struct Motion {
-  Vec3 velocity_W = Vec3::Zero();  // m/s
-  Vec3 sway_W = Vec3::Zero();      // m, the farthest point of going to and fro
+  // The steady velocity, m/s.
+  Vec3 velocity_W = Vec3::Zero();
+  // The farthest point of going to and fro, m from the middle.
+  Vec3 sway_W = Vec3::Zero();
+  // The frequency of that, Hz.
   double sway_Hz = 0.0;
-  Vec3 spin_W = Vec3::Zero();   // rad/s
-  Vec3 pivot_W = Vec3::Zero();  // m, a point of the axis of the spin at the start
+  // The angular velocity, rad/s.
+  Vec3 spin_W = Vec3::Zero();
+  // A point of the axis of the spin at the start, m.
+  Vec3 pivot_W = Vec3::Zero();
   // The waves of a mesh that deforms: a point p of the surface moves by wave_m sin(2 pi (wave_Hz t
   // - k . p)) along its normal, both as they are at rest.
   double wave_m = 0.0;
   double wave_Hz = 0.0;
-  Vec3 wave_per_m = Vec3::Zero();  // k, waves a metre
+  // The wave vector k, waves a metre.
+  Vec3 wave_per_m = Vec3::Zero();
 };
 
 // Returns true if every number is finite, frequencies are not negative and kWorldBound_m bounds the
 // lengths.
 bool valid(const Motion& motion);
 
+// The place and the velocity of an object at one time.
 struct Placement {
   RigidPose X_WO;
   Twist twist;

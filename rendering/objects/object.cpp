@@ -5,15 +5,19 @@
 namespace tactus::rendering {
 namespace {
 
+// Returns true if the mesh has vertices, triangles and a hierarchy. Their contents are checked
+// where the mesh comes from (rendering/scene/mesh_check.h).
 bool usable_mesh(const MeshView& mesh) {
   return !mesh.vertices.empty() && !mesh.triangles.empty() && !mesh.nodes.empty();
 }
 
+// Returns true if the mesh has the neighbours and normals that methods without a proxy need.
 bool has_features(const Object& object) {
   return object.neighbours.size() == object.mesh.triangles.size() &&
          object.vertex_normals.size() == object.mesh.vertices.size();
 }
 
+// Returns the box in the world about the eight corners of the formula's box.
 Bounds bounds(const ImplicitSurface& implicit) {
   Bounds box{.lower_W = Vec3::Constant(kWorldBound_m), .upper_W = Vec3::Constant(-kWorldBound_m)};
   for (int corner = 0; corner < 8; ++corner) {
@@ -28,6 +32,8 @@ Bounds bounds(const ImplicitSurface& implicit) {
   return box;
 }
 
+// Returns true if the method can render the surface. Each method knows some kinds of surfaces only,
+// see rendering/README.md.
 bool touchable(const Object& object) {
   if (object.deforms && (object.surface != SurfaceKind::mesh || !meets_proxy(object))) {
     return false;

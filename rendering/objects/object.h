@@ -1,5 +1,6 @@
 // One object of a scene: views of memory that the caller keeps alive and unchanged. Nothing here
-// owns or copies.
+// owns or copies. SceneImage (rendering/scene) makes objects of a baked scene, a program that
+// embeds the library makes its own, and World::set_scene takes them.
 #pragma once
 
 #include <array>
@@ -15,8 +16,10 @@
 
 namespace tactus::rendering {
 
+// Numbers no object of a scene.
 inline constexpr std::uint32_t kNoObject = 0xffffffff;
 
+// The kind of the surface that is touched.
 enum class SurfaceKind : std::uint8_t { mesh = 0, primitive = 1, implicit = 2 };
 
 // The contact method: it keeps the tool out of an object, or pushes it out.
@@ -28,21 +31,32 @@ enum class ContactMethod : std::uint8_t {
   tracking = 4,         // a point that follows the tangent plane; implicit surfaces
 };
 
+// An object: its surface, the method by which it is touched, its material and its motion.
 struct Object {
+  // The surface that is touched, and the method.
   SurfaceKind surface = SurfaceKind::mesh;
   ContactMethod method = ContactMethod::sphere_proxy;
-  MeshView mesh;  // of these three, the one that `surface` names
+  // The surface in each of its kinds; the one that `surface` names is used. The mesh of another
+  // kind is only its picture.
+  MeshView mesh;
   Primitive primitive;
-  ImplicitSurface implicit;  // its `sides` are the object's too
+  // The formula; its `sides` are the object's too.
+  ImplicitSurface implicit;
   // The neighbours and vertex normals of the mesh (see ConnectedMesh), needed by potential_field
   // and feature_walk.
   std::span<const std::array<std::uint32_t, 3>> neighbours;
   std::span<const Float3> vertex_normals;
+  // The sides that stop the tool.
   Sides sides = Sides::one;
+  // The material at the start; World::set_material may change it.
   Material material;
-  SurfaceDetail detail;  // not of a potential field; of a mesh that deforms, its textures alone
-  bool moves = false;    // the outside moves it: the scene's frame is then its own frame
-  bool deforms = false;  // and its vertices; a mesh that the shared proxy meets
+  // Normals and textures. A potential field has none; a mesh that deforms uses its textures alone.
+  SurfaceDetail detail;
+  // True if the outside or a motion moves the object: the frame in which it is given is then its
+  // own frame O.
+  bool moves = false;
+  // True if its vertices move too; it must be a mesh that the shared proxy meets.
+  bool deforms = false;
   // The object's own motion until the outside takes over; nullptr for none. Waves need
   // vertex_normals.
   const Motion* motion = nullptr;
@@ -55,14 +69,17 @@ Bounds bounds_of(const Object& object);
 // Returns true if the surface is sound and its contact method can touch it.
 bool usable(const Object& object);
 
+// Returns true if the object shares the proxy with others, false if it gives its own force.
 inline bool meets_proxy(const Object& object) {
   return object.method == ContactMethod::sphere_proxy || object.method == ContactMethod::god_object;
 }
 
+// Returns true if the object may change its place or shape.
 inline bool is_mover(const Object& object) {
   return object.moves || object.deforms;
 }
 
+// Returns true if the tool has no radius to this object.
 inline bool is_point_tool(const Object& object) {
   return object.method == ContactMethod::god_object;
 }

@@ -12,12 +12,14 @@ namespace {
 
 using Law = std::optional<EffectLaw>;
 
+// Returns the common part of the three laws that snap.
 SnapLaw to_snap(const image::Snap& stored) {
   return {.stiffness_N_per_m = stored.stiffness(),
           .damping_Ns_per_m = stored.damping(),
           .capture_m = stored.capture()};
 }
 
+// Read one law each. The verifier has proved the required fields to be there.
 Law read_law(const image::Spring& stored) {
   return Spring{.anchor_W = to_vec3(*stored.anchor()), .stiffness_N_per_m = stored.stiffness()};
 }
@@ -28,6 +30,7 @@ Law read_law(const image::SpringDamper& stored) {
       .damping_Ns_per_m = stored.damping()};
 }
 
+// The volume of a drag may be refused; then there is no law.
 Law read_law(const image::FluidDrag& stored) {
   const std::optional<Primitive> volume = read_primitive(*stored.volume());
   if (!volume) {
@@ -93,12 +96,14 @@ std::string_view unknown_name(const image::Effect& stored) {
                                                                            : std::string_view{};
 }
 
+// Returns the law of the stored effect if it is of this type.
 template <class Stored>
 Law read_law_as(const image::Effect& stored) {
   const Stored* const law = stored.law_as<Stored>();
   return law == nullptr ? std::nullopt : read_law(*law);
 }
 
+// Returns the law by its tag; nothing if this program does not know it.
 Law read_law(const image::Effect& stored) {
   switch (stored.law_type()) {
     case image::Law::Spring:

@@ -1,4 +1,4 @@
-// An effect of a scene image.
+// Reads an effect of a scene image. SceneImage calls it for each of them.
 #pragma once
 
 #include <expected>

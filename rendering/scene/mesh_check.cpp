@@ -20,6 +20,7 @@ bool has_finite_coordinates(const Float3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// Returns the fault at the first vertex or normal with a coordinate that is not a number.
 Result check_finite(std::span<const Float3> values, SceneFault fault) {
   const auto bad = std::ranges::find_if_not(values, has_finite_coordinates);
   if (bad != values.end()) {
@@ -28,6 +29,7 @@ Result check_finite(std::span<const Float3> values, SceneFault fault) {
   return {};
 }
 
+// Checks that every triangle's vertices are there.
 Result check_triangles(const MeshView& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t vertex : mesh.triangles[i]) {
@@ -39,6 +41,8 @@ Result check_triangles(const MeshView& mesh) {
   return {};
 }
 
+// Checks that neighbours are there and name each other. The neighbour across an edge need not be
+// wound alike: a walk tests that itself.
 Result check_neighbours(std::span<const TriangleNeighbours> neighbours) {
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     for (const std::uint32_t other : neighbours[i]) {
@@ -54,6 +58,8 @@ Result check_neighbours(std::span<const TriangleNeighbours> neighbours) {
   return {};
 }
 
+// Checks that there is a mesh, with as many normals as vertices and as many neighbours as
+// triangles.
 Result check_sizes(const BakedMeshView& baked) {
   const MeshView& mesh = baked.mesh;
   if (mesh.vertices.empty() || mesh.triangles.empty() || mesh.nodes.empty()) {
@@ -68,6 +74,7 @@ Result check_sizes(const BakedMeshView& baked) {
 
 }  // namespace
 
+// The order matters: check_hierarchy() needs finite vertices and vertex indices in range.
 Result check_mesh(const BakedMeshView& baked) {
   if (const Result sizes = check_sizes(baked); !sizes) {
     return sizes;

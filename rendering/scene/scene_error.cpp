@@ -6,6 +6,7 @@
 namespace tactus::rendering {
 namespace {
 
+// The text of one fault: what is wrong and what to do, and what SceneError::place counts.
 struct Text {
   std::string_view description;
   std::string_view noun;

@@ -1,4 +1,5 @@
-// Why a scene image was refused, and where.
+// The reasons for which a scene image is refused, and the place of the fault. SceneImage::open
+// returns them; tactus inspect and the controller show describe() to the user.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 
 namespace tactus::rendering {
 
+// The faults. scene_error.cpp lists their texts in the same order.
 enum class SceneFault : std::uint8_t {
   misaligned,         // the first byte is not at a multiple of kImageAlignment
   truncated,          // place: number of bytes there are
@@ -62,11 +64,15 @@ class FaultName {
   std::uint8_t size_ = 0;
 };
 
+// A fault, the object at fault and the place in it.
 struct SceneError {
   SceneFault fault = SceneFault::malformed;
-  std::uint32_t object = kNoObject;  // index of the object at fault, where there is one
-  std::uint64_t place = 0;           // what it counts stands beside each fault, and in place_noun
-  FaultName name;                    // of effect_law; empty for the others
+  // The index of the object at fault; kNoObject if the fault is not of one object.
+  std::uint32_t object = kNoObject;
+  // The place; what it counts stands beside each fault, and in place_noun.
+  std::uint64_t place = 0;
+  // The name of an unknown effect law; empty for every other fault.
+  FaultName name;
 };
 
 // Returns the fault and its remedy as text, without the place.

@@ -20,6 +20,8 @@ std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
   return std::unexpected(SceneError{.fault = fault, .place = place});
 }
 
+// The types of the image are used in place, so their layouts must be those of the schema.
+// in_place() compares the sizes; these are the offsets that padding could move.
 static_assert(offsetof(BvhNode, first) == 12 && offsetof(BvhNode, upper) == 16 &&
               offsetof(BvhNode, triangle_count) == 28);
 static_assert(offsetof(TextureLayer, width) == 4 && offsetof(TextureLayer, first_byte) == 12 &&
@@ -27,6 +29,7 @@ static_assert(offsetof(TextureLayer, width) == 4 && offsetof(TextureLayer, first
 static_assert(std::to_underlying(image::Sides::one) == std::to_underlying(Sides::one) &&
               std::to_underlying(image::Sides::two) == std::to_underlying(Sides::two));
 
+// Returns the views of a stored mesh.
 BakedMeshView view(const image::Mesh& mesh) {
   return {.mesh = {.vertices = in_place<Float3>(mesh.vertices()),
                    .triangles = in_place<TriangleIndices>(mesh.triangles()),
@@ -35,6 +38,7 @@ BakedMeshView view(const image::Mesh& mesh) {
           .vertex_normals = in_place<Float3>(mesh.vertex_normals())};
 }
 
+// Returns the views of an object's stored detail.
 SurfaceDetail view_detail(const image::Object& stored) {
   const flatbuffers::Vector<std::uint8_t>* texels = stored.texels();
   return {.corner_normals = in_place<CornerNormals>(stored.mesh()->corner_normals()),
@@ -60,6 +64,7 @@ Result check_detail(const Object& object) {
   }
 }
 
+// Returns the stored friction parameters, unchecked; sound() checks them with the material.
 FrictionParameters friction_of(const image::Friction& stored) {
   return {.kind = static_cast<FrictionKind>(stored.kind()),
           .coulomb = stored.coulomb(),
@@ -74,6 +79,7 @@ FrictionParameters friction_of(const image::Friction& stored) {
           .elastic_fraction = stored.elastic_fraction()};
 }
 
+// Returns the stored material, or the fault that it has.
 std::expected<Material, SceneError> read_material(const image::Material& stored) {
   const image::Friction& friction = *stored.friction();
   if (friction.kind() >= kFrictionKinds) {
@@ -95,6 +101,7 @@ std::expected<Material, SceneError> read_material(const image::Material& stored)
   return material;
 }
 
+// Returns the first of the two that does not match.
 Result check_magic_and_version(const ImageHeader& header) {
   const auto [found, expected] = std::ranges::mismatch(header.magic, kImageMagic);
   if (found != header.magic.end()) {
@@ -108,7 +115,7 @@ Result check_magic_and_version(const ImageHeader& header) {
   return {};
 }
 
-// The header if it is sound and `bytes` are as many as it states.
+// Returns the header if it is sound and `bytes` are as many as it states.
 std::expected<ImageHeader, SceneError> read_header(std::span<const std::byte> bytes) {
   ImageHeader header;
   if (reinterpret_cast<std::uintptr_t>(bytes.data()) % kImageAlignment != 0) {
@@ -162,6 +169,8 @@ std::expected<SceneImage, SceneError> SceneImage::open(std::span<const std::byte
   return result;
 }
 
+// Takes the scene: radius and number of tools, effects, objects, and at last the capacities that
+// all objects need together.
 Result SceneImage::take(const image::Scene& scene) {
   scene_ = &scene;
   tool_radius_m_ = scene.tool_radius();
@@ -210,6 +219,8 @@ Result SceneImage::take_effects(const image::Scene& scene) {
   return {};
 }
 
+// Takes one object. The mesh is checked first, since everything else may refer to it; usable() has
+// the last word on whether the method goes with the surface.
 Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (object.sides() > image::Sides::MAX) {
     return fail(SceneFault::sides, std::to_underlying(object.sides()));

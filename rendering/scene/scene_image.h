@@ -1,4 +1,5 @@
-// The checked, zero-copy view of a baked scene.
+// The checked, zero-copy view of a baked scene. A controller opens one and gives its objects and
+// effects to World::set_scene (scene_world.h).
 #pragma once
 
 #include <array>
@@ -23,11 +24,16 @@ struct Scene;
 
 // The counts of the repairs that baking made to one mesh.
 struct BakeCounters {
-  std::uint32_t welded_vertices = 0;       // merged into another at the same place
-  std::uint32_t degenerate_triangles = 0;  // dropped: without area
-  std::uint32_t open_edges = 0;            // on one triangle only
-  std::uint32_t non_manifold_edges = 0;    // on more than two triangles
-  std::uint32_t inconsistent_edges = 0;    // run in the same direction by both triangles
+  // The vertices that were merged into another at the same place.
+  std::uint32_t welded_vertices = 0;
+  // The triangles without area, which were dropped.
+  std::uint32_t degenerate_triangles = 0;
+  // The edges on one triangle only.
+  std::uint32_t open_edges = 0;
+  // The edges on more than two triangles.
+  std::uint32_t non_manifold_edges = 0;
+  // The edges that both triangles run along in the same direction.
+  std::uint32_t inconsistent_edges = 0;
 
   bool operator==(const BakeCounters&) const = default;
 };
@@ -42,8 +48,11 @@ class SceneImage {
   // passes can be used without further checks. Errors: every SceneFault.
   static std::expected<SceneImage, SceneError> open(std::span<const std::byte> bytes);
 
+  // Returns the radius of the tools, m.
   [[nodiscard]] double tool_radius_m() const { return tool_radius_m_; }
-  [[nodiscard]] std::size_t tool_count() const { return tool_count_; }  // 1 to kMaxTools
+  // Returns the number of tools, 1 to kMaxTools.
+  [[nodiscard]] std::size_t tool_count() const { return tool_count_; }
+  // Return the version and the checksum of the image's header.
   [[nodiscard]] std::uint32_t version() const { return version_; }
   [[nodiscard]] std::uint64_t checksum() const { return checksum_; }
 
@@ -57,17 +66,19 @@ class SceneImage {
     return std::span(effects_).first(effect_count_);
   }
 
-  // `index` counts objects().
+  // Return the name, the baked mesh and the counters of an object; `index` counts objects().
   [[nodiscard]] std::string_view object_name(std::size_t index) const;
   [[nodiscard]] BakedMeshView baked_mesh(std::size_t index) const;
   [[nodiscard]] BakeCounters counters(std::size_t index) const;
 
  private:
   SceneImage() = default;
+  // Check a part of the payload and take its views; take() calls the other two.
   std::expected<void, SceneError> take(const image::Scene& scene);
   std::expected<void, SceneError> take_effects(const image::Scene& scene);
   std::expected<void, SceneError> take_object(const image::Object& object, std::size_t index);
 
+  // The payload, in the bytes given to `open`.
   const image::Scene* scene_ = nullptr;
   double tool_radius_m_ = 0.0;
   std::size_t tool_count_ = 1;

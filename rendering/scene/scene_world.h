@@ -6,7 +6,7 @@
 
 namespace tactus::rendering {
 
-// Its spans live as long as the image.
+// Returns the configuration; its spans live as long as the image.
 inline WorldConfig world_of(const SceneImage& scene) {
   return {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()};
 }

@@ -14,7 +14,7 @@ std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
 static_assert(sizeof(Instruction) == sizeof(image::Instruction) && offsetof(Instruction, a) == 2 &&
               offsetof(Instruction, exponent) == 6 && offsetof(Instruction, constant) == 8);
 
-// A rotation to 1e-9, within the world.
+// Returns true if the pose is a rotation to 1e-9, within the world.
 bool is_pose(const RigidPose& pose) {
   constexpr double kTolerance = 1e-9;
   const Mat3 product = pose.rotation * pose.rotation.transpose();
@@ -23,6 +23,7 @@ bool is_pose(const RigidPose& pose) {
          pose.translation.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
 }
 
+// Makes the object a primitive.
 Result take_primitive(const image::Primitive& stored, Object& object) {
   const std::optional<Primitive> primitive = read_primitive(stored);
   if (!primitive) {
@@ -32,6 +33,8 @@ Result take_primitive(const image::Primitive& stored, Object& object) {
   object.primitive = *primitive;
   return {};
 }
+// Makes the object an implicit surface. The instructions are used in place; check() proves that
+// every operand is there, so that the evaluation needs no tests.
 Result take_implicit(const image::Implicit& stored, Object& object) {
   if (!is_aligned(stored.instructions())) {
     return fail(SceneFault::malformed);

@@ -1,4 +1,5 @@
-// Reads a surface without a mesh: a primitive or a formula.
+// Reads a surface without a mesh: a primitive or a formula. SceneImage and effect_reader.cpp use
+// it.
 #pragma once
 
 #include <expected>
@@ -17,8 +18,8 @@ struct Primitive;
 // Returns the primitive, or nothing if it is not valid.
 std::optional<Primitive> read_primitive(const image::Primitive& stored);
 
-// The shape of an object whose sides are read; without one, its mesh stays what is touched. The
-// error's object is left at kNoObject.
+// Takes the shape of an object whose sides are read; an object without one keeps its mesh as the
+// touched surface. The error's object is left at kNoObject.
 std::expected<void, SceneError> take_shape(const image::Object& stored, Object& object);
 
 }  // namespace tactus::rendering

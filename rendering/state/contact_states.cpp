@@ -1,4 +1,6 @@
-// Saves and restores the state of friction, shading and the proxies of independent contacts.
+// Saves and restores the state of friction, shading and the proxies of independent contacts. A
+// transfer names every member and leaves out the configuration's, and those that each tick sets
+// before it reads them.
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/friction/surface_friction.h"
@@ -45,6 +47,7 @@ void IndependentContacts::transfer(StateArchive& archive, const SceneObjects& sc
             friction_factor);
     const std::size_t triangles = scene[scene.independent_objects()[k]].mesh.triangles.size();
     const std::uint32_t triangle = walkers[k].feature().triangle;
+    // The triangle comes from outside, and the walk will read it.
     archive.require(triangle == 0 || triangle < triangles);
   }
 }

@@ -1,5 +1,6 @@
 // Transfers plain structs of rendering through a StateArchive. Each function names all members: a
-// new member fails to compile here until it is handled.
+// new member fails to compile here until it is handled. The transfers of the classes that hold
+// these structs call them.
 #pragma once
 
 #include "rendering/contact/carry_along.h"
@@ -66,7 +67,7 @@ inline void transfer(StateArchive& archive, EffectState& state) {
   archive(last_tool_W, held_force_W, delivered_J, anchor_W, phase, started);
 }
 
-// That the shared proxy meets such an object, and that its mesh has such a triangle.
+// Refuses the state unless the shared proxy meets such an object and its mesh has such a triangle.
 inline void require_place(StateArchive& archive, const SceneObjects& scene, std::uint32_t object,
                           std::uint32_t triangle) {
   archive.require(object < scene.size());

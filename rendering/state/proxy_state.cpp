@@ -15,61 +15,78 @@ inline void transfer(StateArchive& archive, Plane& plane) {
   archive(normal, offset);
 }
 
+// The count bounds an index and so is checked when it is read.
 inline void transfer(StateArchive& archive, FrictionFactors& factors) {
   auto& [object, factor, count, depth_m] = factors;
   archive(object, factor, depth_m);
   archive.up_to(count, object.size());
 }
 
-namespace {
-
-void transfer_planes(StateArchive& archive, const SceneObjects& scene,
-                     std::span<ContactPlane> planes, std::size_t& count) {
-  archive.up_to(count, planes.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    auto& [plane, nearest, object, triangle, candidate] = planes[i];
+// The planes that are not kept are collected again by the next tick.
+void ContactPlanes::transfer(StateArchive& archive, const SceneObjects& scene, bool are_kept) {
+  [[maybe_unused]] auto& [contacts, count, is_above_first, planes] = *this;
+  std::size_t kept = are_kept ? count : 0;
+  archive.up_to(kept, contacts.size());
+  for (std::size_t i = 0; i < kept; ++i) {
+    auto& [plane, nearest, object, triangle, candidate] = contacts[i];
     archive(plane, nearest, object, triangle);
     archive.up_to(candidate, kMaxCandidates - 1);
     require_place(archive, scene, object, triangle);
   }
+  if (archive.is_reading()) {
+    count = kept;
+  }
 }
 
-}  // namespace
-
+// The limit follows from the savings at the start of the next tick.
 void TickBudget::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [done, most, saved] = *this;
   archive(done);
   archive.up_to(saved, kMaxSaved);
 }
 
+void CapsulePlan::transfer(StateArchive& archive) {
+  auto& [length_m, slimness] = *this;
+  archive(length_m, slimness);
+}
+
+void TangentBounds::transfer(StateArchive& archive, std::size_t i) {
+  [[maybe_unused]] auto& [origin, reach_m, normal_x, normal_y, normal_z, height] = *this;
+  archive(normal_x[i], normal_y[i], normal_z[i], height[i]);
+}
+
+// The capsule, the plan, the counts and the candidates. The fields that follow from the scene and
+// the margins are made anew by a reader.
 void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
                             const ContactMargins& margins) {
-  [[maybe_unused]] auto& [place, trust, wanted_length_m, slimness, own_margins, places, size,
-                          tested, peak, gatherings, first_gathering, to_walk, smaller, is_full,
-                          may_pause, first_place, waited, budget, left_out, normal_x, normal_y,
-                          normal_z, height, here, there, here_place, here_gathering, slots] = *this;
+  [[maybe_unused]] auto& [place, trust, plan, own_margins, size, counts, progress, may_pause,
+                          budget, left_out, bounds, here, there, slots] = *this;
+  [[maybe_unused]] auto& [p, number, first_of_tick, waited] = place;
   archive(left_out);
-  archive(place, trust, wanted_length_m, slimness, places, first_place, tested, peak, gatherings);
-  archive.require(places > 0);
+  archive(p, trust, plan, number, first_of_tick, progress.tested, counts.peak, counts.gatherings);
+  archive.require(number > 0);
   archive.up_to(size, kMaxCandidates);
   if (archive.is_reading()) {
     own_margins = margins;
-    is_full = false;
+    bounds.start(trust.start, margins.sphere.reach_m);
+    progress.is_full = false;
   }
-  archive.up_to(smaller, kMostSmaller);
+  archive.up_to(progress.smaller, kMostSmaller);
   transfer_walk(archive, scene);
   for (std::size_t i = 0; i < size && archive.good(); ++i) {
     transfer_candidate(archive, scene, i);
   }
   transfer_here(archive);
   if (archive.is_reading()) {
-    fill_last_four();
+    bounds.fill_last_four(size);
   }
   archive(budget);  // which measuring again has added to
 }
 
+// Saves the gathering that has begun: the meshes that are left, and the nodes that the walk of the
+// last of them has still to look at.
 void CandidateSet::transfer_walk(StateArchive& archive, const SceneObjects& scene) {
-  auto& [meshes, count, left] = to_walk_;
+  [[maybe_unused]] auto& [meshes, count, left, tested, smaller, is_full] = progress_;
   archive.up_to(count, meshes.size());
   std::size_t waiting = left.count();
   archive.up_to(waiting, WalkLeft::kMostLeft);
@@ -94,12 +111,12 @@ void CandidateSet::transfer_walk(StateArchive& archive, const SceneObjects& scen
 // Saves the candidates within reach. A new search could lack those that the tangents have put out
 // of reach since.
 void CandidateSet::transfer_here(StateArchive& archive) {
-  auto& [number, count] = here_;
-  bool is_known = here_place_ == places_ && here_gathering_ == gatherings_;
+  auto& [number, count] = here_.near;
+  bool is_known = knows_here();
   archive(is_known);
   if (archive.is_reading()) {
-    here_place_ = is_known ? places_ : 0;
-    here_gathering_ = gatherings_;
+    set_known_here();
+    here_.place = is_known ? here_.place : 0;
   }
   if (!is_known) {
     return;
@@ -111,6 +128,8 @@ void CandidateSet::transfer_here(StateArchive& archive) {
   }
 }
 
+// Saves one candidate. A reader builds its triangle and measures it again, which gives the same
+// bits.
 void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects& scene,
                                       std::size_t i) {
   Candidate& slot = slots_[i];
@@ -118,7 +137,7 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
                           behind, nearest_, triangle, seen] = slot;
   bool measured = is_measured(i);
   archive(object, index, prepared, measured);
-  archive(normal_x_[i], normal_y_[i], normal_z_[i], height_[i]);
+  bounds_.transfer(archive, i);
   require_place(archive, scene, object, index);
   archive.require(archive.good() && (!prepared || scene[object].surface != SurfaceKind::primitive));
   if (!archive.is_reading() || !archive.good()) {
@@ -137,13 +156,12 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
   }
 }
 
+// `start` is set by the next advance, so it is not saved.
 void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [margins, p, friction, model, start_model, carried_W, last_contact,
-                          factors, start, start_friction, start_last_contact, slipped,
-                          last_crease_move, least_left_m, candidate_set, contacts, contact_count,
-                          planes, last_constraints, recalled, recalled_count, just_placed, overlaps,
-                          above_first_plane, blocking_candidates, blocking_count] = *this;
-  archive(p, model, carried_W, factors, just_placed);
+  [[maybe_unused]] auto& [margins, state, start, carried_W, factors, just_placed, candidate_set,
+                          planes] = *this;
+  auto& [p_W, friction, model, last_contact] = state;
+  archive(p_W, model, carried_W, factors, just_placed);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = last_contact;
   archive(object, triangle, normal_W);
@@ -153,15 +171,10 @@ void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
     require_place(archive, scene, object, triangle);
   }
   candidate_set.transfer(archive, scene, margins);
-  // The planes are saved only while a gathering is under way; otherwise the next tick collects them
-  // again.
-  std::size_t waiting = candidate_set.is_begun() ? contact_count : 0;
-  transfer_planes(archive, scene, contacts, waiting);
-  if (archive.is_reading()) {
-    contact_count = waiting;
-  }
+  planes.transfer(archive, scene, candidate_set.is_begun());
 }
 
+// The points in this pass and its travel are set by the next touch.
 void ProxyTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [proxy, shading, friction, before, here, last_tool_W, tool_step_m,
                           travel_m, first_pass, detailed] = *this;

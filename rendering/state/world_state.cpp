@@ -8,6 +8,7 @@
 
 namespace tactus::rendering {
 
+// The boxes are saved and not refitted: they lag the vertices by a part of a pass.
 void DeformableMesh::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [before, now, wanted, nodes, triangles, nodes_left, moved_in_pass_m,
                           moved_in_last_pass_m, step_m, asked] = *this;
@@ -25,35 +26,27 @@ void DeformableMesh::transfer(StateArchive& archive) {
 }
 
 void SceneObjects::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [objects, mover_of, movers, orders, mover_count, changed_of,
-                          changed_materials, changed_count, anything_moved, tick_s, pool,
-                          deformables, deformable_count, independent, independent_count, nodes,
-                          node_count, order] = *this;
+  [[maybe_unused]] auto& [objects, tick_s, movers, materials, still, independent,
+                          independent_count] = *this;
   archive.same(objects.size());
-  archive.same(mover_count);
-  archive.same(deformable_count);
+  archive.same(movers.all().size());
+  archive.same(movers.deformable_count());
   archive.same(independent_count);
-  archive(anything_moved, tick_s);
-  for (std::size_t k = 0; k < mover_count; ++k) {
-    transfer_mover(archive, k);
-  }
-  for (std::size_t k = 0; k < deformable_count; ++k) {
-    archive(deformables[k]);
-  }
+  movers.transfer_moved(archive);
+  archive(tick_s, movers);
   transfer_materials(archive);
 }
 
 // Saves the materials that set_material has changed.
 void SceneObjects::transfer_materials(StateArchive& archive) {
-  std::size_t count = changed_count_;
+  std::size_t count = materials_.count();
   archive.up_to(count, kMaxChangedMaterials);
   if (archive.is_reading()) {
-    changed_of_.fill(kUnchanged);
-    changed_count_ = 0;
+    materials_.clear();
   }
   std::uint32_t number = 0;
   for (std::size_t k = 0; k < count && archive.good(); ++k, ++number) {
-    while (!archive.is_reading() && changed_of_[number] == kUnchanged) {
+    while (!archive.is_reading() && !materials_.has(number)) {
       ++number;
     }
     archive(number);
@@ -68,7 +61,20 @@ void SceneObjects::transfer_materials(StateArchive& archive) {
   }
 }
 
-void SceneObjects::transfer_mover(StateArchive& archive, std::size_t k) {
+void Movers::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [objects, mover_of, movers, orders, count, anything_moved, pool,
+                          deformables, deformable_count] = *this;
+  for (std::size_t k = 0; k < count; ++k) {
+    transfer_one(archive, k);
+  }
+  for (std::size_t k = 0; k < deformable_count; ++k) {
+    archive(deformables[k]);
+  }
+}
+
+// An object that the outside has taken over has no motion of its own any more; a state that gives
+// it one again is refused unless the scene has it.
+void Movers::transfer_one(StateArchive& archive, std::size_t k) {
   [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
                           motion, next_vertex, moved] = movers_[k];
   auto& [ordered_X_WO, ordered_twist] = orders_[k];
@@ -98,6 +104,7 @@ void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
   }
 }
 
+// Tools and effects must be as many as in the saved world; the rest follows in the order of a tick.
 void World::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count] =
       *this;

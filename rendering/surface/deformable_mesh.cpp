@@ -6,7 +6,7 @@
 namespace tactus::rendering {
 namespace {
 
-Float3 least(const Float3& a, const Float3& b) {
+Float3 least_corner(const Float3& a, const Float3& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
 
@@ -94,7 +94,7 @@ void DeformableMesh::begin_tick() {
 
 void DeformableMesh::refit(BvhNode& node) const {
   if (!node.is_leaf()) {
-    node.lower = least(nodes_[node.first].lower, nodes_[node.first + 1].lower);
+    node.lower = least_corner(nodes_[node.first].lower, nodes_[node.first + 1].lower);
     node.upper = greatest(nodes_[node.first].upper, nodes_[node.first + 1].upper);
     return;
   }
@@ -103,7 +103,7 @@ void DeformableMesh::refit(BvhNode& node) const {
   node.upper = {-kFar, -kFar, -kFar};
   for (const TriangleIndices& corners : triangles_.subspan(node.first, node.triangle_count)) {
     for (const std::uint32_t corner : corners) {
-      node.lower = least(node.lower, now_[corner]);
+      node.lower = least_corner(node.lower, now_[corner]);
       node.upper = greatest(node.upper, now_[corner]);
     }
   }

@@ -32,7 +32,7 @@ static_assert(kPrimitiveKindOf<PlaneSolid> == PrimitiveKind::plane &&
               kPrimitiveKindOf<ConeSolid> == PrimitiveKind::cone &&
               kPrimitiveKindOf<TorusSolid> == PrimitiveKind::torus);
 
-// What a primitive says of itself.
+// The description of a primitive, as it gives it.
 struct PrimitiveTraits {
   PrimitiveKind kind;
   std::string_view name;

@@ -1,4 +1,5 @@
-// The effects of a scene on one tool, with the energy account of each.
+// The effects of a scene on one tool, with the energy account of each. World keeps one for every
+// tool.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 
 namespace tactus::rendering {
 
+// The states of all effects for one tool.
 class EffectTouch {
  public:
   // Starts over: anchors, phases and accounts.
@@ -18,7 +20,12 @@ class EffectTouch {
 
   // Adds the effects' forces to `touch`. At most kMaxEffects, valid; the tool finite; tick_s > 0.
   // No heap.
-  void add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool, double tick_s);
+  void add_to(Touch& touch, std::span<const Effect> effects, const ToolState& tool, double tick_s) {
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      touch.parts.effect_W += apply(effects[i], states_[i], tool, tick_s);
+    }
+    touch.force_W += touch.parts.effect_W;
+  }
 
   // Ends the effects in a tick without a valid tool: the hand gets no force until the next. Call it
   // instead of add_to.
@@ -31,6 +38,7 @@ class EffectTouch {
   void transfer(StateArchive& archive, std::size_t effects);
 
  private:
+  // One state for each effect of the scene, in its order.
   std::array<EffectState, kMaxEffects> states_{};
 };
 

@@ -8,22 +8,26 @@
 namespace tactus::rendering {
 namespace {
 
+// Returns the tool in the object's frame, with its velocity relative to the surface there.
 ToolState in_frame(const SceneObjects& scene, std::uint32_t number, const ToolState& tool) {
   const Mover* const mover = scene.mover_of(number);
   return {.p_W = point_in(mover, tool.p_W),
           .v_W = direction_in(mover, tool.v_W - scene.velocity_W(number, tool.p_W))};
 }
 
+// Returns the object's mesh with its neighbours and normals.
 ConnectedMesh mesh_of(const Object& object) {
   return {object.mesh, object.neighbours, object.vertex_normals};
 }
 
+// Returns the push of a potential field at the tool, in the object's frame.
 FieldPush field_push(const Object& object, const Vec3& tool_O, double tool_radius_m) {
   return object.surface == SurfaceKind::primitive
              ? potential_field(object.primitive, tool_O, tool_radius_m)
              : potential_field(mesh_of(object), tool_O, tool_radius_m);
 }
 
+// Turns the vectors of a touch from the object's frame to the world's.
 void to_world(const Mover* mover, Touch& touch) {
   touch.proxy_W = point_from(mover, touch.proxy_W);
   touch.normal_W = direction_from(mover, touch.normal_W);
@@ -32,6 +36,8 @@ void to_world(const Mover* mover, Touch& touch) {
   touch.parts.texture_W = direction_from(mover, touch.parts.texture_W);
 }
 
+// Make the common touch of what each method gives. A potential field has no memory, so its tool
+// always slips; the others report their own friction.
 Touch touch_of(const ImplicitRest& rest) {
   return {.proxy_W = rest.proxy_W,
           .normal_W = rest.normal_W,
@@ -95,6 +101,8 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     if (!near && !awake_[k]) {
       continue;
     }
+    // An object that comes near begins where the tool was in the last tick, so that this tick's
+    // motion is seen whole.
     wake(k, mover);
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scene.tick_s());
@@ -108,6 +116,7 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     parts.friction_W += own.parts.friction_W;
     parts.texture_W += own.parts.texture_W;
     parts.driven_power += own.force_W.dot(scene.velocity_W(number, tool.p_W));
+    // The flags of all contacts add up; the other fields describe the one with the largest force.
     own.flags |= touch.flags;
     const double push = own.force_W.squaredNorm();
     if (own.contact != ContactKind::none &&
@@ -146,6 +155,7 @@ void IndependentContacts::hold(const SceneObjects& scene) {
 // Returns true if the tool's path since the last tick, seen from the object, enters the object's
 // box.
 bool IndependentContacts::is_near(const Mover* mover, const Object& object, const Vec3& p_W) const {
+  // The box grows by the tool's radius and a millimetre, far beyond the contact margins.
   constexpr double kMargin_m = 1e-3;
   const Vec3 from = point_in_before(mover, last_tool_W_);
   const Vec3 to = point_in(mover, p_W);
@@ -215,6 +225,7 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
     }
     return touch;
   }
+  // F = K (proxy - tool) - B v, with the velocity relative to the surface.
   const Vec3 stretch = touch.proxy_W - tool_O.p_W;
   const double stiffness = material.stiffness_N_per_m;
   touch.force_W = stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W;
@@ -242,6 +253,8 @@ void IndependentContacts::shade_in_frame(const IndependentObject& independent,
       detail_at(object.detail, {object.mesh, object.neighbours, object.vertex_normals}, contact);
   const Vec3 stretch = touch.proxy_W - tool_O.p_W;
   touch.depth_m = stretch.dot(touch.normal_W);
+  // The force is that of the depth below the bump's surface; its share of the depth also scales the
+  // lean and the friction.
   const double effective_depth = std::max(touch.depth_m + detail.height_m, 0.0);
   const double share = touch.depth_m > 0.0 ? effective_depth / touch.depth_m : 0.0;
   const Vec3 lean = lean_of(detail.normal_O, touch.normal_W);

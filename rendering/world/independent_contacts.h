@@ -1,5 +1,6 @@
 // The independent contacts of one tool: potential fields, feature walks and implicit surfaces. Each
-// gives its own force, apart from the shared proxy.
+// gives its own force, apart from the shared proxy. ToolTouch adds them to the shared proxy's
+// touch.
 #pragma once
 
 #include <array>
@@ -16,8 +17,8 @@
 namespace tactus::rendering {
 
 // Every contact is computed in its object's own frame: an object that moves carries its proxy
-// along, and meets every tool that it sweeps over. An object whose box is not near the tool costs
-// next to nothing.
+// along, and meets every tool that it sweeps over. An object whose box is not near the tool sleeps
+// and costs next to nothing. `k` counts SceneObjects::independent_objects() throughout.
 class IndependentContacts {
  public:
   // Starts over, out of contact, at p_W.
@@ -40,8 +41,10 @@ class IndependentContacts {
   // The state of shading and textures of one object, in its frame.
   struct DetailState {
     ForceShading shading;
-    Vec3 point_O = Vec3::Zero();  // touched in the last tick
+    // The point that was touched in the last tick, if any; m.
+    Vec3 point_O = Vec3::Zero();
     bool touched = false;
+    // The factor of the friction coefficients that the detail gave in the last tick.
     double friction_factor = 1.0;
   };
 
@@ -54,17 +57,27 @@ class IndependentContacts {
 
   // Computes the contact of one object without shading, in its own frame.
   Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O);
+  // Computes a potential field.
   Touch touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O);
+  // Returns the proxy of a contact that has one, after the last tick; the object's frame, m.
   [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
+  // Applies the object's detail to the touch, and prepares the shift of the next tick's goal.
   void shade_in_frame(const IndependentObject& independent, const ToolState& tool_O, Touch& touch);
+  // Computes the contact of one object with its detail, in its own frame.
   Touch touch_in_frame(const IndependentObject& independent, const ToolState& tool_O);
+  // Returns true if the tool's motion in this tick enters the object's box.
   [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
+  // Begins a contact that was asleep.
   void wake(std::size_t k, const Mover* mover);
 
+  // The tool: its radius, its last position (world frame) and the length of its last step; m.
   double tool_radius_m_ = 0.0;
   Vec3 last_tool_W_ = Vec3::Zero();
   double tool_step_m_ = 0.0;
-  std::array<bool, kMaxIndependentObjects> awake_{};  // of SceneObjects::independent_objects()
+  // The objects that are near or in contact; the others were skipped in the last tick.
+  std::array<bool, kMaxIndependentObjects> awake_{};
+  // The proxies of implicit surfaces, those of feature walks, and the detail; each object uses what
+  // its method needs.
   std::array<ImplicitTracker, kMaxIndependentObjects> trackers_;
   std::array<FeatureWalker, kMaxIndependentObjects> walkers_;
   std::array<DetailState, kMaxIndependentObjects> details_;

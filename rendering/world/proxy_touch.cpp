@@ -1,3 +1,14 @@
+// A tick of the shared proxy without detail is one advance and one force. With detail the goal of
+// the advance is shifted (material/force_shading.h), and the advance is repeated from the start of
+// the tick until the shift settles:
+//
+//   begin -> advance -> blend -> improve -> advance again -> blend -> improve ... -> force
+//
+// The blended force with the pressures w_i as weights is
+//
+//   F = (sum w_i K_i) / (sum w_i) (proxy - tool) - (sum w_i B_i (v - v_i)) / (sum w_i)
+//
+// so that it passes continuously from one surface to the next, as their pressures do.
 #include "rendering/world/proxy_touch.h"
 
 #include <algorithm>
@@ -5,6 +16,7 @@
 namespace tactus::rendering {
 namespace {
 
+// The most advances of one tick.
 constexpr int kMostPasses = 4;
 
 // Returns the pose of the object's frame in this tick.
@@ -13,8 +25,8 @@ RigidPose pose_of(const SceneObjects& scene, std::uint32_t object) {
   return mover == nullptr ? RigidPose{} : mover->X_WO;
 }
 
-// Returns true if the proxy is free, and not only in the middle of its path, which the next tick
-// continues.
+// Returns true if the proxy is free. A proxy in the middle of its path, which the next tick
+// continues, does not count.
 bool is_free(const ProxyRest& rest) {
   return rest.plane_count == 0 && (rest.flags & kTouchIterationsExhausted) == 0;
 }
@@ -47,6 +59,7 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyP
   }
   ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), path);
   BlendedSurface blended = return_to_surface(scene, tool, path, rest);
+  // A proxy that has just left a surface with detail needs its shading to be forgotten.
   if (blended.detailed || detailed_) {
     shade(scene, tool, path, rest, blended);
     before_ = here_;
@@ -107,6 +120,7 @@ void ProxyTouch::set_friction(const FrictionFactors& of_surfaces) {
   proxy_.set_friction_factors(factors);
 }
 
+// Sums over the planes that hold the proxy. A plane's weight is its pressure.
 ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
                                                       const ToolState& tool,
                                                       const ProxyRest& rest) {
@@ -127,6 +141,7 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
       blended.stiffness += push * material.stiffness_N_per_m;
       continue;
     }
+    // The detail changes K, leans the force, lowers the surface and scales the friction.
     const Detail detail = detail_of(scene, plane);
     blended.detailed = true;
     blended.interpolated = blended.interpolated || !object.detail.corner_normals.empty();
@@ -143,6 +158,7 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
   blended.effective_depth_m = blended.depth_m;
   if (blended.detailed) {
     blended.effective_depth_m = std::max(blended.depth_m + height / blended.pressure_m, 0.0);
+    // The force's magnitude is that of the effective depth, so lean and friction are scaled to it.
     const double share = blended.depth_m > 0.0 ? blended.effective_depth_m / blended.depth_m : 0.0;
     blended.lean *= share / blended.pressure_m;
     for (std::size_t i = 0; i < blended.friction.count; ++i) {
@@ -194,6 +210,7 @@ double ProxyTouch::travel_to(const ContactPoint& here) const {
   return travel;
 }
 
+// A tool that is deeper than the plane and above the bump's surface is in contact without a force.
 void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
                            const BlendedSurface& blended, Touch& touch) const {
   const ContactPlane& hardest = rest.planes[rest.hardest()];

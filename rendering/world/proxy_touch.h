@@ -1,5 +1,5 @@
 // Computes the shared proxy's part of a touch: moves the proxy, applies force shading and textures,
-// and gives the force.
+// and gives the force. ToolTouch has one for its tool.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 
 namespace tactus::rendering {
 
+// The shared proxy of one tool with its detail. World frame.
 class ProxyTouch {
  public:
   // Takes another radius, >= 0; call place() afterwards.
@@ -33,6 +34,7 @@ class ProxyTouch {
   // null.
   Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
 
+  // Returns the proxy's centre, m.
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
 
   // Returns how far the proxy was from the tool after the last touch, m.
@@ -47,18 +49,29 @@ class ProxyTouch {
  private:
   // The surfaces that hold the proxy, blended. The sums are weighted by the pressures.
   struct BlendedSurface {
+    // True if one of the surfaces has detail, and if one of them has interpolated normals.
     bool detailed = false;
     bool interpolated = false;
-    double pressure_m = 0.0;          // the sum of the weights
-    double stiffness = 0.0;           // sum, N
-    double plain_stiffness = 0.0;     // sum, N: without the detail
-    Vec3 damping_W = Vec3::Zero();    // sum, N m
-    Vec3 surface_v_W = Vec3::Zero();  // sum, m^2/s
-    double depth_m = 0.0;             // of the tool below the planes
-    double effective_depth_m = 0.0;   // below their bumps; >= 0
-    Vec3 lean = Vec3::Zero();         // see ShadedRest
+    // The sum of the weights, m.
+    double pressure_m = 0.0;
+    // The sum of the stiffnesses with the detail's factors, N.
+    double stiffness = 0.0;
+    // The sum of the stiffnesses without the detail, N.
+    double plain_stiffness = 0.0;
+    // The sum of B times the velocity relative to the surface, N m.
+    Vec3 damping_W = Vec3::Zero();
+    // The sum of the surfaces' own velocities, m^2/s.
+    Vec3 surface_v_W = Vec3::Zero();
+    // The depth of the tool below the planes, m.
+    double depth_m = 0.0;
+    // The depth of the tool below the bumps of the planes, m, >= 0.
+    double effective_depth_m = 0.0;
+    // The lean that the detail asks for (ShadedRest), scaled by the share of the effective depth.
+    Vec3 lean = Vec3::Zero();
+    // The friction factors of the surfaces with detail.
     FrictionFactors friction;
   };
+  // A point of a surface with detail that is touched, in the object's frame, m.
   struct ContactPoint {
     std::uint32_t object = 0;
     Vec3 point_O = Vec3::Zero();
@@ -68,29 +81,42 @@ class ProxyTouch {
     std::size_t count = 0;
   };
 
+  // Repeats the advance with a shifted goal until the shift settles, the passes or the budget end.
   void shade(const SceneObjects& scene, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
              BlendedSurface& blended);
+  // Blends the surfaces; first it moves the proxy back if a shifted goal took it off them.
   BlendedSurface return_to_surface(const SceneObjects& scene, const ToolState& tool,
                                    ProxyPath* path, ProxyRest& rest);
+  // Gives the proxy the friction factors of its next advance.
   void set_friction(const FrictionFactors& of_surfaces);
+  // Sums up the surfaces that hold the proxy, weighted by the pressures.
   BlendedSurface blend_surfaces(const SceneObjects& scene, const ToolState& tool,
                                 const ProxyRest& rest);
+  // Returns the detail at a contact; world frame.
   Detail detail_of(const SceneObjects& scene, const ContactPlane& plane);
+  // Returns the travel of a contact point since the last tick, m.
   [[nodiscard]] double travel_to(const ContactPoint& here) const;
+  // Write the force, the contact and the parts of the force to the touch.
   void set_force(const ToolState& tool, const ProxyRest& rest, const BlendedSurface& blended,
                  Touch& touch) const;
   static void set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch);
 
   SphereProxy proxy_{0.0};
   ForceShading shading_;
-  FrictionFactors friction_;  // of the surfaces where the proxy is
-  ContactPoints before_;      // of surfaces with detail, at the end of the last tick
-  ContactPoints here_;        // in this pass
+  // The friction factors of the surfaces where the proxy is.
+  FrictionFactors friction_;
+  // The points of surfaces with detail at the end of the last tick, and in this pass.
+  ContactPoints before_;
+  ContactPoints here_;  // in this pass
+  // The tool of the last touch (world frame), and the length of its step; m.
   Vec3 last_tool_W_ = Vec3::Zero();
   double tool_step_m_ = 0.0;
-  double travel_m_ = 0.0;  // of the contact in this tick
+  // The travel of the contact in this tick, from its first pass; m.
+  double travel_m_ = 0.0;
+  // True in the first pass of a tick.
   bool first_pass_ = true;
-  bool detailed_ = false;  // some surface in the last tick was
+  // True if some surface in the last tick had detail.
+  bool detailed_ = false;
 };
 
 }  // namespace tactus::rendering

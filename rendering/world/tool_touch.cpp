@@ -5,6 +5,7 @@
 namespace tactus::rendering {
 namespace {
 
+// Returns true if the tool is a number and within the world.
 bool valid(const ToolState& tool) {
   // Comparisons with a value that is not a number are false.
   return tool.p_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m &&
@@ -28,6 +29,7 @@ void ToolTouch::place(const SceneObjects& scene, const Vec3& p_W) {
 }
 
 Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path) {
+  // The objects move also in a tick without a valid tool, so the proxy is carried first.
   const std::uint32_t moved = placed_ ? proxy_.begin_tick(scene) : kTouchClean;
   if (!valid(tool)) {
     independent_.hold(scene);

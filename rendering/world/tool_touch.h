@@ -1,4 +1,5 @@
-// The touch of one tool with all objects, and its state from tick to tick.
+// The touch of one tool with all objects, and its state from tick to tick. World has one for each
+// tool.
 #pragma once
 
 #include "rendering/objects/scene_objects.h"
@@ -9,6 +10,7 @@
 
 namespace tactus::rendering {
 
+// The shared proxy and the independent contacts of one tool.
 class ToolTouch {
  public:
   // Sets the radius, >= 0, m, and starts over in a scene that may be another one.
@@ -36,13 +38,18 @@ class ToolTouch {
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
+  // Places all proxies at p_W, out of contact.
   void place(const SceneObjects& scene, const Vec3& p_W);
+  // Adds the power that surfaces which deform give to the hand, W.
   void add_driven_power(Touch& touch, double tick_s) const;
 
+  // The tool's radius, m.
   double radius_m_ = 0.0;
   ProxyTouch proxy_;
   IndependentContacts independent_;
+  // The proxy of the last touch (world frame, m), which an invalid tool gets again.
   Vec3 last_proxy_W_ = Vec3::Zero();
+  // False until the first valid tool, where the proxies start.
   bool placed_ = false;
 };
 

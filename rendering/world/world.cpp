@@ -6,6 +6,7 @@
 
 namespace tactus::rendering {
 
+// All tools start again, also after a refusal: the world is then empty and gives no force.
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
   const bool good_config =
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
@@ -66,6 +67,7 @@ Touch World::touch(const ToolState& tool, ProxyPath* path) {
 }
 
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
+  // A tool that is not given is no number, which holds its proxies.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   begin_tick();
   for (std::size_t i = 0; i < tool_count_; ++i) {

@@ -1,4 +1,5 @@
-// The virtual world that one or several tools touch.
+// The virtual world that one or several tools touch: the entry to this folder. Once per tick it
+// moves the objects, and then computes each tool in turn (tool_touch.h).
 #pragma once
 
 #include <array>
@@ -16,9 +17,12 @@
 
 namespace tactus::rendering {
 
+// The parts of a scene beside its objects.
 struct WorldConfig {
-  double tool_radius_m = 0.0;  // 0 to kMaxToolRadius_m; 0 is the god-object point
-  std::size_t tool_count = 1;  // 1 to kMaxTools
+  // The radius of every tool, m: 0 to kMaxToolRadius_m; 0 is the god-object point.
+  double tool_radius_m = 0.0;
+  // The number of tools, 1 to kMaxTools.
+  std::size_t tool_count = 1;
   // The effects, at most kMaxEffects; each acts on every tool. The caller keeps them alive and
   // unchanged.
   std::span<const Effect> effects;
@@ -54,6 +58,7 @@ class World {
     return scene_.set_material(object, material);
   }
 
+  // Returns the number of objects.
   [[nodiscard]] std::size_t object_count() const { return scene_.size(); }
   // Returns the current material of an object; `object` must be below object_count().
   [[nodiscard]] const Material& material(std::uint32_t object) const {
@@ -102,15 +107,20 @@ class World {
   void transfer(StateArchive& archive);
 
  private:
+  // Moves the objects to their places in this tick.
   void begin_tick();
+  // Computes one tool with its effects.
   Touch touch_one(std::size_t number, const ToolState& tool, ProxyPath* path);
 
   SceneObjects scene_;
   std::array<ToolTouch, kMaxTools> tools_;
+  // The effects' states, one set for each tool.
   std::array<EffectTouch, kMaxTools> effect_touches_;
   std::span<const Effect> effects_;
+  // The time from tick to tick, s.
   double tick_s_ = 0.001;
-  double time_s_ = 0.0;  // since set_scene
+  // The time since set_scene, s, in ticks: no clock is read.
+  double time_s_ = 0.0;
   std::size_t tool_count_ = 1;
 };
 

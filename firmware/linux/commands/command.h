@@ -1,5 +1,5 @@
 // A command from the command thread to the tick, and the tick's answer. Both have a fixed size and
-// are copied.
+// are copied through the rings of command_queue.h.
 #pragma once
 
 #include <cstdint>
@@ -14,40 +14,57 @@
 
 namespace tactus::firmware {
 
+// The kinds of commands. `look` changes nothing: it asks for the mode.
 enum class CommandKind : std::uint8_t { request, look, get, set, scene, inject };
 
 // One command. `kind` says which of the other fields are used; `look` uses none, because every
 // answer holds the mode.
 struct Command {
   CommandKind kind = CommandKind::look;
-  Ticket ticket = 0;                             // the answer carries the same number
-  Request request = Request::none;               // used by `request`
-  ParameterChange change;                        // used by `set`; `get` uses its place only
-  const rendering::SceneImage* scene = nullptr;  // used by `scene`; must live until the answer
-  InjectionOrder injection;                      // used by `inject`
+  // The number that the answer carries, too.
+  Ticket ticket = 0;
+  Request request = Request::none;  // used by `request`
+  // Used by `set`; `get` uses its place only.
+  ParameterChange change;
+  // Used by `scene`. It must live until the answer.
+  const rendering::SceneImage* scene = nullptr;
+  InjectionOrder injection;  // used by `inject`
 };
 
+// The result of a command.
 enum class Outcome : std::uint8_t {
   done,
-  superseded,   // refused: a newer request came before the next tick
-  estop_waits,  // refused: an estop waits for its tick and comes first
-  no_effect,    // the request does not change the mode `after`
-  parameter,    // refused: `refusal` says why
-  scene,        // refused: `scene_refusal` says why
+  // Refused: a newer request came before the next tick.
+  superseded,
+  // Refused: an estop waits for its tick and comes first.
+  estop_waits,
+  // The request does not change the mode `after`.
+  no_effect,
+  // Refused: `refusal` says why.
+  parameter,
+  // Refused: `scene_refusal` says why.
+  scene,
 };
 
+// A tick's answer. Ticket, kind and request are those of the command.
 struct Answer {
   Ticket ticket = 0;
   CommandKind kind = CommandKind::look;
   Outcome outcome = Outcome::done;
   Request request = Request::none;  // set by `request`
-  Mode before = Mode::init;         // the mode before the tick
-  Mode after = Mode::init;          // the mode after it
+  // The mode before the tick.
+  Mode before = Mode::init;
+  // The mode after the tick.
+  Mode after = Mode::init;
   ParameterRefusal refusal = ParameterRefusal::no_such_parameter;
-  std::uint64_t tick = 0;      // number of the first tick that had the command
-  std::uint64_t faults = 0;    // fault bits after that tick (safety/faults.h)
-  ParameterValue value;        // set by `get` and `set`
-  SceneRefusal scene_refusal;  // set by `scene`; `set` fills `part` when the value is uncertified
+  // The number of the first tick that had the command.
+  std::uint64_t tick = 0;
+  // The fault bits after that tick (safety/faults.h).
+  std::uint64_t faults = 0;
+  // The value and its range; set by `get` and `set`.
+  ParameterValue value;
+  // Set by `scene`; `set` fills `part` when the value is uncertified.
+  SceneRefusal scene_refusal;
 };
 static_assert(std::is_trivially_copyable_v<Command> && std::is_trivially_copyable_v<Answer>);
 

@@ -37,6 +37,7 @@ bool CommandClient::receive() {
   }
   has_ended_ = got == 0;
   size_ += static_cast<std::size_t>(got);
+  // The rest of an overlong line ends at its newline; the bytes after it are the next line.
   if (is_skipping_) {
     const auto end = received().find('\n');
     is_skipping_ = end == std::string_view::npos;

@@ -16,11 +16,16 @@
 
 namespace tactus::firmware {
 
+// The place of one client. A place without a connection is free.
 class CommandClient {
  public:
+  // Takes over the socket of a program that has connected, after disconnecting the previous one.
   void connect(hal::FileDescriptor socket);
+  // Closes the connection and forgets lines, reply and the command that waits.
   void disconnect();
+  // Returns true if a program is connected.
   [[nodiscard]] bool is_connected() const { return socket_.is_open(); }
+  // Returns the descriptor to wait for; -1 without a connection.
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
   // Returns true if the buffer has room and the program may still send.
@@ -33,6 +38,7 @@ class CommandClient {
   // Returns the oldest complete line without its newline, or nothing if there is none. The view is
   // valid until drop_line.
   [[nodiscard]] std::optional<std::string_view> line() const;
+  // Removes the oldest line, or all bytes if there is no complete line.
   void drop_line();
   // Returns all bytes received and not dropped yet.
   [[nodiscard]] std::string_view received() const { return {in_.data(), size_}; }
@@ -42,37 +48,54 @@ class CommandClient {
 
   // Returns the reply to be sent; `send` empties it.
   [[nodiscard]] TextLine& out() { return out_; }
+  // Returns true if no reply waits to be sent.
   [[nodiscard]] bool has_sent() const { return out_.empty(); }
   // Sends as much of the reply as the socket takes. Returns false if the program has gone or has
   // read nothing for kPatience_ns.
   bool send(hal::TimeNs now_ns);
 
+  // The time after which a program that reads none of its reply is disconnected.
   static constexpr hal::TimeNs kPatience_ns = 2 * hal::kNsPerSecond;
+  // The time of the last bytes from the program, CLOCK_MONOTONIC.
   hal::TimeNs last_heard_ns = 0;
 
   // The command whose answer the program waits for.
   struct Waiting {
-    Ticket ticket = 0;       // ticket of the answer; 0: it waits for no tick
-    Command command;         // the command that the tick answers
-    bool is_posted = false;  // false: the queue had no room for the command yet
-    Verb verb = Verb::help;  // `list` and `scene` take several answers
+    // The ticket of the answer; 0: it waits for no tick.
+    Ticket ticket = 0;
+    // The command that the tick answers.
+    Command command;
+    // False: the queue had no room for the command yet.
+    bool is_posted = false;
+    // The verb of the line; `list` and `scene` take several answers.
+    Verb verb = Verb::help;
+    // True until the reply is complete.
     bool is_under_way = false;
-    std::array<char, kMaxCommandLine> file{};  // used by `scene`: the path, ends with a zero
+    // Used by `scene`: the path, ended by a zero.
+    std::array<char, kMaxCommandLine> file{};
+    // The time at which the command is refused without an answer.
     hal::TimeNs deadline_ns = 0;
-    std::uint32_t listed = 0;  // used by `list`: parameters listed so far
-    bool is_asking = false;    // used by `scene`: it asks for the mode before it opens the file
+    // Used by `list`: the number of parameters listed so far.
+    std::uint32_t listed = 0;
+    // Used by `scene`: it asks for the mode before it opens the file.
+    bool is_asking = false;
   };
   Waiting waiting;
 
  private:
   hal::FileDescriptor socket_;
+  // The bytes received and not dropped, and their number.
   std::array<char, kMaxCommandLine> in_{};
   std::size_t size_ = 0;
+  // True if the program will send no more.
   bool has_ended_ = false;
+  // True while the rest of a line that was too long is dropped.
   bool is_skipping_ = false;
   bool was_overlong_ = false;
   TextLine out_;
+  // The number of characters of the reply that are sent.
   std::size_t sent_ = 0;
+  // The time since which the socket takes nothing; 0: it takes bytes.
   hal::TimeNs stuck_since_ns_ = 0;
 };
 

@@ -10,6 +10,8 @@ namespace {
 
 using Parsed = std::expected<CommandLine, std::string_view>;
 
+// Returns true for a character between words. A carriage return is one, for lines that end in CR
+// LF.
 bool is_gap(char c) {
   return c == ' ' || c == '\t' || c == '\r';
 }
@@ -120,11 +122,13 @@ Parsed parse_help(std::string_view /*rest*/) {
   return CommandLine{.verb = Verb::help};
 }
 
+// A word and the function that parses the rest of its line.
 struct VerbRow {
   std::string_view word;
   Parsed (*parse)(std::string_view rest);
 };
 
+// The words that are no requests. Requests have the names of kRequestNames.
 constexpr auto kVerbRows = std::to_array<VerbRow>({
     {"set", parse_set},
     {"get", parse_get},

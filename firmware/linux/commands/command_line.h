@@ -18,15 +18,21 @@ namespace tactus::firmware {
 // The largest size of a line in bytes, with its newline. A longer line is skipped and refused.
 inline constexpr std::size_t kMaxCommandLine = 512;
 
+// The kinds of lines. `request` stands for home, enable, disable, reset and estop.
 enum class Verb : std::uint8_t { request, set, get, list, status, scene, record, inject, help };
 
+// A parsed line. Its views point into the line.
 struct CommandLine {
   Verb verb = Verb::help;
-  Request request = Request::none;  // used by `request`
-  ParameterName name;               // used by `set` and `get`; views into the line
-  double value = 0.0;               // used by `set`, in the parameter's unit; may be inf or NaN
-  std::string_view file;            // used by `scene` and `record on`; empty for `record off`
-  InjectionOrder injection;         // used by `inject`
+  // Used by `request`.
+  Request request = Request::none;
+  // Used by `set` and `get`.
+  ParameterName name;
+  // Used by `set`: the value in the parameter's unit; it may be infinite or not a number.
+  double value = 0.0;
+  // Used by `scene` and `record on`; empty for `record off`.
+  std::string_view file;
+  InjectionOrder injection;  // used by `inject`
 };
 
 // Returns the command, or a text that says what is wrong and what would be right. The result holds

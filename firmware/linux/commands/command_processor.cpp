@@ -33,6 +33,7 @@ std::optional<ParameterPlace> listed_place(std::size_t index, std::size_t object
                         .object = static_cast<std::uint32_t>(object)};
 }
 
+// Returns the first word of the line whose answer is waited for.
 std::string_view word_of(const CommandClient::Waiting& waiting) {
   switch (waiting.verb) {
     case Verb::request:
@@ -65,6 +66,7 @@ void CommandProcessor::configure(const RunHooks& hooks, bool allow_inject) {
 }
 
 void CommandProcessor::take(CommandClient& client, std::string_view line) {
+  // A reply repeats at most this much of a word that nobody knows.
   constexpr std::size_t kMostOfAWord = 32;
   const std::string_view word = first_word(line).substr(0, kMostOfAWord);
   if (word.empty()) {

@@ -20,8 +20,9 @@ namespace tactus::firmware {
 // The parts of the program, beside the loop, that a command can reach. The command thread calls the
 // functions; a null function means that the program does not have that part.
 struct RunHooks {
-  void* run = nullptr;  // passed to each function
-  // Both return an empty text on success, or what is wrong and what to do.
+  // The first argument of each function.
+  void* run = nullptr;
+  // These return an empty text on success, or what is wrong and what to do.
   std::string_view (*start_recording)(void* run, std::string_view file) = nullptr;
   std::string_view (*stop_recording)(void* run) = nullptr;
   // Called after the loop has taken another scene. When it returns, nothing may refer to the
@@ -33,12 +34,15 @@ struct RunHooks {
   std::string_view homing_hint;
 };
 
+// The processor of one command socket.
 class CommandProcessor {
  public:
   // All arguments must outlive this. Each answer goes to the client of `clients` that waits for it.
   CommandProcessor(CommandQueue& queue, SceneStore& scenes, std::span<CommandClient> clients)
       : queue_(queue), scenes_(scenes), clients_(clients) {}
 
+  // Takes the program's parts. `allow_inject` accepts `inject` commands. Call before the first
+  // line.
   void configure(const RunHooks& hooks, bool allow_inject);
 
   // Sets the time that the next calls use, ns of hal::monotonic_now_ns.
@@ -63,17 +67,25 @@ class CommandProcessor {
   void refuse_waiting(CommandClient& client, std::string_view why);
 
  private:
+  // Starts the command of a line.
   void carry_out(CommandClient& client, const CommandLine& command);
+  // Gives the command a ticket and posts it for the client.
   void ask(CommandClient& client, Command command);
+  // Posts the client's command if the queue has room.
   void post(CommandClient& client);
+  // Start the commands that need more than one step.
   void ask_parameter(CommandClient& client, const CommandLine& command);
   void ask_scene(CommandClient& client, std::string_view file);
   void ask_next_of_list(CommandClient& client);
   void switch_recording(CommandClient& client, std::string_view file);
+  // Opens the file after the answer says that it may be opened, and posts the scene.
   void hand_scene_over(CommandClient& client, const Answer& answer);
 
+  // Gives an answer to the client that waits for it.
   void deliver(const Answer& answer);
+  // Makes the next scene the one in use, or drops it, as the answer says.
   void take_over_scene(const Answer& answer);
+  // Write the reply to an answer.
   void reply(CommandClient& client, const Answer& answer);
   void reply_set(CommandClient& client, const Answer& answer);
   void reply_scene(CommandClient& client, const Answer& answer);
@@ -82,13 +94,16 @@ class CommandProcessor {
 
   CommandQueue& queue_;
   SceneStore& scenes_;
+  // The server's clients.
   std::span<CommandClient> clients_;
   RunHooks hooks_;
   bool allow_inject_ = false;
   hal::TimeNs now_ns_ = 0;
   Ticket last_ticket_ = 0;
-  PartNames refused_names_{};  // names of the parts of the scene that was refused last
-  Ticket scene_ticket_ = 0;    // ticket of the `scene` command without an answer yet; 0: none
+  // The names of the parts of the scene that was refused last.
+  PartNames refused_names_{};
+  // The ticket of the `scene` command without an answer yet; 0: none.
+  Ticket scene_ticket_ = 0;
 };
 
 }  // namespace tactus::firmware

@@ -16,6 +16,7 @@ bool took_effect(Request request, Mode after) {
       return after == Mode::homing;
     case Request::enable:
       return after == Mode::active;
+    // A disable in `init` or `fault` asks for what is so already.
     case Request::disable:
       return after != Mode::active && after != Mode::homing;
     case Request::reset:

@@ -26,14 +26,16 @@
 
 namespace tactus::firmware {
 
-// The largest number of commands, and of requests, whose answers have not been taken yet.
+// The largest number of commands whose answers have not been taken yet.
 inline constexpr std::size_t kMaxWaiting = 16;
+// The same for requests: the ring of answers has room for both.
 inline constexpr std::size_t kMaxRequests = 48;
 
 // A receiver of events. The loop calls `tell`, so it must be bounded and take no lock. A null
 // `tell` drops the events.
 struct EventSink {
-  void* to = nullptr;  // passed to `tell`
+  // The first argument of `tell`.
+  void* to = nullptr;
   void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
 };
 
@@ -43,15 +45,17 @@ struct StopTaken {
   Mode after = Mode::init;
 };
 
+// The queue of one controller.
 class CommandQueue {
  public:
   // These two may be called from any thread.
 
   // Makes the next tick an estop, before anything that waits in the queue. Returns the number of
-  // the stop.
+  // the stop. Any thread.
   std::uint32_t post_stop() { return stops_posted_.fetch_add(1, std::memory_order_acq_rel) + 1; }
 
-  // Returns the tick that carried out the stop with that number, or nothing while none has.
+  // Returns the tick that carried out the stop with that number, or nothing while none has. Any
+  // thread.
   [[nodiscard]] std::optional<StopTaken> stop_taken(std::uint32_t stop) const;
 
   // These are for the command thread.
@@ -86,23 +90,31 @@ class CommandQueue {
   void set_events(const EventSink& events) { events_ = events; }
 
  private:
+  // Answers the stops that the tick has carried out.
   void answer_stop(const TelemetryRecord& record);
+  // Carries out a command other than a request and answers it.
   void carry_out(const Command& command, Controller& controller);
   void set(const Command& command, Controller& controller, Answer& answer);
   void set_scene(const Command& command, Controller& controller, Answer& answer);
+  // Gives an event to the receiver.
   void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) const;
 
   RequestSlot requests_;
   Ring<Command, kMaxWaiting> commands_;
   Ring<Answer, kMaxWaiting + kMaxRequests> answers_;
-  std::size_t waiting_ = 0;  // command thread only: commands whose answers have not been taken
-  TicketedRequest pending_;  // loop only: the request of this tick
+  // Command thread only: the number of commands whose answers have not been taken.
+  std::size_t waiting_ = 0;
+  // Loop only: the request of this tick.
+  TicketedRequest pending_;
   std::atomic<std::uint32_t> stops_posted_{0};
-  std::uint32_t stops_seen_ = 0;                  // loop only
-  std::atomic<std::uint32_t> stops_answered_{0};  // number of the newest stop carried out
+  // Loop only: the number of the newest stop that a tick has had.
+  std::uint32_t stops_seen_ = 0;
+  // The number of the newest stop carried out.
+  std::atomic<std::uint32_t> stops_answered_{0};
   // Tick of that stop, and the mode after it.
   std::atomic<std::uint64_t> stop_tick_{0};
   std::atomic<Mode> stop_mode_{Mode::init};
+  // Loop only: the mode before the tick.
   Mode before_ = Mode::init;
   bool is_operated_ = false;
   Injector injector_;

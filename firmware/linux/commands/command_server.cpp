@@ -174,6 +174,7 @@ void CommandServer::serve(CommandClient& client) {
       client.drop_line();
     }
   }
+  // A program that has closed its side still gets the reply to its last line.
   if (client.is_done() || (!client.has_sent() && !client.send(now_ns_))) {
     client.disconnect();
   }

@@ -28,15 +28,22 @@ inline constexpr std::size_t kMaxCommandClients = 8;
 // estop, and the tick holds one request more.
 static_assert(2 * kMaxCommandClients + 1 <= kMaxRequests);
 
+// The sockets and the parts of the program that commands reach.
 struct CommandServerConfig {
+  // The path of the command socket.
   const char* socket_path = nullptr;
-  const char* stop_socket_path = nullptr;  // socket of StopListener; null: no such socket
-  const char* group = nullptr;             // group of the socket files; null: the program's own
-  int stop_priority = 0;                   // priority of the stop's thread (stop_listener.h)
-  bool allow_inject = false;               // accept `inject` commands
+  // The path of StopListener's socket; null: no such socket.
+  const char* stop_socket_path = nullptr;
+  // The group of the socket files; null: the program's own.
+  const char* group = nullptr;
+  // The priority of the stop's thread (stop_listener.h).
+  int stop_priority = 0;
+  // True: `inject` commands are accepted.
+  bool allow_inject = false;
   RunHooks hooks;
 };
 
+// The server of one program. The thread that starts it also stops it.
 class CommandServer {
  public:
   CommandServer(CommandQueue& queue, SceneStore& scenes)
@@ -53,19 +60,29 @@ class CommandServer {
   // the program ends. Returns false if after kMostEnd_ns the thread still hangs in a file system
   // that does not answer: the program must then end without running destructors.
   bool stop();
+  // The longest time that stop() waits for the thread.
   static constexpr hal::TimeNs kMostEnd_ns = hal::kNsPerSecond;
 
+  // Returns true between start() and stop().
   [[nodiscard]] bool is_running() const { return is_running_; }
 
  private:
+  // The thread's body: turns until stop().
   void run();
+  // One turn: waits, hears the clients, delivers answers, serves the clients, accepts one more.
   void turn();
+  // Waits until a socket is ready or it is time to look for answers.
   void wait();
+  // Accepts a program that has connected.
   void welcome();
+  // Returns a free place, or makes one.
   CommandClient& place_for_one_more();
+  // Refuses what waits, because the program ends.
   void say_goodbye();
 
+  // Receives a client's lines.
   void listen_to(CommandClient& client);
+  // Carries out a client's next line, or goes on with the present one, and sends its reply.
   void serve(CommandClient& client);
 
   StopListener stop_listener_;

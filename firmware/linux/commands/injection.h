@@ -15,22 +15,36 @@
 
 namespace tactus::firmware {
 
+// The faults that can be injected. README.md has the table for users.
 enum class Injection : std::uint8_t {
-  drop,        // the last sample again, with a growing age
-  stuck,       // the last positions again, with the age of a fresh sample
-  jump,        // the first joint's position plus kInjectedJump
-  nan,         // the first joint's position is not a number
-  encoder,     // the device reports an encoder fault
-  drive,       // the device reports a motor drive fault
-  estop_line,  // the device reports an open emergency stop line
-  lost,        // the device reports that it cannot reach the motors
-  not_ready,   // the device reports that it has lost its reference
-  delay        // the tick is late by `ticks` periods
+  // The last sample again, with a growing age.
+  drop,
+  // The last positions again, with the age of a fresh sample.
+  stuck,
+  // The first joint's position plus kInjectedJump.
+  jump,
+  // The first joint's position is not a number.
+  nan,
+  // The device reports an encoder fault.
+  encoder,
+  // The device reports a motor drive fault.
+  drive,
+  // The device reports an open emergency stop line.
+  estop_line,
+  // The device reports that it cannot reach the motors.
+  lost,
+  // The device reports that it has lost its reference.
+  not_ready,
+  // The tick is late by `ticks` periods.
+  delay
 };
 
+// The texts of a fault.
 struct InjectionText {
   Injection injection;
+  // The word of the `inject` command.
   std::string_view name;
+  // The meaning for people.
   std::string_view meaning;
 };
 
@@ -48,34 +62,44 @@ inline constexpr auto kInjectionTexts = std::to_array<InjectionText>({
     {Injection::delay, "delay", "the tick is late by so many periods"},
 });
 
-inline constexpr double kInjectedJump = 0.1;  // rad or m
+// The size of a jump, rad or m.
+inline constexpr double kInjectedJump = 0.1;
+// The longest injection in ticks.
 inline constexpr std::uint32_t kMaxInjectedTicks = 100'000;
 // The largest delay in periods. It is smaller because a delay stops the loop.
 inline constexpr std::uint32_t kMaxInjectedDelay = 100;
 
+// A fault to inject.
 struct InjectionOrder {
   Injection injection = Injection::drop;
-  std::uint32_t ticks = 1;  // how many ticks it lasts; the periods of a `delay`
+  // The number of ticks that it lasts, or the periods of a `delay`.
+  std::uint32_t ticks = 1;
 };
 
+// The faults that are active now.
 class Injector {
  public:
   // Injects from the next tick on. Injections of other kinds that are active continue.
   void start(const InjectionOrder& order);
 
-  // Changes the device's sample as the active injections say. Call once per tick.
+  // Changes the device's sample as the active injections say. `rate_hz` is the loop's rate. Call
+  // once per tick.
   void change(drivers::JointSample& sample, double rate_hz);
 
   // Returns by how many periods this tick is to be late, and clears that number.
   std::uint32_t take_delay();
 
  private:
+  // The number of ticks left of each kind.
   std::array<std::uint32_t, kInjectionTexts.size()> left_{};
+  // The last sample before `drop` or `stuck`.
   drivers::JointSample last_;
+  // The time since that sample, s.
   double age_s_ = 0.0;
 };
 
-// A device whose samples pass an injector.
+// A device whose samples pass an injector. It has the functions of a drivers::Device. Device,
+// injector and clock must outlive it; without a clock there are no delays.
 template <drivers::Device D>
 class InjectedDevice {
  public:

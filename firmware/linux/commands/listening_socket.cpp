@@ -13,7 +13,9 @@
 namespace tactus::firmware {
 namespace {
 
+// The process's file mode mask decides the mode of the file that bind() makes.
 constexpr mode_t kMaskFor0660 = 0117;
+// The number of programs that may wait to be accepted.
 constexpr int kQueue = 4;
 
 std::unexpected<ListenError> listen_error(std::string_view what, int error) {
@@ -33,6 +35,7 @@ const sockaddr* general(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
+// Returns true if a program listens at the address. A file without one is left over from a crash.
 bool has_listener(const sockaddr_un& address, int type) {
   const hal::FileDescriptor probe(::socket(AF_UNIX, type | SOCK_CLOEXEC, 0));
   return probe.is_open() && ::connect(probe.get(), general(address), sizeof address) == 0;
@@ -65,6 +68,7 @@ std::expected<void, ListenError> ListeningSocket::open(const char* path, const c
     if (!S_ISSOCK(status.st_mode)) {
       return listen_error("there is a file in the socket's place; remove it", EEXIST);
     }
+    // Nobody listens there any more: the file is left over from a program that was killed.
     ::unlink(path);
   }
   path_.fill('\0');

@@ -1,7 +1,7 @@
 // A Unix socket, for streams or datagrams, with a file in the file system. The file has mode 0660
 // and the given group. Whoever may write to the file may connect.
 //
-// Not real time: it is for the start of the program.
+// Not real time: it is for the start of the program. One thread at a time.
 #pragma once
 
 #include <array>
@@ -12,12 +12,15 @@
 
 namespace tactus::firmware {
 
+// Why a socket was not opened.
 struct ListenError {
-  std::string_view what;  // says what went wrong and what to do
+  // The text for the user: what went wrong and what to do.
+  std::string_view what;
+  // The errno of the call that failed.
   int errno_value = 0;
 };
 
-// The destructor closes the socket and removes its file.
+// One socket. The destructor closes it and removes its file.
 class ListeningSocket {
  public:
   ListeningSocket() = default;
@@ -31,10 +34,12 @@ class ListeningSocket {
   std::expected<void, ListenError> open(const char* path, const char* group);
   // Opens a datagram socket; otherwise the same.
   std::expected<void, ListenError> open_datagrams(const char* path, const char* group);
+  // Closes the socket and removes its file.
   void close();
-  // Removes the file and leaves the socket open, for another thread may still use it.
+  // Removes the file and leaves the socket open, because another thread may still use it.
   void remove_file();
 
+  // Returns the descriptor to wait for; -1 if it is not open.
   [[nodiscard]] int descriptor() const { return socket_.get(); }
 
   // Returns the non-blocking socket of a program that has connected; it is not open if none has.
@@ -46,7 +51,8 @@ class ListeningSocket {
   std::expected<void, ListenError> bind_and_listen(const char* group, int type);
 
   hal::FileDescriptor socket_;
-  std::array<char, 108> path_{};  // the size of sockaddr_un::sun_path
+  // The path of the file; empty without one. It has the size of sockaddr_un::sun_path.
+  std::array<char, 108> path_{};
 };
 
 }  // namespace tactus::firmware

@@ -1,4 +1,5 @@
-// Writes the replies of the command socket: "ok ...", or "refused ...: why; what to do".
+// Writes the replies of the command socket: "ok ...", or "refused ...: why; what to do". Pure
+// functions of their arguments; no heap. The examples show the text that each writes.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace tactus::firmware {
 
-// Writes "refused enable: why". For a command that is refused without asking a tick.
+// Writes "refused enable: why".
 void write_refusal(TextLine& line, std::string_view command, std::string_view why);
 
 // Writes "ok enable tick=7 mode=active", or the refusal. In mode `homing` it adds hint="..." unless

@@ -1,7 +1,8 @@
 // Holds the operator's newest request for the tick. A newer request replaces one that no tick has
 // taken yet; only another estop replaces an estop.
 //
-// One thread posts, the loop's thread takes. Lock-free: `take` is one atomic exchange.
+// One thread posts, the loop's thread takes. Lock-free: `take` is one atomic exchange, and real
+// time.
 #pragma once
 
 #include <atomic>
@@ -14,18 +15,24 @@ namespace tactus::firmware {
 // The number of a command; its answer carries the same number. 0 means that nobody waits.
 using Ticket = std::uint32_t;
 
+// A request with the number of its command.
 struct TicketedRequest {
   Request request = Request::none;
   Ticket ticket = 0;
 };
 
+// The slot. Request and ticket are one 64-bit word, so that a tick never takes half of each.
 class RequestSlot {
  public:
+  // The result of post().
   struct Posted {
-    bool accepted = false;     // false: an estop waits for its tick
-    TicketedRequest replaced;  // the request that no tick will see; Request::none if there was none
+    // False: an estop waits for its tick, and the request is refused.
+    bool accepted = false;
+    // The request that no tick will see; Request::none if there was none.
+    TicketedRequest replaced;
   };
 
+  // Puts a request into the slot.
   Posted post(const TicketedRequest& newer) {
     std::uint64_t waiting = word_.load(std::memory_order_relaxed);
     do {

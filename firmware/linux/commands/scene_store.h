@@ -19,14 +19,19 @@
 
 namespace tactus::firmware {
 
+// Why a file was not taken.
 struct SceneStoreError {
-  std::string_view what;  // a text for the user
-  int errno_value = 0;    // 0: the file was read, and refused
+  // The text for the user.
+  std::string_view what;
+  // The errno of the call that failed; 0: the file was read, and refused.
+  int errno_value = 0;
 };
 
 class SceneStore {
  public:
+  // The largest size of a path, with its zero.
   static constexpr std::size_t kMaxPath = 512;
+  // The default size of a memory block.
   static constexpr std::size_t kMaxScene_bytes = std::size_t{256} << 20;
 
   // Sets the size of each memory block; kMaxScene_bytes by default. Call before the first
@@ -34,7 +39,9 @@ class SceneStore {
   void set_room(std::size_t bytes) { room_bytes_ = bytes; }
 
   // Copies and checks a file as the next scene; the scene in use stays. The time grows with the
-  // size: 25 ms for 871,200 triangles. Call use_next or drop_next before the next open_next.
+  // size: 25 ms for 871,200 triangles. Returns the scene, which stays valid until drop_next or,
+  // after use_next, the use_next that follows. Call use_next or drop_next before the next
+  // open_next.
   std::expected<const rendering::SceneImage*, SceneStoreError> open_next(std::string_view path);
 
   // Makes the next scene the one in use and frees the memory of the previous one. Call after the
@@ -60,6 +67,7 @@ class SceneStore {
   [[nodiscard]] std::optional<std::uint32_t> find_object(std::string_view name) const;
 
  private:
+  // A memory block with its scene. Its image, if there is one, points into the file's bytes.
   struct Place {
     hal::ImageSlot file;
     std::optional<rendering::SceneImage> image;
@@ -75,6 +83,7 @@ class SceneStore {
   [[nodiscard]] Place& next() { return places_[1 - used_]; }
 
   std::array<Place, 2> places_;
+  // The index of the scene in use; the other place is for the next one.
   std::size_t used_ = 0;
   std::size_t room_bytes_ = kMaxScene_bytes;
 };

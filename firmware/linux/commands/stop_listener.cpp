@@ -15,13 +15,16 @@
 namespace tactus::firmware {
 namespace {
 
+// The thread looks at this interval whether it is to end.
 constexpr hal::TimeNs kLookForStopsEnd_ns = 100'000'000;
-// The thread looks for the tick that took the stop at this interval, this many times (50 ms).
+// The thread looks for the tick that took the stop at this interval, this many times: 50 ms in all,
+// a tick at the slowest rate taking 20 ms.
 constexpr timespec kLookForTick{.tv_sec = 0, .tv_nsec = 200'000};
 constexpr int kMostLooksForTick = 250;
 // The largest number of senders that one tick answers. Further ones wait for the next tick.
 constexpr std::size_t kMostSenders = 32;
 
+// The address of a sender; its size is small if it has none.
 struct Sender {
   sockaddr_un address{};
   socklen_t size = 0;
@@ -33,6 +36,7 @@ sockaddr* as_plain(sockaddr_un& address) {
   return reinterpret_cast<sockaddr*>(&address);
 }
 
+// Takes one datagram, whatever it contains. Returns false if there is none.
 bool receive(int socket, Sender& sender) {
   std::array<char, 64> any{};
   sender.size = sizeof sender.address;

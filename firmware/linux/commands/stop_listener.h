@@ -15,12 +15,18 @@
 
 namespace tactus::firmware {
 
+// The socket and the thread of the stop.
 struct StopListenerConfig {
+  // The path of the datagram socket.
   const char* socket_path = nullptr;
-  const char* group = nullptr;  // group of the socket's file; null: the program's own
-  int priority = 0;             // SCHED_FIFO; ordinary if 0 or if the right to it is missing
+  // The group of the socket's file; null: the program's own.
+  const char* group = nullptr;
+  // The SCHED_FIFO priority; the thread is an ordinary one if it is 0 or if the right to it is
+  // missing.
+  int priority = 0;
 };
 
+// The listener of one queue, which must outlive it. The thread that starts it also stops it.
 class StopListener {
  public:
   explicit StopListener(CommandQueue& queue) : queue_(queue) {}
@@ -36,7 +42,9 @@ class StopListener {
   void stop();
 
  private:
+  // The thread's body.
   void run();
+  // Posts a stop for each waiting datagram, waits for the tick and answers the senders.
   void hear_all();
 
   CommandQueue& queue_;

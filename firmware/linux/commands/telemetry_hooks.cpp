@@ -10,6 +10,7 @@
 namespace tactus::firmware {
 namespace {
 
+// The largest size of a recording's name, with its zero.
 constexpr std::size_t kMaxRecordingName = 128;
 
 TelemetrySinks& sinks_of(void* run) {
@@ -41,6 +42,8 @@ std::string_view stop_recording(void* run) {
   return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
 }
 
+// Gives the new scene to recordings and to the flight recorder, before the old one's memory is
+// freed.
 void scene_changed(void* run, std::span<const std::byte> image) {
   writer_of(run).attach(attachment_of(kSceneAttachment, image));
   if (FlightWriter* const flight = sinks_of(run).flight; flight != nullptr) {
@@ -48,6 +51,8 @@ void scene_changed(void* run, std::span<const std::byte> image) {
   }
 }
 
+// Publishes an event. A change of the scene also ends the flight recorder's history, because its
+// ticks cannot be replayed with another scene.
 void tell_event(void* to, const TelemetryEvent& event) {
   writer_of(to).publish(event);
   if (FlightWriter* const flight = sinks_of(to).flight;

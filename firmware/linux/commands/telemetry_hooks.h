@@ -1,4 +1,5 @@
-// Connects the commands `record` and `scene` to the telemetry's writers.
+// Connects the commands `record` and `scene` to the telemetry's writers. The hooks run in the
+// command thread, the receiver of events in the loop's.
 #pragma once
 
 #include "firmware/linux/commands/command_queue.h"
@@ -11,7 +12,8 @@ namespace tactus::firmware {
 // The writers that commands reach. They must outlive the server.
 struct TelemetrySinks {
   TelemetryWriter* writer = nullptr;
-  FlightWriter* flight = nullptr;  // null: there is none
+  // The flight recorder's writer; null: there is none.
+  FlightWriter* flight = nullptr;
 };
 
 // Returns hooks for `record` and `scene`. A recording's file is a plain name in the program's

@@ -1,5 +1,5 @@
 // One line of text in a buffer of fixed size. Text that does not fit is cut, and the line then ends
-// in "...". No heap, no locale.
+// in "...". No heap, no locale; one thread.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,13 @@
 
 namespace tactus::firmware {
 
+// The line. Add texts and numbers, then call end() once.
 class TextLine {
  public:
+  // The size of the buffer, bytes, with the newline.
   static constexpr std::size_t kRoom = 512;
 
+  // Adds a text, or as much of it as fits.
   TextLine& add(std::string_view text) {
     const std::size_t fits = std::min(text.size(), kTextEnd - size_);
     std::copy_n(text.begin(), fits, room_.begin() + static_cast<std::ptrdiff_t>(size_));
@@ -43,7 +46,9 @@ class TextLine {
     return *this;
   }
 
+  // Returns the line so far.
   [[nodiscard]] std::string_view text() const { return {room_.data(), size_}; }
+  // Returns true if nothing was added since clear().
   [[nodiscard]] bool empty() const { return size_ == 0; }
   void clear() {
     size_ = 0;

@@ -14,7 +14,7 @@
 
 namespace tactus::firmware {
 
-// The device image and the scene image, as they were given to the program.
+// The names of the device image and the scene image, as they were given to the program.
 inline constexpr std::string_view kDeviceAttachment = "device.tactus";
 inline constexpr std::string_view kSceneAttachment = "scene.tactus";
 // The ControllerConfig written by save_config(), for a run without a device image.
@@ -27,6 +27,7 @@ inline constexpr std::string_view kDeviceChecksumKey = "device.checksum";
 inline constexpr std::string_view kSceneChecksumKey = "scene.checksum";
 inline constexpr std::string_view kSceneFileKey = "scene.file";
 
+// Returns the checksum in an image's header.
 inline std::uint64_t checksum_of(std::span<const std::byte> image) {
   rendering::ImageHeader header;
   std::memcpy(&header, image.data(), std::min(sizeof(header), image.size()));

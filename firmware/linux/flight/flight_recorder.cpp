@@ -45,6 +45,7 @@ void FlightRecorder::begin(std::uint64_t tick) {
 }
 
 void FlightRecorder::take_state(std::uint64_t next_tick, Controller& controller) {
+  // This is the time of the next attempt if the state cannot be taken now.
   state_due_ = next_tick + kTicksToRetry;
   State* const state = oldest_free();
   if (state == nullptr) {
@@ -86,6 +87,8 @@ bool FlightRecorder::can_serve(std::uint64_t first_tick, std::uint64_t end_tick)
 std::optional<FlightWindow> FlightRecorder::hold() {
   release();
   const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
+  // Each state is taken before its number is read, so that the loop cannot replace it meanwhile. Of
+  // two taken ones the worse is given back at once.
   for (std::size_t i = 0; i < kStates; ++i) {
     Use nobody = Use::nobody;
     if (!states_[i].use.compare_exchange_strong(nobody, Use::reader, std::memory_order_acquire)) {
@@ -121,6 +124,7 @@ bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
     return false;
   }
   take(ticks_[number % kFlightTicks], to);
+  // The loop may have overwritten the tick during the copy, so the place is checked again.
   return is_there();
 }
 

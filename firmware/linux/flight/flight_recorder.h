@@ -22,13 +22,16 @@ namespace tactus::firmware {
 
 // A state and the ticks that follow it: the input of a replay.
 struct FlightWindow {
-  std::uint64_t first_tick = 0;  // the first tick after the state
-  std::uint64_t end_tick = 0;    // one beyond the last tick
+  // The number of the first tick after the state.
+  std::uint64_t first_tick = 0;
+  // One beyond the number of the last tick.
+  std::uint64_t end_tick = 0;
+  // The bytes of Controller::save(), valid until release().
   std::span<const std::byte> state;
 };
 
-// Holds kFlightTicks ticks and four states, so it belongs into static storage. It uses no heap and
-// no locks, and never waits.
+// The recorder of one controller. It holds kFlightTicks ticks and four states, so it belongs into
+// static storage. It uses no heap and no locks, and never waits.
 class FlightRecorder {
  public:
   // Adds the last tick. Copies it, and once in kFlightTicks / 4 ticks the controller's state. Call
@@ -42,12 +45,14 @@ class FlightRecorder {
   // The next three are for one other thread.
 
   // Holds the longest window that can be copied safely. Returns nothing if there is no state, as
-  // before the first tick. Hold one window at a time, until release().
+  // before the first tick. Hold one window at a time, until release(). This function and the next
+  // two are for one thread beside the loop.
   std::optional<FlightWindow> hold();
 
   // Copies a tick of the window. Returns false if it has been overwritten.
   bool read(std::uint64_t number, RecordedTick& to) const;
 
+  // Gives the window up, so that the loop may overwrite its state.
   void release();
 
  private:
@@ -60,6 +65,7 @@ class FlightRecorder {
   static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
   static constexpr std::size_t kNoState = kStates;
 
+  // The thread that may use a state's bytes.
   enum class Use : std::uint8_t { nobody, loop, reader };
   struct State {
     std::atomic<Use> use{Use::nobody};
@@ -75,17 +81,27 @@ class FlightRecorder {
       std::array<std::atomic<std::uint64_t>,
                  (sizeof(RecordedTick) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)>;
 
+  // Writes a tick into its slot, or reads one.
   static void put(Slot& slot, const RecordedTick& tick);
   static void take(const Slot& slot, RecordedTick& to);
+  // Forgets all ticks and starts with this one.
   void begin(std::uint64_t tick);
+  // Saves the controller's state into the oldest place that the reader does not hold.
   void take_state(std::uint64_t next_tick, Controller& controller);
+  // Takes that place for the loop; null if there is none.
   State* oldest_free();
+  // Returns true if the ticks between are there and stay there long enough.
   [[nodiscard]] bool can_serve(std::uint64_t first_tick, std::uint64_t end_tick) const;
 
+  // Loop only: true if the next tick begins a new history.
   bool begins_ = true;
+  // Loop only: the tick after which the next state is saved.
   std::uint64_t state_due_ = 0;
-  std::atomic<std::uint64_t> begin_tick_{0};  // the first tick since forget()
-  std::atomic<std::uint64_t> end_tick_{0};    // one beyond the last tick
+  // The first tick since forget().
+  std::atomic<std::uint64_t> begin_tick_{0};
+  // One beyond the last tick.
+  std::atomic<std::uint64_t> end_tick_{0};
+  // Reader only: the index of the held state.
   std::size_t held_ = kNoState;
   std::array<State, kStates> states_{};
   std::array<Slot, kFlightTicks> ticks_{};

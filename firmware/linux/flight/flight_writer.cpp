@@ -71,6 +71,7 @@ void FlightWriter::stop() {
 }
 
 void FlightWriter::run() {
+  // The interval at which the thread looks for a wanted file.
   constexpr useconds_t kLook_us = 20'000;
   bool stopping = false;
   while (!stopping) {

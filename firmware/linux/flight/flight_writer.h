@@ -22,12 +22,17 @@ namespace tactus::firmware {
 // the scene's image (see use_scene()). At most AttachmentList::kMost - 1 images and 22 metadata
 // entries are kept.
 struct FlightPlan {
-  const char* folder = ".";  // an existing folder for the files
-  double rate_hz = 1000.0;   // ticks per second
+  // An existing folder for the files.
+  const char* folder = ".";
+  // The number of ticks per second.
+  double rate_hz = 1000.0;
+  // The metadata of the run.
   RunDescription run;
+  // The images, such as the device's and the scene's.
   std::span<const Attachment> images;
 };
 
+// The recorder with its writer. It belongs into static storage.
 class FlightWriter {
  public:
   FlightWriter() = default;
@@ -64,12 +69,17 @@ class FlightWriter {
   [[nodiscard]] const char* path() const { return path_.data(); }
 
  private:
+  // A fault is written this long after it.
   static constexpr double kAfterFault_s = 0.2;
   static constexpr std::size_t kMaxInfo = 24;
 
+  // The thread's body.
   void run();
+  // Writes a file with the ticks that there are, and prints its name.
   void write_out();
+  // Copies the lists of the plan, which use_scene() changes.
   void copy_plan();
+  // Sets path_ to a name with the time and the tick.
   void name_file(std::uint64_t tick);
   int write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end);
 
@@ -85,10 +95,15 @@ class FlightWriter {
   HelperThread thread_;
   std::array<char, 512> path_{};
 
-  Mode mode_ = Mode::init;           // loop only: the mode of the last tick
-  std::uint64_t ticks_to_wait_ = 0;  // loop only: ticks until a fault is written
+  // Loop only: the mode of the last tick.
+  Mode mode_ = Mode::init;
+  // Loop only: the number of ticks until a fault is written.
+  std::uint64_t ticks_to_wait_ = 0;
+  // False between leave_scene() and use_scene(): nothing is written then.
   std::atomic<bool> has_scene_{true};
+  // True while a fault waits to be written.
   std::atomic<bool> waiting_{false};
+  // True if a file is wanted.
   std::atomic<bool> wanted_{false};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint32_t> files_{0};

@@ -22,6 +22,7 @@ std::atomic<bool> helper_crashed{false};
 std::atomic<bool> motors_stopped{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+// Sets the handler of all crashes. It runs on the thread's crash stack.
 int set_handler(void (*handler)(int)) {
   struct sigaction action{};
   action.sa_handler = handler;
@@ -47,6 +48,8 @@ void set_alarm() {
   alarm(kMostStop_s);
 }
 
+// Tells the loop of the crash and waits until it has stopped the motors. It polls, because no lock
+// is safe in a signal handler.
 void wait_for_the_loop() {
   constexpr timespec kMillisecond{.tv_sec = 0, .tv_nsec = 1'000'000};
   helper_crashed.store(true, std::memory_order_relaxed);
@@ -105,6 +108,8 @@ bool has_helper_crashed() {
 
 void end_in_crash() {
   motors_stopped.store(true, std::memory_order_release);
+  // The crashed thread raises its signal again when it sees motors_stopped, and that ends the
+  // program.
   for (;;) {
     pause();
   }

@@ -39,9 +39,9 @@ inline constexpr std::array kCrashSignals{SIGSEGV, SIGBUS,  SIGILL, SIGFPE,
 // Returns all signals but kCrashSignals: the ones that a thread may block.
 sigset_t all_signals_but_crashes();
 
-// Catches kCrashSignals in all threads. Call from the loop's thread. The handler may call
-// `stop_motors` at any point of a tick; if it hangs, an alarm ends the program after a second.
-// Returns 0 or errno.
+// Catches kCrashSignals in all threads. Call from the loop's thread, before there is torque. The
+// handler may call `stop_motors` at any point of a tick; if it hangs, an alarm ends the program
+// after a second. Returns 0 or errno.
 int catch_crashes(void (*stop_motors)());
 
 // Returns true if a thread other than the loop's has crashed. Real time.

@@ -18,6 +18,7 @@ namespace {
 constexpr int kLibraryCancel = 32;
 constexpr int kLibrarySetId = 33;
 
+// Returns true for a signal that the C library keeps for itself.
 constexpr bool is_the_librarys(int signal) {
   return signal == kLibraryCancel || signal == kLibrarySetId;
 }
@@ -35,6 +36,7 @@ void ignore_in_kernel(int signal) {
   (void)syscall(SYS_rt_sigaction, signal, &action, nullptr, kMask_bytes);
 }
 
+// Sets the handler of one signal. Returns 0 or errno.
 int set_handler(int signal, void (*handler)(int)) {
   struct sigaction action{};
   action.sa_handler = handler;

@@ -10,13 +10,20 @@
 
 namespace tactus::firmware {
 
+// The reactions to signals.
 enum class SignalReaction : std::uint8_t {
-  end,       // the loop disables, the motors lose their torque, then the program ends
-  crash,     // crash_stop.h: the motors lose their torque, then the signal has its own effect
-  flight,    // the flight recorder writes its file
-  ignore,    // ignored: the system call that failed reports the error
-  harmless,  // the system's default is to ignore it
-  uncaught,  // SIGKILL and SIGSTOP cannot be caught; the drives' own watchdogs act
+  // The loop disables, the motors lose their torque, then the program ends.
+  end,
+  // The motors lose their torque, then the signal has its own effect (crash_stop.h).
+  crash,
+  // The flight recorder writes its file.
+  flight,
+  // The signal is ignored: the system call that failed reports the error.
+  ignore,
+  // The system's default is to ignore it.
+  harmless,
+  // SIGKILL and SIGSTOP cannot be caught; the drives' own watchdogs act.
+  uncaught,
 };
 
 // Returns the reaction to a signal from 1 to SIGRTMAX.

@@ -11,11 +11,13 @@
 
 namespace tactus::firmware {
 
+// The owner of one thread. The thread that starts it also joins it.
 class HelperThread {
  public:
   // The whole stack is locked in memory, so it is smaller than the default of 8 MB.
   static constexpr std::size_t kStack_bytes = std::size_t{256} << 10;
 
+  // The function that the thread runs.
   using Body = void (*)(void* context);
 
   HelperThread() = default;
@@ -42,6 +44,7 @@ class HelperThread {
   bool started_ = false;
   CrashStack crash_stack_;
 
+  // The thread's first function: it takes the crash stack and runs the body.
   static void* enter(void* self);
 };
 

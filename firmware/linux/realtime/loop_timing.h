@@ -1,5 +1,6 @@
 // Measures how well the loop keeps its time: wake-up latency, duration of the tick and of each of
-// its stages, and the numbers of missed and late ticks.
+// its stages, and the numbers of missed and late ticks. The loop's thread adds; read it after the
+// loop.
 #pragma once
 
 #include <array>
@@ -15,19 +16,26 @@ namespace tactus::firmware {
 
 // The times of one tick, ns of CLOCK_MONOTONIC.
 struct LoopTick {
-  hal::TimeNs scheduled_ns = 0;  // when it should have begun
-  hal::TimeNs woke_ns = 0;       // when it began
-  hal::TimeNs done_ns = 0;       // when the device's write had returned
-  std::int64_t skipped = 0;      // scheduled ticks missed since the previous tick
-  bool late = false;             // see LoopTiming::woke
+  // The time at which it should have begun.
+  hal::TimeNs scheduled_ns = 0;
+  // The time at which it began.
+  hal::TimeNs woke_ns = 0;
+  // The time at which the device's write had returned.
+  hal::TimeNs done_ns = 0;
+  // The number of scheduled ticks missed since the previous tick.
+  std::int64_t skipped = 0;
+  // True for a late tick: see LoopTiming::woke.
+  bool late = false;
 };
 
 // The durations that have a histogram. `tick` is from the wake-up to the end of the device's write.
 enum class Timed : std::uint8_t { wake_up, tick, read, check, kinematics, touch, safety, write };
 
+// The names of the durations in the order of Timed, for tables.
 inline constexpr std::array<std::string_view, 8> kTimedNames = {
     "wake_up", "tick", "read", "check", "kinematics", "touch", "safety", "write"};
 
+// The measurements of one loop, in static memory.
 class LoopTiming {
  public:
   // Sets the period of the loop. Call before the first tick.
@@ -39,10 +47,13 @@ class LoopTiming {
   // Ends the tick at `now_ns` and adds its durations to the histograms. Real time.
   void done(LoopTick& tick, const StageTimes& stages, hal::TimeNs now_ns);
 
+  // Returns the histogram of a duration.
   [[nodiscard]] const TimeHistogram& of(Timed what) const {
     return histograms_[static_cast<std::size_t>(what)];
   }
-  [[nodiscard]] std::uint64_t missed() const { return missed_; }  // scheduled ticks not run
+  // Returns the number of scheduled ticks that were not run.
+  [[nodiscard]] std::uint64_t missed() const { return missed_; }
+  // Returns the number of late ticks.
   [[nodiscard]] std::uint64_t late() const { return late_; }
 
  private:

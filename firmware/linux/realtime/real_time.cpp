@@ -28,6 +28,7 @@ constexpr std::size_t kPage_bytes = 4096;
   }
 }
 
+// Keeps the thread on one processor. Returns false with errno.
 bool pin(int cpu) {
   if (cpu < 0 || cpu >= CPU_SETSIZE) {
     errno = EINVAL;
@@ -43,6 +44,7 @@ bool pin(int cpu) {
 
 bool become_real_time(const RealTimeConfig& config, RealTimeError& error) {
   bool done = true;
+  // Notes the first error and goes on, so that --allow-non-realtime still gets what it can.
   const auto expect = [&](bool succeeded, std::string_view what) {
     if (!succeeded && done) {
       error = {what, errno};

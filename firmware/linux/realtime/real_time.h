@@ -8,12 +8,18 @@
 
 namespace tactus::firmware {
 
+// The rights that the thread asks for.
 struct RealTimeConfig {
-  int priority = 80;       // SCHED_FIFO, 1 to 99; kernels' interrupt threads are at 50
-  std::optional<int> cpu;  // the thread runs on this processor only
+  // The priority of SCHED_FIFO, 1 to 99. Kernels' interrupt threads are at 50: the loop comes
+  // first.
+  int priority = 80;
+  // The processor on which alone the thread runs; none: any.
+  std::optional<int> cpu;
 };
 
+// The first step that failed.
 struct RealTimeError {
+  // The text for the user.
   std::string_view what;
   int errno_value = 0;
 };

@@ -16,11 +16,13 @@ namespace tactus::firmware {
 
 namespace {
 
+// Returns the variable's value; empty if it is not set.
 std::string_view environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string_view{} : std::string_view(value);
 }
 
+// Returns the number of a text that is nothing else, or nothing.
 std::optional<std::int64_t> positive_number(std::string_view text) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -42,6 +44,7 @@ int ServiceNotice::open() {
   }
   std::ranges::copy(name, std::begin(address.sun_path));
   if (name.front() == '@') {
+    // An abstract name begins with a zero in place of the @.
     address.sun_path[0] = '\0';
   }
   hal::FileDescriptor socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));

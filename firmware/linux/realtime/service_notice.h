@@ -1,4 +1,5 @@
-// Sends the program's state to the service manager: systemd's datagrams to $NOTIFY_SOCKET.
+// Sends the program's state to the service manager: systemd's datagrams to $NOTIFY_SOCKET
+// (sd_notify(3)).
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 
 namespace tactus::firmware {
 
+// The connection to the service manager.
 class ServiceNotice {
  public:
   // Opens the socket that $NOTIFY_SOCKET names: a path, or an abstract name after an @. Without

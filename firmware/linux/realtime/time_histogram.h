@@ -17,8 +17,11 @@ class TimeHistogram {
   // Counts one duration. Real time.
   void add(std::int64_t time_ns);
 
+  // Returns the counts of the bins.
   [[nodiscard]] const std::array<std::uint64_t, kTimeBins>& bins() const { return bins_; }
+  // Returns the number of durations beyond the last bin.
   [[nodiscard]] std::uint64_t overflow() const { return overflow_; }
+  // Returns the number of all durations.
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
   // Return the shortest, longest and mean duration; all are 0 while nothing has been counted.

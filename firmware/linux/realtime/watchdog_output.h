@@ -1,5 +1,5 @@
 // A GPIO line that toggles with every healthy tick. An external circuit takes the motors' power
-// away when the line stops toggling, whatever has happened to this program.
+// away when the line stops toggling, whatever has happened to this program. One thread.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 namespace tactus::firmware {
 
+// The line; without open() it does nothing.
 class WatchdogOutput {
  public:
   // Requests the line and sets it inactive. `lines` must outlive this. Errors are those of
@@ -23,6 +24,7 @@ class WatchdogOutput {
 
  private:
   hal::GpioLines* lines_ = nullptr;
+  // The level of the line after the last tick.
   bool active_ = false;
   std::uint64_t failed_ = 0;
 };

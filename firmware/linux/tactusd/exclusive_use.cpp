@@ -17,7 +17,8 @@
 namespace tactus::firmware {
 namespace {
 
-using Name = std::array<char, 100>;  // as long as a claim's name may be
+// A claim's name, ended by a zero: as long as a claim's name may be.
+using Name = std::array<char, 100>;
 
 // Returns the text with a zero at its end, as system calls need it.
 std::array<char, kMaxMessage> terminated(std::string_view text) {
@@ -41,6 +42,7 @@ Name file_claim(const char* kind, std::string_view path, unsigned channel = 0) {
   return name;
 }
 
+// Names a CAN interface by its number. Returns an empty name if there is none.
 Name can_claim(std::string_view interface) {
   Name name{};
   const unsigned index = if_nametoindex(terminated(interface).data());

@@ -1,6 +1,6 @@
 // Makes sure that only one tactusd uses a run folder, CAN interface, serial port or PWM channel.
 // (The kernel itself gives pins and USB devices to one program only.) If another program holds one
-// of them, a message on stderr names it and its process.
+// of them, a message on stderr names it and its process. Not real time; one thread.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace tactus::firmware {
 // Claims resources until the end of the program. Claim them before any of them is opened.
 class ExclusiveUse {
  public:
-  // Returns false after it has printed why to stderr.
+  // Claims the folder of the sockets. Returns false after it has printed why to stderr.
   bool of_run_folder(const char* folder);
   // Claims every connection of the device. One that does not exist is skipped, because opening it
   // reports that. Returns false after it has printed why to stderr.
@@ -28,6 +28,7 @@ class ExclusiveUse {
   bool of(const drivers::GpioConnection& gpio);
   static bool of(const drivers::FalconConnection& falcon);
 
+  // Claims one name. `what` and `which` describe it in a message.
   bool take(std::string_view name, std::string_view what, std::string_view which);
 
   std::array<hal::ExclusiveClaim, kMaxConnections + 1> claims_;

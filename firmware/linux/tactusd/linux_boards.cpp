@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::uint32_t kHaplyBaud = 115'200;  // the board's USB ignores it
 
+// Returns the error of a connection.
 std::unexpected<OpenError> cannot(const ConnectionConfig& connection, std::string_view what,
                                   const hal::Error& error = {hal::ErrorCode::invalid_argument, 0}) {
   return std::unexpected(OpenError{connection.name, what, error});
@@ -184,6 +185,7 @@ LinuxBoards::Outcome LinuxBoards::wire(const DeviceConfig& config,
          .motor = addresses_[joint.motor],
          .transmission = joint.transmission,
          .reference = joint.reference,
+         // The limit at the joint, as the motor's shaft feels it.
          .max_torque_Nm = joint.limits.max_effort / joint.transmission.motor_ratio});
     if (!added) {
       return cannot(config.connections[config.axes[joint.motor].connection],

@@ -1,5 +1,6 @@
 // Opens the boards of a device on the interfaces of a Linux machine and composes the device of
-// them. Only this class knows the boards of drivers and the classes of hal/linux together.
+// them. Only this class knows the concrete classes of drivers and of hal/linux together. Not real
+// time; the loop's thread then uses the device.
 #pragma once
 
 #include <array>
@@ -26,12 +27,17 @@
 
 namespace tactus::firmware {
 
+// Why a board was not opened.
 struct OpenError {
-  std::string_view connection;  // its name in the device's file
-  std::string_view what;        // says what failed and what to do
+  // The connection's name in the device's file.
+  std::string_view connection;
+  // The text for the user: what failed and what to do.
+  std::string_view what;
+  // The error of the call that failed.
   hal::Error error;
 };
 
+// The boards of one device, in static storage.
 class LinuxBoards {
  public:
   LinuxBoards() = default;
@@ -50,6 +56,7 @@ class LinuxBoards {
   std::expected<void, OpenError> open_watchdog(const DeviceConfig& config,
                                                WatchdogOutput& watchdog);
 
+  // Returns the clock that boards and loop share.
   [[nodiscard]] hal::LinuxClock& clock() { return clock_; }
 
  private:
@@ -67,10 +74,12 @@ class LinuxBoards {
     }
     [[nodiscard]] bool has_watchdog_line() const { return device.watchdog_line.has_value(); }
   };
+  // A CAN interface with the drives on it.
   struct CanLine {
     hal::LinuxCanBus bus;
     std::optional<drivers::RegisteredCanBoard> board;
   };
+  // The pins, PWM channel and counter of one axis on GPIO.
   struct GpioLine {
     std::optional<hal::LinuxGpioLines> lines;
     hal::LinuxPwmOutput pwm;
@@ -96,7 +105,9 @@ class LinuxBoards {
   std::optional<drivers::Falcon> falcon_;
   hal::LinuxSerialPort serial_;
   std::optional<drivers::Haply> haply_;
-  std::array<drivers::BoardRef, kMaxConnections> boards_;  // one per connection
+  // The boards, one for each connection.
+  std::array<drivers::BoardRef, kMaxConnections> boards_;
+  // The board and the number on it of each axis.
   std::array<drivers::AxisAddress, kMaxAxes> addresses_{};
 };
 

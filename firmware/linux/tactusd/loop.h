@@ -1,4 +1,5 @@
-// The device loop: wake to the phase -> take the request -> read, controller, write -> publish.
+// The device loop of tactusd: wake to the phase -> take the request -> read, controller, write ->
+// publish.
 //
 // The loop does not allocate, lock or print. It waits only for its phase and for the boards'
 // bounded transfers. The program gives it requests and gets its records through LoopHooks.
@@ -33,15 +34,18 @@ concept LoopHooks = requires(T& hooks, Controller& controller, const LoopTick& t
   hooks.publish(controller, tick);
 };
 
+// The phase and the end of a loop.
 struct LoopConfig {
-  hal::Phase phase;  // period and offset of the ticks
-  // The loop ends after this many ticks at the latest.
+  // The period and offset of the ticks.
+  hal::Phase phase;
+  // The number of ticks after which the loop ends at the latest.
   std::uint64_t ticks = std::numeric_limits<std::uint64_t>::max();
-  // The loop ends after this many ticks in a row in mode `fault`. Meanwhile the boards switch the
-  // motors' power off.
+  // The number of ticks in a row in mode `fault` after which the loop ends. Meanwhile the boards
+  // switch the motors' power off.
   std::uint64_t ticks_after_fault = 0;
 };
 
+// The end of a loop: as asked, or in mode `fault`.
 enum class LoopEnd : std::uint8_t { ended, faulted };
 
 // Decides after each tick whether the loop goes on.
@@ -50,6 +54,7 @@ class LoopCourse {
   explicit LoopCourse(const LoopConfig& config)
       : left_(config.ticks), ticks_after_fault_(config.ticks_after_fault) {}
 
+  // Takes the mode after a tick. Returns false if the loop is to end.
   bool goes_on(Mode mode, bool stopping);
 
  private:

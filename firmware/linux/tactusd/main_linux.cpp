@@ -38,6 +38,7 @@
 namespace tactus::firmware {
 namespace {
 
+// The exit codes; print_usage() explains them.
 constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
@@ -45,6 +46,7 @@ constexpr int kCouldNotStart = 2;
 // a command socket it goes on until a signal ends it, because an operator may reset the fault.
 constexpr double kAfterFault_s = 0.2;
 
+// True after a signal that ends the program.
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -80,6 +82,7 @@ struct Program {
 
 Program program;
 
+// Takes the torque away at once. The handler of crashes calls it, too.
 void stop_motors() {
   if (program.device) {
     program.device->stop();
@@ -90,6 +93,7 @@ void on_flight_signal(int /*signal*/) {
   program.telemetry.ask_for_flight();
 }
 
+// Prints why a board could not be opened.
 void complain(const OpenError& error) {
   const std::string_view code = hal::words(error.error.code);
   std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
@@ -152,6 +156,7 @@ class ProgramHooks {
   const drivers::ComposedDevice* device_;
 };
 
+// Runs the loop and stops the motors. Returns the exit code.
 int run(drivers::ComposedDevice& device, const Options& options) {
   const double rate_hz = program.inputs.config().controller.rate_hz;
   LoopConfig config{.phase = loop_phase(rate_hz),
@@ -180,6 +185,7 @@ int run(drivers::ComposedDevice& device, const Options& options) {
   return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
+// Prints the latched faults, the joint in trouble and the joint that lost its reference.
 void explain_fault(const drivers::ComposedDevice& device) {
   for (const FaultText& text : kFaultTexts) {
     if ((program.controller.record().faults & text.bit) != 0) {
@@ -225,6 +231,7 @@ bool take_time(const Options& options) {
   return true;
 }
 
+// Starts the messages to the service manager and to stderr. Returns false if there is no thread.
 bool start_reporting() {
   if (const int failed = program.notice.open(); failed != 0) {
     std::fprintf(stderr, "tactusd: $NOTIFY_SOCKET: %s\n", std::strerror(failed));
@@ -236,6 +243,7 @@ bool start_reporting() {
   return failed == 0;
 }
 
+// Returns the folder of the sockets.
 const char* run_folder(const Options& options) {
   return options.run_dir != nullptr ? options.run_dir : kRunFolder;
 }
@@ -284,6 +292,7 @@ bool start_commands(const Options& options) {
   return started.has_value();
 }
 
+// Writes the histogram's file, or prints why it could not.
 void write_timing(const char* path) {
   if (const int failed = write_histogram(path, program.timing); failed != 0) {
     std::fprintf(stderr, "tactusd: %s: cannot write: %s\n", path, std::strerror(failed));
@@ -310,6 +319,7 @@ void print_end_signal() {
   }
 }
 
+// Opens everything, runs the loop, and ends what was started. Returns the exit code.
 int start_and_run(const Options& options) {
   program.controller.set_clock(now_ns);
   if (!take_run_folder(options)) {
@@ -340,6 +350,7 @@ int start_and_run(const Options& options) {
   if (!catch_signals()) {
     return kCouldNotStart;
   }
+  // The boards may put torque on the motors from here on, so the signals are caught by now.
   device->start();
   const int code = run(*device, options);
   print_end_signal();
@@ -363,6 +374,7 @@ int start_and_run(const Options& options) {
     std::fputs("tactusd: a file system has not answered the command thread; ends without it\n",
                stderr);
     std::fflush(nullptr);
+    // A thread hangs in a system call and may use any object, so no destructor may run.
     std::_Exit(code);
   }
   return code;

@@ -1,4 +1,4 @@
-// Helpers for the messages that tactusd prints to stderr with printf.
+// Helpers for the messages that tactusd prints to stderr with printf. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,8 @@
 
 namespace tactus::firmware {
 
-inline constexpr std::size_t kMaxMessage = 512;  // size of a message's buffer in bytes
+// The size of a message's buffer, bytes.
+inline constexpr std::size_t kMaxMessage = 512;
 
 // Returns the length of a view as printf's "%.*s" takes it.
 inline int length(std::string_view text) {

@@ -10,12 +10,14 @@ namespace tactus::firmware {
 
 namespace {
 
+// Reads a number in the closed range. Returns false if the text is missing or is anything else.
 bool read_number(const char* text, double low, double high, double& number) {
   char* end = nullptr;
   number = text == nullptr ? 0.0 : std::strtod(text, &end);
   return end != nullptr && end != text && *end == '\0' && number >= low && number <= high;
 }
 
+// Prints what is wrong with an argument. Returns false for the caller to return.
 bool complain(std::string_view what, std::string_view argument) {
   std::fprintf(stderr, "tactusd: %.*s %.*s; see tactusd --help\n", length(what), what.data(),
                length(argument), argument.data());

@@ -13,28 +13,49 @@ namespace tactus::firmware {
 // The folder of the sockets without --run-dir.
 inline constexpr const char* kRunFolder = "/run/tactus";
 
+// The options as given, with their defaults. The texts point into the command line.
 struct Options {
+  // The device image.
   const char* device = nullptr;
-  const char* scene = nullptr;      // null: free space
-  const char* record = nullptr;     // file name, .mcap or .csv; null: no recording
-  const char* flight_dir = ".";     // folder for the flight recorder's files
-  const char* run_dir = nullptr;    // folder for the sockets; null: kRunFolder
-  const char* group = nullptr;      // group of the command socket; null: the program's own
-  std::uint16_t udp_port = 0;       // port of this machine that gets JSON; 0: none
-  const char* histogram = nullptr;  // CSV file, written at the end; null: none
-  double seconds = 0.0;             // length of the run; 0: until a signal ends it
-  bool enable = false;              // home and enable without an operator's request
+  // The scene image; null: free space.
+  const char* scene = nullptr;
+  // The recording's file, .mcap or .csv; null: no recording.
+  const char* record = nullptr;
+  // The folder for the flight recorder's files.
+  const char* flight_dir = ".";
+  // The folder for the sockets; null: kRunFolder.
+  const char* run_dir = nullptr;
+  // The group of the command socket; null: the program's own.
+  const char* group = nullptr;
+  // The port of this machine that gets JSON; 0: none.
+  std::uint16_t udp_port = 0;
+  // The CSV file that is written at the end; null: none.
+  const char* histogram = nullptr;
+  // The length of the run; 0: until a signal ends it.
+  double seconds = 0.0;
+  // True: home and enable without an operator's request.
+  bool enable = false;
+  // True: run without real-time priority and locked memory.
   bool allow_non_realtime = false;
-  bool allow_inject = false;          // accept injected faults, for tests and drills
-  bool allow_uncommissioned = false;  // allow force on a device that was never commissioned
-  bool allow_uncertified = false;     // allow a scene stiffer than the device's certificate
-  int priority = 80;                  // SCHED_FIFO priority of the loop
-  std::optional<int> cpu;             // processor of the loop; none: any
-  std::size_t scene_memory_bytes = SceneStore::kMaxScene_bytes;  // size of the largest scene image
-  double rate_hz = 0.0;                                          // 0: the rate in the device's file
+  // True: accept injected faults, for tests and drills.
+  bool allow_inject = false;
+  // True: allow force on a device that was never commissioned.
+  bool allow_uncommissioned = false;
+  // True: allow a scene that is stiffer than the device's certificate.
+  bool allow_uncertified = false;
+  // The SCHED_FIFO priority of the loop.
+  int priority = 80;
+  // The processor of the loop; none: any.
+  std::optional<int> cpu;
+  // The size of the largest scene image.
+  std::size_t scene_memory_bytes = SceneStore::kMaxScene_bytes;
+  // The number of ticks a second; 0: the rate in the device's file.
+  double rate_hz = 0.0;
+  // True: print the usage and end.
   bool help = false;
 };
 
+// Prints the usage with examples.
 void print_usage(std::FILE* file);
 
 // Reads the command line into `options`. Returns false after it has printed why to stderr.

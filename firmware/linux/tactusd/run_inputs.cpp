@@ -16,11 +16,13 @@
 namespace tactus::firmware {
 namespace {
 
+// The longest path of the Falcon's firmware, with its zero.
 constexpr std::size_t kMostPath = 512;
 
 // A file larger than this is refused. Device images and the Falcon's firmware are far smaller.
 constexpr std::size_t kMostBytes = std::size_t{16} << 20;
 
+// Copies a file into the slot. Returns false after it has printed why to stderr.
 bool copy(hal::ImageSlot& slot, const char* path) {
   const int no_room = slot.reserve(kMostBytes);
   const hal::FileError error =
@@ -33,6 +35,7 @@ bool copy(hal::ImageSlot& slot, const char* path) {
   return !error.is_error();
 }
 
+// Prints why the controller has refused the scene.
 void tell_refusal(const char* path, const rendering::SceneImage& scene,
                   const SceneRefusal& refusal) {
   std::array<char, kMaxMessage> room{};

@@ -17,11 +17,13 @@
 
 namespace tactus::firmware {
 
+// The inputs of one run, in static storage. Not real time; one thread.
 class RunInputs {
  public:
   // Each load function returns false after it has printed the file and the reason to stderr.
 
-  // Configures the controller as the device image and the command line say.
+  // Configures the controller as the device image and the command line say. Each load function
+  // returns false after it has printed the file and the reason to stderr.
   bool load_device(const Options& options, Controller& controller);
   // Loads the scene into the controller, if the command line names one.
   bool load_scene(const Options& options, Controller& controller);
@@ -32,7 +34,9 @@ class RunInputs {
   [[nodiscard]] std::string_view enable_refusal() const { return enable_refusal_; }
   // Returns what the user has to do while the device homes; empty if nothing.
   [[nodiscard]] std::string_view homing_hint() const { return homing_hint_.view(); }
+  // Returns the device's configuration, with --rate and --allow-uncertified.
   [[nodiscard]] const DeviceConfig& config() const { return config_; }
+  // Return the bytes of the device image and of the Falcon's firmware; empty without one.
   [[nodiscard]] std::span<const std::byte> device() const { return device_file_.bytes(); }
   [[nodiscard]] std::span<const std::byte> falcon_firmware() const { return falcon_file_.bytes(); }
   // Returns the scene's memory. The command thread uses it once the loop runs.

@@ -16,6 +16,7 @@ constexpr std::string_view kLiveSocketName = "/telemetry.sock";
 // PlotJuggler draws a hundred points a second.
 constexpr double kUdpRate_Hz = 100.0;
 
+// Returns CLOCK_REALTIME minus CLOCK_MONOTONIC, ns: a recording's times are since 1970.
 std::int64_t realtime_offset_ns() {
   timespec now{};
   clock_gettime(CLOCK_REALTIME, &now);

@@ -21,11 +21,15 @@ namespace tactus::firmware {
 
 // The inputs of the run, for its recordings. They must outlive the telemetry.
 struct RunImages {
-  const ControllerConfig& config;  // the controller's configuration
+  // The controller's configuration.
+  const ControllerConfig& config;
+  // The device image.
   std::span<const std::byte> device;
-  std::span<const std::byte> scene;  // empty: free space
+  // The scene image; empty: free space.
+  std::span<const std::byte> scene;
 };
 
+// The outputs of one run, in static storage.
 class RunTelemetry {
  public:
   RunTelemetry() = default;
@@ -39,6 +43,7 @@ class RunTelemetry {
 
   // Publishes the tick that has ended. Real time: for the loop's thread.
   void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
+  // Publishes an event. Real time: for the loop's thread.
   void publish(const TelemetryEvent& event) { writer_.publish(event); }
 
   // Ends the outputs after the loop. Prints to stderr how much is missing from the recording, if
@@ -51,12 +56,16 @@ class RunTelemetry {
   void ask_for_flight() { flight_.ask(); }
 
  private:
+  // Makes the metadata of the recordings.
   void describe(const Options& options, const RunImages& images, std::size_t joints);
+  // Attaches images and configuration to the recordings.
   void attach(const RunImages& images);
+  // Adds an entry of the metadata. Both texts must stay.
   void note(std::string_view key, std::string_view value);
   // Copies the text that `write` adds to the buffer into `memory_` and returns a view of it.
   template <class Write>
   std::string_view keep(Write write);
+  // Opens the live socket. Returns false after it has printed why to stderr.
   bool open_live_socket(const Options& options);
 
   TelemetryWriter writer_;
@@ -65,6 +74,7 @@ class RunTelemetry {
   std::array<Attachment, 3> images_{};
   RunDescription description_;
   std::array<std::byte, kMaxConfigBytes> config_{};
+  // The texts of the metadata that are made here.
   std::array<char, 1024> memory_{};
   TextBuffer texts_{memory_};
   std::array<MetadataEntry, 16> info_{};

@@ -10,6 +10,7 @@ namespace tactus::firmware {
 
 namespace {
 
+// The interval at which the thread looks for changes; shorter if the watchdog's period asks for it.
 constexpr hal::TimeNs kLook_ns = 50'000'000;
 
 static_assert(std::atomic<Mode>::is_always_lock_free);

@@ -14,6 +14,7 @@
 
 namespace tactus::firmware {
 
+// The reporter of one loop, which never waits for it.
 class Supervisor {
  public:
   Supervisor() = default;
@@ -33,10 +34,14 @@ class Supervisor {
   void stop();
 
  private:
+  // The number of changes of mode that may wait to be printed.
   static constexpr std::uint32_t kModesKept = 32;
 
+  // The thread's body.
   void run();
+  // Prints the changes since the last call.
   void print_modes();
+  // Tells the manager that ticks have come since the last call.
   void notify_manager(hal::TimeNs now_ns);
 
   const ServiceNotice* notice_ = nullptr;
@@ -44,13 +49,15 @@ class Supervisor {
   HelperThread thread_;
   std::atomic<bool> stopping_{false};
 
-  // The loop writes these.
+  // The loop writes these: the number of ticks, and the modes of the last changes with their
+  // number.
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint32_t> changes_{0};
   std::array<std::atomic<Mode>, kModesKept> modes_{};
   Mode last_ = Mode::init;
 
-  // Only the thread uses these.
+  // Only the thread uses these: the changes printed, the ticks seen, and the time of the next
+  // WATCHDOG=1.
   std::uint32_t reported_ = 0;
   std::uint64_t ticks_seen_ = 0;
   hal::TimeNs next_watchdog_ns_ = 0;

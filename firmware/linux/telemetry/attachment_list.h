@@ -1,4 +1,4 @@
-// The attachments of a recording; each name occurs once.
+// The attachments of a recording; each name occurs once. One thread.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,15 @@ namespace tactus::firmware {
 
 // A file that is stored whole in the recording. `name` and `bytes` must outlive the list.
 struct Attachment {
+  // The name in the recording, and the content.
   std::string_view name;
   std::span<const std::byte> bytes;
 };
 
+// The list. It keeps views, not bytes.
 class AttachmentList {
  public:
+  // The largest number of attachments.
   static constexpr std::size_t kMost = 8;
 
   // Adds an attachment or replaces the one with the same name. Returns false if the list is full.
@@ -35,6 +38,7 @@ class AttachmentList {
     return true;
   }
 
+  // Returns the attachments in the order in which their names were added.
   [[nodiscard]] std::span<const Attachment> all() const {
     return std::span(attachments_).first(count_);
   }

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kAxisNames = {"x", "y", "z"};
 
+// Writes a column's name: the name, what stands before the element, the element, and the unit.
 void put_column(TextBuffer& text, const FieldName& name, std::string_view before, auto element) {
   text.text(text.size() == 0 ? "" : ",").text(name.column).text(before);
   if constexpr (std::is_integral_v<decltype(element)>) {
@@ -49,6 +50,7 @@ class ColumnNames {
   std::size_t joints_;
 };
 
+// Writes the values of a field, in the order of ColumnNames.
 class ColumnValues {
  public:
   ColumnValues(TextBuffer& text, std::size_t joints) : text_(&text), joints_(joints) {}
@@ -74,6 +76,7 @@ class ColumnValues {
   }
 
  private:
+  // Writes the comma before a value.
   TextBuffer& separate() {
     text_->text(first_ ? "" : ",");
     first_ = false;

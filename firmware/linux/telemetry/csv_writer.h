@@ -11,6 +11,7 @@
 
 namespace tactus::firmware {
 
+// The writer of one file.
 class CsvWriter {
  public:
   CsvWriter() = default;
@@ -28,10 +29,13 @@ class CsvWriter {
   // Writes the buffer and closes the file. Returns 0 or the errno of the first failure.
   int close();
 
+  // Returns true between open() and close().
   [[nodiscard]] bool is_open() const { return sink_.is_open(); }
+  // Returns 0 or the errno that ended the file.
   [[nodiscard]] int error() const { return sink_.error(); }
 
  private:
+  // The largest size of a line: the buffer is written when it has no room for one more.
   static constexpr std::size_t kLongestLine = 8192;
 
   FileSink sink_;

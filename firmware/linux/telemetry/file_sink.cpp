@@ -28,6 +28,7 @@ int make_file(const char* path, IfThere if_there) {
     errno = EEXIST;
     return -1;
   }
+  // The returned descriptor is a copy, because `file` closes its own.
   return !is_file || ::ftruncate(file.get(), 0) == 0 ? ::fcntl(file.get(), F_DUPFD_CLOEXEC, 0) : -1;
 }
 

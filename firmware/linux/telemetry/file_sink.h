@@ -1,5 +1,5 @@
 // A file to which bytes are appended, with its length and the checksum of what was written. Not
-// real time.
+// real time; one thread.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,10 @@ namespace tactus::firmware {
 
 // The reaction of `open` to an existing file. Links are never followed.
 enum class IfThere : std::uint8_t {
-  replace,  // empties a file, writes to a character device
-  refuse,   // returns EEXIST
+  // A file is emptied; a character device is written to.
+  replace,
+  // The error is EEXIST.
+  refuse,
 };
 
 class FileSink {
@@ -31,10 +33,15 @@ class FileSink {
 
   // Starts the checksum anew for the bytes written from now on.
   void restart_crc() { crc_ = {}; }
+  // Returns the checksum of the bytes since restart_crc().
   [[nodiscard]] std::uint32_t crc() const { return crc_.value(); }
+  // Returns the number of bytes written.
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  // Returns the descriptor, which may also be read; -1 if the file is not open.
   [[nodiscard]] int descriptor() const { return file_.get(); }
+  // Returns true between open() and close().
   [[nodiscard]] bool is_open() const { return file_.is_open(); }
+  // Returns 0 or the errno of the first failure.
   [[nodiscard]] int error() const { return error_; }
 
  private:

@@ -13,6 +13,7 @@
 namespace tactus::firmware {
 namespace {
 
+// The size of the length before each message.
 constexpr std::size_t kLengthBytes = 4;
 
 hal::FileDescriptor stream_socket() {
@@ -24,6 +25,7 @@ const sockaddr* generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
+// Returns true if a program listens there. EAGAIN means that it does, with a full queue.
 bool has_listener(const sockaddr_un& address) {
   const hal::FileDescriptor probe = stream_socket();
   return connect(probe.get(), generic(address), sizeof(address)) == 0 || errno == EAGAIN;
@@ -106,6 +108,7 @@ void LiveSocket::publish(std::span<const std::byte> message) {
 
 void LiveSocket::append(Reader& reader, std::span<const std::byte> message) {
   if (kLengthBytes + message.size() > kBufferBytes - reader.end) {
+    // The rest moves to the front only when the end of the buffer is reached.
     std::memmove(reader.buffer.data(), reader.buffer.data() + reader.begin,
                  reader.end - reader.begin);
     reader.end -= reader.begin;

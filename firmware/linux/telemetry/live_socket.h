@@ -20,17 +20,26 @@
 
 namespace tactus::firmware {
 
+// The readers and what happened to them.
 struct LiveCounts {
-  std::uint32_t readers = 0;   // connected now
-  std::uint64_t accepted = 0;  // readers accepted since the start, like the numbers below
-  std::uint64_t refused = 0;   // readers refused because all places were taken
-  std::uint64_t lost = 0;      // readers that disconnected or read nothing for kPatience_ns
-  std::uint64_t skipped = 0;   // messages skipped, summed over the readers
+  // The readers that are connected now.
+  std::uint32_t readers = 0;
+  // The readers accepted since the start, like the numbers below.
+  std::uint64_t accepted = 0;
+  // The readers refused because all places were taken.
+  std::uint64_t refused = 0;
+  // The readers that disconnected or read nothing for kPatience_ns.
+  std::uint64_t lost = 0;
+  // The messages skipped, summed over the readers.
+  std::uint64_t skipped = 0;
 };
 
+// The socket of one run.
 class LiveSocket {
  public:
+  // The largest number of readers connected at once.
   static constexpr std::size_t kMaxReaders = 8;
+  // The size of each reader's buffer.
   static constexpr std::size_t kBufferBytes = std::size_t{256} << 10U;
   // A reader that reads nothing for this time while messages wait for it is disconnected.
   static constexpr hal::TimeNs kPatience_ns = 10'000'000'000;
@@ -45,6 +54,7 @@ class LiveSocket {
   int open(const char* path);
   // Closes the socket and removes its file.
   void close();
+  // Returns true between open() and close().
   [[nodiscard]] bool is_open() const { return listening_.is_open(); }
 
   // Accepts the waiting readers; each gets `greeting` as its first message.
@@ -54,19 +64,25 @@ class LiveSocket {
   // Sends as much of the buffers as the readers take now.
   void send(hal::TimeNs now_ns);
 
+  // Returns the numbers of readers and messages.
   [[nodiscard]] const LiveCounts& counts() const { return counts_; }
 
  private:
+  // A reader with its buffer, of which [begin, end) waits to be sent.
   struct Reader {
     hal::FileDescriptor socket;
     std::size_t begin = 0;
     std::size_t end = 0;
-    hal::TimeNs moved_ns = 0;  // when it last read something or its buffer was empty
+    // The time when it last read something or its buffer was empty.
+    hal::TimeNs moved_ns = 0;
     std::array<std::byte, kBufferBytes> buffer{};
   };
 
+  // Puts a message with its length into the buffer, or skips it.
   void append(Reader& reader, std::span<const std::byte> message);
+  // Sends as much as the reader takes now.
   void send_to(Reader& reader, hal::TimeNs now_ns);
+  // Disconnects a reader.
   void let_go(Reader& reader);
 
   hal::FileDescriptor listening_;

@@ -15,17 +15,22 @@ using mcap::Unpacker;
 
 namespace {
 
-constexpr std::size_t kMaxChannels = 8;   // of ids 1 to 8
-constexpr std::size_t kFrontBytes = 512;  // of a record, enough for all but its bulk
+// The largest number of channels, which have the ids 1 to 8.
+constexpr std::size_t kMaxChannels = 8;
+// The number of a record's first bytes that are read: enough for all but its bulk.
+constexpr std::size_t kFrontBytes = 512;
 
 // A record in the file: its place and its first bytes.
 struct Found {
   Opcode opcode{};
+  // The place of its opcode in the file.
   std::uint64_t offset = 0;
-  std::uint64_t length = 0;  // with the opcode and the length
+  // The length with the opcode and the length's own bytes.
+  std::uint64_t length = 0;
   std::array<std::byte, kFrontBytes> front{};
   std::size_t front_bytes = 0;
 
+  // Returns the first bytes of the content.
   [[nodiscard]] Unpacker content() const {
     return Unpacker(std::span(front).first(front_bytes).subspan(mcap::kRecordHeaderBytes));
   }
@@ -64,6 +69,7 @@ class Walk {
   std::uint64_t offset_ = mcap::kMagic.size();
 };
 
+// The numbers of the statistics record. Times are log times, ns since 1970.
 struct Statistics {
   std::uint32_t schemas = 0;
   std::uint32_t channels = 0;
@@ -75,12 +81,14 @@ struct Statistics {
   std::array<std::uint64_t, kMaxChannels> messages{};
 };
 
-// Collects the indexes that follow a chunk.
+// The message indexes that follow a chunk.
 struct ChunkIndexes {
   std::uint64_t bytes = 0;
-  std::array<std::uint64_t, kMaxChannels> offsets{};  // 0: none
+  // The place of each channel's index in the file; 0: none.
+  std::array<std::uint64_t, kMaxChannels> offsets{};
 };
 
+// Writes the summary. Each group reads the whole data section again, so that no list is kept.
 class Summary {
  public:
   explicit Summary(FileSink& sink) : sink_(&sink), data_end_(sink.size()) {}
@@ -111,12 +119,14 @@ class Summary {
   }
 
  private:
+  // A group of records of one kind, for the summary's offsets.
   struct Group {
     Opcode opcode{};
     std::uint64_t start = 0;
     std::uint64_t length = 0;
   };
 
+  // Writes records and notes their place.
   void group(Opcode opcode, auto&& write_records) {
     const std::uint64_t start = sink_->size();
     write_records();
@@ -126,6 +136,7 @@ class Summary {
     }
   }
 
+  // Copies all records of a kind.
   void copy_all(Opcode opcode) {
     Walk walk(*sink_, data_end_);
     Found found;
@@ -137,6 +148,7 @@ class Summary {
     }
   }
 
+  // Copies one record by parts.
   void copy(const Found& found) {
     std::array<std::byte, 4096> part;
     for (std::uint64_t done = 0; done < found.length;) {
@@ -152,6 +164,7 @@ class Summary {
     }
   }
 
+  // Writes an index for each chunk. Its message indexes come right after it in the file.
   void index_chunks() {
     Walk walk(*sink_, data_end_);
     Found found;
@@ -177,6 +190,7 @@ class Summary {
     }
   }
 
+  // Takes the place of a message index and the number of its entries, which have 16 bytes each.
   void note_message_index(const Found& found, ChunkIndexes& indexes) {
     Unpacker content = found.content();
     const std::size_t channel = content.u16() - std::size_t{1};
@@ -187,6 +201,7 @@ class Summary {
     indexes.bytes += found.length;
   }
 
+  // Writes the index of a chunk and counts its times.
   void write_chunk_index(const Found& chunk, const ChunkIndexes& indexes) {
     Unpacker content = chunk.content();
     const std::uint64_t first_ns = content.u64();
@@ -216,6 +231,7 @@ class Summary {
     sink_->write(record.packed());
   }
 
+  // Writes an index for each attachment.
   void index_attachments() {
     Walk walk(*sink_, data_end_);
     Found found;
@@ -245,6 +261,7 @@ class Summary {
     }
   }
 
+  // Writes an index for each metadata record.
   void index_metadata() {
     Walk walk(*sink_, data_end_);
     Found found;

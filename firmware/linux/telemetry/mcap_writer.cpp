@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view kEncoding = "flatbuffer";
 constexpr std::size_t kTextBytes = 4;  // the length in front of a text
 
+// Returns the id of a channel and of its schema.
 std::uint16_t id_of(auto channel) {
   return static_cast<std::uint16_t>(static_cast<unsigned>(channel) + 1U);
 }
@@ -125,6 +126,7 @@ void McapWriter::add_message(Channel channel, std::int64_t time_ns,
     flush();
   }
   const auto log_time_ns = static_cast<std::uint64_t>(clock_offset_ns_ + time_ns);
+  // A channel's messages are numbered from 0.
   std::uint32_t& sequence = sequence_[static_cast<std::size_t>(channel)];
   Packer record{std::span(chunk_).subspan(kFrontBytes, kChunkBytes).subspan(records_bytes_)};
   record.record(Opcode::message, content)
@@ -177,6 +179,7 @@ void McapWriter::flush() {
       .text("")  // not compressed
       .u64(records_bytes_);
   const std::size_t index_bytes = pack_indexes(chunk.subspan(kFrontBytes + records_bytes_));
+  // One write for chunk and indexes: after a crash, a chunk in the file has its indexes.
   sink_.write(chunk.first(kFrontBytes + records_bytes_ + index_bytes));
   records_bytes_ = 0;
   message_count_ = 0;

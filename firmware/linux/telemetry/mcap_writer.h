@@ -18,18 +18,22 @@
 
 namespace tactus::firmware {
 
+// The topics of the two channels, and the name of the metadata record.
 inline constexpr std::string_view kTickTopic = "/tactus/tick";
 inline constexpr std::string_view kEventTopic = "/tactus/event";
 inline constexpr std::string_view kMetadataName = "tactus";
 
+// The writer of one file.
 class McapWriter {
  public:
   // Creates the file. `clock_offset_ns` is added to LoopTimes::scheduled_ns to give the log time of
   // a message, ns since 1970. Returns 0 or errno.
   int open(const char* path, std::int64_t clock_offset_ns, std::span<const MetadataEntry> run_info,
            IfThere if_there = IfThere::replace);
+  // Writes an attachment with its bytes at once.
   void attach(const Attachment& attachment);
 
+  // Add a tick or an event to the open chunk.
   void add(const RecordedTick& tick) { add(tick, encoder_.encode(tick)); }
   void add(const TelemetryEvent& event) { add(event, encoder_.encode(event)); }
   // Add a tick or an event that has been encoded already.
@@ -42,29 +46,40 @@ class McapWriter {
   // failure; the file then holds what came before it.
   int close();
 
+  // Returns true between open() and close().
   [[nodiscard]] bool is_open() const { return sink_.is_open(); }
   // Returns 0 or the errno that ended the recording.
   [[nodiscard]] int error() const { return sink_.error(); }
 
  private:
+  // The largest size of a chunk's records, and the largest number of its messages.
   static constexpr std::size_t kChunkBytes = std::size_t{256} << 10U;
   static constexpr std::size_t kMaxChunkMessages = 1024;
+  // The size of a chunk's header.
   static constexpr std::size_t kFrontBytes = mcap::kRecordHeaderBytes + mcap::kChunkHeaderBytes;
   static constexpr std::size_t kChannelCount = 2;
+  // The largest size of the indexes after a chunk: 16 bytes a message.
   static constexpr std::size_t kIndexBytes =
       kChannelCount * (mcap::kRecordHeaderBytes + 2 + 4) + 16 * kMaxChunkMessages;
 
-  enum class Channel : std::uint8_t { tick, event };  // id - 1
+  // The channels; their ids in the file are 1 and 2.
+  enum class Channel : std::uint8_t { tick, event };
 
+  // A message of the open chunk.
   struct IndexEntry {
     std::uint64_t log_time_ns = 0;
-    std::uint32_t offset = 0;  // bytes from the first record of the chunk
+    // The number of bytes from the first record of the chunk.
+    std::uint32_t offset = 0;
     Channel channel = Channel::tick;
   };
 
+  // Writes a schema and the channel that uses it; both have the same id.
   void write_channel(Channel channel, const MessageSchema& schema, std::string_view topic);
+  // Writes the run's metadata record.
   void write_metadata(std::span<const MetadataEntry> entries);
+  // Appends a message to the open chunk, after writing the chunk if it is full.
   void add_message(Channel channel, std::int64_t time_ns, std::span<const std::byte> message);
+  // Packs the message indexes of the open chunk and returns their size, bytes.
   std::size_t pack_indexes(std::span<std::byte> room) const;
 
   FileSink sink_;

@@ -22,6 +22,7 @@ Stored stored_enum(Ours value) {
   return static_cast<Stored>(value);
 }
 
+// Returns the values of one joint.
 telemetry::Joint stored_joint(const RecordedTick& tick, std::size_t i) {
   const TelemetryRecord& record = tick.record;
   return {record.joint_position[i], record.joint_velocity[i],
@@ -36,6 +37,7 @@ telemetry::EnergyLedger stored_energy(const EnergyLedger& energy_J) {
   return {of(contact), of(friction), of(texture), of(effect), of(coupling), of(safety), of(delay)};
 }
 
+// Adds the fields that are numbers.
 void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_tick(record.tick);
   table.add_time_s(record.time_s);
@@ -145,6 +147,7 @@ std::span<const std::byte> RecordEncoder::encode(std::span<const MetadataEntry> 
   std::array<flatbuffers::Offset<telemetry::Entry>, kMaxEntries> entries;
   std::size_t count = 0;
   for (const MetadataEntry& entry : run_info.first(std::min(run_info.size(), kMaxEntries))) {
+    // Half of the buffer stays free for the tables and the builder's notes.
     if (builder_.GetSize() + entry.key.size() + entry.value.size() + kPerEntry >
         kMaxMessageBytes / 2) {
       break;

@@ -15,15 +15,17 @@
 
 namespace tactus::firmware {
 
-// The size of the buffer for a message and the builder's notes. No tick or event is longer; run
-// information that would be longer is cut.
+// The size of the buffer for a message and the builder's notes, bytes. No tick or event is longer;
+// run information that would be longer is cut.
 inline constexpr std::size_t kMaxMessageBytes = 8192;
 
+// An entry of a run's information.
 struct MetadataEntry {
   std::string_view key;
   std::string_view value;
 };
 
+// The encoder with its buffer.
 class RecordEncoder {
  public:
   RecordEncoder();
@@ -38,7 +40,7 @@ class RecordEncoder {
   std::span<const std::byte> encode(std::span<const MetadataEntry> run_info);
 
  private:
-  // Allocates the one buffer.
+  // Gives the builder the one buffer.
   class Memory final : public flatbuffers::Allocator {
    public:
     std::uint8_t* allocate(std::size_t size) override;
@@ -48,17 +50,20 @@ class RecordEncoder {
     alignas(std::max_align_t) std::array<std::uint8_t, kMaxMessageBytes> bytes_{};
   };
 
+  // Returns the message that the builder has finished.
   [[nodiscard]] std::span<const std::byte> message() const;
 
   Memory memory_;
   flatbuffers::FlatBufferBuilder builder_;
 };
 
-// The binary schemas (.bfbs) of the messages and the names of their root tables.
+// The binary schema (.bfbs) of a message.
 struct MessageSchema {
+  // The name of its root table.
   std::string_view name;
   std::span<const std::byte> bytes;
 };
+// Return the schemas of ticks and of events, in static storage.
 MessageSchema record_schema();
 MessageSchema event_schema();
 

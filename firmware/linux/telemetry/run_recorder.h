@@ -13,11 +13,15 @@ namespace tactus::firmware {
 
 // The description of a run in its recordings. All that it points to must outlive them.
 struct RunDescription {
-  std::span<const MetadataEntry> info;  // the keys are in firmware/telemetry/README.md
+  // The metadata; the keys are in firmware/telemetry/README.md.
+  std::span<const MetadataEntry> info;
+  // The number of joints of the device.
   std::size_t joints = 0;
-  std::int64_t clock_offset_ns = 0;  // ns since 1970 at time 0 of the ticks' clock
+  // The time since 1970, ns, at time 0 of the ticks' clock.
+  std::int64_t clock_offset_ns = 0;
 };
 
+// The recorder of one run: at most one file at a time.
 class RunRecorder {
  public:
   // Sets the description. Call before the first recording.
@@ -29,6 +33,8 @@ class RunRecorder {
 
   // Ends the present recording, if there is one, and starts another. Returns 0 or errno.
   int open(const char* path, IfThere if_there = IfThere::replace);
+  // Add a tick or an event to the open file, or do nothing without one. `message` is its encoded
+  // form.
   void add(const RecordedTick& tick, std::span<const std::byte> message);
   void add(const TelemetryEvent& event, std::span<const std::byte> message);
   // Writes the buffer to the file.
@@ -36,7 +42,9 @@ class RunRecorder {
   // Closes the file. Returns 0 or the errno that ended it early; the file holds what came before.
   int close();
 
+  // Returns true while a file is open.
   [[nodiscard]] bool is_open() const { return mcap_.is_open() || csv_.is_open(); }
+  // Returns 0 or the errno that ended the open file.
   [[nodiscard]] int error() const { return mcap_.error() != 0 ? mcap_.error() : csv_.error(); }
 
  private:

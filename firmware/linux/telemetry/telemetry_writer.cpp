@@ -12,6 +12,7 @@ namespace {
 constexpr hal::TimeNs kCycle_ns = 5'000'000;
 // Ticks older than this are in the file, even if the program is killed.
 constexpr hal::TimeNs kFlush_ns = 1'000'000'000;
+// The interval at which a thread that has given an order looks for the answer.
 constexpr hal::TimeNs kOrderWait_ns = 500'000;
 
 void sleep_for(hal::TimeNs time_ns) {

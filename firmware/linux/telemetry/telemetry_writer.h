@@ -2,7 +2,7 @@
 // of the live socket and to PlotJuggler.
 //
 //   loop --RecordRing, EventRing--> thread --> MCAP or CSV file
-//                                          --> live socket, for any number of readers
+//                                          --> live socket, for up to 8 readers
 //                                          --> UDP on this machine
 // The loop only copies each tick into a ring, so a slow disk or reader costs the loop nothing. If
 // the thread is too slow, ticks are dropped and counted; every tick holds the number dropped before
@@ -20,6 +20,7 @@
 
 namespace tactus::firmware {
 
+// The writer of one run. Each function says which thread may call it.
 class TelemetryWriter {
  public:
   TelemetryWriter() = default;
@@ -27,11 +28,13 @@ class TelemetryWriter {
   TelemetryWriter& operator=(const TelemetryWriter&) = delete;
   ~TelemetryWriter() { stop(); }
 
-  // Call these before `start`. All but `describe` return 0 or errno.
+  // Sets the description of the run. Call this, open_live_socket and open_udp before `start`.
   void describe(const RunDescription& run);
+  // Opens the live socket (live_socket.h). Returns 0 or errno.
   int open_live_socket(const char* path) { return live_.open(path); }
-  // Sends one of `every` ticks as JSON to a port of this machine.
+  // Sends one of `every` ticks as JSON to a port of this machine. Returns 0 or errno.
   int open_udp(std::uint16_t port, std::uint32_t every);
+  // Starts the thread. Returns 0 or errno.
   int start();
 
   // Publish a tick or an event. Call from the loop's thread; real time, wait-free.
@@ -41,32 +44,41 @@ class TelemetryWriter {
   }
   void publish(const TelemetryEvent& event) { events_.push(event); }
 
-  // Call these from one other thread at a time, before or after `start`. They wait for the writer's
-  // thread, as long as the file system takes. Names and bytes of attachments must stay valid.
-  // `record` returns 0 or errno; `end_recording` 0 or the errno that had ended it early; `attach`
-  // false if there is no room.
+  // Starts a recording, after ending the present one. Returns 0 or errno. This function and the
+  // next two are for one other thread at a time, before or after `start`. They wait for the
+  // writer's thread, as long as the file system takes.
   int record(const char* path, IfThere if_there = IfThere::replace);
+  // Ends the recording. Returns 0 or the errno that had ended it early.
   int end_recording();
+  // Adds an attachment to recordings. Its name and bytes must stay valid. Returns false if there is
+  // no room.
   bool attach(const Attachment& attachment);
 
   // Writes the remaining ticks and closes all outputs. Call after the loop's last tick. Returns the
   // same as end_recording.
   int stop();
 
-  // These may be called from any thread.
+  // Returns the number of ticks dropped so far. Any thread.
   [[nodiscard]] std::uint64_t dropped_ticks() const { return ticks_.dropped(); }
-  // Returns 0 or the errno that ended the recording.
+  // Returns 0 or the errno that ended the recording. Any thread.
   [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
 
  private:
+  // The orders of another thread to the writer's.
   enum class Order : std::uint8_t { none, record, end, attach };
 
+  // Carries out an order in the thread that owns the recorder.
   int carry_out(Order order);
+  // Hands an order to the writer's thread and waits for its answer.
   int obey(Order order);
+  // The thread's body.
   void run();
+  // One round: accepts readers, passes events and ticks on, sends, and takes an order.
   void cycle();
+  // Pass on what waits in the rings.
   void hand_on_events();
   void hand_on_ticks();
+  // Writes the file's buffer once in a while, and ends a recording that has failed.
   void flush_at_times(hal::TimeNs now_ns);
 
   RecordRing ticks_;

@@ -1,4 +1,4 @@
-// Writes numbers and texts into a buffer of fixed size. No heap.
+// Writes numbers and texts into a buffer of fixed size. No heap, no locale; one thread.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 
 namespace tactus::firmware {
 
+// A text that grows in `room`, which must outlive it. What does not fit is left out.
 class TextBuffer {
  public:
   explicit TextBuffer(std::span<char> room) : room_(room) {}
@@ -43,8 +44,10 @@ class TextBuffer {
     return *this;
   }
 
+  // Returns the text so far.
   [[nodiscard]] std::span<const char> written() const { return room_.first(size_); }
   [[nodiscard]] std::size_t size() const { return size_; }
+  // Returns the number of characters that still fit.
   [[nodiscard]] std::size_t room_left() const { return room_.size() - size_; }
   void clear() { size_ = 0; }
 

@@ -12,6 +12,7 @@
 namespace tactus::firmware {
 namespace {
 
+// Writes the members of a JSON object.
 class JsonObject {
  public:
   explicit JsonObject(TextBuffer& text) : text_(&text) { text_->text("{"); }

@@ -12,7 +12,9 @@
 
 namespace tactus::firmware {
 
+// The largest size of a datagram. No tick's text is longer.
 inline constexpr std::size_t kMaxDatagramBytes = 2000;
+// The port that PlotJuggler's UDP server suggests.
 inline constexpr std::uint16_t kPlotJugglerPort = 9870;
 
 // Writes a tick into `room` as one JSON object and returns the text. Numbers have nine digits;
@@ -20,12 +22,15 @@ inline constexpr std::uint16_t kPlotJugglerPort = 9870;
 std::span<const char> write_json(const RecordedTick& tick,
                                  std::array<char, kMaxDatagramBytes>& room);
 
+// The socket of one run.
 class UdpJson {
  public:
   // Opens the socket to a port of this machine. Returns 0 or errno.
   int open(std::uint16_t port);
+  // Returns true after open() has succeeded.
   [[nodiscard]] bool is_open() const { return socket_.is_open(); }
 
+  // Sends one tick, or drops it if the system takes no datagram now.
   void send(const RecordedTick& tick);
   // Returns the number of datagrams that the system did not take.
   [[nodiscard]] std::uint64_t failed() const { return failed_; }

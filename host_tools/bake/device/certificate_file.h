@@ -9,14 +9,15 @@
 
 namespace tactus::host {
 
-// "arm.certificate.toml" beside "arm.toml".
+// Returns the certificate's path: "arm.certificate.toml" beside "arm.toml".
 std::filesystem::path certificate_path(const std::filesystem::path& device);
 
-// "arm.commissioning.toml" beside "arm.toml", which tactus commission writes.
+// Returns the path of the file that tactus commission writes: "arm.commissioning.toml" beside
+// "arm.toml".
 std::filesystem::path commissioning_path(const std::filesystem::path& device);
 
-// Throws InputError if it cannot be written. `settings_checksum` is firmware::settings_checksum of
-// the device that was measured.
+// Writes the certificate. `settings_checksum` is firmware::settings_checksum of the device that was
+// measured. Throws InputError if the file cannot be written.
 void write_certificate(const std::filesystem::path& file,
                        const firmware::StiffnessCertificate& certificate,
                        const std::string& measured_with, std::uint64_t settings_checksum);

@@ -47,7 +47,7 @@ bool describes_device(const std::filesystem::path& file);
 // if not. Throws InputError naming file, line and remedy.
 LoadedDevice bake_device(const std::filesystem::path& file);
 
-// "3 joints on 1 connection: ...", for the user.
+// Returns a summary for the user, such as "3 joints on 1 connection: ...".
 std::string in_words(const firmware::DeviceConfig& config);
 
 }  // namespace tactus::host

@@ -11,11 +11,13 @@ namespace {
 using rendering::Instruction;
 using rendering::Opcode;
 
+// Returns true for instructions without operands.
 bool is_leaf(Opcode opcode) {
   return opcode == Opcode::constant || opcode == Opcode::x || opcode == Opcode::y ||
          opcode == Opcode::z;
 }
 
+// Returns true for instructions with two operands; all others have one or none.
 bool is_binary(Opcode opcode) {
   switch (opcode) {
     case Opcode::add:
@@ -34,7 +36,8 @@ bool is_binary(Opcode opcode) {
 }  // namespace
 
 FormulaBuilder::Value FormulaBuilder::constant(double c) {
-  return put({.opcode = Opcode::constant, .constant = c + 0.0});  // one zero, not two
+  // Adding 0.0 turns -0 into 0, so that there is one zero.
+  return put({.opcode = Opcode::constant, .constant = c + 0.0});
 }
 
 FormulaBuilder::Value FormulaBuilder::put(const Entry& entry) {
@@ -50,7 +53,7 @@ FormulaBuilder::Value FormulaBuilder::put(const Entry& entry) {
   return place->second;
 }
 
-// Computes the value with the controller's own arithmetic, so that folding changes no bit.
+// The controller's own arithmetic computes the value, so folding changes no bit of the result.
 std::optional<double> FormulaBuilder::fold(const Entry& entry) const {
   if (is_leaf(entry.opcode)) {
     return std::nullopt;
@@ -75,6 +78,7 @@ std::optional<double> FormulaBuilder::known(Value a) const {
   return entry.opcode == Opcode::constant ? std::optional(entry.constant) : std::nullopt;
 }
 
+// Adjacent sums with constants become one.
 FormulaBuilder::Value FormulaBuilder::add_constant(Value a, double c) {
   if (c == 0.0) {
     return a;
@@ -84,6 +88,7 @@ FormulaBuilder::Value FormulaBuilder::add_constant(Value a, double c) {
                                         : put({.opcode = Opcode::offset, .a = a, .constant = c});
 }
 
+// Adjacent products with constants become one, with the sign in the constant.
 FormulaBuilder::Value FormulaBuilder::scale(Value a, double c) {
   const Entry entry = entries_[a];
   if (c == 0.0) {
@@ -112,6 +117,7 @@ FormulaBuilder::Value FormulaBuilder::add(Value a, Value b) {
   if (entries_[b].opcode == Opcode::negate) {
     return subtract(a, entries_[b].a);
   }
+  // Sums do not depend on the order; ordered operands let a + b and b + a share an instruction.
   return put({.opcode = Opcode::add, .a = std::min(a, b), .b = std::max(a, b)});
 }
 
@@ -157,7 +163,8 @@ FormulaBuilder::Value FormulaBuilder::whole_power(Value a, int n) {
   if (n == 1) {
     return a;
   }
-  // Squares of what may be there already, with tighter intervals than one high power.
+  // An even power is the square of half the power: that one may exist already, and the interval
+  // arithmetic of squares is tighter than that of one high power.
   return n % 2 == 0 && n > 2
              ? put({.opcode = Opcode::power, .a = whole_power(a, n / 2), .exponent = 2})
              : put({.opcode = Opcode::power, .a = a, .exponent = static_cast<std::int16_t>(n)});
@@ -197,6 +204,8 @@ FormulaBuilder::Value FormulaBuilder::function(Opcode opcode, Value a) {
 }
 
 std::vector<Instruction> FormulaBuilder::list(Value result) const {
+  // Operands have smaller numbers than their results, so one pass backwards finds all that is
+  // needed.
   std::vector<bool> needed(entries_.size());
   needed[result] = true;
   for (Value i = result + 1; i-- > 0;) {

@@ -21,22 +21,27 @@ namespace {
 using Kind = FormulaNode::Kind;
 using Value = FormulaBuilder::Value;
 
-// Calls that change the coordinates for their first argument; the others are numbers.
+// A function that moves its first argument by changing the coordinates; its other arguments are
+// numbers.
 struct Placing {
   std::string_view name;
   std::string_view arguments;
   std::size_t count;
 };
+// Their names, their arguments as the messages show them, and how many they have.
 constexpr std::array kPlacings{
     Placing{"translate", "a, x, y, z", 4},
     Placing{"rotate", "a, axis_x, axis_y, axis_z, angle_deg", 5},
     Placing{"scale", "a, s", 2},
 };
 
+// Walks the syntax tree and builds instructions. It throws InputError at the place of the error.
 class Compiler {
  public:
   explicit Compiler(std::string_view text) : text_(text) {}
 
+  // Returns the instructions. Throws InputError also for a formula that is constant, too long or
+  // not finite.
   Formula compile() {
     const FormulaNode root = read_formula_syntax(text_);
     const FormulaCoordinates world{.x = builder_.x(), .y = builder_.y(), .z = builder_.z()};
@@ -59,6 +64,7 @@ class Compiler {
   }
 
  private:
+  // Returns the value of a node. Throws InputError if it is a constant that is not finite.
   Value value_of(const FormulaNode& node, const FormulaCoordinates& at) {
     const Value value = any_value_of(node, at);
     if (const auto known = builder_.known(value); known && !std::isfinite(*known)) {
@@ -68,6 +74,7 @@ class Compiler {
     return value;
   }
 
+  // Returns the value of a node, which may be a constant that is not finite.
   Value any_value_of(const FormulaNode& node, const FormulaCoordinates& at) {
     const auto operand = [&](std::size_t i) { return value_of(node.children[i], at); };
     switch (node.kind) {
@@ -98,6 +105,7 @@ class Compiler {
     }
   }
 
+  // Returns a coordinate or pi. Throws InputError for any other name.
   Value name(const FormulaNode& node, const FormulaCoordinates& at) {
     if (node.name == "x") {
       return at.x;
@@ -114,11 +122,14 @@ class Compiler {
     fail_unknown(node);
   }
 
+  // Returns base^exponent: by multiplications for a whole exponent, by real_power() for another
+  // constant one.
   Value power(const FormulaNode& node, const FormulaCoordinates& at) {
     const Value base = value_of(node.children[0], at);
     const Value exponent = value_of(node.children[1], at);
     const std::optional<double> known = builder_.known(exponent);
-    if (!known) {  // of a positive base
+    // An exponent that varies: a^b = exp(b log a), which needs a positive base.
+    if (!known) {
       return builder_.function(
           rendering::Opcode::exponential,
           builder_.multiply(exponent, builder_.function(rendering::Opcode::logarithm, base)));
@@ -137,12 +148,13 @@ class Compiler {
     return *result;
   }
 
+  // Returns the value of a function, or of a shape that a placing moves.
   Value call(const FormulaNode& node, const FormulaCoordinates& at) {
     const auto placing = std::ranges::find(kPlacings, node.name, &Placing::name);
     if (placing != kPlacings.end()) {
       require_arguments(node, placing->arguments, placing->count, placing->count);
       const Value moved = value_of(node.children[0], placed(node, at));
-      // A distance stays a distance.
+      // A shape that is scaled by s has s times the distance, so that a distance stays a distance.
       return node.name == "scale" ? builder_.multiply(builder_.constant(number(node, 1)), moved)
                                   : moved;
     }
@@ -165,6 +177,7 @@ class Compiler {
     return *result;
   }
 
+  // Returns the coordinates inside a placing: a shape moves one way, its coordinates the other.
   FormulaCoordinates placed(const FormulaNode& node, const FormulaCoordinates& at) {
     if (node.name == "translate") {
       return {.x = builder_.add(at.x, builder_.constant(-number(node, 1))),
@@ -180,7 +193,7 @@ class Compiler {
             .z = builder_.multiply(builder_.constant(inverse), at.z)};
   }
 
-  // The shape turns by the right hand about the axis; its coordinates turn the other way.
+  // The shape turns by the right hand about the axis, so its coordinates turn back.
   FormulaCoordinates turned(const FormulaNode& node, const FormulaCoordinates& at) {
     const Vec3 axis{number(node, 1), number(node, 2), number(node, 3)};
     if (!(axis.norm() > 0.0)) {
@@ -196,7 +209,8 @@ class Compiler {
         Eigen::Quaterniond(cosine, v.x(), v.y(), v.z()).toRotationMatrix().transpose();
     const auto row = [&](int i) {
       const auto part = [&](int j, Value coordinate) {
-        constexpr double kNone = 1e-15;  // a quarter turn leaves rounding where zeros belong
+        // A quarter turn leaves rounding errors where zeros belong; they would cost instructions.
+        constexpr double kNone = 1e-15;
         const double c = std::abs(back(i, j)) < kNone ? 0.0 : back(i, j);
         return builder_.multiply(builder_.constant(c), coordinate);
       };
@@ -205,7 +219,7 @@ class Compiler {
     return {.x = row(0), .y = row(1), .z = row(2)};
   }
 
-  // An argument of a placing.
+  // Returns the number that an argument of a placing must be.
   double number(const FormulaNode& node, std::size_t i) {
     const FormulaNode& child = node.children[i];
     const auto known =
@@ -221,6 +235,7 @@ class Compiler {
     return *known;
   }
 
+  // Throws InputError with the arguments if their number is wrong.
   void require_arguments(const FormulaNode& node, std::string_view arguments, std::size_t fewest,
                          std::size_t most) {
     const std::size_t count = node.children.size();
@@ -231,6 +246,7 @@ class Compiler {
     }
   }
 
+  // Reports an unknown name with the nearest known one.
   [[noreturn]] void fail_unknown(const FormulaNode& node) {
     std::string_view nearest = "pi";
     const auto consider = [&](std::string_view name) {

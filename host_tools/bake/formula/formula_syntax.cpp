@@ -13,6 +13,7 @@ namespace {
 
 using Kind = FormulaNode::Kind;
 
+// Limits that keep the recursion within the stack.
 constexpr std::size_t kLongestText = 20'000;
 constexpr std::size_t kDeepest = 100;
 
@@ -24,6 +25,9 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// A recursive-descent parser, one function for each level of precedence: sums, products, signs,
+// powers, atoms. Powers bind tighter than signs and associate to the right: -x^2 is -(x^2), and
+// 2^3^2 is 2^9.
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -42,7 +46,7 @@ class Reader {
   }
 
  private:
-  // The next character that is not blank; 0 at the end.
+  // Returns the next character that is not blank; 0 at the end.
   char peek() {
     while (place_ < text_.size() &&
            std::string_view(" \t\r\n").find(text_[place_]) != std::string_view::npos) {
@@ -51,6 +55,7 @@ class Reader {
     return place_ < text_.size() ? text_[place_] : '\0';
   }
 
+  // Consumes the next character if it is c.
   bool take(char c) {
     const bool there = peek() == c;
     place_ += there ? 1 : 0;
@@ -87,6 +92,7 @@ class Reader {
     fail_formula(text_, place_, what());
   }
 
+  // Returns a node with two children.
   FormulaNode binary(Kind kind, std::size_t place, FormulaNode a, FormulaNode b) {
     FormulaNode node{.kind = kind, .place = place};
     node.children.push_back(std::move(a));
@@ -94,12 +100,14 @@ class Reader {
     return node;
   }
 
+  // Counts the nesting, which recursion would otherwise take from the stack.
   void enter() {
     if (++depth_ > kDeepest) {
       fail_formula(text_, place_, fmt::format("nested more than {} deep; simplify it", kDeepest));
     }
   }
 
+  // sum = product { ("+" | "-") product }
   FormulaNode sum() {
     FormulaNode left = product();
     for (char c = peek(); c == '+' || c == '-'; c = peek()) {
@@ -109,6 +117,7 @@ class Reader {
     return left;
   }
 
+  // product = signed { ("*" | "/") signed }
   FormulaNode product() {
     FormulaNode left = signed_factor();
     for (char c = peek(); c == '*' || c == '/'; c = peek()) {
@@ -122,6 +131,7 @@ class Reader {
     return left;
   }
 
+  // signed = ("-" | "+") signed | power
   FormulaNode signed_factor() {
     enter();
     FormulaNode node;
@@ -139,6 +149,7 @@ class Reader {
     return node;
   }
 
+  // power = atom [ "^" signed ]
   FormulaNode power() {
     FormulaNode base = atom();
     if (peek() != '^') {
@@ -148,6 +159,7 @@ class Reader {
     return binary(Kind::power, place, std::move(base), signed_factor());
   }
 
+  // atom = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
   FormulaNode atom() {
     const char c = peek();
     if (is_digit(c) || c == '.') {
@@ -165,6 +177,7 @@ class Reader {
     return inner;
   }
 
+  // Consumes the parenthesis that ends what was opened at `opened`.
   void close(std::size_t opened) {
     if (take(')')) {
       return;
@@ -222,6 +235,7 @@ class Reader {
 }  // namespace
 
 void fail_formula(std::string_view text, std::size_t place, std::string_view what) {
+  // Characters of the text that a message shows on either side of the error.
   constexpr std::size_t kContext = 24;
   place = std::min(place, text.size());
   const std::size_t begin = place > kContext ? place - kContext : 0;

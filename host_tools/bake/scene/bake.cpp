@@ -20,6 +20,7 @@
 namespace tactus::host {
 namespace {
 
+// Measures the time since it was made.
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {
@@ -36,6 +37,7 @@ void tell(const Progress& progress, const std::string& step) {
   }
 }
 
+// A one-sided surface with holes lets the tool get behind it, where it feels nothing.
 std::vector<std::string> warnings_for(const ObjectDescription& object,
                                       const rendering::BakeCounters& counters) {
   std::vector<std::string> warnings;
@@ -55,7 +57,8 @@ std::vector<std::string> warnings_for(const ObjectDescription& object,
   return warnings;
 }
 
-// A missing file is the scene's fault, so that is where the error points.
+// Throws InputError if the mesh file is missing. The scene names it, so the error points to the
+// scene's line and not to the mesh.
 void require_mesh_file(const ObjectDescription& object, const std::string& scene) {
   std::error_code error;
   if (!std::filesystem::exists(object.mesh, error)) {
@@ -66,7 +69,8 @@ void require_mesh_file(const ObjectDescription& object, const std::string& scene
   }
 }
 
-// Errors of the steps that know no file get the mesh's name.
+// Places and bakes a mesh. Errors of these steps know no file, so the mesh's name is put before
+// them.
 BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription& object) {
   try {
     return bake_mesh(place(imported, object.placement), object.mesh_options);
@@ -75,7 +79,8 @@ BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription
   }
 }
 
-// Shading and textures; the texture coordinates go where no texture uses them.
+// Adds shading normals and textures. Texture coordinates that no texture uses are dropped, since
+// they are a large part of the image.
 void add_detail(const ObjectDescription& object, const std::string& scene, BakedObject& baked) {
   constexpr double kRadian = std::numbers::pi / 180.0;
   BakedMesh& mesh = baked.mesh;
@@ -91,6 +96,7 @@ void add_detail(const ObjectDescription& object, const std::string& scene, Baked
   }
 }
 
+// Bakes the mesh by which a primitive or a formula is shown.
 BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene) {
   try {
     return bake_mesh(picture_of(object.shape, object.placement));
@@ -99,7 +105,7 @@ BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene
   }
 }
 
-// A shape's report counts the triangles of its picture.
+// Bakes an object that is a primitive or a formula. Its report counts the triangles of its picture.
 BakedObject bake_shape(const ObjectDescription& object, const std::string& scene,
                        ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
@@ -125,6 +131,7 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
   return baked;
 }
 
+// Bakes an object that is a mesh.
 BakedObject bake_object(const ObjectDescription& object, const std::string& scene,
                         ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
@@ -152,6 +159,7 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
   return baked;
 }
 
+// Returns an object with just what the controller's capacity depends on.
 rendering::Object counted(rendering::ContactMethod method, const MotionDescription& motion,
                           const rendering::MeshView& mesh) {
   rendering::Object object;
@@ -177,7 +185,7 @@ void require_room(const rendering::SceneCapacityNeeds& needs, const std::string&
   }
 }
 
-// Everything that baking reads and the user may hold dear.
+// Returns the files that baking reads: the image must not replace one of them.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& scene,
                                             const SceneDescription& description) {
   std::vector<std::filesystem::path> files = {scene};
@@ -205,7 +213,9 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
                    .tool_count = description.tool_count,
                    .objects = {},
                    .effects = description.effects};
-  rendering::SceneCapacityNeeds needs;  // at first without the sizes of meshes
+  // Counted twice: first without the sizes of meshes, so that a scene with too many objects is
+  // refused before minutes of baking, then with them.
+  rendering::SceneCapacityNeeds needs;
   keep_inputs_safe(std::array{image}, files_of(scene, description));
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {

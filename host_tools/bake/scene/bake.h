@@ -1,4 +1,6 @@
-// The whole way from scene.toml to the image that the controller maps.
+// Bakes a scene: reads scene.toml, its meshes and pictures, and writes the one image that the
+// controller maps. `tactus bake` calls it in its own process; the controller contains none of this
+// code.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +15,47 @@
 
 namespace tactus::host {
 
+// The findings of baking for one object, for the report to the user.
 struct ObjectReport {
+  // The object's name in the image.
   std::string name;
-  std::string mesh;  // file
+  // The mesh file; empty for a primitive or a formula.
+  std::string mesh;
+  // Triangles and vertices in the image; for a primitive or a formula those of its picture.
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;
-  std::uint32_t lines_and_points = 0;  // of the file, left out
+  // Lines and points of the mesh file, which have no surface and were left out.
+  std::uint32_t lines_and_points = 0;
+  // The numbers of vertices that cleaning merged, triangles that it dropped, and faulty edges that
+  // it found.
   rendering::BakeCounters counters;
+  // The size of the object's arrays in the image.
   std::uint64_t bytes = 0;
+  // How long the object took.
   double seconds = 0.0;
-  std::vector<std::string> warnings;  // one line each, with the remedy
+  // One line each, with the remedy.
+  std::vector<std::string> warnings;
 };
 
+// The report of a whole bake.
 struct BakeReport {
-  std::string image;  // file
+  // The image file as the user named it.
+  std::string image;
+  // The radius of the tool that the image is for.
   double tool_radius_m = 0.0;
+  // The size of the whole image.
   std::uint64_t bytes = 0;
+  // How long the whole bake took.
   double seconds = 0.0;
   std::vector<ObjectReport> objects;
 };
 
-// Told what is being done at the start of each step: "bunny: building the hierarchy".
+// Is called at the start of each step with a text like "bunny: reading bunny.ply".
 using Progress = std::function<void(std::string_view step)>;
 
-// Reads scene and meshes, writes the image whole or not at all (an image that was there before
-// stays after a failure). Throws InputError naming the file and the place.
+// Bakes the file `scene` into the file `image`, which takes its place only when it is complete:
+// after a failure an older image is still there. Throws InputError that names the file and the
+// place in it.
 BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::path& image,
                      const Progress& progress = {});
 

@@ -12,14 +12,17 @@ using rendering::kNoNeighbour;
 using rendering::TriangleIndices;
 using rendering::TriangleNeighbours;
 
-// Triangles about one vertex. Beyond, a vertex of a damaged mesh is left as it is so far.
+// The most triangles that are visited around one vertex. It ends the walk in a damaged mesh whose
+// neighbours form no fan.
 constexpr std::size_t kMostAbout = 4096;
 
+// A corner of a triangle; `triangle` is kNoNeighbour for none.
 struct Corner {
   std::uint32_t triangle = kNoNeighbour;
   std::size_t number = 0;
 };
 
+// The corner after and before, in the winding's direction.
 std::size_t next(std::size_t corner) {
   return (corner + 1) % 3;
 }
@@ -27,6 +30,7 @@ std::size_t previous(std::size_t corner) {
   return (corner + 2) % 3;
 }
 
+// Walks around vertices from triangle to triangle, with normals and corner angles computed once.
 class Fans {
  public:
   Fans(std::span<const Float3> vertices, std::span<const TriangleIndices> triangles,
@@ -38,6 +42,8 @@ class Fans {
       normals_.push_back((p[1] - p[0]).cross(p[2] - p[0]).normalized());
       std::array<double, 3>& angles = angles_.emplace_back();
       for (std::size_t k = 0; k < angles.size(); ++k) {
+        // atan2 of cross and dot product is exact for very flat and very sharp angles, where acos
+        // is not.
         const Vec3 out = p[next(k)] - p[k];
         const Vec3 back = p[previous(k)] - p[k];
         angles[k] = std::atan2(out.cross(back).norm(), out.dot(back));
@@ -45,6 +51,8 @@ class Fans {
     }
   }
 
+  // Returns the normal at a corner: first it walks one way around the vertex; if a sharp or open
+  // edge ends the walk, it walks the other way too.
   [[nodiscard]] Vec3 normal_at(const Corner& start) const {
     Vec3 sum = weighted(start);
     std::size_t about = 1;
@@ -53,28 +61,33 @@ class Fans {
       sum += weighted(at);
       ++about;
     }
-    if (at.triangle != start.triangle) {  // not all round: the other way too
+    if (at.triangle != start.triangle) {
       for (at = across(start, false); is_other(at, start, about); at = across(at, false)) {
         sum += weighted(at);
         ++about;
       }
     }
     const double length = sum.norm();
+    // Faces that cancel out have no mean; the triangle's own normal is then the best that there is.
     constexpr double kCancelled = 1e-6;
     return length > kCancelled ? Vec3{sum / length} : normals_[start.triangle];
   }
 
  private:
+  // Returns true while the walk goes on: at a triangle, not the first one, and not for ever.
   static bool is_other(const Corner& at, const Corner& start, std::size_t about) {
     return at.triangle != kNoNeighbour && at.triangle != start.triangle && about < kMostAbout;
   }
 
+  // Returns the triangle's normal times its angle at the vertex, so that the cut of a face into
+  // triangles does not matter (Thurmer and Wuthrich, 1998).
   [[nodiscard]] Vec3 weighted(const Corner& at) const {
     return angles_[at.triangle][at.number] * normals_[at.triangle];
   }
 
-  // The corner at the same vertex in the triangle across the edge that leaves it, or that comes to
-  // it; none across a sharp edge or one with another winding.
+  // Returns the corner at the same vertex in the triangle across an edge of `at`: the edge that
+  // leaves the vertex in the winding's direction, or the one that arrives. Returns no corner across
+  // an open or sharp edge, or if the other triangle is wound the other way.
   [[nodiscard]] Corner across(const Corner& at, bool leaving) const {
     const TriangleIndices& here = triangles_[at.triangle];
     const std::size_t edge = leaving ? at.number : previous(at.number);

@@ -13,6 +13,7 @@ using rendering::TextureProjection;
 using rendering::TextureUse;
 
 constexpr std::array kShadingKeys{KeySpec{"angle_limit_deg", "deg"}};
+// In the order of rendering::TextureUse.
 constexpr std::array kUseKeys{KeySpec{"stiffness", ""}, KeySpec{"friction", ""},
                               KeySpec{"bump", ""}, KeySpec{"normal", ""}};
 constexpr std::array kFactorKeys{KeySpec{"image", ""}, KeySpec{"range", ""}, KeySpec{"tile_m", "m"},
@@ -22,6 +23,7 @@ constexpr std::array kBumpKeys{KeySpec{"image", ""}, KeySpec{"height_m", "m"},
 constexpr std::array kNormalKeys{KeySpec{"image", ""}, KeySpec{"tile_m", "m"},
                                  KeySpec{"projection", ""}};
 
+// The names of the projections in TOML.
 struct NamedProjection {
   std::string_view name;
   TextureProjection projection;
@@ -34,6 +36,7 @@ constexpr std::array kProjections{
     NamedProjection{"triplanar", TextureProjection::triplanar},
 };
 
+// Returns the keys that a texture of this use may have.
 std::span<const KeySpec> keys_of(TextureUse use) {
   switch (use) {
     case TextureUse::bump:
@@ -45,6 +48,7 @@ std::span<const KeySpec> keys_of(TextureUse use) {
   }
 }
 
+// Returns the angle between triangles, degrees, above which an edge stays sharp.
 double read_angle_limit(const toml::table& table, const TomlSection& object,
                         std::string_view file) {
   constexpr double kStraight_deg = 180.0;
@@ -58,6 +62,8 @@ double read_angle_limit(const toml::table& table, const TomlSection& object,
   return limit;
 }
 
+// Reads how a picture lies on the surface. `tile_m` implies a projection through space, and texture
+// coordinates have their own size, so the two exclude each other.
 void read_projection(const TomlSection& section, bool is_mesh, TextureDescription& texture) {
   const std::optional<double> tile_m = section.number("tile_m", kAboveZero);
   if (tile_m && (*tile_m < rendering::kLeastTile_m || *tile_m > rendering::kWorldBound_m)) {
@@ -90,6 +96,7 @@ void read_projection(const TomlSection& section, bool is_mesh, TextureDescriptio
   }
 }
 
+// Reads the factors of black and white for stiffness and friction.
 void read_range(const TomlSection& section, TextureDescription& texture) {
   if (const auto range = section.numbers("range", 2)) {
     texture.low = (*range)[0];
@@ -104,6 +111,7 @@ void read_range(const TomlSection& section, TextureDescription& texture) {
   }
 }
 
+// Reads the height of white over black for a bump map.
 void read_height(const TomlSection& section, TextureDescription& texture) {
   const std::optional<double> height_m = section.number("height_m", kAboveZero);
   if (!height_m) {
@@ -116,6 +124,7 @@ void read_height(const TomlSection& section, TextureDescription& texture) {
   texture.high = *height_m;
 }
 
+// Reads one [object.texture.*] table. A relative path of the picture begins at `folder`.
 TextureDescription read_texture(const TomlSection& section, TextureUse use, bool is_mesh,
                                 const std::filesystem::path& folder) {
   TextureDescription texture{.use = use};

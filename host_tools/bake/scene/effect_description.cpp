@@ -22,6 +22,7 @@ using rendering::VectorField;
 using rendering::VectorUse;
 using rendering::VolumeField;
 
+// Keys that several laws share: a name with the unit that a wrong name is compared with.
 constexpr KeySpec kLaw{"law", ""};
 constexpr NumberField kBound{
     .key = "max_force_N", .unit = "N", .range = FieldRange::above_zero, .example = "3.0"};

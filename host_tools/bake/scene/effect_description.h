@@ -1,4 +1,5 @@
-// An [[effect]] of a scene.
+// Reads an [[effect]] of scene.toml: a force that fills the space, such as a spring, a field or a
+// drag.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,8 @@
 
 namespace tactus::host {
 
-// `index` counts the scene's effects. Throws InputError with the file and the line.
+// Returns the effect of a table. `index` is its number in the scene, from 0, for messages. Throws
+// InputError with the file and the line.
 rendering::Effect read_effect(const toml::table& table, std::size_t index, std::string_view file);
 
 }  // namespace tactus::host

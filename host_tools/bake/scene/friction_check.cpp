@@ -1,7 +1,7 @@
-// A bristle that sticks is a wall of the stiffness sigma0 and the damping B + sigma1 N, where B is
-// the contact's and the normal force N goes from 0 to the largest. The stable dampings of a given
-// stiffness are an interval, as are the stable stiffnesses of a given damping, so that the two ends
-// stand for all between them.
+// A bristle that sticks is a virtual wall with the stiffness sigma0 and the damping B + sigma1 N. B
+// is the contact's damping; the normal force N ranges from 0 to its largest value. The stable
+// dampings of a given stiffness form an interval, and so do the stable stiffnesses of a given
+// damping. The two ends of the range are therefore enough to check.
 #include "host_tools/bake/scene/friction_check.h"
 
 #include <fmt/format.h>
@@ -19,38 +19,45 @@ namespace {
 using rendering::FrictionParameters;
 using rendering::SampledDevice;
 
-// The last of five digits, so that the number that is advised is itself within the bound.
+// Advice is rounded to five digits towards the safe side, so that the advised number is itself
+// within the bound.
 double last_digit(double value) {
   return std::pow(10.0, std::floor(std::log10(value)) - 4.0);
 }
 
+// Returns a positive number with five digits, not above `value`; 0 for others.
 double rounded_down(double value) {
   return value > 0.0 ? std::floor(value / last_digit(value)) * last_digit(value) : 0.0;
 }
 
+// Returns a positive number with five digits, not below `value`; 0 for others.
 double rounded_up(double value) {
   return value > 0.0 ? std::ceil(value / last_digit(value)) * last_digit(value) : 0.0;
 }
 
-// A bristle as the device has to hold it.
+// A sticking bristle as the sampled device has to hold it: a spring with a damper.
 struct HeldBristle {
   double stiffness_N_per_m = 0.0;
-  double least_damping_Ns_per_m = 0.0;  // of a light touch
-  double damping_s_per_m = 0.0;         // sigma1
-  double most_pressure_N = 0.0;         // that sigma1 is multiplied with
+  // The damping under a light touch: the contact's alone.
+  double least_damping_Ns_per_m = 0.0;
+  // The bristle's damping sigma1, which the normal force multiplies.
+  double damping_s_per_m = 0.0;
+  // The largest force that sigma1 is multiplied with: normal force times the friction's texture.
+  double most_pressure_N = 0.0;
 
+  // The damping under the largest normal force.
   [[nodiscard]] double most_damping_Ns_per_m() const {
     return least_damping_Ns_per_m + damping_s_per_m * most_pressure_N;
   }
 };
 
-// The largest factor that the textures of that use have for it, 1 without any.
+// Returns the largest factor that a texture of that use applies; 1 without one.
 double largest_factor(const DetailDescription& detail, rendering::TextureUse use) {
   const auto texture = std::ranges::find(detail.textures, use, &TextureDescription::use);
   return texture == detail.textures.end() ? 1.0 : std::max(texture->low, texture->high);
 }
 
-// A model that sticks by a spring and says no stiffness takes the contact's.
+// A model whose own stiffness is not given sticks by the contact's spring.
 HeldBristle held_bristle(const ObjectDescription& object, double max_normal_force_N) {
   const FrictionParameters& friction = object.material.friction;
   const double contact_N_per_m = object.material.stiffness_N_per_m *
@@ -63,12 +70,13 @@ HeldBristle held_bristle(const ObjectDescription& object, double max_normal_forc
               max_normal_force_N * largest_factor(object.detail, rendering::TextureUse::friction)};
 }
 
+// Returns the largest stiffness that is stable at both ends of the damping, N/m.
 double largest_stiffness(const SampledDevice& device, const HeldBristle& bristle) {
   return std::min(largest_stable_stiffness(device, bristle.least_damping_Ns_per_m),
                   largest_stable_stiffness(device, bristle.most_damping_Ns_per_m()));
 }
 
-// The largest sigma1; 0 where the stiffness is too large for a light touch already.
+// Returns the largest stable sigma1, s/m; 0 if the stiffness is too large even for a light touch.
 double largest_damping(const SampledDevice& device, const HeldBristle& bristle) {
   const double room =
       largest_stable_damping(device, bristle.stiffness_N_per_m) - bristle.least_damping_Ns_per_m;
@@ -77,6 +85,7 @@ double largest_damping(const SampledDevice& device, const HeldBristle& bristle) 
   return light_touch_holds && room > 0.0 ? room / bristle.most_pressure_N : 0.0;
 }
 
+// Returns what to write in the scene, as numbers that are stable.
 std::string remedy(const SampledDevice& device, const HeldBristle& bristle) {
   const double stiffness = rounded_down(largest_stiffness(device, bristle));
   const double damping = rounded_down(largest_damping(device, bristle));
@@ -91,7 +100,8 @@ std::string remedy(const SampledDevice& device, const HeldBristle& bristle) {
   if (damping > 0.0) {
     return fmt::format("write a damping_s_per_m of at most {:.6g}", damping);
   }
-  // Neither alone: half of what a light touch can hold leaves room for damping.
+  // Neither number alone helps. Half of the stiffness that a light touch can hold leaves room for
+  // damping.
   HeldBristle softer = bristle;
   softer.stiffness_N_per_m =
       rounded_down(0.5 * largest_stable_stiffness(device, bristle.least_damping_Ns_per_m));

@@ -1,4 +1,6 @@
-// Checks that a device can hold a surface's friction, and that the friction gives out no energy.
+// Checks that the scene's device can render the friction of a surface without buzzing, and that the
+// friction model gives out no energy. The baker calls it for every object; the theory is in
+// rendering/friction/sampled_device.h and lugre_passivity.h.
 #pragma once
 
 #include <string>
@@ -8,13 +10,13 @@
 
 namespace tactus::host {
 
-// Throws InputError where the scene's device cannot hold the bristle of the object's friction
-// (rendering/friction/sampled_device.h) under every normal force up to its largest, with the
-// largest stiffness and damping that it can.
+// Throws InputError if the device of the scene cannot hold the friction's bristle as a stable
+// spring under some normal force up to the largest. The message names the largest stiffness and
+// damping that it can hold.
 void require_stable_friction(const ObjectDescription& object, const SceneDescription& scene);
 
-// One line if the friction can give out energy, with what to change
-// (rendering/friction/lugre_passivity.h).
+// Returns one line if the friction can give out energy, with what to change; nothing if it is
+// passive.
 std::vector<std::string> friction_warnings(const ObjectDescription& object,
                                            const SceneDescription& scene);
 

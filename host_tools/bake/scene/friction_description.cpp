@@ -19,6 +19,7 @@ using rendering::FrictionParameters;
 constexpr std::array kGrainKeys{KeySpec{"direction", ""}, KeySpec{"along", ""},
                                 KeySpec{"across", ""}};
 
+// Returns a key with the unit that its name ends with, for advice on a wrong unit.
 KeySpec key_spec(std::string_view key) {
   constexpr std::array<std::string_view, 3> kUnits{"N_per_m", "s_per_m", "m_per_s"};
   const auto unit =
@@ -46,6 +47,7 @@ FrictionKind read_model(const TomlSection& section) {
   }
 }
 
+// Throws InputError for a key that belongs to another friction model.
 void refuse_keys_of_other_models(const TomlSection& section, FrictionKind kind) {
   const std::vector<FrictionParameterName> own = surface_parameters(kind);
   for (const FrictionParameterName& name : friction_parameter_names()) {
@@ -61,6 +63,7 @@ void refuse_keys_of_other_models(const TomlSection& section, FrictionKind kind) 
   }
 }
 
+// Returns a number between 0 and 1, both excluded.
 std::optional<double> read_share(const TomlSection& section, std::string_view key) {
   const std::optional<double> share = section.number(key, kAboveZero);
   if (share && *share >= 1.0) {
@@ -81,7 +84,8 @@ std::optional<double> read_parameter(const TomlSection& section,
   }
 }
 
-// Fills in what the scene leaves out of Fs and Fc.
+// Completes the levels of static and sliding friction: whichever the scene leaves out equals the
+// other. Throws InputError if sliding friction is above static.
 void settle_levels(const TomlSection& section, bool has_static, FrictionParameters& friction) {
   if (has_static && !section.has("static")) {
     section.fail("static", "the coefficient static is missing; write static = 0.6");
@@ -123,6 +127,7 @@ void settle_bristles(const TomlSection& section, double contact_stiffness_N_per_
   }
 }
 
+// Returns a factor from 0 to 1; 1 if it is not given.
 double read_factor(const TomlSection& section, std::string_view key) {
   const double factor = section.number(key, kZeroOrMore).value_or(1.0);
   if (factor > 1.0) {
@@ -188,6 +193,7 @@ rendering::MaterialGrain read_grain(const TomlSection& object, std::string_view 
   if (!way) {
     section.fail("direction", "the direction is missing; write direction = [1.0, 0.0, 0.0]");
   }
+  // stableNorm() does not overflow for directions with huge components.
   const double length = Vec3((*way)[0], (*way)[1], (*way)[2]).stableNorm();
   if (!(length > 0.0)) {
     section.fail("direction", "direction is zero; write direction = [1.0, 0.0, 0.0]");

@@ -1,4 +1,5 @@
-// The part of an [[object]] that says how its surface rubs: its keys friction and grain.
+// Reads how the surface of an [[object]] rubs: its keys `friction` and `grain`. Part of reading
+// scene.toml.
 #pragma once
 
 #include <string_view>
@@ -12,7 +13,7 @@
 
 namespace tactus::host {
 
-// The friction parameters of a surface whose TOML does not give them.
+// The parameters that a surface has if its scene leaves them out.
 inline constexpr rendering::FrictionParameters kSurfaceFriction{
     .stribeck_velocity_m_per_s = 0.01,
     .stribeck_exponent = 2.0,
@@ -20,7 +21,8 @@ inline constexpr rendering::FrictionParameters kSurfaceFriction{
     .elastic_fraction = 0.7,
 };
 
-// The parameters that a model has on a surface, with their keys in TOML: surface_key.
+// Returns the parameters that a model has on a surface; their keys in TOML are `surface_key`. A
+// cone has no stiffness there: it sticks by the surface's own.
 std::vector<FrictionParameterName> surface_parameters(rendering::FrictionKind kind);
 
 // Reads the key `friction` of an object; without it the surface has no friction.
@@ -29,8 +31,8 @@ std::vector<FrictionParameterName> surface_parameters(rendering::FrictionKind ki
 rendering::FrictionParameters read_friction(const TomlSection& object, std::string_view file,
                                             double contact_stiffness_N_per_m);
 
-// Reads the directions of the friction; without the key it is the same in all directions. Throws
-// InputError with the file and the line.
+// Reads the key `grain`, by which friction differs with the direction; without it friction is alike
+// in all directions. Throws InputError with the file and the line.
 rendering::MaterialGrain read_grain(const TomlSection& object, std::string_view file,
                                     rendering::ContactMethod contact);
 

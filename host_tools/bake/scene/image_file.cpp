@@ -20,6 +20,7 @@ using rendering::TextureFormat;
 using rendering::TextureSize;
 using Bytes = std::vector<std::uint8_t>;
 
+// Returns the whole file. Throws InputError if it cannot be read.
 Bytes bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
@@ -33,6 +34,7 @@ bool begins_with(const Bytes& bytes, const std::array<std::uint8_t, N>& magic) {
   return bytes.size() >= N && std::equal(magic.begin(), magic.end(), bytes.begin());
 }
 
+// Throws InputError if a side is longer than the format permits.
 void check_size(std::uint32_t width, std::uint32_t height) {
   if (std::max(width, height) > rendering::kMaxTextureSide) {
     throw InputError(fmt::format("the picture has {} x {} pixels; make no side longer than {}",
@@ -40,11 +42,12 @@ void check_size(std::uint32_t width, std::uint32_t height) {
   }
 }
 
+// Returns room for all texels; the format's number is its bytes for each texel.
 Bytes room_for(TextureSize size, TextureFormat format) {
   return Bytes(std::size_t{size.width} * size.height * static_cast<std::size_t>(format));
 }
 
-// libpng's simplified interface; it keeps its errors in the struct.
+// Uses libpng's simplified interface, which keeps its errors in the struct instead of long jumps.
 Image read_png(const Bytes& bytes) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -58,10 +61,12 @@ Image read_png(const Bytes& bytes) {
   check_size(png.width, png.height);
   const bool colour = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
   png.format = colour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
-  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits are finer steps of the same scale
+  // 16 bits are finer steps of the same scale; without the flag libpng takes them for linear light.
+  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
   Image image{.size = {png.width, png.height},
               .format = colour ? TextureFormat::rgb : TextureFormat::grey};
   image.texels = room_for(image.size, image.format);
+  // Transparent texels are laid over black.
   const png_color black{};
   check(png_image_finish_read(&png, &black, image.texels.data(), 0, nullptr));
   return image;
@@ -86,11 +91,13 @@ Image read_jpeg(const Bytes& bytes) {
   const bool grey = colours == TJCS_GRAY;
   Image image{.size = size, .format = grey ? TextureFormat::grey : TextureFormat::rgb};
   image.texels = room_for(size, image.format);
+  // TJFLAG_ACCURATEDCT: the fast transform may differ from one processor to another.
   check(tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.texels.data(), width, 0,
                       height, grey ? TJPF_GRAY : TJPF_RGB, TJFLAG_ACCURATEDCT));
   return image;
 }
 
+// Tells the format by the first bytes and not by the file's name.
 Image decode(const Bytes& bytes) {
   constexpr std::array<std::uint8_t, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   constexpr std::array<std::uint8_t, 3> kJpeg{0xff, 0xd8, 0xff};
@@ -121,6 +128,7 @@ Image as_grey(const Image& image) {
   Image grey{.size = image.size, .texels = room_for(image.size, TextureFormat::grey)};
   for (std::size_t i = 0; i < grey.texels.size(); ++i) {
     const std::uint8_t* rgb = &image.texels[3 * i];
+    // Luma of ITU-R BT.601, in whole numbers so that every processor gives the same texels.
     grey.texels[i] =
         static_cast<std::uint8_t>((299U * rgb[0] + 587U * rgb[1] + 114U * rgb[2] + 500U) / 1000U);
   }

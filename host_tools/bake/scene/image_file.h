@@ -1,4 +1,4 @@
-// Pictures from PNG and JPEG files.
+// Reads pictures from PNG and JPEG files, for textures. The baker calls it.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,21 @@
 
 namespace tactus::host {
 
-// 8 bits a channel, rows from the top.
+// A picture with 8 bits a channel.
 struct Image {
   rendering::TextureSize size;
   rendering::TextureFormat format = rendering::TextureFormat::grey;
+  // Row by row from the top, each texel with its channels side by side.
   std::vector<std::uint8_t> texels;
 };
 
-// A file without colour comes as grey, any other as RGB. 16 bits a channel are rounded to 8,
-// palettes looked up, transparency laid over black. The kind is told by the file's first bytes, not
-// by its name. Throws InputError, naming the file, if it cannot be read, is neither PNG nor JPEG,
-// is damaged or cut short, or a side exceeds kMaxTextureSide.
+// Reads a picture. A file without colour gives grey, any other RGB; 16 bits a channel are rounded
+// to 8, palettes are looked up, transparency is laid over black. The first bytes decide between PNG
+// and JPEG, not the name. Throws InputError that names the file if it cannot be read, is neither of
+// the two, is damaged or cut short, or has a side longer than kMaxTextureSide.
 Image read_image(const std::filesystem::path& file);
 
-// The same picture as grey: itself, or its luma (0.299 R + 0.587 G + 0.114 B).
+// Returns the picture as grey: unchanged if it is grey, else its luma 0.299 R + 0.587 G + 0.114 B.
 Image as_grey(const Image& image);
 
 }  // namespace tactus::host

@@ -17,10 +17,10 @@ namespace image = rendering::image;
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-// Room for an object's tables, name and padding.
+// Bytes for an object's tables, name and padding, in the estimate of the image's size.
 constexpr std::uint64_t kObjectOverheadBytes = 4096;
 
-// One vector of structs, copied as bytes, its first element at a multiple of `alignment` from the
+// Writes a vector of structs as bytes, with its first element at a multiple of `alignment` from the
 // image's start, minus `shift`.
 template <class Stored, class T>
 Offset<flatbuffers::Vector<const Stored*>> write_vector(FlatBufferBuilder& builder,
@@ -28,13 +28,14 @@ Offset<flatbuffers::Vector<const Stored*>> write_vector(FlatBufferBuilder& build
                                                         std::size_t alignment,
                                                         std::size_t shift = 0) {
   static_assert(sizeof(Stored) == sizeof(T));
-  // FlatBuffers builds from the end: what is aligned is the distance from the end to the start of
-  // the vector.
+  // FlatBuffers builds from the end, so it aligns the distance from the end to the start of the
+  // vector.
   builder.ForceVectorAlignment(values.size() * sizeof(T) + shift, 1, alignment);
   const void* bytes = values.data();
   return builder.CreateVectorOfStructs(static_cast<const Stored*>(bytes), values.size());
 }
 
+// Writes a vector that the format may lack; an empty one takes no place.
 template <class Stored, class T>
 Offset<flatbuffers::Vector<const Stored*>> write_optional(FlatBufferBuilder& builder,
                                                           const std::vector<T>& values) {
@@ -42,14 +43,15 @@ Offset<flatbuffers::Vector<const Stored*>> write_optional(FlatBufferBuilder& bui
                         : write_vector<Stored>(builder, values, rendering::kCacheLine);
 }
 
+// Vectors that the controller searches begin at a cache line.
 Offset<image::Mesh> write_mesh(FlatBufferBuilder& builder, const BakedMesh& mesh) {
   constexpr std::size_t kLine = rendering::kCacheLine;
   const auto vertices = write_vector<image::Float3>(builder, mesh.vertices, kLine);
   const auto triangles = write_vector<image::Triple>(builder, mesh.triangles, kLine);
   const auto neighbours = write_vector<image::Triple>(builder, mesh.neighbours, kLine);
   const auto normals = write_vector<image::Float3>(builder, mesh.vertex_normals, kLine);
-  // The root stands alone in the second half of a cache line, so that every pair of siblings, which
-  // the walk reads together, shares one.
+  // The root stands alone in the second half of a cache line. Every pair of siblings, which the
+  // search reads together, then shares one cache line.
   const auto nodes =
       write_vector<image::Node>(builder, mesh.nodes, kLine, sizeof(rendering::BvhNode));
   const auto corner_normals = write_optional<image::CornerNormals>(builder, mesh.corner_normals);
@@ -80,6 +82,7 @@ image::Pose pose_of(const Placement& placement) {
   return stored(rendering::RigidPose{placement.rotation.toRotationMatrix(), placement.position_m});
 }
 
+// Returns the primitive or formula; none for a mesh.
 Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) {
   if (const auto* primitive = std::get_if<rendering::Primitive>(&object.shape)) {
     return write_primitive(builder, *primitive).Union();
@@ -97,6 +100,7 @@ Offset<void> write_shape(FlatBufferBuilder& builder, const BakedObject& object) 
   return {};
 }
 
+// Returns the tag of the union `Shape`, in the order of ShapeDescription.
 image::Shape shape_type(const ShapeDescription& shape) {
   constexpr std::array kTypes{image::Shape::NONE, image::Shape::Primitive, image::Shape::Implicit};
   return kTypes[shape.index()];
@@ -127,6 +131,7 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
                              motion ? &*motion : nullptr);
 }
 
+// Returns an upper bound of the image's size, so that the builder reserves memory once.
 std::uint64_t estimated_bytes(const BakedScene& scene) {
   std::uint64_t bytes = kObjectOverheadBytes;
   for (const BakedObject& object : scene.objects) {
@@ -136,6 +141,7 @@ std::uint64_t estimated_bytes(const BakedScene& scene) {
   return bytes;
 }
 
+// Puts the header with size and checksum before the content.
 std::vector<std::byte> with_header(std::span<const std::uint8_t> payload) {
   rendering::ImageHeader header;
   header.payload_bytes = payload.size();

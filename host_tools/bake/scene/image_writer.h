@@ -1,4 +1,5 @@
-// Writes baked meshes as a scene image (rendering/scene/scene.fbs).
+// Writes a baked scene as an image (rendering/scene/scene.fbs). bake.h calls it last; tests use it
+// to make images in memory.
 #pragma once
 
 #include <cstddef>
@@ -15,36 +16,49 @@
 
 namespace tactus::host {
 
-// Pictures on a surface, with their coarser levels.
+// The pictures on a surface, each with its coarser levels.
 struct BakedTextures {
+  // How each picture is used, and where its bytes begin in `texels`.
   std::vector<rendering::TextureLayer> layers;
+  // The texels of all pictures, one after the other.
   std::vector<std::uint8_t> texels;
 };
 
+// An object with everything that the controller needs of it.
 struct BakedObject {
   std::string name;
+  // From which sides the surface is touched.
   rendering::Sides sides = rendering::Sides::one;
+  // Stiffness, damping, friction and grain.
   rendering::Material material;
+  // The mesh that is touched, or the picture of the shape.
   BakedMesh mesh;
+  // The primitive or formula that is touched; nothing for a mesh.
   ShapeDescription shape;
-  Placement placement;  // of the shape
+  // The place of the shape in the world; a mesh is in the world frame already.
+  Placement placement;
+  // The method that renders the contact; the shape must permit it.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
   BakedTextures textures;
+  // How the object moves by itself and whether it may be moved or deformed.
   MotionDescription motion;
 };
 
+// All that goes into an image.
 struct BakedScene {
   double tool_radius_m = 0.0;
-  std::size_t tool_count = 1;  // 1 to kMaxTools
+  // How many tools touch the scene, 1 to kMaxTools.
+  std::size_t tool_count = 1;
   std::vector<BakedObject> objects;
+  // Forces without a surface, which every tool feels.
   std::vector<rendering::Effect> effects;
 };
 
 // Returns the bytes that an object's arrays take in the image.
 std::uint64_t image_bytes(const BakedMesh& mesh);
 
-// The whole image, ready for SceneImage::open; the same scene gives the same bytes. Throws
-// InputError when the scene is too large for the format (2 GiB) or has too many objects.
+// Returns the whole image, ready for SceneImage::open; the same scene gives the same bytes. Throws
+// InputError if the scene is larger than the format can be (2 GiB) or has no object or too many.
 std::vector<std::byte> write_image(const BakedScene& scene);
 
 }  // namespace tactus::host

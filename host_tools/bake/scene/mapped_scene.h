@@ -1,4 +1,5 @@
-// A scene image mapped from its file.
+// Opens a scene image from its file, for the verbs of `tactus` that run or show a scene: sim,
+// touch, inspect, plot and bench. tactusd maps images by code of its own, without exceptions.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +13,16 @@
 
 namespace tactus::host {
 
-// Owns the mapping; the image's views live as long as this does, wherever it is moved.
+// A mapped image. Views into it live as long as this object, wherever it is moved.
 class MappedScene {
  public:
-  // Throws InputError, ready for the user, when the file cannot be read or the image is refused.
+  // Maps and checks the image. Throws InputError that names the file if it cannot be read or the
+  // check refuses it.
   explicit MappedScene(const std::filesystem::path& path);
 
+  // Returns the checked image.
   [[nodiscard]] const rendering::SceneImage& image() const { return image_; }
+  // Returns the bytes of the file.
   [[nodiscard]] std::span<const std::byte> bytes() const { return file_.bytes(); }
 
  private:
@@ -26,7 +30,8 @@ class MappedScene {
   rendering::SceneImage image_;
 };
 
-// "object 2: triangle 17: vertex index is out of range; bake the scene again".
+// Returns the error in words, such as "object 2: triangle 17: vertex index is out of range; bake
+// the scene again".
 std::string explain(const rendering::SceneError& error);
 
 }  // namespace tactus::host

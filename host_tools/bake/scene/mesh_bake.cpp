@@ -15,6 +15,7 @@ namespace {
 using rendering::Float3;
 using rendering::TriangleIndices;
 
+// Throws InputError if the mesh cannot be baked at all.
 void require_sound(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Float3& v = mesh.vertices[i];
@@ -32,6 +33,7 @@ void require_sound(const TriangleMesh& mesh) {
   }
 }
 
+// Returns the values in that order.
 template <class T>
 std::vector<T> reordered(const std::vector<T>& values, std::span<const std::uint32_t> order) {
   std::vector<T> result(order.size());
@@ -56,6 +58,7 @@ BakedMesh bake_mesh(TriangleMesh mesh, const MeshBakeOptions& options) {
   if (!mesh.corner_places.empty()) {
     baked.corner_places = reordered(mesh.corner_places, hierarchy.order);
   }
+  // After the triangles have their order: the vertices of a leaf then lie side by side in memory.
   order_vertices_by_use(mesh);
   Topology topology = find_topology(mesh.triangles, mesh.vertices.size());
   baked.counters.open_edges = topology.open_edges;

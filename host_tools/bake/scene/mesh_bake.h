@@ -1,5 +1,5 @@
-// Makes the controller's form of a mesh from triangles, in memory: for baking files, and for tests
-// and benchmarks that make their own meshes.
+// Turns triangles into the form in which the controller touches them, in memory. The baker uses it
+// for files; tests and benchmarks use it for meshes that they make themselves.
 #pragma once
 
 #include <span>
@@ -12,22 +12,30 @@
 
 namespace tactus::host {
 
+// How a mesh is baked.
 struct MeshBakeOptions {
-  double weld_m = 0.0;  // 0: only exactly equal positions are merged
+  // Vertices closer than this become one; 0 merges exactly equal positions only.
+  double weld_m = 0.0;
 };
 
-// World frame, metres. Triangles stand in the order of the hierarchy's leaves.
+// A mesh in the world frame, m, with its triangles in the order of the hierarchy's leaves.
 struct BakedMesh {
   std::vector<rendering::Float3> vertices;
   std::vector<rendering::TriangleIndices> triangles;
+  // For each triangle the three triangles across its edges.
   std::vector<rendering::TriangleNeighbours> neighbours;
+  // Angle-weighted unit normals; zero where faces cancel out.
   std::vector<rendering::Float3> vertex_normals;
+  // The bounding-volume hierarchy, root first.
   std::vector<rendering::BvhNode> nodes;
-  std::vector<rendering::CornerPlaces> corner_places;    // one a triangle, or none
-  std::vector<rendering::CornerNormals> corner_normals;  // one a triangle once it is shaded
+  // The texture places of each triangle's corners; empty if the mesh has none.
+  std::vector<rendering::CornerPlaces> corner_places;
+  // The shading normals of each triangle's corners; empty unless the object is shaded.
+  std::vector<rendering::CornerNormals> corner_normals;
+  // The numbers of welded vertices, dropped triangles and faulty edges.
   rendering::BakeCounters counters;
 
-  // Valid as long as this mesh lives and keeps its vectors.
+  // Return views that are valid as long as this mesh lives and its vectors are unchanged.
   [[nodiscard]] rendering::MeshView view() const {
     return {.vertices = vertices, .triangles = triangles, .nodes = nodes};
   }
@@ -36,9 +44,9 @@ struct BakedMesh {
   }
 };
 
-// Welds, drops degenerate triangles, builds the hierarchy, orders, finds neighbours and normals.
-// The result depends on the input alone. Throws InputError, without a file name, on a vertex that
-// is not finite, an index out of range, and when no triangle is left.
+// Welds vertices, drops triangles without area, builds the hierarchy, orders the arrays by it, and
+// finds neighbours and normals. The result depends on the input alone. Throws InputError, without a
+// file name, for a vertex that is not finite, an index out of range, and if no triangle is left.
 BakedMesh bake_mesh(TriangleMesh mesh, const MeshBakeOptions& options = {});
 BakedMesh bake_mesh(std::span<const rendering::Float3> vertices,
                     std::span<const rendering::TriangleIndices> triangles,

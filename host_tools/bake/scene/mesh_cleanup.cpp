@@ -14,8 +14,10 @@ namespace {
 using rendering::Float3;
 using rendering::TriangleIndices;
 
+// No vertex, in tables of vertex numbers.
 constexpr std::uint32_t kNone = 0xffffffff;
 
+// Returns the bits of a number well mixed, for hash tables.
 std::uint64_t mix(std::uint64_t value) {
   // The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every output
   // bit.
@@ -24,7 +26,7 @@ std::uint64_t mix(std::uint64_t value) {
   return value ^ (value >> 31U);
 }
 
-// Adding zero makes -0 and 0, which are equal, the same bits.
+// Returns the bits of a number; adding zero gives -0 and 0, which are equal, the same bits.
 std::uint64_t bits(float value) {
   return std::bit_cast<std::uint32_t>(value + 0.0F);
 }
@@ -33,8 +35,8 @@ std::uint64_t hash_position(const Float3& p) {
   return mix(mix((bits(p.x) << 32U) | bits(p.y)) + bits(p.z));
 }
 
-// For every vertex the first one at the same place. Open addressing: half the time of a node-based
-// map at the dragon's size.
+// Returns for each vertex the first one at exactly the same place. A hash table with open
+// addressing takes half the time of a node-based map for the Stanford dragon.
 std::vector<std::uint32_t> first_at_same_place(std::span<const Float3> vertices) {
   const std::size_t slots = std::bit_ceil(2 * vertices.size() + 1);
   std::vector<std::uint32_t> table(slots, kNone);
@@ -52,8 +54,10 @@ std::vector<std::uint32_t> first_at_same_place(std::span<const Float3> vertices)
   return first;
 }
 
+// A cell of the grid, counted in tolerances.
 using Cell = std::array<std::int64_t, 3>;
 
+// The hash of a cell, for std::unordered_map.
 struct CellHash {
   std::size_t operator()(const Cell& cell) const {
     std::uint64_t hash = 0;
@@ -64,12 +68,14 @@ struct CellHash {
   }
 };
 
-// A grid with cells as wide as the tolerance: whatever is near enough is in the 27 cells around.
+// The kept vertices in a grid whose cells are as wide as the tolerance, so that every vertex within
+// the tolerance is in one of the 27 cells around.
 class NearGrid {
  public:
   NearGrid(std::span<const Float3> vertices, double tolerance_m)
       : vertices_(vertices), tolerance_m_(tolerance_m) {}
 
+  // Returns the first kept vertex within the tolerance; if there is none, keeps this one.
   std::uint32_t find_or_keep(std::uint32_t index) {
     const Cell home = cell_of(vertices_[index]);
     std::uint32_t best = kNone;
@@ -88,11 +94,13 @@ class NearGrid {
   }
 
  private:
+  // Returns the cell whose middle is nearest.
   [[nodiscard]] Cell cell_of(const Float3& p) const {
     const Vec3 scaled = to_vec3(p) / tolerance_m_;
     return {std::llround(scaled.x()), std::llround(scaled.y()), std::llround(scaled.z())};
   }
 
+  // Returns the first of `kept` within the tolerance, kNone if there is none.
   [[nodiscard]] std::uint32_t first_near(std::span<const std::uint32_t> kept,
                                          std::uint32_t index) const {
     const Vec3 p = to_vec3(vertices_[index]);
@@ -107,6 +115,8 @@ class NearGrid {
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
 };
 
+// Returns true if two corners are the same vertex, or the triangle is thinner than
+// kDegenerateHeight_m.
 bool is_degenerate(const TriangleMesh& mesh, const TriangleIndices& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
     return true;
@@ -116,6 +126,7 @@ bool is_degenerate(const TriangleMesh& mesh, const TriangleIndices& t) {
   const Vec3 ac = to_vec3(mesh.vertices[t[2]]) - a;
   const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
   const double smallest_height = ab.cross(ac).norm() / longest;
+  // Written so that a height of NaN counts as degenerate.
   return !(smallest_height >= kDegenerateHeight_m);
 }
 
@@ -129,13 +140,15 @@ std::uint32_t weld(TriangleMesh& mesh, double weld_m) {
       target[i] = target[i] == i ? grid.find_or_keep(i) : target[target[i]];
     }
   }
+  // Vertices that stay move up to fill the gaps; the others take the new number of their target.
   std::vector<Float3> kept;
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     if (target[i] == i) {
       target[i] = static_cast<std::uint32_t>(kept.size());
       kept.push_back(mesh.vertices[i]);
     } else {
-      target[i] = target[target[i]];  // points back, to a vertex that has its new number already
+      // The target has a smaller number, so it has its new place already.
+      target[i] = target[target[i]];
     }
   }
   for (TriangleIndices& triangle : mesh.triangles) {

@@ -1,4 +1,5 @@
-// Makes a triangle soup fit for touch: equal vertices become one, triangles without area go.
+// Makes a list of triangles fit for touch: equal vertices become one, triangles without area are
+// dropped, and vertices are ordered. Steps of mesh_bake.h.
 #pragma once
 
 #include <cstdint>
@@ -7,21 +8,21 @@
 
 namespace tactus::host {
 
-// A triangle with a height below this has no normal worth the name: a nanometre is far below what a
-// float resolves at the size of a hand.
+// A triangle whose smallest height is below this has no meaningful normal: 1 nm is far below the
+// resolution of a float at the size of a hand.
 inline constexpr double kDegenerateHeight_m = 1e-9;
 
-// Gives all corners at the same place the same vertex, and returns how many vertices have gone.
-// weld_m = 0 merges exactly equal positions; above, a vertex goes to the first kept one within
-// weld_m, in the order of the list.
+// Gives corners at the same place the same vertex, and returns how many vertices were removed. With
+// weld_m = 0 only exactly equal positions count as the same place; above 0, a vertex joins the
+// first kept vertex within `weld_m`, in the order of the list.
 std::uint32_t weld(TriangleMesh& mesh, double weld_m);
 
-// Drops triangles with a repeated vertex or a height below kDegenerateHeight_m, and returns how
-// many they were. Duplicated triangles stay.
+// Drops triangles with a repeated vertex or a height below kDegenerateHeight_m, and returns their
+// number. Duplicated triangles stay.
 std::uint32_t drop_degenerate(TriangleMesh& mesh);
 
-// Renumbers the vertices in the order in which the triangles use them, without the unused, so that
-// near triangles find near vertices.
+// Renumbers the vertices in the order in which the triangles first use them, and drops unused ones,
+// so that near triangles have their vertices near in memory.
 void order_vertices_by_use(TriangleMesh& mesh);
 
 }  // namespace tactus::host

@@ -20,12 +20,13 @@ namespace {
   throw InputError(fmt::format("{}: {}", path.string(), what));
 }
 
+// Returns the text with line ends replaced: an InputError is one line.
 std::string one_line(std::string text) {
   std::ranges::replace_if(text, [](unsigned char c) { return c < ' '; }, ' ');
   return text;
 }
 
-// Returns how many triangles the polygons make if none is lost.
+// Returns how many triangles the polygons make if none is lost: a polygon of n corners makes n - 2.
 std::size_t expected_triangles(const aiScene& scene) {
   std::size_t count = 0;
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
@@ -36,6 +37,7 @@ std::size_t expected_triangles(const aiScene& scene) {
   return count;
 }
 
+// Returns how many faces are triangles.
 std::size_t found_triangles(const aiScene& scene) {
   std::size_t count = 0;
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
@@ -45,7 +47,8 @@ std::size_t found_triangles(const aiScene& scene) {
   return count;
 }
 
-// Reading, checking and cutting are three steps, so that what one loses can be told.
+// Reads, validates and triangulates in three steps, so that the message can tell which step failed.
+// Assimp drops a polygon that it cannot cut without a word; the count of triangles shows it.
 const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::path& path) {
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene != nullptr) {
@@ -63,6 +66,7 @@ const aiScene& read_scene(Assimp::Importer& importer, const std::filesystem::pat
   return *scene;
 }
 
+// Returns a vertex under a node's transform, in double.
 Vec3 transformed(const aiMatrix4x4t<double>& transform, const aiVector3D& v) {
   const aiVector3t<double> p =
       transform * aiVector3t<double>(static_cast<double>(v.x), static_cast<double>(v.y),
@@ -70,10 +74,12 @@ Vec3 transformed(const aiMatrix4x4t<double>& transform, const aiVector3D& v) {
   return {p.x, p.y, p.z};
 }
 
+// Collects the meshes of all nodes into one.
 class Collector {
  public:
   Collector(const aiScene& scene, const std::filesystem::path& path) : scene_(scene), path_(path) {}
 
+  // Adds a node and its children; transforms multiply from the root downwards, in double.
   void add_node(const aiNode& node, const aiMatrix4x4t<double>& parent) {
     const aiMatrix4x4t<double> transform =
         parent * static_cast<aiMatrix4x4t<double>>(node.mTransformation);
@@ -85,7 +91,7 @@ class Collector {
     }
   }
 
-  // Texture coordinates for some of the triangles are of no use.
+  // Returns the mesh. Texture coordinates for only some of the triangles are dropped.
   ImportedMesh take() {
     if (result_.corner_places.size() != result_.triangles.size()) {
       result_.corner_places.clear();
@@ -94,6 +100,7 @@ class Collector {
   }
 
  private:
+  // Appends the mesh's vertices and faces. Throws InputError at a number that is not finite.
   void add_mesh(const aiMesh& mesh, const aiMatrix4x4t<double>& transform) {
     const auto first = static_cast<std::uint32_t>(result_.vertices.size());
     for (const aiVector3D& v : std::span(mesh.mVertices, mesh.mNumVertices)) {
@@ -109,6 +116,7 @@ class Collector {
     }
   }
 
+  // Appends a triangle; other faces, which are lines and points by now, are counted.
   void add_face(const aiFace& face, const aiMesh& mesh, std::uint32_t first) {
     if (face.mNumIndices != 3) {
       ++result_.lines_and_points;
@@ -126,6 +134,7 @@ class Collector {
     add_places(face, mesh);
   }
 
+  // Appends the texture coordinates of a triangle, if the mesh has two of them for each corner.
   void add_places(const aiFace& face, const aiMesh& mesh) {
     constexpr unsigned kPlane = 2;
     if (!mesh.HasTextureCoords(0) || mesh.mNumUVComponents[0] < kPlane) {
@@ -134,7 +143,7 @@ class Collector {
     rendering::CornerPlaces places{};
     for (unsigned k = 0; k < 3; ++k) {
       const aiVector3D& uv = mesh.mTextureCoords[0][face.mIndices[k]];
-      // Comparisons with a value that is not a number are false.
+      // A comparison with NaN is false, so NaN is refused too.
       const bool in_range = std::abs(uv.x) <= rendering::kMostTexturePlace &&
                             std::abs(uv.y) <= rendering::kMostTexturePlace;
       if (!in_range) {
@@ -152,6 +161,7 @@ class Collector {
   ImportedMesh result_;
 };
 
+// Throws InputError if there is no such file or it is empty.
 void require_readable(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {

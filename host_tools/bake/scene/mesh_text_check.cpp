@@ -21,6 +21,8 @@ namespace {
 constexpr std::int64_t kMaxOffCorners = 9;
 constexpr std::int64_t kAnyCorners = std::numeric_limits<std::int64_t>::max();
 
+// Reads a text mesh line by line and throws InputError at the first error. It checks only what the
+// formats demand of numbers and indices; unusual forms are left to Assimp.
 class Checker {
  public:
   Checker(std::string path, std::string_view text) : path_(std::move(path)), lines_(text) {}
@@ -30,6 +32,7 @@ class Checker {
   }
   [[noreturn]] void fail(const std::string& what) const { fail(lines_.number(), what); }
 
+  // Returns the next line with content; `what` is missing if the file ends.
   std::string_view require_line(const std::string& what) {
     const std::optional<std::string_view> line = lines_.next_with_content(comment_);
     if (!line) {
@@ -38,6 +41,8 @@ class Checker {
     return *line;
   }
 
+  // Takes a number off the line. A number that is too large for a float counts as not finite, since
+  // the mesh is stored in floats.
   double require_coordinate(std::string_view& line, std::size_t vertex) const {
     const std::string_view word = next_word(line);
     const std::optional<double> value = to_number<double>(word);
@@ -66,7 +71,7 @@ class Checker {
     return *value;
   }
 
-  // A count and that many indices from 0.
+  // Checks a face in the form of OFF and PLY: the number of corners, then as many indices, from 0.
   void require_face(std::string_view line, std::size_t face, std::size_t vertices,
                     std::int64_t most_corners) const {
     const std::int64_t corners = require_integer(next_word(line), face);
@@ -95,7 +100,8 @@ class Checker {
   struct PlyElement {
     std::string name;
     std::size_t count = 0;
-    std::vector<std::string> properties;  // "list" for a list
+    // The properties' names, "list" for a list.
+    std::vector<std::string> properties;
   };
   std::vector<PlyElement> ply_header();
   void ply_vertices(const PlyElement& element);
@@ -104,7 +110,8 @@ class Checker {
   std::string path_;
   TextLines lines_;
   char comment_ = '#';
-  // OBJ: the largest index of any face, which may name vertices that are still to come.
+  // OBJ: the largest index of any face. A face may name vertices that come later in the file, so
+  // the comparison waits for the end.
   std::int64_t largest_index_ = 0;
   std::size_t largest_index_line_ = 0;
   std::size_t obj_faces_ = 0;
@@ -138,6 +145,7 @@ void Checker::off() {
   }
 }
 
+// An index counts from 1; a negative one counts back from the last vertex so far.
 void Checker::obj_face(std::string_view line, std::size_t vertices) {
   const std::size_t face = obj_faces_++;
   if (line.ends_with('\\') || line.ends_with("\\\r")) {
@@ -262,7 +270,8 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-// A binary STL may begin with "solid" too; its size, which its 81st byte on states, tells.
+// A binary STL may begin with "solid" too. It has a header of 80 bytes and the number of triangles;
+// if that number fits the size of the file, at 50 bytes a triangle, the file is binary.
 bool is_ascii_stl(std::string_view text) {
   constexpr std::size_t kHeader = 84;
   if (!text.starts_with("solid")) {

@@ -13,16 +13,18 @@ using rendering::kNoNeighbour;
 using rendering::to_float3;
 using rendering::TriangleIndices;
 
-// One side of an edge, kept under the smaller of its two vertices.
+// One triangle's side of an edge; the table keeps it under the smaller of its two vertices.
 struct HalfEdge {
   std::uint32_t larger_vertex;
   std::uint32_t triangle;
   std::uint8_t edge;
-  bool upward;  // runs from the smaller vertex to the larger
+  // True if the triangle runs along it from the smaller vertex to the larger.
+  bool upward;
 };
 
-// All half edges sorted by the edge they lie on: a counting sort by the smaller vertex, then by the
-// larger within the few that share it.
+// All half edges, sorted by their edge: a counting sort by the smaller vertex, then a sort by the
+// larger one among the few that share it. That is faster than a hash map, and its order depends on
+// the input alone.
 class EdgeTable {
  public:
   EdgeTable(std::span<const TriangleIndices> triangles, std::size_t vertex_count)
@@ -59,11 +61,12 @@ class EdgeTable {
     }
   }
 
+  // The index in half_edges_ of each vertex's first half edge, with one more entry at the end.
   std::vector<std::uint32_t> begin_;
   std::vector<HalfEdge> half_edges_;
 };
 
-// `sharing` holds every half edge of one edge.
+// Counts or connects one edge; `sharing` holds all of its half edges.
 void take_edge(Topology& topology, std::span<const HalfEdge> sharing) {
   if (sharing.size() == 1) {
     ++topology.open_edges;
@@ -80,7 +83,8 @@ void take_edge(Topology& topology, std::span<const HalfEdge> sharing) {
   topology.inconsistent_edges += a.upward == b.upward ? 1 : 0;
 }
 
-// The interior angle between two edges from one corner; atan2 stays exact for flat and sharp ones.
+// Returns the interior angle between two edges of a corner, rad. atan2 stays exact for flat and
+// sharp angles.
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }

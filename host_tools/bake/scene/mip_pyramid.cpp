@@ -1,6 +1,4 @@
-// Each level is the one before, resampled by a sinc under a Hann window: along rows, then along
-// columns. A box (the mean of four texels) would let 64 percent of the wave through that is as
-// short as two new texels, which is the first to alias.
+// Each level is the level before it, resampled to half its size, along rows and then along columns.
 #include "host_tools/bake/scene/mip_pyramid.h"
 
 #include <algorithm>
@@ -15,28 +13,34 @@ namespace {
 using rendering::TextureFormat;
 using rendering::TextureSize;
 
-// The filter reaches this many new texels to each side and cuts at this frequency, in waves per new
-// texel: 1.00 at 1/5, 0.95 at 1/4, below 0.007 from 1/2 on.
+// The filter is a sinc under a Hann window, along rows and then along columns. It reaches kReach
+// new texels to each side and cuts at kCut waves a new texel. Its gain is 1.00 at 1/5, 0.95 at 1/4
+// and below 0.007 from 1/2 on. The mean of four texels would let 64 % of the wave of two new texels
+// pass, which is the first one to alias.
 constexpr double kReach = 6.0;
 constexpr double kCut = 0.35;
 
-// sin of x turns, by the controller's own sine: the library's may differ in the last bit.
+// Returns the sine of x turns by the controller's own function: that of the C library may differ in
+// the last bit from one machine to the next.
 double sine_of_turns(double x) {
   return rendering::sine(rendering::phase_of_turns(x));
 }
 
+// Returns the filter's weight at a distance of x new texels.
 double kernel(double x) {
   const double wave = 2.0 * kCut * x;
   const double sinc = x == 0.0 ? 1.0 : sine_of_turns(0.5 * wave) / (std::numbers::pi * wave);
   return sinc * (0.5 + 0.5 * sine_of_turns(0.25 + 0.5 * x / kReach));
 }
 
+// An old texel's contribution to a new one.
 struct Tap {
   std::uint32_t from;
   float weight;
 };
 
-// Returns the old texels that contribute to the new texel `to`, with weights that sum to 1.
+// Returns the old texels that contribute to the new texel `to`, with weights that sum to 1. Indices
+// wrap around, since the picture repeats.
 std::vector<Tap> taps_of(std::uint32_t to, std::uint32_t old_count, std::uint32_t new_count) {
   const double ratio = static_cast<double>(old_count) / new_count;
   const double centre = (to + 0.5) * ratio - 0.5;
@@ -58,13 +62,14 @@ std::vector<Tap> taps_of(std::uint32_t to, std::uint32_t old_count, std::uint32_
   return taps;
 }
 
-// One level, unrounded, row by row.
+// One level, row by row, not rounded to bytes: rounding once a level would add up.
 struct Plane {
   TextureSize size;
   std::size_t channels = 1;
   std::vector<float> values;
 };
 
+// Returns the level resampled to another width.
 Plane narrowed(const Plane& old, std::uint32_t width) {
   Plane result{{width, old.size.height}, old.channels, {}};
   result.values.resize(std::size_t{width} * old.size.height * old.channels);
@@ -88,6 +93,7 @@ Plane narrowed(const Plane& old, std::uint32_t width) {
   return result;
 }
 
+// Returns the level resampled to another height.
 Plane lowered(const Plane& old, std::uint32_t height) {
   const std::size_t line = old.size.width * old.channels;
   Plane result{{old.size.width, height}, old.channels, {}};
@@ -104,6 +110,8 @@ Plane lowered(const Plane& old, std::uint32_t height) {
   return result;
 }
 
+// Appends the level as bytes. The filter has negative weights, so values may lie beyond black and
+// white and are cut off.
 void append(const Plane& plane, std::vector<std::uint8_t>& bytes) {
   constexpr float kWhite = 255.0F;
   for (const float value : plane.values) {

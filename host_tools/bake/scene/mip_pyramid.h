@@ -1,4 +1,5 @@
-// Coarser and coarser copies of a picture, for lookups that do not alias.
+// Makes coarser and coarser copies of a picture, so that a lookup at any resolution has no alias
+// waves.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +10,11 @@
 
 namespace tactus::host {
 
-// The bytes of rendering::TextureView from those of its finest level, rows from the top. Each level
-// is low-passed so that waves of two of its texels and shorter are weakened to less than 1 percent,
-// and waves of five texels and longer kept to 1; the picture repeats at its borders. The result
-// depends on the input alone. `texels` has width x height x format bytes, each side from 1 to
-// kMaxTextureSide.
+// Returns the bytes of rendering::TextureView: the finest level, which is `texels`, then ever
+// coarser ones, rows from the top. `texels` has width x height x format bytes, each side from 1 to
+// kMaxTextureSide; the picture repeats at its borders. Each level is low-pass filtered: waves of
+// two of its texels or shorter keep less than 1 % of their amplitude, waves of five texels or
+// longer keep all. The result depends on the input alone.
 std::vector<std::uint8_t> build_mip_pyramid(std::span<const std::uint8_t> texels,
                                             rendering::TextureSize size,
                                             rendering::TextureFormat format);

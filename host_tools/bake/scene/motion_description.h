@@ -1,4 +1,4 @@
-// The motion of a scene's object: its keys moves, deforms and motion.
+// Reads how an object of the scene moves: its keys `moves`, `deforms` and `motion`.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,18 @@
 
 namespace tactus::host {
 
+// How an object moves or deforms.
 struct MotionDescription {
-  bool moves = false;    // the program that runs the world may give its pose
-  bool deforms = false;  // and its vertices
-  std::optional<rendering::Motion> motion = std::nullopt;  // by itself
+  // True if the program that runs the world may set the object's pose.
+  bool moves = false;
+  // True if it may set the object's vertices.
+  bool deforms = false;
+  // A motion that the object makes by itself; nothing if it stands still.
+  std::optional<rendering::Motion> motion = std::nullopt;
 };
 
-// `rest` is where the object stands at the start: the pivot, unless the scene gives one. Throws
-// InputError with the file and the line.
+// Reads the three keys. `rest` is where the object stands at the start, m: the pivot of a spin
+// unless the scene names another. Throws InputError with the file and the line.
 MotionDescription read_motion(const TomlSection& object, std::string_view file,
                               const ShapeDescription& shape, rendering::ContactMethod contact,
                               const Vec3& rest);

@@ -7,8 +7,8 @@
 namespace tactus::host {
 namespace {
 
-// Returns the box of the vertices that triangles use: a stray point must not move or shrink the
-// mesh.
+// Returns the box of the vertices that belong to triangles: a stray point must neither move nor
+// shrink the mesh.
 Eigen::AlignedBox3d used_box(const ImportedMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const rendering::TriangleIndices& triangle : mesh.triangles) {

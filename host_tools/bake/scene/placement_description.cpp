@@ -15,6 +15,8 @@ Vec3 to_vector(std::span<const double> values) {
   return {values[0], values[1], values[2]};
 }
 
+// Returns the rotation of a table, given as axis and angle or as a quaternion. The quaternion need
+// not have unit length.
 Eigen::Quaterniond read_rotation(const toml::table& table, const TomlSection& object,
                                  std::string_view file) {
   const TomlSection section(table, file, object.title() + " rotation", kRotationKeys);

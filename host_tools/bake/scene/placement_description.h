@@ -1,4 +1,4 @@
-// The keys that say where something is.
+// Reads the keys of scene.toml that place something in the world.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,8 @@
 
 namespace tactus::host {
 
-// longest_side_m, scale, position_m and rotation, as far as the section has them.
+// Reads longest_side_m, scale, position_m and rotation, as far as the section has them. Throws
+// InputError with the file and the line.
 Placement read_placement(const TomlSection& section, std::string_view file);
 
 }  // namespace tactus::host

@@ -21,6 +21,7 @@ namespace {
 constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
                                 KeySpec{"device", ""}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
+// The keys of an [[object]] that do not depend on its shape.
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
     KeySpec{"mesh", ""},
@@ -41,12 +42,14 @@ constexpr std::array kOwnKeys{
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
 };
+// Returns the keys of an object: its own and those of its shape.
 std::vector<KeySpec> object_keys() {
   std::vector<KeySpec> keys(kOwnKeys.begin(), kOwnKeys.end());
   std::ranges::copy(shape_keys(), std::back_inserter(keys));
   return keys;
 }
 
+// Returns from which sides the surface is touched; from one if the key is left out.
 rendering::Sides read_sides(const TomlSection& section) {
   const std::string sides = section.text("sides").value_or("one");
   if (sides != "one" && sides != "two") {
@@ -55,6 +58,7 @@ rendering::Sides read_sides(const TomlSection& section) {
   return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
 }
 
+// Reads one [[object]]. A relative path of the mesh begins at `folder`, the scene file's own.
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
                               const std::filesystem::path& folder) {
   const std::vector<KeySpec> keys = object_keys();
@@ -86,7 +90,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   return object;
 }
 
-// The tables of [[effect]], none if there are none.
+// Returns the effects of all [[effect]] tables; none if there are none.
 std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlSection& scene,
                                             std::string_view file) {
   std::vector<rendering::Effect> effects;
@@ -108,6 +112,7 @@ std::vector<rendering::Effect> read_effects(const toml::table& root, const TomlS
   return effects;
 }
 
+// Returns the [[object]] tables. Throws InputError if there is none or too many.
 const toml::array& object_array(const toml::table& root, const TomlSection& scene) {
   const toml::node* node = root.get("object");
   const toml::array* array = node == nullptr ? nullptr : node->as_array();
@@ -124,6 +129,7 @@ const toml::array& object_array(const toml::table& root, const TomlSection& scen
   return *array;
 }
 
+// Throws InputError if an object of that name is there.
 void require_distinct_name(std::span<const ObjectDescription> others, const std::string& name,
                            std::string_view file, std::size_t line) {
   if (std::ranges::find(others, name, &ObjectDescription::name) != others.end()) {

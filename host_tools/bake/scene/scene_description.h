@@ -1,4 +1,5 @@
-// scene.toml as people write it. host_tools/bake/README.md lists every key with unit and default.
+// Reads scene.toml into structs. host_tools/bake/README.md lists every key with its unit and
+// default.
 #pragma once
 
 #include <cstddef>
@@ -18,35 +19,53 @@
 
 namespace tactus::host {
 
+// An [[object]] of the scene.
 struct ObjectDescription {
+  // Unique in the scene; the mesh file's name without its extension unless the scene gives one.
   std::string name;
+  // The primitive or formula; nothing for a mesh.
   ShapeDescription shape;
+  // How the surface is rendered.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
-  std::filesystem::path mesh;  // relative paths are resolved against the scene file's folder; empty
-                               // with a shape
-  std::size_t line = 0;        // of the mesh key or the shape's, for errors in it
+  // The mesh file, resolved against the scene file's folder; empty if the object has a shape.
+  std::filesystem::path mesh;
+  // The line of the mesh or the shape, for errors in it.
+  std::size_t line = 0;
+  // The object's place in the world, and its scale.
   Placement placement;
   rendering::Sides sides = rendering::Sides::one;
   rendering::Material material;
-  std::size_t friction_line = 0;  // of its friction, for errors in it
+  // The line of the friction, for errors in it.
+  std::size_t friction_line = 0;
+  // How the mesh is cleaned.
   MeshBakeOptions mesh_options;
   MotionDescription motion;
+  // Shading and textures.
   DetailDescription detail;
 };
 
+// A scene as its file describes it.
 struct SceneDescription {
-  std::string file;  // as errors name it
+  // The file as errors name it.
+  std::string file;
   double tool_radius_m = 0.0;
+  // How many tools touch the scene, 1 to kMaxTools.
   std::size_t tool_count = 1;
+  // The device for which the friction is checked.
   TargetDevice device;
-  std::vector<ObjectDescription> objects;  // at least one
+  // At least one.
+  std::vector<ObjectDescription> objects;
+  // The [[effect]] tables.
   std::vector<rendering::Effect> effects;
 };
 
+// The values for keys that the scene leaves out.
 inline constexpr double kDefaultToolRadius_m = 0.002;
 inline constexpr double kDefaultStiffness_N_per_m = 500.0;
 
-// Throws InputError `file:line: ...` on anything that is not a scene. Mesh files are not opened.
+// Reads a scene from its file or from a text; `path` is then its name for errors and for relative
+// paths. Mesh files are not opened. Throws InputError `file:line: ...` for anything that is not a
+// scene.
 SceneDescription read_scene_description(const std::filesystem::path& path);
 SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path);
 

@@ -17,6 +17,7 @@ using rendering::kPrimitives;
 using rendering::Primitive;
 using rendering::PrimitiveTraits;
 
+// The names of the contact methods in TOML.
 struct NamedMethod {
   std::string_view name;
   ContactMethod method;
@@ -29,6 +30,7 @@ constexpr std::array kMethods{
     NamedMethod{"tracking", ContactMethod::tracking},
 };
 
+// Returns the names in quotes with commas, for messages.
 template <class Named>
 std::string list(const Named& all) {
   std::string text;
@@ -53,6 +55,8 @@ std::vector<double> numbers_of(const TomlSection& section, const DimensionKey& d
                                           dimension.key, is_list ? "[0.1, 0.05, 0.1]" : "0.03"));
 }
 
+// Returns the dimensions in the order of rendering::Primitive, where box, cylinder and capsule have
+// half sizes.
 rendering::PrimitiveDimensions dimensions(const TomlSection& section,
                                           const PrimitiveTraits& primitive) {
   rendering::PrimitiveDimensions result{};
@@ -75,7 +79,9 @@ std::string conditions() {
   return text;
 }
 
+// Reads a formula and the box in which its surface is looked for.
 ImplicitDescription read_implicit(const TomlSection& section, const std::string& text) {
+  // In units of the formula, to each side.
   constexpr double kDefaultBound = 2.0;
   ImplicitDescription implicit;
   try {
@@ -178,6 +184,7 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
 }
 
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {
+  // Parts of the box along each side, for the picture.
   constexpr int kCells = 40;
   if (const auto* primitive = std::get_if<Primitive>(&shape)) {
     return primitive_mesh(*primitive);

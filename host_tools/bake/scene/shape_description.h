@@ -1,4 +1,4 @@
-// The part of an [[object]] that says what is touched where that is no mesh.
+// Reads what is touched of an [[object]]: a mesh, a primitive or a formula, and by which method.
 #pragma once
 
 #include <variant>
@@ -11,12 +11,14 @@
 
 namespace tactus::host {
 
+// A surface given by a formula.
 struct ImplicitDescription {
   Formula formula;
-  rendering::Box bounds_O;  // units of the formula
+  // The box in which the surface lies, in the formula's own frame and unit.
+  rendering::Box bounds_O;
 };
 
-// Nothing: the object's mesh.
+// Nothing means that the object is a mesh.
 using ShapeDescription = std::variant<std::monostate, rendering::Primitive, ImplicitDescription>;
 
 // Returns the keys of the dimensions of all primitives, each once.
@@ -25,18 +27,21 @@ std::vector<KeySpec> primitive_keys();
 // Returns the keys of the section that read_shape reads.
 std::vector<KeySpec> shape_keys();
 
-// Throws InputError with the file and the line. The placement's scale is the formula's unit.
+// Reads the shape. The placement's scale is the formula's unit in m. Throws InputError with the
+// file and the line if the object has no surface or more than one.
 ShapeDescription read_shape(const TomlSection& section, const Placement& placement);
 
-// The primitive of that name, with the dimensions that the section gives.
+// Returns the primitive of that name with the dimensions that the section gives, at the placement's
+// pose. Throws InputError with the file and the line.
 rendering::Primitive read_primitive(const TomlSection& section, const std::string& name,
                                     const Placement& placement);
 
-// Throws InputError when the method does not go with the shape.
+// Returns the contact method, or the shape's default. Throws InputError if the method does not go
+// with the shape.
 rendering::ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape);
 
-// Returns a mesh of the shape for pictures. Throws InputError, without a file name, when the
-// formula has no surface within its bounds.
+// Returns a mesh of the shape, for pictures and for the path of a simulated hand. Throws
+// InputError, without a file name, if the formula has no surface within its bounds.
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement);
 
 }  // namespace tactus::host

@@ -12,11 +12,13 @@ namespace {
 using rendering::TextureProjection;
 using rendering::TextureUse;
 
+// Throws InputError with the texture's line in the scene file.
 [[noreturn]] void fail(const std::string& scene, const TextureDescription& texture,
                        const std::string& what) {
   throw InputError(fmt::format("{}:{}: {}", scene, texture.line, what));
 }
 
+// Returns the picture, as grey for everything but a normal map, whose colours are a direction.
 Image read_picture(const TextureDescription& texture, const std::string& scene) {
   std::error_code error;
   if (!std::filesystem::exists(texture.image, error)) {
@@ -38,6 +40,7 @@ Image read_picture(const TextureDescription& texture, const std::string& scene) 
   return image;
 }
 
+// Returns the projection that the scene asks for, else texture coordinates if there are any.
 TextureProjection projection_of(const TextureDescription& texture, bool has_places,
                                 const std::string& scene) {
   if (!texture.projection) {

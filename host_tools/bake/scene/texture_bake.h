@@ -1,4 +1,4 @@
-// Makes the tables that the controller looks up from pictures.
+// Turns the pictures of an object into the textures that the controller looks up.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace tactus::host {
 
-// Reads the pictures and makes their coarser levels. `has_places`: the mesh has texture
-// coordinates. Throws InputError naming the scene file and its line, or the picture: a file that is
-// missing or no picture, texture coordinates that are not there, a normal map without colour.
+// Reads the pictures and makes their coarser levels. `has_places` is true if the mesh has texture
+// coordinates; `scene` names the scene file in errors. Throws InputError that names the scene and
+// its line, or the picture: a missing file, a file that is no picture, missing texture coordinates,
+// a normal map without colour, or more than 1 GiB of pictures.
 BakedTextures bake_textures(const DetailDescription& detail, bool has_places,
                             const std::string& scene);
 

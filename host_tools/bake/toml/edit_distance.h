@@ -1,4 +1,5 @@
-// The edit distance between a written name and a known one.
+// The edit distance between a name that the user wrote and one that exists, for "did you mean"
+// advice.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +9,15 @@
 
 namespace tactus::host {
 
-// Levenshtein: single letters put in, left out or replaced.
+// Returns the Levenshtein distance: how many letters must be inserted, removed or replaced. It
+// keeps one row of the usual table.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) {
     row[j] = j;
   }
   for (std::size_t i = 1; i <= a.size(); ++i) {
+    // The entry up and to the left, which the row has lost already.
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {

@@ -13,6 +13,7 @@
 namespace tactus::host {
 namespace {
 
+// A suffix and its unit in words.
 struct UnitWords {
   std::string_view unit;
   std::string_view words;
@@ -43,7 +44,8 @@ constexpr std::array kUnitWords{
     UnitWords{"ns", "nanoseconds"},
 };
 
-// One of `other` is `factor` of `unit`. Names of other units are compared in lower case.
+// A unit that users write instead of `unit`: one of `other` is `factor` of `unit`. Other units are
+// compared in lower case.
 struct OtherUnit {
   std::string_view other;
   std::string_view unit;
@@ -107,6 +109,7 @@ constexpr std::array kOtherUnits{
     OtherUnit{"khz", "hz", 1e3},
 };
 
+// Returns the text in lower case.
 std::string lower(std::string_view text) {
   std::string result(text);
   std::ranges::transform(result, result.begin(),
@@ -114,12 +117,13 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+// Returns the key with its unit in words.
 std::string named(const KeySpec& key) {
   return key.unit.empty() ? std::string(key.name)
                           : fmt::format("{} ({})", key.name, unit_in_words(key.unit));
 }
 
-// The value to write, after rounding off what the conversion's arithmetic left behind.
+// Returns the values to write; ten digits round off what the conversion's arithmetic left behind.
 std::string converted(std::span<const double> values, double factor, bool is_array) {
   std::vector<std::string> texts;
   for (const double value : values) {
@@ -128,6 +132,8 @@ std::string converted(std::span<const double> values, double factor, bool is_arr
   return is_array ? fmt::format("[{}]", fmt::join(texts, ", ")) : texts.front();
 }
 
+// Returns advice for a key that is right but for its unit; nothing if no known unit explains the
+// suffix.
 std::optional<std::string> advise_on_unit(std::string_view unknown, std::span<const KeySpec> known,
                                           std::span<const double> values, bool is_array) {
   for (const KeySpec& key : known) {
@@ -150,7 +156,7 @@ std::optional<std::string> advise_on_unit(std::string_view unknown, std::span<co
   return std::nullopt;
 }
 
-// Returns the edit distance to the whole name or to the name without its unit, whichever is less.
+// Returns the edit distance to the whole key or to the key without its unit, whichever is smaller.
 std::size_t distance_to(const KeySpec& key, std::string_view unknown) {
   const std::string text = lower(unknown);
   return std::min(edit_distance(text, lower(key.name)), edit_distance(text, lower(key.base())));

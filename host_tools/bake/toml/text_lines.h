@@ -1,4 +1,5 @@
-// Walks through the lines and words of a text, counting lines for error messages.
+// Steps through the lines and words of a text and counts the lines, for error messages. Readers of
+// text formats use it.
 #pragma once
 
 #include <charconv>
@@ -8,9 +9,10 @@
 
 namespace tactus::host {
 
+// The characters that separate words.
 inline constexpr std::string_view kBlanks = " \t\r\v\f";
 
-// Takes the next word off the front of `line`; empty at the end.
+// Takes the next word off the front of `line` and returns it; empty at the end of the line.
 inline std::string_view next_word(std::string_view& line) {
   const std::size_t begin = line.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) {
@@ -23,7 +25,8 @@ inline std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-// The whole word as a number, or nothing. Accepts "nan" and "inf" and a leading plus.
+// Returns the number that makes up the whole word, or nothing. "nan", "inf" and a leading plus are
+// accepted.
 template <class Number>
 std::optional<Number> to_number(std::string_view word) {
   if (word.starts_with('+')) {
@@ -37,11 +40,12 @@ std::optional<Number> to_number(std::string_view word) {
   return value;
 }
 
+// Gives out the lines of a text, which must outlive it.
 class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}
 
-  // The next line, without its end; nothing after the last.
+  // Returns the next line without its line end; nothing after the last one.
   std::optional<std::string_view> next() {
     if (rest_.empty()) {
       return std::nullopt;
@@ -53,7 +57,8 @@ class TextLines {
     return line;
   }
 
-  // The next line that has a word outside of a comment, without the comment.
+  // Returns the next line that has a word outside of a comment, without its comment; '\0' for a
+  // format without comments.
   std::optional<std::string_view> next_with_content(char comment) {
     while (std::optional<std::string_view> line = next()) {
       line = line->substr(0, line->find(comment));
@@ -64,7 +69,7 @@ class TextLines {
     return std::nullopt;
   }
 
-  // Returns the number of the line given last; the first is 1.
+  // Returns the number of the line that was given out last; the first line has number 1.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:

@@ -1,4 +1,4 @@
-// TOML text to tables, with an error that names the line.
+// Parses TOML text into tables.
 #pragma once
 
 #include <toml++/toml.h>
@@ -7,7 +7,8 @@
 
 namespace tactus::host {
 
-// Throws InputError, "file:line: not valid TOML: ...".
+// Returns the root table; `file` names the text in errors. Throws InputError, "file:line: not valid
+// TOML: ...".
 toml::table parse_toml(std::string_view text, std::string_view file);
 
 }  // namespace tactus::host

@@ -11,6 +11,7 @@
 namespace tactus::host {
 namespace {
 
+// Returns the numbers of a value or an array, for advice that converts units.
 std::vector<double> numbers_in(const toml::node& node) {
   std::vector<double> values;
   if (const toml::array* array = node.as_array()) {

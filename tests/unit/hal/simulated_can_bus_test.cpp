@@ -57,6 +57,18 @@ TEST_F(SimulatedCan, FrameTakesItsBitsTimesTheBitTime) {
   EXPECT_LT(fast, plain / 3);
 }
 
+// The sizes are those of the Linux kernel (include/linux/can/length.h, 2023): 30 bits around a
+// frame with a standard identifier, 49 with an extended one; 5 bits of control field; a CRC field
+// of 27 bits up to 16 bytes of data and 32 above, with 6 and 7 fixed stuff bits.
+TEST_F(SimulatedCan, FdFrameHasTheFixedStuffBitsOfItsChecksum) {
+  const SimulatedCanNetworkConfig config{.fd = true, .bit_rate = 1'000'000};
+  EXPECT_EQ(wire_time_ns({.fd = true, .length = 0}, config), (30 + 5 + 27) * kCanUs);
+  EXPECT_EQ(wire_time_ns({.fd = true, .length = 16}, config), (30 + 5 + 128 + 27) * kCanUs);
+  EXPECT_EQ(wire_time_ns({.fd = true, .length = 20}, config), (30 + 5 + 160 + 32) * kCanUs);
+  EXPECT_EQ(wire_time_ns({.extended = true, .fd = true, .length = 64}, config),
+            (49 + 5 + 512 + 32) * kCanUs);
+}
+
 TEST_F(SimulatedCan, ReceiverIsWokenWhenTheFrameEnds) {
   SimulatedCanBus left(wire_);
   SimulatedCanBus right(wire_);

@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
-# Proves the guides "To add" of the friction models, the effects, the primitives and the mechanisms: adds one of each to a copy of
-# the tree as a reader of the guide would, builds a small test of them at -O0, and runs it. The files that are added are in the
-# folders beside this script.
-#   tests/guides/run.sh
-# Objects of earlier runs are taken from the compiler's cache.
+# Proves the guides "How to add" of the drives, the friction models, the effects, the primitives and the mechanisms: adds one of
+# each to a copy of the tree as a reader of the guide would, builds small tests of them at -O0, and runs these. The files that are
+# added are in tests/guides/.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
 source tests/checks/tracked_files.sh
 
 work="$(mktemp -d)"
@@ -20,6 +17,11 @@ add_line() {
   [[ "$(grep -c "$pattern" "$list")" == 1 ]] || { echo "guides: $list has not one line with '$pattern'" >&2 && exit 1; }
   sed -i "s|$pattern.*|$3\n&|" "$list"
 }
+
+# drivers/README.md
+cp -r "$guides/drive/pivot_can" "$work/drivers/"
+add_line "$work/drivers/registered_drivers.h" '^#include "drivers/vesc_can/registration.h"' '#include "drivers/pivot_can/registration.h"'
+add_line "$work/drivers/registered_drivers.h" '^    kVescDriver,' '    kPivotDriver,'
 
 # rendering/friction/README.md
 cp "$guides/friction_model/hess_soom.h" "$rendering/friction/models/"
@@ -39,7 +41,7 @@ add_line "$rendering/surface/registered_primitives.h" '^#include "rendering/surf
   '#include "rendering/surface/primitives/puck.h"'
 sed -i 's|TorusSolid>;|TorusSolid, PuckSolid>;|' "$rendering/surface/registered_primitives.h"
 
-# firmware/README.md
+# firmware/kinematics/README.md
 kinematics="$work/firmware/kinematics"
 configuration="$work/firmware/configuration"
 cp "$guides/mechanism/planar_arm."* "$kinematics/"
@@ -53,5 +55,6 @@ echo 'add_subdirectory(tests/guides)' >>"$work/CMakeLists.txt"
 cd "$work"
 export CCACHE_BASEDIR="$work" CCACHE_NOHASHDIR=true
 cmake --preset debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DTACTUS_TESTS=OFF >configured.log || { cat configured.log && exit 1; }
-cmake --build build/debug --target added_kinds_test --parallel "$(nproc)"
+cmake --build build/debug --target added_kinds_test added_drive_test --parallel "$(nproc)"
 build/debug/tests/guides/added_kinds_test --gtest_brief=1
+build/debug/tests/guides/added_drive_test --gtest_brief=1

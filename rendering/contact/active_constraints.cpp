@@ -1,0 +1,74 @@
+// The projection is geometry alone: the planes, the tool and their normals. The materials come in
+// afterwards: every active plane adds a share of its friction circle in proportion to its pressure.
+#include "rendering/contact/active_constraints.h"
+
+#include "rendering/contact/object_sweep.h"
+#include "rendering/material/sliding_surface.h"
+
+namespace tactus::rendering {
+
+ActiveConstraints find_active_constraints(const SceneObjects& scene, const FrictionFactors& factors,
+                                          const Vec3& p, const Vec3& h, ContactPlanes& planes,
+                                          ProxyRest& rest) {
+  ActiveConstraints active{.projection = planes.project(p, h)};
+  const PlaneProjection& projection = active.projection;
+  rest.plane_count = projection.active_count;
+  rest.normal_W = Vec3::Zero();
+  if (projection.active_count == 0) {
+    return active;
+  }
+  double total = 0.0;
+  for (std::size_t i = 0; i < projection.active_count; ++i) {
+    const ContactPlane& contact = planes[projection.active[i]];
+    const Material& material = scene.material(contact.object);
+    const double pressure = projection.pressure_m[i];
+    rest.planes[i] = contact;
+    rest.pressure_m[i] = pressure;
+    rest.normal_W += pressure * contact.plane.normal;
+    const double push = factors.of(contact.object) * pressure;
+    total += pressure;
+    active.push_m += push;
+    active.circle.static_radius_m += material.friction.static_level * push;
+    active.circle.dynamic_radius_m += material.friction.coulomb * push;
+    active.are_cones = active.are_cones && is_plain_cone(material);
+  }
+  rest.normal_W.normalize();
+  // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
+  // The friction is that of the tool's real depth.
+  if (factors.depth_m > 0.0) {
+    const double deeper = factors.depth_m / total;
+    active.push_m *= deeper;
+    active.circle.static_radius_m *= deeper;
+    active.circle.dynamic_radius_m *= deeper;
+  }
+  return active;
+}
+
+void keep_last_contact(const SceneObjects& scene, const LastContact& last_contact, const Vec3& p,
+                       const Vec3& h, ProxyRest& rest) {
+  if (last_contact.object == kNoObject) {
+    return;
+  }
+  const Mover* const mover = scene.mover_of(last_contact.object);
+  Nearest nearest =
+      nearest_at(scene, last_contact.object, last_contact.triangle, point_in(mover, p));
+  nearest.normal = direction_from(mover, nearest.normal);
+  const Vec3 pull = p - h;
+  // The last joint normal still pushes unless the tool is now on its other side; then the nearest
+  // point decides. A normal that pulls gives no contact.
+  const Vec3& normal =
+      last_contact.normal_W.dot(pull) > 0.0 ? last_contact.normal_W : nearest.normal;
+  const double pressure = normal.dot(pull);
+  if (pressure <= 0.0) {
+    return;
+  }
+  rest.normal_W = normal;
+  rest.planes[0] = {.plane = {.normal = normal, .offset = normal.dot(p)},
+                    .nearest = nearest,
+                    .object = last_contact.object,
+                    .triangle = last_contact.triangle};
+  rest.pressure_m[0] = pressure;
+  rest.plane_count = 1;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,41 @@
+// The active constraints of a sub-goal: the contact planes that hold the proxy when it is as near
+// to the tool as all planes allow, and the friction that they give together. It is the third step
+// of a sub-goal (proxy_tick.cpp).
+#pragma once
+
+#include "rendering/contact/carry_along.h"
+#include "rendering/contact/contact_planes.h"
+#include "rendering/contact/proxy_rest.h"
+#include "rendering/friction/cone.h"
+#include "rendering/geometry/plane_projection.h"
+#include "rendering/objects/scene_objects.h"
+
+namespace tactus::rendering {
+
+// The active planes and their joint friction.
+struct ActiveConstraints {
+  // The projection of the tool on the planes; world frame, m.
+  PlaneProjection projection;
+  // The sum of the friction circles of the active planes, each of the radius mu times its pressure,
+  // m.
+  FrictionCircle circle;
+  // The sum of the pressures, each times its friction factor, m. Times the stiffness it is the
+  // normal force of the friction models.
+  double push_m = 0.0;
+  // True if all materials of the active planes have the friction cone's exact rule.
+  bool are_cones = true;
+};
+
+// Projects the tool `h` on the planes at the proxy `p` (world frame, m), and writes the planes that
+// hold it, their pressures and their joint normal to `rest`.
+ActiveConstraints find_active_constraints(const SceneObjects& scene, const FrictionFactors& factors,
+                                          const Vec3& p, const Vec3& h, ContactPlanes& planes,
+                                          ProxyRest& rest);
+
+// Makes the contact of the last tick hold the proxy in a tick that ended early, between two faces
+// or while it waits for candidates. Its surface gives the force if the tool presses toward it. If
+// the proxy moved far from it since, its nearest point gives the normal.
+void keep_last_contact(const SceneObjects& scene, const LastContact& last_contact, const Vec3& p,
+                       const Vec3& h, ProxyRest& rest);
+
+}  // namespace tactus::rendering

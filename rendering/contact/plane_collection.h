@@ -1,0 +1,65 @@
+// Collects the contact planes at the proxy: the second step of a sub-goal (proxy_tick.cpp).
+//
+// A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
+// a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
+// neighbour's edge is near too, its plane is tilted against the motion, and yet it never blocks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "rendering/contact/constraint_memory.h"
+#include "rendering/contact/contact_planes.h"
+#include "rendering/contact/nearby_surfaces.h"
+#include "rendering/contact/proxy_rest.h"
+
+namespace tactus::rendering {
+
+// Collects contact planes at one position of the proxy, from which the candidates are measured
+// (CandidateSet::move_to). A plane pushes the proxy to its rest height, but by at most `max_push_m`
+// where the proxy overlaps the surface.
+class PlaneCollector {
+ public:
+  PlaneCollector(const NearbySurfaces& near, const Vec3& p_W, double max_push_m)
+      : near_(near), p_W_(p_W), max_push_m_(max_push_m) {}
+
+  // The outcome of a collection.
+  enum class Result : std::uint8_t {
+    complete,    // `planes` are all
+    overlapped,  // the proxy overlaps an object too much; it is left out now, so gather again
+    unfinished,  // the tick's budget is spent before all near candidates are measured
+  };
+  // Collects the planes of the candidates in contact. Candidates that blocked a sweep in this tick,
+  // and those that are recalled, give their planes as well. `flags` gets TouchFlags.
+  Result collect(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);
+
+  // Adds the planes of the recalled candidates, at any distance.
+  void add_recalled(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);
+
+  // Adds the plane of a candidate that blocked a sweep at its start. Returns true if it is new.
+  bool add_blocking(std::size_t candidate, ContactPlanes& planes, std::uint32_t& flags);
+
+  // Adds the plane of the face a little below a sphere that moved past the end of another face, if
+  // there is one. The plane bounds the sphere there already, so the sphere need not come down first
+  // to find it. `planes` must be empty.
+  void add_face_below(ContactPlanes& planes, std::uint32_t& flags);
+
+ private:
+  // Adds the plane of a measured candidate. Returns true if it is new.
+  bool add(std::size_t candidate, ContactPlanes& planes, std::uint32_t& flags);
+  // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
+  [[nodiscard]] bool overlaps(const Candidate& candidate) const;
+
+  const NearbySurfaces& near_;
+  const Vec3& p_W_;
+  // The most that an overlapping proxy is pushed out, m.
+  double max_push_m_;
+};
+
+// Returns true if collecting the planes again at p_W, where a straight move on one plane ended,
+// would find nothing new. This holds on a single face: its plane is the same, and other near
+// triangles are touched at their borders, where they give no plane.
+bool is_still_on_face(const NearbySurfaces& near, const Vec3& p_W, const ConstraintMemory& memory,
+                      const ProxyRest& rest);
+
+}  // namespace tactus::rendering

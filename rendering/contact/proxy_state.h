@@ -1,0 +1,24 @@
+// The state of the shared proxy: everything that one tick takes over from the tick before.
+#pragma once
+
+#include "rendering/contact/carry_along.h"
+#include "rendering/friction/surface_friction.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/touch.h"
+
+namespace tactus::rendering {
+
+// A tick that is repeated toward another goal starts from a copy of the state at its start.
+struct ProxyState {
+  // The proxy's centre; world frame, m.
+  Vec3 p_W = Vec3::Zero();
+  // The state of the friction circle, or that of the friction model if one runs.
+  FrictionState friction = FrictionState::free;
+  // The memory of the friction models: bristles and what drives them.
+  SurfaceFriction model;
+  // The contact with the largest pressure. Its object carries the proxy when it moves, and gives
+  // the force in a tick that ends early.
+  LastContact last_contact;
+};
+
+}  // namespace tactus::rendering

@@ -1,0 +1,153 @@
+#include "rendering/objects/movers.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace tactus::rendering {
+namespace {
+
+// The bounds of a plane that moves. The box of a plane at rest is the world's, and would move
+// along.
+const Bounds kEverywhere{.lower_W = Vec3::Constant(-1e6), .upper_W = Vec3::Constant(1e6)};
+
+// Returns true if the pose is a rotation to 1e-9 and within the world. A component that is not a
+// number fails, because it propagates to the maximum.
+bool sound(const RigidPose& pose) {
+  constexpr double kOrthonormal = 1e-9;
+  return (pose.rotation.transpose() * pose.rotation - Mat3::Identity())
+                 .cwiseAbs()
+                 .maxCoeff<Eigen::PropagateNaN>() <= kOrthonormal &&
+         pose.rotation.determinant() > 0.0 &&
+         pose.translation.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
+}
+
+}  // namespace
+
+double Mover::distance(const Vec3& p_W) const {
+  return bounds_O.distance(X_WO.point_in(p_W));
+}
+
+double Mover::distance_before(const Vec3& p_W) const {
+  return bounds_O.distance(X_WO_before.point_in(p_W));
+}
+
+// All objects are visited even after a failure: every entry of mover_of_ must be set.
+bool Movers::start(std::span<const Object> objects) {
+  objects_ = objects;
+  count_ = deformable_count_ = 0;
+  pool_.vertices_used = pool_.nodes_used = 0;
+  anything_moved_ = false;
+  bool good = true;
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    mover_of_[i] = kNoMover;
+    good = good && (!is_mover(objects_[i]) || start_one(i));
+  }
+  return good;
+}
+
+bool Movers::start_one(std::uint32_t number) {
+  const Object& object = objects_[number];
+  mover_of_[number] = static_cast<std::uint8_t>(count_);
+  orders_[count_] = {};
+  Mover& mover = movers_[count_++];
+  mover = {.object = number,
+           .primitive_W = object.primitive,
+           .bounds_O = bounds_of(object),
+           .motion = object.motion};
+  if (object.surface == SurfaceKind::primitive && object.primitive.kind == PrimitiveKind::plane) {
+    mover.bounds_O = kEverywhere;
+  }
+  if (!object.deforms) {
+    return true;
+  }
+  if (deformable_count_ == kMaxDeformables) {
+    return false;
+  }
+  DeformableMesh& deformable = deformables_[deformable_count_++];
+  mover.deformable = &deformable;
+  return deformable.start(object.mesh, pool_);
+}
+
+DeformableMesh& Movers::deformable_of(const Mover& mover) {
+  return deformables_[static_cast<std::size_t>(mover.deformable - deformables_.data())];
+}
+
+bool Movers::move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O) {
+  if (!objects_[number].deforms) {
+    return false;
+  }
+  Mover& mover = movers_[mover_of_[number]];
+  const bool good = deformable_of(mover).move_vertex(vertex, p_O);
+  mover.motion = good ? nullptr : mover.motion;
+  return good;
+}
+
+bool Movers::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
+  if (mover_of_[number] == kNoMover || !sound(X_WO) || !twist.linear_W.allFinite() ||
+      !twist.angular_W.allFinite()) {
+    return false;
+  }
+  orders_[mover_of_[number]] = {.X_WO = X_WO, .twist = twist};
+  movers_[mover_of_[number]].motion = nullptr;
+  return true;
+}
+
+void Movers::begin_tick(double time_s) {
+  anything_moved_ = false;
+  for (std::size_t k = 0; k < count_; ++k) {
+    begin_tick_of(k, time_s);
+    anything_moved_ = anything_moved_ || movers_[k].moved;
+  }
+}
+
+// Moves some vertices per tick, in turns. The target of each is its place at rest, moved along the
+// normal at rest, so that nothing drifts.
+void Movers::wave(Mover& mover, double time_s) {
+  const Object& object = objects_[mover.object];
+  const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
+  DeformableMesh& mesh = deformable_of(mover);
+  for (std::size_t k = 0; k < std::min<std::size_t>(kWaveVertices, count); ++k) {
+    const std::uint32_t i = mover.next_vertex;
+    mover.next_vertex = i + 1 == count ? 0 : i + 1;
+    const Vec3 rest_O = to_vec3(object.mesh.vertices[i]);
+    mesh.move_vertex(
+        i, rest_O + wave_at(*mover.motion, rest_O, time_s) * to_vec3(object.vertex_normals[i]));
+  }
+}
+
+// The order matters: the deformable takes its step first, because the bounds and `moved` follow
+// from it; the pose of the last tick is kept, because carrying sweeps between the two.
+void Movers::begin_tick_of(std::size_t k, double time_s) {
+  Mover& mover = movers_[k];
+  if (mover.motion != nullptr) {
+    const Placement at = place_at(*mover.motion, time_s);
+    orders_[k] = {.X_WO = at.X_WO, .twist = at.twist};
+    if (mover.deformable != nullptr && mover.motion->wave_m != 0.0) {
+      wave(mover, time_s);
+    }
+  }
+  if (mover.deformable != nullptr) {
+    deformable_of(mover).begin_tick();
+  }
+  mover.X_WO_before = mover.X_WO;
+  mover.X_WO = orders_[k].X_WO;
+  mover.twist = orders_[k].twist;
+  mover.moved = mover.X_WO.rotation != mover.X_WO_before.rotation ||
+                mover.X_WO.translation != mover.X_WO_before.translation;
+  if (mover.moved) {
+    // A primitive has a pose of its own within O.
+    const RigidPose& own = objects_[mover.object].primitive.X_WO;
+    mover.primitive_W.X_WO = {.rotation = mover.X_WO.rotation * own.rotation,
+                              .translation = mover.X_WO.point(own.translation)};
+  }
+  if (mover.deformable != nullptr && mover.deformable->slack_m() > 0.0) {
+    // The box of a mesh that deforms changes, and its hierarchy lags the vertices by the slack.
+    const BvhNode& root = mover.deformable->now().nodes[0];
+    const Vec3 slack = Vec3::Constant(mover.deformable->slack_m());
+    mover.bounds_O = {.lower_W = to_vec3(root.lower) - slack,
+                      .upper_W = to_vec3(root.upper) + slack};
+    mover.moved = mover.moved || mover.deformable->step_m() > 0.0;
+  }
+}
+
+}  // namespace tactus::rendering
