@@ -52,8 +52,8 @@ constexpr decltype(auto) visit_number(TypeList<First, Rest...> /*list*/, std::si
   }
 }
 
-// Calls `visitor` with the variant's alternative: std::visit without its exception. The variant must
-// not be valueless, which takes an exception.
+// Calls `visitor` with the variant's alternative: std::visit without its exception. The variant
+// must not be valueless, which takes an exception.
 template <std::size_t kIndex = 0, class Variant, class Visitor>
 constexpr decltype(auto) visit_alternative(Variant& variant, const Visitor& visitor) {
   auto* const alternative = std::get_if<kIndex>(&variant);

@@ -24,8 +24,12 @@ radius_m = 0.005
 name = "table"
 primitive = "plane"
 stiffness_N_per_m = 1000.0
-friction = { model = "hess_soom", static = 0.6, dynamic = 0.3, stribeck_velocity_m_per_s = 0.05,
-             viscous_s_per_m = 0.2 }
+[object.friction]
+model = "hess_soom"
+static = 0.6
+dynamic = 0.3
+stribeck_velocity_m_per_s = 0.05
+viscous_s_per_m = 0.2
 
 [[object]]
 name = "puck"

@@ -149,7 +149,8 @@ TEST(Limits, InvalidParametersAreFound) {
       refuses([](auto& p) { p.viscous_s_per_m = std::numeric_limits<double>::infinity(); }));
   EXPECT_TRUE(refuses([](auto& p) { p.elastic_fraction = 1.0; }));
   EXPECT_TRUE(refuses([](auto& p) { p.stick_velocity_m_per_s = 0.0; }));
-  EXPECT_TRUE(refuses([](auto& p) { p.kind = static_cast<FrictionKind>(rendering::kFrictionKinds); }));
+  EXPECT_TRUE(
+      refuses([](auto& p) { p.kind = static_cast<FrictionKind>(rendering::kFrictionKinds); }));
 }
 
 }  // namespace
