@@ -55,17 +55,21 @@ void EffortGuard::transfer(StateArchive& archive) {
 
 // Bounds the numbers that index arrays, because a damaged file may hold anything.
 void MotorSignCheck::transfer(StateArchive& archive) {
-  for (Joint& joint : joints_) {
+  [[maybe_unused]] auto& [settings, shape, tables, joints, unanswered, asked, ticks_to_wait, pulse,
+                          most_gain, push] = *this;
+  for (Joint& joint : joints) {
     auto& [force_N, right, wrong, strong, unclear] = joint;
     archive(force_N, right, wrong, strong, unclear);
   }
-  archive(unanswered_);
-  archive.up_to(asked_, joint_count_ - 1);
-  archive(is_pulsing_, ticks_to_wait_);
-  archive.up_to(ticks_, static_cast<std::uint32_t>((samples_ - 1) * ticks_a_unit_ - 1));
-  auto& [y_powers, r_powers, z_y, z_r, y_y, y_r, r_r] = sums_;
-  archive(start_, effort_sum_, efforts_, effort_integral_, effort_double_integral_, amplitude_,
-          most_gain_, y_powers, r_powers, z_y, z_r, y_y, y_r, r_r, push_);
+  auto& [is_running, ticks, start, effort_sum, efforts, effort_integral, effort_double_integral,
+         amplitude, sums] = pulse;
+  archive(unanswered);
+  archive.up_to(asked, settings.joint_count - 1);
+  archive(is_running, ticks_to_wait);
+  archive.up_to(ticks, static_cast<std::uint32_t>(shape.ticks() - 1));
+  auto& [y_powers, r_powers, z_y, z_r, y_y, y_r, r_r] = sums;
+  archive(start, effort_sum, efforts, effort_integral, effort_double_integral, amplitude, most_gain,
+          y_powers, r_powers, z_y, z_r, y_y, y_r, r_r, push);
 }
 
 void MotionGuard::transfer(StateArchive& archive) {
