@@ -14,23 +14,15 @@
 
 #include "drivers/device.h"
 #include "firmware/configuration/controller_config.h"
-#include "firmware/control/friction_compensation.h"
-#include "firmware/control/gravity_compensation.h"
-#include "firmware/control/material_changes.h"
+#include "firmware/control/effort_path.h"
+#include "firmware/control/force_path.h"
+#include "firmware/control/guards.h"
+#include "firmware/control/loaded_scene.h"
 #include "firmware/control/mode.h"
+#include "firmware/control/mode_machine.h"
+#include "firmware/control/next_tick.h"
 #include "firmware/control/parameters.h"
-#include "firmware/control/velocity_filter.h"
-#include "firmware/kinematics/mechanism.h"
-#include "firmware/safety/effort_guard.h"
-#include "firmware/safety/encoder_guard.h"
-#include "firmware/safety/energy_account.h"
-#include "firmware/safety/force_limiter.h"
-#include "firmware/safety/loop_check.h"
-#include "firmware/safety/motion_guard.h"
-#include "firmware/safety/motor_sign_check.h"
-#include "firmware/safety/passivity.h"
-#include "firmware/safety/sample_check.h"
-#include "firmware/safety/workspace_walls.h"
+#include "firmware/control/tool_locator.h"
 #include "firmware/telemetry/record.h"
 #include "firmware/telemetry/stopwatch.h"
 #include "rendering/state_archive.h"
@@ -79,7 +71,7 @@ class Controller {
   [[nodiscard]] std::expected<ParameterValue, ParameterRefusal> parameter(
       const ParameterPlace& place) const;
   // Returns the part that the last `uncertified` set_parameter would have made too stiff.
-  [[nodiscard]] const UncertifiedPart& uncertified_part() const { return uncertified_part_; }
+  [[nodiscard]] const UncertifiedPart& uncertified_part() const { return scene_.refused_part; }
 
   // Runs one tick and returns the efforts. Equal state and inputs give the same command and record,
   // to the bit. For any input the command is finite and within its limits. Real time.
@@ -99,11 +91,11 @@ class Controller {
   // Returns the record of the last tick.
   [[nodiscard]] const TelemetryRecord& record() const { return record_; }
   // Returns the mode after the last tick.
-  [[nodiscard]] Mode mode() const { return mode_; }
+  [[nodiscard]] Mode mode() const { return modes_.mode(); }
   // Returns the configuration with the changes of set_parameter.
-  [[nodiscard]] const ControllerConfig& config() const { return config_; }
+  [[nodiscard]] const ControllerConfig& config() const { return settings_.config; }
   // Returns the number of the next tick.
-  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
+  [[nodiscard]] std::uint64_t next_tick() const { return next_.number; }
 
   // Sets the clock for the record's stage times. Without one they are 0.
   void set_clock(NowNs now_ns) { now_ns_ = now_ns; }
@@ -111,101 +103,50 @@ class Controller {
   [[nodiscard]] NowNs clock() const { return now_ns_; }
 
   // Takes the loop's report for the next tick. The loop calls it before the tick.
-  void note_loop(const LoopReport& report) { loop_report_ = report; }
+  void note_loop(const LoopReport& report) { next_.loop = report; }
 
   // Takes the status of the device's write and the times of both transfers, ns. The next tick adds
   // the status to that of its sample. The loop calls it after each tick.
   void note_transfers(std::uint32_t write_status, std::uint32_t read_ns, std::uint32_t write_ns);
 
  private:
-  // Starts the tick's record with its inputs.
-  void open_record(const drivers::JointSample& sample, Request request);
-  // Adds the results of the touch to the record.
-  void record_touch(const rendering::Touch& touch);
-  // Adds the rest to the record and hashes it.
-  void close_record(const drivers::JointCommand& command);
-  // The functions of the stages; Controller::tick calls them in order.
-  void raise(std::uint64_t bits);
-  void step_mode(Event event);
-  void advance_mode(std::uint32_t status, Request request);
-  void check_encoders(const drivers::JointSample& sample);
-  void check_efforts(const drivers::JointSample& sample);
-  void blame(const EffortFinding& found);
-  bool locate(const drivers::JointSample& sample);
-  rendering::Touch touch(bool located);
-  void bring_changes_in();
-  Vec3 limit_force(const rendering::Touch& touch);
-  Vec3 add_safety(bool pushes);
-  Vec3 hold_up(const drivers::JointSample& sample);
-  drivers::JointCommand command_joints(const drivers::JointSample& sample, const Vec3& force_W);
+  // The configuration, and what of it set_parameter() has changed.
+  struct Settings {
+    // The configuration with the changes of set_parameter().
+    ControllerConfig config;
+    // The safety as given to configure(): the ends of the parameters' ranges.
+    SafetyConfig configured_safety;
+    bool is_configured = false;
+  };
+
+  // The stages of a tick; Controller::tick calls them in this order.
+  void advance_mode(const TickInputs& inputs, Request request);
+  bool locate(const TickInputs& inputs);
+  rendering::Touch touch(bool is_located);
+  void advance_changes();
+  drivers::JointCommand command_joints(const TickInputs& inputs, const Vec3& force_W);
+  drivers::JointCommand command_nothing();
+
   // Each writes a part of the memory to the archive, or reads it back (controller_state.cpp).
   void transfer(rendering::StateArchive& archive);
-  void transfer_guards(rendering::StateArchive& archive);
   void transfer_parameters(rendering::StateArchive& archive);
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);
-  Vec3 compensated(const drivers::JointSample& sample, const Vec3& effort, double force_N);
 
   // Applies a change of one of the controller's own parameters.
   void apply_own(const ParameterChange& change);
-  // The materials of the loaded scene after all changes, with `changed` (if not null) in place of
-  // that of `object`.
-  struct WantedMaterials {
-    const Controller* controller = nullptr;
-    const rendering::Material* changed = nullptr;
-    std::uint32_t object = 0;
-  };
-  [[nodiscard]] static FeltScene felt_scene(const WantedMaterials& materials,
-                                            const SafetyConfig& safety);
-  // Returns true if the certificate allows the object with that material. Notes the part that it
-  // refuses.
-  bool is_certified(std::uint32_t object, const rendering::Material& material);
   // Passes changed parameters to the parts that use them, without starting their ramps anew.
   void retune();
 
-  // The configuration with the changes of set_parameter.
-  ControllerConfig config_;
-  // The safety as given to configure(): the ends of the parameters' ranges.
-  SafetyConfig configured_safety_;
-  // The change for the next tick's record.
-  ParameterChange change_;
-  bool configured_ = false;
-  Mechanism mechanism_;
-  SampleCheck sample_check_;
-  LoopCheck loop_check_;
-  EncoderGuard encoder_guard_;
-  EffortGuard effort_guard_;
-  MotorSignCheck sign_check_;
-  WorkspaceWalls workspace_walls_;
-  MotionGuard motion_guard_;
-  EnergyAccount energy_;
-  PassivityControl passivity_;
-  VelocityFilter velocity_filter_;
-  ForceLimiter force_limiter_;
-  GravityCompensation gravity_compensation_;
-  FrictionCompensation friction_compensation_;
-  rendering::World world_;
-  MaterialChanges material_changes_;
-  std::span<const rendering::Object> objects_;  // objects of the loaded scene
-  std::span<const rendering::Effect> effects_;
-  double tool_radius_m_ = 0.0;
-  UncertifiedPart uncertified_part_;  // used in messages only
-
-  Mode mode_ = Mode::init;
-  std::uint64_t faults_ = 0;  // latched faults
-  // The joint of a latched fault of effort_guard_ or sign_check_, 1 for the first; 0: none.
-  std::uint32_t fault_joint_ = 0;
-  std::uint64_t raised_ = 0;        // faults and limits of this tick
-  std::uint32_t write_status_ = 0;  // DeviceStatus of the last write
-  LoopReport loop_report_;          // report for the next tick
-  // The efforts that the last tick commanded. The motors hold them until the next command.
-  JointEfforts held_effort_{};
-  // The pose of the last tick, which is also the seed of the next one's kinematics.
-  Pose pose_;
-  // The tool in the world frame: position, m, and filtered velocity, m/s.
-  rendering::ToolState tool_;
+  Settings settings_;
+  NextTick next_;
+  ModeMachine modes_;
+  Guards guards_;
+  ToolLocator locator_;
+  LoadedScene scene_;
+  ForcePath force_path_;
+  EffortPath effort_path_;
   TelemetryRecord record_;
-  std::uint64_t next_tick_ = 0;
   NowNs now_ns_ = nullptr;
 };
 

@@ -7,12 +7,10 @@
 namespace tactus::firmware {
 namespace {
 
-// Returns a part of the scene that this configuration does not allow, or nothing.
-std::optional<UncertifiedPart> refused_part(const ControllerConfig& config,
-                                            const FeltScene& scene) {
-  return config.allow_uncertified
-             ? std::nullopt
-             : first_uncertified(config.certificate, scene.objects, scene.effects, scene.feel);
+// Returns the part that the certificate refuses, or nothing if the configuration allows it.
+std::optional<UncertifiedPart> unless_allowed(const ControllerConfig& config,
+                                              const std::optional<UncertifiedPart>& part) {
+  return config.allow_uncertified ? std::nullopt : part;
 }
 
 // Returns the field of the configuration to which the refused part is attributed.
@@ -32,66 +30,36 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   if (const auto valid = validate(config); !valid) {
     return valid;
   }
-  const WantedMaterials materials{.controller = this};
-  if (const auto part = refused_part(config, felt_scene(materials, config.safety))) {
+  if (const auto part =
+          unless_allowed(config, scene_.first_refused(config.certificate, config.safety))) {
     return std::unexpected(uncertified_field(*part));
   }
-  config_ = config;
-  configured_safety_ = config.safety;
-  change_ = ParameterChange{};
-  mechanism_ = Mechanism(config.mechanism);
-  sample_check_.configure(config);
-  loop_check_.configure(config);
-  encoder_guard_.configure(config);
-  effort_guard_.configure(config);
-  sign_check_.configure(config);
-  workspace_walls_.configure(config);
-  motion_guard_.configure(config);
-  energy_.configure(config);
-  passivity_.configure(config);
-  velocity_filter_.configure(config.velocity_cutoff_hz, config.rate_hz);
-  force_limiter_.configure(config);
-  gravity_compensation_.configure(config);
-  friction_compensation_.configure(config);
-  material_changes_.finish(world_);
-  world_.reset();
-  world_.set_tick(1.0 / config.rate_hz);
-  configured_ = true;
-
-  mode_ = Mode::init;
-  faults_ = kNoFault;
-  fault_joint_ = 0;
-  raised_ = kNoFault;
-  write_status_ = drivers::kDeviceOk;
-  loop_report_ = {};
-  held_effort_ = {};
-  pose_ = Pose{};
-  tool_ = rendering::ToolState{};
+  settings_ = {.config = config, .configured_safety = config.safety, .is_configured = true};
+  next_ = NextTick{};
+  modes_.configure(config.safety.guards_off);
+  guards_.configure(config);
+  locator_.configure(config);
+  scene_.restart(1.0 / config.rate_hz);
+  force_path_.configure(config);
+  effort_path_.configure(config);
   record_ = TelemetryRecord{};
-  next_tick_ = 0;
   return {};
 }
 
 std::expected<void, SceneRefusal> Controller::load_scene(std::span<const rendering::Object> objects,
                                                          const rendering::WorldConfig& config) {
-  if (mode_ == Mode::active) {
+  if (modes_.mode() == Mode::active) {
     return std::unexpected(SceneRefusal{SceneFault::active, {}});
   }
-  const FeltScene scene{.objects = objects,
-                        .effects = config.effects,
-                        .feel = {.tool_radius_m = config.tool_radius_m,
-                                 .max_force_N = configured_safety_.max_force_N,
-                                 .walls = felt_walls(configured_safety_)}};
-  if (const auto part = refused_part(config_, scene)) {
+  const auto& [device, safety, is_configured] = settings_;
+  const SceneFeel feel{.tool_radius_m = config.tool_radius_m,
+                       .max_force_N = safety.max_force_N,
+                       .walls = felt_walls(safety)};
+  if (const auto part = unless_allowed(
+          device, first_uncertified(device.certificate, objects, config.effects, feel))) {
     return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
   }
-  material_changes_.clear();
-  // The world is empty after a refusal, so the controller forgets the objects as well.
-  const bool taken = world_.set_scene(objects, config);
-  objects_ = taken ? objects : std::span<const rendering::Object>{};
-  effects_ = taken ? config.effects : std::span<const rendering::Effect>{};
-  tool_radius_m_ = config.tool_radius_m;
-  if (!taken) {
+  if (!scene_.load(objects, config)) {
     return std::unexpected(SceneRefusal{SceneFault::world, {}});
   }
   return {};

@@ -55,17 +55,21 @@ void EffortGuard::transfer(StateArchive& archive) {
 
 // Bounds the numbers that index arrays, because a damaged file may hold anything.
 void MotorSignCheck::transfer(StateArchive& archive) {
-  for (Joint& joint : joints_) {
+  [[maybe_unused]] auto& [settings, shape, tables, joints, unanswered, asked, ticks_to_wait, pulse,
+                          most_gain, push] = *this;
+  for (Joint& joint : joints) {
     auto& [force_N, right, wrong, strong, unclear] = joint;
     archive(force_N, right, wrong, strong, unclear);
   }
-  archive(unanswered_);
-  archive.up_to(asked_, joint_count_ - 1);
-  archive(is_pulsing_, ticks_to_wait_);
-  archive.up_to(ticks_, static_cast<std::uint32_t>((samples_ - 1) * ticks_a_unit_ - 1));
-  auto& [y_powers, r_powers, z_y, z_r, y_y, y_r, r_r] = sums_;
-  archive(start_, effort_sum_, efforts_, effort_integral_, effort_double_integral_, amplitude_,
-          most_gain_, y_powers, r_powers, z_y, z_r, y_y, y_r, r_r, push_);
+  auto& [is_running, ticks, start, effort_sum, efforts, effort_integral, effort_double_integral,
+         amplitude, sums] = pulse;
+  archive(unanswered);
+  archive.up_to(asked, settings.joint_count - 1);
+  archive(is_running, ticks_to_wait);
+  archive.up_to(ticks, static_cast<std::uint32_t>(shape.ticks() - 1));
+  auto& [y_powers, r_powers, z_y, z_r, y_y, y_r, r_r] = sums;
+  archive(start, effort_sum, efforts, effort_integral, effort_double_integral, amplitude, most_gain,
+          y_powers, r_powers, z_y, z_r, y_y, y_r, r_r, push);
 }
 
 void MotionGuard::transfer(StateArchive& archive) {
@@ -123,49 +127,47 @@ void FrictionCompensation::transfer(StateArchive& archive) {
   }
 }
 
+// The order of the members is the order of the format.
 void Controller::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [config, configured_safety, change, configured, mechanism, sample_check,
-                          loop_check, encoder_guard, effort_guard, sign_check, workspace_walls,
-                          motion_guard, energy, passivity, velocity_filter, force_limiter,
-                          gravity_compensation, friction_compensation, world, material_changes,
-                          objects, effects, tool_radius_m, uncertified_part, mode, faults,
-                          fault_joint, raised, write_status, loop_report, held_effort, pose, tool,
-                          record, next_tick, now_ns] = *this;
+  [[maybe_unused]] auto& [settings, next, modes, guards, locator, scene, force_path, effort_path,
+                          record, now_ns] = *this;
+  [[maybe_unused]] auto& [config, configured_safety, is_configured] = settings;
+  [[maybe_unused]] auto& [number, loop_report, write_status, change, held_effort] = next;
+  [[maybe_unused]] auto& [loop, sample, encoders, walls, motion, efforts, signs] = guards;
+  [[maybe_unused]] auto& [mechanism, velocity_filter, origin_D, pose, tool] = locator;
+  [[maybe_unused]] auto& [world, changes, objects, effects, tool_radius_m, refused_part] = scene;
+  auto& [energy, passivity, limiter] = force_path;
+  [[maybe_unused]] auto& [gravity, friction, limits] = effort_path;
   archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
-  archive.require(configured);
-  archive(sample_check, loop_check, loop_report.status, loop_report.missed_ticks, velocity_filter,
-          force_limiter, gravity_compensation, friction_compensation);
-  archive.choice(mode, Mode::fault);
-  archive(faults, fault_joint, write_status, tool, next_tick);
-  transfer_guards(archive);
+  archive.require(is_configured);
+  archive(sample, loop, loop_report.status, loop_report.missed_ticks, velocity_filter, limiter,
+          gravity, friction, modes, write_status, tool, number);
+  archive(encoders, efforts, signs, motion, energy, passivity, held_effort);
   transfer_parameters(archive);
   transfer_pose(archive);
   transfer_record(archive);
   archive(world);
-  material_changes.transfer(archive, world);
-}
-
-void Controller::transfer_guards(StateArchive& archive) {
-  archive(encoder_guard_, effort_guard_, sign_check_, motion_guard_, energy_, passivity_,
-          held_effort_);
+  changes.transfer(archive, world);
 }
 
 // Transfers the values that set_parameter can change.
 void Controller::transfer_parameters(StateArchive& archive) {
-  auto& [place, value] = change_;
+  auto& [place, value] = next_.change;
+  ControllerConfig& config = settings_.config;
+  SafetyConfig& safety = config.safety;
   archive.choice(place.parameter, Parameter::viscous_friction);
-  archive(place.object, value, config_.safety.max_force_N, config_.safety.force_slew_N_per_s,
-          config_.safety.soft_start_s, config_.safety.contact_start_s, config_.velocity_cutoff_hz);
+  archive(place.object, value, safety.max_force_N, safety.force_slew_N_per_s, safety.soft_start_s,
+          safety.contact_start_s, config.velocity_cutoff_hz);
   if (archive.is_reading()) {
-    archive.require(validate(config_).has_value());
+    archive.require(validate(config).has_value());
     retune();
   }
 }
 
 void Controller::transfer_pose(StateArchive& archive) {
-  auto& [p_D, jacobian_D, status] = pose_;
+  auto& [p_D, jacobian_D, status] = locator_.pose;
   archive(p_D, jacobian_D, status);
 }
 
@@ -186,13 +188,14 @@ std::size_t Controller::save(std::span<std::byte> room) {
 bool Controller::restore(std::span<const std::byte> bytes) {
   StateArchive archive = StateArchive::reader(bytes);
   transfer(archive);
-  configured_ = configured_ && archive.good() && archive.at_end();
-  if (!configured_) {
+  bool& is_configured = settings_.is_configured;
+  is_configured = is_configured && archive.good() && archive.at_end();
+  if (!is_configured) {
     // Clear everything that the refused bytes set: an empty archive reads zeros.
     StateArchive nothing = StateArchive::reader({});
     transfer(nothing);
   }
-  return configured_;
+  return is_configured;
 }
 
 }  // namespace tactus::firmware

@@ -59,6 +59,11 @@ constexpr Mode next_mode(Mode mode, Event event) {
   return kTransitions[static_cast<std::size_t>(mode)][static_cast<std::size_t>(event)];
 }
 
+// Returns true in the modes in which the joints' positions have a meaning: from `ready` on.
+constexpr bool has_positions(Mode mode) {
+  return mode == Mode::ready || mode == Mode::active || mode == Mode::fault;
+}
+
 // Returns the name of a mode for messages, "ready".
 constexpr std::string_view mode_name(Mode mode) {
   return kModeNames[static_cast<std::size_t>(mode)];

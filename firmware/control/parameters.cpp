@@ -73,30 +73,30 @@ bool waits_for_rest(Parameter parameter) {
 
 std::expected<ParameterValue, ParameterRefusal> Controller::parameter(
     const ParameterPlace& place) const {
-  const SafetyConfig& now = config_.safety;
+  const auto& [config, configured, is_configured] = settings_;
+  const SafetyConfig& now = config.safety;
   switch (place.parameter) {
     case Parameter::max_force:
-      return ParameterValue{now.max_force_N, 0.0, configured_safety_.max_force_N};
+      return ParameterValue{now.max_force_N, 0.0, configured.max_force_N};
     case Parameter::force_slew:
       return ParameterValue{now.force_slew_N_per_s, kSlowestSlew_N_per_s,
-                            configured_safety_.force_slew_N_per_s};
+                            configured.force_slew_N_per_s};
     case Parameter::soft_start:
-      return ParameterValue{now.soft_start_s, configured_safety_.soft_start_s, kLongestStart_s};
+      return ParameterValue{now.soft_start_s, configured.soft_start_s, kLongestStart_s};
     case Parameter::contact_start:
-      return ParameterValue{now.contact_start_s, configured_safety_.contact_start_s,
-                            kLongestStart_s};
+      return ParameterValue{now.contact_start_s, configured.contact_start_s, kLongestStart_s};
     case Parameter::velocity_cutoff:
-      return ParameterValue{config_.velocity_cutoff_hz, 0.0, config_.rate_hz};
+      return ParameterValue{config.velocity_cutoff_hz, 0.0, config.rate_hz};
     default:
       break;
   }
   if (text_of(place.parameter) == nullptr) {
     return std::unexpected(ParameterRefusal::no_such_parameter);
   }
-  if (place.object >= world_.object_count()) {
+  if (place.object >= scene_.world.object_count()) {
     return std::unexpected(ParameterRefusal::no_such_object);
   }
-  const rendering::Material material = material_changes_.wanted(world_, place.object);
+  const rendering::Material material = scene_.wanted(place.object);
   if (!has_term(place.parameter, material.friction.kind)) {
     return std::unexpected(ParameterRefusal::not_of_this_model);
   }
@@ -115,75 +115,45 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   if (change.value < now->least || change.value > now->greatest) {
     return std::unexpected(ParameterRefusal::out_of_range);
   }
-  if (waits_for_rest(change.place.parameter) && mode_ == Mode::active) {
+  if (waits_for_rest(change.place.parameter) && modes_.mode() == Mode::active) {
     return std::unexpected(ParameterRefusal::not_while_active);
   }
   if (is_of_object(change.place.parameter)) {
-    rendering::Material material = material_changes_.wanted(world_, change.place.object);
+    rendering::Material material = scene_.wanted(change.place.object);
     material_field(change.place.parameter, material) = change.value;
-    if (!is_certified(change.place.object, material)) {
+    const auto& [config, safety, is_configured] = settings_;
+    if (!config.allow_uncertified &&
+        !scene_.is_certified(config.certificate, safety, change.place.object, material)) {
       return std::unexpected(ParameterRefusal::uncertified);
     }
-    // The present material is set as a changed one first; the ticks then apply the change
-    // gradually.
-    const rendering::Material felt = world_.material(change.place.object);
-    if (!world_.set_material(change.place.object, felt)) {
+    if (!scene_.change_material(change.place.object, material)) {
       return std::unexpected(ParameterRefusal::too_many_changed);
     }
-    material_changes_.set(change.place.object, material);
   } else {
     apply_own(change);
   }
-  change_ = change;
-  return ParameterEvent{.tick = next_tick_, .change = change};
-}
-
-// Returns the loaded scene as the certificate sees it. `materials` must outlive the result.
-FeltScene Controller::felt_scene(const WantedMaterials& materials, const SafetyConfig& safety) {
-  const Controller& controller = *materials.controller;
-  const auto wanted = [](const void* context, std::uint32_t object) {
-    const auto& [of, changed, number] = *static_cast<const WantedMaterials*>(context);
-    return changed != nullptr && object == number
-               ? *changed
-               : of->material_changes_.wanted(of->world_, object);
-  };
-  return {.objects = controller.objects_,
-          .effects = controller.effects_,
-          .feel = {.tool_radius_m = controller.tool_radius_m_,
-                   .max_force_N = safety.max_force_N,
-                   .material = wanted,
-                   .context = &materials,
-                   .walls = felt_walls(safety)}};
-}
-
-bool Controller::is_certified(std::uint32_t object, const rendering::Material& material) {
-  if (config_.allow_uncertified) {
-    return true;
-  }
-  const WantedMaterials materials{.controller = this, .changed = &material, .object = object};
-  const FeltScene scene = felt_scene(materials, configured_safety_);
-  const auto part = uncertified_with(config_.certificate, scene, object);
-  uncertified_part_ = part.value_or(uncertified_part_);
-  return !part;
+  next_.change = change;
+  return ParameterEvent{.tick = next_.number, .change = change};
 }
 
 // Applies a change of one of the controller's own parameters. The value is within its range.
 void Controller::apply_own(const ParameterChange& change) {
+  SafetyConfig& safety = settings_.config.safety;
   switch (change.place.parameter) {
     case Parameter::max_force:
-      config_.safety.max_force_N = change.value;
+      safety.max_force_N = change.value;
       break;
     case Parameter::force_slew:
-      config_.safety.force_slew_N_per_s = change.value;
+      safety.force_slew_N_per_s = change.value;
       break;
     case Parameter::soft_start:
-      config_.safety.soft_start_s = change.value;
+      safety.soft_start_s = change.value;
       break;
     case Parameter::contact_start:
-      config_.safety.contact_start_s = change.value;
+      safety.contact_start_s = change.value;
       break;
     default:
-      config_.velocity_cutoff_hz = change.value;
+      settings_.config.velocity_cutoff_hz = change.value;
       break;
   }
   retune();
@@ -191,10 +161,11 @@ void Controller::apply_own(const ParameterChange& change) {
 
 // Passes the controller's own parameters to the parts that use them.
 void Controller::retune() {
-  force_limiter_.retune(config_);
-  velocity_filter_.retune(config_.velocity_cutoff_hz, config_.rate_hz);
-  gravity_compensation_.retune(config_);
-  friction_compensation_.retune(config_);
+  const ControllerConfig& config = settings_.config;
+  force_path_.limiter.retune(config);
+  locator_.velocity_filter.retune(config.velocity_cutoff_hz, config.rate_hz);
+  effort_path_.gravity.retune(config);
+  effort_path_.friction.retune(config);
 }
 
 }  // namespace tactus::firmware

@@ -48,6 +48,7 @@
 #include "firmware/kinematics/pose.h"
 #include "firmware/safety/effort_guard.h"
 #include "firmware/safety/encoder_guard.h"
+#include "firmware/safety/sign_pulse.h"
 #include "rendering/state_archive.h"
 
 namespace tactus::firmware {
@@ -80,18 +81,22 @@ class MotorSignCheck {
   [[nodiscard]] bool is_done() const { return unanswered_ == 0; }
 
   // Returns the largest rendered force while the check is not done, N.
-  [[nodiscard]] double force_limit_N() const { return kUncheckedForce_N - most_N_; }
+  [[nodiscard]] double force_limit_N() const { return kUncheckedForce_N - settings_.most_N; }
 
   // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);
 
  private:
-  // The largest number of samples of a pulse.
-  static constexpr std::size_t kMaxSamples = 80;
-  // The number of powers of time that are projected out: 0 to 5.
-  static constexpr std::size_t kPowers = 6;
-  // The largest delay in units. A longer one is cut to it.
-  static constexpr std::size_t kMaxDelay = 7;
+  // The configured values.
+  struct Settings {
+    std::size_t joint_count = kJointCount;
+    std::array<double, kJointCount> max_effort{};
+    // The largest push at the handle, N; 0: the check is off.
+    double most_N = 0.0;
+    // 0: not known.
+    double moving_mass_kg = 0.0;
+    std::uint32_t pause_ticks = 0;
+  };
 
   // The memory of one joint.
   struct Joint {
@@ -104,74 +109,28 @@ class MotorSignCheck {
     std::uint32_t unclear = 0;
   };
 
-  // The sums over the samples of a pulse: scalar products of y, r, z and the powers.
-  struct Sums {
-    std::array<double, kPowers> y_powers{};
-    std::array<double, kPowers> r_powers{};
-    double z_y = 0.0;
-    double z_r = 0.0;
-    double y_y = 0.0;
-    double y_r = 0.0;
-    double r_r = 0.0;
-  };
-
-  // Computes powers_ and instrument_ for the configured pulse.
-  void prepare_tables();
   // Starts a pulse on the joint whose turn it is, from this sample.
   void begin_pulse(const drivers::JointSample& sample, const Pose& pose);
-  // Adds a sample: the joint's displacement since the pulse's start, and the unit's mean effort.
-  void take_sample(double position, double mean_effort);
   // Judges the pulse that has ended and counts its answer.
   EffortFinding judge();
   void choose_next();
   // Returns the largest g that the joint has without a hand; 0 if the mass is not known.
   [[nodiscard]] double free_gain(const Pose& pose) const;
-  // Returns the sign of the pulse in that unit: 1, -1, or 0 after its end.
-  [[nodiscard]] double pattern(std::size_t unit) const;
 
-  // The configuration sets these. A unit is a whole number of ticks, about a millisecond.
-  std::size_t joint_count_ = kJointCount;
-  std::array<double, kJointCount> max_effort_{};
-  double most_N_ = 0.0;
-  double moving_mass_kg_ = 0.0;
-  double unit_s_ = 0.001;
-  std::uint32_t ticks_a_unit_ = 1;
-  // The length of T in units.
-  std::size_t quarter_ = 6;
-  // The configured delay in units.
-  std::size_t delay_ = 0;
-  // The number of samples of a pulse.
-  std::size_t samples_ = 0;
-  std::uint32_t pause_ticks_ = 0;
-  // The powers of time at each sample, made orthonormal.
-  std::array<std::array<double, kPowers>, kMaxSamples> powers_{};
-  // z, without the powers and of length 1.
-  std::array<double, kMaxSamples> instrument_{};
-
+  Settings settings_;
+  PulseShape shape_;
+  PulseTables tables_;
   std::array<Joint, kJointCount> joints_{};
   // A bit for each joint that has not answered.
   std::uint32_t unanswered_ = 0;
   // The index of the joint whose turn it is.
   std::size_t asked_ = 0;
-  bool is_pulsing_ = false;
+  // The number of ticks until the next pulse.
   std::uint32_t ticks_to_wait_ = 0;
-  // The number of ticks since the pulse began.
-  std::uint32_t ticks_ = 0;
-  // The position at the pulse's start, rad or m.
-  double start_ = 0.0;
-  // The sum of the efforts over this unit's ticks.
-  double effort_sum_ = 0.0;
-  // The mean efforts of the last units, by unit modulo the length.
-  std::array<double, kMaxDelay + 1> efforts_{};
-  // The integral of the delayed effort, and its double integral r, in units of time.
-  double effort_integral_ = 0.0;
-  double effort_double_integral_ = 0.0;
-  // The effort a of the pulse, with its sign.
-  double amplitude_ = 0.0;
+  SignPulse pulse_;
   // Twice the largest g that the joint has without a hand in this pose, in units of time; 0: not
   // known.
   double most_gain_ = 0.0;
-  Sums sums_;
   JointEfforts push_{};
 };
 

@@ -27,7 +27,7 @@ constexpr std::size_t kMostParts =
     rendering::kMaxObjects + rendering::kMaxEffects + FeltWalls::kCount;
 
 // The sum of several stiffnesses may differ from the certified one by rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kSumRounding = 1e-9;
 
 // The rounding of single precision at the ends of the world.
 constexpr float kSlack_m = 2e-5F;
@@ -167,7 +167,7 @@ class Search {
     sum.damping_Ns_per_m += of_wall;
     const double enough = certified_stiffness(certificate_, sum.damping_Ns_per_m);
     sum.stiffness_N_per_m =
-        (1.0 - kRounding) * stiffness_together(box, members(), enough, looks_left_);
+        (1.0 - kSumRounding) * stiffness_together(box, members(), enough, looks_left_);
     return sum;
   }
 

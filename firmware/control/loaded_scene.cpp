@@ -1,0 +1,102 @@
+#include "firmware/control/loaded_scene.h"
+
+#include <cmath>
+
+#include "firmware/safety/workspace_walls.h"
+
+namespace tactus::firmware {
+namespace {
+
+// The materials of a scene after all changes, with `changed` (if not null) in place of that of
+// `object`.
+struct WantedMaterials {
+  const LoadedScene& scene;
+  const rendering::Material* changed = nullptr;
+  std::uint32_t object = 0;
+};
+
+rendering::Material wanted_material(const void* context, std::uint32_t object) {
+  const auto& [scene, changed, number] = *static_cast<const WantedMaterials*>(context);
+  return changed != nullptr && object == number ? *changed : scene.wanted(object);
+}
+
+// Returns the scene as the certificate sees it. `materials` must outlive the result.
+FeltScene felt_scene(const WantedMaterials& materials, const SafetyConfig& safety) {
+  const LoadedScene& scene = materials.scene;
+  return {.objects = scene.objects,
+          .effects = scene.effects,
+          .feel = {.tool_radius_m = scene.tool_radius_m,
+                   .max_force_N = safety.max_force_N,
+                   .material = wanted_material,
+                   .context = &materials,
+                   .walls = felt_walls(safety)}};
+}
+
+}  // namespace
+
+void LoadedScene::restart(double tick_s) {
+  complete_changes();
+  world.reset();
+  world.set_tick(tick_s);
+}
+
+bool LoadedScene::load(std::span<const rendering::Object> loaded,
+                       const rendering::WorldConfig& config) {
+  changes.clear();
+  // The world is empty after a refusal, so the scene forgets the objects as well.
+  const bool taken = world.set_scene(loaded, config);
+  objects = taken ? loaded : std::span<const rendering::Object>{};
+  effects = taken ? config.effects : std::span<const rendering::Effect>{};
+  tool_radius_m = config.tool_radius_m;
+  return taken;
+}
+
+rendering::Material LoadedScene::wanted(std::uint32_t object) const {
+  return changes.wanted(world, object);
+}
+
+bool LoadedScene::change_material(std::uint32_t object, const rendering::Material& material) {
+  // The present material is set as a changed one first; the ticks then apply the change gradually.
+  const rendering::Material felt = world.material(object);
+  if (!world.set_material(object, felt)) {
+    return false;
+  }
+  changes.set(object, material);
+  return true;
+}
+
+std::optional<UncertifiedPart> LoadedScene::first_refused(const StiffnessCertificate& certificate,
+                                                          const SafetyConfig& safety) const {
+  const WantedMaterials materials{.scene = *this};
+  const FeltScene felt = felt_scene(materials, safety);
+  return first_uncertified(certificate, felt.objects, felt.effects, felt.feel);
+}
+
+bool LoadedScene::is_certified(const StiffnessCertificate& certificate, const SafetyConfig& safety,
+                               std::uint32_t object, const rendering::Material& material) {
+  const WantedMaterials materials{.scene = *this, .changed = &material, .object = object};
+  const auto part = uncertified_with(certificate, felt_scene(materials, safety), object);
+  refused_part = part.value_or(refused_part);
+  return !part;
+}
+
+bool LoadedScene::advance_changes(double most_N, double speed_m_per_s) {
+  changes.step(world, most_N, speed_m_per_s);
+  return changes.any();
+}
+
+rendering::Touch free_touch(const rendering::ToolState& tool) {
+  rendering::Touch touch;
+  touch.proxy_W = tool.p_W;
+  return touch;
+}
+
+bool is_finite(const rendering::Touch& touch) {
+  const rendering::ForceParts& parts = touch.parts;
+  return touch.force_W.allFinite() && touch.proxy_W.allFinite() && touch.normal_W.allFinite() &&
+         std::isfinite(touch.depth_m) && parts.friction_W.allFinite() &&
+         parts.texture_W.allFinite() && parts.effect_W.allFinite() &&
+         std::isfinite(parts.driven_power);
+}
+
+}  // namespace tactus::firmware
