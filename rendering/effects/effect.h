@@ -34,7 +34,7 @@ Vec3 apply(const Effect& effect, EffectState& state, const ToolState& tool, doub
 // least K dt / 2 compensates this error where the bound leaves it room.
 double stored_J(const Effect& effect, const EffectState& state, const Vec3& p_W);
 
-// Returns the largest slopes of the effect's force.
+// Returns the largest stiffness and damping of the effect (law.h).
 LawSlopes steepest(const Effect& effect);
 
 }  // namespace tactus::rendering

@@ -38,9 +38,10 @@ struct LawPlace {
   double max_force_N;
 };
 
-// The largest slopes of a law's force anywhere, in any direction: over the position and over the
-// velocity. The firmware adds them to what else is felt there, and compares the sum with what the
-// device can hold.
+// The largest stiffness and damping of a law anywhere, along any direction: how much its force
+// grows against a motion, per metre and per m/s. A force that grows with the motion has none. The
+// firmware adds them to what else is felt there, and compares the sum with what the device can
+// hold.
 struct LawSlopes {
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
