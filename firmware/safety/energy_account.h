@@ -35,7 +35,7 @@ struct TickEnergy {
   // The contact force that is rendered now, N, without friction, textures and effects.
   double contact_N = 0.0;
   // The length of the tick, s, with the ticks missed before it.
-  double step_s = 0.0;
+  double step_s = 0.001;
 };
 
 // The ledger of one tool.

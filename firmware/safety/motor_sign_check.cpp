@@ -83,7 +83,7 @@ EffortFinding MotorSignCheck::step(const drivers::JointSample& sample, const Pos
 void MotorSignCheck::begin_pulse(const drivers::JointSample& sample, const Pose& pose) {
   const double lever = pose.jacobian_D.col(static_cast<Eigen::Index>(asked_)).norm();
   if (lever < kLeastPulseLever) {
-    choose_next();
+    pass_turn();
     ticks_to_wait_ = settings_.pause_ticks;
     return;
   }
@@ -133,6 +133,11 @@ void MotorSignCheck::choose_next() {
   joint.force_N = std::clamp(kStronger * joint.force_N, -settings_.most_N, settings_.most_N);
   ticks_to_wait_ = joint.unclear >= kMostUnclear ? settings_.pause_ticks : 0;
   joint.unclear = std::min(joint.unclear, kMostUnclear);
+  pass_turn();
+}
+
+// Passes the turn to the next joint that has not answered; with a single one it is its turn again.
+void MotorSignCheck::pass_turn() {
   for (std::size_t tried = 0; tried < settings_.joint_count; ++tried) {
     asked_ = (asked_ + 1) % settings_.joint_count;
     if ((unanswered_ >> asked_ & 1U) != 0) {

@@ -114,6 +114,7 @@ class MotorSignCheck {
   // Judges the pulse that has ended and counts its answer.
   EffortFinding judge();
   void choose_next();
+  void pass_turn();
   // Returns the largest g that the joint has without a hand; 0 if the mass is not known.
   [[nodiscard]] double free_gain(const Pose& pose) const;
 

@@ -31,9 +31,9 @@ void PassivityControl::restart() {
 std::uint64_t PassivityControl::observe(const TickEnergy& energy, bool in_contact) {
   // Only a debt is forgotten. A credit ends with the contact.
   if (credit_J_ < 0.0) {
-    credit_J_ -= step_s_ / kForgetting_s * credit_J_;
+    credit_J_ -= std::min(1.0, energy.step_s / kForgetting_s) * credit_J_;
   }
-  credit_J_ += device_damping_Ns_per_m_ * energy.way_m2 / step_s_ - energy.passive_J;
+  credit_J_ += device_damping_Ns_per_m_ * energy.way_m2 / energy.step_s - energy.passive_J;
   if (!in_contact) {
     credit_J_ = std::min(credit_J_, 0.0);
   }

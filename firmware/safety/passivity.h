@@ -7,10 +7,12 @@
 //   observer    E += -E_held + b |dx|^2 / T    energy that the hand has given and not got back, J
 //   controller  F = -a v, a = min(-E / (T |v|^2), passivity_damping), while E < 0
 //
-// E_held is the energy that the force of the past tick gave over the motion dx of the same tick,
-// including the damper's force (safety/energy_account.h). The force of this tick must not be paired
-// with that motion: that hides the energy which holding the force makes. b is the least damping of
-// the device without a hand; the device itself dissipates that energy.
+// In the observer T is the time since the previous tick, with the missed ticks; in the controller
+// it is the period, for which the damper's force will be held. E_held is the energy that the force
+// of the past tick gave over the motion dx of the same tick, including the damper's force
+// (safety/energy_account.h). The force of this tick must not be paired with that motion: that hides
+// the energy which holding the force makes. b is the least damping of the device without a hand;
+// the device itself dissipates that energy.
 //
 // Contact begins without credit: energy given in one touch does not pay for the next (the paper's
 // reset, section V). A debt is paid in contact only, so that the tool never drags in free space. It
@@ -52,6 +54,7 @@ class PassivityControl {
   void transfer(rendering::StateArchive& archive);
 
  private:
+  // The period of the ticks, s.
   double step_s_ = 0.001;
   double device_damping_Ns_per_m_ = 0.0;
   double max_damping_Ns_per_m_ = 0.0;

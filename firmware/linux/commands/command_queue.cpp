@@ -60,8 +60,6 @@ std::optional<Answer> CommandQueue::next_answer() {
   return answer;
 }
 
-static_assert(std::atomic<Mode>::is_always_lock_free);
-
 Request CommandQueue::before_tick(Controller& controller) {
   before_ = controller.mode();
   if (const Command* const front = commands_.front(); front != nullptr) {
@@ -71,39 +69,18 @@ Request CommandQueue::before_tick(Controller& controller) {
     carry_out(command, controller);
   }
   pending_ = requests_.take();
-  const std::uint32_t stops = stops_posted_.load(std::memory_order_acquire);
-  const bool is_stop = stops != stops_seen_;
-  stops_seen_ = stops;
+  const bool is_stop = stops_.take();
   is_operated_ = is_operated_ || is_stop || pending_.request != Request::none;
   return is_stop ? Request::estop : pending_.request;
-}
-
-std::optional<StopTaken> CommandQueue::stop_taken(std::uint32_t stop) const {
-  // The signed difference is right also after the 32-bit numbers have wrapped.
-  const auto ahead =
-      static_cast<std::int32_t>(stops_answered_.load(std::memory_order_acquire) - stop);
-  if (ahead < 0) {
-    return std::nullopt;
-  }
-  return StopTaken{.tick = stop_tick_.load(std::memory_order_relaxed),
-                   .after = stop_mode_.load(std::memory_order_relaxed)};
-}
-
-void CommandQueue::answer_stop(const TelemetryRecord& record) {
-  if (stops_seen_ == stops_answered_.load(std::memory_order_relaxed)) {
-    return;
-  }
-  stop_tick_.store(record.tick, std::memory_order_relaxed);
-  stop_mode_.store(record.mode, std::memory_order_relaxed);
-  stops_answered_.store(stops_seen_, std::memory_order_release);
-  tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(Request::estop)],
-       0.0);
 }
 
 // A request that fell into the tick of a stop is answered as without effect.
 void CommandQueue::after_tick(const Controller& controller) {
   const TelemetryRecord& record = controller.record();
-  answer_stop(record);
+  if (stops_.answer({.tick = record.tick, .after = record.mode})) {
+    tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(Request::estop)],
+         0.0);
+  }
   if (pending_.request == Request::none) {
     return;
   }

@@ -11,7 +11,6 @@
 // times at which it has taken all answers.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "firmware/linux/commands/command.h"
 #include "firmware/linux/commands/injection.h"
 #include "firmware/linux/commands/request_slot.h"
+#include "firmware/linux/commands/stop_slot.h"
 #include "firmware/telemetry/ring.h"
 #include "firmware/telemetry/telemetry_event.h"
 
@@ -39,12 +39,6 @@ struct EventSink {
   void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
 };
 
-// The tick that carried out a stop, and the mode after it.
-struct StopTaken {
-  std::uint64_t tick = 0;
-  Mode after = Mode::init;
-};
-
 // The queue of one controller.
 class CommandQueue {
  public:
@@ -52,11 +46,13 @@ class CommandQueue {
 
   // Makes the next tick an estop, before anything that waits in the queue. Returns the number of
   // the stop. Any thread.
-  std::uint32_t post_stop() { return stops_posted_.fetch_add(1, std::memory_order_acq_rel) + 1; }
+  std::uint32_t post_stop() { return stops_.post(); }
 
   // Returns the tick that carried out the stop with that number, or nothing while none has. Any
   // thread.
-  [[nodiscard]] std::optional<StopTaken> stop_taken(std::uint32_t stop) const;
+  [[nodiscard]] std::optional<StopTaken> stop_taken(std::uint32_t stop) const {
+    return stops_.taken(stop);
+  }
 
   // These are for the command thread.
 
@@ -90,8 +86,6 @@ class CommandQueue {
   void set_events(const EventSink& events) { events_ = events; }
 
  private:
-  // Answers the stops that the tick has carried out.
-  void answer_stop(const TelemetryRecord& record);
   // Carries out a command other than a request and answers it.
   void carry_out(const Command& command, Controller& controller);
   void set(const Command& command, Controller& controller, Answer& answer);
@@ -100,20 +94,13 @@ class CommandQueue {
   void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) const;
 
   RequestSlot requests_;
+  StopSlot stops_;
   Ring<Command, kMaxWaiting> commands_;
   Ring<Answer, kMaxWaiting + kMaxRequests> answers_;
   // Command thread only: the number of commands whose answers have not been taken.
   std::size_t waiting_ = 0;
   // Loop only: the request of this tick.
   TicketedRequest pending_;
-  std::atomic<std::uint32_t> stops_posted_{0};
-  // Loop only: the number of the newest stop that a tick has had.
-  std::uint32_t stops_seen_ = 0;
-  // The number of the newest stop carried out.
-  std::atomic<std::uint32_t> stops_answered_{0};
-  // Tick of that stop, and the mode after it.
-  std::atomic<std::uint64_t> stop_tick_{0};
-  std::atomic<Mode> stop_mode_{Mode::init};
   // Loop only: the mode before the tick.
   Mode before_ = Mode::init;
   bool is_operated_ = false;

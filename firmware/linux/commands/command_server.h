@@ -63,9 +63,6 @@ class CommandServer {
   // The longest time that stop() waits for the thread.
   static constexpr hal::TimeNs kMostEnd_ns = hal::kNsPerSecond;
 
-  // Returns true between start() and stop().
-  [[nodiscard]] bool is_running() const { return is_running_; }
-
  private:
   // The thread's body: turns until stop().
   void run();

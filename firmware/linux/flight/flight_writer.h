@@ -4,33 +4,18 @@
 // It uses static memory and no exceptions. It costs the loop one copy per tick.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <span>
 
 #include "firmware/control/controller.h"
+#include "firmware/linux/flight/fault_watch.h"
+#include "firmware/linux/flight/flight_file.h"
 #include "firmware/linux/flight/flight_recorder.h"
 #include "firmware/linux/realtime/helper_thread.h"
-#include "firmware/linux/telemetry/mcap_writer.h"
-#include "firmware/linux/telemetry/run_recorder.h"
 
 namespace tactus::firmware {
-
-// The content of the files beside the ticks. All that it points to must outlive the writer, except
-// the scene's image (see use_scene()). At most AttachmentList::kMost - 1 images and 22 metadata
-// entries are kept.
-struct FlightPlan {
-  // An existing folder for the files.
-  const char* folder = ".";
-  // The number of ticks per second.
-  double rate_hz = 1000.0;
-  // The metadata of the run.
-  RunDescription run;
-  // The images, such as the device's and the scene's.
-  std::span<const Attachment> images;
-};
 
 // The recorder with its writer. It belongs into static storage.
 class FlightWriter {
@@ -66,43 +51,25 @@ class FlightWriter {
   // Returns the number of files written so far. Any thread.
   [[nodiscard]] std::uint32_t files() const { return files_.load(std::memory_order_acquire); }
   // Returns the path of the last file. Call after stop().
-  [[nodiscard]] const char* path() const { return path_.data(); }
+  [[nodiscard]] const char* path() const { return file_.path(); }
 
  private:
   // A fault is written this long after it.
   static constexpr double kAfterFault_s = 0.2;
-  static constexpr std::size_t kMaxInfo = 24;
 
   // The thread's body.
   void run();
   // Writes a file with the ticks that there are, and prints its name.
   void write_out();
-  // Copies the lists of the plan, which use_scene() changes.
-  void copy_plan();
-  // Sets path_ to a name with the time and the tick.
-  void name_file(std::uint64_t tick);
-  int write_file(const FlightWindow& window, std::uint64_t& first, std::uint64_t& end);
 
-  FlightPlan plan_;
-  // Guards images and description against use_scene(); the loop never asks for it.
-  std::mutex plan_mutex_;
-  AttachmentList images_;
-  std::array<MetadataEntry, kMaxInfo> info_{};
-  std::size_t info_count_ = 0;
-  std::array<char, 16> scene_checksum_{};
+  // Guards the file against use_scene(); the loop never asks for it.
+  std::mutex file_mutex_;
+  FlightFile file_;
   FlightRecorder recorder_;
-  McapWriter file_;
+  FaultWatch faults_;
   HelperThread thread_;
-  std::array<char, 512> path_{};
-
-  // Loop only: the mode of the last tick.
-  Mode mode_ = Mode::init;
-  // Loop only: the number of ticks until a fault is written.
-  std::uint64_t ticks_to_wait_ = 0;
   // False between leave_scene() and use_scene(): nothing is written then.
   std::atomic<bool> has_scene_{true};
-  // True while a fault waits to be written.
-  std::atomic<bool> waiting_{false};
   // True if a file is wanted.
   std::atomic<bool> wanted_{false};
   std::atomic<bool> stopping_{false};

@@ -7,10 +7,9 @@ namespace tactus::firmware {
 
 bool LoopCourse::goes_on(Mode mode, bool stopping) {
   --left_;
-  in_fault_ = mode == Mode::fault ? in_fault_ + 1 : 0;
   // A loop that is to stop ends only after the tick that has left `active`.
   const bool stopped = stopping && mode != Mode::active;
-  return left_ > 0 && in_fault_ <= ticks_after_fault_ && !stopped;
+  return left_ > 0 && !stopped;
 }
 
 LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_crashed) {

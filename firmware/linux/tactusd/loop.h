@@ -40,9 +40,6 @@ struct LoopConfig {
   hal::Phase phase;
   // The number of ticks after which the loop ends at the latest.
   std::uint64_t ticks = std::numeric_limits<std::uint64_t>::max();
-  // The number of ticks in a row in mode `fault` after which the loop ends. Meanwhile the boards
-  // switch the motors' power off.
-  std::uint64_t ticks_after_fault = 0;
 };
 
 // The end of a loop: as asked, or in mode `fault`.
@@ -51,16 +48,13 @@ enum class LoopEnd : std::uint8_t { ended, faulted };
 // Decides after each tick whether the loop goes on.
 class LoopCourse {
  public:
-  explicit LoopCourse(const LoopConfig& config)
-      : left_(config.ticks), ticks_after_fault_(config.ticks_after_fault) {}
+  explicit LoopCourse(const LoopConfig& config) : left_(config.ticks) {}
 
   // Takes the mode after a tick. Returns false if the loop is to end.
   bool goes_on(Mode mode, bool stopping);
 
  private:
   std::uint64_t left_;
-  std::uint64_t ticks_after_fault_;
-  std::uint64_t in_fault_ = 0;
 };
 
 // Returns true if the tick shall toggle the watchdog's line.
@@ -84,9 +78,9 @@ struct LoopParts {
   WatchdogOutput& watchdog;
 };
 
-// Runs ticks until the hooks or the configuration end it, or until ticks_after_fault ticks in
-// `fault` have passed. Returns `faulted` if it ended in mode `fault`. The caller must stop the
-// motors afterwards.
+// Runs ticks until the hooks or the configuration end it. A fault does not end it: the boards
+// switch the motors' power off, and an operator may reset the fault. Returns `faulted` if it ended
+// in mode `fault`. The caller must stop the motors afterwards.
 template <drivers::Device D, LoopHooks Hooks>
 LoopEnd run_loop(const LoopConfig& config, const LoopParts& parts, D& device, Hooks& hooks) {
   auto& [controller, clock, timing, watchdog] = parts;

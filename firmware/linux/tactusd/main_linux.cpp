@@ -1,6 +1,6 @@
 // tactusd: the controller on a Linux machine. It reads the images, opens the boards and then runs
-// the loop (read -> controller -> write) at the device's rate, until a signal ends it or a fault
-// has stopped the motors.
+// the loop (read -> controller -> write) at the device's rate, until a signal ends it. After a
+// fault the loop goes on without force, because an operator may reset the fault.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <optional>
 
 #include "firmware/linux/commands/command_queue.h"
@@ -42,9 +41,6 @@ namespace {
 constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
-// The loop goes on for this time after a fault, while the boards switch the motors' power off. With
-// a command socket it goes on until a signal ends it, because an operator may reset the fault.
-constexpr double kAfterFault_s = 0.2;
 
 // True after a signal that ends the program.
 std::atomic<bool> stop_requested{false};
@@ -159,11 +155,7 @@ class ProgramHooks {
 // Runs the loop and stops the motors. Returns the exit code.
 int run(drivers::ComposedDevice& device, const Options& options) {
   const double rate_hz = program.inputs.config().controller.rate_hz;
-  LoopConfig config{.phase = loop_phase(rate_hz),
-                    .ticks_after_fault = static_cast<std::uint64_t>(kAfterFault_s * rate_hz)};
-  if (program.commands.is_running()) {
-    config.ticks_after_fault = std::numeric_limits<std::uint64_t>::max();
-  }
+  LoopConfig config{.phase = loop_phase(rate_hz)};
   if (options.seconds > 0.0) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }

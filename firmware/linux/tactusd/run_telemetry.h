@@ -43,8 +43,6 @@ class RunTelemetry {
 
   // Publishes the tick that has ended. Real time: for the loop's thread.
   void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
-  // Publishes an event. Real time: for the loop's thread.
-  void publish(const TelemetryEvent& event) { writer_.publish(event); }
 
   // Ends the outputs after the loop. Prints to stderr how much is missing from the recording, if
   // anything is.

@@ -13,7 +13,6 @@ namespace {
 // The interval at which the thread looks for changes; shorter if the watchdog's period asks for it.
 constexpr hal::TimeNs kLook_ns = 50'000'000;
 
-static_assert(std::atomic<Mode>::is_always_lock_free);
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
 }  // namespace
@@ -26,12 +25,7 @@ int Supervisor::start(const ServiceNotice& notice) {
 }
 
 void Supervisor::note(Mode mode) {
-  if (mode != last_) {
-    const std::uint32_t change = changes_.load(std::memory_order_relaxed);
-    modes_[change % kModesKept].store(mode, std::memory_order_relaxed);
-    changes_.store(change + 1, std::memory_order_release);
-    last_ = mode;
-  }
+  modes_.note(mode);
   ticks_.store(ticks_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }
 
@@ -53,11 +47,8 @@ void Supervisor::run() {
 }
 
 void Supervisor::print_modes() {
-  const std::uint32_t changes = changes_.load(std::memory_order_acquire);
-  reported_ = std::max(reported_, changes - std::min(changes, kModesKept));
-  for (; reported_ != changes; ++reported_) {
-    const std::string_view name =
-        mode_name(modes_[reported_ % kModesKept].load(std::memory_order_relaxed));
+  while (const auto mode = modes_.next()) {
+    const std::string_view name = mode_name(*mode);
     std::fprintf(stderr, "tactusd: %.*s\n", static_cast<int>(name.size()), name.data());
   }
 }

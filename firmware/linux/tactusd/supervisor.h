@@ -2,7 +2,6 @@
 // service manager that the loop is alive. The loop stores two numbers and never waits for it.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "firmware/control/mode.h"
 #include "firmware/linux/realtime/helper_thread.h"
 #include "firmware/linux/realtime/service_notice.h"
+#include "firmware/linux/tactusd/mode_log.h"
 #include "hal/clock.h"
 
 namespace tactus::firmware {
@@ -27,16 +27,13 @@ class Supervisor {
   int start(const ServiceNotice& notice);
 
   // Notes the mode after a tick. Call from the loop once per tick; real time. If the thread cannot
-  // run for more than kModesKept changes, the oldest are not printed.
+  // run for more than ModeLog::kModesKept changes, the oldest are not printed.
   void note(Mode mode);
 
   // Prints the remaining changes, sends STOPPING=1 and ends the thread.
   void stop();
 
  private:
-  // The number of changes of mode that may wait to be printed.
-  static constexpr std::uint32_t kModesKept = 32;
-
   // The thread's body.
   void run();
   // Prints the changes since the last call.
@@ -49,16 +46,11 @@ class Supervisor {
   HelperThread thread_;
   std::atomic<bool> stopping_{false};
 
-  // The loop writes these: the number of ticks, and the modes of the last changes with their
-  // number.
+  // The loop writes these: the changes of mode, and the number of ticks.
+  ModeLog modes_;
   std::atomic<std::uint64_t> ticks_{0};
-  std::atomic<std::uint32_t> changes_{0};
-  std::array<std::atomic<Mode>, kModesKept> modes_{};
-  Mode last_ = Mode::init;
 
-  // Only the thread uses these: the changes printed, the ticks seen, and the time of the next
-  // WATCHDOG=1.
-  std::uint32_t reported_ = 0;
+  // Only the thread uses these: the ticks seen, and the time of the next WATCHDOG=1.
   std::uint64_t ticks_seen_ = 0;
   hal::TimeNs next_watchdog_ns_ = 0;
 };

@@ -13,9 +13,9 @@
 #include <cstdint>
 
 #include "firmware/linux/realtime/helper_thread.h"
-#include "firmware/linux/telemetry/live_socket.h"
+#include "firmware/linux/telemetry/order_slot.h"
 #include "firmware/linux/telemetry/run_recorder.h"
-#include "firmware/linux/telemetry/udp_json.h"
+#include "firmware/linux/telemetry/telemetry_outputs.h"
 #include "firmware/telemetry/ring.h"
 
 namespace tactus::firmware {
@@ -29,11 +29,11 @@ class TelemetryWriter {
   ~TelemetryWriter() { stop(); }
 
   // Sets the description of the run. Call this, open_live_socket and open_udp before `start`.
-  void describe(const RunDescription& run);
+  void describe(const RunDescription& run) { outputs_.describe(run); }
   // Opens the live socket (live_socket.h). Returns 0 or errno.
-  int open_live_socket(const char* path) { return live_.open(path); }
+  int open_live_socket(const char* path) { return outputs_.open_live_socket(path); }
   // Sends one of `every` ticks as JSON to a port of this machine. Returns 0 or errno.
-  int open_udp(std::uint16_t port, std::uint32_t every);
+  int open_udp(std::uint16_t port, std::uint32_t every) { return outputs_.open_udp(port, every); }
   // Starts the thread. Returns 0 or errno.
   int start();
 
@@ -61,49 +61,24 @@ class TelemetryWriter {
   // Returns the number of ticks dropped so far. Any thread.
   [[nodiscard]] std::uint64_t dropped_ticks() const { return ticks_.dropped(); }
   // Returns 0 or the errno that ended the recording. Any thread.
-  [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
+  [[nodiscard]] int recording_error() const { return outputs_.recording_error(); }
 
  private:
-  // The orders of another thread to the writer's.
-  enum class Order : std::uint8_t { none, record, end, attach };
-
-  // Carries out an order in the thread that owns the recorder.
-  int carry_out(Order order);
-  // Hands an order to the writer's thread and waits for its answer.
-  int obey(Order order);
+  // Lets the thread that owns the outputs carry out an order, and returns the answer.
+  int obey(const TelemetryOrder& order);
   // The thread's body.
   void run();
   // One round: accepts readers, passes events and ticks on, sends, and takes an order.
   void cycle();
-  // Pass on what waits in the rings.
-  void hand_on_events();
-  void hand_on_ticks();
-  // Writes the file's buffer once in a while, and ends a recording that has failed.
-  void flush_at_times(hal::TimeNs now_ns);
 
   RecordRing ticks_;
   EventRing events_;
   HelperThread thread_;
   bool started_ = false;
   std::atomic<bool> stopping_{false};
-
-  // An order from another thread to the writer's. `path_` and `attachment_` belong to the thread
-  // that holds the order.
-  std::atomic<Order> order_{Order::none};
-  const char* path_ = nullptr;
-  IfThere if_there_ = IfThere::replace;
-  Attachment attachment_;
-  int answer_ = 0;
-
-  // Only the writer's thread uses these.
-  std::span<const MetadataEntry> run_info_;
-  RecordEncoder encoder_;
-  RunRecorder recorder_;
-  LiveSocket live_;
-  UdpJson udp_;
-  std::uint32_t udp_every_ = 1;
-  hal::TimeNs flushed_ns_ = 0;
-  std::atomic<int> error_{0};
+  OrderSlot orders_;
+  // They belong to the writer's thread between start() and stop().
+  TelemetryOutputs outputs_;
 };
 
 }  // namespace tactus::firmware

@@ -60,8 +60,7 @@ class Asked {
     config.safety.moving_mass_kg = moving_mass_kg;
     check_.configure(config);
     check_.restart();
-    pose_.jacobian_D.setIdentity();
-    pose_.status = kPoseGood;
+    pose.jacobian_D.setIdentity();
   }
 
   // Runs until a fault, the answer of all joints, or the end. The wish may depend on time and
@@ -73,7 +72,7 @@ class Asked {
       for (std::size_t i = 0; i < 3; ++i) {
         sample.position[i] = joints[i].counted();
       }
-      const EffortFinding found = check_.step(sample, pose_, held_);
+      const EffortFinding found = check_.step(sample, pose, held_);
       held_ = check_.push();
       for (std::size_t i = 0; i < 3; ++i) {
         largest_N_ = std::max(largest_N_, std::abs(held_[i]));
@@ -92,11 +91,11 @@ class Asked {
   [[nodiscard]] double time_s() const { return time_s_; }
 
   std::array<Slide, 3> joints{};
+  Pose pose;
 
  private:
   double step_s_;
   MotorSignCheck check_;
-  Pose pose_;
   JointEfforts held_{};
   double largest_N_ = 0.0;
   double time_s_ = 0.0;
@@ -155,6 +154,21 @@ TEST(MotorSignCheck, AJointThatIsHeldFastIsNeitherRightNorReversed) {
   EXPECT_EQ(asked.run(20.0, [](std::size_t, double) { return 0.0; }).faults, kNoFault);
   EXPECT_FALSE(asked.check().is_done());
   EXPECT_LE(asked.largest_N() + asked.check().force_limit_N(), kUncheckedForce_N);
+}
+
+// In a pose in which a joint does not move the tool, it cannot be asked. The others answer
+// meanwhile, so that it does not matter that they turn afterwards.
+TEST(MotorSignCheck, AJointWithoutALeverTakesNoTurnFromTheOthers) {
+  const auto still = [](std::size_t, double) { return 0.0; };
+  Asked asked(1000.0);
+  asked.pose.jacobian_D.col(0).setZero();
+  EXPECT_EQ(asked.run(3.0, still).faults, kNoFault);
+  EXPECT_FALSE(asked.check().is_done());
+  asked.pose.jacobian_D.setIdentity();
+  asked.joints[1].sign = -1.0;
+  asked.joints[2].sign = -1.0;
+  EXPECT_EQ(asked.run(3.0, still).faults, kNoFault);
+  EXPECT_TRUE(asked.check().is_done());
 }
 
 // A motor without power: all that moves the joint is the hand, which shakes up to twice as fast as

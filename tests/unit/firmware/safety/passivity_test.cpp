@@ -60,6 +60,25 @@ TEST(PassivityControl, DampingOfTheDevicePaysFirst) {
   EXPECT_EQ(control.damp_W(Vec3::UnitX(), true), Vec3::Zero());
 }
 
+// The same way over a tick and three missed ones is four times as slow, and so is what damping
+// takes.
+TEST(PassivityControl, DampingOfTheDeviceCountsTheMissedTicks) {
+  PassivityControl control;
+  control.configure(bare_config(2.0, 5.0));
+  control.observe({.way_m2 = 1e-6, .step_s = 0.004}, true);
+  EXPECT_NEAR(control.credit_J(), 0.0005, 1e-15);
+}
+
+TEST(PassivityControl, ADebtDecaysOverTheMissedTicks) {
+  PassivityControl control;
+  control.configure(bare_config(0.0, 0.0));
+  control.observe({.passive_J = 0.01}, true);
+  control.observe({.step_s = 0.1}, true);
+  EXPECT_NEAR(control.credit_J(), -0.009, 1e-15);
+  control.observe({.step_s = 5.0}, true);
+  EXPECT_EQ(control.credit_J(), 0.0) << "a long gap forgets a debt and makes no credit of it";
+}
+
 TEST(PassivityControl, ADebtIsPaidByADamperInContactOnly) {
   PassivityControl control;
   control.configure(bare_config(0.0, 5.0));
