@@ -47,7 +47,7 @@ struct Guards {
 
   // Checks the tool's place and speed, then the motors. Call in the ticks in which the tool has a
   // place, with finite values.
-  void check_tool(const TickInputs& inputs, const ToolMotion& motion, ModeMachine& modes);
+  void check_tool(const TickInputs& inputs, const ToolMotion& located, ModeMachine& modes);
 
   LoopCheck loop;
   SampleCheck sample;

@@ -64,8 +64,8 @@ PulseShape pulse_shape(double rate_hz, double device_delay_s) {
   // The integral already contains half a tick of the delay: the hold of an effort up to its middle.
   const double delay_s = std::max(0.0, device_delay_s - 0.5 / rate_hz);
   shape.delay =
-      std::min(kMaxPulseDelay, static_cast<std::size_t>(std::round(delay_s / shape.unit_s)));
-  shape.samples = std::min(kMaxPulseSamples, kQuarters * shape.quarter + shape.delay + 1);
+      std::min(kMaxSignDelay, static_cast<std::size_t>(std::round(delay_s / shape.unit_s)));
+  shape.samples = std::min(kMaxSignSamples, kQuarters * shape.quarter + shape.delay + 1);
   return shape;
 }
 

@@ -10,11 +10,11 @@
 namespace tactus::firmware {
 
 // The largest number of samples of a pulse.
-inline constexpr std::size_t kMaxPulseSamples = 80;
+inline constexpr std::size_t kMaxSignSamples = 80;
 // The number of powers of time that are projected out: 0 to 5.
 inline constexpr std::size_t kPulsePowers = 6;
 // The largest delay in units. A longer one is cut to it.
-inline constexpr std::size_t kMaxPulseDelay = 7;
+inline constexpr std::size_t kMaxSignDelay = 7;
 
 // The shape of every pulse of a device. A unit is a whole number of ticks, about a millisecond.
 struct PulseShape {
@@ -39,9 +39,9 @@ PulseShape pulse_shape(double rate_hz, double device_delay_s);
 // The tables of a shape.
 struct PulseTables {
   // The powers of time at each sample, made orthonormal.
-  std::array<std::array<double, kPulsePowers>, kMaxPulseSamples> powers{};
+  std::array<std::array<double, kPulsePowers>, kMaxSignSamples> powers{};
   // z, without the powers and of length 1.
-  std::array<double, kMaxPulseSamples> instrument{};
+  std::array<double, kMaxSignSamples> instrument{};
 };
 
 // Computes the tables. Not for a tick.
@@ -91,7 +91,7 @@ struct SignPulse {
   // The sum of the efforts over this unit's ticks.
   double effort_sum = 0.0;
   // The mean efforts of the last units, by unit modulo the length.
-  std::array<double, kMaxPulseDelay + 1> efforts{};
+  std::array<double, kMaxSignDelay + 1> efforts{};
   // The integral of the delayed effort, and its double integral r, in units of time.
   double effort_integral = 0.0;
   double effort_double_integral = 0.0;

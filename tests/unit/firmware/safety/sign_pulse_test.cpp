@@ -23,7 +23,7 @@ PulseAnswer run(const Rate& rate, double g, const Drift& drift) {
   const PulseTables tables = pulse_tables(shape);
   SignPulse pulse;
   pulse.begin(0.5, 2.0);
-  std::array<double, kMaxPulseSamples> r{};
+  std::array<double, kMaxSignSamples> r{};
   double integral = 0.0;
   for (std::size_t n = 1; n < shape.samples; ++n) {
     const double effort = n > shape.delay ? 2.0 * shape.sign_in(n - 1 - shape.delay) : 0.0;
@@ -56,7 +56,7 @@ TEST(SignPulse, MovesNoFreeMassInTheEnd) {
     }
     EXPECT_EQ(speed, 0.0) << rate.rate_hz;
     EXPECT_EQ(place, 0.0) << rate.rate_hz;
-    EXPECT_LE(shape.samples, kMaxPulseSamples);
+    EXPECT_LE(shape.samples, kMaxSignSamples);
   }
 }
 
