@@ -99,11 +99,11 @@ bool ExclusiveUse::of(const drivers::FalconConnection& /*falcon*/) {
 }
 
 bool ExclusiveUse::of_boards(const DeviceConfig& config) {
-  return std::ranges::all_of(std::span(config.connections).first(config.connection_count),
-                             [this](const ConnectionConfig& connection) {
-                               return std::visit([this](const auto& line) { return of(line); },
-                                                 connection.line);
-                             });
+  return std::ranges::all_of(
+      std::span(config.connections).first(config.connection_count),
+      [this](const ConnectionConfig& connection) {
+        return std::visit([this](const auto& line) { return this->of(line); }, connection.line);
+      });
 }
 
 }  // namespace tactus::firmware
