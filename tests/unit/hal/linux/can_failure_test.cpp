@@ -72,9 +72,9 @@ int ioctl(int /*socket*/, unsigned long request, ...) noexcept {
   return 0;
 }
 
-int sendmmsg(int /*socket*/, mmsghdr* /*messages*/, unsigned count, int /*flags*/) {
+int sendmmsg(int /*socket*/, mmsghdr* /*messages*/, unsigned vlen, int /*flags*/) {
   if (kernel.send_errors.empty()) {
-    return static_cast<int>(count);
+    return static_cast<int>(vlen);
   }
   errno = kernel.send_errors.front();
   kernel.send_errors.pop_front();
@@ -96,16 +96,16 @@ int recvmmsg(int /*socket*/, mmsghdr* messages, unsigned /*count*/, int /*flags*
   return 1;
 }
 
-ssize_t send(int /*socket*/, const void* /*bytes*/, size_t count, int /*flags*/) {
-  return static_cast<ssize_t>(count);
+ssize_t send(int /*socket*/, const void* /*buf*/, size_t n, int /*flags*/) {
+  return static_cast<ssize_t>(n);
 }
 
-ssize_t recv(int /*socket*/, void* bytes, size_t count, int /*flags*/) {
+ssize_t recv(int /*socket*/, void* buf, size_t n, int /*flags*/) {
   if (kernel.netlink_answer < 0) {
     errno = -kernel.netlink_answer;
     return -1;
   }
-  std::memset(bytes, 0, count);
+  std::memset(buf, 0, n);
   return kernel.netlink_answer;
 }
 
