@@ -70,7 +70,7 @@ std::vector<std::string_view> fitted_names() {
 
 // Returns the models that --model names. Throws InputError for one that cannot be fitted.
 std::vector<rendering::FrictionKind> kinds_to_fit(const std::string& model) {
-  const std::vector<rendering::FrictionKind> all = fitted_kinds();
+  std::vector<rendering::FrictionKind> all = fitted_kinds();
   if (model == "all") {
     return all;
   }
