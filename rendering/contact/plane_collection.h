@@ -36,8 +36,8 @@ class PlaneCollector {
   // Adds the planes of the recalled candidates, at any distance.
   void add_recalled(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);
 
-  // Adds the plane of a candidate that blocked a sweep at its start. Returns true if it is new.
-  bool add_blocking(std::size_t candidate, ContactPlanes& planes, std::uint32_t& flags);
+  // Adds the plane of candidate `i`, which blocked a sweep at its start. Returns true if it is new.
+  bool add_blocking(std::size_t i, ContactPlanes& planes, std::uint32_t& flags);
 
   // Adds the plane of the face a little below a sphere that moved past the end of another face, if
   // there is one. The plane bounds the sphere there already, so the sphere need not come down first
@@ -45,8 +45,8 @@ class PlaneCollector {
   void add_face_below(ContactPlanes& planes, std::uint32_t& flags);
 
  private:
-  // Adds the plane of a measured candidate. Returns true if it is new.
-  bool add(std::size_t candidate, ContactPlanes& planes, std::uint32_t& flags);
+  // Adds the plane of candidate `i`, which is measured. Returns true if it is new.
+  bool add(std::size_t i, ContactPlanes& planes, std::uint32_t& flags);
   // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;
 
