@@ -140,7 +140,7 @@ std::expected<Effect, SceneError> read_effect(const image::Effect& stored) {
     return std::unexpected(SceneError{.fault = SceneFault::effect_law, .name = FaultName(name)});
   }
   const Law law = read_law(stored);
-  const Effect effect{.law = law.value_or(EffectLaw{}), .max_force_N = stored.max_force()};
+  Effect effect{.law = law.value_or(EffectLaw{}), .max_force_N = stored.max_force()};
   if (!law || !valid(effect)) {
     return std::unexpected(SceneError{.fault = SceneFault::effect});
   }
