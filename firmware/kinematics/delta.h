@@ -24,19 +24,19 @@ namespace tactus::firmware {
 // The dimensions of a delta, lengths in m. The defaults are the Falcon's (R. E. Stamper's delta,
 // with the figures of libnifalcon).
 struct DeltaGeometry {
-  // From the motor axis to the elbow.
+  // The length of an arm: the distance from its motor axis to the elbow.
   double arm_m = 0.060;
   // The length of the rods between the parallelogram's hinges.
   double rod_m = 0.1025;
-  // From the elbow to the rod's hinge plus from the platform to the rod's hinge.
+  // The distance from the elbow to the rod's hinge plus that from the platform to the rod's hinge.
   double hinge_offset_m = 0.0225;
-  // From the base's axis to the motor axis, along the arm's azimuth.
+  // The distance from the base's axis to the motor axis, along the arm's azimuth.
   double base_radius_m = 0.0400;
-  // The same across the azimuth.
+  // The same distance, across the azimuth.
   double base_tangent_m = -0.02309;
-  // From the tool to the platform's hinge, along the azimuth.
+  // The distance from the tool to the platform's hinge, along the azimuth.
   double platform_radius_m = 0.01443;
-  // The same across the azimuth.
+  // The same distance, across the azimuth.
   double platform_tangent_m = -0.025;
   // The directions of the arms in the base plane, from x toward y.
   std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,

@@ -21,7 +21,7 @@ namespace tactus::firmware {
 
 // The dimensions of a paddle.
 struct PaddleGeometry {
-  // From the axis to the handle, m. The default is that of Stanford's Hapkit.
+  // The distance from the axis to the handle, m. The default is that of Stanford's Hapkit.
   double handle_radius_m = 0.065659;
   // The weight of the paddle with its handle, from the axis to the handle.
   LinkWeight paddle;

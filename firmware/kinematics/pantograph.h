@@ -20,11 +20,11 @@ namespace tactus::firmware {
 
 // The dimensions of a pantograph, lengths in m. The defaults are the Haply development kit's.
 struct PantographGeometry {
-  // From one motor axis to the other.
+  // The distance from one motor axis to the other, m.
   double base_m = 0.02;
-  // From a motor axis to its elbow.
+  // The length of a proximal link: the distance from its motor axis to its elbow, m.
   double proximal_m = 0.05;
-  // From an elbow to the tool.
+  // The length of a distal link: the distance from its elbow to the tool, m.
   double distal_m = 0.07;
   // The weight of each of the two proximal links, from the motor axis.
   LinkWeight proximal;

@@ -24,9 +24,9 @@ namespace tactus::firmware {
 
 // The dimensions of an arm. The defaults are the PHANToM Premium's.
 struct SerialArmGeometry {
-  // From the shoulder to the elbow, m.
+  // The distance from the shoulder to the elbow, m.
   double upper_m = 0.209550;
-  // From the elbow to the tool, m.
+  // The distance from the elbow to the tool, m.
   double forearm_m = 0.169545;
   // The height of the second axis above the origin, m.
   double shoulder_height_m = 0.0;
