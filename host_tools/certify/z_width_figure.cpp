@@ -13,7 +13,8 @@ namespace {
 constexpr double kZWidthWidth = 1200;
 constexpr double kZWidthHeight = 800;
 
-// From dark to light, with the most important hand first, so that they differ in grey too.
+// The colours go from dark to light, with the most important hand first, so that they differ in
+// grey too.
 constexpr std::array<std::string_view, 5> kHandColours{"#d0421b", "#17406d", "#4c7fb0", "#8fb3d3",
                                                        "#8e6bb3"};
 

@@ -36,7 +36,7 @@ struct Cia402EmulatorConfig {
   std::uint32_t rated_torque = 1000;
   // The value of 60B2 that the drive has saved.
   std::int16_t torque_offset = 0;
-  // From power-up or reset to the boot-up message.
+  // The time from power-up or reset to the boot-up message.
   hal::TimeNs boot_time_ns = 20'000'000;
   // How the drive reacts to the silence of its host. Without a watchdog it accepts object 1016 and
   // ignores it; with `watchdog_lag_ns` it reacts that much later than it should.

@@ -12,9 +12,9 @@ namespace tactus::host {
 
 // The two orthographic views of a run. The world frame has x right, y up and z toward the user.
 enum class View : std::uint8_t {
-  // From +z: x to the right, y up.
+  // The view from +z: x to the right, y up.
   front,
-  // From -x: z to the right, y up.
+  // The view from -x: z to the right, y up.
   side,
 };
 

@@ -40,9 +40,9 @@ Vec3 pantograph_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B);
 
 // The lengths of a serial arm.
 struct ArmLengths {
-  // From the shoulder to the elbow.
+  // The distance from the shoulder to the elbow.
   double upper_m = 0.0;
-  // From the elbow to the handle.
+  // The distance from the elbow to the handle.
   double forearm_m = 0.0;
   // The height of the shoulder above the base frame's origin.
   double shoulder_m = 0.0;

@@ -27,7 +27,7 @@ struct BakedTextures {
 // An object with everything that the controller needs of it.
 struct BakedObject {
   std::string name;
-  // From which sides the surface is touched.
+  // The sides from which the surface is touched.
   rendering::Sides sides = rendering::Sides::one;
   // Stiffness, damping, friction and grain.
   rendering::Material material;

@@ -17,7 +17,7 @@ struct Placement {
   std::optional<double> longest_side_m;
   // Metres for a unit of the file; ignored if `longest_side_m` is given.
   double scale = 1.0;
-  // From the file's axes to the world's.
+  // The rotation from the file's axes to the world's.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   // The place of the object's centre in the world, m.
   Vec3 position_m = Vec3::Zero();
