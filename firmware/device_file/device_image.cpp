@@ -12,7 +12,7 @@ namespace {
 
 using Refused = std::unexpected<DeviceError>;
 
-Refused refuse(std::string_view what, std::size_t section = 0, std::string_view key = {}) {
+Refused refuse_image(std::string_view what, std::size_t section = 0, std::string_view key = {}) {
   return Refused(DeviceError{what, section, key});
 }
 
@@ -24,27 +24,27 @@ std::expected<std::span<const std::byte>, DeviceError> payload_of(
     std::span<const std::byte> image) {
   rendering::ImageHeader header;
   if (reinterpret_cast<std::uintptr_t>(image.data()) % rendering::kImageAlignment != 0) {
-    return refuse("the image must lie at an address that is a multiple of 16");
+    return refuse_image("the image must lie at an address that is a multiple of 16");
   }
   if (image.size() < sizeof(header)) {
-    return refuse("the file is too short for a device image; bake it again");
+    return refuse_image("the file is too short for a device image; bake it again");
   }
   std::memcpy(&header, image.data(), sizeof(header));
   if (header.magic == rendering::kImageMagic) {
-    return refuse("this is a scene image; give the image of a device");
+    return refuse_image("this is a scene image; give the image of a device");
   }
   if (header.magic != kDeviceMagic) {
-    return refuse("this is no device image; bake device.toml and give its output");
+    return refuse_image("this is no device image; bake device.toml and give its output");
   }
   if (header.version != kDeviceFormatVersion) {
-    return refuse("the image is of another version of this program; bake it again");
+    return refuse_image("the image is of another version of this program; bake it again");
   }
   const auto payload = image.subspan(sizeof(header));
   if (payload.size() != header.payload_bytes) {
-    return refuse("the file is cut short or has something after its end; bake it again");
+    return refuse_image("the file is cut short or has something after its end; bake it again");
   }
   if (rendering::image_checksum(header, payload) != header.checksum) {
-    return refuse("the file is damaged: its checksum is wrong; bake it again");
+    return refuse_image("the file is damaged: its checksum is wrong; bake it again");
   }
   return payload;
 }
@@ -91,23 +91,23 @@ std::expected<void, DeviceError> open_device_image(std::span<const std::byte> im
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(payload->data());
   flatbuffers::Verifier verifier(bytes, payload->size());
   if (!image::VerifyDeviceBuffer(verifier)) {
-    return refuse("the image is malformed; bake it again");
+    return refuse_image("the image is malformed; bake it again");
   }
   const auto& stored = *image::GetDevice(bytes)->sections();
   if (stored.size() > kMaxSections) {
-    return refuse("too many sections");
+    return refuse_image("too many sections");
   }
   for (const image::Section* section : stored) {
     DeviceSection& out = sections.sections[sections.count];
     out = {};
     out.kind = view(section->kind());
     if (section->settings()->size() > kMaxSettings) {
-      return refuse("too many settings", sections.count);
+      return refuse_image("too many settings", sections.count);
     }
     for (const image::Setting* setting : *section->settings()) {
       const auto wrong = read_setting(*setting, out.settings[out.setting_count]);
       if (!wrong.empty()) {
-        return refuse(wrong, sections.count, out.settings[out.setting_count].key);
+        return refuse_image(wrong, sections.count, out.settings[out.setting_count].key);
       }
       ++out.setting_count;
     }

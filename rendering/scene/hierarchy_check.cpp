@@ -56,10 +56,6 @@ class Walk {
     std::uint32_t level = 0;
   };
 
-  static Result fail(SceneFault fault, std::size_t node) {
-    return std::unexpected(SceneError{.fault = fault, .place = node});
-  }
-
   void push(std::uint32_t node, std::uint32_t level) { open_[open_count_++] = {node, level}; }
 
   // Checks a leaf: its triangles are the next ones in order, and its box holds their vertices.

@@ -12,10 +12,6 @@ namespace {
 
 using Result = std::expected<void, SceneError>;
 
-Result fail(SceneFault fault, std::size_t place = 0) {
-  return std::unexpected(SceneError{.fault = fault, .place = place});
-}
-
 bool has_finite_coordinates(const Float3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }

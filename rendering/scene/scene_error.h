@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <expected>
 #include <string_view>
 
 #include "rendering/objects/object.h"
@@ -74,6 +75,11 @@ struct SceneError {
   // The name of an unknown effect law; empty for every other fault.
   FaultName name;
 };
+
+// Returns the error of that fault at that place, as the result of a function that found it.
+inline std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
+  return std::unexpected(SceneError{.fault = fault, .place = place});
+}
 
 // Returns the fault and its remedy as text, without the place.
 std::string_view describe(SceneFault fault);

@@ -16,10 +16,6 @@ namespace {
 
 using Result = std::expected<void, SceneError>;
 
-std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
-  return std::unexpected(SceneError{.fault = fault, .place = place});
-}
-
 // The types of the image are used in place, so their layouts must be those of the schema.
 // in_place() compares the sizes; these are the offsets that padding could move.
 static_assert(offsetof(BvhNode, first) == 12 && offsetof(BvhNode, upper) == 16 &&

@@ -7,10 +7,6 @@ namespace {
 
 using Result = std::expected<void, SceneError>;
 
-std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
-  return std::unexpected(SceneError{.fault = fault, .place = place});
-}
-
 static_assert(sizeof(Instruction) == sizeof(image::Instruction) && offsetof(Instruction, a) == 2 &&
               offsetof(Instruction, exponent) == 6 && offsetof(Instruction, constant) == 8);
 

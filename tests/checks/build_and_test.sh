@@ -11,4 +11,4 @@ if [[ -n "${TACTUS_SOAK:-}" ]]; then ticks=$((ticks * 100)); fi
 export TACTUS_PROPERTY_TICKS="$ticks"
 
 "$here/build.sh" "$@"
-"$here/ctest.sh" "$1"
+"$here/ctest.sh" "$1" --label-exclude '^fuzz$'

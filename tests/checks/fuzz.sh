@@ -6,6 +6,6 @@ here="$(dirname "${BASH_SOURCE[0]}")"
 
 seconds=15
 if [[ -n "${TACTUS_SOAK:-}" ]]; then seconds=600; fi
-cmake --preset fuzz -D "TACTUS_FUZZ_SECONDS=${TACTUS_FUZZ_SECONDS:-$seconds}"
-"$here/build.sh" fuzz fuzz_programs
-"$here/ctest.sh" fuzz
+cmake --preset asan-ubsan -D "TACTUS_FUZZ_SECONDS=${TACTUS_FUZZ_SECONDS:-$seconds}"
+"$here/build.sh" asan-ubsan fuzz_programs
+"$here/ctest.sh" asan-ubsan --label-regex '^fuzz$'

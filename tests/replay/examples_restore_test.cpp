@@ -19,7 +19,7 @@ namespace {
 using RestoreOfExamples = FolderTest;
 
 TEST_F(RestoreOfExamples, GoesOnAlike) {
-  constexpr std::size_t kTicksAScene = 4'000;
+  constexpr std::size_t kTicksARestore = 4'000;
   const std::filesystem::path examples = TACTUS_EXAMPLES;
   std::uint64_t seed = 800;
   for (const char* name : kExampleScenes) {
@@ -30,7 +30,7 @@ TEST_F(RestoreOfExamples, GoesOnAlike) {
     RestoreTally tally;
     ASSERT_NO_FATAL_FAILURE(expect_restores_go_on_alike(
         {.objects = scene.image().objects(), .world = rendering::world_of(scene.image())}, seed++,
-        std::max(kTicksAScene, share_of(kTicksAScene)), tally));
+        std::max(kTicksARestore, share_of(kTicksAScene)), tally));
     std::printf("%s: %zu restores, %zu of %zu ticks in contact; %zu bytes at most\n", name,
                 tally.restores, tally.contacts, tally.ticks, tally.most_bytes);
     EXPECT_GT(tally.contacts, 0U);

@@ -152,9 +152,9 @@ std::string advice_on(const firmware::DeviceSections& sections, std::size_t sect
                 setting.type == device_image::ValueType::numbers);
 }
 
-[[noreturn]] void explain(std::span<const WrittenSection> written,
-                          const firmware::DeviceSections& sections,
-                          const firmware::DeviceError& error) {
+[[noreturn]] void throw_explained(std::span<const WrittenSection> written,
+                                  const firmware::DeviceSections& sections,
+                                  const firmware::DeviceError& error) {
   const WrittenSection& section = written[std::min(error.section, written.size() - 1)];
   const auto setting = std::ranges::find(section.settings, error.key, &WrittenSetting::key);
   if (setting == section.settings.end()) {
@@ -181,7 +181,7 @@ std::vector<std::byte> write_checked(std::span<const WrittenSection> written) {
     outcome = firmware::read_device(sections, config);
   }
   if (!outcome) {
-    explain(written, sections, outcome.error());
+    throw_explained(written, sections, outcome.error());
   }
   return bytes;
 }

@@ -24,7 +24,7 @@ rendering::Touch spring_at(const Vec3& p_W, double stiffness_N_per_m) {
 // A spring held from tick to tick gives K dx^2 / 2 a step, in and out alike: the closed form of the
 // sampled wall's energy. The spring itself gives back what it took.
 TEST(EnergyAccount, ASampledSpringsSurplusIsDelayAndNothingElse) {
-  constexpr double kStiffness = 800.0;
+  constexpr double kWallStiffness = 800.0;
   EnergyAccount account;
   account.restart();
   double squares = 0.0;
@@ -32,22 +32,22 @@ TEST(EnergyAccount, ASampledSpringsSurplusIsDelayAndNothingElse) {
   double given = 0.0;
   for (int tick = 0; tick <= 200; ++tick) {
     const double x = 0.004 * std::sin(M_PI * tick / 200.0);
-    const rendering::Touch touch = spring_at({x, 0.0, 0.0}, kStiffness);
+    const rendering::Touch touch = spring_at({x, 0.0, 0.0}, kWallStiffness);
     given += account.settle({x, 0.0, 0.0}, touch, kStep_s).given_J;
     account.hold(touch.force_W);
     squares += (x - before) * (x - before);
     before = x;
   }
-  EXPECT_NEAR(of(account, EnergySource::delay), 0.5 * kStiffness * squares, 1e-12);
+  EXPECT_NEAR(of(account, EnergySource::delay), 0.5 * kWallStiffness * squares, 1e-12);
   EXPECT_NEAR(of(account, EnergySource::contact), 0.0, 1e-12);
-  EXPECT_NEAR(given, 0.5 * kStiffness * squares, 1e-12);
+  EXPECT_NEAR(given, 0.5 * kWallStiffness * squares, 1e-12);
   EXPECT_EQ(account.most_giving(), EnergySource::delay);
 }
 
 // At a steady speed a spring held for a tick and late by d gives K v^2 T (T / 2 + d) more a tick
 // than it takes.
 TEST(EnergyAccount, ADeviceThatAnswersLateGivesWhatTheDelayMakes) {
-  constexpr double kStiffness = 800.0;
+  constexpr double kWallStiffness = 800.0;
   constexpr double kWay = 1e-4;
   for (const double delay_ticks : {0.0, 0.5, 1.0, 1.5, 4.25, 8.0}) {
     ControllerConfig config;
@@ -58,15 +58,15 @@ TEST(EnergyAccount, ADeviceThatAnswersLateGivesWhatTheDelayMakes) {
     double instant = 0.0;
     for (int tick = 0; tick <= 120; ++tick) {
       const double x = kWay * tick;
-      const rendering::Touch touch = spring_at({x, 0.0, 0.0}, kStiffness);
+      const rendering::Touch touch = spring_at({x, 0.0, 0.0}, kWallStiffness);
       const TickEnergy energy = account.settle({x, 0.0, 0.0}, touch, kStep_s);
       account.hold(touch.force_W);
       if (tick > 20) {
         given += energy.given_J;
-        instant -= kStiffness * (x - 0.5 * kWay) * kWay;
+        instant -= kWallStiffness * (x - 0.5 * kWay) * kWay;
       }
     }
-    EXPECT_NEAR(given - instant, 100.0 * kStiffness * kWay * kWay * (0.5 + delay_ticks), 1e-12);
+    EXPECT_NEAR(given - instant, 100.0 * kWallStiffness * kWay * kWay * (0.5 + delay_ticks), 1e-12);
   }
 }
 

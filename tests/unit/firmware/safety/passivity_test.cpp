@@ -21,7 +21,7 @@ ControllerConfig bare_config(double device_damping, double most_damping) {
 // leaves, over what it came with.
 double bounce(const ControllerConfig& config) {
   constexpr double kMass = 0.1;
-  constexpr double kStiffness = 2000.0;
+  constexpr double kWallStiffness = 2000.0;
   constexpr double kTick_s = 0.001;
   EnergyAccount account;
   PassivityControl control;
@@ -33,7 +33,7 @@ double bounce(const ControllerConfig& config) {
     rendering::Touch touch;
     const bool in_contact = x < 0.0;
     touched = touched || in_contact;
-    touch.force_W = {in_contact ? -kStiffness * x : 0.0, 0.0, 0.0};
+    touch.force_W = {in_contact ? -kWallStiffness * x : 0.0, 0.0, 0.0};
     const Vec3 p{x, 0.0, 0.0};
     control.observe(account.settle(p, touch, kTick_s), in_contact);
     const Vec3 force = touch.force_W + control.damp_W({v, 0.0, 0.0}, in_contact);

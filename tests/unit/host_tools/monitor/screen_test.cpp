@@ -1,5 +1,5 @@
 // The screens in screens/ are what a person has looked at and found right. To make them anew after
-// a change of the layout: TACTUS_WRITE_SCREENS=1 build/release/tests/host_monitor_test, and look.
+// a change of the layout: TACTUS_WRITE_SCREENS=1 build/release/tests/host_tools_tests, and look.
 #include "host_tools/monitor/screen.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr double kStep_s = 1e-4;
+constexpr double kPlantStep_s = 1e-4;
 constexpr JointEfforts kNoEffort{};
 
 PlantParameters smooth_plant() {
@@ -33,8 +33,8 @@ TEST(Plant, FreeMassAcceleratesAndSettlesWithItsViscousTimeConstant) {
   Plant plant(smooth_plant());
   const double tau_s = 0.1 / 0.5;
   for (int k = 1; k <= 10000; ++k) {
-    plant.step({2.0, 0.0, 0.0}, Grip{}, kStep_s);
-    const double t = k * kStep_s;
+    plant.step({2.0, 0.0, 0.0}, Grip{}, kPlantStep_s);
+    const double t = k * kPlantStep_s;
     ASSERT_NEAR(plant.v_B().x(), 4.0 * (1.0 - std::exp(-t / tau_s)), 1e-6);
   }
 }
@@ -42,12 +42,12 @@ TEST(Plant, FreeMassAcceleratesAndSettlesWithItsViscousTimeConstant) {
 TEST(Plant, CoastsByMassTimesVelocityOverViscosity) {
   Plant plant(smooth_plant());
   for (int k = 0; k < 100; ++k) {
-    plant.step({1.0, 0.0, 0.0}, Grip{}, kStep_s);
+    plant.step({1.0, 0.0, 0.0}, Grip{}, kPlantStep_s);
   }
   const double start_m = plant.p_B().x();
   const double speed = plant.v_B().x();
   for (int k = 0; k < 100000; ++k) {
-    plant.step(kNoEffort, Grip{}, kStep_s);
+    plant.step(kNoEffort, Grip{}, kPlantStep_s);
   }
   EXPECT_NEAR(plant.p_B().x() - start_m, 0.1 * speed / 0.5, 1e-12);
 }
@@ -61,11 +61,11 @@ TEST(Plant, SwingsInTheHandsSpringAtTheUndampedFrequency) {
   double last_crossing_s = 0.0;
   double before = -0.01;
   for (int k = 1; k <= 200000; ++k) {
-    plant.step(kNoEffort, grip, kStep_s);
+    plant.step(kNoEffort, grip, kPlantStep_s);
     const double now = plant.p_B().x() - 0.01;
     if (before < 0.0 && now >= 0.0) {
       ++crossings;
-      last_crossing_s = kStep_s * (k - now / (now - before));
+      last_crossing_s = kPlantStep_s * (k - now / (now - before));
     }
     before = now;
   }
@@ -84,7 +84,7 @@ TEST(Plant, RestsWhereTheHandsSpringBalancesTheMotor) {
   Plant plant(smooth_plant());
   const Grip grip{.mass_kg = 0.1, .stiffness_N_per_m = 300.0, .damping_Ns_per_m = 5.0};
   for (int k = 0; k < 50000; ++k) {
-    plant.step({0.6, -0.3, 0.0}, grip, kStep_s);
+    plant.step({0.6, -0.3, 0.0}, grip, kPlantStep_s);
   }
   EXPECT_LT((plant.p_B() - Vec3(0.002, -0.001, 0.0)).norm(), 1e-9);
 }
@@ -97,8 +97,8 @@ TEST(Plant, FrictionHoldsBelowBreakAwayAndYieldsAbove) {
   Plant moved(parameters);
   for (int k = 0; k < 20000; ++k) {
     const double ramp = std::min(1.0, k / 10000.0);
-    held.step({0.7 * break_away * ramp, 0.0, 0.0}, Grip{}, kStep_s);
-    moved.step({1.3 * break_away * ramp, 0.0, 0.0}, Grip{}, kStep_s);
+    held.step({0.7 * break_away * ramp, 0.0, 0.0}, Grip{}, kPlantStep_s);
+    moved.step({1.3 * break_away * ramp, 0.0, 0.0}, Grip{}, kPlantStep_s);
   }
   EXPECT_LT(std::abs(held.p_B().x()), 10.0 * give_m);
   EXPECT_LT(std::abs(held.v_B().x()), 1e-3);
@@ -112,10 +112,11 @@ TEST(Plant, KineticEnergyIsTheSumOfTheLedger) {
     const double effort = 0.1 * preset.device.effort_limit;
     Grip grip{.mass_kg = 0.1, .stiffness_N_per_m = 300.0, .damping_Ns_per_m = 5.0};
     for (int k = 0; k < 20000; ++k) {
-      const double t = k * kStep_s;
+      const double t = k * kPlantStep_s;
       grip.wish_p_B =
           preset.centre_B + Vec3(0.03 * std::sin(9.0 * t), 0.02 * std::sin(7.0 * t), 0.0);
-      plant.step({effort * std::sin(20.0 * t), -effort * std::cos(31.0 * t), 0.0}, grip, kStep_s);
+      plant.step({effort * std::sin(20.0 * t), -effort * std::cos(31.0 * t), 0.0}, grip,
+                 kPlantStep_s);
     }
     const double mass = preset.device.plant.moving_mass_kg + 0.1;
     const EnergyLedger& ledger = plant.ledger();
@@ -146,7 +147,7 @@ TEST(Plant, LeftAloneItNeverGainsEnergy) {
     double lowest_J = first_J;
     double worst_gain_J = 0.0;
     for (int k = 0; k < 50000; ++k) {
-      plant.step(kNoEffort, grip, kStep_s);
+      plant.step(kNoEffort, grip, kPlantStep_s);
       worst_gain_J = std::max(worst_gain_J, energy_J() - lowest_J);
       lowest_J = std::min(lowest_J, energy_J());
     }
@@ -172,13 +173,13 @@ TEST(Plant, APaddleSwingsAsAPendulum) {
   double last_crossing_s = 0.0;
   double before_m = plant.p_B().x();
   for (int k = 1; k <= 30000; ++k) {
-    plant.step(kNoEffort, Grip{}, kStep_s);
+    plant.step(kNoEffort, Grip{}, kPlantStep_s);
     ASSERT_NEAR(plant.p_B().norm(), radius_m, 1e-15);
     ASSERT_NEAR(plant.v_B().dot(plant.p_B()), 0.0, 1e-15);
     const double now_m = plant.p_B().x();
     if (before_m > 0.0 && now_m <= 0.0) {
       ++crossings;
-      last_crossing_s = kStep_s * (k - now_m / (now_m - before_m));
+      last_crossing_s = kPlantStep_s * (k - now_m / (now_m - before_m));
     }
     before_m = now_m;
   }
@@ -193,7 +194,7 @@ TEST(Plant, AForceAcrossItsPlaneDoesNotMoveAPantograph) {
   plant.place({0.01, 0.0, 0.075});
   const Grip grip{.stiffness_N_per_m = 300.0, .wish_p_B = {0.01, 0.05, 0.075}};
   for (int k = 0; k < 1000; ++k) {
-    plant.step(kNoEffort, grip, kStep_s);
+    plant.step(kNoEffort, grip, kPlantStep_s);
   }
   EXPECT_EQ(plant.p_B(), Vec3(0.01, 0.0, 0.075));
 }
@@ -211,9 +212,9 @@ TEST(Plant, AWeightedArmFallsWithItsOwnMoments) {
   constexpr double kG = 9.80665;
   const JointEfforts holding = {0.0, kG * (0.17 * 0.051 + 0.11 * 0.205),
                                 kG * 0.11 * 0.091 * std::sin(std::numbers::pi / 4.0)};
-  plant.step(holding, Grip{}, kStep_s);
+  plant.step(holding, Grip{}, kPlantStep_s);
   EXPECT_LT(plant.v_B().norm(), 1e-12);
-  plant.step(kNoEffort, Grip{}, kStep_s);
+  plant.step(kNoEffort, Grip{}, kPlantStep_s);
   EXPECT_LT(plant.v_B().y(), -1e-4);
 }
 
@@ -221,7 +222,7 @@ TEST(Plant, StopsHoldTheHandleNearTheBox) {
   PlantParameters parameters = cartesian_preset().device.plant;
   Plant plant(parameters);
   for (int k = 0; k < 20000; ++k) {
-    plant.step({10.0, 0.0, 0.0}, Grip{}, kStep_s);
+    plant.step({10.0, 0.0, 0.0}, Grip{}, kPlantStep_s);
   }
   EXPECT_NEAR(plant.p_B().x(), 0.12 + 10.0 / 20e3, 1e-5);
 }

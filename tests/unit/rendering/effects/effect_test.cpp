@@ -48,9 +48,9 @@ std::vector<EffectLaw> all_laws() {
 }
 
 // A smooth wandering of a hand within about 3 cm: sums of slow sines at random.
-class Hand {
+class WanderingHand {
  public:
-  explicit Hand(std::uint64_t seed) {
+  explicit WanderingHand(std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> size(-0.01, 0.01);
     std::uniform_real_distribution<double> rate(1.0, 25.0);
@@ -207,7 +207,7 @@ TEST(Effect, NoForceIsEverLargerThanItsBound) {
 TEST(Effect, TheAccountIsTheSumOfHeldForceTimesWay) {
   for (const EffectLaw& law : all_laws()) {
     const Effect effect{.law = law, .max_force_N = 5.0};
-    const Hand hand(91);
+    const WanderingHand hand(91);
     EffectState state;
     double sum = 0.0;
     Vec3 held = Vec3::Zero();
@@ -237,7 +237,7 @@ TEST(Effect, AConservativeLawDeliversWhatItStored) {
   for (const double max_force_N : {0.4, 50.0}) {
     for (const EffectLaw& law : laws) {
       const Effect effect{.law = law, .max_force_N = max_force_N};
-      const Hand hand(101);
+      const WanderingHand hand(101);
       EffectState state;
       double stored_at_start = 0.0;
       double sampling = 1e-9;  // the laws' steepest is 520 N/m
@@ -267,7 +267,7 @@ TEST(Effect, APassiveLawNeverDeliversMoreThanItStored) {
     for (const double max_force_N : {0.3, 50.0}) {
       for (const EffectLaw& law : laws) {
         const Effect effect{.law = law, .max_force_N = max_force_N};
-        const Hand hand(seed);
+        const WanderingHand hand(seed);
         EffectState state;
         double stored_at_start = 0.0;
         // The energy error of forces that are held for a tick, if the bound leaves no room for the
@@ -295,7 +295,7 @@ TEST(Effect, APassiveLawNeverDeliversMoreThanItStored) {
 TEST(Effect, StickSlipAlwaysTakesEnergyOnARoundTrip) {
   const Effect effect{.law = StickSlip{.stiffness_N_per_m = 500.0, .break_force_N = 1.0},
                       .max_force_N = 5.0};
-  const Hand hand(7);
+  const WanderingHand hand(7);
   EffectState state;
   for (int i = 0; i < 20'000; ++i) {
     const ToolState tool = hand.at(i * 1e-4);
@@ -335,19 +335,19 @@ TEST(Effect, IsNowhereStifferThanItSays) {
 }
 
 TEST(Effect, RefusesWhatCannotBeFelt) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const auto ok = [](const EffectLaw& law) { return valid({.law = law, .max_force_N = 1.0}); };
   for (const EffectLaw& law : all_laws()) {
     EXPECT_TRUE(ok(law)) << law.index();
     EXPECT_FALSE(valid({.law = law, .max_force_N = 0.0}));
-    EXPECT_FALSE(valid({.law = law, .max_force_N = kNaN}));
+    EXPECT_FALSE(valid({.law = law, .max_force_N = kNotANumber}));
   }
   EXPECT_FALSE(ok(Spring{.stiffness_N_per_m = -1.0}));
-  EXPECT_FALSE(ok(SpringDamper{.damping_Ns_per_m = kNaN}));
+  EXPECT_FALSE(ok(SpringDamper{.damping_Ns_per_m = kNotANumber}));
   EXPECT_FALSE(ok(FluidDrag{.volume = pool(), .rim_m = -0.1}));
   EXPECT_FALSE(ok(FluidDrag{.volume = {.kind = PrimitiveKind::sphere}}));
   EXPECT_FALSE(ok(Magnet{.core_m = 0.0}));
-  EXPECT_FALSE(ok(ConstantField{.force_W = {kNaN, 0, 0}}));
+  EXPECT_FALSE(ok(ConstantField{.force_W = {kNotANumber, 0, 0}}));
   EXPECT_FALSE(ok(Vibration{.direction_W = {1, 1, 0}}));
   EXPECT_FALSE(ok(Vibration{.frequency_Hz = -1.0}));
   EXPECT_FALSE(ok(StickSlip{}));

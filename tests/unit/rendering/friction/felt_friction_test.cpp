@@ -89,9 +89,9 @@ std::vector<NamedFriction> all_but_the_cone() {
 }
 
 // Strokes that start, stop, turn and press more and less.
-class Stroke {
+class UnevenStroke {
  public:
-  Stroke(std::uint64_t seed, double radius_m) : random_(seed), radius_m_(radius_m) {}
+  UnevenStroke(std::uint64_t seed, double radius_m) : random_(seed), radius_m_(radius_m) {}
 
   Vec3 next() {
     velocity_ += 0.02 * Vec3(bell_(random_), 0.0, bell_(random_));
@@ -118,7 +118,7 @@ TEST_P(FeltModel, TheProxyLagsByTheModelsForceOverTheStiffness) {
   for (const Plate& plate : plates(friction)) {
     SCOPED_TRACE(plate.name + ", seed 401");
     take(plate);
-    Stroke stroke(kStrokeSeed, plate.radius_m);
+    UnevenStroke stroke(kStrokeSeed, plate.radius_m);
     FrictionMemory<Vec3> memory;
     Vec3 last = Vec3::Zero();
     for (int tick = 0; tick < 2000; ++tick) {
@@ -180,7 +180,7 @@ TEST_F(FeltFrictionLimits, CoulombFrictionIsTheConeOfEqualCoefficients) {
     SCOPED_TRACE(modelled[k].name + ", seed 402");
     take(modelled[k]);
     ASSERT_TRUE(cone_world->set_scene({&coned[k].object, 1}, {.tool_radius_m = coned[k].radius_m}));
-    Stroke stroke(402, modelled[k].radius_m);
+    UnevenStroke stroke(402, modelled[k].radius_m);
     // The cone holds the point where it came in, a model starts without force: so both start in
     // the same place.
     const Vec3 start(0.0, modelled[k].radius_m + 0.001, 0.0);

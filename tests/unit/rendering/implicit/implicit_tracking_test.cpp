@@ -256,9 +256,9 @@ TEST(ImplicitTracking, SurvivesAToolThatIsNotANumberOrBeyondTheWorld) {
   ImplicitTracker tracker;
   tracker.place({0.0, 0.04, 0.0});
   const ImplicitRest good = tracker.advance(sphere.surface, kNoFriction, {0.0, 0.028, 0.0});
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {kNaN, kInfinity, -kInfinity, 1e6}) {
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  for (const double bad : {kNotANumber, kEndless, -kEndless, 1e6}) {
     const ImplicitRest rest = tracker.advance(sphere.surface, kNoFriction, {0.0, bad, 0.0});
     EXPECT_EQ(rest.flags, kTouchToolInvalid);
     EXPECT_EQ(rest.planes, 0);

@@ -16,7 +16,7 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoFloat = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kFarAway = 0x7fffffff;
 
 SceneError error_of(const host::BakedScene& scene) {
@@ -37,7 +37,8 @@ SceneError error_after(Change change) {
 }
 
 TEST(HostileImage, WithAVertexThatIsNotFiniteIsRefused) {
-  const SceneError error = error_after([](host::BakedMesh& mesh) { mesh.vertices[2].y = kNaN; });
+  const SceneError error =
+      error_after([](host::BakedMesh& mesh) { mesh.vertices[2].y = kNoFloat; });
   EXPECT_EQ(error.fault, SceneFault::vertex_not_finite);
   EXPECT_EQ(error.place, 2U);
 }
@@ -100,7 +101,7 @@ TEST(HostileImage, WithABoxThatIsTooSmallOrNotFiniteIsRefused) {
               mesh.nodes[0].upper.x = std::nextafter(mesh.nodes[0].upper.x, 0.0F);
             }).fault,
             SceneFault::hierarchy_box);
-  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].lower.z = kNaN; }).fault,
+  EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].lower.z = kNoFloat; }).fault,
             SceneFault::hierarchy_box);
   EXPECT_EQ(error_after([](host::BakedMesh& mesh) { mesh.nodes[0].lower.y = -INFINITY; }).fault,
             SceneFault::hierarchy_box);
@@ -148,7 +149,7 @@ TEST(HostileImage, WithTooFewCornerNormalsOrPlacesIsRefused) {
 }
 
 TEST(HostileImage, WithATexturePlaceOutOfRangeIsRefused) {
-  for (const float bad : {kNaN, INFINITY, -2e6F}) {
+  for (const float bad : {kNoFloat, INFINITY, -2e6F}) {
     const SceneError error = error_after([&](host::BakedMesh& mesh) {
       mesh.corner_places.resize(mesh.triangles.size());
       mesh.corner_places[2][1][0] = bad;

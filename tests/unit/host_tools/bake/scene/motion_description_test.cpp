@@ -15,7 +15,7 @@ namespace {
 using rendering::Touch;
 using rendering::World;
 
-const std::string kBall = "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.03\n";
+const std::string kStillBall = "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.03\n";
 const std::string kMesh = "[[object]]\nmesh = \"a.off\"\n";
 
 host::MotionDescription motion_of(const std::string& text) {
@@ -27,10 +27,10 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(MotionDescription, StandsStillUnlessToldToMove) {
-  EXPECT_FALSE(motion_of(kBall).moves);
-  EXPECT_FALSE(motion_of(kBall).deforms);
-  EXPECT_FALSE(motion_of(kBall).motion.has_value());
-  EXPECT_TRUE(motion_of(kBall + "moves = true\n").moves);
+  EXPECT_FALSE(motion_of(kStillBall).moves);
+  EXPECT_FALSE(motion_of(kStillBall).deforms);
+  EXPECT_FALSE(motion_of(kStillBall).motion.has_value());
+  EXPECT_TRUE(motion_of(kStillBall + "moves = true\n").moves);
   EXPECT_TRUE(motion_of(kMesh + "deforms = true\n").deforms);
 }
 
@@ -52,29 +52,29 @@ TEST(MotionDescription, TakesEveryKey) {
   EXPECT_EQ(moving.motion->wave_Hz, 1.5);
   EXPECT_EQ(moving.motion->wave_per_m, Vec3(10, 0, 5));
   const auto turning =
-      motion_of(kBall + "motion = { spin_rad_per_s = [0, 1, 0], pivot_m = [1, 0, 0] }\n");
+      motion_of(kStillBall + "motion = { spin_rad_per_s = [0, 1, 0], pivot_m = [1, 0, 0] }\n");
   EXPECT_EQ(turning.motion->pivot_W, Vec3(1, 0, 0));
 }
 
 TEST(MotionDescription, RefusesWhatCannotBe) {
-  EXPECT_TRUE(contains(error_of(kBall + "deforms = true\n"), "only a mesh"));
+  EXPECT_TRUE(contains(error_of(kStillBall + "deforms = true\n"), "only a mesh"));
   EXPECT_TRUE(contains(error_of(kMesh + "contact = \"feature_walk\"\ndeforms = true\n"),
                        "folder/scene.toml:4: object 1: only a mesh with contact"));
   EXPECT_TRUE(contains(error_of(kMesh + "motion = { wave_m = 0.001 }\n"), "deforms = true"));
-  EXPECT_TRUE(contains(error_of(kBall + "motion = { sway_m = [0.1, 0, 0] }\n"), "sway_hz"));
-  EXPECT_TRUE(contains(error_of(kBall + "motion = { sway_m = [101, 0, 0], sway_hz = 1 }\n"),
+  EXPECT_TRUE(contains(error_of(kStillBall + "motion = { sway_m = [0.1, 0, 0] }\n"), "sway_hz"));
+  EXPECT_TRUE(contains(error_of(kStillBall + "motion = { sway_m = [101, 0, 0], sway_hz = 1 }\n"),
                        "above 100 m"));
-  EXPECT_TRUE(
-      contains(error_of(kBall + "moves = false\nmotion = { sway_hz = 1, sway_m = [0, 0, 0] }\n"),
-               "moves is false"));
-  EXPECT_TRUE(
-      contains(error_of(kBall + "motion = { spin_deg_per_s = [0, 1, 0] }\n"), "spin_rad_per_s"));
+  EXPECT_TRUE(contains(
+      error_of(kStillBall + "moves = false\nmotion = { sway_hz = 1, sway_m = [0, 0, 0] }\n"),
+      "moves is false"));
+  EXPECT_TRUE(contains(error_of(kStillBall + "motion = { spin_deg_per_s = [0, 1, 0] }\n"),
+                       "spin_rad_per_s"));
 }
 
 TEST(MotionDescription, IsFeltInTheWorld) {
   const TemporaryFolder folder;
   const auto scene_file =
-      folder.write("scene.toml", "[tool]\nradius_m = 0.0\n" + kBall +
+      folder.write("scene.toml", "[tool]\nradius_m = 0.0\n" + kStillBall +
                                      "motion = { velocity_m_per_s = [0.0, 0.1, 0.0] }\n");
   host::bake_file(scene_file, folder.path() / "scene.tactus");
   const host::MappedScene scene(folder.path() / "scene.tactus");

@@ -20,7 +20,7 @@ using rendering::Touch;
 using rendering::World;
 
 // The touch of a point tool that goes straight to each place in turn.
-Touch press(const MappedScene& scene, const std::vector<Vec3>& places) {
+Touch walk_to(const MappedScene& scene, const std::vector<Vec3>& places) {
   const auto world = std::make_unique<World>();
   EXPECT_TRUE(world->set_scene(scene.image().objects(), {.tool_radius_m = 0.0}));
   Touch touch;
@@ -48,7 +48,7 @@ TEST_F(ShapeScene, APrimitiveHoldsTheToolAtItsSurface) {
   const MappedScene scene = baked(
       "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.03\nposition_m = [0.1, 0.0, 0.0]\n"
       "stiffness_N_per_m = 1000.0\n");
-  const Touch touch = press(scene, {{0.1, 0.05, 0.0}, {0.1, 0.028, 0.0}});
+  const Touch touch = walk_to(scene, {{0.1, 0.05, 0.0}, {0.1, 0.028, 0.0}});
   EXPECT_NEAR(touch.depth_m, 0.002, 1e-6);
   EXPECT_NEAR(touch.force_W.y(), 2.0, 1e-3);
 }
@@ -58,12 +58,12 @@ TEST_F(ShapeScene, APrimitiveAndAMeshlessFormulaOfTheSameSphereFeelAlike) {
       "[[object]]\nformula = \"x^2 + y^2 + z^2 - 1\"\nscale = 0.03\nstiffness_N_per_m = 1000.0\n"
       "friction = { static = 0.0 }\n");
   EXPECT_EQ(scene.image().objects()[0].surface, SurfaceKind::implicit);
-  const Touch touch = press(scene, {{0.0, 0.05, 0.0},
-                                    {0.0, 0.028, 0.0},
-                                    {0.004, 0.028, 0.0},
-                                    {0.004, 0.028, 0.0},
-                                    {0.004, 0.028, 0.0},
-                                    {0.004, 0.028, 0.0}});
+  const Touch touch = walk_to(scene, {{0.0, 0.05, 0.0},
+                                      {0.0, 0.028, 0.0},
+                                      {0.004, 0.028, 0.0},
+                                      {0.004, 0.028, 0.0},
+                                      {0.004, 0.028, 0.0},
+                                      {0.004, 0.028, 0.0}});
   const Vec3 expected = 0.03 * Vec3(0.004, 0.028, 0.0).normalized();
   EXPECT_LT((touch.proxy_W - expected).norm(), 1e-6);
 }
@@ -72,8 +72,8 @@ TEST_F(ShapeScene, APotentialFieldPopsThroughAThinPlateWhereAProxyHolds) {
   const std::string plate =
       "[[object]]\nprimitive = \"box\"\nsize_m = [0.1, 0.002, 0.1]\nstiffness_N_per_m = 500.0\n";
   const std::vector<Vec3> way{{0.0, 0.004, 0.0}, {0.0, 0.0002, 0.0}, {0.0, -0.0002, 0.0}};
-  EXPECT_LT(press(baked(plate + "contact = \"potential_field\"\n"), way).force_W.y(), 0.0);
-  EXPECT_GT(press(baked(plate + "contact = \"god_object\"\n"), way).force_W.y(), 0.5);
+  EXPECT_LT(walk_to(baked(plate + "contact = \"potential_field\"\n"), way).force_W.y(), 0.0);
+  EXPECT_GT(walk_to(baked(plate + "contact = \"god_object\"\n"), way).force_W.y(), 0.5);
 }
 
 TEST_F(ShapeScene, AGodObjectHasNoRadius) {
