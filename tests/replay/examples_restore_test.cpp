@@ -30,7 +30,7 @@ TEST_F(RestoreOfExamples, GoesOnAlike) {
     RestoreTally tally;
     ASSERT_NO_FATAL_FAILURE(expect_restores_go_on_alike(
         {.objects = scene.image().objects(), .world = rendering::world_of(scene.image())}, seed++,
-        std::max(kTicksARestore, share_of(kTicksAScene)), tally));
+        std::max(kTicksARestore, share_of(kTicksARestore)), tally));
     std::printf("%s: %zu restores, %zu of %zu ticks in contact; %zu bytes at most\n", name,
                 tally.restores, tally.contacts, tally.ticks, tally.most_bytes);
     EXPECT_GT(tally.contacts, 0U);
