@@ -15,7 +15,7 @@ faults="$(build/release/tests/plant_faults "$list" . "$tree" <<<"$sources")"
 comm -13 <(echo "$sources") <(find "$tree" -type f -printf '%P\n' | sort) | sed "s|^|$tree/|" | xargs -r -d '\n' rm --
 
 root="$PWD/$tree"
-CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true cmake -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++-19 \
+CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true cmake --fresh -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++-19 \
   -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=40 -DTACTUS_TESTS=ON \
   -DCMAKE_CXX_FLAGS="-Wno-error -include $root/tests/mutation/switch.h" -DCMAKE_CXX_FLAGS_RELEASE=-O1 >/dev/null
 mapfile -t programs < <(cut -f2 <<<"$faults" | sort -u)

@@ -91,6 +91,28 @@ TEST_F(RunLoop, DisablesBeforeItEndsWhenToldToStop) {
   EXPECT_FALSE(device_.powered);
 }
 
+// Is told to stop in the very tick that gives the motors power.
+class StopsAsItEnables : public testing::EnablingHooks<void (*)(std::size_t)> {
+ public:
+  explicit StopsAsItEnables(const Controller& controller)
+      : EnablingHooks([](std::size_t) {}), controller_(controller) {}
+
+  [[nodiscard]] bool stopping() const { return controller_.mode() == Mode::ready; }
+
+ private:
+  const Controller& controller_;
+};
+
+TEST_F(RunLoop, ToldToStopInTheTickThatEnablesItDisablesInTheNext) {
+  StopsAsItEnables open(controller_);
+  EXPECT_EQ(run({.phase = loop_phase(1000.0), .ticks = 500}, open), LoopEnd::ended);
+  ASSERT_GE(open.seen.size(), 2U);
+  ASSERT_LT(open.seen.size(), 500U);
+  EXPECT_EQ(open.seen[open.seen.size() - 2].mode, Mode::active);
+  EXPECT_EQ(open.seen.back().mode, Mode::ready);
+  EXPECT_FALSE(device_.powered);
+}
+
 TEST_F(RunLoop, GoesOnWithoutPowerAfterAFaultAndSaysSoAtItsEnd) {
   testing::EnablingHooks open([this](std::size_t tick) {
     device_.next.status = tick == 20 ? drivers::kDeviceDriveFault : drivers::kDeviceOk;
