@@ -12,6 +12,7 @@
 
 #include "firmware/safety/faults.h"
 #include "host_tools/simulation/simulation.h"
+#include "tests/support/rows.h"
 
 namespace tactus::testing {
 namespace {
@@ -177,7 +178,9 @@ TEST(StiffWall, LittleBeyondTheLimitItDoesNotBuzz) {
                                    hand_of(hand).damping_Ns_per_m;
       const double late_s = 0.0005 + firmware::preset_config(device)->safety.device_delay_s;
       for (const double times : {1.1, 1.5, 2.0, 3.0}) {
-        expect_no_lasting_buzz(device, hand, times * held_Ns_per_m / late_s, 0.3);
+        if (is_taken()) {
+          expect_no_lasting_buzz(device, hand, times * held_Ns_per_m / late_s, 0.3);
+        }
       }
     }
   }
@@ -196,6 +199,9 @@ TEST(StiffWall, PressingAndTappingWhatTheHandHoldsIsNoFault) {
   for (const std::string_view device : firmware::kPresetNames) {
     for (const char* hand : {"finger", "pen", "firm"}) {
       for (const double stiffness : {300.0, 800.0, 1500.0}) {
+        if (!is_taken()) {
+          continue;
+        }
         const rendering::Object wall = wall_for(device, stiffness);
         EXPECT_EQ(touch_wall(config_of(device, hand, pressing(device)), wall).faults, 0U)
             << device << ", " << hand << ", " << stiffness << " N/m";

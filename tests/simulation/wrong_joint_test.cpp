@@ -12,7 +12,7 @@
 
 #include "firmware/safety/faults.h"
 #include "host_tools/simulation/simulation.h"
-#include "tests/support/share.h"
+#include "tests/support/rows.h"
 #include "tests/support/solid.h"
 
 namespace tactus::testing {
@@ -171,13 +171,6 @@ std::vector<unsigned> joint_sets(std::string_view preset) {
     sets.push_back((1U << count) - 1U);
   }
   return sets;
-}
-
-// Every press of a table, or one in eight where a sanitizer or emulation makes them slow.
-bool is_taken() {
-  constexpr int kMost = 8;
-  static int count = 0;
-  return count++ % (kMost / part_of(kMost)) == 0;
 }
 
 template <class Check>

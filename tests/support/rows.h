@@ -1,0 +1,15 @@
+// Which rows of a long table of cases a test takes. See share.h for the same of random tests.
+#pragma once
+
+#include "tests/support/share.h"
+
+namespace tactus::testing {
+
+// Returns true for every row, or for one in eight where a sanitizer or emulation makes them slow.
+inline bool is_taken() {
+  constexpr int kMost = 8;
+  static int count = 0;
+  return count++ % (kMost / part_of(kMost)) == 0;
+}
+
+}  // namespace tactus::testing
