@@ -7,7 +7,7 @@
 namespace tactus::drivers::cia402 {
 namespace {
 
-constexpr hal::TimeNs kLong_ns = 1'000'000'000;
+constexpr hal::TimeNs kPastTheTimeout_ns = 1'000'000'000;
 
 class DriveObjectsTest : public ::testing::Test {
  protected:
@@ -42,8 +42,8 @@ TEST_F(DriveObjectsTest, AnotherProfileIsRefused) {
 
 TEST_F(DriveObjectsTest, ASilentDriveIsLost) {
   EXPECT_FALSE(set_up(0).value());
-  EXPECT_FALSE(set_up(kLong_ns).value());
-  const auto progress = set_up(2 * kLong_ns);
+  EXPECT_FALSE(set_up(kPastTheTimeout_ns).value());
+  const auto progress = set_up(2 * kPastTheTimeout_ns);
   ASSERT_FALSE(progress);
   EXPECT_EQ(progress.error().status, kDeviceLost);
 }

@@ -5,17 +5,17 @@
 namespace tactus::drivers {
 namespace {
 
-constexpr Trouble kFirst{.what = "the first fault", .remedy = "reset"};
-constexpr Trouble kSecond{.what = "the second fault", .remedy = "reset", .is_heat = true};
+constexpr Trouble kFirstFault{.what = "the first fault", .remedy = "reset"};
+constexpr Trouble kSecondFault{.what = "the second fault", .remedy = "reset", .is_heat = true};
 
 TEST(FaultLatch, KeepsTheWordsOfTheFirstFaultAndTheBitsOfAll) {
   FaultLatch faults;
   EXPECT_FALSE(faults);
-  faults.latch(kDeviceLost, kFirst);
-  faults.latch(kDeviceDriveFault, kSecond);
+  faults.latch(kDeviceLost, kFirstFault);
+  faults.latch(kDeviceDriveFault, kSecondFault);
   EXPECT_TRUE(faults);
   EXPECT_EQ(faults.status(), kDeviceLost | kDeviceDriveFault | kDeviceTooHot);
-  EXPECT_EQ(faults.trouble().what, kFirst.what);
+  EXPECT_EQ(faults.trouble().what, kFirstFault.what);
   faults.clear();
   EXPECT_FALSE(faults);
   EXPECT_FALSE(faults.trouble());
@@ -23,15 +23,15 @@ TEST(FaultLatch, KeepsTheWordsOfTheFirstFaultAndTheBitsOfAll) {
 
 TEST(FaultLatch, AnExplanationReplacesTheWords) {
   FaultLatch faults;
-  faults.latch(kDeviceDriveFault, kFirst);
-  faults.explain(kSecond);
-  EXPECT_EQ(faults.trouble().what, kSecond.what);
+  faults.latch(kDeviceDriveFault, kFirstFault);
+  faults.explain(kSecondFault);
+  EXPECT_EQ(faults.trouble().what, kSecondFault.what);
   EXPECT_EQ(faults.status(), kDeviceDriveFault | kDeviceTooHot);
 }
 
 TEST(FaultLatch, AHeldFaultIsHeldUntilItIsShownOrCleared) {
   FaultLatch faults;
-  faults.latch(kDeviceLost, kFirst);
+  faults.latch(kDeviceLost, kFirstFault);
   EXPECT_FALSE(faults.is_held());
   faults.hold();
   EXPECT_TRUE(faults.is_held());
