@@ -76,7 +76,7 @@ void Haply::set_up() {
   (void)(send(haply_torques(id, std::span(none).first(config_.axes)), by_ns) &&
          send(haply_reset(id), by_ns) &&
          send(haply_setup(id, std::span(axes).first(config_.axes)), by_ns));
-  settled_ns_ = clock_->now_ns() + kHaplySettling_ns;
+  setup_.settled_ns = clock_->now_ns() + kHaplySettling_ns;
 }
 
 void Haply::clear_faults() {
@@ -103,7 +103,7 @@ void Haply::stop() {
 
 void Haply::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
   this_read_ = {};
-  if (state_ == State::settling && clock_->now_ns() >= settled_ns_) {
+  if (state_ == State::settling && clock_->now_ns() >= setup_.settled_ns) {
     if (const auto discarded = port_->discard_input(); !discarded) {
       lose(discarded.error());
     }

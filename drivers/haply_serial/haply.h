@@ -91,6 +91,8 @@ class Haply {
     // The number of starts, from which the angles of an identity that is asked for differ.
     std::uint32_t starts = 0;
     Identity identity = Identity::asked;
+    // The time from which the board answers.
+    hal::TimeNs settled_ns = 0;
     // The number of answers in a row that say what the setup told.
     std::uint32_t at_home_in_a_row = 0;
     // The board's answers show that it took the setup.
@@ -145,8 +147,6 @@ class Haply {
   const hal::Clock* clock_;
   HaplyConfig config_;
   State state_ = State::stopped;
-  // The time from which the board listens after a setup.
-  hal::TimeNs settled_ns_ = 0;
   Setup setup_;
   Arriving arriving_;
   QuestionTimes commands_;
