@@ -55,10 +55,11 @@ bool Falcon::receive(hal::TimeNs deadline_ns) {
     lose(received.error());
     return false;
   }
-  if (!*received) {
+  const auto& bytes = *received;
+  if (!bytes) {
     return false;
   }
-  take(ftdi_payload(**received));
+  take(ftdi_payload(*bytes));
   check(link_.read_on());
   return true;
 }
