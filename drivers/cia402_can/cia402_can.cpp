@@ -20,9 +20,7 @@ CountedShaftConfig cia402_shaft(const Cia402Config& config) {
 }  // namespace
 
 Cia402Can::Cia402Can(const Cia402Config& config)
-    : config_(config),
-      sdo_(config.node, ns_of(config.sdo_timeout_s)),
-      shaft_(cia402_shaft(config)) {}
+    : config_(config), objects_(config), shaft_(cia402_shaft(config)) {}
 
 std::size_t Cia402Can::filters(std::span<hal::CanFilter> filters) const {
   constexpr std::array kServices = {canopen::kTransmitPdo1, canopen::kTransmitPdo2,
@@ -36,62 +34,38 @@ std::size_t Cia402Can::filters(std::span<hal::CanFilter> filters) const {
 void Cia402Can::start(hal::TimeNs now_ns) {
   shaft_.forget();
   sample_ = AxisSample{};
-  has_sent_heartbeat_ = false;
-  is_followed_ = false;
+  host_heartbeat_.restart();
+  known_.is_followed = false;
   begin(now_ns);
 }
 
 // A loss of the reference stays until a read has reported it.
 void Cia402Can::clear_faults(hal::TimeNs now_ns) {
-  if (faults_ && is_shown_) {
+  if (faults_ && !faults_.is_held()) {
     begin(now_ns);
   }
 }
 
 void Cia402Can::begin(hal::TimeNs now_ns) {
-  now_ns_ = now_ns;
-  begun_ns_ = now_ns;
+  tick_ = {.now_ns = now_ns, .sync_ns = tick_.sync_ns};
+  session_ = {.begun_ns = now_ns};
+  reports_ = {.heartbeat_ns = reports_.heartbeat_ns};
   faults_.clear();
-  is_proven_ = is_proven_ && is_followed_;
-  is_shown_ = true;
-  is_pre_operational_ = false;
+  known_.is_proven = known_.is_proven && known_.is_followed;
   sample_.has_torque = false;
-  facts_ = {};
-  state_ = {};
-  emergency_code_ = 0;
-  unanswered_syncs_ = 0;
-  is_late_ = false;
-  is_cut_off_ = false;
-  forget_drive();
-  tick_is_over_ = false;
-  reads_error_code_ = false;
+  objects_ = cia402::DriveObjects(config_);
+  power_.close();
   enter(Phase::booting);
 }
 
-// Forgets what the drive has reported of itself since it was started.
-void Cia402Can::forget_drive() {
-  sdo_.reset();
-  is_operational_ = false;
-  has_state_ = false;
-  mode_is_set_ = false;
-  in_torque_mode_ = false;
-  wants_power_ = false;
-  had_power_ = false;
-}
-
 void Cia402Can::enter(Phase phase) {
-  phase_ = phase;
-  phase_ns_ = now_ns_;
-  has_sent_nmt_ = false;
-  has_let_go_ = false;
-  was_told_why_ = false;
-  step_ = 0;
-  is_followed_ = is_followed_ || phase == Phase::ready;
+  stage_ = {.phase = phase, .begun_ns = tick_.now_ns};
+  known_.is_followed = known_.is_followed || phase == Phase::ready;
   update_status();
 }
 
-bool Cia402Can::has_passed(hal::TimeNs since_ns, double time_s) const {
-  return now_ns_ - since_ns >= ns_of(time_s);
+bool Cia402Can::has_passed_since(hal::TimeNs since_ns, double time_s) const {
+  return has_passed(time_s, since_ns, tick_.now_ns);
 }
 
 void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
@@ -103,9 +77,9 @@ void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
 // Latches the loss only if the joint may have a reference: from the time that the drive was ready
 // and as long as its position was followed.
 void Cia402Can::lose_reference(DeviceStatus bit, const Trouble& trouble) {
-  if (is_followed_) {
-    is_followed_ = false;
-    is_shown_ = false;
+  if (known_.is_followed) {
+    known_.is_followed = false;
+    faults_.hold();
     faults_.latch(kDeviceReferenceLost, trouble);
   }
   latch(bit, trouble);
@@ -113,14 +87,14 @@ void Cia402Can::lose_reference(DeviceStatus bit, const Trouble& trouble) {
 
 void Cia402Can::update_status() {
   sample_.status =
-      faults_.status() | (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
+      faults_.status() | (stage_.phase == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
 }
 
 void Cia402Can::shutdown(CanOutbox& outbox) {
-  if (phase_ == Phase::off) {
+  if (stage_.phase == Phase::off) {
     return;
   }
-  is_followed_ = false;
+  known_.is_followed = false;
   // The PDO acts at a SYNC, and no more may come; the SDO acts at once. A drive that is not
   // operational ignores all torques.
   outbox.add(cia402::command_frame(config_.node, {}));

@@ -42,18 +42,19 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
-#include "drivers/cia402_can/bring_up.h"
 #include "drivers/cia402_can/canopen.h"
 #include "drivers/cia402_can/cia402_config.h"
+#include "drivers/cia402_can/drive_objects.h"
 #include "drivers/cia402_can/drive_profile.h"
-#include "drivers/cia402_can/sdo_client.h"
+#include "drivers/cia402_can/power_request.h"
+#include "drivers/common/continuity.h"
 #include "drivers/common/counted_shaft.h"
 #include "drivers/common/fault_latch.h"
+#include "drivers/common/repeat_timer.h"
 
 namespace tactus::drivers {
 
@@ -76,7 +77,7 @@ class Cia402Can {
   [[nodiscard]] const Cia402Config& config() const { return config_; }
   // Returns the values that the drive reported, for the log. They are complete once the drive is
   // ready.
-  [[nodiscard]] const cia402::DriveFacts& facts() const { return facts_; }
+  [[nodiscard]] const cia402::DriveFacts& facts() const { return objects_.facts(); }
 
  private:
   enum class Phase : std::uint8_t {
@@ -91,10 +92,60 @@ class Cia402Can {
     ready,
   };
 
+  // The phase and the progress in it. Each phase begins with a fresh one.
+  struct Stage {
+    Phase phase = Phase::off;
+    hal::TimeNs begun_ns = 0;
+    // The NMT command that the phase repeats.
+    RepeatTimer nmt;
+    // In the proof: the drive released the motor.
+    bool has_let_go = false;
+    // In the proof: the drive reported that the host is silent.
+    bool was_told_why = false;
+  };
+
+  // One bring-up and the operation after it, until faults are cleared.
+  struct Session {
+    hal::TimeNs begun_ns = 0;
+    // After a fault: power was taken away by an SDO.
+    bool is_cut_off = false;
+    // After a fault: the driver asks for the error code.
+    bool reads_error_code = false;
+  };
+
+  // The tick and the samples that the drive sent for its SYNC.
+  struct Tick {
+    hal::TimeNs now_ns = 0;
+    hal::TimeNs sync_ns = 0;
+    // The command was sent, the next SYNC was not.
+    bool is_over = false;
+    // The number of SYNCs since the last sample.
+    std::uint32_t unanswered_syncs = 0;
+    // The last sample came after its tick.
+    bool is_late = false;
+  };
+
+  // The newest reports of the drive about itself.
+  struct Reports {
+    cia402::DriveState state;
+    // The error code of the last emergency message; 0: none.
+    std::uint16_t emergency_code = 0;
+    // The time of the last heartbeat.
+    hal::TimeNs heartbeat_ns = 0;
+    // The last heartbeat reported the state 'pre-operational'.
+    bool is_pre_operational = false;
+    // The reports that show that the drive runs. They count from its last start.
+    struct Running {
+      bool is_operational = false;
+      bool has_state = false;
+      bool in_torque_mode = false;
+    } running;
+  };
+
   void begin(hal::TimeNs now_ns);
   void enter(Phase phase);
-  [[nodiscard]] bool is_live() const { return phase_ >= Phase::starting; }
-  [[nodiscard]] bool has_passed(hal::TimeNs since_ns, double time_s) const;
+  [[nodiscard]] bool is_live() const { return stage_.phase >= Phase::starting; }
+  [[nodiscard]] bool has_passed_since(hal::TimeNs since_ns, double time_s) const;
   void latch(DeviceStatus bit, const Trouble& trouble);
   void lose_reference(DeviceStatus bit, const Trouble& trouble);
   void latch_error(std::uint16_t code);
@@ -125,18 +176,15 @@ class Cia402Can {
   void repeat_nmt(canopen::NmtCommand command, double every_s, CanOutbox& outbox);
   void run_set_up(CanOutbox& outbox);
   void choose_mode(CanOutbox& outbox);
-  bool run_step(const cia402::SdoStep& step, CanOutbox& outbox);
-  void refuse(const cia402::SdoStep& step);
+  bool is_done(const cia402::DriveObjects::Progress& progress);
   void read_error_code(CanOutbox& outbox);
 
-  [[nodiscard]] bool is_silent() const { return phase_ == Phase::proving && !faults_; }
+  [[nodiscard]] bool is_silent() const { return stage_.phase == Phase::proving && !faults_; }
   void prove(CanOutbox& outbox);
   void take_power_in_proof(std::uint16_t statusword);
   void judge_reason(std::uint16_t code);
   void watch_proof();
   void start_again();
-  void forget_drive();
-  std::optional<std::uint32_t> read_object(canopen::ObjectAddress object, CanOutbox& outbox);
 
   [[nodiscard]] cia402::TorqueCommand next_command(const AxisCommand& command);
   [[nodiscard]] cia402::TorqueCommand powered_command(const AxisCommand& command);
@@ -144,44 +192,18 @@ class Cia402Can {
   [[nodiscard]] std::int16_t torque_units(double torque_Nm) const;
 
   Cia402Config config_;
-  canopen::SdoClient sdo_;
+  cia402::DriveObjects objects_;
   CountedShaft shaft_;
   FaultLatch faults_;
   AxisSample sample_;
-  cia402::DriveFacts facts_;
 
-  Phase phase_ = Phase::off;
-  hal::TimeNs now_ns_ = 0;
-  hal::TimeNs begun_ns_ = 0;  // start of the bring-up
-  hal::TimeNs phase_ns_ = 0;  // start of its phase
-  hal::TimeNs sync_ns_ = 0;
-  hal::TimeNs sent_nmt_ns_ = 0;
-  hal::TimeNs sent_heartbeat_ns_ = 0;
-  hal::TimeNs heard_heartbeat_ns_ = 0;
-  hal::TimeNs wants_power_ns_ = 0;  // start of the wish for power
-  std::size_t step_ = 0;
-  std::uint32_t unanswered_syncs_ = 0;
-  bool has_sent_nmt_ = false;
-  bool has_sent_heartbeat_ = false;
-  bool is_operational_ = false;
-  bool is_pre_operational_ = false;
-  bool is_followed_ = false;  // the position, since the drive was first ready
-  bool is_shown_ = true;      // a read has reported the loss of the reference
-  bool has_state_ = false;    // in this bring-up
-  bool mode_is_set_ = false;
-  bool in_torque_mode_ = false;
-  bool wants_power_ = false;
-  bool had_power_ = false;     // long enough to be sure, since it was wanted
-  bool had_supply_ = false;    // the motor had its supply since then
-  bool is_proven_ = false;     // the watchdog is, and the drive has not restarted since
-  bool has_let_go_ = false;    // the drive released the motor in the proof
-  bool was_told_why_ = false;  // the drive reported in the proof that the host is silent
-  bool is_late_ = false;       // the last sample is
-  bool tick_is_over_ = false;  // its command was sent, the next SYNC was not
-  bool is_cut_off_ = false;    // power was taken away by an SDO since the fault
-  bool reads_error_code_ = false;
-  cia402::DriveState state_;
-  std::uint16_t emergency_code_ = 0;
+  Continuity known_;
+  Session session_;
+  Stage stage_;
+  Tick tick_;
+  Reports reports_;
+  cia402::PowerRequest power_;
+  RepeatTimer host_heartbeat_;
 };
 
 static_assert(CanDrive<Cia402Can>);

@@ -6,7 +6,6 @@
 // silence: in an emergency message, or in 603F:00. A drive that stops for another reason, such as
 // an emergency stop, proves nothing.
 #include <cstdint>
-#include <optional>
 
 #include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
@@ -15,8 +14,6 @@
 namespace tactus::drivers {
 
 namespace {
-
-using canopen::SdoClient;
 
 constexpr canopen::ObjectAddress kStatuswordObject{0x6041, 0};
 
@@ -38,42 +35,42 @@ constexpr Trouble kNoWatchdog{
 // The drive must first release the motor, and then the reason must be known. An error code that is
 // read counts only in a fault; otherwise it may belong to an earlier one.
 void Cia402Can::prove(CanOutbox& outbox) {
-  if (!has_let_go_) {
-    if (unanswered_syncs_ >= kSilentSyncs) {
-      if (const auto statusword = read_object(kStatuswordObject, outbox)) {
+  if (!stage_.has_let_go) {
+    if (tick_.unanswered_syncs >= kSilentSyncs) {
+      if (const auto statusword = objects_.read(kStatuswordObject, tick_.now_ns, outbox)) {
         take_power_in_proof(static_cast<std::uint16_t>(*statusword & 0xFFFFU));
       }
     }
-  } else if (was_told_why_) {
-    is_proven_ = true;
+  } else if (stage_.was_told_why) {
+    known_.is_proven = true;
     start_again();
-  } else if (cia402::power_state(state_.statusword) == cia402::PowerState::fault) {
-    if (const auto code = read_object(cia402::kErrorCodeObject, outbox)) {
+  } else if (cia402::power_state(reports_.state.statusword) == cia402::PowerState::fault) {
+    if (const auto code = objects_.read(cia402::kErrorCodeObject, tick_.now_ns, outbox)) {
       judge_reason(static_cast<std::uint16_t>(*code & 0xFFFFU));
     }
   }
 }
 
 void Cia402Can::take_power_in_proof(std::uint16_t statusword) {
-  state_.statusword = statusword;
+  reports_.state.statusword = statusword;
   const cia402::PowerState power = cia402::power_state(statusword);
-  if (has_let_go_ || cia402::may_have_torque(power)) {
+  if (stage_.has_let_go || cia402::may_have_torque(power)) {
     return;
   }
-  sdo_.reset();
+  objects_.reset();
   const bool has_supply = (statusword & cia402::kVoltageEnabled) != 0;
-  if (power != cia402::PowerState::fault && had_supply_ && !has_supply) {
+  if (power != cia402::PowerState::fault && power_.had_supply() && !has_supply) {
     latch_missing_supply();
   } else {
-    has_let_go_ = true;
+    stage_.has_let_go = true;
   }
 }
 
 void Cia402Can::judge_reason(std::uint16_t code) {
-  const std::uint16_t told = emergency_code_ != 0 ? emergency_code_ : code;
+  const std::uint16_t told = reports_.emergency_code != 0 ? reports_.emergency_code : code;
   constexpr std::uint16_t kMakersOwn = 0xF000;
   if (cia402::is_host_silent(code)) {
-    was_told_why_ = true;
+    stage_.was_told_why = true;
   } else if ((told & kMakersOwn) == kMakersOwn) {
     latch(
         kDeviceDriveFault,
@@ -89,46 +86,32 @@ void Cia402Can::judge_reason(std::uint16_t code) {
 void Cia402Can::watch_proof() {
   const double limit_s =
       1e-3 * config_.watchdog_ms + kDriveLooks_s + kTicksToTell * config_.period_s;
-  if (!has_passed(phase_ns_, limit_s)) {
+  if (!has_passed_since(stage_.begun_ns, limit_s)) {
     return;
   }
-  if (has_let_go_ && emergency_code_ != 0) {
-    judge_reason(emergency_code_);
-  } else if (has_let_go_) {
+  if (stage_.has_let_go && reports_.emergency_code != 0) {
+    judge_reason(reports_.emergency_code);
+  } else if (stage_.has_let_go) {
     latch(kDeviceDriveFault,
           {"drive let the motor go while its watchdog was to be proven, and does not say why",
            "check motor power and safe torque off, then reset; unproven_watchdog = true does "
            "without the proof",
-           state_.statusword});
-  } else if (unanswered_syncs_ >= kSilentSyncs && sdo_.state() == SdoClient::State::asking) {
+           reports_.state.statusword});
+  } else if (tick_.unanswered_syncs >= kSilentSyncs && objects_.is_asking()) {
     latch(kDeviceLost, {"drive does not answer while its watchdog is proven",
                         "check its power and the cable, then reset", 0});
   } else {
     latch(kDeviceDriveFault, kNoWatchdog);
   }
-  sdo_.reset();
+  objects_.reset();
 }
 
 // Starts the drive again, which may have left operational and is in a fault.
 void Cia402Can::start_again() {
-  forget_drive();
+  reports_.running = {};
+  objects_.restart();
+  power_.close();
   enter(Phase::starting);
-}
-
-// Returns the value of the object once it has been read, else nothing. It asks for the object, and
-// asks again after a refusal.
-std::optional<std::uint32_t> Cia402Can::read_object(canopen::ObjectAddress object,
-                                                    CanOutbox& outbox) {
-  if (sdo_.state() == SdoClient::State::idle) {
-    sdo_.read(object);
-  }
-  sdo_.run(now_ns_, outbox);
-  if (sdo_.state() == SdoClient::State::asking) {
-    return std::nullopt;
-  }
-  const bool is_done = sdo_.state() == SdoClient::State::done;
-  sdo_.reset();
-  return is_done ? std::optional(sdo_.value()) : std::nullopt;
 }
 
 }  // namespace tactus::drivers

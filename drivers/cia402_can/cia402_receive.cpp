@@ -31,7 +31,7 @@ bool is_fault(PowerState state) {
 }  // namespace
 
 void Cia402Can::take(const hal::CanReceived& received) {
-  if (phase_ == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
+  if (stage_.phase == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
     return;
   }
   const hal::CanFrame& frame = received.frame;
@@ -44,32 +44,33 @@ void Cia402Can::take(const hal::CanReceived& received) {
       take_motion(*motion);
     }
   } else if (const auto heartbeat = canopen::heartbeat_of(frame, config_.node)) {
-    heard_heartbeat_ns_ = std::max(now_ns_, received.time_ns);
+    reports_.heartbeat_ns = std::max(tick_.now_ns, received.time_ns);
     take_heartbeat(*heartbeat);
   } else if (const auto emergency = canopen::emergency_of(frame, config_.node)) {
     take_emergency(*emergency);
   } else {
-    sdo_.take(frame);
+    objects_.take(frame);
   }
 }
 
 // Takes a TPDO1. Its position was measured at the last SYNC.
 void Cia402Can::take_state(const cia402::DriveState& state) {
-  state_ = state;
-  has_state_ = true;
-  if (!shaft_.take(state.position, sync_ns_)) {
+  reports_.state = state;
+  reports_.running.has_state = true;
+  if (!shaft_.take(state.position, tick_.sync_ns)) {
     lose_reference(kDeviceEncoderFault,
                    {"drive reports a position that its shaft cannot have reached (6064:00)",
                     "check the encoder's cable and shield, and max_speed_rad_per_s, then reset",
                     static_cast<std::uint32_t>(state.position)});
     return;
   }
-  is_late_ = tick_is_over_;
-  if (!is_late_ || phase_ != Phase::ready) {
+  tick_.is_late = tick_.is_over;
+  if (!tick_.is_late || stage_.phase != Phase::ready) {
     take_sample();
   }
   const PowerState power = cia402::power_state(state.statusword);
-  if (is_followed_ && power == PowerState::not_ready_to_switch_on) {  // the state after a boot only
+  // The drive has this state after a boot only.
+  if (known_.is_followed && power == PowerState::not_ready_to_switch_on) {
     lose_reference(kDeviceDriveFault, kRestarted);
   }
   check_power();
@@ -79,52 +80,54 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
 // Puts the newest state into the sample. The caller leaves out a state that comes after its tick,
 // since the next tick waits for its own.
 void Cia402Can::take_sample() {
-  sample_.time_ns = sync_ns_;
+  sample_.time_ns = tick_.sync_ns;
   sample_.position_rad = shaft_.position_rad();
   if (config_.velocity_unit_rad_per_s == 0.0) {
     sample_.velocity_rad_per_s = shaft_.velocity_rad_per_s();
   }
-  sample_.torque_Nm = kTorquePerUnit * facts_.rated_torque_Nm * state_.torque;
+  sample_.torque_Nm = kTorquePerUnit * objects_.facts().rated_torque_Nm * reports_.state.torque;
   sample_.has_torque = true;
-  unanswered_syncs_ = 0;
+  tick_.unanswered_syncs = 0;
 }
 
 void Cia402Can::check_power() {
-  const PowerState power = cia402::power_state(state_.statusword);
+  const PowerState power = cia402::power_state(reports_.state.statusword);
   if (is_silent()) {
-    take_power_in_proof(state_.statusword);
+    take_power_in_proof(reports_.state.statusword);
     return;
   }
-  if ((phase_ != Phase::ready && phase_ != Phase::powering) || faults_) {
+  if ((stage_.phase != Phase::ready && stage_.phase != Phase::powering) || faults_) {
     return;
   }
-  const bool has_supply = (state_.statusword & cia402::kVoltageEnabled) != 0;
+  const bool has_supply = (reports_.state.statusword & cia402::kVoltageEnabled) != 0;
   if (is_fault(power)) {
     latch_drive_fault();
-  } else if (wants_power_ && had_supply_ && !has_supply) {
+  } else if (power_.had_supply() && !has_supply) {
     latch_missing_supply();
-  } else if (wants_power_ && had_power_ && power != PowerState::operation_enabled) {
+  } else if (power_.is_granted() && power != PowerState::operation_enabled) {
     latch(kDeviceDriveFault,
           {cia402::power_state_words(power),
            "check motor power, safe torque off and the drive's inputs, then reset",
-           state_.statusword});
+           reports_.state.statusword});
   }
-  had_supply_ = had_supply_ || (power == PowerState::operation_enabled && has_supply);
+  if (power == PowerState::operation_enabled && has_supply) {
+    power_.note_supply();
+  }
 }
 
 void Cia402Can::latch_drive_fault() {
-  if (emergency_code_ != 0) {
-    latch_error(emergency_code_);
+  if (reports_.emergency_code != 0) {
+    latch_error(reports_.emergency_code);
     return;
   }
   latch(kDeviceDriveFault, kUnnamedFault);
-  reads_error_code_ = true;
+  session_.reads_error_code = true;
 }
 
 void Cia402Can::latch_missing_supply() {
   latch(kDeviceDriveFault,
         {"the motor's supply is gone (6041:00, voltage enabled)",
-         "check motor power and the emergency stop, then reset", state_.statusword});
+         "check motor power and the emergency stop, then reset", reports_.state.statusword});
 }
 
 void Cia402Can::latch_error(std::uint16_t code) {
@@ -137,11 +140,11 @@ void Cia402Can::latch_error(std::uint16_t code) {
 }
 
 void Cia402Can::take_motion(const cia402::DriveMotion& motion) {
-  in_torque_mode_ = motion.mode == cia402::kCyclicSynchronousTorque;
+  reports_.running.in_torque_mode = motion.mode == cia402::kCyclicSynchronousTorque;
   if (config_.velocity_unit_rad_per_s > 0.0) {
     take_velocity(motion.velocity);
   }
-  if (!in_torque_mode_ && phase_ > Phase::choosing_mode && !faults_) {
+  if (!reports_.running.in_torque_mode && stage_.phase > Phase::choosing_mode && !faults_) {
     latch(kDeviceDriveFault, {"drive left cyclic synchronous torque mode (6061:00)",
                               "look for a second master on the bus, then reset",
                               static_cast<std::uint32_t>(motion.mode)});
@@ -161,22 +164,23 @@ void Cia402Can::take_velocity(std::int32_t velocity) {
 }
 
 void Cia402Can::take_heartbeat(NmtState state) {
-  is_operational_ = state == NmtState::operational;
-  is_pre_operational_ = state == NmtState::pre_operational;
-  if (state == NmtState::boot_up && is_followed_) {
+  reports_.running.is_operational = state == NmtState::operational;
+  reports_.is_pre_operational = state == NmtState::pre_operational;
+  if (state == NmtState::boot_up && known_.is_followed) {
     lose_reference(kDeviceDriveFault, kRestarted);
     return;
   }
-  if (phase_ == Phase::booting || phase_ == Phase::setting_up) {
-    if (state == NmtState::boot_up && (phase_ == Phase::setting_up || has_sent_nmt_)) {
-      sdo_.reset();
+  if (stage_.phase == Phase::booting || stage_.phase == Phase::setting_up) {
+    if (state == NmtState::boot_up &&
+        (stage_.phase == Phase::setting_up || stage_.nmt.has_sent())) {
+      objects_.begin_set_up();
       enter(Phase::setting_up);
     }
     return;
   }
   if (state == NmtState::boot_up) {
     latch(kDeviceDriveFault, kRestarted);
-  } else if (!is_operational_ && phase_ > Phase::starting && !is_silent()) {
+  } else if (!reports_.running.is_operational && stage_.phase > Phase::starting && !is_silent()) {
     leave_operational(state);
   }
 }
@@ -186,7 +190,7 @@ void Cia402Can::leave_operational(NmtState state) {
   const Trouble trouble{"drive left the state 'operational' by itself",
                         "look for a second master on the bus and for bus errors, then reset",
                         static_cast<std::uint32_t>(state)};
-  if (faults_ || emergency_code_ != 0) {
+  if (faults_ || reports_.emergency_code != 0) {
     latch(kDeviceDriveFault, trouble);
   } else {
     lose_reference(kDeviceDriveFault, trouble);
@@ -195,19 +199,19 @@ void Cia402Can::leave_operational(NmtState state) {
 
 // An emergency message during the bring-up is mostly the fault that the bring-up clears.
 void Cia402Can::take_emergency(const canopen::Emergency& emergency) {
-  emergency_code_ = emergency.code;
+  reports_.emergency_code = emergency.code;
   if (is_silent()) {
-    was_told_why_ = was_told_why_ || cia402::is_host_silent(emergency.code);
+    stage_.was_told_why = stage_.was_told_why || cia402::is_host_silent(emergency.code);
     return;
   }
-  if (is_followed_ && cia402::may_move_zero(emergency.code)) {
+  if (known_.is_followed && cia402::may_move_zero(emergency.code)) {
     latch_error(emergency.code);
   }
-  if (emergency.code == 0 || phase_ != Phase::ready) {
+  if (emergency.code == 0 || stage_.phase != Phase::ready) {
     return;
   }
-  if (reads_error_code_) {
-    reads_error_code_ = false;
+  if (session_.reads_error_code) {
+    session_.reads_error_code = false;
     faults_.explain(cia402::error_code_trouble(emergency.code));
   }
   latch_error(emergency.code);
@@ -218,14 +222,15 @@ void Cia402Can::watch() {
   if (faults_) {
     return;
   }
-  if (phase_ != Phase::ready && has_passed(begun_ns_, config_.bring_up_timeout_s)) {
-    const bool is_lost = phase_ <= Phase::starting;
+  if (stage_.phase != Phase::ready &&
+      has_passed_since(session_.begun_ns, config_.bring_up_timeout_s)) {
+    const bool is_lost = stage_.phase <= Phase::starting;
     latch(is_lost ? kDeviceLost : kDeviceDriveFault, late_bring_up());
-    reads_error_code_ = phase_ == Phase::clearing && emergency_code_ == 0 &&
-                        is_fault(cia402::power_state(state_.statusword));
-  } else if (phase_ == Phase::ready) {
+    session_.reads_error_code = stage_.phase == Phase::clearing && reports_.emergency_code == 0 &&
+                                is_fault(cia402::power_state(reports_.state.statusword));
+  } else if (stage_.phase == Phase::ready) {
     watch_samples();
-  } else if (phase_ == Phase::proving) {
+  } else if (stage_.phase == Phase::proving) {
     watch_proof();
   }
 }
@@ -233,8 +238,9 @@ void Cia402Can::watch() {
 // Watches the heartbeat while the position is followed: in every phase, and after a fault too. A
 // drive that loses its supply falls silent first.
 void Cia402Can::watch_heartbeat() {
-  if (is_followed_ && has_passed(heard_heartbeat_ns_,
-                                 kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
+  if (known_.is_followed &&
+      has_passed_since(reports_.heartbeat_ns,
+                       kMissedHeartbeats * kSecondsPerMs * config_.drive_heartbeat_ms)) {
     lose_reference(kDeviceLost, {"drive sends no heartbeat any more",
                                  "check its power and the cable, then reset", 0});
   }
@@ -243,25 +249,26 @@ void Cia402Can::watch_heartbeat() {
 // Watches the samples. If the host missed its ticks it asked for no samples, and the drive is not
 // to blame.
 void Cia402Can::watch_samples() {
-  if (unanswered_syncs_ > 1 && has_passed(sample_.time_ns, config_.lost_after_s)) {
+  if (tick_.unanswered_syncs > 1 && has_passed_since(sample_.time_ns, config_.lost_after_s)) {
     lose_reference(
         kDeviceLost,
-        is_late_ ? Trouble{"drive's samples come later than the tick waits for them",
-                           "lower the load of the bus or let the tick wait longer, then reset", 0}
-                 : Trouble{"drive sends no samples any more",
-                           "check its power and the cable, then reset", 0});
+        tick_.is_late
+            ? Trouble{"drive's samples come later than the tick waits for them",
+                      "lower the load of the bus or let the tick wait longer, then reset", 0}
+            : Trouble{"drive sends no samples any more",
+                      "check its power and the cable, then reset", 0});
   }
 }
 
 Trouble Cia402Can::late_bring_up() const {
-  switch (phase_) {
+  switch (stage_.phase) {
     case Phase::booting:
       return {"drive does not boot up",
               "check its power, node number, bit rate and cable, then reset", config_.node};
     case Phase::setting_up:
       return {"drive's set-up takes too long", "lower the load of the bus, then reset", 0};
     case Phase::starting:
-      return is_operational_
+      return reports_.running.is_operational
                  ? Trouble{"drive is operational but sends no samples",
                            "see that one drive of the bus has leads_bus set (SYNC), then reset", 0}
                  : Trouble{"drive does not become operational",
@@ -272,13 +279,13 @@ Trouble Cia402Can::late_bring_up() const {
     default:
       break;
   }
-  const PowerState power = cia402::power_state(state_.statusword);
-  if (is_fault(power) && emergency_code_ != 0) {
-    return cia402::error_code_trouble(emergency_code_);
+  const PowerState power = cia402::power_state(reports_.state.statusword);
+  if (is_fault(power) && reports_.emergency_code != 0) {
+    return cia402::error_code_trouble(reports_.emergency_code);
   }
   return {cia402::power_state_words(power),
           "switch motor power on, close safe torque off, remove the cause, then reset",
-          state_.statusword};
+          reports_.state.statusword};
 }
 
 }  // namespace tactus::drivers

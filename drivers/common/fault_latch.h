@@ -26,6 +26,12 @@ class FaultLatch {
   }
   void clear() { *this = FaultLatch{}; }
 
+  // A fault that is held must not be cleared before a read has reported it. The driver calls `hold`
+  // with the fault and `show` at each read, and refuses to clear while `is_held`.
+  void hold() { is_held_ = true; }
+  void show() { is_held_ = false; }
+  [[nodiscard]] bool is_held() const { return is_held_; }
+
   explicit operator bool() const { return status_ != kDeviceOk; }
   [[nodiscard]] std::uint32_t status() const { return status_; }
   [[nodiscard]] const Trouble& trouble() const { return trouble_; }
@@ -33,6 +39,7 @@ class FaultLatch {
  private:
   std::uint32_t status_ = kDeviceOk;
   Trouble trouble_;
+  bool is_held_ = false;  // no read has reported the fault yet
 };
 
 }  // namespace tactus::drivers

@@ -110,7 +110,7 @@ void Homing::advance(const AxisSample& sample, bool home, hal::TimeNs now_ns) {
     return;
   }
   if ((sample.status & kDeviceStale) != 0) {
-    still_since_ns_ = now_ns;
+    still_.since_ns = now_ns;
     move_.skip(now_ns);
     stop_.skip(now_ns);
     return;
@@ -120,10 +120,8 @@ void Homing::advance(const AxisSample& sample, bool home, hal::TimeNs now_ns) {
 
 void Homing::begin(const AxisSample& sample, hal::TimeNs now_ns) {
   since_ns_ = now_ns;
-  still_since_ns_ = now_ns;
-  still_at_ = position(sample);
-  had_index_ = sample.index_seen;
-  old_index_rad_ = sample.index_rad;
+  still_ = {.position = position(sample), .since_ns = now_ns};
+  old_index_rad_ = sample.index_seen ? std::optional(sample.index_rad) : std::nullopt;
   state_ = State::searching;
   switch (reference_.kind) {
     case ReferenceKind::absolute:
@@ -159,11 +157,10 @@ void Homing::search(const AxisSample& sample, hal::TimeNs now_ns) {
 }
 
 void Homing::hold_still(const AxisSample& sample, hal::TimeNs now_ns) {
-  if (std::abs(position(sample) - still_at_) > still_band(reference_)) {
-    still_at_ = position(sample);
-    still_since_ns_ = now_ns;
+  if (std::abs(position(sample) - still_.position) > still_band(reference_)) {
+    still_ = {.position = position(sample), .since_ns = now_ns};
   }
-  if (now_ns - still_since_ns_ >= kStill_ns) {
+  if (now_ns - still_.since_ns >= kStill_ns) {
     found(sample.position_rad);
   } else if (now_ns - since_ns_ > in_ns(reference_.time_limit_s)) {
     fail(HomingFailure::not_still);
@@ -173,7 +170,7 @@ void Homing::hold_still(const AxisSample& sample, hal::TimeNs now_ns) {
 // Returns true if the pulse was seen in this search. A pulse from before may have been counted from
 // another zero.
 bool Homing::is_new_index(const AxisSample& sample) const {
-  return sample.index_seen && (!had_index_ || sample.index_rad != old_index_rad_);
+  return sample.index_seen && sample.index_rad != old_index_rad_;
 }
 
 void Homing::search_index(const AxisSample& sample, hal::TimeNs now_ns) {

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "drivers/axis.h"
 #include "drivers/common/field_error.h"
@@ -81,6 +82,12 @@ class Homing {
  private:
   enum class State : std::uint8_t { waiting, searching, referenced, failed };
 
+  // The joint has stood near this position since that time.
+  struct StandingStill {
+    double position = 0.0;
+    hal::TimeNs since_ns = 0;
+  };
+
   void begin(const AxisSample& sample, hal::TimeNs now_ns);
   void search(const AxisSample& sample, hal::TimeNs now_ns);
   void hold_still(const AxisSample& sample, hal::TimeNs now_ns);
@@ -98,12 +105,10 @@ class Homing {
   HomingFailure failure_ = HomingFailure::none;
   double effort_ = 0.0;
   hal::TimeNs since_ns_ = 0;
-  // For known_pose: the joint has stood near this position since that time.
-  double still_at_ = 0.0;
-  hal::TimeNs still_since_ns_ = 0;
+  // For known_pose.
+  StandingStill still_;
   // For index: the pulse that had been seen before the search began.
-  bool had_index_ = false;
-  double old_index_rad_ = 0.0;
+  std::optional<double> old_index_rad_;
   SearchMove move_;
   HardStopSearch stop_;
 };

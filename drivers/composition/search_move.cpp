@@ -79,16 +79,12 @@ Trouble describe(HomingFailure failure) {
 
 void SearchMove::begin(double way, double position, hal::TimeNs now_ns) {
   way_ = way;
-  from_ = position;
   travel_ = 0.0;
   effort_ = 0.0;
-  still_at_ = position;
-  checked_at_ = position;
-  began_ns_ = now_ns;
-  still_since_ns_ = now_ns;
-  checked_ns_ = now_ns;
-  last_at_ = position;
-  last_ns_ = now_ns;
+  begun_ = {.position = position, .time_ns = now_ns};
+  still_ = begun_;
+  checked_ = begun_;
+  last_ = begun_;
   stands_ = false;
 }
 
@@ -99,8 +95,7 @@ void SearchMove::advance(double position, double velocity, hal::TimeNs now_ns) {
     return;
   }
   push(velocity, now_ns);
-  last_at_ = position;
-  last_ns_ = now_ns;
+  last_ = {.position = position, .time_ns = now_ns};
 }
 
 void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
@@ -112,40 +107,39 @@ void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
     failure_ = HomingFailure::too_fast;
     return;
   }
-  if (now_ns - checked_ns_ >= kSpeedWindow_ns) {
-    checked_at_ = position;
-    checked_ns_ = now_ns;
+  if (now_ns - checked_.time_ns >= kSpeedWindow_ns) {
+    checked_ = {.position = position, .time_ns = now_ns};
   }
-  travel_ = way_ * (position - from_);
+  travel_ = way_ * (position - begun_.position);
   if (travel_ < -limits_.wrong_way) {
     failure_ = HomingFailure::wrong_way;
     return;
   }
   follows_ = follows_ || travel_ > limits_.wrong_way;
-  if (now_ns - began_ns_ > limits_.time_ns) {
+  if (now_ns - begun_.time_ns > limits_.time_ns) {
     failure_ = HomingFailure::took_too_long;
     return;
   }
   const bool full = way_ == 0.0 || std::abs(effort_) > kFullShare * limits_.effort;
-  if (!full || std::abs(position - still_at_) > limits_.still_band) {
-    still_at_ = position;
-    still_since_ns_ = now_ns;
+  if (!full || std::abs(position - still_.position) > limits_.still_band) {
+    still_ = {.position = position, .time_ns = now_ns};
   }
-  stands_ = now_ns - still_since_ns_ >= kStanding_ns;
+  stands_ = now_ns - still_.time_ns >= kStanding_ns;
 }
 
 // Checks the speed since the last tick, and over a window that is long against the encoder's
 // counts.
 bool SearchMove::moves_too_fast(double position, hal::TimeNs now_ns) const {
-  const auto farthest = [&](hal::TimeNs since_ns) {
-    return limits_.speed * (kFastest * in_seconds(now_ns - since_ns) + kSpeedSlack_s);
+  const auto is_too_far_from = [&](const Place& place) {
+    const double passed_s = in_seconds(now_ns - place.time_ns);
+    return std::abs(position - place.position) >
+           limits_.speed * (kFastest * passed_s + kSpeedSlack_s);
   };
-  return std::abs(position - checked_at_) > farthest(checked_ns_) ||
-         std::abs(position - last_at_) > farthest(last_ns_);
+  return is_too_far_from(checked_) || is_too_far_from(last_);
 }
 
 void SearchMove::push(double velocity, hal::TimeNs now_ns) {
-  const double risen = std::min(1.0, in_seconds(now_ns - began_ns_) / in_seconds(kRise_ns));
+  const double risen = std::min(1.0, in_seconds(now_ns - begun_.time_ns) / in_seconds(kRise_ns));
   const double speed = velocity / limits_.speed;
   double share = way_ * std::clamp(risen - std::abs(speed), kLeastShare, 1.0);
   if (follows_) {
@@ -158,7 +152,7 @@ void SearchMove::push(double velocity, hal::TimeNs now_ns) {
   }
   const double before = share * effort_ > 0.0 ? std::abs(effort_) / limits_.effort : 0.0;
   const double most =
-      std::max(kLeastShare, before + in_seconds(now_ns - last_ns_) / in_seconds(kRise_ns));
+      std::max(kLeastShare, before + in_seconds(now_ns - last_.time_ns) / in_seconds(kRise_ns));
   effort_ = limits_.effort * std::clamp(share, -most, most);
 }
 

@@ -60,7 +60,7 @@ class SearchMove {
   // Advances by one tick.
   void advance(double position, double velocity, hal::TimeNs now_ns);
   // Replaces `advance` in a tick without a fresh sample, which does not show that the joint stands.
-  void skip(hal::TimeNs now_ns) { still_since_ns_ = now_ns; }
+  void skip(hal::TimeNs now_ns) { still_.time_ns = now_ns; }
 
   // Returns the effort for the motor now.
   [[nodiscard]] double effort() const { return effort_; }
@@ -71,23 +71,30 @@ class SearchMove {
   [[nodiscard]] HomingFailure failure() const { return failure_; }
 
  private:
+  // The joint's position at a time.
+  struct Place {
+    double position = 0.0;
+    hal::TimeNs time_ns = 0;
+  };
+
   void watch(double position, double velocity, hal::TimeNs now_ns);
   [[nodiscard]] bool moves_too_fast(double position, hal::TimeNs now_ns) const;
   void push(double velocity, hal::TimeNs now_ns);
 
   Limits limits_;
+  // 1 or -1; 0: the joint comes to rest.
   double way_ = 0.0;
-  double from_ = 0.0;
   double travel_ = 0.0;
   double effort_ = 0.0;
-  double still_at_ = 0.0;
-  double checked_at_ = 0.0;
-  double last_at_ = 0.0;
-  hal::TimeNs began_ns_ = 0;
-  hal::TimeNs still_since_ns_ = 0;
-  hal::TimeNs checked_ns_ = 0;
-  hal::TimeNs last_ns_ = 0;
-  bool follows_ = false;  // the joint has followed a push: the encoder's sign is right
+  Place begun_;
+  // The joint has stood near this place since then.
+  Place still_;
+  // The begin of the window over which speeds are judged.
+  Place checked_;
+  // The last tick.
+  Place last_;
+  // The joint has followed a push: the encoder's sign is right.
+  bool follows_ = false;
   bool stands_ = false;
   HomingFailure failure_ = HomingFailure::none;
 };

@@ -64,34 +64,26 @@ constexpr std::array kLoaderCall = {std::byte{0x41}};
 
 void FalconBringUp::start(hal::TimeNs now_ns) {
   outcome_ = Outcome::under_way;
-  attempt_ = 0;
   refusals_ = 0;
-  loaded_ = 0;
+  upload_ = {};
   enter(Phase::normal_mode, now_ns);
 }
 
 void FalconBringUp::enter(Phase phase, hal::TimeNs now_ns) {
-  phase_ = phase;
-  step_ = 0;
-  tries_ = 0;
-  answer_by_ns_ = now_ns;
-  heard_ = {};
-  reader_.restart();
+  stage_ = {.phase = phase, .answer_by_ns = now_ns};
 }
 
 void FalconBringUp::begin_attempt(hal::TimeNs now_ns) {
-  if (attempt_ == kAttempts) {
+  if (upload_.attempt == kAttempts) {
     end(Outcome::load_failed);
     return;
   }
-  ++attempt_;
-  sent_ = 0;
-  loaded_ = 0;
+  upload_ = {.attempt = upload_.attempt + 1};
   enter(Phase::handshake_mode, now_ns);
 }
 
 std::span<const hal::UsbSetup> FalconBringUp::settings() const {
-  switch (phase_) {
+  switch (stage_.phase) {
     case Phase::normal_mode:
       return kNormalMode;
     case Phase::handshake_mode:
@@ -104,9 +96,9 @@ std::span<const hal::UsbSetup> FalconBringUp::settings() const {
 }
 
 void FalconBringUp::settings_done(hal::TimeNs now_ns) {
-  if (phase_ == Phase::normal_mode) {
+  if (stage_.phase == Phase::normal_mode) {
     enter(Phase::probe, now_ns);
-  } else if (phase_ == Phase::handshake_mode) {
+  } else if (stage_.phase == Phase::handshake_mode) {
     enter(Phase::handshake, now_ns);
   } else {
     enter(Phase::loader, now_ns);
@@ -117,17 +109,18 @@ FalconBringUp::Action FalconBringUp::next(hal::TimeNs now_ns) {
   if (outcome_ != Outcome::under_way) {
     return {};
   }
-  if (const auto left = settings().subspan(std::min(step_, settings().size())); !left.empty()) {
-    ++step_;
+  if (const auto left = settings().subspan(std::min(stage_.step, settings().size()));
+      !left.empty()) {
+    ++stage_.step;
     return {.kind = Action::Kind::control, .setup = left.front(), .bytes = {}};
   }
   if (!settings().empty()) {
     settings_done(now_ns);
   }
-  if (now_ns < answer_by_ns_) {
+  if (now_ns < stage_.answer_by_ns) {
     return {};
   }
-  switch (phase_) {
+  switch (stage_.phase) {
     case Phase::probe:
       return probe(now_ns);
     case Phase::handshake:
@@ -141,17 +134,17 @@ FalconBringUp::Action FalconBringUp::next(hal::TimeNs now_ns) {
 
 FalconBringUp::Action FalconBringUp::send(std::span<const std::byte> bytes, hal::TimeNs patience_ns,
                                           hal::TimeNs now_ns) {
-  ++tries_;
-  answer_by_ns_ = now_ns + patience_ns;
+  ++stage_.tries;
+  stage_.answer_by_ns = now_ns + patience_ns;
   return {.kind = Action::Kind::send, .setup = {}, .bytes = bytes};
 }
 
 FalconBringUp::Action FalconBringUp::probe(hal::TimeNs now_ns) {
-  if (tries_ < kProbes) {
+  if (stage_.tries < kProbes) {
     probe_packet_ = encode(FalconCommand{.motor = {}, .lights = {.red = true}});
     return send(probe_packet_, kProbePatience_ns, now_ns);
   }
-  if (attempt_ > 0) {
+  if (upload_.attempt > 0) {
     end(Outcome::firmware_silent);
   } else if (firmware_.empty()) {
     end(Outcome::no_firmware);
@@ -162,7 +155,7 @@ FalconBringUp::Action FalconBringUp::probe(hal::TimeNs now_ns) {
 }
 
 FalconBringUp::Action FalconBringUp::shake_hands(hal::TimeNs now_ns) {
-  if (tries_ == kHandshakes) {
+  if (stage_.tries == kHandshakes) {
     end(Outcome::no_loader);
     return {};
   }
@@ -170,7 +163,7 @@ FalconBringUp::Action FalconBringUp::shake_hands(hal::TimeNs now_ns) {
 }
 
 FalconBringUp::Action FalconBringUp::call_loader(hal::TimeNs now_ns) {
-  if (tries_ > 0) {  // the loader was called once and did not answer
+  if (stage_.tries > 0) {  // the loader was called once and did not answer
     begin_attempt(now_ns);
     return {};
   }
@@ -178,23 +171,24 @@ FalconBringUp::Action FalconBringUp::call_loader(hal::TimeNs now_ns) {
 }
 
 FalconBringUp::Action FalconBringUp::send_image(hal::TimeNs now_ns) {
-  if (loaded_ < sent_) {
+  if (upload_.loaded < upload_.sent) {
     begin_attempt(now_ns);
     return {};
   }
   const auto chunk =
-      firmware_.subspan(sent_, std::min(kFalconChunkBytes, firmware_.size() - sent_));
-  sent_ += chunk.size();
+      firmware_.subspan(upload_.sent, std::min(kFalconChunkBytes, firmware_.size() - upload_.sent));
+  upload_.sent += chunk.size();
   return send(chunk, kChunkPatience_ns, now_ns);
 }
 
 void FalconBringUp::refused(hal::TimeNs now_ns) {
-  if (outcome_ != Outcome::under_way || phase_ == Phase::probe || phase_ == Phase::handshake) {
+  if (outcome_ != Outcome::under_way || stage_.phase == Phase::probe ||
+      stage_.phase == Phase::handshake) {
     return;  // refusals here are tried again anyway
   }
-  if (phase_ == Phase::normal_mode) {
+  if (stage_.phase == Phase::normal_mode) {
     ++refusals_;
-    step_ = 0;
+    stage_.step = 0;
     if (refusals_ == kSettingsRefusals) {
       end(Outcome::refuses_settings);
     }
@@ -208,38 +202,38 @@ void FalconBringUp::take(std::span<const std::byte> payload, hal::TimeNs now_ns)
     if (outcome_ != Outcome::under_way) {
       return;
     }
-    if (phase_ == Phase::probe) {
-      if (reader_.take(byte)) {
+    if (stage_.phase == Phase::probe) {
+      if (stage_.reader.take(byte)) {
         end(Outcome::up);
       }
-    } else if (phase_ == Phase::handshake) {
+    } else if (stage_.phase == Phase::handshake) {
       take_handshake(byte, now_ns);
-    } else if (phase_ == Phase::loader && tries_ > 0 && byte == kLoaderCall.front()) {
+    } else if (stage_.phase == Phase::loader && stage_.tries > 0 && byte == kLoaderCall.front()) {
       enter(Phase::image, now_ns);  // anything else is a late answer to the handshake
-    } else if (phase_ == Phase::image) {
+    } else if (stage_.phase == Phase::image) {
       take_echo(byte, now_ns);
     }
   }
 }
 
 void FalconBringUp::take_handshake(std::byte byte, hal::TimeNs now_ns) {
-  std::ranges::rotate(heard_, heard_.begin() + 1);
-  heard_.back() = byte;
-  if (heard_ == kHandshakeAnswer) {
+  std::ranges::rotate(stage_.heard, stage_.heard.begin() + 1);
+  stage_.heard.back() = byte;
+  if (stage_.heard == kHandshakeAnswer) {
     enter(Phase::loader_mode, now_ns);
   }
 }
 
 void FalconBringUp::take_echo(std::byte byte, hal::TimeNs now_ns) {
-  if (loaded_ == sent_ || firmware_[loaded_] != byte) {
+  if (upload_.loaded == upload_.sent || firmware_[upload_.loaded] != byte) {
     begin_attempt(now_ns);
     return;
   }
-  ++loaded_;
-  if (loaded_ == firmware_.size()) {
+  ++upload_.loaded;
+  if (upload_.loaded == firmware_.size()) {
     enter(Phase::normal_mode, now_ns);
-  } else if (loaded_ == sent_) {
-    answer_by_ns_ = now_ns;
+  } else if (upload_.loaded == upload_.sent) {
+    stage_.answer_by_ns = now_ns;
   }
 }
 

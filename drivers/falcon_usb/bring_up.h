@@ -57,9 +57,9 @@ class FalconBringUp {
   [[nodiscard]] Outcome outcome() const { return outcome_; }
   // Returns the bytes of the image that the device has sent back in this attempt, for a progress
   // report.
-  [[nodiscard]] std::size_t loaded_bytes() const { return loaded_; }
+  [[nodiscard]] std::size_t loaded_bytes() const { return upload_.loaded; }
   // Returns the number of the attempt at the upload, from 1; 0: none was needed.
-  [[nodiscard]] std::uint32_t attempt() const { return attempt_; }
+  [[nodiscard]] std::uint32_t attempt() const { return upload_.attempt; }
 
  private:
   enum class Phase : std::uint8_t {
@@ -70,6 +70,30 @@ class FalconBringUp {
     loader_mode,
     loader,
     image,
+  };
+
+  // The phase and the progress in it. Each phase begins with a fresh one.
+  struct Stage {
+    Phase phase = Phase::normal_mode;
+    // The index of the next one in settings().
+    std::size_t step = 0;
+    // The number of sends.
+    std::uint32_t tries = 0;
+    // The time until which an answer is waited for.
+    hal::TimeNs answer_by_ns = 0;
+    // The last bytes, in which the answer to the handshake is looked for.
+    std::array<std::byte, 4> heard{};
+    // The answers to the probe.
+    FalconPacketReader reader;
+  };
+
+  // An upload of the image.
+  struct Upload {
+    // The number of the attempt; 0: none was needed.
+    std::uint32_t attempt = 0;
+    // The bytes of the image that were sent, and those of them that came back unchanged.
+    std::size_t sent = 0;
+    std::size_t loaded = 0;
   };
 
   void enter(Phase phase, hal::TimeNs now_ns);
@@ -88,17 +112,11 @@ class FalconBringUp {
   void take_echo(std::byte byte, hal::TimeNs now_ns);
 
   std::span<const std::byte> firmware_;
-  Phase phase_ = Phase::normal_mode;
   Outcome outcome_ = Outcome::under_way;
-  std::size_t step_ = 0;     // in settings()
-  std::uint32_t tries_ = 0;  // sends in this phase
+  Stage stage_;
+  Upload upload_;
+  // The number of refusals of the serial settings.
   std::uint32_t refusals_ = 0;
-  std::uint32_t attempt_ = 0;  // at the upload
-  hal::TimeNs answer_by_ns_ = 0;
-  std::size_t sent_ = 0;    // bytes of the image
-  std::size_t loaded_ = 0;  // of those, sent back unchanged
-  std::array<std::byte, 4> heard_{};
-  FalconPacketReader reader_;
   FalconPacket probe_packet_{};
 };
 

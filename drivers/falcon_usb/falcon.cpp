@@ -16,34 +16,20 @@ constexpr hal::TimeNs kFalconFarewellPatience_ns = 20'000'000;
 }  // namespace
 
 Falcon::Falcon(hal::UsbEndpoint& endpoint, const hal::Clock& clock, const FalconConfig& config)
-    : endpoint_(&endpoint),
-      clock_(&clock),
+    : clock_(&clock),
       config_(config),
+      link_(endpoint),
       bring_up_(config.firmware),
-      rates_{RateFilter(config.velocity_cutoff_Hz), RateFilter(config.velocity_cutoff_Hz),
-             RateFilter(config.velocity_cutoff_Hz)} {}
-
-Falcon::~Falcon() {
-  withdraw_all();
-}
+      arms_(config.velocity_cutoff_Hz, config.fastest_rad_per_s) {}
 
 void Falcon::start() {
-  withdraw_all();
-  reader_.restart();
-  next_read_ = 0;
-  sent_ = 0;
-  answered_ = 0;
-  payload_bytes_ = 0;
-  samples_ = {};
-  homed_ = false;
-  reference_lost_ = false;
-  homed_in_a_row_ = 0;
-  bad_score_ = 0;
-  blocked_in_a_row_ = 0;
-  buttons_ = 0;
-  motors_ = {};
-  latched_ = kDeviceOk;
-  trouble_ = {};
+  link_.withdraw_all();
+  answers_.restart();
+  arms_.forget();
+  homing_ = {};
+  score_ = {};
+  newest_ = {};
+  faults_.clear();
   if (!config_.unproven_watchdog) {
     latch(kDeviceDriveFault, kFalconNoWatchdog);
     state_ = State::stopped;
@@ -51,51 +37,37 @@ void Falcon::start() {
   }
   state_ = State::coming_up;
   bring_up_.start(clock_->now_ns());
-  for (Read& read : reads_) {
-    submit(read.transfer);
-  }
+  check(link_.start_reads());
 }
 
 void Falcon::clear_faults() {
-  if (latched_ == kDeviceOk && state_ != State::stopped) {
+  if (!faults_ && state_ != State::stopped) {
     return;
   }
-  const bool was_homed = homed_ || reference_lost_;
-  if (endpoint_->state() == hal::UsbState::returned) {
-    (void)endpoint_->reopen();  // if it fails, `start` reports it
+  const bool was_homed = homing_.is_done || homing_.is_reference_lost;
+  if (link_.endpoint().state() == hal::UsbState::returned) {
+    (void)link_.endpoint().reopen();  // if it fails, `start` reports it
   }
   start();
-  reference_lost_ = was_homed;
+  homing_.is_reference_lost = was_homed;
 }
 
 void Falcon::stop() {
   if (state_ == State::running) {
-    check_writes();
-    Write& write = writes_[next_write_];
+    check(link_.check_writes());
+    const std::size_t place = link_.next_place();
     send({.motor = {}, .lights = {.red = true}});
-    (void)endpoint_->wait(write.transfer, clock_->now_ns() + kFalconFarewellPatience_ns);
+    link_.wait_for(place, clock_->now_ns() + kFalconFarewellPatience_ns);
   }
-  withdraw_all();
+  link_.withdraw_all();
   state_ = State::stopped;
 }
 
-void Falcon::withdraw_all() {
-  for (Read& read : reads_) {
-    endpoint_->cancel(read.transfer);
-  }
-  for (Write& write : writes_) {
-    endpoint_->cancel(write.transfer);
-    write.on_its_way = false;
-  }
-}
-
 void Falcon::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
-  fresh_ = false;
-  payload_ = false;
-  doubt_ = {};
-  if ((latched_ & kDeviceLost) != 0) {
-    if (endpoint_->state() != hal::UsbState::attached) {
-      trouble_ = kFalconUnplugged;
+  this_read_ = {};
+  if ((faults_.status() & kDeviceLost) != 0) {
+    if (link_.endpoint().state() != hal::UsbState::attached) {
+      faults_.explain(kFalconUnplugged);
     }
     drain();
   } else if (state_ == State::coming_up) {
@@ -103,31 +75,25 @@ void Falcon::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
   } else if (state_ == State::running) {
     exchange(deadline_ns);
   }
-  const std::uint32_t now_status = status();
-  for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
-    samples_[arm].status = now_status;
-    samples[arm] = samples_[arm];
-  }
+  arms_.report(status(), samples);
 }
 
 std::uint32_t Falcon::status() const {
-  const std::uint32_t lost = reference_lost_ ? kDeviceReferenceLost : kDeviceOk;
+  const std::uint32_t latched =
+      faults_.status() | (homing_.is_reference_lost ? kDeviceReferenceLost : kDeviceOk);
   if (state_ != State::running) {
-    return latched_ | lost | kDeviceNotReady;
+    return latched | kDeviceNotReady;
   }
-  return latched_ | lost | (homed_ ? kDeviceOk : kDeviceHoming) |
-         (fresh_ ? kDeviceOk : kDeviceStale);
+  return latched | (homing_.is_done ? kDeviceOk : kDeviceHoming) |
+         (this_read_.is_fresh ? kDeviceOk : kDeviceStale);
 }
 
 Trouble Falcon::trouble(std::size_t /*axis*/) const {
-  return trouble_;
+  return faults_.trouble();
 }
 
 void Falcon::latch(std::uint32_t status, const Trouble& trouble) {
-  latched_ |= status | (homed_ ? kDeviceReferenceLost : kDeviceOk);
-  if (!trouble_) {
-    trouble_ = trouble;
-  }
+  faults_.latch(status | (homing_.is_done ? kDeviceReferenceLost : kDeviceOk), trouble);
 }
 
 void Falcon::lose(const hal::Error& error) {
@@ -151,12 +117,13 @@ void Falcon::come_up(hal::TimeNs deadline_ns) {
 // Carries the action out. Returns true if there may be another one at once.
 bool Falcon::act(const FalconBringUp::Action& action) {
   using Kind = FalconBringUp::Action::Kind;
-  if (action.kind == Kind::nothing || latched_ != kDeviceOk) {
+  if (action.kind == Kind::nothing || faults_) {
     return false;
   }
   const hal::TimeNs by_ns = clock_->now_ns() + kFalconRequestPatience_ns;
-  const auto done = action.kind == Kind::control ? endpoint_->control_out(action.setup, {}, by_ns)
-                                                 : endpoint_->bulk_out(action.bytes, by_ns);
+  const auto done = action.kind == Kind::control
+                        ? link_.endpoint().control_out(action.setup, {}, by_ns)
+                        : link_.endpoint().bulk_out(action.bytes, by_ns);
   if (done && (action.kind == Kind::control || *done == action.bytes.size())) {
     return action.kind == Kind::send;
   }
@@ -171,7 +138,7 @@ bool Falcon::act(const FalconBringUp::Action& action) {
 void Falcon::note_outcome() {
   if (bring_up_.outcome() == FalconBringUp::Outcome::up) {
     state_ = State::running;
-    reader_.restart();
+    answers_.resynchronize();
   } else if (const Trouble failed = trouble_of(bring_up_.outcome()); failed) {
     latch(kDeviceDriveFault, failed);
   }
@@ -181,8 +148,8 @@ void Falcon::write(std::span<const AxisCommand> commands) {
   if (state_ != State::running) {
     return;
   }
-  check_writes();
-  const bool allowed = latched_ == kDeviceOk && homed_;
+  check(link_.check_writes());
+  const bool allowed = !faults_ && homing_.is_done;
   FalconCommand command;
   bool powered = false;
   for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
@@ -207,49 +174,25 @@ std::int16_t Falcon::motor_units(const AxisCommand& command) const {
 }
 
 FalconLights Falcon::lights(bool powered) const {
-  const bool well = homed_ && latched_ == kDeviceOk;
+  const bool well = homing_.is_done && !faults_;
   return {.red = !well, .green = well && !powered, .blue = well && powered};
 }
 
-// Checks the outcomes of the packets that were sent before.
-void Falcon::check_writes() {
-  for (Write& write : writes_) {
-    if (!write.on_its_way) {
-      continue;
-    }
-    const auto sent = endpoint_->wait(write.transfer, hal::kNoWait);
-    write.on_its_way = write.transfer.state() == hal::UsbTransfer::State::in_flight;
-    if (!sent && !write.on_its_way) {
-      lose(sent.error());
-    }
-  }
-}
-
 void Falcon::send(const FalconCommand& command) {
-  Write& write = writes_[next_write_];
-  if (write.on_its_way) {
-    ++blocked_in_a_row_;
-    if (blocked_in_a_row_ >= kFalconBlockedToLoss) {
+  if (!link_.has_room()) {
+    if (link_.note_blocked() >= kFalconBlockedToLoss) {
       latch(kDeviceLost, kFalconNotTaking);
     }
     return;
   }
-  blocked_in_a_row_ = 0;
-  write.packet = encode(command);
-  motors_ = command.motor;
-  if (sent_ - answered_ == kRemembered) {
-    ++answered_;
-  }
-  sent_ns_[sent_ % kRemembered] = clock_->now_ns();
-  ++sent_;
-  next_write_ = (next_write_ + 1) % writes_.size();
-  write.on_its_way = true;
-  submit(write.transfer);
+  newest_.motors = command.motor;
+  answers_.ask(clock_->now_ns());
+  check(link_.send(encode(command)));
 }
 
-void Falcon::submit(hal::UsbTransfer& transfer) {
-  if (const auto submitted = endpoint_->submit(transfer); !submitted) {
-    lose(submitted.error());
+void Falcon::check(const hal::Result<void>& outcome) {
+  if (!outcome) {
+    lose(outcome.error());
   }
 }
 

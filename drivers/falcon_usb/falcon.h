@@ -14,8 +14,12 @@
 #include <span>
 
 #include "drivers/axis.h"
-#include "drivers/common/rate_filter.h"
+#include "drivers/common/fault_latch.h"
+#include "drivers/common/read_score.h"
+#include "drivers/falcon_usb/answers.h"
+#include "drivers/falcon_usb/arms.h"
 #include "drivers/falcon_usb/bring_up.h"
+#include "drivers/falcon_usb/link.h"
 #include "drivers/falcon_usb/packet.h"
 #include "hal/usb_endpoint.h"
 
@@ -64,9 +68,6 @@ class Falcon {
  public:
   // The endpoint and the clock must outlive the driver. The endpoint is open.
   Falcon(hal::UsbEndpoint& endpoint, const hal::Clock& clock, const FalconConfig& config);
-  Falcon(const Falcon&) = delete;
-  Falcon& operator=(const Falcon&) = delete;
-  ~Falcon();
 
   // These are the calls of drivers::Board.
   [[nodiscard]] static std::size_t axis_count() { return kFalconArms; }
@@ -80,27 +81,38 @@ class Falcon {
 
   // Returns FalconButton bits; 0 while they are not known.
   [[nodiscard]] std::uint8_t buttons() const {
-    return state_ == State::running && latched_ == kDeviceOk ? buttons_ : std::uint8_t{0};
+    return state_ == State::running && !faults_ ? newest_.buttons : std::uint8_t{0};
   }
   [[nodiscard]] const FalconBringUp& bring_up() const { return bring_up_; }
   // Returns the motor units in the packet that was sent last.
-  [[nodiscard]] const std::array<std::int16_t, kFalconArms>& motors() const { return motors_; }
+  [[nodiscard]] const std::array<std::int16_t, kFalconArms>& motors() const {
+    return newest_.motors;
+  }
 
  private:
   enum class State : std::uint8_t { stopped, coming_up, running };
-  static constexpr std::size_t kReadsInFlight = 4;
-  static constexpr std::size_t kWritesInFlight = 2;
-  static constexpr std::size_t kUsbPacketBytes = 64;
-  static constexpr std::size_t kRemembered = 16;
 
-  struct Read {
-    std::array<std::byte, kUsbPacketBytes> buffer{};
-    hal::UsbTransfer transfer = hal::UsbTransfer::in(buffer);
+  // The device's own search for its reference.
+  struct Homing {
+    bool is_done = false;
+    // The device was homed before the fault that was cleared last.
+    bool is_reference_lost = false;
+    // The number of answers in a row that have all homing bits.
+    std::uint32_t in_a_row = 0;
   };
-  struct Write {
-    FalconPacket packet{};
-    hal::UsbTransfer transfer = hal::UsbTransfer::out(packet);
-    bool on_its_way = false;  // submitted, its outcome not checked yet
+  // The results of one read.
+  struct ThisRead {
+    // A believable answer came.
+    bool is_fresh = false;
+    // Anything came.
+    bool has_bytes = false;
+    // The reason why an answer was rejected.
+    Trouble doubt;
+  };
+  // The content of the newest packets from the device and to it.
+  struct Newest {
+    std::uint8_t buttons = 0;
+    std::array<std::int16_t, kFalconArms> motors{};
   };
 
   void come_up(hal::TimeNs deadline_ns);
@@ -113,65 +125,32 @@ class Falcon {
   // Receives one packet. Returns false if none comes by the deadline.
   bool receive(hal::TimeNs deadline_ns);
   void take(std::span<const std::byte> payload);
-  void accept(const FalconReply& reply);
-  void believe(const FalconReply& reply);
-  [[nodiscard]] bool moved_plausibly(const FalconReply& reply) const;
-  void home_with(const FalconReply& reply);
+  void accept(const FalconAnswer& answer);
+  void believe(const FalconAnswer& answer);
+  void home_with(const FalconAnswer& answer);
 
-  void submit(hal::UsbTransfer& transfer);
-  void check_writes();
   void send(const FalconCommand& command);
-  void withdraw_all();
   [[nodiscard]] std::int16_t motor_units(const AxisCommand& command) const;
   [[nodiscard]] FalconLights lights(bool powered) const;
 
   void latch(std::uint32_t status, const Trouble& trouble);
+  // Latches the loss of the device if a transfer failed.
+  void check(const hal::Result<void>& outcome);
   void lose(const hal::Error& error);
   [[nodiscard]] std::uint32_t status() const;
 
-  hal::UsbEndpoint* endpoint_;
   const hal::Clock* clock_;
   FalconConfig config_;
+  FalconLink link_;
   FalconBringUp bring_up_;
-  FalconPacketReader reader_;
   State state_ = State::stopped;
-
-  std::array<Read, kReadsInFlight> reads_;
-  std::size_t next_read_ = 0;
-  std::array<Write, kWritesInFlight> writes_;
-  std::size_t next_write_ = 0;
-
-  // Send times of the packets whose answers have not come, oldest first.
-  std::array<hal::TimeNs, kRemembered> sent_ns_{};
-  std::uint32_t sent_ = 0;
-  std::uint32_t answered_ = 0;
-  std::size_t payload_bytes_ = 0;  // of the answer that is arriving
-
-  std::array<AxisSample, kFalconArms> samples_{};
-  std::array<RateFilter, kFalconArms> rates_;
-  struct Believed {
-    std::array<std::int16_t, kFalconArms> counts{};
-    hal::TimeNs time_ns = 0;
-  };
-  Believed believed_;          // the newest
-  Believed reference_;         // the newest of an older packet; a jump is measured from it
-  hal::TimeNs answer_ns_ = 0;  // send time of the packet of the last answer
-  bool homed_ = false;
-  bool reference_lost_ = false;  // the device was homed before the cleared fault
-  std::uint32_t homed_in_a_row_ = 0;
-  std::uint8_t buttons_ = 0;
-  std::array<std::int16_t, kFalconArms> motors_{};
-
-  // The state of this read.
-  bool fresh_ = false;    // a believable answer came
-  bool payload_ = false;  // anything came
-  Trouble doubt_;         // the reason why an answer was rejected
-
-  std::uint32_t bad_score_ = 0;  // rises with a bad read, falls more slowly with good ones
-  std::uint32_t blocked_in_a_row_ = 0;
-
-  std::uint32_t latched_ = kDeviceOk;
-  Trouble trouble_;
+  FalconAnswers answers_;
+  FalconArms arms_;
+  Homing homing_;
+  ThisRead this_read_;
+  ReadScore score_;
+  FaultLatch faults_;
+  Newest newest_;
 };
 
 static_assert(Board<Falcon>);

@@ -1,8 +1,5 @@
 // The part of Falcon that takes the device's answers. It checks when they come, and whether they
 // are possible.
-#include <algorithm>
-#include <cstdlib>
-
 #include "drivers/falcon_usb/falcon.h"
 #include "drivers/falcon_usb/falcon_trouble.h"
 
@@ -10,19 +7,9 @@ namespace tactus::drivers {
 
 namespace {
 
-// A read without a possible answer adds kFalconBadRead, a good one subtracts 1. Three bad reads in
-// a row are a fault, and so is a long run of which a quarter is bad.
-constexpr std::uint32_t kFalconBadRead = 3;
-constexpr std::uint32_t kFalconFaultScore = 9;
 // The origin moves when the reference is found, so it is trusted after so many equal answers.
 constexpr std::uint32_t kFalconHomedToBelieve = 8;
-constexpr int kFalconCountsOfSlack = 4;
-constexpr hal::TimeNs kFalconLongestGap_ns = 10'000'000;
 constexpr std::size_t kFalconPacketsATick = 16;
-
-double arm_angle_rad(std::int16_t counts) {
-  return kFalconZeroRad + counts * kFalconRadPerCount;
-}
 
 }  // namespace
 
@@ -32,30 +19,30 @@ void Falcon::drain() {
 }
 
 void Falcon::exchange(hal::TimeNs deadline_ns) {
-  const bool awaited = sent_ != answered_;
+  const bool awaited = answers_.is_awaited();
   drain();
-  for (std::size_t i = 0; i < kFalconPacketsATick && awaited && !fresh_ && !doubt_; ++i) {
+  for (std::size_t i = 0;
+       i < kFalconPacketsATick && awaited && !this_read_.is_fresh && !this_read_.doubt; ++i) {
     if (!receive(deadline_ns)) {
       break;
     }
   }
-  if (awaited || doubt_) {
+  if (awaited || this_read_.doubt) {
     judge();
   }
 }
 
 void Falcon::judge() {
-  if (fresh_) {
-    bad_score_ -= bad_score_ > 0 ? 1 : 0;
+  if (this_read_.is_fresh) {
+    score_.good();
     return;
   }
-  bad_score_ += kFalconBadRead;
-  if (bad_score_ < kFalconFaultScore) {
+  if (!score_.bad()) {
     return;
   }
-  if (doubt_) {
-    latch(kDeviceEncoderFault, doubt_);
-  } else if (payload_) {
+  if (this_read_.doubt) {
+    latch(kDeviceEncoderFault, this_read_.doubt);
+  } else if (this_read_.has_bytes) {
     latch(kDeviceEncoderFault, kFalconGarbled);
   } else {
     latch(kDeviceLost, kFalconSilent);
@@ -63,21 +50,17 @@ void Falcon::judge() {
 }
 
 bool Falcon::receive(hal::TimeNs deadline_ns) {
-  Read& read = reads_[next_read_];
-  if (read.transfer.state() == hal::UsbTransfer::State::idle) {
+  const auto received = link_.receive(deadline_ns);
+  if (!received) {
+    lose(received.error());
     return false;
   }
-  const auto got = endpoint_->wait(read.transfer, deadline_ns);
-  if (read.transfer.state() == hal::UsbTransfer::State::in_flight) {
+  const auto& bytes = *received;
+  if (!bytes) {
     return false;
   }
-  if (!got) {
-    lose(got.error());
-    return false;
-  }
-  take(ftdi_payload(std::span(read.buffer).first(*got)));
-  submit(read.transfer);
-  next_read_ = (next_read_ + 1) % reads_.size();
+  take(ftdi_payload(*bytes));
+  check(link_.read_on());
   return true;
 }
 
@@ -86,72 +69,46 @@ void Falcon::take(std::span<const std::byte> payload) {
     bring_up_.take(payload, clock_->now_ns());
     return;
   }
-  payload_ = payload_ || !payload.empty();
+  this_read_.has_bytes = this_read_.has_bytes || !payload.empty();
   for (const std::byte byte : payload) {
-    if (++payload_bytes_ % kFalconPacketBytes == 0 && answered_ != sent_) {
-      answer_ns_ = sent_ns_[answered_ % kRemembered];
-      ++answered_;
-    }
-    if (const auto reply = reader_.take(byte)) {
-      accept(*reply);
+    if (const auto answer = answers_.take(byte)) {
+      accept(*answer);
     }
   }
 }
 
-void Falcon::accept(const FalconReply& reply) {
-  if (latched_ != kDeviceOk || sent_ == 0) {
+void Falcon::accept(const FalconAnswer& answer) {
+  if (faults_ || !answers_.has_asked()) {
     return;
   }
-  if (!homed_) {
-    home_with(reply);
+  const FalconReply& reply = answer.reply;
+  if (!homing_.is_done) {
+    home_with(answer);
   } else if (!reply.all_homed()) {
-    doubt_ = kFalconReferenceLost;
-  } else if (!moved_plausibly(reply)) {
-    doubt_ = kFalconJumped;
+    this_read_.doubt = kFalconReferenceLost;
+  } else if (!arms_.can_reach(reply.counts, answer.asked_ns)) {
+    this_read_.doubt = kFalconJumped;
   } else {
-    believe(reply);
+    believe(answer);
   }
 }
 
-void Falcon::home_with(const FalconReply& reply) {
-  const bool steady = homed_in_a_row_ == 0 || moved_plausibly(reply);
-  homed_in_a_row_ = reply.all_homed() && steady ? homed_in_a_row_ + 1 : 0;
-  homed_ = homed_in_a_row_ >= kFalconHomedToBelieve;
-  reference_lost_ = reference_lost_ && !homed_;
-  believe(reply);
+void Falcon::home_with(const FalconAnswer& answer) {
+  const FalconReply& reply = answer.reply;
+  const bool is_steady = homing_.in_a_row == 0 || arms_.can_reach(reply.counts, answer.asked_ns);
+  homing_.in_a_row = reply.all_homed() && is_steady ? homing_.in_a_row + 1 : 0;
+  homing_.is_done = homing_.in_a_row >= kFalconHomedToBelieve;
+  homing_.is_reference_lost = homing_.is_reference_lost && !homing_.is_done;
+  believe(answer);
 }
 
-void Falcon::believe(const FalconReply& reply) {
-  fresh_ = true;
-  if (answer_ns_ != believed_.time_ns) {
-    reference_ = believed_;
+void Falcon::believe(const FalconAnswer& answer) {
+  this_read_.is_fresh = true;
+  newest_.buttons = answer.reply.buttons;
+  if (homing_.in_a_row == 0) {
+    arms_.restart_velocities();
   }
-  believed_ = {.counts = reply.counts, .time_ns = answer_ns_};
-  buttons_ = reply.buttons;
-  for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
-    if (homed_in_a_row_ == 0) {
-      rates_[arm].restart();
-    }
-    AxisSample& sample = samples_[arm];
-    sample.position_rad = arm_angle_rad(reply.counts[arm]);
-    sample.velocity_rad_per_s = std::clamp(rates_[arm].update(sample.position_rad, answer_ns_),
-                                           -config_.fastest_rad_per_s, config_.fastest_rad_per_s);
-    sample.time_ns = answer_ns_;
-  }
-}
-
-bool Falcon::moved_plausibly(const FalconReply& reply) const {
-  const Believed& from = answer_ns_ != believed_.time_ns ? believed_ : reference_;
-  const hal::TimeNs gap_ns =
-      std::clamp<hal::TimeNs>(answer_ns_ - from.time_ns, 0, kFalconLongestGap_ns);
-  const double reach_rad = config_.fastest_rad_per_s * static_cast<double>(gap_ns) * 1e-9;
-  const int reach = kFalconCountsOfSlack + static_cast<int>(reach_rad / kFalconRadPerCount);
-  for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
-    if (std::abs(int{reply.counts[arm]} - int{from.counts[arm]}) > reach) {
-      return false;
-    }
-  }
-  return true;
+  arms_.take(answer.reply.counts, answer.asked_ns);
 }
 
 }  // namespace tactus::drivers

@@ -16,25 +16,21 @@ hal::TimeNs least_interval(const EncoderConfig& config) {
 }  // namespace
 
 EdgeEncoder::EdgeEncoder(const EncoderConfig& config, bool has_index)
-    : has_index_(has_index),
-      gate_(config.index_state),
-      least_interval_ns_(least_interval(config)),
+    : settings_{.has_index = has_index,
+                .index_state = config.index_state,
+                .least_interval_ns = least_interval(config)},
       velocity_(hal::TimeNs{config.velocity_window_us} * 1000),
       index_(config.counts_per_rev, config.index_tolerance_counts) {}
 
 void EdgeEncoder::restart(bool a, bool b, bool index, hal::TimeNs now_ns) {
-  state_ = quadrature_state(a, b);
-  count_ = 0;
-  illegal_ = 0;
+  decoded_ = {.state = quadrature_state(a, b)};
   restarted_ns_ = now_ns;
-  last_edge_ns_ = 0;
-  last_channel_ = EncoderChannel::index;
+  last_edge_ = {};
   disagrees_since_ns_ = 0;
-  fault_ = EncoderFault::none;
   velocity_.restart();
-  index_.restart(count_);
-  index_high_ = index;
-  latched_ = true;  // an earlier pulse is not latched: its direction is unknown
+  index_.restart(0);
+  // An earlier pulse is not latched: its direction is unknown.
+  pulse_ = {.is_high = index, .is_latched = true};
 }
 
 void EdgeEncoder::take(EncoderChannel channel, bool rising, hal::TimeNs time_ns) {
@@ -47,49 +43,49 @@ void EdgeEncoder::take(EncoderChannel channel, bool rising, hal::TimeNs time_ns)
   }
   disagrees_since_ns_ = 0;
   const unsigned bit = channel == EncoderChannel::a ? 2U : 1U;
-  const bool repeats = ((state_ & bit) != 0) == rising;
-  const hal::TimeNs interval_ns = time_ns - last_edge_ns_;
-  const bool is_first = last_channel_ == EncoderChannel::index;
-  const hal::TimeNs least_ns = channel != last_channel_ ? least_interval_ns_ : 0;
+  const bool repeats = ((decoded_.state & bit) != 0) == rising;
+  const hal::TimeNs interval_ns = time_ns - last_edge_.time_ns;
+  const bool is_first = last_edge_.channel == EncoderChannel::index;
+  const hal::TimeNs least_ns = channel != last_edge_.channel ? settings_.least_interval_ns : 0;
   if (repeats || (!is_first && interval_ns < least_ns)) {
     reject();
   }
   if (!repeats) {
-    const int step = quadrature_step(state_, state_ ^ bit);
-    velocity_.saw(2 * count_ + step, time_ns);
-    count_ += step;
-    state_ ^= bit;
+    const int step = quadrature_step(decoded_.state, decoded_.state ^ bit);
+    velocity_.saw(2 * decoded_.count + step, time_ns);
+    decoded_.count += step;
+    decoded_.state ^= bit;
   }
-  last_edge_ns_ = time_ns;
-  last_channel_ = channel;
-  if (has_index_) {
+  last_edge_ = {.time_ns = time_ns, .channel = channel};
+  if (settings_.has_index) {
     latch_if_gated();
-    fail(index_.pass(count_));
+    fail(index_.pass(decoded_.count));
   }
 }
 
 void EdgeEncoder::take_index(bool rising) {
-  index_high_ = rising;
-  latched_ = latched_ && !rising;  // a new pulse
+  pulse_.is_high = rising;
+  pulse_.is_latched = pulse_.is_latched && !rising;  // a new pulse
   latch_if_gated();
 }
 
 // Latches the count of the index in one of the four states of A and B, so that it is the same from
 // either direction.
 void EdgeEncoder::latch_if_gated() {
-  if (has_index_ && index_high_ && !latched_ && state_ == gate_) {
-    latched_ = true;
-    fail(index_.pulse(count_));
+  if (settings_.has_index && pulse_.is_high && !pulse_.is_latched &&
+      decoded_.state == settings_.index_state) {
+    pulse_.is_latched = true;
+    fail(index_.pulse(decoded_.count));
   }
 }
 
 void EdgeEncoder::reject() {
-  ++illegal_;
+  ++decoded_.illegal;
   fail(EncoderFault::illegal_transition);
 }
 
 void EdgeEncoder::compare(bool a, bool b, hal::TimeNs now_ns) {
-  if (quadrature_state(a, b) == state_) {
+  if (quadrature_state(a, b) == decoded_.state) {
     disagrees_since_ns_ = 0;
   } else if (disagrees_since_ns_ == 0) {
     disagrees_since_ns_ = now_ns;
@@ -99,12 +95,12 @@ void EdgeEncoder::compare(bool a, bool b, hal::TimeNs now_ns) {
 }
 
 EncoderReading EdgeEncoder::reading(hal::TimeNs now_ns) const {
-  return {.count = count_,
-          .counts_per_s = fault_ == EncoderFault::none ? velocity_.at(now_ns) : 0.0,
+  return {.count = decoded_.count,
+          .counts_per_s = decoded_.fault == EncoderFault::none ? velocity_.at(now_ns) : 0.0,
           .time_ns = now_ns,
           .index_count = index_.last(),
           .index_seen = index_.seen(),
-          .fault = fault_};
+          .fault = decoded_.fault};
 }
 
 }  // namespace tactus::drivers

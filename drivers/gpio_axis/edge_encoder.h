@@ -43,36 +43,57 @@ class EdgeEncoder {
 
   // Sets a fault that the caller found. The first fault stays.
   void fail(EncoderFault fault) {
-    if (fault_ == EncoderFault::none) {
-      fault_ = fault;
+    if (decoded_.fault == EncoderFault::none) {
+      decoded_.fault = fault;
     }
   }
 
   [[nodiscard]] EncoderReading reading(hal::TimeNs now_ns) const;
-  [[nodiscard]] std::uint64_t illegal_transitions() const { return illegal_; }
+  [[nodiscard]] std::uint64_t illegal_transitions() const { return decoded_.illegal; }
   [[nodiscard]] std::int64_t index_error() const { return index_.error(); }
 
  private:
+  struct Settings {
+    bool has_index = false;
+    // The state of A and B in which the index is latched.
+    unsigned index_state = 0;
+    // Edges of both channels that are closer than this are rejected.
+    hal::TimeNs least_interval_ns = 0;
+  };
+  // The result of the edges since the last restart.
+  struct Decoded {
+    // The levels of A and B, quadrature.h.
+    unsigned state = 0;
+    std::int64_t count = 0;
+    // The number of rejected edges.
+    std::uint64_t illegal = 0;
+    EncoderFault fault = EncoderFault::none;
+  };
+  struct LastEdge {
+    hal::TimeNs time_ns = 0;
+    // `index`: no edge yet.
+    EncoderChannel channel = EncoderChannel::index;
+  };
+  struct IndexPulse {
+    bool is_high = false;
+    // The count was latched in this pulse.
+    bool is_latched = false;
+  };
+
   void take_index(bool rising);
   void latch_if_gated();
   void reject();
 
-  bool has_index_;
-  unsigned gate_;
-  hal::TimeNs least_interval_ns_;
+  Settings settings_;
   CountVelocity velocity_;
   IndexWatch index_;
 
-  unsigned state_ = 0;
-  std::int64_t count_ = 0;
-  std::uint64_t illegal_ = 0;
+  Decoded decoded_;
   hal::TimeNs restarted_ns_ = 0;
-  hal::TimeNs last_edge_ns_ = 0;
-  EncoderChannel last_channel_ = EncoderChannel::index;  // index: no edge yet
-  hal::TimeNs disagrees_since_ns_ = 0;                   // 0: they agree
-  bool index_high_ = false;
-  bool latched_ = false;  // in this pulse
-  EncoderFault fault_ = EncoderFault::none;
+  LastEdge last_edge_;
+  IndexPulse pulse_;
+  // The time since which the levels disagree with the edges; 0: they agree.
+  hal::TimeNs disagrees_since_ns_ = 0;
 };
 
 }  // namespace tactus::drivers

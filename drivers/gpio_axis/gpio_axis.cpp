@@ -17,35 +17,29 @@ GpioAxis::GpioAxis(const GpioAxisConfig& config, hal::Counter& counter, hal::Gpi
 GpioAxis::GpioAxis(const GpioAxisConfig& config, hal::Counter* counter, hal::GpioLines& lines,
                    hal::PwmOutput& pwm, const hal::Clock& clock)
     : config_(config),
-      counter_(counter),
-      lines_(&lines),
-      pwm_(&pwm),
-      clock_(&clock),
+      hardware_{.counter = counter, .lines = &lines, .pwm = &pwm, .clock = &clock},
       wiring_(config),
-      edges_(config.encoder, config.pins.encoder_index.has_value()),
-      counts_(config.encoder),
+      encoder_{.edges = {config.encoder, config.pins.encoder_index.has_value()},
+               .counts = CounterEncoder(config.encoder),
+               .silence = {}},
       bridge_(config.bridge),
       safety_(hal::TimeNs{config.emergency_stop_release_ms} * 1'000'000) {}
 
 void GpioAxis::start() {
   running_ = false;
-  powered_ = false;
-  cut_ = false;
-  trouble_ = GpioAxisTrouble::none;
-  error_ = {};
+  output_ = {};
+  fault_ = {};
   sample_ = {};
-  if (!check(config_, counter_ != nullptr)) {
+  if (!check(config_, hardware_.counter != nullptr)) {
     latch(GpioAxisTrouble::not_configured);
     return;
   }
-  lines_->release();
+  hardware_.lines->release();
   const hal::GpioRequest request{.lines = wiring_.lines(), .edge_buffer = config_.edge_buffer};
   using enum GpioAxisTrouble;
-  if (!did(lines_->request(request), lines_gone, lines_fail) || !start_pwm()) {
+  if (!did(hardware_.lines->request(request), lines_gone, lines_fail) || !start_pwm()) {
     return;
   }
-  reverse_ = false;
-  heartbeat_ = false;
   bridge_ = HBridge(config_.bridge);
   safety_.restart();
   loss_ = {};
@@ -53,46 +47,45 @@ void GpioAxis::start() {
     running_ = true;
     sample_.status &= ~std::uint32_t{kDeviceNotReady};
     cut_power();
-    read_levels(clock_->now_ns());
+    read_levels(hardware_.clock->now_ns());
     note_safety();
   }
 }
 
 bool GpioAxis::start_pwm() {
   using enum GpioAxisTrouble;
-  if (pwm_->settings().period_ns != 0 && !set_duty(0)) {
+  if (hardware_.pwm->settings().period_ns != 0 && !set_duty(0)) {
     return false;
   }
-  return did(pwm_->set_period_ns(config_.bridge.pwm_period_ns), pwm_gone, pwm_fails) &&
-         set_duty(bridge_.idle(clock_->now_ns()).duty_ns) &&
-         did(pwm_->set_enabled(true), pwm_gone, pwm_fails);
+  return did(hardware_.pwm->set_period_ns(config_.bridge.pwm_period_ns), pwm_gone, pwm_fails) &&
+         set_duty(bridge_.idle(hardware_.clock->now_ns()).duty_ns) &&
+         did(hardware_.pwm->set_enabled(true), pwm_gone, pwm_fails);
 }
 
 bool GpioAxis::start_encoder() {
   using enum GpioAxisTrouble;
-  silent_count_ = 0;
-  silent_since_ns_ = clock_->now_ns();
+  encoder_.silence.restart(hardware_.clock->now_ns());
   sample_.index_seen = false;
-  if (counter_ != nullptr) {
+  if (hardware_.counter != nullptr) {
     const hal::CounterConfig wanted{.ceiling = config_.encoder.counter_ceiling,
                                     .watch_index = config_.encoder.counter_index};
-    if (!did(counter_->start(wanted), counter_gone, counter_fails)) {
+    if (!did(hardware_.counter->start(wanted), counter_gone, counter_fails)) {
       return false;
     }
-    const auto reading = counter_->read();
+    const auto reading = hardware_.counter->read();
     if (!reading) {
       return did(std::unexpected(reading.error()), counter_gone, counter_fails);
     }
-    counts_.restart(*reading, counter_->ceiling());
+    encoder_.counts.restart(*reading, hardware_.counter->ceiling());
     return true;
   }
-  const auto levels = lines_->get(wiring_.inputs());
+  const auto levels = hardware_.lines->get(wiring_.inputs());
   if (!levels) {
     return did(std::unexpected(levels.error()), lines_gone, lines_fail);
   }
   const auto active = [&](AxisLine line) { return (*levels & wiring_.bit(line)) != 0; };
-  edges_.restart(active(AxisLine::encoder_a), active(AxisLine::encoder_b),
-                 active(AxisLine::encoder_index), clock_->now_ns());
+  encoder_.edges.restart(active(AxisLine::encoder_a), active(AxisLine::encoder_b),
+                         active(AxisLine::encoder_index), hardware_.clock->now_ns());
   return true;
 }
 
@@ -103,9 +96,8 @@ void GpioAxis::clear_faults() {
   }
   const bool reference_lost = (sample_.status & kDeviceEncoderFault) != 0;
   sample_.status = kDeviceOk;
-  trouble_ = GpioAxisTrouble::none;
-  error_ = {};
-  safety_.clear(clock_->now_ns());
+  fault_ = {};
+  safety_.clear(hardware_.clock->now_ns());
   note_safety();
   if (reference_lost) {
     read_edges();
@@ -122,19 +114,20 @@ void GpioAxis::stop() {
 }
 
 Trouble GpioAxis::trouble(std::size_t /*axis*/) const {
-  return describe(trouble_);
+  return describe(fault_.trouble);
 }
 
 std::int64_t GpioAxis::index_error() const {
-  return counter_ != nullptr ? counts_.index_error() : edges_.index_error();
+  return hardware_.counter != nullptr ? encoder_.counts.index_error()
+                                      : encoder_.edges.index_error();
 }
 
 bool GpioAxis::did(const hal::Result<void>& outcome, GpioAxisTrouble gone, GpioAxisTrouble fails) {
   if (outcome) {
     return true;
   }
-  if (trouble_ == GpioAxisTrouble::none) {
-    error_ = outcome.error();
+  if (fault_.trouble == GpioAxisTrouble::none) {
+    fault_.error = outcome.error();
   }
   latch(outcome.error().code == hal::ErrorCode::disconnected ? gone : fails);
   return false;
@@ -142,8 +135,8 @@ bool GpioAxis::did(const hal::Result<void>& outcome, GpioAxisTrouble gone, GpioA
 
 void GpioAxis::latch(GpioAxisTrouble trouble) {
   sample_.status |= status_of(trouble);
-  if (trouble_ == GpioAxisTrouble::none) {
-    trouble_ = trouble;
+  if (fault_.trouble == GpioAxisTrouble::none) {
+    fault_.trouble = trouble;
   }
 }
 

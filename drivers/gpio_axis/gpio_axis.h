@@ -10,7 +10,6 @@
 // read and write are real time. All calls come from one thread.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +22,7 @@
 #include "drivers/gpio_axis/gpio_axis_trouble.h"
 #include "drivers/gpio_axis/h_bridge.h"
 #include "drivers/gpio_axis/safety_inputs.h"
+#include "drivers/gpio_axis/silence_watch.h"
 #include "hal/clock.h"
 #include "hal/counter.h"
 #include "hal/gpio_lines.h"
@@ -57,12 +57,47 @@ class GpioAxis {
 
   // These are for the log: the error of the system call behind the first fault, and counts of
   // errors.
-  [[nodiscard]] const hal::Error& error() const { return error_; }
+  [[nodiscard]] const hal::Error& error() const { return fault_.error; }
   [[nodiscard]] std::uint64_t edges_lost() const { return loss_.lost(); }
-  [[nodiscard]] std::uint64_t illegal_transitions() const { return edges_.illegal_transitions(); }
+  [[nodiscard]] std::uint64_t illegal_transitions() const {
+    return encoder_.edges.illegal_transitions();
+  }
   [[nodiscard]] std::int64_t index_error() const;
 
  private:
+  // The parts of the board that the axis uses.
+  struct Hardware {
+    // Null: the encoder is on GPIO lines.
+    hal::Counter* counter;
+    hal::GpioLines* lines;
+    hal::PwmOutput* pwm;
+    const hal::Clock* clock;
+  };
+  // The decoder of the encoder: one of the first two, by the hardware.
+  struct Encoder {
+    EdgeEncoder edges;
+    CounterEncoder counts;
+    SilenceWatch silence;
+  };
+  // The first fault since the last reset, and the error of the system call behind it, if any.
+  struct FirstFault {
+    GpioAxisTrouble trouble = GpioAxisTrouble::none;
+    hal::Error error;
+  };
+  // The outputs as they were set last.
+  struct Output {
+    // The motor has power, and since when.
+    bool powered = false;
+    hal::TimeNs powered_since_ns = 0;
+    // The outputs are known to be off.
+    bool cut = false;
+    bool reverse = false;
+    bool heartbeat = false;
+    double torque_Nm = 0.0;
+    // The time of the last command.
+    hal::TimeNs written_ns = 0;
+  };
+
   GpioAxis(const GpioAxisConfig& config, hal::Counter* counter, hal::GpioLines& lines,
            hal::PwmOutput& pwm, const hal::Clock& clock);
 
@@ -88,32 +123,17 @@ class GpioAxis {
   void latch(GpioAxisTrouble trouble);
 
   GpioAxisConfig config_;
-  hal::Counter* counter_;
-  hal::GpioLines* lines_;
-  hal::PwmOutput* pwm_;
-  const hal::Clock* clock_;
-
+  Hardware hardware_;
   AxisWiring wiring_;
-  EdgeEncoder edges_;
-  CounterEncoder counts_;
+  Encoder encoder_;
   HBridge bridge_;
   SafetyInputs safety_;
   hal::GpioLossCounter loss_;
-  std::array<hal::GpioEdgeEvent, 64> events_{};
 
   AxisSample sample_;
-  GpioAxisTrouble trouble_ = GpioAxisTrouble::none;
-  hal::Error error_;
+  FirstFault fault_;
+  Output output_;
   bool running_ = false;
-  bool powered_ = false;
-  bool cut_ = false;  // the outputs are known to be off
-  bool reverse_ = false;
-  bool heartbeat_ = false;
-  hal::TimeNs powered_since_ns_ = 0;
-  hal::TimeNs written_ns_ = 0;
-  double torque_Nm_ = 0.0;  // as last driven
-  std::int64_t silent_count_ = 0;
-  hal::TimeNs silent_since_ns_ = 0;
 };
 
 }  // namespace tactus::drivers

@@ -10,19 +10,21 @@ namespace {
 
 // The most reads of a tick: twice as many events as the kernel can keep. The rest waits for the
 // next tick.
-constexpr std::size_t kMaxReadsPerTick = 2 * hal::kMaxGpioEdgeBuffer / 64;
+constexpr std::size_t kEventsPerRead = 64;
+constexpr std::size_t kMaxReadsPerTick = 2 * hal::kMaxGpioEdgeBuffer / kEventsPerRead;
 
 }  // namespace
 
 void GpioAxis::read(std::span<AxisSample> samples, hal::TimeNs /*deadline_ns*/) {
   if (running_) {
-    const hal::TimeNs now_ns = clock_->now_ns();
+    const hal::TimeNs now_ns = hardware_.clock->now_ns();
     const bool all = read_edges();
     if (all) {
       read_levels(now_ns);
     }
     read_counter();
-    const EncoderReading reading = counter_ != nullptr ? counts_.reading() : edges_.reading(now_ns);
+    const EncoderReading reading =
+        hardware_.counter != nullptr ? encoder_.counts.reading() : encoder_.edges.reading(now_ns);
     watch_silence(reading, now_ns);
     note_safety();
     if (reading.fault != EncoderFault::none) {
@@ -35,7 +37,8 @@ void GpioAxis::read(std::span<AxisSample> samples, hal::TimeNs /*deadline_ns*/) 
       take_sample(reading);
     }
     const hal::TimeNs patience_ns = hal::TimeNs{config_.command_timeout_ms} * 1'000'000;
-    if (trouble_ != GpioAxisTrouble::none || (powered_ && now_ns - written_ns_ > patience_ns)) {
+    if (fault_.trouble != GpioAxisTrouble::none ||
+        (output_.powered && now_ns - output_.written_ns > patience_ns)) {
       cut_power();
     }
   }
@@ -47,8 +50,9 @@ bool GpioAxis::read_edges() {
   if (!wiring_.watches_edges()) {
     return true;
   }
+  std::array<hal::GpioEdgeEvent, kEventsPerRead> events;
   for (std::size_t i = 0; i < kMaxReadsPerTick; ++i) {
-    const auto count = lines_->read_edges(events_, hal::kNoWait);
+    const auto count = hardware_.lines->read_edges(events, hal::kNoWait);
     if (!count) {
       if (count.error().code != hal::ErrorCode::timeout) {
         did(std::unexpected(count.error()), GpioAxisTrouble::lines_gone,
@@ -56,7 +60,7 @@ bool GpioAxis::read_edges() {
       }
       return true;
     }
-    for (const hal::GpioEdgeEvent& event : std::span(events_).first(*count)) {
+    for (const hal::GpioEdgeEvent& event : std::span(events).first(*count)) {
       take(event);
     }
   }
@@ -65,8 +69,8 @@ bool GpioAxis::read_edges() {
 
 void GpioAxis::take(const hal::GpioEdgeEvent& event) {
   if (loss_.saw(event) != 0) {
-    if (counter_ == nullptr) {
-      edges_.fail(EncoderFault::edges_lost);
+    if (hardware_.counter == nullptr) {
+      encoder_.edges.fail(EncoderFault::edges_lost);
     } else {
       latch(GpioAxisTrouble::safety_edges_lost);
     }
@@ -76,11 +80,11 @@ void GpioAxis::take(const hal::GpioEdgeEvent& event) {
     return;
   }
   if (*line == AxisLine::encoder_a) {
-    edges_.take(EncoderChannel::a, event.rising, event.time_ns);
+    encoder_.edges.take(EncoderChannel::a, event.rising, event.time_ns);
   } else if (*line == AxisLine::encoder_b) {
-    edges_.take(EncoderChannel::b, event.rising, event.time_ns);
+    encoder_.edges.take(EncoderChannel::b, event.rising, event.time_ns);
   } else if (*line == AxisLine::encoder_index) {
-    edges_.take(EncoderChannel::index, event.rising, event.time_ns);
+    encoder_.edges.take(EncoderChannel::index, event.rising, event.time_ns);
   } else if (*line == AxisLine::emergency_stop && event.rising) {
     safety_.emergency_stop_edge(event.time_ns);
   } else if (*line == AxisLine::fault && event.rising) {
@@ -94,14 +98,14 @@ void GpioAxis::read_levels(hal::TimeNs now_ns) {
   if (wiring_.inputs() == 0) {
     return;
   }
-  const auto levels = lines_->get(wiring_.inputs());
+  const auto levels = hardware_.lines->get(wiring_.inputs());
   if (!levels) {
     did(std::unexpected(levels.error()), GpioAxisTrouble::lines_gone, GpioAxisTrouble::lines_fail);
     return;
   }
   const auto active = [&](AxisLine line) { return (*levels & wiring_.bit(line)) != 0; };
-  if (counter_ == nullptr) {
-    edges_.compare(active(AxisLine::encoder_a), active(AxisLine::encoder_b), now_ns);
+  if (hardware_.counter == nullptr) {
+    encoder_.edges.compare(active(AxisLine::encoder_a), active(AxisLine::encoder_b), now_ns);
   }
   safety_.take({.emergency_stop = active(AxisLine::emergency_stop),
                 .fault = active(AxisLine::fault),
@@ -111,27 +115,27 @@ void GpioAxis::read_levels(hal::TimeNs now_ns) {
 }
 
 void GpioAxis::read_counter() {
-  if (counter_ == nullptr) {
+  if (hardware_.counter == nullptr) {
     return;
   }
   using enum GpioAxisTrouble;
   if (config_.encoder.counter_index) {
     std::array<hal::CounterIndexEvent, 8> pulses;
-    const auto count = counter_->read_index(pulses, hal::kNoWait);
+    const auto count = hardware_.counter->read_index(pulses, hal::kNoWait);
     if (!count && count.error().code != hal::ErrorCode::timeout) {
       did(std::unexpected(count.error()), counter_gone, counter_fails);
       return;
     }
     for (const auto& pulse : std::span(pulses).first(count.value_or(0))) {
-      counts_.take_index(pulse);
+      encoder_.counts.take_index(pulse);
     }
   }
-  const auto reading = counter_->read();
+  const auto reading = hardware_.counter->read();
   if (!reading) {
     did(std::unexpected(reading.error()), counter_gone, counter_fails);
     return;
   }
-  counts_.take(*reading);
+  encoder_.counts.take(*reading);
 }
 
 void GpioAxis::take_sample(const EncoderReading& reading) {
@@ -146,16 +150,13 @@ void GpioAxis::take_sample(const EncoderReading& reading) {
 
 void GpioAxis::watch_silence(const EncoderReading& reading, hal::TimeNs now_ns) {
   const double least_Nm = config_.encoder.silence_torque * config_.bridge.max_torque_Nm;
-  const bool pushes = powered_ && torque_Nm_ != 0.0 && std::abs(torque_Nm_) >= least_Nm;
-  if (!pushes || reading.count != silent_count_) {
-    silent_count_ = reading.count;
-    silent_since_ns_ = now_ns;
-    return;
-  }
+  const bool pushes =
+      output_.powered && output_.torque_Nm != 0.0 && std::abs(output_.torque_Nm) >= least_Nm;
+  const hal::TimeNs silent_ns = encoder_.silence.take(pushes, reading.count, now_ns);
   const hal::TimeNs patience_ns = hal::TimeNs{config_.encoder.silence_ms} * 1'000'000;
-  if (patience_ns > 0 && now_ns - silent_since_ns_ > patience_ns) {
-    edges_.fail(EncoderFault::silent);
-    counts_.fail(EncoderFault::silent);
+  if (patience_ns > 0 && silent_ns > patience_ns) {
+    encoder_.edges.fail(EncoderFault::silent);
+    encoder_.counts.fail(EncoderFault::silent);
     latch(GpioAxisTrouble::silent);
   }
 }

@@ -10,27 +10,27 @@ void GpioAxis::write(std::span<const AxisCommand> commands) {
   if (!running_) {
     return;
   }
-  const hal::TimeNs now_ns = clock_->now_ns();
-  written_ns_ = now_ns;
-  if (trouble_ != GpioAxisTrouble::none || !commands[0].enable) {
+  const hal::TimeNs now_ns = hardware_.clock->now_ns();
+  output_.written_ns = now_ns;
+  if (fault_.trouble != GpioAxisTrouble::none || !commands[0].enable) {
     cut_power();
     return;
   }
-  if (!powered_) {
+  if (!output_.powered) {
     power_up(now_ns);
   }
-  torque_Nm_ = allowed_torque(commands[0], now_ns);
-  apply(bridge_.drive(torque_Nm_, now_ns));
+  output_.torque_Nm = allowed_torque(commands[0], now_ns);
+  apply(bridge_.drive(output_.torque_Nm, now_ns));
   beat();
-  if (trouble_ != GpioAxisTrouble::none) {
+  if (fault_.trouble != GpioAxisTrouble::none) {
     cut_power();
   }
 }
 
 void GpioAxis::power_up(hal::TimeNs now_ns) {
-  cut_ = false;
-  powered_ = true;
-  powered_since_ns_ = now_ns;
+  output_.cut = false;
+  output_.powered = true;
+  output_.powered_since_ns = now_ns;
   if (set(AxisLine::enable, true)) {
     set(AxisLine::brake_release, true);
   }
@@ -39,7 +39,7 @@ void GpioAxis::power_up(hal::TimeNs now_ns) {
 double GpioAxis::allowed_torque(const AxisCommand& command, hal::TimeNs now_ns) const {
   const double most_Nm = config_.bridge.max_torque_Nm;
   const hal::TimeNs ramp_ns = hal::TimeNs{config_.torque_ramp_ms} * 1'000'000;
-  const auto since_ns = now_ns - powered_since_ns_;
+  const auto since_ns = now_ns - output_.powered_since_ns;
   const double part =
       since_ns >= ramp_ns ? 1.0 : static_cast<double>(since_ns) / static_cast<double>(ramp_ns);
   const double wanted_Nm = std::isfinite(command.torque_Nm) ? command.torque_Nm : 0.0;
@@ -47,48 +47,49 @@ double GpioAxis::allowed_torque(const AxisCommand& command, hal::TimeNs now_ns) 
 }
 
 void GpioAxis::apply(const BridgeOutput& output) {
-  if (output.reverse != reverse_) {
+  if (output.reverse != output_.reverse) {
     if (!set_duty(0) || !set(AxisLine::direction, output.reverse)) {
       return;
     }
-    reverse_ = output.reverse;
+    output_.reverse = output.reverse;
   }
   set_duty(output.duty_ns);
 }
 
 void GpioAxis::beat() {
   if (wiring_.bit(AxisLine::heartbeat) != 0) {
-    heartbeat_ = !heartbeat_;
-    set(AxisLine::heartbeat, heartbeat_);
+    output_.heartbeat = !output_.heartbeat;
+    set(AxisLine::heartbeat, output_.heartbeat);
   }
 }
 
 // Cuts the power. The bridge's enable goes first: it stops both kinds of bridge with one call.
 // Calls that fail are repeated in the next tick.
 void GpioAxis::cut_power() {
-  powered_ = false;
-  torque_Nm_ = 0.0;
-  if (cut_) {
+  output_.powered = false;
+  output_.torque_Nm = 0.0;
+  if (output_.cut) {
     return;
   }
   const std::uint64_t off = wiring_.bit(AxisLine::enable) | wiring_.bit(AxisLine::brake_release) |
                             wiring_.bit(AxisLine::heartbeat);
   using enum GpioAxisTrouble;
-  const bool lines_off = off == 0 || did(lines_->set(off, 0), lines_gone, lines_fail);
-  heartbeat_ = false;
-  const bool duty_off = set_duty(bridge_.idle(clock_->now_ns()).duty_ns);
-  cut_ = lines_off && duty_off;
+  const bool lines_off = off == 0 || did(hardware_.lines->set(off, 0), lines_gone, lines_fail);
+  output_.heartbeat = false;
+  const bool duty_off = set_duty(bridge_.idle(hardware_.clock->now_ns()).duty_ns);
+  output_.cut = lines_off && duty_off;
 }
 
 bool GpioAxis::set(AxisLine line, bool active) {
   const std::uint64_t bit = wiring_.bit(line);
-  return bit == 0 || did(lines_->set(bit, active ? bit : 0), GpioAxisTrouble::lines_gone,
+  return bit == 0 || did(hardware_.lines->set(bit, active ? bit : 0), GpioAxisTrouble::lines_gone,
                          GpioAxisTrouble::lines_fail);
 }
 
 bool GpioAxis::set_duty(hal::TimeNs duty_ns) {
-  return pwm_->settings().duty_ns == duty_ns ||
-         did(pwm_->set_duty_ns(duty_ns), GpioAxisTrouble::pwm_gone, GpioAxisTrouble::pwm_fails);
+  return hardware_.pwm->settings().duty_ns == duty_ns ||
+         did(hardware_.pwm->set_duty_ns(duty_ns), GpioAxisTrouble::pwm_gone,
+             GpioAxisTrouble::pwm_fails);
 }
 
 }  // namespace tactus::drivers

@@ -15,7 +15,11 @@
 #include <span>
 
 #include "drivers/axis.h"
-#include "drivers/common/rate_filter.h"
+#include "drivers/common/fault_latch.h"
+#include "drivers/common/last_readings.h"
+#include "drivers/common/position_samples.h"
+#include "drivers/common/question_times.h"
+#include "drivers/common/read_score.h"
 #include "drivers/haply_serial/protocol.h"
 #include "hal/serial_port.h"
 
@@ -80,8 +84,43 @@ class Haply {
   enum class State : std::uint8_t { stopped, settling, running };
   // The setup first tells the board to count from angles that no other device would answer with.
   enum class Identity : std::uint8_t { asked, shown };
-  static constexpr std::size_t kRemembered = 16;
   using Torques = std::array<double, kHaplyMaxAxes>;
+
+  // The setup of the board, which its answers must show.
+  struct Setup {
+    // The number of starts, from which the angles of an identity that is asked for differ.
+    std::uint32_t starts = 0;
+    Identity identity = Identity::asked;
+    // The time from which the board answers.
+    hal::TimeNs settled_ns = 0;
+    // The number of answers in a row that say what the setup told.
+    std::uint32_t at_home_in_a_row = 0;
+    // The board's answers show that it took the setup.
+    bool is_done = false;
+    // The board was set up before, and is set up again.
+    bool is_reference_lost = false;
+  };
+  // The answer that is arriving.
+  struct Arriving {
+    std::array<std::byte, haply_reply_bytes(kHaplyMaxAxes)> bytes{};
+    std::size_t size = 0;
+    // The number of reads in which it arrived without its end.
+    std::uint32_t late_reads = 0;
+
+    void restart() {
+      size = 0;
+      late_reads = 0;
+    }
+  };
+  // The results of one read.
+  struct ThisRead {
+    // A believable answer came.
+    bool is_fresh = false;
+    // An answer came without a command.
+    bool is_unasked = false;
+    // The reason why an answer was rejected.
+    Trouble doubt;
+  };
 
   void set_up();
   void forget_answers();
@@ -90,10 +129,11 @@ class Haply {
   // Receives one answer. Returns false if none is complete by the deadline.
   bool receive(hal::TimeNs deadline_ns);
   void drop_late_piece();
-  void accept(const HaplyAngles& angles);
-  void find_home(const HaplyAngles& angles);
-  void believe(const HaplyAngles& angles);
-  [[nodiscard]] bool moved_plausibly(const HaplyAngles& angles) const;
+  void take(std::span<const std::byte> reply, hal::TimeNs asked_ns);
+  void accept(const HaplyAngles& angles, hal::TimeNs asked_ns);
+  void find_home(const HaplyAngles& angles, hal::TimeNs asked_ns);
+  void believe(const HaplyAngles& angles, hal::TimeNs asked_ns);
+  [[nodiscard]] bool moved_plausibly(const HaplyAngles& angles, hal::TimeNs asked_ns) const;
   [[nodiscard]] bool says_what_it_was_told(const HaplyAngles& angles) const;
   void judge();
 
@@ -107,40 +147,14 @@ class Haply {
   const hal::Clock* clock_;
   HaplyConfig config_;
   State state_ = State::stopped;
-  hal::TimeNs settled_ns_ = 0;
-
-  std::array<std::byte, haply_reply_bytes(kHaplyMaxAxes)> reply_{};
-  std::size_t reply_size_ = 0;    // of the answer that is arriving
-  std::uint32_t reply_late_ = 0;  // reads in which it arrived without its end
-
-  // Send times of the commands whose answers have not come, oldest first.
-  std::array<hal::TimeNs, kRemembered> sent_ns_{};
-  std::uint32_t sent_ = 0;
-  std::uint32_t answered_ = 0;
-
-  struct Believed {
-    HaplyAngles angles{};
-    hal::TimeNs time_ns = 0;
-  };
-  Believed believed_;          // the newest
-  Believed reference_;         // the newest of an older command; a jump is measured from it
-  hal::TimeNs answer_ns_ = 0;  // send time of the command of the last answer
-  std::array<AxisSample, kHaplyMaxAxes> samples_{};
-  std::array<RateFilter, kHaplyMaxAxes> rates_;
-  std::uint32_t at_home_in_a_row_ = 0;
-  bool set_up_ = false;          // the board's answers show that it took the setup
-  bool reference_lost_ = false;  // the board was set up before and is set up again
-  Identity identity_ = Identity::asked;
-  std::uint32_t starts_ = 0;
-
-  // The state of this read.
-  bool fresh_ = false;
-  bool unasked_ = false;  // an answer came without a command
-  Trouble doubt_;
-
-  std::uint32_t bad_score_ = 0;  // rises with a bad read, falls more slowly with good ones
-  std::uint32_t latched_ = kDeviceOk;
-  Trouble trouble_;
+  Setup setup_;
+  Arriving arriving_;
+  QuestionTimes commands_;
+  LastReadings<HaplyAngles> last_;
+  PositionSamples<kHaplyMaxAxes> samples_;
+  ThisRead this_read_;
+  ReadScore score_;
+  FaultLatch faults_;
 };
 
 static_assert(Board<Haply>);

@@ -60,59 +60,55 @@ std::size_t MoteusCanFd::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void MoteusCanFd::start(hal::TimeNs now_ns) {
-  is_followed_ = false;
-  is_proven_ = false;
+  known_ = {};
   begin(now_ns);
 }
 
 // A loss of the reference stays until a read has reported it.
 void MoteusCanFd::clear_faults(hal::TimeNs now_ns) {
-  if (phase_ == Phase::failed && is_shown_) {
+  if (stage_.phase == Phase::failed && !faults_.is_held()) {
     begin(now_ns);
   }
 }
 
 // A position that is followed stays so, if there is no gap in the replies.
 void MoteusCanFd::begin(hal::TimeNs now_ns) {
-  if (!is_followed_) {
+  if (!known_.is_followed) {
     sample_ = {};
-    has_asked_ = false;
-    has_replied_ = false;
+    sent_.questions.restart();
+    heard_.has_replied = false;
     encoder_.reset();
   }
   sample_.status = kDeviceNotReady;
   sample_.has_torque = false;
   faults_.clear();
   readings_ = {};
-  last_fault_ = 0;
-  is_shown_ = true;
+  heard_.last_fault = 0;
   enter(Phase::stopping, now_ns);
 }
 
 void MoteusCanFd::enter(Phase phase, hal::TimeNs now_ns) {
-  phase_ = phase;
-  phase_since_ns_ = now_ns;
+  stage_ = {.phase = phase, .begun_ns = now_ns};
   if (phase == Phase::up) {
     sample_.status = kDeviceOk;
-    is_followed_ = true;
+    known_.is_followed = true;
   }
 }
 
 void MoteusCanFd::fail(std::uint32_t status, const Trouble& trouble) {
-  phase_ = Phase::failed;
+  stage_.phase = Phase::failed;
   faults_.latch(status, trouble);
   sample_.status = faults_.status();
-  if ((status & kDeviceReferenceLost) != 0 && is_followed_) {
-    is_followed_ = false;
-    is_proven_ = false;
-    is_shown_ = false;
+  if ((status & kDeviceReferenceLost) != 0 && known_.is_followed) {
+    known_ = {};
+    faults_.hold();
   }
 }
 
 void MoteusCanFd::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   watch_deadlines(now_ns);
-  is_shown_ = true;  // the sample of this read has the whole status
-  const bool is_under_torque = phase_ == Phase::starting || phase_ == Phase::up;
+  faults_.show();  // the sample of this read has the whole status
+  const bool is_under_torque = stage_.phase == Phase::starting || stage_.phase == Phase::up;
   if (is_under_torque && config_.query == MoteusQuery::before_command) {
     outbox.add(moteus::query(address_));
   }
@@ -122,7 +118,7 @@ void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOut
   watch_deadlines(now_ns);
   const bool asks_here = config_.query == MoteusQuery::with_command;
   switch_power(command.power_off, now_ns);
-  switch (phase_) {
+  switch (stage_.phase) {
     case Phase::off:
       return;
     case Phase::stopping:
@@ -133,10 +129,10 @@ void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOut
     case Phase::starting:
     case Phase::up: {
       const float torque_Nm =
-          phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F;
+          stage_.phase == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F;
       outbox.add(
           moteus::torque(address_, torque_Nm, static_cast<float>(config_.watchdog_s), asks_here));
-      fed_ns_ = now_ns;
+      sent_.torque_ns = now_ns;
       return;
     }
     case Phase::proving:
@@ -150,11 +146,11 @@ void MoteusCanFd::command(hal::TimeNs now_ns, const AxisCommand& command, CanOut
 }
 
 void MoteusCanFd::switch_power(bool power_off, hal::TimeNs now_ns) {
-  const bool has_power =
-      phase_ == Phase::starting || phase_ == Phase::proving || phase_ == Phase::up;
+  const bool has_power = stage_.phase == Phase::starting || stage_.phase == Phase::proving ||
+                         stage_.phase == Phase::up;
   if (power_off && has_power) {
     enter(Phase::resting, now_ns);
-  } else if (!power_off && phase_ == Phase::resting) {
+  } else if (!power_off && stage_.phase == Phase::resting) {
     sample_.status = kDeviceNotReady;
     enter(Phase::stopping, now_ns);
   }
@@ -163,54 +159,53 @@ void MoteusCanFd::switch_power(bool power_off, hal::TimeNs now_ns) {
 void MoteusCanFd::shutdown(CanOutbox& outbox) {
   outbox.add(moteus::torque(address_, 0.0F, static_cast<float>(config_.watchdog_s), false));
   outbox.add(moteus::stop(address_, false));
-  phase_ = Phase::off;
+  stage_.phase = Phase::off;
   sample_.status |= kDeviceNotReady;
 }
 
 bool MoteusCanFd::is_time_to_ask(hal::TimeNs now_ns) {
-  if (has_asked_ && !has_replied_ && !has_passed(kAskAgain_s, asked_ns_, now_ns)) {
+  if (!heard_.has_replied && !sent_.questions.is_due(kAskAgain_s, now_ns)) {
     return false;
   }
-  has_asked_ = true;
-  asked_ns_ = now_ns;
+  sent_.questions.sent(now_ns);
   return true;
 }
 
 void MoteusCanFd::watch_deadlines(hal::TimeNs now_ns) {
-  if (phase_ == Phase::off) {
+  if (stage_.phase == Phase::off) {
     return;
   }
   // Times of received frames may be stamped in the future; they count as now.
-  phase_since_ns_ = std::min(phase_since_ns_, now_ns);
-  reply_ns_ = std::min(reply_ns_, now_ns);
-  heard_ns_ = std::min(heard_ns_, now_ns);
+  stage_.begun_ns = std::min(stage_.begun_ns, now_ns);
+  heard_.position_ns = std::min(heard_.position_ns, now_ns);
+  heard_.reply_ns = std::min(heard_.reply_ns, now_ns);
   // A servo that restarts is silent for this time.
-  if (is_followed_ && has_passed(config_.reply_lost_s, heard_ns_, now_ns)) {
+  if (known_.is_followed && has_passed(config_.reply_lost_s, heard_.reply_ns, now_ns)) {
     fail(kGone, {"the servo's replies stopped",
                  "check its power and the bus's cable, then reset and home"});
-  } else if (phase_ == Phase::up || (phase_ == Phase::resting && is_followed_)) {
+  } else if (stage_.phase == Phase::up || (stage_.phase == Phase::resting && known_.is_followed)) {
     watch_samples(now_ns);
-  } else if (phase_ == Phase::proving) {
+  } else if (stage_.phase == Phase::proving) {
     watch_proof(now_ns);
-  } else if (phase_ != Phase::failed && phase_ != Phase::resting) {
+  } else if (stage_.phase != Phase::failed && stage_.phase != Phase::resting) {
     watch_bring_up(now_ns);
   }
 }
 
 void MoteusCanFd::watch_samples(hal::TimeNs now_ns) {
-  if (has_passed(config_.reply_lost_s, reply_ns_, now_ns)) {
+  if (has_passed(config_.reply_lost_s, heard_.position_ns, now_ns)) {
     fail(kGone, {"the servo's positions stopped",
                  "check its power, its encoder and the bus's cable, then reset and home"});
-  } else if (has_passed(config_.reply_stale_s, reply_ns_, now_ns)) {
+  } else if (has_passed(config_.reply_stale_s, heard_.position_ns, now_ns)) {
     sample_.status |= kDeviceStale;
   }
 }
 
 void MoteusCanFd::watch_proof(hal::TimeNs now_ns) {
-  if (has_passed(kSilence_s, heard_ns_, now_ns)) {
+  if (has_passed(kSilence_s, heard_.reply_ns, now_ns)) {
     fail(kGone, {"no reply comes from the servo while its watchdog is proven",
                  "check its power and the bus's cable, then reset"});
-  } else if (has_passed(config_.watchdog_s + kProofMargin_s, fed_ns_, now_ns)) {
+  } else if (has_passed(config_.watchdog_s + kProofMargin_s, sent_.torque_ns, now_ns)) {
     fail(kDeviceDriveFault,
          {"the servo's watchdog does not stop it when commands stop",
           "see that nobody else commands it and update its firmware, or set unproven_watchdog; "
@@ -220,16 +215,16 @@ void MoteusCanFd::watch_proof(hal::TimeNs now_ns) {
 
 // Latches the bring-up step that took too long.
 void MoteusCanFd::watch_bring_up(hal::TimeNs now_ns) {
-  if (!has_passed(config_.bring_up_s, phase_since_ns_, now_ns)) {
+  if (!has_passed(config_.bring_up_s, stage_.begun_ns, now_ns)) {
     return;
   }
-  if (!has_replied_ || has_passed(kSilence_s, heard_ns_, now_ns)) {
+  if (!heard_.has_replied || has_passed(kSilence_s, heard_.reply_ns, now_ns)) {
     fail(kDeviceLost,
          {"no reply comes from the servo",
           "check its power, the bus's cable, both bit rates, servo id and prefix, then reset"});
-  } else if (last_fault_ != 0) {
-    fail(kDeviceDriveFault, moteus::fault_trouble(last_fault_));
-  } else if (phase_ == Phase::stopping) {
+  } else if (heard_.last_fault != 0) {
+    fail(kDeviceDriveFault, moteus::fault_trouble(heard_.last_fault));
+  } else if (stage_.phase == Phase::stopping) {
     fail(kDeviceDriveFault, {"the servo does not stop", "power-cycle it, then reset"});
   } else if (!encoder_.is_trusted()) {
     fail(kDeviceEncoderFault, {"the servo reports no usable position",
@@ -243,14 +238,14 @@ void MoteusCanFd::watch_bring_up(hal::TimeNs now_ns) {
 void MoteusCanFd::take(const hal::CanReceived& received) {
   const hal::CanFrame& frame = received.frame;
   if (received.kind == hal::CanReceived::Kind::frame && !frame.remote &&
-      frame.id == moteus::reply_id(address_) && phase_ != Phase::off) {
+      frame.id == moteus::reply_id(address_) && stage_.phase != Phase::off) {
     take_reply(moteus::read_reply(frame.bytes()), received.time_ns);
   }
 }
 
 void MoteusCanFd::take_reply(const moteus::Reply& reply, hal::TimeNs time_ns) {
-  has_replied_ = true;
-  heard_ns_ = time_ns;
+  heard_.has_replied = true;
+  heard_.reply_ns = time_ns;
   if (reply.refused_register) {
     fail(kDeviceDriveFault, {"the servo refuses a register that this driver uses",
                              "update the servo's firmware, then reset", *reply.refused_register});
@@ -274,7 +269,7 @@ void MoteusCanFd::take_home_state(std::optional<std::uint8_t> home_state) {
   if (!home_state) {
     return;
   }
-  if (is_followed_ && *home_state < readings_.home_state) {
+  if (known_.is_followed && *home_state < readings_.home_state) {
     fail(kRestarted, {"the servo restarted by itself: it knows less of its position than before",
                       "check its supply, then reset and home", *home_state});
   }
@@ -289,12 +284,12 @@ void MoteusCanFd::take_home_state(std::optional<std::uint8_t> home_state) {
 }
 
 void MoteusCanFd::take_mode(std::uint8_t mode, std::uint8_t fault, hal::TimeNs time_ns) {
-  last_fault_ = fault;
+  heard_.last_fault = fault;
   const auto told = static_cast<moteus::Mode>(mode);
-  if (is_followed_ && fault != 0 && status_of_fault(fault) == kRestarted) {
+  if (known_.is_followed && fault != 0 && status_of_fault(fault) == kRestarted) {
     fail(kRestarted, moteus::fault_trouble(fault));
   }
-  switch (phase_) {
+  switch (stage_.phase) {
     case Phase::stopping:
       if (told == moteus::Mode::stopped && fault == 0) {
         enter(Phase::starting, time_ns);
@@ -320,14 +315,15 @@ void MoteusCanFd::take_mode_under_torque(moteus::Mode mode, std::uint8_t fault,
     fail(kDeviceDriveFault, {"the servo's watchdog expired: commands came too late",
                              "check the bus's cable and the host's load, then reset",
                              static_cast<std::uint32_t>(mode)});
-  } else if (phase_ == Phase::up && mode != moteus::Mode::position) {
+  } else if (stage_.phase == Phase::up && mode != moteus::Mode::position) {
     fail(mode == moteus::Mode::stopped ? kRestarted : std::uint32_t{kDeviceDriveFault},
          {"the servo left torque control by itself, as one that restarts does",
           "check its supply and who else commands it, then reset and home",
           static_cast<std::uint32_t>(mode)});
-  } else if (phase_ == Phase::starting && mode == moteus::Mode::position && encoder_.is_trusted() &&
-             !has_passed(config_.reply_stale_s, reply_ns_, time_ns)) {
-    enter(is_proven_ || config_.unproven_watchdog ? Phase::up : Phase::proving, time_ns);
+  } else if (stage_.phase == Phase::starting && mode == moteus::Mode::position &&
+             encoder_.is_trusted() &&
+             !has_passed(config_.reply_stale_s, heard_.position_ns, time_ns)) {
+    enter(known_.is_proven || config_.unproven_watchdog ? Phase::up : Phase::proving, time_ns);
   }
 }
 
@@ -336,7 +332,7 @@ void MoteusCanFd::take_proof(moteus::Mode mode, std::uint8_t fault, hal::TimeNs 
   if (mode == moteus::Mode::fault || fault != 0) {
     fail(status_of_fault(fault), moteus::fault_trouble(fault));
   } else if (mode == moteus::Mode::timeout) {
-    is_proven_ = true;
+    known_.is_proven = true;
     enter(Phase::stopping, time_ns);
   } else if (mode != moteus::Mode::position) {
     fail(kDeviceDriveFault,
@@ -351,14 +347,14 @@ void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns)
   const double velocity_rad_per_s = reply.velocity_rad_per_s.value_or(kNotANumber);
   const EncoderVerdict verdict = encoder_.check(position_rad, velocity_rad_per_s, time_ns);
   if (verdict != EncoderVerdict::good) {
-    if (is_followed_) {
+    if (known_.is_followed) {
       fail(kMoved, trouble_of(verdict));
     }
     encoder_.reset();
     return;
   }
-  reply_ns_ = time_ns;
-  if (phase_ == Phase::failed) {
+  heard_.position_ns = time_ns;
+  if (stage_.phase == Phase::failed) {
     return;
   }
   sample_.position_rad = position_rad;

@@ -20,8 +20,10 @@
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
+#include "drivers/common/continuity.h"
 #include "drivers/common/encoder_check.h"
 #include "drivers/common/fault_latch.h"
+#include "drivers/common/repeat_timer.h"
 #include "drivers/moteus_canfd/moteus_config.h"
 #include "drivers/moteus_canfd/moteus_protocol.h"
 #include "hal/can_frame.h"
@@ -79,6 +81,32 @@ class MoteusCanFd {
     failed,
   };
 
+  // The phase, and its begin.
+  struct Stage {
+    Phase phase = Phase::off;
+    hal::TimeNs begun_ns = 0;
+  };
+
+  // The newest replies.
+  struct Heard {
+    // The time of the newest reply with a good position.
+    hal::TimeNs position_ns = 0;
+    // The time of the newest reply of any kind.
+    hal::TimeNs reply_ns = 0;
+    // The servo has replied since `start`, or since the position was lost.
+    bool has_replied = false;
+    // The fault code in the newest reply; 0: none.
+    std::uint8_t last_fault = 0;
+  };
+
+  // The newest frames to the servo.
+  struct Sent {
+    // The stop frames, which ask for a reply, of a servo that has not replied.
+    RepeatTimer questions;
+    // The time of the last torque frame.
+    hal::TimeNs torque_ns = 0;
+  };
+
   void begin(hal::TimeNs now_ns);
   void enter(Phase phase, hal::TimeNs now_ns);
   void switch_power(bool power_off, hal::TimeNs now_ns);
@@ -98,22 +126,14 @@ class MoteusCanFd {
   MoteusConfig config_;
   moteus::Address address_;
   EncoderCheck encoder_;
-  Phase phase_ = Phase::off;
   AxisSample sample_;
   FaultLatch faults_;
   MoteusReadings readings_;
 
-  hal::TimeNs phase_since_ns_ = 0;
-  hal::TimeNs reply_ns_ = 0;  // time of the newest reply with a good position
-  hal::TimeNs heard_ns_ = 0;  // time of the newest reply of any kind
-  hal::TimeNs asked_ns_ = 0;
-  hal::TimeNs fed_ns_ = 0;  // time of the last torque frame
-  std::uint8_t last_fault_ = 0;
-  bool has_asked_ = false;    // since start
-  bool has_replied_ = false;  // since start
-  bool is_followed_ = false;  // the position, since the axis was up
-  bool is_proven_ = false;    // the watchdog is, and the reference has not been lost since
-  bool is_shown_ = true;      // a read has reported the loss of the reference
+  Continuity known_;
+  Stage stage_;
+  Heard heard_;
+  Sent sent_;
 };
 
 static_assert(CanDrive<MoteusCanFd>);

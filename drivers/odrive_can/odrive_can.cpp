@@ -50,45 +50,36 @@ std::size_t ODriveCan::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void ODriveCan::start(hal::TimeNs now_ns) {
-  is_followed_ = false;
-  is_proven_ = false;
+  known_ = {};
   begin(now_ns);
 }
 
 void ODriveCan::clear_faults(hal::TimeNs now_ns) {
-  if (phase_ == Phase::failed) {
+  if (stage_.phase == Phase::failed) {
     begin(now_ns);
   }
 }
 
 // A position that is followed stays so.
 void ODriveCan::begin(hal::TimeNs now_ns) {
-  if (!is_followed_) {
+  if (!known_.is_followed) {
     sample_ = {};
     encoder_.reset();
   }
   sample_.status = kDeviceNotReady;
   sample_.has_torque = false;
   faults_.clear();
-  readings_ = {};
-  generation_ = Generation::unknown;
-  last_error_ = 0;
-  proofs_ = 0;
-  wants_explanation_ = false;
+  session_ = {};
   enter(Phase::listening, now_ns);
 }
 
 void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
-  phase_ = phase;
-  phase_since_ns_ = now_ns;
-  has_sent_ = false;
-  is_closed_ = false;
-  refused_in_a_row_ = 0;
+  stage_ = {.phase = phase, .begun_ns = now_ns};
   if (phase == Phase::up) {
     sample_.status = kDeviceOk;
-    polled_ns_ = now_ns;
-    torque_polled_ns_ = now_ns + kPollSpread_ns * (config_.node_id % kPollSpread);
-    is_followed_ = true;
+    polls_.polled_ns = now_ns;
+    polls_.torque_polled_ns = now_ns + kPollSpread_ns * (config_.node_id % kPollSpread);
+    known_.is_followed = true;
   } else {
     sample_.has_torque = false;
   }
@@ -96,9 +87,9 @@ void ODriveCan::enter(Phase phase, hal::TimeNs now_ns) {
 
 void ODriveCan::request(hal::TimeNs now_ns, CanOutbox& outbox) {
   watch_deadlines(now_ns);
-  const bool is_there =
-      phase_ == Phase::settling || phase_ == Phase::arming || phase_ == Phase::up || is_followed_;
-  if (is_there && phase_ != Phase::off && config_.estimates == ODriveEstimates::requested) {
+  const bool is_there = stage_.phase == Phase::settling || stage_.phase == Phase::arming ||
+                        stage_.phase == Phase::up || known_.is_followed;
+  if (is_there && stage_.phase != Phase::off && config_.estimates == ODriveEstimates::requested) {
     outbox.add(
         odrive::request(config_.node_id, Command::get_estimates, config_.ask_by_remote_frame));
   }
@@ -108,15 +99,16 @@ void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
   watch_deadlines(now_ns);
   switch_power(command.power_off, now_ns);
   // Every frame to the node may feed its watchdog, so none is sent.
-  if (phase_ == Phase::off || phase_ == Phase::proving) {
+  if (stage_.phase == Phase::off || stage_.phase == Phase::proving) {
     return;
   }
   // A drive that has not been heard gets nothing more, since frames that nobody acknowledges would
   // fill the queue.
-  const bool speaks = phase_ != Phase::listening || !has_sent_;
+  const bool speaks = stage_.phase != Phase::listening || !stage_.repeats.has_sent();
   if (speaks) {
-    send_torque(phase_ == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F,
-                outbox);
+    send_torque(
+        stage_.phase == Phase::up ? clamped_torque_Nm(command, config_.max_torque_Nm) : 0.0F,
+        outbox);
   }
   send_of_phase(now_ns, outbox);
   if (!poll_torque(now_ns, outbox)) {  // one question a tick, to spare the bus
@@ -126,10 +118,11 @@ void ODriveCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbo
 
 // Keeps the axis out of closed loop while the power is to be off.
 void ODriveCan::switch_power(bool power_off, hal::TimeNs now_ns) {
-  const bool has_power = phase_ == Phase::arming || phase_ == Phase::proving || phase_ == Phase::up;
+  const bool has_power =
+      stage_.phase == Phase::arming || stage_.phase == Phase::proving || stage_.phase == Phase::up;
   if (power_off && has_power) {
     enter(Phase::resting, now_ns);
-  } else if (!power_off && phase_ == Phase::resting) {
+  } else if (!power_off && stage_.phase == Phase::resting) {
     sample_.status = kDeviceNotReady;
     enter(Phase::settling, now_ns);
   }
@@ -137,7 +130,7 @@ void ODriveCan::switch_power(bool power_off, hal::TimeNs now_ns) {
 
 // Sends the frames of the phase other than the torque.
 void ODriveCan::send_of_phase(hal::TimeNs now_ns, CanOutbox& outbox) {
-  switch (phase_) {
+  switch (stage_.phase) {
     case Phase::listening:
       if (is_time_to_send(config_.bring_up_s, now_ns)) {
         send_state(AxisState::idle, outbox);
@@ -168,13 +161,13 @@ void ODriveCan::send_of_phase(hal::TimeNs now_ns, CanOutbox& outbox) {
 void ODriveCan::shutdown(CanOutbox& outbox) {
   send_torque(0.0F, outbox);
   send_state(AxisState::idle, outbox);
-  phase_ = Phase::off;
+  stage_.phase = Phase::off;
   sample_.status |= kDeviceNotReady;
 }
 
 void ODriveCan::probe(hal::TimeNs now_ns, CanOutbox& outbox) {
-  if (has_passed(kProbe_s, phase_since_ns_, now_ns)) {
-    generation_ = Generation::v0_5;
+  if (has_passed(kProbe_s, stage_.begun_ns, now_ns)) {
+    session_.generation = Generation::v0_5;
     enter(Phase::settling, now_ns);
     return;
   }
@@ -197,51 +190,50 @@ void ODriveCan::settle(hal::TimeNs now_ns, CanOutbox& outbox) {
 }
 
 void ODriveCan::poll(hal::TimeNs now_ns, CanOutbox& outbox) {
-  const bool explains = phase_ == Phase::failed && wants_explanation_;
+  const bool explains = stage_.phase == Phase::failed && session_.wants_explanation;
   const double period_s = explains ? kExplainAgain_s : config_.poll_period_s;
-  if ((phase_ != Phase::up && !explains) || period_s <= 0.0 ||
-      !has_passed(period_s, polled_ns_, now_ns)) {
+  if ((stage_.phase != Phase::up && !explains) || period_s <= 0.0 ||
+      !has_passed(period_s, polls_.polled_ns, now_ns)) {
     return;
   }
-  polled_ns_ = now_ns;
+  polls_.polled_ns = now_ns;
   std::span<const Command> polled = kPolled_0_6;
   std::size_t errors = kErrors_0_6;
-  if (generation_ == Generation::v0_5) {
+  if (session_.generation == Generation::v0_5) {
     polled = kPolled_0_5;
     errors = kErrors_0_5;
   }
-  next_poll_ %= explains ? errors : polled.size();
-  outbox.add(odrive::request(config_.node_id, polled[next_poll_], config_.ask_by_remote_frame));
-  ++next_poll_;
+  polls_.next %= explains ? errors : polled.size();
+  outbox.add(odrive::request(config_.node_id, polled[polls_.next], config_.ask_by_remote_frame));
+  ++polls_.next;
 }
 
 bool ODriveCan::poll_torque(hal::TimeNs now_ns, CanOutbox& outbox) {
-  const bool is_0_6 = generation_ == Generation::v0_6;
+  const bool is_0_6 = session_.generation == Generation::v0_6;
   const bool is_known = is_0_6 || config_.torque_constant_Nm_per_A > 0.0;
-  if (phase_ != Phase::up || !is_known || config_.torque_period_s <= 0.0 ||
-      !has_passed(config_.torque_period_s, torque_polled_ns_, now_ns)) {
+  if (stage_.phase != Phase::up || !is_known || config_.torque_period_s <= 0.0 ||
+      !has_passed(config_.torque_period_s, polls_.torque_polled_ns, now_ns)) {
     return false;
   }
-  torque_polled_ns_ = now_ns;
+  polls_.torque_polled_ns = now_ns;
   return outbox.add(odrive::request(config_.node_id,
                                     is_0_6 ? Command::get_torques : Command::get_iq,
                                     config_.ask_by_remote_frame));
 }
 
 bool ODriveCan::is_time_to_send(double period_s, hal::TimeNs now_ns) {
-  if (has_sent_ && !has_passed(period_s, last_sent_ns_, now_ns)) {
+  if (!stage_.repeats.is_due(period_s, now_ns)) {
     return false;
   }
-  if (!has_sent_) {
-    first_sent_ns_ = now_ns;
-    has_sent_ = true;
+  if (!stage_.repeats.has_sent()) {
+    stage_.first_sent_ns = now_ns;
   }
-  last_sent_ns_ = now_ns;
+  stage_.repeats.sent(now_ns);
   return true;
 }
 
 bool ODriveCan::was_sent_before(hal::TimeNs time_ns) const {
-  return has_sent_ && time_ns > first_sent_ns_;
+  return stage_.repeats.has_sent() && time_ns > stage_.first_sent_ns;
 }
 
 void ODriveCan::send_torque(float torque_Nm, CanOutbox& outbox) const {

@@ -22,8 +22,10 @@
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
+#include "drivers/common/continuity.h"
 #include "drivers/common/encoder_check.h"
 #include "drivers/common/fault_latch.h"
+#include "drivers/common/repeat_timer.h"
 #include "drivers/odrive_can/odrive_config.h"
 #include "drivers/odrive_can/odrive_protocol.h"
 #include "hal/can_frame.h"
@@ -67,8 +69,8 @@ class ODriveCan {
   void clear_faults(hal::TimeNs now_ns);
   void shutdown(CanOutbox& outbox);
 
-  [[nodiscard]] odrive::Generation generation() const { return generation_; }
-  [[nodiscard]] const ODriveReadings& readings() const { return readings_; }
+  [[nodiscard]] odrive::Generation generation() const { return session_.generation; }
+  [[nodiscard]] const ODriveReadings& readings() const { return session_.readings; }
 
  private:
   enum class Phase : std::uint8_t {
@@ -81,6 +83,48 @@ class ODriveCan {
     up,
     resting,  // idle, because the power is to be off
     failed,
+  };
+
+  // The phase and the progress in it. Each phase begins with a fresh one.
+  struct Stage {
+    Phase phase = Phase::off;
+    hal::TimeNs begun_ns = 0;
+    // The frames that the phase repeats, and the time of the first one.
+    RepeatTimer repeats;
+    hal::TimeNs first_sent_ns = 0;
+    // While arming: the drive is in closed loop in the newest heartbeat, and since when.
+    bool is_closed = false;
+    hal::TimeNs closed_since_ns = 0;
+    // While arming: the number of heartbeats in a row that refuse closed loop.
+    std::uint32_t refused_in_a_row = 0;
+  };
+
+  // The knowledge of the drive from the begin of a bring-up to the next one.
+  struct Session {
+    odrive::Generation generation = odrive::Generation::unknown;
+    ODriveReadings readings;
+    // The error in the newest heartbeat.
+    std::uint32_t last_error = 0;
+    // The number of proofs of the watchdog that were begun.
+    std::uint32_t proofs = 0;
+    // The driver must ask for the cause of the fault.
+    bool wants_explanation = false;
+  };
+
+  // The times at which the drive last reported this.
+  struct Heard {
+    hal::TimeNs heartbeat_ns = 0;
+    hal::TimeNs estimate_ns = 0;
+    hal::TimeNs torque_ns = 0;
+  };
+
+  // The questions that are asked in turn.
+  struct Polls {
+    hal::TimeNs polled_ns = 0;
+    // The index of the next question.
+    std::size_t next = 0;
+    // The time of the last question for the torque.
+    hal::TimeNs torque_polled_ns = 0;
   };
 
   void begin(hal::TimeNs now_ns);
@@ -118,30 +162,14 @@ class ODriveCan {
 
   ODriveConfig config_;
   EncoderCheck encoder_;
-  Phase phase_ = Phase::off;
-  odrive::Generation generation_ = odrive::Generation::unknown;
   AxisSample sample_;
   FaultLatch faults_;
-  ODriveReadings readings_;
 
-  hal::TimeNs phase_since_ns_ = 0;
-  hal::TimeNs heartbeat_ns_ = 0;
-  hal::TimeNs estimate_ns_ = 0;
-  hal::TimeNs first_sent_ns_ = 0;  // first frame of the phase
-  hal::TimeNs last_sent_ns_ = 0;
-  hal::TimeNs polled_ns_ = 0;
-  hal::TimeNs torque_ns_ = 0;         // when the drive last reported its torque
-  hal::TimeNs torque_polled_ns_ = 0;  // when it was last asked for
-  hal::TimeNs closed_since_ns_ = 0;
-  std::uint32_t last_error_ = 0;        // in the newest heartbeat
-  std::uint32_t refused_in_a_row_ = 0;  // heartbeats
-  std::uint32_t proofs_ = 0;            // begun since the drive may have restarted
-  std::size_t next_poll_ = 0;
-  bool is_closed_ = false;          // while arming, in the newest heartbeat
-  bool has_sent_ = false;           // in this phase
-  bool wants_explanation_ = false;  // the driver must ask for the cause of the fault
-  bool is_followed_ = false;        // the position, since the axis was up
-  bool is_proven_ = false;          // the watchdog is, and the drive has not restarted since
+  Continuity known_;
+  Session session_;
+  Stage stage_;
+  Heard heard_;
+  Polls polls_;
 };
 
 static_assert(CanDrive<ODriveCan>);

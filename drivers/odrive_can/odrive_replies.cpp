@@ -40,11 +40,11 @@ bool is_state(const odrive::Heartbeat& heartbeat, odrive::AxisState state) {
 void ODriveCan::take(const hal::CanReceived& received) {
   const hal::CanFrame& frame = received.frame;
   if (received.kind != hal::CanReceived::Kind::frame || frame.fd || frame.extended ||
-      frame.remote || odrive::node_of(frame.id) != config_.node_id || phase_ == Phase::off) {
+      frame.remote || odrive::node_of(frame.id) != config_.node_id || stage_.phase == Phase::off) {
     return;
   }
   if (frame.length != hal::kMaxCanBytes) {
-    ++readings_.malformed;
+    ++session_.readings.malformed;
     return;
   }
   switch (odrive::command_of(frame.id)) {
@@ -65,13 +65,13 @@ void ODriveCan::take(const hal::CanReceived& received) {
 }
 
 void ODriveCan::take_heartbeat(const odrive::Heartbeat& heartbeat, hal::TimeNs time_ns) {
-  if (is_followed_ && has_passed(config_.heartbeat_lost_s, heartbeat_ns_, time_ns)) {
+  if (known_.is_followed && has_passed(config_.heartbeat_lost_s, heard_.heartbeat_ns, time_ns)) {
     fail(kDeviceLost, {"the drive's heartbeat stopped for a while",
                        "check its power and the bus's cable, then reset"});
   }
-  heartbeat_ns_ = time_ns;
-  const std::uint32_t error_before = std::exchange(last_error_, heartbeat.error);
-  switch (phase_) {
+  heard_.heartbeat_ns = time_ns;
+  const std::uint32_t error_before = std::exchange(session_.last_error, heartbeat.error);
+  switch (stage_.phase) {
     case Phase::listening:
       enter(Phase::probing, time_ns);
       return;
@@ -90,7 +90,7 @@ void ODriveCan::take_heartbeat(const odrive::Heartbeat& heartbeat, hal::TimeNs t
       if (heartbeat.error != 0) {
         fail_by_error(heartbeat.error);
       } else if (!is_state(heartbeat, odrive::AxisState::closed_loop)) {
-        wants_explanation_ = true;
+        session_.wants_explanation = true;
         fail(kDeviceDriveFault | kDeviceReferenceLost,
              {"the drive left closed loop by itself",
               "check its supply, see dump_errors in odrivetool, then reset", heartbeat.state});
@@ -115,12 +115,12 @@ void ODriveCan::take_while_proving(const odrive::Heartbeat& heartbeat, hal::Time
   if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
     return;
   }
-  if (is_watchdog(generation_, heartbeat.error)) {
-    is_proven_ = true;
+  if (is_watchdog(session_.generation, heartbeat.error)) {
+    known_.is_proven = true;
     enter(Phase::settling, time_ns);
   } else if (heartbeat.error != 0) {
     fail_by_error(heartbeat.error);
-  } else if (proofs_ < kMostProofs) {
+  } else if (session_.proofs < kMostProofs) {
     enter(Phase::settling, time_ns);
   } else {
     fail(kDeviceDriveFault,
@@ -133,7 +133,7 @@ void ODriveCan::take_while_resting(const odrive::Heartbeat& heartbeat, hal::Time
   if (heartbeat.error != 0) {
     fail_by_error(heartbeat.error);
   } else if (!is_state(heartbeat, odrive::AxisState::idle) && was_sent_before(time_ns) &&
-             has_passed(config_.heartbeat_lost_s, phase_since_ns_, time_ns)) {
+             has_passed(config_.heartbeat_lost_s, stage_.begun_ns, time_ns)) {
     fail(kDeviceDriveFault, {"the drive does not go idle", "switch its supply off, then reset"});
   }
 }
@@ -156,37 +156,37 @@ void ODriveCan::take_while_arming(const odrive::Heartbeat& heartbeat, hal::TimeN
     return;
   }
   if (is_state(heartbeat, odrive::AxisState::closed_loop)) {
-    if (!is_proven_ && !config_.unproven_watchdog) {
+    if (!known_.is_proven && !config_.unproven_watchdog) {
       enter(Phase::proving, time_ns);
-      ++proofs_;
+      ++session_.proofs;
       return;
     }
-    if (!is_closed_) {
-      is_closed_ = true;
-      closed_since_ns_ = time_ns;
+    if (!stage_.is_closed) {
+      stage_.is_closed = true;
+      stage_.closed_since_ns = time_ns;
     }
-    if (has_passed(kClosedHold_s, closed_since_ns_, time_ns) && encoder_.is_trusted() &&
-        !has_passed(config_.estimate_stale_s, estimate_ns_, time_ns)) {
+    if (has_passed(kClosedHold_s, stage_.closed_since_ns, time_ns) && encoder_.is_trusted() &&
+        !has_passed(config_.estimate_stale_s, heard_.estimate_ns, time_ns)) {
       enter(Phase::up, time_ns);
     }
     return;
   }
-  is_closed_ = false;
-  const Trouble refusal = generation_ == odrive::Generation::v0_6
+  stage_.is_closed = false;
+  const Trouble refusal = session_.generation == odrive::Generation::v0_6
                               ? odrive::procedure_trouble(heartbeat.procedure_result)
                               : Trouble{};
-  refused_in_a_row_ = refusal ? refused_in_a_row_ + 1 : 0;
-  if (refused_in_a_row_ >= kClosedLoopRefusals) {
-    wants_explanation_ = true;
+  stage_.refused_in_a_row = refusal ? stage_.refused_in_a_row + 1 : 0;
+  if (stage_.refused_in_a_row >= kClosedLoopRefusals) {
+    session_.wants_explanation = true;
     fail(kDeviceDriveFault, refusal);
   }
 }
 
 void ODriveCan::take_estimates(const odrive::Estimates& estimates, hal::TimeNs time_ns) {
-  if (phase_ == Phase::failed && !is_followed_) {
+  if (stage_.phase == Phase::failed && !known_.is_followed) {
     return;
   }
-  if (is_followed_ && has_passed(config_.estimate_lost_s, estimate_ns_, time_ns)) {
+  if (known_.is_followed && has_passed(config_.estimate_lost_s, heard_.estimate_ns, time_ns)) {
     fail(kDeviceLost, {"the drive's position estimates stopped for a while",
                        "check its power and the bus's cable and load, then reset"});
     return;
@@ -195,12 +195,12 @@ void ODriveCan::take_estimates(const odrive::Estimates& estimates, hal::TimeNs t
       encoder_.check(estimates.position_rad, estimates.velocity_rad_per_s, time_ns);
   if (verdict != EncoderVerdict::good) {
     encoder_.reset();
-    if (is_followed_) {
+    if (known_.is_followed) {
       fail(kDeviceEncoderFault, trouble_of(verdict));
     }
     return;
   }
-  estimate_ns_ = time_ns;
+  heard_.estimate_ns = time_ns;
   sample_.position_rad = estimates.position_rad;
   sample_.velocity_rad_per_s = estimates.velocity_rad_per_s;
   sample_.time_ns = time_ns;
@@ -213,19 +213,20 @@ void ODriveCan::take_reply(const hal::CanFrame& frame, hal::TimeNs time_ns) {
     case Command::get_version: {
       constexpr std::uint8_t kProtocol = 2;
       const auto version = odrive::read_version(frame);
-      if (phase_ == Phase::probing && version && version->protocol == kProtocol) {
-        generation_ = odrive::Generation::v0_6;
+      if (stage_.phase == Phase::probing && version && version->protocol == kProtocol) {
+        session_.generation = odrive::Generation::v0_6;
         enter(Phase::settling, time_ns);
       }
       return;
     }
     case Command::get_bus:
-      readings_.bus = odrive::read_bus_power(frame).value_or(readings_.bus);
+      session_.readings.bus = odrive::read_bus_power(frame).value_or(session_.readings.bus);
       return;
     case Command::get_iq:
       if (const auto current = odrive::read_current(frame)) {
-        readings_.current = *current;
-        if (generation_ == odrive::Generation::v0_5 && config_.torque_constant_Nm_per_A > 0.0) {
+        session_.readings.current = *current;
+        if (session_.generation == odrive::Generation::v0_5 &&
+            config_.torque_constant_Nm_per_A > 0.0) {
           take_torque(config_.torque_constant_Nm_per_A * current->measured_A, time_ns);
         }
       }
@@ -234,18 +235,18 @@ void ODriveCan::take_reply(const hal::CanFrame& frame, hal::TimeNs time_ns) {
       break;
   }
   // The meaning of the other commands depends on the generation.
-  if (generation_ == odrive::Generation::v0_5) {
+  if (session_.generation == odrive::Generation::v0_5) {
     take_reply_0_5(frame);
-  } else if (generation_ == odrive::Generation::v0_6) {
+  } else if (session_.generation == odrive::Generation::v0_6) {
     take_reply_0_6(frame, time_ns);
   }
 }
 
 void ODriveCan::take_torque(double torque_Nm, hal::TimeNs time_ns) {
-  if (phase_ == Phase::up && std::isfinite(torque_Nm)) {
+  if (stage_.phase == Phase::up && std::isfinite(torque_Nm)) {
     sample_.torque_Nm = torque_Nm;
     sample_.has_torque = true;
-    torque_ns_ = time_ns;
+    heard_.torque_ns = time_ns;
   }
 }
 
@@ -283,14 +284,15 @@ void ODriveCan::take_reply_0_6(const hal::CanFrame& frame, hal::TimeNs time_ns) 
         if (error != 0) {
           explain(odrive::active_trouble(error), errors->active != 0,
                   odrive::loses_reference_0_6(error) ? kDeviceReferenceLost : kDeviceOk);
-          if (phase_ == Phase::failed && odrive::is_emergency_stop_0_6(error)) {
+          if (stage_.phase == Phase::failed && odrive::is_emergency_stop_0_6(error)) {
             fail(kDeviceEmergencyStop, {});
           }
         }
       }
       return;
     case Command::get_temperature:
-      readings_.temperature = odrive::read_temperature(frame).value_or(readings_.temperature);
+      session_.readings.temperature =
+          odrive::read_temperature(frame).value_or(session_.readings.temperature);
       return;
     case Command::get_torques:
       if (const auto torques = odrive::read_torques(frame)) {
@@ -304,14 +306,14 @@ void ODriveCan::take_reply_0_6(const hal::CanFrame& frame, hal::TimeNs time_ns) 
 
 // Latches the error of a heartbeat.
 void ODriveCan::fail_by_error(std::uint32_t error) {
-  const bool is_0_6 = generation_ == odrive::Generation::v0_6;
+  const bool is_0_6 = session_.generation == odrive::Generation::v0_6;
   const bool is_emergency_stop =
       is_0_6 ? odrive::is_emergency_stop_0_6(error) : odrive::is_emergency_stop_0_5(error);
-  if (phase_ != Phase::failed) {
-    wants_explanation_ = !is_0_6 && odrive::is_explained_elsewhere(error);
+  if (stage_.phase != Phase::failed) {
+    session_.wants_explanation = !is_0_6 && odrive::is_explained_elsewhere(error);
   }
   std::uint32_t status = kDeviceDriveFault;
-  if (loses_reference(generation_, error)) {
+  if (loses_reference(session_.generation, error)) {
     status |= kDeviceReferenceLost;
   }
   if (is_emergency_stop) {
@@ -323,11 +325,11 @@ void ODriveCan::fail_by_error(std::uint32_t error) {
 // Takes an error that the drive answered. It is the cause of a fault that is latched already or, if
 // it is an active error, a new fault. `status` is added to kDeviceDriveFault.
 void ODriveCan::explain(const Trouble& trouble, bool is_error, std::uint32_t status) {
-  if (phase_ == Phase::failed && wants_explanation_) {
+  if (stage_.phase == Phase::failed && session_.wants_explanation) {
     faults_.explain(trouble);
-    wants_explanation_ = false;
+    session_.wants_explanation = false;
     fail(status, trouble);
-  } else if (phase_ == Phase::up && is_error) {
+  } else if (stage_.phase == Phase::up && is_error) {
     fail(kDeviceDriveFault | status, trouble);
   }
 }

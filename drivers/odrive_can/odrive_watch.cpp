@@ -24,34 +24,33 @@ constexpr double kTorqueHolds_s = 0.05;
 void ODriveCan::fail(std::uint32_t status, const Trouble& trouble) {
   if ((status & kMayHaveRestarted) != 0) {
     status &= ~static_cast<std::uint32_t>(kDeviceReferenceLost);
-    status |= is_followed_ ? kDeviceReferenceLost : kDeviceOk;
-    is_followed_ = false;
-    is_proven_ = false;
+    status |= known_.is_followed ? kDeviceReferenceLost : kDeviceOk;
+    known_ = {};
   }
   faults_.latch(status, trouble);
   sample_.status = faults_.status();
-  if (phase_ != Phase::failed) {
-    phase_ = Phase::failed;
-    has_sent_ = false;
-    next_poll_ = 0;
+  if (stage_.phase != Phase::failed) {
+    stage_ = {.phase = Phase::failed, .begun_ns = stage_.begun_ns};
+    polls_.next = 0;
     sample_.has_torque = false;
   }
 }
 
 void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {
-  if (phase_ == Phase::off) {
+  if (stage_.phase == Phase::off) {
     return;
   }
   // Times of received frames may be stamped in the future; they count as now.
-  phase_since_ns_ = std::min(phase_since_ns_, now_ns);
-  heartbeat_ns_ = std::min(heartbeat_ns_, now_ns);
-  estimate_ns_ = std::min(estimate_ns_, now_ns);
+  stage_.begun_ns = std::min(stage_.begun_ns, now_ns);
+  heard_.heartbeat_ns = std::min(heard_.heartbeat_ns, now_ns);
+  heard_.estimate_ns = std::min(heard_.estimate_ns, now_ns);
   watch_silence(now_ns);
-  if (phase_ == Phase::up || phase_ == Phase::resting) {
+  if (stage_.phase == Phase::up || stage_.phase == Phase::resting) {
     watch_samples(now_ns);
-  } else if (phase_ == Phase::proving) {
+  } else if (stage_.phase == Phase::proving) {
     watch_proof(now_ns);
-  } else if (phase_ != Phase::failed && has_passed(config_.bring_up_s, phase_since_ns_, now_ns)) {
+  } else if (stage_.phase != Phase::failed &&
+             has_passed(config_.bring_up_s, stage_.begun_ns, now_ns)) {
     watch_bring_up(now_ns);
   }
 }
@@ -59,37 +58,40 @@ void ODriveCan::watch_deadlines(hal::TimeNs now_ns) {
 // Watches for silence, also after a fault: a drive that falls silent may lose its position
 // unnoticed.
 void ODriveCan::watch_silence(hal::TimeNs now_ns) {
-  if (phase_ != Phase::listening && has_passed(config_.heartbeat_lost_s, heartbeat_ns_, now_ns)) {
+  const bool is_silent = has_passed(config_.heartbeat_lost_s, heard_.heartbeat_ns, now_ns);
+  if (stage_.phase != Phase::listening && is_silent) {
     fail(kDeviceLost,
          {"the drive's heartbeat stopped", "check its power and the bus's cable, then reset"});
-  } else if (is_followed_ && has_passed(config_.estimate_lost_s, estimate_ns_, now_ns)) {
+  } else if (known_.is_followed &&
+             has_passed(config_.estimate_lost_s, heard_.estimate_ns, now_ns)) {
     fail(kDeviceLost, {"the drive's position estimates stopped",
                        "check its power and the bus's cable and load, then reset"});
   }
 }
 
 void ODriveCan::watch_samples(hal::TimeNs now_ns) {
-  if (is_followed_ && has_passed(config_.estimate_stale_s, estimate_ns_, now_ns)) {
+  if (known_.is_followed && has_passed(config_.estimate_stale_s, heard_.estimate_ns, now_ns)) {
     sample_.status |= kDeviceStale;
   }
   const double torque_holds_s =
       std::max(kTorqueHolds_s, kTorqueHolds_periods * config_.torque_period_s);
-  if (has_passed(torque_holds_s, torque_ns_, now_ns)) {
+  if (has_passed(torque_holds_s, heard_.torque_ns, now_ns)) {
     sample_.has_torque = false;
   }
 }
 
 // Latches the bring-up step that took too long.
 void ODriveCan::watch_bring_up(hal::TimeNs now_ns) {
-  if (phase_ == Phase::listening) {
+  if (stage_.phase == Phase::listening) {
     fail(kDeviceLost, {"no heartbeat comes from the drive",
                        "check its power, the bus's cable, bit rate and node id, then reset"});
-  } else if (last_error_ != 0) {
-    fail_by_error(last_error_);
-  } else if (phase_ == Phase::settling) {
+  } else if (session_.last_error != 0) {
+    fail_by_error(session_.last_error);
+  } else if (stage_.phase == Phase::settling) {
     fail(kDeviceDriveFault,
          {"the drive does not go idle", "stop its start-up sequence, then reset"});
-  } else if (!encoder_.is_trusted() || has_passed(config_.estimate_lost_s, estimate_ns_, now_ns)) {
+  } else if (!encoder_.is_trusted() ||
+             has_passed(config_.estimate_lost_s, heard_.estimate_ns, now_ns)) {
     fail(kDeviceLost, {"no usable position estimates come from the drive",
                        "set its encoder message rate to 1 ms, or ask for estimates"});
   } else {
@@ -102,7 +104,7 @@ void ODriveCan::watch_bring_up(hal::TimeNs now_ns) {
 void ODriveCan::watch_proof(hal::TimeNs now_ns) {
   const double limit_s =
       config_.watchdog_s + kToldWithin_heartbeats_lost * config_.heartbeat_lost_s;
-  if (has_passed(limit_s, phase_since_ns_, now_ns)) {
+  if (has_passed(limit_s, stage_.begun_ns, now_ns)) {
     fail(kDeviceDriveFault,
          {"its watchdog does not stop the motor when commands stop coming",
           "set enable_watchdog and watchdog_timeout with odrivetool, let no other program send to "

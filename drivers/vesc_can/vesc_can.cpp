@@ -46,8 +46,7 @@ std::size_t VescCan::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void VescCan::start(hal::TimeNs now_ns) {
-  is_followed_ = false;
-  is_proven_ = false;
+  known_ = {};
   readings_ = {};
   begin(now_ns);
 }
@@ -60,23 +59,20 @@ void VescCan::clear_faults(hal::TimeNs now_ns) {
 
 void VescCan::begin(hal::TimeNs now_ns) {
   now_ns_ = now_ns;
-  begun_ns_ = now_ns;
   faults_.clear();
-  if (!is_followed_) {
+  if (!known_.is_followed) {
     shaft_.forget();
     sample_ = AxisSample{};
   }
   sample_.has_torque = false;
-  has_status_ = false;
-  has_position_ = false;
-  has_polled_ = false;
-  unanswered_polls_ = 0;
-  is_stale_ = false;
-  fault_.reset();
-  flags_ = 0;
-  next_query_ = vesc::Query::fault;
-  phase_ = Phase::looking;
+  heard_ = {.position_ns = heard_.position_ns};
+  polls_ = {};
+  enter(Phase::looking);
   update_status();
+}
+
+void VescCan::enter(Phase phase) {
+  stage_ = {.phase = phase, .begun_ns = now_ns_};
 }
 
 void VescCan::latch(DeviceStatus bit, const Trouble& trouble) {
@@ -89,16 +85,15 @@ void VescCan::latch(DeviceStatus bit, const Trouble& trouble) {
 
 // A restarted VESC has another zero of its tachometer, and maybe another timeout.
 void VescCan::may_have_restarted(const Trouble& trouble) {
-  if (is_followed_) {
+  if (known_.is_followed) {
     faults_.latch(kDeviceReferenceLost, trouble);
   }
-  is_followed_ = false;
-  is_proven_ = false;
+  known_ = {};
 }
 
 void VescCan::update_status() {
-  sample_.status = faults_.status() | (is_stale_ ? kDeviceStale : kDeviceOk) |
-                   (phase_ == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
+  sample_.status = faults_.status() | (heard_.is_stale ? kDeviceStale : kDeviceOk) |
+                   (stage_.phase == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
 }
 
 bool VescCan::has_passed_since(hal::TimeNs since_ns, double time_s) const {
@@ -106,11 +101,11 @@ bool VescCan::has_passed_since(hal::TimeNs since_ns, double time_s) const {
 }
 
 void VescCan::take(const hal::CanReceived& received) {
-  if (phase_ == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
+  if (stage_.phase == Phase::off || received.kind != hal::CanReceived::Kind::frame) {
     return;
   }
   if (const auto status = vesc::status_of(received.frame, config_.vesc_id)) {
-    status_ns_ = std::max(now_ns_, received.time_ns);
+    heard_.status_ns = std::max(now_ns_, received.time_ns);
     take_status(*status);
   } else if (const auto status_5 = vesc::status_5_of(received.frame, config_.vesc_id)) {
     take_position(*status_5, received.time_ns);
@@ -125,7 +120,7 @@ void VescCan::take(const hal::CanReceived& received) {
 void VescCan::take_status(const vesc::Status& status) {
   const double velocity_rad_per_s =
       2.0 * std::numbers::pi * status.erpm / (kSecondsPerMinute * config_.pole_pairs);
-  has_status_ = true;
+  heard_.has_status = true;
   if (std::abs(velocity_rad_per_s) > config_.max_speed_rad_per_s) {
     latch(kDeviceEncoderFault,
           {"VESC reports a speed that its shaft cannot have",
@@ -139,7 +134,7 @@ void VescCan::take_status(const vesc::Status& status) {
   sample_.torque_Nm =
       config_.torque_constant_Nm_per_A * std::copysign(1.0, status.duty) * status.current_A;
   sample_.has_torque = status.duty != 0.0 || status.current_A == 0.0;
-  is_stale_ = false;
+  heard_.is_stale = false;
   update_status();
 }
 
@@ -151,7 +146,7 @@ void VescCan::take_position(const vesc::Status5& status, hal::TimeNs received_ns
   }
   const hal::TimeNs taken_ns = std::clamp(received_ns, std::min(sample_.time_ns, now_ns_),
                                           now_ns_ + ns_of(config_.status_period_s));
-  if (is_followed_ && has_passed(config_.lost_after_s, position_ns_, received_ns)) {
+  if (known_.is_followed && has_passed(config_.lost_after_s, heard_.position_ns, received_ns)) {
     latch(kDeviceLost, {"VESC sent no position for a while",
                         "check its power, the cable and its status rates, then reset", 0});
     return;
@@ -163,38 +158,37 @@ void VescCan::take_position(const vesc::Status5& status, hal::TimeNs received_ns
            static_cast<std::uint32_t>(status.tachometer)});
     return;
   }
-  has_position_ = true;
-  position_ns_ = std::max(now_ns_, received_ns);
+  heard_.has_position = true;
+  heard_.position_ns = std::max(now_ns_, received_ns);
   sample_.position_rad = shaft_.position_rad();
   sample_.time_ns = taken_ns;
 }
 
 void VescCan::take_answer(const vesc::Answer& answer) {
-  unanswered_polls_ = 0;
+  polls_.unanswered = 0;
   if (answer.query == vesc::Query::fault) {
-    fault_ = answer.value;
+    heard_.fault = answer.value;
   } else {
-    flags_ = answer.value;
+    heard_.flags = answer.value;
   }
-  if (phase_ == Phase::proving && flags_ == vesc::kTimedOut) {
-    is_proven_ = true;
-    begun_ns_ = now_ns_;
-    phase_ = Phase::looking;
+  if (stage_.phase == Phase::proving && heard_.flags == vesc::kTimedOut) {
+    known_.is_proven = true;
+    enter(Phase::looking);
     return;
   }
-  if (phase_ != Phase::ready && phase_ != Phase::proving) {
+  if (stage_.phase != Phase::ready && stage_.phase != Phase::proving) {
     return;
   }
-  if (const Trouble trouble = vesc::fault_trouble(fault_.value_or(0))) {
+  if (const Trouble trouble = vesc::fault_trouble(heard_.fault.value_or(0))) {
     latch(kDeviceDriveFault, trouble);
-    if (vesc::loses_reference(*fault_)) {
+    if (vesc::loses_reference(*heard_.fault)) {
       may_have_restarted(trouble);
       update_status();
     }
-  } else if ((flags_ & vesc::kKillSwitch) != 0) {
+  } else if ((heard_.flags & vesc::kKillSwitch) != 0) {
     latch(kDeviceEmergencyStop,
           {"VESC's kill switch is open", "make sure that all is well, close it, then reset", 0});
-  } else if ((flags_ & vesc::kTimedOut) != 0) {
+  } else if ((heard_.flags & vesc::kTimedOut) != 0) {
     latch(kDeviceDriveFault, {"VESC stopped the motor because commands came too late",
                               "check the cable and the host's load, then reset", 0});
   }
@@ -206,17 +200,17 @@ void VescCan::request(hal::TimeNs now_ns, CanOutbox& /*outbox*/) {
 
 void VescCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox) {
   now_ns_ = now_ns;
-  if (phase_ == Phase::off) {
+  if (stage_.phase == Phase::off) {
     return;
   }
   look();
   watch();
-  if (phase_ == Phase::proving && !faults_) {
+  if (stage_.phase == Phase::proving && !faults_) {
     watch_proof();
     poll(outbox);
     return;
   }
-  const bool has_power = phase_ == Phase::ready && !faults_ && command.enable;
+  const bool has_power = stage_.phase == Phase::ready && !faults_ && command.enable;
   outbox.add(has_power ? vesc::held_current_frame(
                              config_.vesc_id, current_mA(command.torque_Nm),
                              static_cast<std::int16_t>(std::lround(kMilli * config_.off_delay_s)))
@@ -225,57 +219,56 @@ void VescCan::command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox&
 }
 
 void VescCan::look() {
-  if (phase_ != Phase::looking || faults_) {
+  if (stage_.phase != Phase::looking || faults_) {
     return;
   }
-  const bool is_well =
-      fault_ == 0 && flags_ == 0 && has_status_ && (has_position_ || !config_.offers_position);
-  if (is_well && !is_proven_ && !config_.unproven_watchdog) {
-    phase_ = Phase::proving;
-    proving_ns_ = now_ns_;
+  const bool is_well = heard_.fault == 0 && heard_.flags == 0 && heard_.has_status &&
+                       (heard_.has_position || !config_.offers_position);
+  if (is_well && !known_.is_proven && !config_.unproven_watchdog) {
+    enter(Phase::proving);
   } else if (is_well) {
-    phase_ = Phase::ready;
-    is_followed_ = config_.offers_position;
+    enter(Phase::ready);
+    known_.is_followed = config_.offers_position;
     update_status();
-  } else if (has_passed_since(begun_ns_, config_.bring_up_s)) {
-    const bool is_heard = has_status_ || has_position_ || fault_.has_value();
-    const bool is_killed = (flags_ & vesc::kKillSwitch) != 0;
+  } else if (has_passed_since(stage_.begun_ns, config_.bring_up_s)) {
+    const bool is_heard = heard_.has_status || heard_.has_position || heard_.fault.has_value();
+    const bool is_killed = (heard_.flags & vesc::kKillSwitch) != 0;
     latch(is_killed ? kDeviceEmergencyStop : (is_heard ? kDeviceDriveFault : kDeviceLost),
           missing());
   }
 }
 
 Trouble VescCan::missing() const {
-  if (!has_status_ && !fault_.has_value()) {
+  if (!heard_.has_status && !heard_.fault.has_value()) {
     return {"VESC does not answer", "check its power, id, bit rate, CAN mode and cable, then reset",
             config_.vesc_id};
   }
-  if (!fault_.has_value()) {
+  if (!heard_.fault.has_value()) {
     return {"VESC does not answer the question for its faults",
             "check that host_id is no VESC's, and the VESC's firmware", config_.host_id};
   }
-  if (const Trouble trouble = vesc::fault_trouble(*fault_)) {
+  if (const Trouble trouble = vesc::fault_trouble(*heard_.fault)) {
     return trouble;
   }
-  if (!has_status_) {
+  if (!heard_.has_status) {
     return {"VESC sends no status message 1", "switch it on in VESC Tool, then reset", 1};
   }
-  if (config_.offers_position && !has_position_) {
+  if (config_.offers_position && !heard_.has_position) {
     return {"VESC sends no status message 5, which has the position",
             "switch it on in VESC Tool, or offers_position off, then reset", 5};
   }
-  if ((flags_ & vesc::kKillSwitch) != 0) {
+  if ((heard_.flags & vesc::kKillSwitch) != 0) {
     return {"VESC's kill switch is open", "make sure that all is well, close it, then reset", 0};
   }
   return {"VESC does not take commands: its timeout has expired",
-          "look for another host that commands it, then reset", flags_};
+          "look for another host that commands it, then reset", heard_.flags};
 }
 
 // A VESC that goes on without commands is refused: it would keep its torque when the host dies.
 void VescCan::watch_proof() {
   const double limit_s =
       config_.watchdog_s + kTimeoutLook_s + kToldWithin_polls * config_.poll_period_s;
-  if (has_passed_since(proving_ns_, limit_s)) {
+  if (has_passed_since(stage_.begun_ns, limit_s)) {
     latch(kDeviceDriveFault,
           {"VESC's timeout does not stop the motor when commands stop coming",
            "set it to watchdog_s in VESC Tool, let no other program command the VESC, then reset; "
@@ -286,7 +279,7 @@ void VescCan::watch_proof() {
 
 // Watches the position, also after a fault: a VESC that falls silent may lose it unnoticed.
 void VescCan::watch_position() {
-  if (is_followed_ && has_passed_since(position_ns_, config_.lost_after_s)) {
+  if (known_.is_followed && has_passed_since(heard_.position_ns, config_.lost_after_s)) {
     latch(kDeviceLost, {"VESC sends no position any more",
                         "check its power, the cable and its status rates, then reset", 0});
   }
@@ -294,39 +287,38 @@ void VescCan::watch_position() {
 
 void VescCan::watch() {
   watch_position();
-  if ((phase_ != Phase::ready && phase_ != Phase::proving) || faults_) {
+  if ((stage_.phase != Phase::ready && stage_.phase != Phase::proving) || faults_) {
     return;
   }
   const hal::TimeNs heard_ns =
-      config_.offers_position ? std::min(status_ns_, position_ns_) : status_ns_;
-  is_stale_ = has_passed_since(heard_ns, kStaleAfter_statuses * config_.status_period_s);
+      config_.offers_position ? std::min(heard_.status_ns, heard_.position_ns) : heard_.status_ns;
+  heard_.is_stale = has_passed_since(heard_ns, kStaleAfter_statuses * config_.status_period_s);
   update_status();
   if (has_passed_since(heard_ns, config_.lost_after_s)) {
     latch(kDeviceLost, {"VESC sends no status any more",
                         "check its power, the cable and its status rates, then reset", 0});
-  } else if (unanswered_polls_ >= kUnansweredPolls && is_poll_due()) {
+  } else if (polls_.unanswered >= kUnansweredPolls && is_poll_due()) {
     latch(kDeviceLost, {"VESC does not answer the question for its faults any more",
                         "check its power and the cable, then reset", 0});
   }
 }
 
 bool VescCan::is_poll_due() const {
-  return !has_polled_ || has_passed_since(polled_ns_, config_.poll_period_s);
+  return polls_.timer.is_due(config_.poll_period_s, now_ns_);
 }
 
 // Asks for the two fields in turn: only for the fault until that is known, and only for the flags
 // during the proof of the timeout.
 void VescCan::poll(CanOutbox& outbox) {
   if (!is_poll_due() ||
-      !outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, next_query_))) {
+      !outbox.add(vesc::query_frame(config_.vesc_id, config_.host_id, polls_.next_query))) {
     return;
   }
-  has_polled_ = true;
-  ++unanswered_polls_;
-  polled_ns_ = now_ns_;
-  const bool asks_for_flags =
-      phase_ == Phase::proving || (fault_.has_value() && next_query_ == vesc::Query::fault);
-  next_query_ = asks_for_flags ? vesc::Query::flags : vesc::Query::fault;
+  polls_.timer.sent(now_ns_);
+  ++polls_.unanswered;
+  const bool asks_for_flags = stage_.phase == Phase::proving ||
+                              (heard_.fault.has_value() && polls_.next_query == vesc::Query::fault);
+  polls_.next_query = asks_for_flags ? vesc::Query::flags : vesc::Query::fault;
 }
 
 // Returns the current of a torque; zero for NaN. The limit is rounded down, so that rounding cannot
@@ -343,11 +335,11 @@ std::int32_t VescCan::current_mA(double torque_Nm) const {
 }
 
 void VescCan::shutdown(CanOutbox& outbox) {
-  if (phase_ == Phase::off) {
+  if (stage_.phase == Phase::off) {
     return;
   }
   outbox.add(vesc::release_frame(config_.vesc_id));
-  phase_ = Phase::off;
+  enter(Phase::off);
   update_status();
 }
 

@@ -27,8 +27,10 @@
 
 #include "drivers/axis.h"
 #include "drivers/can_drive.h"
+#include "drivers/common/continuity.h"
 #include "drivers/common/counted_shaft.h"
 #include "drivers/common/fault_latch.h"
+#include "drivers/common/repeat_timer.h"
 #include "drivers/vesc_can/vesc_config.h"
 #include "drivers/vesc_can/vesc_protocol.h"
 
@@ -62,7 +64,35 @@ class VescCan {
  private:
   enum class Phase : std::uint8_t { off, looking, proving, ready };
 
+  // The phase, and its begin. From the begin of `proving` no command is sent.
+  struct Stage {
+    Phase phase = Phase::off;
+    hal::TimeNs begun_ns = 0;
+  };
+
+  // The newest messages of the VESC. All but position_ns count from the begin of the bring-up.
+  struct Heard {
+    hal::TimeNs status_ns = 0;
+    hal::TimeNs position_ns = 0;
+    bool has_status = false;
+    bool has_position = false;
+    // The messages do not come in time.
+    bool is_stale = false;
+    // The last answers to the two questions.
+    std::optional<std::uint8_t> fault;
+    std::uint8_t flags = 0;
+  };
+
+  // The questions for fault and flags.
+  struct Polls {
+    RepeatTimer timer;
+    // The number of questions since the last answer.
+    std::uint32_t unanswered = 0;
+    vesc::Query next_query = vesc::Query::fault;
+  };
+
   void begin(hal::TimeNs now_ns);
+  void enter(Phase phase);
   void latch(DeviceStatus bit, const Trouble& trouble);
   void may_have_restarted(const Trouble& trouble);
   void update_status();
@@ -86,23 +116,11 @@ class VescCan {
   AxisSample sample_;
   VescReadings readings_;
 
-  Phase phase_ = Phase::off;
   hal::TimeNs now_ns_ = 0;
-  hal::TimeNs begun_ns_ = 0;
-  hal::TimeNs proving_ns_ = 0;  // start of the proof; no command was sent since
-  hal::TimeNs status_ns_ = 0;
-  hal::TimeNs position_ns_ = 0;
-  hal::TimeNs polled_ns_ = 0;
-  std::uint32_t unanswered_polls_ = 0;
-  bool has_status_ = false;
-  bool has_position_ = false;
-  bool has_polled_ = false;
-  bool is_stale_ = false;
-  bool is_followed_ = false;  // the position, since the VESC was ready
-  bool is_proven_ = false;    // the timeout is, and the VESC has not restarted since
-  vesc::Query next_query_ = vesc::Query::fault;
-  std::optional<std::uint8_t> fault_;  // the last answer to Query::fault
-  std::uint8_t flags_ = 0;
+  Continuity known_;
+  Stage stage_;
+  Heard heard_;
+  Polls polls_;
 };
 
 static_assert(CanDrive<VescCan>);
