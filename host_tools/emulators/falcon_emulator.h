@@ -92,8 +92,8 @@ class FalconEmulator {
     // The bytes that have been uploaded.
     std::vector<std::byte> image;
   };
-  // What the firmware has been commanded: the last values in the motors' own units, the last
-  // lights, and how many commands there were.
+  // The commands that the firmware has obeyed: the last values in the motors' own units, the last
+  // lights, and the number of commands.
   struct Obeyed {
     std::array<std::int16_t, kArms> motors{};
     std::uint8_t lights = 0;

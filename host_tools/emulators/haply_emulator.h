@@ -57,8 +57,8 @@ class HaplyEmulator {
     double counts_per_turn = 1.0;
     double angle_at_setup_rad = 0.0;
   };
-  // What is connected to the board: an entry for each motor and encoder, and the numbers of
-  // analogue inputs and PWM outputs.
+  // The motors and encoders that are connected to the board, and the numbers of analogue inputs and
+  // PWM outputs.
   struct Setup {
     std::vector<bool> motor_reversed;
     std::vector<EncoderSetup> encoders;
