@@ -109,50 +109,70 @@ class Search {
   // Checks the sets of part `first` and parts from `next` on. Returns true if one is beyond the
   // certificate.
   bool finds(std::size_t first, std::size_t next) {
-    near_count_ = 0;
+    near_.count = 0;
     for (std::size_t i = next; i < scene_.size(); ++i) {
       if (i != first && may_meet(outlines_[first], outlines_[i])) {
-        near_[near_count_++] = static_cast<std::uint16_t>(i);
+        near_.numbers[near_.count++] = static_cast<std::uint16_t>(i);
       }
     }
-    if (near_count_ == 0) {
+    if (near_.count == 0) {
       return false;
     }
-    members_[0] = part_of(scene_, first);
-    numbers_[0] = first;
-    count_ = 1;
-    return is_felt(members_[0]) && grow(0, members_[0].region.box);
+    set_.parts[0] = part_of(scene_, first);
+    set_.numbers[0] = first;
+    set_.count = 1;
+    return is_felt(set_.parts[0]) && grow(0, set_.parts[0].region.box);
   }
 
   // Returns the set that finds() has found.
   [[nodiscard]] UncertifiedPart found() const {
-    UncertifiedPart part{.stiffness_N_per_m = felt_.stiffness_N_per_m,
-                         .damping_Ns_per_m = felt_.damping_Ns_per_m,
-                         .limit_N_per_m = certified_stiffness(certificate_, felt_.damping_Ns_per_m),
-                         .most_damping_Ns_per_m = certificate_.all().back().damping_Ns_per_m,
-                         .other_count = count_ + unlisted_ - 1};
-    const UncertifiedPart::Other first = name_of_part(scene_, numbers_[0]);
+    UncertifiedPart part{
+        .stiffness_N_per_m = finding_.felt.stiffness_N_per_m,
+        .damping_Ns_per_m = finding_.felt.damping_Ns_per_m,
+        .limit_N_per_m = certified_stiffness(certificate_, finding_.felt.damping_Ns_per_m),
+        .most_damping_Ns_per_m = certificate_.all().back().damping_Ns_per_m,
+        .other_count = set_.count + finding_.unlisted - 1};
+    const UncertifiedPart::Other first = name_of_part(scene_, set_.numbers[0]);
     part.kind = first.kind;
     part.index = first.index;
-    part.listed = std::min(count_ - 1, part.others.size());
+    part.listed = std::min(set_.count - 1, part.others.size());
     for (std::size_t i = 0; i < part.listed; ++i) {
-      part.others[i] = name_of_part(scene_, numbers_[i + 1]);
+      part.others[i] = name_of_part(scene_, set_.numbers[i + 1]);
     }
     // A wall of the workspace is always named. Walls come after all other parts of the scene.
-    if (part.listed > 0 && members_[count_ - 1].is_wall) {
-      part.others[part.listed - 1] = name_of_part(scene_, numbers_[count_ - 1]);
+    if (part.listed > 0 && set_.parts[set_.count - 1].is_wall) {
+      part.others[part.listed - 1] = name_of_part(scene_, set_.numbers[set_.count - 1]);
     }
     return part;
   }
 
  private:
+  // The parts that may push together with the first one, by their numbers in the scene.
+  struct NearParts {
+    std::array<std::uint16_t, kMostParts> numbers{};
+    std::size_t count = 0;
+  };
+  // The set of parts that is looked at, and their numbers in the scene.
+  struct PartSet {
+    std::array<ScenePart, kMostTogether> parts{};
+    std::array<std::size_t, kMostTogether> numbers{};
+    std::size_t count = 0;
+  };
+  // The stiffness and damping of the set that was found.
+  struct Finding {
+    CertifiedPoint felt;
+    // The number of parts that count in `felt` without being members of the set.
+    std::size_t unlisted = 0;
+  };
   // The parts that can push together with the set.
   struct Rest {
     CertifiedPoint felt;
     std::size_t count = 0;
   };
 
-  [[nodiscard]] std::span<const ScenePart> members() const { return {members_.data(), count_}; }
+  [[nodiscard]] std::span<const ScenePart> members() const {
+    return {set_.parts.data(), set_.count};
+  }
 
   // Returns the stiffness and damping of the set in the box. Walls of the workspace stand at right
   // angles, so only one of their dampings counts.
@@ -185,7 +205,7 @@ class Search {
   // with the set.
   bool take(std::size_t place, const Bounds& box, ScenePart& part) {
     looks_left_ -= looks_left_ > 0 ? 1 : 0;
-    part = part_of(scene_, near_[place]);
+    part = part_of(scene_, near_.numbers[place]);
     return fits(part, box);
   }
 
@@ -193,7 +213,7 @@ class Search {
   Rest rest_of(std::size_t next, const Bounds& box) {
     Rest rest;
     ScenePart part;
-    for (std::size_t place = next; place < near_count_; ++place) {
+    for (std::size_t place = next; place < near_.count; ++place) {
       if (take(place, box, part)) {
         rest.felt.stiffness_N_per_m += stiffness_in(common_box(box, part.region.box), part);
         rest.felt.damping_Ns_per_m += part.felt.damping_Ns_per_m;
@@ -218,38 +238,35 @@ class Search {
     if (rest.count == 0 || is_within(own, rest.felt)) {
       return false;
     }
-    if (looks_left_ == 0 || count_ == kMostTogether) {
-      unlisted_ = rest.count;
-      felt_ = {.damping_Ns_per_m = own.damping_Ns_per_m + rest.felt.damping_Ns_per_m,
-               .stiffness_N_per_m = own.stiffness_N_per_m + rest.felt.stiffness_N_per_m};
+    if (looks_left_ == 0 || set_.count == kMostTogether) {
+      finding_.unlisted = rest.count;
+      finding_.felt = {.damping_Ns_per_m = own.damping_Ns_per_m + rest.felt.damping_Ns_per_m,
+                       .stiffness_N_per_m = own.stiffness_N_per_m + rest.felt.stiffness_N_per_m};
       return true;
     }
-    for (std::size_t place = next; place < near_count_; ++place) {
-      if (!take(place, box, members_[count_])) {
+    for (std::size_t place = next; place < near_.count; ++place) {
+      if (!take(place, box, set_.parts[set_.count])) {
         continue;
       }
-      numbers_[count_++] = near_[place];
-      const Bounds common = common_box(box, members_[count_ - 1].region.box);
-      felt_ = felt_in(common);
-      if (is_beyond(certificate_, felt_) || grow(place + 1, common)) {
+      set_.numbers[set_.count++] = near_.numbers[place];
+      const Bounds common = common_box(box, set_.parts[set_.count - 1].region.box);
+      finding_.felt = felt_in(common);
+      if (is_beyond(certificate_, finding_.felt) || grow(place + 1, common)) {
         return true;
       }
-      --count_;
+      --set_.count;
     }
     return false;
   }
 
   const StiffnessCertificate& certificate_;
   const FeltScene& scene_;
-  std::array<ScenePart, kMostTogether> members_{};
-  std::array<std::size_t, kMostTogether> numbers_{};
-  std::size_t count_ = 0;
   std::array<Outline, kMostParts> outlines_{};
-  std::array<std::uint16_t, kMostParts> near_{};  // parts that may push together with the first
-  std::size_t near_count_ = 0;
+  NearParts near_;
+  PartSet set_;
+  Finding finding_;
+  // The number of parts that the search may still look at.
   std::size_t looks_left_ = 0;
-  std::size_t unlisted_ = 0;  // parts that count in `felt_` without being members
-  CertifiedPoint felt_;       // stiffness and damping of the set that was found
 };
 
 }  // namespace

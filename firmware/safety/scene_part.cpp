@@ -5,33 +5,11 @@
 #include <numbers>
 #include <variant>
 
+#include "firmware/safety/object_part.h"
 #include "rendering/limits.h"
 
 namespace tactus::firmware {
 namespace {
-
-// Tolerance within which a direction is an axis of the world, or two planes are parallel.
-constexpr double kSameDirection = 1e-9;
-
-// The smallest and the largest stiffness that an object's textures make.
-struct StiffnessRange {
-  double least_N_per_m = 0.0;
-  double most_N_per_m = 0.0;
-};
-
-// Returns the range over the object's surface.
-StiffnessRange stiffness_of(const rendering::Object& object, const rendering::Material& material) {
-  double low = 1.0;
-  double high = 1.0;
-  for (const rendering::TextureLayer& layer : object.detail.layers) {
-    if (layer.use == rendering::TextureUse::stiffness) {
-      low = std::min(layer.low, layer.high);
-      high = std::max(layer.low, layer.high);
-    }
-  }
-  return {.least_N_per_m = low * material.stiffness_N_per_m,
-          .most_N_per_m = high * material.stiffness_N_per_m};
-}
 
 Falloff falloff_of(const rendering::Magnet& magnet) {
   const double middle = 1.5 * std::numbers::sqrt3 * magnet.strength_N / magnet.core_m;
@@ -49,99 +27,8 @@ Falloff falloff_of(const rendering::Spring& spring, double largest_force_N) {
           .largest_force_N = largest_force_N};
 }
 
-bool along_world_axis(const Vec3& direction_W) {
-  return direction_W.cwiseAbs().maxCoeff() > 1.0 - kSameDirection;
-}
-
-// Returns the box, larger by `by_m` on each side.
-rendering::Bounds grown(const rendering::Bounds& box, double by_m) {
-  return {.lower_W = box.lower_W - Vec3::Constant(by_m),
-          .upper_W = box.upper_W + Vec3::Constant(by_m)};
-}
-
 rendering::Bounds around(const Vec3& p_W, double by_m) {
   return grown({.lower_W = p_W, .upper_W = p_W}, by_m);
-}
-
-// Returns the box of a plane, which ends at the plane if the plane is along an axis of the world.
-rendering::Bounds half_space(const rendering::Primitive& plane) {
-  rendering::Bounds box = FeltRegion{}.box;
-  const Vec3 normal_W = plane.X_WO.rotation.col(1);
-  if (along_world_axis(normal_W)) {
-    Eigen::Index axis = 0;
-    normal_W.cwiseAbs().maxCoeff(&axis);
-    (normal_W[axis] > 0.0 ? box.upper_W : box.lower_W)[axis] = plane.X_WO.translation[axis];
-  }
-  return box;
-}
-
-bool is_plane(const rendering::Object& object) {
-  return object.surface == rendering::SurfaceKind::primitive &&
-         object.primitive.kind == rendering::PrimitiveKind::plane;
-}
-
-bool is_box_field(const rendering::Object& object) {
-  return object.surface == rendering::SurfaceKind::primitive &&
-         object.primitive.kind == rendering::PrimitiveKind::box &&
-         object.method == rendering::ContactMethod::potential_field;
-}
-
-bool is_box_along_axes(const rendering::Object& object) {
-  const Mat3& rotation = object.primitive.X_WO.rotation;
-  return object.surface == rendering::SurfaceKind::primitive &&
-         object.primitive.kind == rendering::PrimitiveKind::box &&
-         along_world_axis(rotation.col(0)) && along_world_axis(rotation.col(1));
-}
-
-// Returns true if the stretch of the proxy is along the normal only. A potential field has no
-// friction.
-bool is_smooth(const rendering::Object& object, const rendering::Material& material) {
-  if (object.method == rendering::ContactMethod::potential_field) {
-    return true;
-  }
-  const rendering::FrictionParameters& friction = material.friction;
-  return friction.coulomb == 0.0 && friction.static_level == 0.0 &&
-         friction.viscous_s_per_m == 0.0 && object.detail.empty();
-}
-
-bool has_bounds(const rendering::Object& object) {
-  return object.surface != rendering::SurfaceKind::mesh || !object.mesh.nodes.empty();
-}
-
-// Returns true if the tool's sphere touches the object, and not only its centre.
-bool is_sphere_to(const rendering::Object& object) {
-  return object.method == rendering::ContactMethod::sphere_proxy ||
-         object.method == rendering::ContactMethod::potential_field;
-}
-
-// Returns the largest distance beyond its surface at which the tool feels the object more the
-// deeper it goes, m. A potential field keeps no proxy, so this is only the tool's radius there.
-double felt_beyond_m(const rendering::Object& object, double stiffness_N_per_m,
-                     const SceneFeel& feel) {
-  if (object.method == rendering::ContactMethod::potential_field) {
-    return 0.0;
-  }
-  return stiffness_N_per_m > 0.0 ? std::min(feel.max_force_N / stiffness_N_per_m, kBoundless_m)
-                                 : kBoundless_m;
-}
-
-// Returns the box in which the tool's centre feels the object. The tool is in contact with a smooth
-// box along the axes only if it came in through a side, so it leaves the other side with less depth
-// left.
-rendering::Bounds felt_box(const rendering::Object& object, const rendering::Material& material,
-                           const ScenePart& part, double beyond_m) {
-  Vec3 beyond = Vec3::Constant(beyond_m);
-  if (is_box_along_axes(object) && is_smooth(object, material)) {
-    beyond = (beyond - (part.surface.upper_W - part.surface.lower_W)).cwiseMax(0.0);
-  }
-  const rendering::Bounds contact = grown(part.surface, part.contact_m + kSamePlace_m);
-  return {.lower_W = contact.lower_W - beyond, .upper_W = contact.upper_W + beyond};
-}
-
-// Returns the region between two planes, `below_m` and `above_m` from the point along the normal.
-FeltRegion slab(const Vec3& point_W, const Vec3& normal_W, double below_m, double above_m) {
-  const double height = normal_W.dot(point_W);
-  return {.normal_W = normal_W, .lowest_m = height - below_m, .highest_m = height + above_m};
 }
 
 // Returns the region in which a line captures the tool. The line is infinite, so it is a box only
@@ -247,40 +134,6 @@ bool same_plane(const FeltRegion& a, const FeltRegion& b) {
          std::abs(a.highest_m - b.highest_m) < kSamePlace_m;
 }
 
-// Returns the part of an object with that material.
-ScenePart part_of_object(const rendering::Object& object, const rendering::Material& material,
-                         const SceneFeel& feel) {
-  const StiffnessRange stiffness = stiffness_of(object, material);
-  ScenePart part{.felt = {.damping_Ns_per_m = material.damping_Ns_per_m,
-                          .stiffness_N_per_m = stiffness.most_N_per_m},
-                 .shares_proxy = rendering::meets_proxy(object),
-                 .surface = FeltRegion{}.box};
-  if (rendering::is_mover(object) || !has_bounds(object)) {
-    return part;  // the object may move anywhere
-  }
-  part.contact_m = is_sphere_to(object) ? feel.tool_radius_m : 0.0;
-  if (is_plane(object)) {
-    const double below_m = rendering::meets_proxy(object)
-                               ? felt_beyond_m(object, stiffness.least_N_per_m, feel)
-                               : kBoundless_m;
-    part.axis_W = object.primitive.X_WO.rotation.col(1);
-    part.region = slab(object.primitive.X_WO.translation, part.axis_W, below_m,
-                       part.contact_m + kSamePlace_m);
-    part.surface = half_space(object.primitive);
-    part.directions =
-        is_smooth(object, material) ? SpringDirections::along_axis : SpringDirections::all;
-  } else {
-    part.surface = rendering::bounds_of(object);
-    part.region.box =
-        felt_box(object, material, part, felt_beyond_m(object, stiffness.least_N_per_m, feel));
-  }
-  if (is_box_field(object)) {
-    part.field_box = &object.primitive;
-  }
-  part.has_flat_sides = is_plane(object) || is_box_along_axes(object);
-  return part;
-}
-
 // Returns the part of an effect by the kind of its law.
 ScenePart part_of_effect(const rendering::Effect& effect) {
   const rendering::LawSlopes slopes = rendering::steepest(effect);
@@ -343,19 +196,6 @@ bool coincide(const ScenePart& a, const ScenePart& b) {
     }
   }
   return false;
-}
-
-rendering::Bounds common_box(const rendering::Bounds& a, const rendering::Bounds& b) {
-  return {.lower_W = a.lower_W.cwiseMax(b.lower_W), .upper_W = a.upper_W.cwiseMin(b.upper_W)};
-}
-
-bool has_point_in(const rendering::Bounds& box, const FeltRegion& region) {
-  const Vec3 middle_W = 0.5 * (box.lower_W + box.upper_W);
-  const Vec3 half_W = 0.5 * (box.upper_W - box.lower_W);
-  const double height = region.normal_W.dot(middle_W);
-  const double spread = region.normal_W.cwiseAbs().dot(half_W);
-  return half_W.minCoeff() >= 0.0 && height - spread <= region.highest_m &&
-         height + spread >= region.lowest_m;
 }
 
 }  // namespace tactus::firmware

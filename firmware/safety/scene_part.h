@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "firmware/safety/felt_region.h"
 #include "rendering/effects/effect.h"
 #include "rendering/objects/object.h"
 
@@ -23,9 +24,6 @@ struct CertifiedPoint {
 
 // Two objects of the shared proxy whose sides are at most this far apart are in one place.
 inline constexpr double kSamePlace_m = 1e-4;
-
-// A distance beyond the world.
-inline constexpr double kBoundless_m = 1e3;
 
 // A wall of the workspace that is so far away does not count.
 inline constexpr double kNoWall_m = 10.0;
@@ -67,18 +65,6 @@ struct FeltScene {
   [[nodiscard]] std::size_t size() const {
     return objects.size() + effects.size() + FeltWalls::kCount;
   }
-};
-
-// The region in which the tool feels a part, world frame. The tool is in the box and, if there is a
-// normal, its coordinate along the normal is between lowest_m and highest_m.
-struct FeltRegion {
-  rendering::Bounds box{.lower_W = Vec3::Constant(-kBoundless_m),
-                        .upper_W = Vec3::Constant(kBoundless_m)};
-  // A unit vector, or zero: the region is then the whole box.
-  Vec3 normal_W = Vec3::Zero();
-  // The range of the coordinate along the normal, m.
-  double lowest_m = -kBoundless_m;
-  double highest_m = kBoundless_m;
 };
 
 // The directions of motion that a spring resists: all, only along its axis, or all across its axis.
@@ -129,11 +115,5 @@ ScenePart part_of(const FeltScene& scene, std::size_t number);
 // along one normal. For boxes along the axes and planes a common side is enough; other objects must
 // have all sides of their boxes in common.
 bool coincide(const ScenePart& a, const ScenePart& b);
-
-// Returns the intersection of both boxes; lower is above upper if it is empty.
-rendering::Bounds common_box(const rendering::Bounds& a, const rendering::Bounds& b);
-
-// Returns true if some point of the box is in the region. The box lies in the region's box.
-bool has_point_in(const rendering::Bounds& box, const FeltRegion& region);
 
 }  // namespace tactus::firmware

@@ -39,7 +39,7 @@ void LibusbCallbacks::bulk_done(libusb_transfer* transfer) {
 }
 
 void LibusbCallbacks::control_done(libusb_transfer* transfer) {
-  static_cast<LinuxUsbEndpoint*>(transfer->user_data)->control_done_ = true;
+  static_cast<LinuxUsbEndpoint*>(transfer->user_data)->control_.is_done = true;
 }
 
 UsbState LinuxUsbEndpoint::DoState() {
@@ -64,7 +64,7 @@ Result<void> LinuxUsbEndpoint::check_present() const {
 Result<std::size_t> LinuxUsbEndpoint::DoControlOut(const UsbSetup& setup,
                                                    std::span<const std::byte> data,
                                                    TimeNs deadline_ns) {
-  std::ranges::copy(data, control_buffer_.begin() + kControlSetupBytes);
+  std::ranges::copy(data, control_.buffer.begin() + kControlSetupBytes);
   return run_control(setup, data.size(), deadline_ns);
 }
 
@@ -72,7 +72,7 @@ Result<std::size_t> LinuxUsbEndpoint::DoControlIn(const UsbSetup& setup,
                                                   std::span<std::byte> buffer, TimeNs deadline_ns) {
   const auto got = run_control(setup, buffer.size(), deadline_ns);
   if (got) {
-    std::ranges::copy(std::span(control_buffer_).subspan(kControlSetupBytes, *got), buffer.begin());
+    std::ranges::copy(std::span(control_.buffer).subspan(kControlSetupBytes, *got), buffer.begin());
   }
   return got;
 }
@@ -82,27 +82,28 @@ Result<std::size_t> LinuxUsbEndpoint::run_control(const UsbSetup& setup, std::si
   if (const auto there = check_present(); !there) {
     return std::unexpected(there.error());
   }
-  auto* const bytes = reinterpret_cast<unsigned char*>(control_buffer_.data());
+  auto* const bytes = reinterpret_cast<unsigned char*>(control_.buffer.data());
   libusb_fill_control_setup(bytes, setup.request_type, setup.request, setup.value, setup.index,
                             static_cast<std::uint16_t>(length));
-  libusb_fill_control_transfer(control_, handle_, bytes, LibusbCallbacks::control_done, this, 0);
-  if (const int code = libusb_submit_transfer(control_); code != LIBUSB_SUCCESS) {
+  libusb_fill_control_transfer(control_.transfer, handle_, bytes, LibusbCallbacks::control_done,
+                               this, 0);
+  if (const int code = libusb_submit_transfer(control_.transfer); code != LIBUSB_SUCCESS) {
     if (code == LIBUSB_ERROR_NO_DEVICE && state_ == UsbState::attached) {
       state_ = UsbState::detached;
     }
     return libusb_failure(code);
   }
-  control_done_ = false;
-  if (!serve_until(deadline_ns, [this] { return control_done_; })) {
-    withdraw(control_, control_done_);
-    if (control_->status == LIBUSB_TRANSFER_CANCELLED) {
+  control_.is_done = false;
+  if (!serve_until(deadline_ns, [this] { return control_.is_done; })) {
+    withdraw(control_.transfer, control_.is_done);
+    if (control_.transfer->status == LIBUSB_TRANSFER_CANCELLED) {
       return failure(ErrorCode::timeout);
     }
   }
-  if (const auto outcome = outcome_of(*control_); !outcome) {
+  if (const auto outcome = outcome_of(*control_.transfer); !outcome) {
     return std::unexpected(outcome.error());
   }
-  return static_cast<std::size_t>(control_->actual_length);
+  return static_cast<std::size_t>(control_.transfer->actual_length);
 }
 
 LinuxUsbEndpoint::Flight* LinuxUsbEndpoint::flight_of(const UsbTransfer* transfer) {
@@ -166,7 +167,7 @@ bool LinuxUsbEndpoint::serve_until(TimeNs deadline_ns, Done done) {
   serve();
   while (!done()) {
     const int ready =
-        wait_for_descriptors(std::span(descriptors_).first(descriptor_count_), deadline_ns);
+        wait_for_descriptors(std::span(polled_.descriptors).first(polled_.count), deadline_ns);
     serve();
     if (ready <= 0) {
       return done();

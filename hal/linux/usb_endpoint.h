@@ -62,6 +62,19 @@ class LinuxUsbEndpoint final : public UsbEndpoint {
   };
   static constexpr std::size_t kMaxPollDescriptors = 16;
   static constexpr std::size_t kControlSetupBytes = 8;
+  // The transfer for control requests; there is one at a time.
+  struct ControlTransfer {
+    libusb_transfer* transfer = nullptr;
+    // True once libusb has called back.
+    bool is_done = true;
+    // The setup packet and the data after it.
+    std::array<std::byte, kControlSetupBytes + kMaxUsbControlBytes> buffer{};
+  };
+  // The descriptors on which libusb waits.
+  struct PollList {
+    std::array<pollfd, kMaxPollDescriptors> descriptors{};
+    std::size_t count = 0;
+  };
 
   Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,
                                    TimeNs deadline_ns) override;
@@ -87,7 +100,8 @@ class LinuxUsbEndpoint final : public UsbEndpoint {
 
   // Returns the error of a device that is gone or not reopened.
   Result<void> check_present() const;
-  // Runs the control transfer whose data is in control_buffer_, and returns the number of bytes.
+  // Runs the control transfer whose data is in the buffer of control_, and returns the number of
+  // bytes.
   Result<std::size_t> run_control(const UsbSetup& setup, std::size_t length, TimeNs deadline_ns);
   // Returns the flight that carries the transfer, or a free one for null; null if there is none.
   Flight* flight_of(const UsbTransfer* transfer);
@@ -113,11 +127,8 @@ class LinuxUsbEndpoint final : public UsbEndpoint {
   libusb_context* context_ = nullptr;
   libusb_device_handle* handle_ = nullptr;
   std::array<Flight, kMaxUsbTransfersInFlight> flights_{};
-  libusb_transfer* control_ = nullptr;
-  bool control_done_ = true;
-  std::array<std::byte, kControlSetupBytes + kMaxUsbControlBytes> control_buffer_{};
-  std::array<pollfd, kMaxPollDescriptors> descriptors_{};
-  std::size_t descriptor_count_ = 0;
+  ControlTransfer control_;
+  PollList polled_;
   std::size_t max_packet_bytes_ = 64;
   int hotplug_handle_ = 0;
   UsbState state_ = UsbState::detached;

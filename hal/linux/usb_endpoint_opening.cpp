@@ -46,7 +46,7 @@ LinuxUsbEndpoint::~LinuxUsbEndpoint() {
   for (const Flight& flight : flights_) {
     libusb_free_transfer(flight.transfer);
   }
-  libusb_free_transfer(control_);
+  libusb_free_transfer(control_.transfer);
   libusb_exit(context_);
 }
 
@@ -70,8 +70,8 @@ Result<void> LinuxUsbEndpoint::start_library() {
     context_ = nullptr;
     return libusb_failure(code);
   }
-  control_ = libusb_alloc_transfer(0);
-  bool all_there = control_ != nullptr;
+  control_.transfer = libusb_alloc_transfer(0);
+  bool all_there = control_.transfer != nullptr;
   for (Flight& flight : flights_) {
     flight = {.endpoint = this, .transfer = libusb_alloc_transfer(0), .carried = nullptr};
     all_there = all_there && flight.transfer != nullptr;
@@ -180,16 +180,16 @@ Result<void> LinuxUsbEndpoint::DoReopen() {
 }
 
 void LinuxUsbEndpoint::add_descriptor(int descriptor, short events) {
-  if (descriptor_count_ < descriptors_.size()) {
-    descriptors_[descriptor_count_] = {.fd = descriptor, .events = events, .revents = 0};
-    ++descriptor_count_;
+  if (polled_.count < polled_.descriptors.size()) {
+    polled_.descriptors[polled_.count] = {.fd = descriptor, .events = events, .revents = 0};
+    ++polled_.count;
   }
 }
 
 void LinuxUsbEndpoint::remove_descriptor(int descriptor) {
-  const auto known = std::span(descriptors_).first(descriptor_count_);
+  const auto known = std::span(polled_.descriptors).first(polled_.count);
   const auto rest = std::ranges::remove(known, descriptor, &pollfd::fd);
-  descriptor_count_ -= rest.size();
+  polled_.count -= rest.size();
 }
 
 void LinuxUsbEndpoint::note_plug(libusb_device* device, bool arrived) {

@@ -32,13 +32,13 @@ SimulatedCanBus::~SimulatedCanBus() {
 }
 
 Result<std::size_t> SimulatedCanBus::DoSend(std::span<const CanFrame> frames) {
-  if (!present_) {
+  if (!interface_.is_present) {
     return failure(ErrorCode::disconnected);
   }
-  if (!up_) {
+  if (!interface_.is_up) {
     return failure(ErrorCode::link_down);
   }
-  if (state_ == CanState::bus_off) {
+  if (confinement_.state == CanState::bus_off) {
     return failure(ErrorCode::bus_off);
   }
   std::size_t taken = 0;
@@ -58,8 +58,9 @@ Result<std::size_t> SimulatedCanBus::DoSend(std::span<const CanFrame> frames) {
 
 Result<std::size_t> SimulatedCanBus::DoReceive(std::span<CanReceived> received,
                                                TimeNs deadline_ns) {
-  network_.clock().wait_until(deadline_ns,
-                              [this] { return !receive_queue_.empty() || !up_ || !present_; });
+  network_.clock().wait_until(deadline_ns, [this] {
+    return !receive_queue_.empty() || !interface_.is_up || !interface_.is_present;
+  });
   std::size_t count = 0;
   while (count < received.size() && !receive_queue_.empty()) {
     received[count] = receive_queue_.front();
@@ -69,56 +70,57 @@ Result<std::size_t> SimulatedCanBus::DoReceive(std::span<CanReceived> received,
   if (count > 0) {
     return count;
   }
-  if (!present_) {
+  if (!interface_.is_present) {
     return failure(ErrorCode::disconnected);
   }
-  return failure(up_ ? ErrorCode::timeout : ErrorCode::link_down);
+  return failure(interface_.is_up ? ErrorCode::timeout : ErrorCode::link_down);
 }
 
 Result<void> SimulatedCanBus::DoSetFilters(std::span<const CanFilter> filters) {
-  if (!present_) {
+  if (!interface_.is_present) {
     return failure(ErrorCode::disconnected);
   }
-  std::ranges::copy(filters, filters_.begin());
-  filter_count_ = filters.size();
+  std::ranges::copy(filters, reception_.filters.begin());
+  reception_.filter_count = filters.size();
   return {};
 }
 
 Result<void> SimulatedCanBus::DoSetErrorClasses(std::uint32_t classes) {
-  if (!present_) {
+  if (!interface_.is_present) {
     return failure(ErrorCode::disconnected);
   }
-  error_classes_ = classes;
+  reception_.error_classes = classes;
   return {};
 }
 
 Result<void> SimulatedCanBus::DoRestart() {
-  if (!present_) {
+  if (!interface_.is_present) {
     return failure(ErrorCode::disconnected);
   }
-  if (!up_) {
+  if (!interface_.is_up) {
     return failure(ErrorCode::link_down);
   }
-  if (state_ != CanState::bus_off) {
+  if (confinement_.state != CanState::bus_off) {
     return failure(ErrorCode::invalid_state);
   }
-  transmit_errors_ = 0;
-  state_ = CanState::error_active;
+  confinement_.transmit_errors = 0;
+  confinement_.state = CanState::error_active;
   inject_error({.classes = kCanRestarted});
   return {};
 }
 
 CanStatus SimulatedCanBus::DoStatus() const {
-  return {.state = up_ && present_ ? state_ : CanState::stopped,
-          .transmit_errors = saturated(transmit_errors_),
-          .receive_errors = 0};
+  return {
+      .state = interface_.is_up && interface_.is_present ? confinement_.state : CanState::stopped,
+      .transmit_errors = saturated(confinement_.transmit_errors),
+      .receive_errors = 0};
 }
 
 void SimulatedCanBus::set_link_up(bool up) {
-  up_ = up;
+  interface_.is_up = up;
   if (up) {
-    transmit_errors_ = 0;
-    state_ = CanState::error_active;
+    confinement_.transmit_errors = 0;
+    confinement_.state = CanState::error_active;
   } else {
     send_queue_.clear();
     network_.abandon(*this);
@@ -127,16 +129,16 @@ void SimulatedCanBus::set_link_up(bool up) {
 
 void SimulatedCanBus::remove_interface() {
   set_link_up(false);
-  present_ = false;
+  interface_.is_present = false;
 }
 
 void SimulatedCanBus::force_bus_off() {
-  transmit_errors_ = kBusOffThreshold;
+  confinement_.transmit_errors = kBusOffThreshold;
   update_state();
 }
 
 void SimulatedCanBus::inject_error(const CanErrorReport& report) {
-  if ((report.classes & error_classes_) != 0 && up_) {
+  if ((report.classes & reception_.error_classes) != 0 && interface_.is_up) {
     CanReceived item;
     item.kind = CanReceived::Kind::error;
     item.error = report;
@@ -154,25 +156,25 @@ bool SimulatedCanBus::transmission_fails() {
     return false;
   }
   --failing_;
-  transmit_errors_ += kCostOfAFailure;
+  confinement_.transmit_errors += kCostOfAFailure;
   inject_error({.classes = kCanProtocol | kCanBusError | kCanErrorCounters,
-                .transmit_errors = saturated(transmit_errors_)});
+                .transmit_errors = saturated(confinement_.transmit_errors)});
   update_state();
   return true;
 }
 
 void SimulatedCanBus::note_transmitted() {
-  if (transmit_errors_ > 0) {
-    --transmit_errors_;
+  if (confinement_.transmit_errors > 0) {
+    --confinement_.transmit_errors;
     update_state();
   }
 }
 
 void SimulatedCanBus::take(const CanFrame& frame) {
-  if (!up_ || state_ == CanState::bus_off) {
+  if (!interface_.is_up || confinement_.state == CanState::bus_off) {
     return;
   }
-  const auto filters = std::span(filters_).first(filter_count_);
+  const auto filters = std::span(reception_.filters).first(reception_.filter_count);
   if (std::ranges::any_of(filters,
                           [&](const CanFilter& filter) { return passes(filter, frame); })) {
     CanReceived item;
@@ -184,18 +186,18 @@ void SimulatedCanBus::take(const CanFrame& frame) {
 
 void SimulatedCanBus::enqueue(const CanReceived& item) {
   if (receive_queue_.size() >= config_.receive_capacity) {
-    ++receive_dropped_;
+    ++reception_.dropped;
     return;
   }
   receive_queue_.push(item);
 }
 
 void SimulatedCanBus::update_state() {
-  if (transmit_errors_ >= kBusOffThreshold) {
+  if (confinement_.transmit_errors >= kBusOffThreshold) {
     enter(CanState::bus_off, 0);
-  } else if (transmit_errors_ >= kPassiveThreshold) {
+  } else if (confinement_.transmit_errors >= kPassiveThreshold) {
     enter(CanState::error_passive, kCanTransmitPassive);
-  } else if (transmit_errors_ >= kWarningThreshold) {
+  } else if (confinement_.transmit_errors >= kWarningThreshold) {
     enter(CanState::error_warning, kCanTransmitWarning);
   } else {
     enter(CanState::error_active, kCanBackToActive);
@@ -203,10 +205,10 @@ void SimulatedCanBus::update_state() {
 }
 
 void SimulatedCanBus::enter(CanState state, std::uint8_t controller) {
-  if (state == state_) {
+  if (state == confinement_.state) {
     return;
   }
-  state_ = state;
+  confinement_.state = state;
   if (state == CanState::bus_off) {
     send_queue_.clear();
     network_.abandon(*this);
@@ -214,7 +216,7 @@ void SimulatedCanBus::enter(CanState state, std::uint8_t controller) {
   } else {
     inject_error({.classes = kCanController | kCanErrorCounters,
                   .controller = controller,
-                  .transmit_errors = saturated(transmit_errors_)});
+                  .transmit_errors = saturated(confinement_.transmit_errors)});
   }
 }
 

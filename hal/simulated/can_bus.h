@@ -62,17 +62,40 @@ class SimulatedCanBus final : public CanBus {
  private:
   friend class SimulatedCanNetwork;
 
+  // The choice of frames and error reports that the node receives, and the count of the lost ones.
+  struct Reception {
+    // At first one filter that lets everything pass.
+    std::array<CanFilter, kMaxCanFilters> filters{};
+    std::size_t filter_count = 1;
+    std::uint32_t error_classes = 0;
+    // The items that found the receive queue full.
+    std::uint64_t dropped = 0;
+  };
+  // The fault confinement of ISO 11898-1.
+  struct FaultConfinement {
+    CanState state = CanState::error_active;
+    // The transmit error counter; at 256 the controller is off the bus.
+    std::uint32_t transmit_errors = 0;
+  };
+  // The interface as the kernel has it.
+  struct Interface {
+    bool is_up = true;
+    bool is_present = true;
+  };
+
   Result<std::size_t> DoSend(std::span<const CanFrame> frames) override;
   Result<std::size_t> DoReceive(std::span<CanReceived> received, TimeNs deadline_ns) override;
   Result<void> DoSetFilters(std::span<const CanFilter> filters) override;
   Result<void> DoSetErrorClasses(std::uint32_t classes) override;
   Result<void> DoRestart() override;
   CanStatus DoStatus() const override;
-  std::uint64_t DoReceiveDropped() const override { return receive_dropped_; }
+  std::uint64_t DoReceiveDropped() const override { return reception_.dropped; }
   bool DoFdEnabled() const override { return config_.fd && network_.config().fd; }
 
   // The network calls these four. may_send: the node has a frame and may use the wire.
-  bool may_send() const { return !send_queue_.empty() && state_ != CanState::bus_off && up_; }
+  bool may_send() const {
+    return !send_queue_.empty() && confinement_.state != CanState::bus_off && interface_.is_up;
+  }
   // Returns true if the frame on the wire is to fail, and counts the error.
   bool transmission_fails();
   // Counts a good transmission.
@@ -93,16 +116,11 @@ class SimulatedCanBus final : public CanBus {
   SimulatedCanBus* next_ = nullptr;
   FixedQueue<CanFrame, kMaxSendQueue> send_queue_;
   FixedQueue<CanReceived, kMaxReceiveQueue> receive_queue_;
-  std::array<CanFilter, kMaxCanFilters> filters_{};
-  std::size_t filter_count_ = 1;  // at first one filter that lets everything pass
-  std::uint32_t error_classes_ = 0;
-  CanState state_ = CanState::error_active;
-  std::uint32_t transmit_errors_ = 0;
+  Reception reception_;
+  FaultConfinement confinement_;
+  Interface interface_;
   // The number of transmissions still to fail.
   std::uint32_t failing_ = 0;
-  std::uint64_t receive_dropped_ = 0;
-  bool up_ = true;
-  bool present_ = true;
 };
 
 }  // namespace tactus::hal

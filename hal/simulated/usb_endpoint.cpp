@@ -19,7 +19,7 @@ bool SimulatedUsbEndpoint::answer(std::span<const std::byte> bytes, TimeNs delay
   const std::size_t packet_bytes = config_.max_packet_bytes;
   const std::size_t needed =
       std::max<std::size_t>(1, (bytes.size() + packet_bytes - 1) / packet_bytes);
-  if (plug_ != Plug::in || packets_.size() + needed > kMaxPackets) {
+  if (plug_.cable != Cable::in || packets_.size() + needed > kMaxPackets) {
     return false;
   }
   for (std::size_t i = 0; i < needed; ++i) {
@@ -36,52 +36,53 @@ bool SimulatedUsbEndpoint::answer(std::span<const std::byte> bytes, TimeNs delay
 }
 
 void SimulatedUsbEndpoint::set_stopped(bool stopped) {
-  stopped_ = stopped;
+  faults_.is_stopped = stopped;
   serve();
 }
 
 void SimulatedUsbEndpoint::take_only(std::size_t bytes) {
-  will_take_ = bytes;
+  faults_.will_take = bytes;
   serve();
 }
 
 void SimulatedUsbEndpoint::set_halted(bool halted) {
-  halted_ = halted;
+  faults_.is_halted = halted;
   if (halted) {
     fail_all(ErrorCode::stalled);
   }
 }
 
 void SimulatedUsbEndpoint::fail_next(std::uint32_t count, ErrorCode code) {
-  failing_ = count;
-  failure_code_ = code;
+  faults_.failing = count;
+  faults_.failure_code = code;
 }
 
 void SimulatedUsbEndpoint::unplug(TimeNs departure_ns) {
-  plug_ = Plug::out;
-  departure_ns_ = clock_.now_ns() + departure_ns;
+  plug_.cable = Cable::out;
+  plug_.departure_ns = clock_.now_ns() + departure_ns;
   packets_.clear();
   // Linux reports most transfers of a device just unplugged as io, before it notices the departure.
   fail_all(departure_ns > 0 ? ErrorCode::io : ErrorCode::disconnected);
 }
 
 void SimulatedUsbEndpoint::plug_in() {
-  if (plug_ == Plug::out) {
-    plug_ = Plug::back;
+  if (plug_.cable == Cable::out) {
+    plug_.cable = Cable::back;
   }
 }
 
 UsbState SimulatedUsbEndpoint::current_state() const {
-  if (plug_ == Plug::in || (plug_ == Plug::out && clock_.now_ns() < departure_ns_)) {
+  if (plug_.cable == Cable::in ||
+      (plug_.cable == Cable::out && clock_.now_ns() < plug_.departure_ns)) {
     return UsbState::attached;
   }
-  return plug_ == Plug::out ? UsbState::detached : UsbState::returned;
+  return plug_.cable == Cable::out ? UsbState::detached : UsbState::returned;
 }
 
 Result<void> SimulatedUsbEndpoint::check_present() const {
   switch (current_state()) {
     case UsbState::attached:
-      if (plug_ == Plug::out) {
+      if (plug_.cable == Cable::out) {
         return failure(ErrorCode::io);
       }
       return {};
@@ -94,18 +95,19 @@ Result<void> SimulatedUsbEndpoint::check_present() const {
 }
 
 Result<void> SimulatedUsbEndpoint::DoReopen() {
-  if (plug_ == Plug::out) {
+  if (plug_.cable == Cable::out) {
     return failure(ErrorCode::disconnected);
   }
-  if (plug_ == Plug::back) {
-    plug_ = Plug::in;
-    halted_ = false;
+  if (plug_.cable == Cable::back) {
+    plug_.cable = Cable::in;
+    faults_.is_halted = false;
   }
   return {};
 }
 
 Result<void> SimulatedUsbEndpoint::wait_for_device(TimeNs deadline_ns) {
-  if (!clock_.wait_until(deadline_ns, [this] { return !stopped_ || plug_ != Plug::in; })) {
+  if (!clock_.wait_until(deadline_ns,
+                         [this] { return !faults_.is_stopped || plug_.cable != Cable::in; })) {
     return failure(ErrorCode::timeout);
   }
   return check_present();
@@ -133,7 +135,7 @@ Result<void> SimulatedUsbEndpoint::DoSubmit(UsbTransfer& transfer) {
   if (const auto there = check_present(); !there) {
     return there;
   }
-  if (flight_count_ == flights_.size()) {
+  if (flights_.full()) {
     return failure(ErrorCode::queue_full);
   }
   TimeNs due_ns = clock_.now_ns();
@@ -141,11 +143,11 @@ Result<void> SimulatedUsbEndpoint::DoSubmit(UsbTransfer& transfer) {
     due_ns = std::max(due_ns, last_due_ns_) + config_.out_time_ns;
     last_due_ns_ = due_ns;
   }
-  flights_[flight_count_++] = {.transfer = &transfer, .due_ns = due_ns};
-  if (failing_ > 0) {
-    --failing_;
-    finish(transfer, failure(failure_code_));
-  } else if (halted_) {
+  flights_.add({.transfer = &transfer, .due_ns = due_ns});
+  if (faults_.failing > 0) {
+    --faults_.failing;
+    finish(transfer, failure(faults_.failure_code));
+  } else if (faults_.is_halted) {
     finish(transfer, failure(ErrorCode::stalled));
   } else {
     serve();
@@ -163,25 +165,18 @@ void SimulatedUsbEndpoint::DoCancel(UsbTransfer& transfer) {
 }
 
 TimeNs SimulatedUsbEndpoint::next_event_ns() const {
-  if (stopped_) {
+  if (faults_.is_stopped) {
     return kForever;
   }
   TimeNs next_ns = kForever;
-  if (const Flight* out = oldest(UsbDirection::out); out != nullptr && will_take_ > 0) {
+  if (const auto* const out = flights_.oldest(UsbDirection::out);
+      out != nullptr && faults_.will_take > 0) {
     next_ns = out->due_ns;
   }
-  if (oldest(UsbDirection::in) != nullptr && !packets_.empty()) {
+  if (flights_.oldest(UsbDirection::in) != nullptr && !packets_.empty()) {
     next_ns = std::min(next_ns, packets_.front().ready_ns);
   }
   return next_ns;
-}
-
-const SimulatedUsbEndpoint::Flight* SimulatedUsbEndpoint::oldest(UsbDirection direction) const {
-  const auto flights = std::span(flights_).first(flight_count_);
-  const auto found = std::ranges::find_if(flights, [direction](const Flight& flight) {
-    return flight.transfer->direction() == direction;
-  });
-  return found == flights.end() ? nullptr : &*found;
 }
 
 // Serves the transfers. The peer may answer meanwhile; the running loop serves its answers too.
@@ -190,24 +185,24 @@ void SimulatedUsbEndpoint::serve() {
     return;
   }
   serving_ = true;
-  while (!stopped_ && (serve_out() || serve_in())) {
+  while (!faults_.is_stopped && (serve_out() || serve_in())) {
   }
   serving_ = false;
 }
 
 bool SimulatedUsbEndpoint::serve_out() {
-  const Flight* flight = oldest(UsbDirection::out);
+  const auto* const flight = flights_.oldest(UsbDirection::out);
   if (flight == nullptr || flight->due_ns > clock_.now_ns()) {
     return false;
   }
   UsbTransfer& transfer = *flight->transfer;
   const auto rest = transfer.out_data().subspan(transfer.transferred());
-  const auto part = rest.first(std::min(rest.size(), will_take_));
+  const auto part = rest.first(std::min(rest.size(), faults_.will_take));
   if (part.empty() && !rest.empty()) {
     return false;
   }
-  if (will_take_ != kTakeAll) {
-    will_take_ -= part.size();
+  if (faults_.will_take != kTakeAll) {
+    faults_.will_take -= part.size();
   }
   transfer.progress(part.size());
   if (part.size() == rest.size()) {
@@ -218,7 +213,7 @@ bool SimulatedUsbEndpoint::serve_out() {
 }
 
 bool SimulatedUsbEndpoint::serve_in() {
-  const Flight* flight = oldest(UsbDirection::in);
+  const auto* const flight = flights_.oldest(UsbDirection::in);
   if (flight == nullptr || packets_.empty() || packets_.front().ready_ns > clock_.now_ns()) {
     return false;
   }
@@ -241,16 +236,13 @@ bool SimulatedUsbEndpoint::serve_in() {
 }
 
 void SimulatedUsbEndpoint::finish(UsbTransfer& transfer, Result<void> outcome) {
-  const auto flights = std::span(flights_).first(flight_count_);
-  const auto found = std::ranges::find(flights, &transfer, &Flight::transfer);
-  std::ranges::move(found + 1, flights.end(), found);
-  --flight_count_;
+  flights_.remove(transfer);
   transfer.finish(outcome);
 }
 
 void SimulatedUsbEndpoint::fail_all(ErrorCode code) {
-  while (flight_count_ > 0) {
-    finish(*flights_[0].transfer, failure(code));
+  while (!flights_.empty()) {
+    finish(flights_.oldest(), failure(code));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "hal/simulated/clock.h"
 #include "hal/simulated/fixed_queue.h"
+#include "hal/simulated/usb_flights.h"
 #include "hal/usb_endpoint.h"
 
 namespace tactus::hal {
@@ -92,11 +93,23 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
     std::size_t size = 0;
     std::array<std::byte, kMaxPacketBytes> bytes{};
   };
-  // A submitted transfer.
-  struct Flight {
-    UsbTransfer* transfer = nullptr;
-    // The time at which the device has the data of a bulk-out.
-    TimeNs due_ns = 0;
+  // The cable is plugged in, unplugged, or plugged in again but not yet opened again.
+  enum class Cable : std::uint8_t { in, out, back };
+  // The connection to the device.
+  struct Plug {
+    Cable cable = Cable::in;
+    // When an unplugged device leaves the bus.
+    TimeNs departure_ns = 0;
+  };
+  // The faults that are set; the functions that set them describe them.
+  struct Faults {
+    bool is_stopped = false;
+    bool is_halted = false;
+    // The bytes of bulk-out that the device still takes.
+    std::size_t will_take = kTakeAll;
+    // The number of bulk transfers that are still to fail, and the error with which they do.
+    std::uint32_t failing = 0;
+    ErrorCode failure_code = ErrorCode::io;
   };
 
   Result<std::size_t> DoControlOut(const UsbSetup& setup, std::span<const std::byte> data,
@@ -118,8 +131,7 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   Result<void> check_present() const;
   // Waits while the device is stopped. Returns `timeout`, or the error of an absent device.
   Result<void> wait_for_device(TimeNs deadline_ns);
-  // Returns the first transfer of one direction that is in flight; null if there is none.
-  const Flight* oldest(UsbDirection direction) const;
+  // Serves the transfers in flight as far as possible now.
   void serve();
   // Advance the oldest transfer of a direction by one step. Return false if nothing can be done
   // now.
@@ -133,16 +145,12 @@ class SimulatedUsbEndpoint final : public UsbEndpoint, private SimulatedEventSou
   SimulatedUsbPeer& peer_;
   SimulatedUsbConfig config_;
   FixedQueue<Packet, kMaxPackets> packets_;
-  std::array<Flight, kMaxUsbTransfersInFlight> flights_{};
-  std::size_t flight_count_ = 0;
+  UsbFlights flights_;
+  // When the device has the data of the last bulk-out.
   TimeNs last_due_ns_ = 0;
-  TimeNs departure_ns_ = 0;
-  std::size_t will_take_ = kTakeAll;
-  std::uint32_t failing_ = 0;
-  ErrorCode failure_code_ = ErrorCode::io;
-  enum class Plug : std::uint8_t { in, out, back } plug_ = Plug::in;
-  bool stopped_ = false;
-  bool halted_ = false;
+  Plug plug_;
+  Faults faults_;
+  // True while serve() runs.
   bool serving_ = false;
 };
 

@@ -39,6 +39,94 @@ std::uint64_t clock_now_ns() {
   return static_cast<std::uint64_t>(hal::monotonic_now_ns());
 }
 
+// Throws InputError with the system's reason.
+[[noreturn]] void refuse_folder(const std::string& path, std::string_view what, int error) {
+  throw InputError(
+      fmt::format("{}: {} ({}); --run-dir names another folder", path, what, std::strerror(error)));
+}
+
+// The recording and the live telemetry of a run.
+class ServedTelemetry {
+ public:
+  // Starts both with what a replay needs: scene and configuration. The scene must outlive the
+  // telemetry. Throws InputError.
+  void start(const Simulation& simulation, const firmware::SceneStore& scenes, double rate_hz,
+             const ServeOptions& options) {
+    const std::string socket = (options.run_dir / "telemetry.sock").string();
+    if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
+      refuse_folder(socket, "cannot be opened", error);
+    }
+    describe(simulation, scenes, rate_hz);
+    const std::string& file = options.record;
+    if (const int error = file.empty() ? 0 : writer_->record(file.c_str()); error != 0) {
+      throw InputError(fmt::format("{}: {}", file, std::strerror(error)));
+    }
+    if (const int error = writer_->start(); error != 0) {
+      refuse_folder(socket, "no thread", error);
+    }
+  }
+
+  // Publishes the controller's record of the tick that began with `wake`.
+  void publish(const firmware::Controller& controller, const hal::Wake& wake) {
+    firmware::RecordedTick recorded{.record = controller.record(),
+                                    .loop = {.scheduled_ns = wake.scheduled_ns,
+                                             .woke_ns = wake.woke_ns,
+                                             .done_ns = hal::monotonic_now_ns(),
+                                             .sample_ns = wake.woke_ns},
+                                    .joint_count = static_cast<std::uint32_t>(joints_)};
+    recorded.shaft_rad = recorded.record.joint_position;
+    recorded.torque_Nm = recorded.record.joint_effort;
+    writer_->publish(recorded);
+  }
+
+  // Ends the recording. Throws InputError if it ended early.
+  void stop() {
+    if (const int error = writer_->stop(); error != 0) {
+      throw InputError(fmt::format("the recording ended early: {}", std::strerror(error)));
+    }
+  }
+
+  // Returns where the controller's events go.
+  [[nodiscard]] firmware::TelemetrySinks& sinks() { return sinks_; }
+
+ private:
+  // The run in words, and the entries that view them.
+  struct RunWords {
+    std::string rate;
+    std::string joints;
+    std::string checksum;
+    std::array<firmware::MetadataEntry, 4> entries;
+  };
+
+  // Gives the writer the run's properties, its scene and its configuration.
+  void describe(const Simulation& simulation, const firmware::SceneStore& scenes, double rate_hz) {
+    timespec now{};
+    ::clock_gettime(CLOCK_REALTIME, &now);
+    joints_ = firmware::joint_count(simulation.config().mechanism);
+    words_.rate = fmt::format("{}", rate_hz);
+    words_.joints = fmt::format("{}", joints_);
+    words_.checksum = fmt::format("{:016x}", scenes.scene()->checksum());
+    words_.entries = {{{"program", "tactus sim"},
+                       {"rate_hz", words_.rate},
+                       {"joints", words_.joints},
+                       {firmware::kSceneChecksumKey, words_.checksum}}};
+    writer_->describe({.info = words_.entries,
+                       .joints = joints_,
+                       .clock_offset_ns = hal::to_ns(now) - hal::monotonic_now_ns()});
+    writer_->attach({.name = firmware::kSceneAttachment, .bytes = scenes.bytes()});
+    const std::size_t size = firmware::save_config(simulation.config(), config_);
+    writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config_).first(size)});
+  }
+
+  std::size_t joints_ = 0;
+  RunWords words_;
+  std::array<std::byte, firmware::kMaxConfigBytes> config_{};
+  // It has megabytes, too many for the stack.
+  std::unique_ptr<firmware::TelemetryWriter> writer_ =
+      std::make_unique<firmware::TelemetryWriter>();
+  firmware::TelemetrySinks sinks_{.writer = writer_.get()};
+};
+
 // The services of tactusd (telemetry, commands, scenes) around a simulated device.
 class ServedSimulation {
  public:
@@ -57,7 +145,7 @@ class ServedSimulation {
       ticks_ = static_cast<std::uint64_t>(*run.seconds * rate_hz_);
     }
     std::filesystem::create_directories(options_.run_dir);
-    start_telemetry();
+    telemetry_.start(*simulation_, *scenes_, rate_hz_, options_);
     start_commands();
   }
 
@@ -71,9 +159,7 @@ class ServedSimulation {
       wake = clock.sleep_to_phase(phase, wake);
     }
     server_->stop();
-    if (const int error = writer_->stop(); error != 0) {
-      throw InputError(fmt::format("the recording ended early: {}", std::strerror(error)));
-    }
+    telemetry_.stop();
   }
 
  private:
@@ -89,55 +175,17 @@ class ServedSimulation {
     return **opened;
   }
 
-  // Throws InputError with the system's reason.
-  [[noreturn]] void fail(const std::string& path, std::string_view what, int error) const {
-    throw InputError(fmt::format("{}: {} ({}); --run-dir names another folder", path, what,
-                                 std::strerror(error)));
-  }
-
-  // Starts the recording and the telemetry socket, with what a replay needs: scene and
-  // configuration.
-  void start_telemetry() {
-    const std::string socket = (options_.run_dir / "telemetry.sock").string();
-    if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
-      fail(socket, "cannot be opened", error);
-    }
-    timespec now{};
-    ::clock_gettime(CLOCK_REALTIME, &now);
-    joints_ = firmware::joint_count(simulation_->controller().config().mechanism);
-    rate_text_ = fmt::format("{}", rate_hz_);
-    joints_text_ = fmt::format("{}", joints_);
-    checksum_text_ = fmt::format("{:016x}", scenes_->scene()->checksum());
-    info_ = {{{"program", "tactus sim"},
-              {"rate_hz", rate_text_},
-              {"joints", joints_text_},
-              {firmware::kSceneChecksumKey, checksum_text_}}};
-    writer_->describe({.info = info_,
-                       .joints = joints_,
-                       .clock_offset_ns = hal::to_ns(now) - hal::monotonic_now_ns()});
-    writer_->attach({.name = firmware::kSceneAttachment, .bytes = scenes_->bytes()});
-    const std::size_t size = firmware::save_config(simulation_->config(), config_);
-    writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config_).first(size)});
-    const std::string& file = options_.record;
-    if (const int error = file.empty() ? 0 : writer_->record(file.c_str()); error != 0) {
-      throw InputError(fmt::format("{}: {}", file, std::strerror(error)));
-    }
-    if (const int error = writer_->start(); error != 0) {
-      fail(socket, "no thread", error);
-    }
-  }
-
   // Starts the threads that listen to requests and to the stop.
   void start_commands() {
     const std::string socket = (options_.run_dir / kCommandSocket).string();
     const std::string stop_socket = (options_.run_dir / kStopSocket).string();
-    queue_->set_events(firmware::telemetry_events(sinks_));
+    queue_->set_events(firmware::telemetry_events(telemetry_.sinks()));
     const auto started = server_->start({.socket_path = socket.c_str(),
                                          .stop_socket_path = stop_socket.c_str(),
                                          .allow_inject = options_.allow_inject,
-                                         .hooks = firmware::telemetry_hooks(sinks_)});
+                                         .hooks = firmware::telemetry_hooks(telemetry_.sinks())});
     if (!started) {
-      fail(socket, started.error().what, started.error().errno_value);
+      refuse_folder(socket, started.error().what, started.error().errno_value);
     }
   }
 
@@ -149,34 +197,18 @@ class ServedSimulation {
       return firmware::InjectedDevice(device, queue_->injector(), rate_hz_, clock_now_ns);
     });
     queue_->after_tick(controller);
-    firmware::RecordedTick recorded{.record = controller.record(),
-                                    .loop = {.scheduled_ns = wake.scheduled_ns,
-                                             .woke_ns = wake.woke_ns,
-                                             .done_ns = hal::monotonic_now_ns(),
-                                             .sample_ns = wake.woke_ns},
-                                    .joint_count = static_cast<std::uint32_t>(joints_)};
-    recorded.shaft_rad = recorded.record.joint_position;
-    recorded.torque_Nm = recorded.record.joint_effort;
-    writer_->publish(recorded);
+    telemetry_.publish(controller, wake);
   }
 
   ServeOptions options_;
   double rate_hz_;
+  // The ticks that are left.
   std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
-  std::size_t joints_ = 0;
-  // The texts that `info_` views.
-  std::string rate_text_;
-  std::string joints_text_;
-  std::string checksum_text_;
-  std::array<firmware::MetadataEntry, 4> info_;
-  std::array<std::byte, firmware::kMaxConfigBytes> config_{};
   // Each has megabytes, too many for the stack. Members are destroyed in reverse order: the server
   // goes before what it serves.
   std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
   std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<firmware::TelemetryWriter> writer_ =
-      std::make_unique<firmware::TelemetryWriter>();
-  firmware::TelemetrySinks sinks_{.writer = writer_.get()};
+  ServedTelemetry telemetry_;
   std::unique_ptr<firmware::CommandQueue> queue_ = std::make_unique<firmware::CommandQueue>();
   std::unique_ptr<firmware::CommandServer> server_ =
       std::make_unique<firmware::CommandServer>(*queue_, *scenes_);

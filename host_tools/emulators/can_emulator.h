@@ -8,59 +8,35 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <random>
-#include <string_view>
 
 #include "hal/can_bus.h"
 #include "hal/clock.h"
+#include "host_tools/emulators/emulator_fault.h"
 #include "host_tools/emulators/shaft.h"
 
 namespace tactus::host {
 
-// The faults that a test or a user may set at any time.
-enum class EmulatorFault : std::uint8_t {
-  none,
-  // The drive hears and obeys, but sends nothing.
-  silent,
-  // It sends everything kFaultDelay_ns late.
-  delayed,
-  // A random bit of the payload of every frame that it sends is inverted.
-  corrupted,
-  // It raises an error of its own, as the real device would report it.
-  erroring,
-  // It neither hears nor sends, and its motor has no power.
-  unplugged,
-  // The drive is `unplugged` for kPowerCycle_ns; then it boots and is well.
-  power_cycled,
-};
-
-// The delay of the fault `delayed`, and how long the power of `power_cycled` is off.
-inline constexpr hal::TimeNs kFaultDelay_ns = 10'000'000;
-inline constexpr hal::TimeNs kPowerCycle_ns = 300'000'000;
 // A drive that has not been run for this time was without power, and boots.
 inline constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
 
-// Returns the fault of a name on the command line, such as "silent". Throws InputError for another
-// name.
-EmulatorFault emulator_fault(std::string_view name);
+// One run of a drive that has power.
+struct DriveRun {
+  hal::TimeNs now_ns = 0;
+  // The time since the run before; empty in the first run.
+  std::optional<hal::TimeNs> gap_ns;
+  // True as long as the fault `erroring` lasts, and true in the run in which it begins.
+  bool erroring = false;
+  bool error_begins = false;
 
-// The value that a drive's encoder reads when the drive gets its power.
-enum class EmulatedEncoder : std::uint8_t {
-  // 0, wherever the shaft stands.
-  incremental,
-  // The angle within a turn.
-  absolute,
-  // The angle with its turns: the encoder keeps counting without power.
-  multi_turn,
+  [[nodiscard]] bool is_first() const { return !gap_ns.has_value(); }
+  // Returns true if the drive was without power before this run; `loss_ns` is the gap that shows
+  // it.
+  [[nodiscard]] bool follows_power_loss(hal::TimeNs loss_ns = kPowerLoss_ns) const {
+    return gap_ns.has_value() && *gap_ns >= loss_ns;
+  }
 };
-
-// Returns the encoder of a name on the command line, such as "absolute". Throws InputError for
-// another name.
-EmulatedEncoder emulated_encoder(std::string_view name);
-
-// Returns how many turns of the shaft's position the encoder does not know of when it gets its
-// power at `turns`.
-double turns_forgotten(EmulatedEncoder encoder, double turns);
 
 // A drive on a bus. Each kind of drive derives from it and implements take() and advance(). One
 // thread.
@@ -83,11 +59,8 @@ class CanEmulator {
   [[nodiscard]] const EmulatedShaft& shaft() const { return shaft_; }
 
   // Sets the fault from now on; `none` heals.
-  void set_fault(EmulatorFault fault) {
-    fault_ = fault;
-    is_cycling_ = false;
-  }
-  [[nodiscard]] EmulatorFault fault() const { return fault_; }
+  void set_fault(EmulatorFault fault) { fault_.set(fault); }
+  [[nodiscard]] EmulatorFault fault() const { return fault_.kind(); }
 
  protected:
   // Sends a frame, subject to the fault that is set.
@@ -96,13 +69,12 @@ class CanEmulator {
  private:
   // Handles one frame of the bus, whoever it is for.
   virtual void take(hal::TimeNs now_ns, const hal::CanFrame& frame) = 0;
-  // Handles timers and cyclic messages and sets the torque. `erroring` is true as long as that
-  // fault lasts.
-  virtual void advance(hal::TimeNs now_ns, bool erroring) = 0;
+  // Handles timers and cyclic messages and sets the torque.
+  virtual void advance(const DriveRun& run) = 0;
 
+  // Returns this run, and remembers it for the next one.
+  DriveRun begin_run(hal::TimeNs now_ns);
   void send_what_is_due(hal::TimeNs now_ns);
-  // Returns false while the fault takes the power away.
-  bool has_power(hal::TimeNs now_ns);
 
   // A frame that waits to be sent.
   struct Waiting {
@@ -112,9 +84,9 @@ class CanEmulator {
 
   hal::CanBus& bus_;
   EmulatedShaft shaft_;
-  EmulatorFault fault_ = EmulatorFault::none;
-  bool is_cycling_ = false;
-  hal::TimeNs off_until_ns_ = 0;
+  ActiveFault fault_;
+  // The last run with power; empty before the first.
+  std::optional<DriveRun> last_run_;
   std::deque<Waiting> waiting_;
   std::mt19937 random_;
 };

@@ -13,11 +13,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/cia402_objects.h"
+#include "host_tools/emulators/emulated_encoder.h"
 
 namespace tactus::host {
 
@@ -54,23 +54,22 @@ struct Cia402EmulatorConfig {
 // One drive. The setters play events that no bus message causes.
 class Cia402Emulator final : public CanEmulator {
  public:
-  // A drive that has not been run for this time was without power, and boots.
-  static constexpr hal::TimeNs kPowerLoss_ns = 20'000'000;
-
   Cia402Emulator(hal::CanBus& bus, std::uint32_t seed, const Cia402EmulatorConfig& config);
 
   // Switches the motor's supply; the supply of the drive's electronics belongs to the faults.
   // Without it the drive does not leave `switch on disabled`.
-  void set_motor_power(bool on) { motor_power_ = on; }
+  void set_motor_power(bool on) { stage_.has_supply = on; }
   // Acts like a safe torque off that closes again at once and is not reported.
-  void drop_power() { power_ = Power::switch_on_disabled; }
+  void drop_power() { stage_.state = Power::switch_on_disabled; }
   // Lets the encoder slip by that many counts at once.
-  void slip(std::int64_t counts) { first_count_ += counts; }
+  void slip(std::int64_t counts) { encoder_.first_count += counts; }
   // Raises a fault of the drive: its code appears in 603F, and in an emergency message if `tells`.
   void raise_fault(hal::TimeNs now_ns, std::uint16_t code, bool tells = true);
   // Sets or removes an object, as another make of drive would have it. For tests.
-  void set_object(std::uint16_t index, std::uint8_t sub, std::uint32_t value);
-  void remove_object(std::uint16_t index, std::uint8_t sub);
+  void set_object(std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
+    objects_.set(index, sub, value);
+  }
+  void remove_object(std::uint16_t index, std::uint8_t sub) { objects_.remove(index, sub); }
 
   // Returns the statusword that the drive would send now.
   [[nodiscard]] std::uint16_t statusword() const;
@@ -88,32 +87,51 @@ class Cia402Emulator final : public CanEmulator {
     quick_stop,
     fault,
   };
-  // An entry of the object dictionary; `size` in bytes.
-  struct Object {
-    std::uint32_t value = 0;
-    std::uint8_t size = 0;  // bytes
-    bool writable = false;
-  };
   // The last frame of a receive PDO; `waits` is true until the SYNC at which it takes effect.
   struct ReceivedPdo {
     hal::CanFrame frame;
-    bool waits = false;  // for SYNC
+    bool waits = false;
   };
-  // Index and subindex.
-  using Key = std::pair<std::uint16_t, std::uint8_t>;
+  // The PDOs between two SYNCs, each by its number (0 to 3).
+  struct Pdos {
+    std::array<ReceivedPdo, 4> received;
+    // For each transmit PDO the SYNCs since it was last sent.
+    std::array<std::uint32_t, 4> syncs{};
+  };
+  // The node in the network of CiA 301.
+  struct Network {
+    Nmt state = Nmt::booting;
+    // When booting ends, and when the drive's last heartbeat was sent.
+    hal::TimeNs boots_ns = 0;
+    hal::TimeNs beat_ns = 0;
+  };
+  // The power stage by the state machine of CiA 402.
+  struct PowerStage {
+    Power state = Power::switch_on_disabled;
+    // True while the motor has its supply.
+    bool has_supply = true;
+    // True while the cause of a fault lasts: a fault reset has no effect.
+    bool fault_persists = false;
+    // The last controlword, to see the rising edge of the fault reset.
+    std::uint16_t controlword = 0;
+  };
+  // The position sensor.
+  struct Encoder {
+    // The position in counts at angle 0.
+    std::int64_t first_count = 0;
+    // Turns of the shaft that it did not know of when it got its power.
+    double forgotten_turns = 0.0;
+  };
+  using Key = Cia402Objects::Key;
 
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
-  void advance(hal::TimeNs now_ns, bool erroring) override;
+  void advance(const DriveRun& run) override;
 
   // Starts as after power-up: forgets faults, mode and commands, and whole turns as the encoder of
   // the configuration does.
   void get_power(hal::TimeNs now_ns);
   // Restores the communication objects and boots anew; NMT's "reset communication".
   void reset(hal::TimeNs now_ns);
-  // Gives the objects 1xxx their default values.
-  void define_communication();
-  // Gives the objects 6xxx their default values.
-  void define_profile();
   // Obeys a network command: start, stop, pre-operational, or a reset.
   void take_nmt(hal::TimeNs now_ns, const hal::CanFrame& frame);
   // Becomes pre-operational. A drive without fault also takes its torque away, unless
@@ -129,8 +147,6 @@ class Cia402Emulator final : public CanEmulator {
   // Writes an object and does what the write causes. Returns 0, or the abort code if the write is
   // not permitted; nothing is changed then.
   std::uint32_t write_object(Key key, std::uint32_t value, std::uint32_t size);
-  // Returns the abort code of a write of `size` bytes, 0 if the write is permitted.
-  std::uint32_t why_not(Key key, std::uint32_t value, std::uint32_t size) const;
   // Sends the reply that ends a transfer with `code`.
   void abort_sdo(hal::TimeNs now_ns, Key key, std::uint32_t code);
 
@@ -156,8 +172,6 @@ class Cia402Emulator final : public CanEmulator {
   void beat(hal::TimeNs now_ns);
   // Sends an emergency message with the error code and the error register.
   void send_emergency(hal::TimeNs now_ns, std::uint16_t code);
-  // Returns an object's value, 0 if there is no such object.
-  [[nodiscard]] std::uint32_t object(std::uint16_t index, std::uint8_t sub) const;
   // Returns true if the missing motor supply switches the drive off.
   [[nodiscard]] bool lacks_supply() const;
   // Returns the torque on the shaft in thousandths of the rated torque; 0 while the drive makes
@@ -167,26 +181,11 @@ class Cia402Emulator final : public CanEmulator {
   [[nodiscard]] bool is_limited() const;
 
   Cia402EmulatorConfig config_;
-  // The position in counts at angle 0.
-  std::int64_t first_count_;
-  // Turns of the shaft that the encoder did not know of when it got its power.
-  double forgotten_turns_ = 0.0;
-  std::map<Key, Object> objects_;
-  std::array<ReceivedPdo, 4> received_;
-  // For each transmit PDO the SYNCs since it was last sent.
-  std::array<std::uint32_t, 4> syncs_{};
-  Nmt nmt_ = Nmt::booting;
-  Power power_ = Power::switch_on_disabled;
-  bool motor_power_ = true;
-  // True while the cause of a fault lasts: a fault reset has no effect.
-  bool fault_persists_ = false;
-  bool has_run_ = false;
-  // The last controlword, to see the rising edge of the fault reset.
-  std::uint16_t controlword_ = 0;
-  // Times: when booting ends, the last run, the last heartbeat sent.
-  hal::TimeNs boots_ns_ = 0;
-  hal::TimeNs ran_ns_ = 0;
-  hal::TimeNs beat_ns_ = 0;
+  Cia402Objects objects_;
+  Encoder encoder_;
+  Pdos pdos_;
+  Network network_;
+  PowerStage stage_;
   // When the master's last heartbeat came; empty while it is not watched.
   std::optional<hal::TimeNs> heard_master_ns_;
 };

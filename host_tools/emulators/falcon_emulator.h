@@ -12,13 +12,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <random>
 #include <span>
 #include <vector>
 
 #include "hal/clock.h"
-#include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/emulator_fault.h"
+#include "host_tools/emulators/falcon_homing.h"
+#include "host_tools/emulators/ftdi_chip.h"
 #include "host_tools/emulators/shaft.h"
 
 namespace tactus::host {
@@ -30,10 +31,6 @@ struct FalconEmulatorConfig {
   std::size_t image_bytes = 1000;
   // True if all arms know their reference at power-up.
   bool homed = false;
-  // An arm finds its reference when it has been beyond the first angle and comes back below the
-  // second.
-  double pulled_out_rad = 1.0;
-  double pushed_in_rad = 0.7;
   // The time from a command to its answer.
   hal::TimeNs answer_ns = 200'000;
   // The scale of the real motors, which the driver's configuration must match.
@@ -47,7 +44,7 @@ struct FalconEmulatorConfig {
 // One device. Its owner serialises the calls.
 class FalconEmulator {
  public:
-  static constexpr std::size_t kArms = 3;
+  static constexpr std::size_t kArms = FalconHoming::kArms;
   static constexpr std::size_t kUsbPacketBytes = 64;
 
   FalconEmulator(const FalconEmulatorConfig& config, std::uint32_t seed);
@@ -68,30 +65,39 @@ class FalconEmulator {
 
   void set_buttons(std::uint8_t buttons) { buttons_ = buttons; }
   // Returns the lights as the command sets them: red 8, green 2, blue 4.
-  [[nodiscard]] std::uint8_t lights() const { return lights_; }
-  [[nodiscard]] bool firmware_loaded() const { return firmware_loaded_; }
+  [[nodiscard]] std::uint8_t lights() const { return obeyed_.lights; }
+  [[nodiscard]] bool firmware_loaded() const { return firmware_.is_loaded; }
   // Returns one bit for each arm that knows its reference.
-  [[nodiscard]] std::uint8_t homed() const { return homed_; }
+  [[nodiscard]] std::uint8_t homed() const { return homing_.homed(); }
   // Returns how many commands the firmware has obeyed.
-  [[nodiscard]] std::uint64_t commands() const { return commands_; }
+  [[nodiscard]] std::uint64_t commands() const { return obeyed_.commands; }
   // Returns the last command of each motor, in the firmware's unit.
-  [[nodiscard]] const std::array<std::int16_t, kArms>& motors() const { return motors_; }
+  [[nodiscard]] const std::array<std::int16_t, kArms>& motors() const { return obeyed_.motors; }
   // Returns the firmware image that was uploaded.
-  [[nodiscard]] const std::vector<std::byte>& image() const { return image_; }
+  [[nodiscard]] const std::vector<std::byte>& image() const { return firmware_.image; }
 
   // Sets a fault. `erroring`: the device loses its reference, as after a dip of its supply.
   // `power_cycled`: it has no power for kPowerCycle_ns and then neither firmware nor reference. For
   // `unplugged`, the owner of the plug must also remove the device from the bus.
   void set_fault(EmulatorFault fault);
-  [[nodiscard]] EmulatorFault fault() const { return fault_; }
+  [[nodiscard]] EmulatorFault fault() const { return fault_.kind(); }
 
  private:
   // How far an upload is.
   enum class Loader : std::uint8_t { idle, greeted, loading };
-  // A byte for the host and when it may be sent.
-  struct Waiting {
-    hal::TimeNs due_ns = 0;
-    std::byte byte{};
+  // The firmware and its upload.
+  struct Firmware {
+    bool is_loaded = false;
+    Loader loader = Loader::idle;
+    // The bytes that have been uploaded.
+    std::vector<std::byte> image;
+  };
+  // The commands that the firmware has obeyed: the last values in the motors' own units, the last
+  // lights, and the number of commands.
+  struct Obeyed {
+    std::array<std::int16_t, kArms> motors{};
+    std::uint8_t lights = 0;
+    std::uint64_t commands = 0;
   };
 
   // Takes a byte while the baud rate selects the loader.
@@ -100,8 +106,6 @@ class FalconEmulator {
   void take_firmware_byte(hal::TimeNs now_ns, std::byte byte);
   // Sets motors, lights and homing from the complete command and answers it.
   void obey(hal::TimeNs now_ns);
-  // Marks an arm as homed once it has been pulled out and then pushed in while homing is commanded.
-  void watch_homing();
   // Queues the answer: the arms' counts, the buttons and which arms are homed.
   void answer(hal::TimeNs now_ns);
   // Queues bytes for the host, later under the fault `delayed`; drops them under `silent`.
@@ -110,38 +114,18 @@ class FalconEmulator {
   void set_baud(std::uint16_t code);
   // Loses firmware, reference and torque.
   void cut_power();
-  // Returns false while unplugged or in a power cycle. The cycle's time starts at the first call.
-  bool has_power(hal::TimeNs now_ns);
 
   FalconEmulatorConfig config_;
   std::mt19937 random_;
-  EmulatorFault fault_ = EmulatorFault::none;
-  // The end of a power cycle; 0 if it has not begun.
-  hal::TimeNs off_until_ns_ = 0;
+  ActiveFault fault_;
+  FtdiChip chip_;
   std::array<EmulatedShaft, kArms> shafts_{};
-  // The arms' angles at the first command, rad.
-  std::array<double, kArms> origin_rad_{};
-  // True once the arm has been pulled out, which is the first half of homing.
-  std::array<bool, kArms> was_out_{};
-  bool origin_known_ = false;
-  // The commanded values in the motors' own units; `homed_` has a bit for each arm.
-  std::array<std::int16_t, kArms> motors_{};
+  FalconHoming homing_;
+  Obeyed obeyed_;
   std::uint8_t buttons_ = 0;
-  std::uint8_t lights_ = 0;
-  std::uint8_t homed_ = 0;
-  bool homing_ = false;
-  std::uint64_t commands_ = 0;
-
-  std::uint16_t baud_ = 0;
-  std::uint8_t latency_ms_ = 16;
-  bool firmware_loaded_;
-  Loader loader_ = Loader::idle;
-  // The bytes of the firmware that have been uploaded.
-  std::vector<std::byte> image_;
+  Firmware firmware_;
   // The part of a command that has arrived.
   std::vector<std::byte> command_;
-  std::deque<Waiting> output_;
-  hal::TimeNs last_packet_ns_ = 0;
 };
 
 }  // namespace tactus::host

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/emulator_fault.h"
 
 namespace tactus::host {
 

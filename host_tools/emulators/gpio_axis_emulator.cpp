@@ -24,8 +24,8 @@ std::int64_t floor_mod(std::int64_t value, std::int64_t by) {
 
 GpioAxisEmulator::GpioAxisEmulator(const drivers::GpioAxisConfig& axis, BoardPins& pins,
                                    std::uint32_t seed, std::uint32_t steps_per_run)
-    : axis_(axis), pins_(pins), random_(seed), steps_per_run_(steps_per_run) {
-  show(count_);
+    : axis_(axis), pins_(pins), random_(seed), encoder_{.steps_per_run = steps_per_run} {
+  show(encoder_.count);
   drive(axis_.pins.fault, false);
   open_emergency_stop(false);
   open_limit_low(false);
@@ -33,15 +33,14 @@ GpioAxisEmulator::GpioAxisEmulator(const drivers::GpioAxisConfig& axis, BoardPin
 }
 
 void GpioAxisEmulator::set_fault(EmulatorFault fault) {
-  if (fault == fault_ || fault_ == EmulatorFault::unplugged) {
+  if (fault_.is(fault) || fault_.is(EmulatorFault::unplugged)) {
     return;
   }
-  if (fault_ == EmulatorFault::silent) {
-    count_ = wanted_count();
-    show(count_);
+  if (fault_.is(EmulatorFault::silent)) {
+    encoder_.count = wanted_count();
+    show(encoder_.count);
   }
-  fault_ = fault;
-  off_until_ns_ = 0;
+  fault_.set(fault);
   drive(axis_.pins.fault, fault == EmulatorFault::erroring);
   if (fault == EmulatorFault::unplugged) {
     pins_.unplug();
@@ -62,16 +61,16 @@ void GpioAxisEmulator::open_limit_high(bool open) {
 }
 
 void GpioAxisEmulator::run(hal::TimeNs now_ns) {
-  past_.push_back({.time_ns = now_ns, .position_rad = shaft_.position_rad});
-  while (past_.size() > 1 && past_[1].time_ns <= now_ns - kFaultDelay_ns) {
-    past_.pop_front();
+  encoder_.past.push_back({.time_ns = now_ns, .position_rad = shaft_.position_rad});
+  while (encoder_.past.size() > 1 && encoder_.past[1].time_ns <= now_ns - kFaultDelay_ns) {
+    encoder_.past.pop_front();
   }
-  if (fault_ == EmulatorFault::unplugged) {
+  if (fault_.is(EmulatorFault::unplugged)) {
     shaft_.torque_Nm = 0.0;
     return;
   }
   follow_power(now_ns);
-  if (fault_ != EmulatorFault::silent && !is_off_) {
+  if (!fault_.is(EmulatorFault::silent) && !is_off_) {
     move_encoder();
   }
   watch_heartbeat(now_ns);
@@ -79,20 +78,17 @@ void GpioAxisEmulator::run(hal::TimeNs now_ns) {
 }
 
 void GpioAxisEmulator::follow_power(hal::TimeNs now_ns) {
-  if (fault_ == EmulatorFault::power_cycled && off_until_ns_ == 0) {
-    off_until_ns_ = now_ns + kPowerCycle_ns;
-  }
   const bool was_off = is_off_;
-  is_off_ = fault_ == EmulatorFault::power_cycled && now_ns < off_until_ns_;
+  is_off_ = !fault_.has_power(now_ns);
   if (was_off && !is_off_) {
-    count_ = wanted_count();
-    show(count_);
+    encoder_.count = wanted_count();
+    show(encoder_.count);
   }
 }
 
 std::int64_t GpioAxisEmulator::wanted_count() const {
-  const bool late = fault_ == EmulatorFault::delayed && !past_.empty();
-  const double position_rad = late ? past_.front().position_rad : shaft_.position_rad;
+  const bool late = fault_.is(EmulatorFault::delayed) && !encoder_.past.empty();
+  const double position_rad = late ? encoder_.past.front().position_rad : shaft_.position_rad;
   const double sign = axis_.encoder.reversed ? -1.0 : 1.0;
   return std::llround(sign * position_rad * axis_.encoder.counts_per_rev /
                       (2.0 * std::numbers::pi));
@@ -100,13 +96,13 @@ std::int64_t GpioAxisEmulator::wanted_count() const {
 
 void GpioAxisEmulator::move_encoder() {
   const std::int64_t wanted = wanted_count();
-  for (std::uint32_t i = 0; i < steps_per_run_ && count_ != wanted; ++i) {
-    count_ += wanted > count_ ? 1 : -1;
-    show(count_);
+  for (std::uint32_t i = 0; i < encoder_.steps_per_run && encoder_.count != wanted; ++i) {
+    encoder_.count += wanted > encoder_.count ? 1 : -1;
+    show(encoder_.count);
   }
-  if (fault_ == EmulatorFault::corrupted && random_() % kRunsBetweenGlitches == 0) {
-    count_ += 2;
-    show(count_);
+  if (fault_.is(EmulatorFault::corrupted) && random_() % kRunsBetweenGlitches == 0) {
+    encoder_.count += 2;
+    show(encoder_.count);
   }
 }
 
@@ -128,18 +124,19 @@ void GpioAxisEmulator::show(std::int64_t count) {
 
 void GpioAxisEmulator::watch_heartbeat(hal::TimeNs now_ns) {
   const bool level = is_active(axis_.pins.heartbeat);
-  if (level != beat_level_) {
-    beat_level_ = level;
-    beat_ns_ = now_ns;
+  if (level != heartbeat_.level) {
+    heartbeat_.level = level;
+    heartbeat_.edge_ns = now_ns;
   }
 }
 
 // Locked antiphase: 50 % duty is no torque. Sign and magnitude: a line gives the direction. A
 // bridge with the square-root law makes a torque that grows with the square of the duty.
 double GpioAxisEmulator::motor_torque(hal::TimeNs now_ns) {
-  const bool beats = !axis_.pins.heartbeat || (beat_ns_ != 0 && now_ns - beat_ns_ < kHeartbeat_ns);
+  const bool beats = !axis_.pins.heartbeat ||
+                     (heartbeat_.edge_ns != 0 && now_ns - heartbeat_.edge_ns < kHeartbeat_ns);
   const bool enabled = !axis_.pins.enable || is_active(axis_.pins.enable);
-  if (!beats || !enabled || chain_open_ || fault_ == EmulatorFault::erroring) {
+  if (!beats || !enabled || chain_open_ || fault_.is(EmulatorFault::erroring)) {
     return 0.0;
   }
   const drivers::BridgeConfig& bridge = axis_.bridge;

@@ -17,24 +17,22 @@
 #include "drivers/gpio_axis/gpio_axis_config.h"
 #include "hal/clock.h"
 #include "host_tools/emulators/board_pins.h"
-#include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/emulator_fault.h"
 #include "host_tools/emulators/shaft.h"
 
 namespace tactus::host {
 
 // One axis. The faults mean here:
-//   silent     the encoder's plug is out and its lines stay as they are; when it is plugged in
-//   again,
-//              they jump to where the shaft is by then
-//   delayed    the encoder's lines follow kFaultDelay_ns late; the driver cannot tell a late
-//   encoder
-//              from a late hand, so it does not detect this fault
-//   corrupted  both channels change at once now and then
-//   erroring   the bridge gives no torque, and reports a fault if the line is wired
-//   power_cycled  encoder and bridge have no power for kPowerCycle_ns; the encoder's lines stay,
-//   then
-//              they jump to where the shaft is by then
-//   unplugged  the GPIO chip is gone for good, and there is no torque
+// - silent: the encoder's plug is out and its lines stay as they are. When it is plugged in again,
+//   they jump to where the shaft is by then.
+// - delayed: the encoder's lines follow kFaultDelay_ns late. The driver cannot tell a late encoder
+//   from a late hand, so it does not detect this fault.
+// - corrupted: both channels change at once now and then.
+// - erroring: the bridge gives no torque, and reports a fault if the line is wired.
+// - power_cycled: encoder and bridge have no power for kPowerCycle_ns. The encoder's lines stay,
+// and
+//   then jump to where the shaft is by then.
+// - unplugged: the GPIO chip is gone for good, and there is no torque.
 class GpioAxisEmulator {
  public:
   // How long one edge of the heartbeat keeps the bridge enabled.
@@ -54,7 +52,7 @@ class GpioAxisEmulator {
   [[nodiscard]] const EmulatedShaft& shaft() const { return shaft_; }
 
   void set_fault(EmulatorFault fault);
-  [[nodiscard]] EmulatorFault fault() const { return fault_; }
+  [[nodiscard]] EmulatorFault fault() const { return fault_.kind(); }
 
   // Open or close the contacts. At first the chain is closed and no limit switch is open.
   void open_emergency_stop(bool open);
@@ -64,16 +62,36 @@ class GpioAxisEmulator {
   // Returns true if the brake is wired and has no power to release it.
   [[nodiscard]] bool brake_is_closed();
   // Returns the position that the encoder's lines show, counts.
-  [[nodiscard]] std::int64_t count() const { return count_; }
+  [[nodiscard]] std::int64_t count() const { return encoder_.count; }
 
  private:
+  // A position of the shaft and its time.
+  struct Past {
+    hal::TimeNs time_ns = 0;
+    double position_rad = 0.0;
+  };
+  // The encoder between two runs.
+  struct Encoder {
+    // The most counts that it moves by in one run.
+    std::uint32_t steps_per_run = 1;
+    // The count that its lines show.
+    std::int64_t count = 0;
+    // The positions of the last kFaultDelay_ns, for the fault `delayed`.
+    std::deque<Past> past;
+  };
+  // The heartbeat's last edge and the level after it.
+  struct Heartbeat {
+    hal::TimeNs edge_ns = 0;
+    bool level = false;
+  };
+
   // Drives a line to its active or inactive level; does nothing if the axis has no such line.
   void drive(const std::optional<drivers::InputPin>& pin, bool active);
   // Returns true if the controller drives the line to its active level.
   [[nodiscard]] bool is_active(const std::optional<drivers::OutputPin>& pin);
   // Returns the counts that belong to the shaft's position, late under the fault `delayed`.
   [[nodiscard]] std::int64_t wanted_count() const;
-  // Moves the encoder toward the shaft's count, by `steps_per_run_` counts at most.
+  // Moves the encoder toward the shaft's count, as far as it moves in one run.
   void move_encoder();
   // Drives the encoder's lines to the state of a count.
   void show(std::int64_t count);
@@ -87,22 +105,12 @@ class GpioAxisEmulator {
   drivers::GpioAxisConfig axis_;
   BoardPins& pins_;
   std::mt19937 random_;
-  std::uint32_t steps_per_run_;
   EmulatedShaft shaft_;
-  EmulatorFault fault_ = EmulatorFault::none;
-  std::int64_t count_ = 0;
-  // An earlier position of the shaft, for the fault `delayed`.
-  struct Past {
-    hal::TimeNs time_ns = 0;
-    double position_rad = 0.0;
-  };
-  std::deque<Past> past_;
-  // The last edge of the heartbeat and the level after it.
-  hal::TimeNs beat_ns_ = 0;
-  bool beat_level_ = false;
+  ActiveFault fault_;
+  Encoder encoder_;
+  Heartbeat heartbeat_;
   bool chain_open_ = false;
-  // The end of a power cycle; 0 if it has not begun.
-  hal::TimeNs off_until_ns_ = 0;
+  // True while a power cycle keeps the power off.
   bool is_off_ = false;
 };
 

@@ -17,7 +17,7 @@
 
 #include "hal/clock.h"
 #include "hal/serial_port.h"
-#include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/emulator_fault.h"
 #include "host_tools/emulators/shaft.h"
 
 namespace tactus::host {
@@ -40,14 +40,14 @@ class HaplyEmulator {
   // Sets a fault. `erroring`: the board restarts by itself, as after a dip of its supply, and has
   // lost its setup. `power_cycled`: the same after kPowerCycle_ns without power.
   void set_fault(EmulatorFault fault);
-  [[nodiscard]] EmulatorFault fault() const { return fault_; }
+  [[nodiscard]] EmulatorFault fault() const { return fault_.kind(); }
 
   // Returns how many motors the host has set up.
-  [[nodiscard]] std::size_t motors() const { return motor_reversed_.size(); }
+  [[nodiscard]] std::size_t motors() const { return setup_.motor_reversed.size(); }
   // Return how many setups, torque commands and unknown commands have arrived.
-  [[nodiscard]] std::uint64_t setups() const { return setups_; }
-  [[nodiscard]] std::uint64_t commands() const { return commands_; }
-  [[nodiscard]] std::uint64_t unknown_commands() const { return unknown_; }
+  [[nodiscard]] std::uint64_t setups() const { return counts_.setups; }
+  [[nodiscard]] std::uint64_t commands() const { return counts_.torque_commands; }
+  [[nodiscard]] std::uint64_t unknown_commands() const { return counts_.unknown_commands; }
 
  private:
   // An encoder as the host has set it up.
@@ -57,7 +57,8 @@ class HaplyEmulator {
     double counts_per_turn = 1.0;
     double angle_at_setup_rad = 0.0;
   };
-  // A setup that is being received: how many of each thing follow.
+  // The motors and encoders that are connected to the board, and the numbers of analogue inputs and
+  // PWM outputs.
   struct Setup {
     std::vector<bool> motor_reversed;
     std::vector<EncoderSetup> encoders;
@@ -66,6 +67,20 @@ class HaplyEmulator {
   };
   // The rest of the command that the parser waits for.
   enum class Waiting : std::uint8_t { nothing, setup_floats, torques };
+  // A command that is being received.
+  struct Command {
+    Waiting waits_for = Waiting::nothing;
+    // The device's number, which stands in every command and answer.
+    std::uint8_t device_id = 0;
+    // The setup that the command makes, if it is one.
+    Setup setup;
+  };
+  // How many commands of each kind have arrived.
+  struct Counts {
+    std::uint64_t setups = 0;
+    std::uint64_t torque_commands = 0;
+    std::uint64_t unknown_commands = 0;
+  };
   // An answer that waits to be sent.
   struct Late {
     hal::TimeNs due_ns = 0;
@@ -89,8 +104,6 @@ class HaplyEmulator {
   void answer(hal::TimeNs now_ns);
   // Forgets the setup and what has arrived, and takes the torques away.
   void restart();
-  // Returns false while unplugged or in a power cycle. The cycle's time starts at the first call.
-  bool has_power(hal::TimeNs now_ns);
 
   // Returns the next byte, or 0xFF if none has arrived, as the firmware's read does.
   std::uint8_t byte_if_there();
@@ -103,25 +116,15 @@ class HaplyEmulator {
 
   hal::SerialPort& port_;
   std::mt19937 random_;
-  EmulatorFault fault_ = EmulatorFault::none;
-  // The end of a power cycle; 0 if it has not begun.
-  hal::TimeNs off_until_ns_ = 0;
+  ActiveFault fault_;
   std::array<EmulatedShaft, kPorts> shafts_{};
-
   // The bytes that have arrived and are not yet parsed, and the answers that wait.
   std::deque<std::byte> heard_;
   std::deque<Late> late_;
-  Waiting waiting_ = Waiting::nothing;
-  std::uint8_t device_id_ = 0;
-  Setup coming_;
-  // The setup in use, one entry for each motor and encoder; the sizes are the numbers of them.
-  std::vector<bool> motor_reversed_;
-  std::vector<EncoderSetup> encoders_;
-  std::size_t analogue_ = 0;
-  std::size_t pwm_ = 0;
-  std::uint64_t setups_ = 0;
-  std::uint64_t commands_ = 0;
-  std::uint64_t unknown_ = 0;
+  Command command_;
+  // The setup in use.
+  Setup setup_;
+  Counts counts_;
 };
 
 }  // namespace tactus::host

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -74,10 +75,26 @@ class MoteusEmulator final : public CanEmulator {
     double max_torque_Nm = std::numeric_limits<double>::quiet_NaN();
     double timeout_s = 0.0;
   };
+  // A frame of the host, as far as it has been read.
+  struct Query {
+    // The command that the frame's writes make of the one in effect.
+    Command written;
+    // True once the frame has written the mode; else its writes have no effect.
+    bool has_mode = false;
+    // The payload of the answer.
+    std::vector<std::uint8_t> answer;
+  };
+  // The encoder, as far as the position that register 0x001 shows depends on it.
+  struct PositionSensor {
+    // The output's angle at which the position is zero.
+    double zero_rad = 0.0;
+    // True while the position reads NaN.
+    bool is_lost = false;
+  };
   using Bytes = std::span<const std::byte>;
 
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
-  void advance(hal::TimeNs now_ns, bool erroring) override;
+  void advance(const DriveRun& run) override;
 
   // Handles the reads and writes of a frame, one subframe after the other.
   void read_subframes(Bytes payload);
@@ -96,31 +113,25 @@ class MoteusEmulator final : public CanEmulator {
   void proceed(hal::TimeNs now_ns);
   // Sets the shaft's torque from mode and command.
   void set_torque();
-  // Sends the answer to the frame `query`, padded to a length that CAN FD has.
-  void reply(hal::TimeNs now_ns, const hal::CanFrame& query);
+  // Sends the answer to the query that came in `asking`, padded to a length that CAN FD has.
+  void reply(hal::TimeNs now_ns, const hal::CanFrame& asking);
+
+  static constexpr double kRevPerRad = 0.5 / std::numbers::pi;
 
   MoteusEmulatorConfig config_;
-  // The command of the frame that is being read, and whether it contains the mode.
-  Command written_;
-  bool has_mode_ = false;
-  // The payload of the answer that is being built.
-  std::vector<std::uint8_t> answer_;
+  Query query_;
+  // The command in effect, and when the host last commanded.
   Command command_;
-  // The registers 0x000 (mode) and 0x00F (fault, else the limit code).
+  hal::TimeNs commanded_ns_ = 0;
+  // The mode of register 0x000, and when its last start began.
   int mode_ = 0;
+  hal::TimeNs started_ns_ = 0;
+  // Register 0x00F: the fault, else the limit.
   int fault_ = 0;
   int limit_ = 0;
   // The position to hold when the command's position is NaN.
   double held_rev_ = 0.0;
-  // When the mode was entered, when the host last commanded, and when the servo last ran.
-  hal::TimeNs mode_since_ns_ = 0;
-  hal::TimeNs commanded_ns_ = 0;
-  hal::TimeNs ran_ns_ = 0;
-  bool has_run_ = false;
-  // The output's angle at which the reported position is zero.
-  double zero_rad_ = 0.0;
-  bool position_lost_ = false;
-  bool was_erroring_ = false;
+  PositionSensor sensor_;
 };
 
 }  // namespace tactus::host

@@ -11,11 +11,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 #include "hal/can_bus.h"
 #include "hal/clock.h"
 #include "host_tools/emulators/can_emulator.h"
+#include "host_tools/emulators/emulated_encoder.h"
 
 namespace tactus::host {
 
@@ -60,7 +62,7 @@ class ODriveEmulator final : public CanEmulator {
   // Returns the axis state by the firmware's number: 1 idle, 8 closed loop.
   [[nodiscard]] std::uint32_t axis_state() const { return state_; }
   // Returns the limit in force, which the host may have changed.
-  [[nodiscard]] double speed_limit_turn_per_s() const { return config_.speed_limit_turn_per_s; }
+  [[nodiscard]] double speed_limit_turn_per_s() const { return host_.speed_limit_turn_per_s; }
 
   // Raises an axis error, by the firmware's numbers, and disarms.
   void raise(std::uint32_t axis_error);
@@ -77,8 +79,36 @@ class ODriveEmulator final : public CanEmulator {
  private:
   using Payload = std::array<std::uint8_t, 8>;
 
+  // The settings that the host makes by messages and that a power cycle loses.
+  struct HostSettings {
+    // The numbers of CANSimple: control mode (3 position, 1 torque), input mode (1 passed through).
+    std::uint32_t control_mode = 3;
+    std::uint32_t input_mode = 1;
+    double torque_Nm = 0.0;
+    double speed_limit_turn_per_s = 0.0;
+  };
+
+  // The errors that the axis reports until they are cleared, by the firmware's numbers; 0: none.
+  struct Errors {
+    std::uint32_t axis = 0;
+    // The axis errors that ended closed loop, and the result of the last request for a state. Both
+    // are reported by firmware 0.6.
+    std::uint32_t disarm_reason = 0;
+    std::uint8_t procedure_result = 0;
+    // The errors of the axis' parts, reported by firmware 0.5.
+    std::uint64_t motor = 0;
+    std::uint32_t encoder = 0;
+    std::uint32_t controller = 0;
+  };
+
+  // When the periodic messages are due.
+  struct NextMessages {
+    hal::TimeNs heartbeat_ns = 0;
+    hal::TimeNs estimates_ns = 0;
+  };
+
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
-  void advance(hal::TimeNs now_ns, bool erroring) override;
+  void advance(const DriveRun& run) override;
 
   // Answers a request for the data of `command`; stays silent if the firmware has no such message.
   void answer(hal::TimeNs now_ns, unsigned command);
@@ -87,8 +117,8 @@ class ODriveEmulator final : public CanEmulator {
   // Goes to closed loop (8) if there is no error and the axis is calibrated; any other state is
   // idle.
   void request_state(hal::TimeNs now_ns, std::uint32_t state);
-  // Clears every error, the disarm reason and the procedure result; the state stays.
-  void clear_errors();
+  // Sends the periodic messages that are due.
+  void send_due_messages(hal::TimeNs now_ns);
   // Sends error, state and, as the firmware has them, flags; the layout differs between firmwares.
   void send_heartbeat(hal::TimeNs now_ns);
   // Sends position in turns and speed in turns/s.
@@ -109,30 +139,20 @@ class ODriveEmulator final : public CanEmulator {
   [[nodiscard]] double position_turns() const;
   [[nodiscard]] bool is_0_6() const { return config_.firmware == ODriveFirmware::v0_6; }
 
+  static constexpr double kTurnsPerRad = 0.5 / std::numbers::pi;
+  static constexpr std::uint32_t kIdle = 1;
+  static constexpr std::uint32_t kClosedLoop = 8;
+
   ODriveEmulatorConfig config_;
-  // The limit to return to at a power cycle; the limit in `config_` follows the host's commands.
-  double saved_speed_limit_turn_per_s_;
   // The shaft's turns at which the position is 0.
   double zero_turns_ = 0.0;
-  // The numbers of CANSimple: axis state (1 idle), control mode (3 position, 1 torque), input mode
-  // (1 passed through).
-  std::uint32_t state_ = 1;
-  std::uint32_t control_mode_ = 3;
-  std::uint32_t input_mode_ = 1;
-  double input_torque_Nm_ = 0.0;
-  std::uint32_t error_ = 0;
-  std::uint32_t disarm_reason_ = 0;
-  std::uint8_t procedure_result_ = 0;
-  std::uint64_t motor_error_ = 0;
-  std::uint32_t encoder_error_ = 0;
-  std::uint32_t controller_error_ = 0;
-  // When it last ran, when the host last fed the watchdog, and when the next messages are due.
-  hal::TimeNs ran_ns_ = 0;
+  // The axis state, kIdle or kClosedLoop.
+  std::uint32_t state_ = kIdle;
+  HostSettings host_;
+  Errors errors_;
+  // When the host last fed the watchdog.
   hal::TimeNs fed_ns_ = 0;
-  hal::TimeNs next_heartbeat_ns_ = 0;
-  hal::TimeNs next_estimates_ns_ = 0;
-  bool running_ = false;
-  bool was_erroring_ = false;
+  NextMessages next_;
 };
 
 }  // namespace tactus::host

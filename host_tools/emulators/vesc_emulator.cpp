@@ -44,8 +44,7 @@ VescEmulator::VescEmulator(hal::CanBus& bus, std::uint32_t seed, const VescEmula
     : CanEmulator(bus, seed), config_(config) {}
 
 void VescEmulator::set_temperatures(double fet_C, double motor_C) {
-  fet_C_ = fet_C;
-  motor_C_ = motor_C;
+  temperatures_ = {.fet_C = fet_C, .motor_C = motor_C};
 }
 
 void VescEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
@@ -67,7 +66,7 @@ void VescEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
     case 11:
     case 12:
     case 13:
-      wanted_A_ = 0.0;
+      command_.current_A = 0.0;
       return;
     case 8:
       answer(now_ns, frame);
@@ -88,10 +87,10 @@ void VescEmulator::take_current(hal::TimeNs now_ns, const hal::CanFrame& frame) 
   if (frame.length < 4) {
     return;
   }
-  commanded_ns_ = now_ns;
-  wanted_A_ = std::clamp(static_cast<double>(signed_at(frame, 0, 4)) / 1000.0,
-                         -config_.max_current_A, config_.max_current_A);
-  holds_until_ns_ = frame.length >= 6 ? now_ns + signed_at(frame, 4, 2) * 1'000'000 : 0;
+  command_.time_ns = now_ns;
+  command_.current_A = std::clamp(static_cast<double>(signed_at(frame, 0, 4)) / 1000.0,
+                                  -config_.max_current_A, config_.max_current_A);
+  command_.holds_until_ns = frame.length >= 6 ? now_ns + signed_at(frame, 4, 2) * 1'000'000 : 0;
 }
 
 // A question has: the host's number, 0, "get selected values" (0x32), and a mask of the values. Bit
@@ -103,7 +102,7 @@ void VescEmulator::answer(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   const std::int64_t mask = signed_at(frame, 3, 4);
   std::int64_t value = 0;
   if (mask == 0x0000'8000) {
-    value = fault_;
+    value = fault_.code;
   } else if (mask == 0x0020'0000) {
     value = (has_timed_out(now_ns) ? 1 : 0) + (kill_switch_open_ ? 2 : 0);
   } else {
@@ -118,26 +117,25 @@ void VescEmulator::answer(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   send(now_ns, reply);
 }
 
-void VescEmulator::advance(hal::TimeNs now_ns, bool erroring) {
-  if (has_run_ && now_ns - ran_ns_ >= kPowerLoss_ns) {
+void VescEmulator::advance(const DriveRun& run) {
+  const hal::TimeNs now_ns = run.now_ns;
+  if (run.follows_power_loss()) {
     offset_counts_ = 0;
     offset_counts_ = -shaft_counts();
-    wanted_A_ = 0.0;
-    fault_ = 0;
+    command_.current_A = 0.0;
+    fault_.code = 0;
   }
-  if (!has_run_) {
-    commanded_ns_ = now_ns;
+  if (run.is_first()) {
+    command_.time_ns = now_ns;
   }
-  has_run_ = true;
-  ran_ns_ = now_ns;
-  if (erroring) {
-    fault_ = kAbsoluteOverCurrent;
-    ignores_until_ns_ = now_ns + config_.fault_stop_ns;
-  } else if (now_ns >= ignores_until_ns_) {
-    fault_ = 0;
+  if (run.erroring) {
+    fault_.code = kAbsoluteOverCurrent;
+    fault_.stops_until_ns = now_ns + config_.fault_stop_ns;
+  } else if (now_ns >= fault_.stops_until_ns) {
+    fault_.code = 0;
   }
-  if (lasting_fault_ != 0) {
-    fault_ = lasting_fault_;
+  if (fault_.lasting_code != 0) {
+    fault_.code = fault_.lasting_code;
   }
   flowing_A_ = current_A(now_ns);
   shaft().torque_Nm = flowing_A_ * config_.torque_constant_Nm_per_A;
@@ -145,25 +143,26 @@ void VescEmulator::advance(hal::TimeNs now_ns, bool erroring) {
 }
 
 bool VescEmulator::has_timed_out(hal::TimeNs now_ns) const {
-  return config_.timeout_ns > 0 && now_ns - commanded_ns_ > config_.timeout_ns;
+  return config_.timeout_ns > 0 && now_ns - command_.time_ns > config_.timeout_ns;
 }
 
 double VescEmulator::current_A(hal::TimeNs now_ns) const {
-  const bool is_dead = std::abs(wanted_A_) < config_.min_current_A && now_ns >= holds_until_ns_;
-  const bool obeys = fault_ == 0 && !kill_switch_open_ && !has_timed_out(now_ns);
-  return obeys && !is_dead ? wanted_A_ : 0.0;
+  const bool is_dead =
+      std::abs(command_.current_A) < config_.min_current_A && now_ns >= command_.holds_until_ns;
+  const bool obeys = fault_.code == 0 && !kill_switch_open_ && !has_timed_out(now_ns);
+  return obeys && !is_dead ? command_.current_A : 0.0;
 }
 
 void VescEmulator::send_due_status(hal::TimeNs now_ns) {
-  if (config_.status_period_ns > 0 && now_ns - status_ns_ >= config_.status_period_ns) {
-    status_ns_ = now_ns;
+  if (config_.status_period_ns > 0 && now_ns - sent_.status_ns >= config_.status_period_ns) {
+    sent_.status_ns = now_ns;
     send_status(now_ns);
     if (config_.sends_status_5) {
       send_status_5(now_ns);
     }
   }
-  if (config_.status_4_period_ns > 0 && now_ns - status_4_ns_ >= config_.status_4_period_ns) {
-    status_4_ns_ = now_ns;
+  if (config_.status_4_period_ns > 0 && now_ns - sent_.status_4_ns >= config_.status_4_period_ns) {
+    sent_.status_4_ns = now_ns;
     send_status_4(now_ns);
   }
 }
@@ -183,8 +182,8 @@ void VescEmulator::send_status(hal::TimeNs now_ns) {
 
 void VescEmulator::send_status_4(hal::TimeNs now_ns) {
   hal::CanFrame frame = message(16, config_.vesc_id);
-  append(frame, 2, std::llround(fet_C_ * 10.0));
-  append(frame, 2, std::llround(motor_C_ * 10.0));
+  append(frame, 2, std::llround(temperatures_.fet_C * 10.0));
+  append(frame, 2, std::llround(temperatures_.motor_C * 10.0));
   append(frame, 2, std::llround(std::abs(flowing_A_) * 10.0));
   const double turns = shaft().position_rad / kTurn;
   append(frame, 2, std::llround((turns - std::floor(turns)) * 360.0 * 50.0));

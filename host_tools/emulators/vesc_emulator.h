@@ -48,15 +48,41 @@ class VescEmulator final : public CanEmulator {
   // Opens or closes the kill switch; open, no current flows.
   void set_kill_switch(bool open) { kill_switch_open_ = open; }
   // Sets a fault by VESC's number; it lasts until the code is set to 0.
-  void set_fault_code(std::uint8_t code) { lasting_fault_ = code; }
+  void set_fault_code(std::uint8_t code) { fault_.lasting_code = code; }
   // Lets the tachometer slip by that many counts at once.
   void slip(std::int32_t counts) { offset_counts_ += counts; }
   // Sets the temperatures of transistors and motor that status 4 reports.
   void set_temperatures(double fet_C, double motor_C);
 
  private:
+  // The last current command.
+  struct Command {
+    hal::TimeNs time_ns = 0;
+    double current_A = 0.0;
+    // Until then the command's off-delay keeps currents in the dead zone flowing.
+    hal::TimeNs holds_until_ns = 0;
+  };
+  // The fault code by VESC's numbers; 0: none.
+  struct Fault {
+    std::uint8_t code = 0;
+    // A code that does not end by itself; 0: none.
+    std::uint8_t lasting_code = 0;
+    // The end of the stop after a fault.
+    hal::TimeNs stops_until_ns = 0;
+  };
+  // When the periodic messages were last sent.
+  struct SentStatus {
+    hal::TimeNs status_ns = 0;
+    hal::TimeNs status_4_ns = 0;
+  };
+  // The temperatures that status 4 reports.
+  struct Temperatures {
+    double fet_C = 31.0;
+    double motor_C = 28.5;
+  };
+
   void take(hal::TimeNs now_ns, const hal::CanFrame& frame) override;
-  void advance(hal::TimeNs now_ns, bool erroring) override;
+  void advance(const DriveRun& run) override;
 
   // Takes a command of a current in mA, with an off-delay in ms if the frame has six bytes.
   void take_current(hal::TimeNs now_ns, const hal::CanFrame& frame);
@@ -81,25 +107,15 @@ class VescEmulator final : public CanEmulator {
   [[nodiscard]] double current_A(hal::TimeNs now_ns) const;
 
   VescEmulatorConfig config_;
-  double wanted_A_ = 0.0;
-  // Until then a command's off-delay keeps currents in the dead zone flowing.
-  hal::TimeNs holds_until_ns_ = 0;
-  // The last command; the end of the stop after a fault; the last status messages; the last run.
-  hal::TimeNs commanded_ns_ = 0;
-  hal::TimeNs ignores_until_ns_ = 0;
-  hal::TimeNs status_ns_ = 0;
-  hal::TimeNs status_4_ns_ = 0;
-  hal::TimeNs ran_ns_ = 0;
+  Command command_;
+  Fault fault_;
+  SentStatus sent_;
+  Temperatures temperatures_;
   // Added to the tachometer, so that it starts at 0 after a power cycle.
   std::int32_t offset_counts_ = 0;
-  double fet_C_ = 31.0;
-  double motor_C_ = 28.5;
+  // The current that flows since the last run.
   double flowing_A_ = 0.0;
-  // The fault code of VESC, 0 for none; `lasting_fault_` does not end by itself.
-  std::uint8_t fault_ = 0;
-  std::uint8_t lasting_fault_ = 0;
   bool kill_switch_open_ = false;
-  bool has_run_ = false;
 };
 
 }  // namespace tactus::host

@@ -45,39 +45,40 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& parameters, double tick
     : parameters_(checked(parameters, tick_s)),
       tick_s_(tick_s),
       plant_(parameters.plant),
-      encoders_{Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s),
-                Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s),
-                Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s)},
+      joints_{.encoders =
+                  {Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s),
+                   Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s),
+                   Encoder(parameters.encoder_resolution, parameters.velocity_cutoff_Hz, tick_s)}},
       motors_{Motor(parameters.effort_limit, parameters.motor_time_constant_s,
                     tick_s / parameters.substeps),
               Motor(parameters.effort_limit, parameters.motor_time_constant_s,
                     tick_s / parameters.substeps),
               Motor(parameters.effort_limit, parameters.motor_time_constant_s,
                     tick_s / parameters.substeps)},
-      ready_tick_(ticks_of(parameters.power_up_s, tick_s)),
-      homed_tick_(ready_tick_ + ticks_of(parameters.homing_s, tick_s)) {
+      commands_(parameters.delay_ticks),
+      ticks_{.ready = ticks_of(parameters.power_up_s, tick_s)} {
+  ticks_.homed = ticks_.ready + ticks_of(parameters.homing_s, tick_s);
   plant_.place(p_B);
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
-    encoder_origin_[i] =
-        joint_position(parameters_.plant.mechanism, i, plant_.pose().coordinate[i]);
+    joints_.origin[i] = joint_position(parameters_.plant.mechanism, i, plant_.pose().coordinate[i]);
   }
   sample_encoders();
 }
 
 bool SimulatedDevice::active(DeviceFault fault) const {
-  const Period& period = fault_periods_[static_cast<std::size_t>(fault)];
-  return ticks_ >= period.first_tick && ticks_ < period.end_tick;
+  const Period& period = faults_.periods[static_cast<std::size_t>(fault)];
+  return ticks_.now >= period.first_tick && ticks_.now < period.end_tick;
 }
 
 void SimulatedDevice::inject(DeviceFault fault, std::uint32_t ticks) {
-  fault_periods_[static_cast<std::size_t>(fault)] = {.first_tick = ticks_ + 1,
-                                                     .end_tick = ticks_ + 1 + ticks};
+  faults_.periods[static_cast<std::size_t>(fault)] = {.first_tick = ticks_.now + 1,
+                                                      .end_tick = ticks_.now + 1 + ticks};
 }
 
 std::uint32_t SimulatedDevice::status() const {
-  std::uint32_t status = latched_status_;
+  std::uint32_t status = faults_.latched_status;
   if (!homed()) {
-    status |= ticks_ < ready_tick_ ? drivers::kDeviceNotReady : drivers::kDeviceHoming;
+    status |= ticks_.now < ticks_.ready ? drivers::kDeviceNotReady : drivers::kDeviceHoming;
   }
   if (active(DeviceFault::stale_sample)) {
     status |= drivers::kDeviceStale;
@@ -98,7 +99,7 @@ void SimulatedDevice::read(drivers::JointSample& sample) const {
 
 std::uint32_t SimulatedDevice::write(const drivers::JointCommand& command) {
   if (!active(DeviceFault::lost)) {
-    written_ = command;
+    commands_.write(command);
   }
   return status() & (drivers::kDeviceEmergencyStop | drivers::kDeviceLost);
 }
@@ -115,10 +116,7 @@ void SimulatedDevice::command_motors(const drivers::JointCommand& command) {
 
 void SimulatedDevice::advance(const HandParameters& hand, const Vec3& wish_B,
                               const Vec3& next_wish_B) {
-  const std::size_t now = ticks_ % in_flight_.size();
-  in_flight_[now] = written_;
-  command_motors(
-      in_flight_[(now + in_flight_.size() - parameters_.delay_ticks) % in_flight_.size()]);
+  command_motors(commands_.advance());
   const double step_s = tick_s_ / parameters_.substeps;
   const Vec3 wish_step_B = (next_wish_B - wish_B) / parameters_.substeps;
   // The hand moves evenly over the tick; a sub-step wants its wish in the middle of the sub-step.
@@ -135,26 +133,26 @@ void SimulatedDevice::advance(const HandParameters& hand, const Vec3& wish_B,
     plant_.step(effort, grip, step_s);
     grip.wish_p_B += wish_step_B;
   }
-  ++ticks_;
+  ++ticks_.now;
   sample_encoders();
 }
 
 void SimulatedDevice::sample_encoders() {
   // Homing has found the origin: from now on the encoders count from it.
-  if (ticks_ == homed_tick_) {
-    encoder_origin_.fill(0.0);
-    for (Encoder& encoder : encoders_) {
+  if (ticks_.now == ticks_.homed) {
+    joints_.origin.fill(0.0);
+    for (Encoder& encoder : joints_.encoders) {
       encoder.restart();
     }
   }
   const bool frozen = active(DeviceFault::stale_sample) || active(DeviceFault::lost);
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
-    encoders_[i].sample(
+    joints_.encoders[i].sample(
         joint_position(parameters_.plant.mechanism, i, plant_.pose().coordinate[i]) -
-        encoder_origin_[i]);
+        joints_.origin[i]);
     if (!frozen) {
-      sample_.position[i] = encoders_[i].position();
-      sample_.velocity[i] = encoders_[i].velocity();
+      sample_.position[i] = joints_.encoders[i].position();
+      sample_.velocity[i] = joints_.encoders[i].velocity();
     }
   }
   if (active(DeviceFault::encoder_nan)) {
@@ -163,7 +161,7 @@ void SimulatedDevice::sample_encoders() {
   sample_.age_us = frozen ? sample_.age_us + static_cast<std::uint32_t>(std::lround(tick_s_ * 1e6))
                           : parameters_.sample_age_us;
   if (active(DeviceFault::emergency_stop)) {
-    latched_status_ |= drivers::kDeviceEmergencyStop;
+    faults_.latched_status |= drivers::kDeviceEmergencyStop;
   }
 }
 

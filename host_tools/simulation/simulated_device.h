@@ -10,15 +10,13 @@
 #include <cstdint>
 
 #include "drivers/device.h"
+#include "host_tools/simulation/delayed_commands.h"
 #include "host_tools/simulation/electronics.h"
 #include "host_tools/simulation/hand.h"
 #include "host_tools/simulation/plant.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::host {
-
-// The longest delay of a command, ticks.
-inline constexpr std::size_t kMaxCommandDelay = 8;
 
 // A device's mechanics, electronics and timing.
 struct DeviceParameters {
@@ -71,7 +69,7 @@ class SimulatedDevice {
   // Takes the command of this tick. Returns kDeviceEmergencyStop and kDeviceLost as they hold.
   std::uint32_t write(const drivers::JointCommand& command);
   // Clears what is latched: the emergency stop.
-  void clear_faults() { latched_status_ = drivers::kDeviceOk; }
+  void clear_faults() { faults_.latched_status = drivers::kDeviceOk; }
 
   // Advances the plant by one tick, held by a hand whose wish moves evenly from `wish_B` to
   // `next_wish_B`, m.
@@ -93,9 +91,30 @@ class SimulatedDevice {
     std::uint64_t end_tick = 0;
   };
 
+  // The injected faults.
+  struct Faults {
+    // The newest period of each DeviceFault.
+    std::array<Period, 4> periods{};
+    // The status bits that stay until clear_faults().
+    std::uint32_t latched_status = drivers::kDeviceOk;
+  };
+  // The ticks since power-up: the present one, the first one with power, the first one after
+  // homing.
+  struct Ticks {
+    std::uint64_t now = 0;
+    std::uint64_t ready = 0;
+    std::uint64_t homed = 0;
+  };
+  // The encoders of all joints.
+  struct JointEncoders {
+    std::array<Encoder, kPlantJoints> encoders;
+    // The position at which each encoder woke up; 0 once homing is over.
+    std::array<double, kPlantJoints> origin{};
+  };
+
   // Returns true if the fault is injected at this tick.
   [[nodiscard]] bool active(DeviceFault fault) const;
-  [[nodiscard]] bool homed() const { return ticks_ >= homed_tick_; }
+  [[nodiscard]] bool homed() const { return ticks_.now >= ticks_.homed; }
   // Returns the status bits of drivers/device.h that hold now.
   [[nodiscard]] std::uint32_t status() const;
   // Gives the motors their targets; 0 if they are not enabled or have no power.
@@ -106,20 +125,12 @@ class SimulatedDevice {
   DeviceParameters parameters_;
   double tick_s_;
   Plant plant_;
-  std::array<Encoder, kPlantJoints> encoders_;
+  JointEncoders joints_;
   std::array<Motor, kPlantJoints> motors_;
-  // The position at which each encoder woke up; 0 once homing is over.
-  std::array<double, kPlantJoints> encoder_origin_{};
-  drivers::JointCommand written_;
-  // The commands of the last ticks, in a ring by tick number.
-  std::array<drivers::JointCommand, kMaxCommandDelay + 1> in_flight_{};
+  DelayedCommands commands_;
   drivers::JointSample sample_;
-  // The newest period of each DeviceFault.
-  std::array<Period, 4> fault_periods_{};
-  std::uint64_t ticks_ = 0;
-  std::uint64_t ready_tick_ = 0;
-  std::uint64_t homed_tick_ = 0;
-  std::uint32_t latched_status_ = drivers::kDeviceOk;
+  Faults faults_;
+  Ticks ticks_;
 };
 
 static_assert(drivers::Device<SimulatedDevice>);

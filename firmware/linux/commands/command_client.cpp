@@ -86,4 +86,28 @@ bool CommandClient::send(hal::TimeNs now_ns) {
   return true;
 }
 
+std::string_view word_of(const CommandClient::Waiting& waiting) {
+  switch (waiting.verb) {
+    case Verb::request:
+      return kRequestNames[static_cast<std::size_t>(waiting.command.request)];
+    case Verb::set:
+      return "set";
+    case Verb::get:
+      return "get";
+    case Verb::list:
+      return "list";
+    case Verb::status:
+      return "status";
+    case Verb::scene:
+      return "scene";
+    case Verb::record:
+      return "record";
+    case Verb::inject:
+      return "inject";
+    case Verb::help:
+      return "help";
+  }
+  return {};
+}
+
 }  // namespace tactus::firmware

@@ -99,4 +99,7 @@ class CommandClient {
   hal::TimeNs stuck_since_ns_ = 0;
 };
 
+// Returns the first word of the line whose answer is waited for.
+std::string_view word_of(const CommandClient::Waiting& waiting);
+
 }  // namespace tactus::firmware

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "firmware/device_file/certificate_words.h"
 #include "firmware/linux/commands/reply.h"
 
 namespace tactus::firmware {
@@ -31,31 +30,6 @@ std::optional<ParameterPlace> listed_place(std::size_t index, std::size_t object
   }
   return ParameterPlace{.parameter = kParameterTexts[own + (index - own) % of_object].parameter,
                         .object = static_cast<std::uint32_t>(object)};
-}
-
-// Returns the first word of the line whose answer is waited for.
-std::string_view word_of(const CommandClient::Waiting& waiting) {
-  switch (waiting.verb) {
-    case Verb::request:
-      return kRequestNames[static_cast<std::size_t>(waiting.command.request)];
-    case Verb::set:
-      return "set";
-    case Verb::get:
-      return "get";
-    case Verb::list:
-      return "list";
-    case Verb::status:
-      return "status";
-    case Verb::scene:
-      return "scene";
-    case Verb::record:
-      return "record";
-    case Verb::inject:
-      return "inject";
-    case Verb::help:
-      return "help";
-  }
-  return {};
 }
 
 }  // namespace
@@ -298,99 +272,6 @@ void CommandProcessor::take_over_scene(const Answer& answer) {
     hooks_.scene_changed(hooks_.run, scenes_.next_bytes());
   }
   scenes_.use_next();
-}
-
-void CommandProcessor::reply(CommandClient& client, const Answer& answer) {
-  TextLine& out = client.out();
-  client.waiting.is_under_way = false;
-  switch (client.waiting.verb) {
-    case Verb::request:
-      write_request_reply(out, answer, hooks_.homing_hint);
-      break;
-    case Verb::set:
-      reply_set(client, answer);
-      break;
-    case Verb::get:
-      write_parameter_reply(out, word_of(client.waiting), client.waiting.command.change.place,
-                            answer);
-      break;
-    case Verb::list:
-      reply_list(client, answer);
-      break;
-    case Verb::scene:
-      reply_scene(client, answer);
-      break;
-    case Verb::inject:
-      out.add("ok inject");
-      write_tick(out, answer);
-      out.add(" fault=").add(
-          kInjectionTexts[static_cast<std::size_t>(client.waiting.command.injection.injection)]
-              .name);
-      out.add(" ticks=").add(client.waiting.command.injection.ticks).end();
-      break;
-    default:
-      reply_status(client, answer);
-      break;
-  }
-}
-
-void CommandProcessor::reply_set(CommandClient& client, const Answer& answer) {
-  const rendering::SceneImage* const scene = scenes_.scene();
-  if (answer.outcome == Outcome::parameter && answer.refusal == ParameterRefusal::uncertified &&
-      scene != nullptr) {
-    const UncertifiedPart& part = answer.scene_refusal.part;
-    std::array<char, kMaxCommandLine> room{};
-    refuse(client, "set", uncertified_words(part, names_of(part, *scene), room));
-    return;
-  }
-  write_parameter_reply(client.out(), word_of(client.waiting), client.waiting.command.change.place,
-                        answer);
-}
-
-void CommandProcessor::reply_scene(CommandClient& client, const Answer& answer) {
-  if (client.waiting.is_asking) {
-    client.waiting.is_under_way = true;
-    hand_scene_over(client, answer);
-    return;
-  }
-  if (answer.outcome == Outcome::scene) {
-    std::array<char, kMaxCommandLine> room{};
-    refuse(client, "scene", refusal_words(answer.scene_refusal, refused_names_, room));
-    return;
-  }
-  TextLine& out = client.out();
-  out.add("ok scene");
-  write_tick(out, answer);
-  const rendering::SceneImage* const scene = scenes_.scene();
-  out.add(" objects=").add(scene == nullptr ? 0 : scene->objects().size());
-  out.add(" file=").add(scenes_.path()).end();
-}
-
-// Writes the reply to `status` and to `record`.
-void CommandProcessor::reply_status(CommandClient& client, const Answer& answer) {
-  TextLine& out = client.out();
-  out.add("ok ").add(word_of(client.waiting));
-  write_tick(out, answer);
-  out.add(" faults=");
-  write_faults(out, answer.faults);
-  const std::string_view scene = scenes_.path();
-  out.add(" scene=").add(scene.empty() ? "none" : scene).end();
-}
-
-void CommandProcessor::reply_list(CommandClient& client, const Answer& answer) {
-  client.waiting.is_under_way = true;
-  if (answer.outcome != Outcome::done) {
-    return;
-  }
-  TextLine& out = client.out();
-  const ParameterPlace& place = client.waiting.command.change.place;
-  out.add("parameter");
-  write_parameter(out, place, answer.value);
-  if (const rendering::SceneImage* const scene = scenes_.scene();
-      is_of_object(place.parameter) && scene != nullptr) {
-    out.add(" object=").add(scene->object_name(place.object));
-  }
-  out.end();
 }
 
 }  // namespace tactus::firmware

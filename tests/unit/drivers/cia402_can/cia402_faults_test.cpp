@@ -168,7 +168,7 @@ TEST_F(Cia402Faults, PositionThatJumpsIsNeverReported) {
 
 TEST_F(Cia402Faults, DriveThatRestartsIsLatched) {
   rig_.emulator(0).set_fault(EmulatorFault::unplugged);
-  rig_.clock().advance_by(2 * host::Cia402Emulator::kPowerLoss_ns);
+  rig_.clock().advance_by(2 * host::kPowerLoss_ns);
   rig_.emulator(0).set_fault(EmulatorFault::none);
   rig_.idle(0);
   rig_.run(60 * kMs);
