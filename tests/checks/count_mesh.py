@@ -21,14 +21,16 @@ def off(data):
     if "BINARY" in counts:
         raise ValueError("binary OFF")
     vertices, faces = int(counts[0]), int(counts[1])
+    if vertices + faces > len(data):
+        raise ValueError("more vertices and faces than bytes")
     if len(rows) < vertices + faces:  # numbers without regard to lines
         numbers = [word for row in rows for word in row]
         points = [tuple(map(float, numbers[3 * i : 3 * i + 3])) for i in range(vertices)]
-        rest, polygons = numbers[3 * vertices :], []
+        place, polygons = 3 * vertices, []
         for _ in range(faces):
-            corners = int(rest[0])
-            polygons.append([int(word) for word in rest[1 : corners + 1]])
-            rest = rest[corners + 1 :]
+            end = place + 1 + int(numbers[place])
+            polygons.append([int(word) for word in numbers[place + 1 : end]])
+            place = end
         return points, polygons
     points = [tuple(map(float, row[:3])) for row in rows[:vertices]]
     return points, [[int(word) for word in row[1 : int(row[0]) + 1]] for row in rows[vertices : vertices + faces]]

@@ -65,7 +65,9 @@ class ObjReader {
     while (line && continues(*line)) {
       joined_ += line->substr(0, line->rfind('\\'));
       joined_ += ' ';
-      line = text_.next_line();
+      // The very next line, though it may be empty.
+      line = text_.next_raw_line();
+      line = line ? line->substr(0, line->find('#')) : line;
     }
     joined_ += line.value_or("");
     return joined_;

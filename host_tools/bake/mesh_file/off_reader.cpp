@@ -67,7 +67,8 @@ class OffReader {
     std::string_view line = text_.require_line("the counts");
     std::string_view after_word = line;
     const std::string_view word = next_word(after_word);
-    if (word.ends_with("OFF")) {
+    const bool has_word = word.ends_with("OFF");
+    if (has_word) {
       is_plain_ = word == "OFF";
       if (word.find_first_of("4n") != std::string_view::npos) {
         text_.fail(fmt::format("{} has more than three dimensions and is not read", word));
@@ -81,7 +82,8 @@ class OffReader {
     const auto vertices = to_number<std::size_t>(next_word(line));
     const auto faces = to_number<std::size_t>(next_word(line));
     if (!vertices || !faces) {
-      text_.fail("the line after OFF must hold the numbers of vertices, faces and edges");
+      text_.fail(has_word ? "the line after OFF must hold the numbers of vertices, faces and edges"
+                          : "an OFF file must begin with the word OFF or with its counts");
     }
     return {.vertices = *vertices, .faces = *faces};
   }

@@ -40,7 +40,9 @@ class PlyReader {
   PolygonMesh read() {
     require_coordinates();
     for (const PlyElement& element : header_.elements) {
-      for (std::size_t i = 0; i < element.count; ++i) {
+      // An element without properties has no content, whatever its count.
+      const std::size_t count = element.properties.empty() ? 0 : element.count;
+      for (std::size_t i = 0; i < count; ++i) {
         numbers_.start({.kind = element.name, .index = i}, element.count);
         read_entry(element);
       }

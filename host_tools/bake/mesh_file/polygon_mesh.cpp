@@ -44,6 +44,14 @@ void PolygonMesh::add(std::span<const std::uint32_t> polygon,
   places.insert(places.end(), polygon_places.begin(), polygon_places.end());
 }
 
+void PolygonMesh::add_with_vertices(std::span<const Vec3> polygon) {
+  for (const Vec3& vertex : polygon) {
+    corners.push_back(static_cast<std::uint32_t>(vertices.size()));
+    vertices.push_back(vertex);
+  }
+  ends.push_back(corners.size());
+}
+
 ImportedMesh cut_into_triangles(PolygonMesh&& mesh, const std::string& file) {
   ImportedMesh result;
   result.triangles.reserve(mesh.corners.size() - 2 * mesh.ends.size());

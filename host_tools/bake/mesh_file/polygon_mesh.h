@@ -47,6 +47,8 @@ struct PolygonMesh {
   // line, which is counted alone.
   void add(std::span<const std::uint32_t> polygon,
            std::span<const CornerPlace> polygon_places = {});
+  // Appends a polygon of three corners or more with vertices of its own.
+  void add_with_vertices(std::span<const Vec3> polygon);
 };
 
 // Returns the mesh with every polygon of n corners cut into n - 2 triangles. `file` begins the

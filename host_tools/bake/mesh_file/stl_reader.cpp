@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cctype>
-#include <numeric>
 
 #include "host_tools/bake/mesh_file/mesh_text.h"
 #include "host_tools/input_error.h"
@@ -33,14 +32,6 @@ std::uint32_t little_endian_at(std::string_view content, std::size_t place) {
 bool equals_in_lower_case(std::string_view word, std::string_view lower) {
   return std::ranges::equal(
       word, lower, [](unsigned char a, char b) { return static_cast<char>(std::tolower(a)) == b; });
-}
-
-// Appends a polygon of new vertices.
-void add_facet(std::span<const Vec3> facet, PolygonMesh& mesh) {
-  std::vector<std::uint32_t> corners(facet.size());
-  std::iota(corners.begin(), corners.end(), static_cast<std::uint32_t>(mesh.vertices.size()));
-  mesh.vertices.insert(mesh.vertices.end(), facet.begin(), facet.end());
-  mesh.add(corners);
 }
 
 // Reads a text STL.
@@ -93,7 +84,7 @@ class StlText {
     if (facet_.size() < 3 && small_facets_++ == 0) {
       first_small_line_ = text_.number();
     } else if (facet_.size() >= 3) {
-      add_facet(facet_, mesh_);
+      mesh_.add_with_vertices(facet_);
     }
     facet_.clear();
     is_open_ = false;
@@ -138,13 +129,15 @@ PolygonMesh read_binary_stl(const std::string& file, std::string_view content) {
                                  file, facets, room));
   }
   PolygonMesh mesh;
+  mesh.vertices.reserve(3 * facets);
+  mesh.corners.reserve(3 * facets);
   for (std::size_t i = 0; i < facets; ++i) {
     std::array<Vec3, 3> facet;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t place = kStlHead + i * kStlFacet + kStlNormal * (k + 1);
       facet[k] = stl_vertex(file, content, place, 3 * i + k);
     }
-    add_facet(facet, mesh);
+    mesh.add_with_vertices(facet);
   }
   const std::size_t rest = content.size() - kStlHead - facets * kStlFacet;
   if (rest != 0) {

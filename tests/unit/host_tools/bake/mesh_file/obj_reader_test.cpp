@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+
 #include "tests/unit/host_tools/bake/mesh_file/measured.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -17,7 +20,7 @@ ImportedMesh obj(std::string_view text) {
   return cut_into_triangles(read_obj("a.obj", text), "a.obj");
 }
 
-constexpr std::string_view kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+constexpr std::string_view kObjTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 TEST(ObjReader, ReadsPolygonsOfAllObjectsAndGroups) {
   const ImportedMesh mesh =
@@ -62,7 +65,7 @@ TEST(ObjReader, GivesEveryCornerItsTextureCoordinates) {
 }
 
 TEST(ObjReader, TellsWhatItLeavesOutWithNumbersAndLines) {
-  const ImportedMesh mesh = obj(std::string(kTriangle) +
+  const ImportedMesh mesh = obj(std::string(kObjTriangle) +
                                 "vt 0 0\nf 1/1 2/1 3/1\nf 3 2 1\nl 1 2\np 1\ncstype bezier\n"
                                 "deg 3 3\nsurf 0 1 0 1 1 2 3\nend\nface 1 2 3\n");
   EXPECT_EQ(mesh.triangles.size(), 2U);
@@ -79,7 +82,7 @@ TEST(ObjReader, TellsWhatItLeavesOutWithNumbersAndLines) {
 
 TEST(ObjReader, NamesTheLineOfWhatItCannotRead) {
   const auto error = [](std::string_view rest) {
-    return input_error([&] { obj(std::string(kTriangle) + std::string(rest)); });
+    return input_error([&] { obj(std::string(kObjTriangle) + std::string(rest)); });
   };
   EXPECT_TRUE(error("f 1 2 x\n").starts_with("a.obj:4: face 0: 'x' is not a whole number"));
   EXPECT_TRUE(error("f\n").starts_with("a.obj:4: face 0 has no corners"));

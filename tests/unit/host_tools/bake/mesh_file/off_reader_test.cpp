@@ -25,42 +25,42 @@ std::string off_error(std::string_view text) {
 }
 
 // The corners of a box of 1 x 2 x 3, and its faces as rectangles.
-constexpr std::string_view kCorners = "0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 3\n1 0 3\n1 2 3\n0 2 3\n";
-constexpr std::string_view kFaces =
+constexpr std::string_view kOffCorners = "0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 3\n1 0 3\n1 2 3\n0 2 3\n";
+constexpr std::string_view kOffFaces =
     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 3 7 6 2\n4 0 4 7 3\n4 1 2 6 5\n";
 
-std::string box_off(std::string_view header = "OFF\n8 6 12\n") {
-  return std::string(header) + std::string(kCorners) + std::string(kFaces);
+std::string quad_box_off(std::string_view header = "OFF\n8 6 12\n") {
+  return std::string(header) + std::string(kOffCorners) + std::string(kOffFaces);
 }
 
-void expect_box(const ImportedMesh& mesh) {
+void expect_off_box(const ImportedMesh& mesh) {
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_NEAR(volume(mesh), 6.0, 1e-12);
   EXPECT_TRUE(mesh.notes.empty()) << mesh.notes.front();
 }
 
 TEST(OffReader, ReadsEveryFaceWhateverCommentsAndBlankLinesAreBetweenThem) {
-  expect_box(off(box_off()));
+  expect_off_box(off(quad_box_off()));
   std::string text;
-  for (const char c : box_off()) {
+  for (const char c : quad_box_off()) {
     text += c;
     text += c == '\n' ? "# 3 0 1 2\n\n  \t\n" : "";
   }
-  expect_box(off(text));
+  expect_off_box(off(text));
   std::string with_ends;
-  for (const char c : box_off()) {
+  for (const char c : quad_box_off()) {
     with_ends += c == '\n' ? " # the end\r\n" : std::string(1, c);
   }
-  expect_box(off(with_ends));
+  expect_off_box(off(with_ends));
 }
 
 TEST(OffReader, ReadsNumbersThatBreakTheirLinesFreely) {
-  std::string one_line = "OFF\n8 6 12\n" + std::string(kCorners) + std::string(kFaces);
+  std::string one_line = "OFF\n8 6 12\n" + std::string(kOffCorners) + std::string(kOffFaces);
   std::string many_lines = one_line;
   std::ranges::replace(one_line.begin() + 11, one_line.end(), '\n', ' ');
-  expect_box(off(one_line));
+  expect_off_box(off(one_line));
   std::ranges::replace(many_lines.begin() + 11, many_lines.end(), ' ', '\n');
-  expect_box(off(many_lines));
+  expect_off_box(off(many_lines));
 }
 
 TEST(OffReader, ReadsColoursAndNormalsAndHeadersOfAllKinds) {
@@ -113,6 +113,8 @@ TEST(OffReader, RefusesWhatItCannotRead) {
   EXPECT_TRUE(
       contains(off_error("OFF BINARY\n"), "a.off:1: binary OFF is not read; save it as text"));
   EXPECT_TRUE(contains(off_error("4OFF\n1 0 0\n0 0 0 1\n"), "a.off:1: 4OFF has more than three"));
+  EXPECT_TRUE(
+      contains(off_error("{ = OFF\n"), "a.off:1: an OFF file must begin with the word OFF"));
   EXPECT_TRUE(contains(off_error("OFF\nx\n"), "a.off:2: the line after OFF must hold"));
   EXPECT_TRUE(contains(off_error("OFF\n3 1 0\n0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
                        "a.off:3: vertex 0: '0,5' is not a number; numbers need a decimal point"));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 
 #include "tests/unit/host_tools/bake/mesh_file/measured.h"
@@ -18,8 +20,8 @@ ImportedMesh ply(std::string_view content) {
   return cut_into_triangles(read_ply("a.ply", content), "a.ply");
 }
 
-std::string header(int vertices, std::string_view elements, std::string_view format = "ascii",
-                   std::string_view type = "float") {
+std::string ply_header(int vertices, std::string_view elements, std::string_view format = "ascii",
+                       std::string_view type = "float") {
   std::string text = "ply\nformat " + std::string(format) +
                      " 1.0\ncomment by a test\nelement vertex " + std::to_string(vertices) + "\n";
   for (const char axis : {'x', 'y', 'z'}) {
@@ -28,7 +30,7 @@ std::string header(int vertices, std::string_view elements, std::string_view for
   return text + std::string(elements) + "end_header\n";
 }
 
-constexpr std::string_view kFace = "element face 1\nproperty list uchar int vertex_indices\n";
+constexpr std::string_view kPlyFace = "element face 1\nproperty list uchar int vertex_indices\n";
 
 // A row of squares of side 1 in the plane z = 0, two triangles each, as vertices of a strip.
 std::string strip_vertices(int count) {
@@ -40,7 +42,7 @@ std::string strip_vertices(int count) {
 }
 
 // The least z of the triangles' cross products: positive if all of them face +z.
-double least_z(const ImportedMesh& mesh) {
+double least_z_of(const ImportedMesh& mesh) {
   double least = 1e9;
   for (const rendering::TriangleIndices& t : mesh.triangles) {
     const Vec3& a = mesh.vertices[t[0]];
@@ -51,21 +53,21 @@ double least_z(const ImportedMesh& mesh) {
 
 TEST(PlyReader, ReadsEveryTriangleOfAStripOnTheSameSide) {
   const ImportedMesh mesh =
-      ply(header(8, "element tristrips 1\nproperty list int int vertex_indices\n") +
+      ply(ply_header(8, "element tristrips 1\nproperty list int int vertex_indices\n") +
           strip_vertices(8) + "8 0 1 2 3 4 5 6 7\n");
   EXPECT_EQ(mesh.triangles.size(), 6U);
   EXPECT_NEAR(area(mesh), 3.0, 1e-12);
-  EXPECT_GT(least_z(mesh), 0.0);
+  EXPECT_GT(least_z_of(mesh), 0.0);
   EXPECT_TRUE(mesh.notes.empty());
 }
 
 TEST(PlyReader, EndsAStripAtMinusOneAndSkipsTrianglesThatOnlyJoin) {
   const ImportedMesh mesh =
-      ply(header(8, "element tristrips 2\nproperty list int int vertex_indices\n") +
+      ply(ply_header(8, "element tristrips 2\nproperty list int int vertex_indices\n") +
           strip_vertices(8) + "9 0 1 2 3 -1 4 5 6 7\n8 0 1 2 3 3 2 2 3\n");
   EXPECT_EQ(mesh.triangles.size(), 6U);
   EXPECT_NEAR(area(mesh), 3.0, 1e-12);
-  EXPECT_GT(least_z(mesh), 0.0);
+  EXPECT_GT(least_z_of(mesh), 0.0);
 }
 
 TEST(PlyReader, ReadsDoublesPolygonsAndOtherPropertiesInText) {
@@ -81,7 +83,7 @@ TEST(PlyReader, ReadsDoublesPolygonsAndOtherPropertiesInText) {
 }
 
 template <class Number>
-void append(std::string& bytes, Number value, bool big) {
+void append_number(std::string& bytes, Number value, bool big) {
   auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
   if (big) {
     std::ranges::reverse(raw);
@@ -92,13 +94,13 @@ void append(std::string& bytes, Number value, bool big) {
 TEST(PlyReader, ReadsBinaryDoublesInBothByteOrders) {
   for (const bool big : {false, true}) {
     std::string content =
-        header(3, kFace, big ? "binary_big_endian" : "binary_little_endian", "double");
+        ply_header(3, kPlyFace, big ? "binary_big_endian" : "binary_little_endian", "double");
     for (const double x : {1e6, 0.0, 0.0, 1e6 + 1e-4, 0.0, 0.0, 1e6, 1.0, 0.0}) {
-      append(content, x, big);
+      append_number(content, x, big);
     }
-    append(content, std::uint8_t{3}, big);
+    append_number(content, std::uint8_t{3}, big);
     for (const std::int32_t index : {0, 1, 2}) {
-      append(content, index, big);
+      append_number(content, index, big);
     }
     const ImportedMesh mesh = ply(content);
     EXPECT_EQ(mesh.triangles.size(), 1U);
@@ -124,10 +126,11 @@ TEST(PlyReader, GivesCornersTheTextureCoordinatesOfVerticesOrOfTheirFace) {
 }
 
 TEST(PlyReader, TellsWhatItLeavesOut) {
-  const ImportedMesh mesh = ply(
-      header(3, std::string(kFace) + "element edge 1\nproperty int vertex1\nproperty int vertex2\n"
-                                     "element patch 2\nproperty list uchar int corners\n") +
-      "0 0 0\n1 0 0 9 9\n0 1 0\n3 0 1 2\n0 1\n2 0 1\n2 1 2\n3 0 1 2\n");
+  const ImportedMesh mesh =
+      ply(ply_header(3, std::string(kPlyFace) +
+                            "element edge 1\nproperty int vertex1\nproperty int vertex2\n"
+                            "element patch 2\nproperty list uchar int corners\n") +
+          "0 0 0\n1 0 0 9 9\n0 1 0\n3 0 1 2\n0 1\n2 0 1\n2 1 2\n3 0 1 2\n");
   EXPECT_EQ(mesh.triangles.size(), 1U);
   ASSERT_EQ(mesh.notes.size(), 4U);
   EXPECT_TRUE(mesh.notes[0].starts_with("a.ply: the 2 entries of element 'patch' are left out"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -14,8 +15,8 @@ namespace {
 using Polygon = std::vector<Vec3>;
 
 // The cut of a polygon with its corners in order.
-struct Cut {
-  explicit Cut(const Polygon& polygon) : vertices(polygon) {
+struct TriedCut {
+  explicit TriedCut(const Polygon& polygon) : vertices(polygon) {
     std::vector<std::uint32_t> corners(polygon.size());
     std::iota(corners.begin(), corners.end(), 0U);
     simple = cut.make(vertices, corners);
@@ -41,7 +42,7 @@ struct Cut {
 };
 
 void expect_area(const Polygon& polygon, double area, const Vec3& normal = Vec3::UnitZ()) {
-  const Cut cut(polygon);
+  const TriedCut cut(polygon);
   EXPECT_TRUE(cut.simple);
   EXPECT_EQ(cut.cut.triangles().size(), polygon.size() - 2);
   const auto [signed_sum, sum] = cut.areas(normal);
@@ -86,25 +87,26 @@ TEST(PolygonCut, CoversStarsInAnyPlaneFarFromTheOrigin) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> radius(1.0, 3.0);
   std::normal_distribution<double> direction;
-  for (int round = 0; round < 200; ++round) {
+  for (std::size_t round = 0; round < 200; ++round) {
     const Vec3 n = Vec3(direction(random), direction(random), direction(random)).normalized();
     const Vec3 u = n.unitOrthogonal();
     const Vec3 v = n.cross(u);
-    const int corners = 5 + round % 40;
+    const std::size_t corners = 5 + round % 40;
     Polygon polygon;
     std::vector<double> radii;
-    for (int i = 0; i < corners; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / corners;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double angle =
+          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
       radii.push_back(radius(random));
       polygon.emplace_back(Vec3(1000, 2000, -3000) +
                            radii.back() * (std::cos(angle) * u + std::sin(angle) * v));
     }
     double area = 0.0;
-    for (int i = 0; i < corners; ++i) {
-      area +=
-          0.5 * radii[i] * radii[(i + 1) % corners] * std::sin(2.0 * std::numbers::pi / corners);
+    for (std::size_t i = 0; i < corners; ++i) {
+      area += 0.5 * radii[i] * radii[(i + 1) % corners] *
+              std::sin(2.0 * std::numbers::pi / static_cast<double>(corners));
     }
-    const Cut cut(polygon);
+    const TriedCut cut(polygon);
     ASSERT_TRUE(cut.simple) << "round " << round << " of seed 7";
     ASSERT_NEAR(cut.areas(n).first, area, 1e-9 * area);
     ASSERT_NEAR(cut.areas(n).second, area, 1e-9 * area);
@@ -118,14 +120,14 @@ TEST(PolygonCut, LosesNoTriangleOfAPolygonThatCrossesItselfAndSaysSo) {
     const double angle = 2.0 * std::numbers::pi * 2 * i / 5;
     star.emplace_back(std::cos(angle), std::sin(angle), 0.0);
   }
-  const Cut cut(star);
+  const TriedCut cut(star);
   EXPECT_EQ(cut.cut.triangles().size(), 3U);
 }
 
 TEST(PolygonCut, GivesTrianglesForAPolygonWithoutArea) {
-  EXPECT_EQ(Cut({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}).cut.triangles().size(),
-            3U);
-  EXPECT_EQ(Cut(Polygon(6, Vec3(1, 1, 1))).cut.triangles().size(), 4U);
+  EXPECT_EQ(
+      TriedCut({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}).cut.triangles().size(), 3U);
+  EXPECT_EQ(TriedCut(Polygon(6, Vec3(1, 1, 1))).cut.triangles().size(), 4U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "tests/unit/host_tools/bake/mesh_file/measured.h"
@@ -30,7 +31,7 @@ std::string box_stl(std::string_view name) {
 }
 
 // A facet with the corners of these numbers of a box of 1 x 2 x 3.
-std::string facet(std::initializer_list<int> corners) {
+std::string stl_facet(std::initializer_list<int> corners) {
   constexpr std::array kBox{"0 0 0", "1 0 0", "1 2 0", "0 2 0", "0 0 3", "1 0 3", "1 2 3", "0 2 3"};
   std::string text = "facet normal 0 0 0\nouter loop\n";
   for (const int corner : corners) {
@@ -39,31 +40,31 @@ std::string facet(std::initializer_list<int> corners) {
   return text + "endloop\nendfacet\n";
 }
 
-void expect_box(const ImportedMesh& mesh) {
+void expect_stl_box(const ImportedMesh& mesh) {
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_NEAR(volume(mesh), 6.0, 1e-12);
 }
 
 TEST(StlReader, ReadsFacetsOfFourVertices) {
-  const ImportedMesh mesh =
-      stl("solid q\n" + facet({0, 3, 2, 1}) + facet({4, 5, 6, 7}) + facet({0, 1, 5, 4}) +
-          facet({3, 7, 6, 2}) + facet({0, 4, 7, 3}) + facet({1, 2, 6, 5}) + "endsolid q\n");
-  expect_box(mesh);
+  const ImportedMesh mesh = stl("solid q\n" + stl_facet({0, 3, 2, 1}) + stl_facet({4, 5, 6, 7}) +
+                                stl_facet({0, 1, 5, 4}) + stl_facet({3, 7, 6, 2}) +
+                                stl_facet({0, 4, 7, 3}) + stl_facet({1, 2, 6, 5}) + "endsolid q\n");
+  expect_stl_box(mesh);
   EXPECT_TRUE(mesh.notes.empty());
 }
 
 TEST(StlReader, ReadsKeywordsInCapitals) {
   std::string text = box_stl("ascii.stl");
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
-  expect_box(stl(text));
+  expect_stl_box(stl(text));
 }
 
 TEST(StlReader, ReadsABinaryFileWhoseTitleBeginsLikeAText) {
   std::string content = box_stl("binary.stl");
   content.replace(0, 10, "solid cube");
-  expect_box(stl(content));
+  expect_stl_box(stl(content));
   const ImportedMesh longer = stl(content + std::string("more\0", 5));
-  expect_box(longer);
+  expect_stl_box(longer);
   ASSERT_EQ(longer.notes.size(), 1U);
   EXPECT_TRUE(longer.notes[0].starts_with("a.stl: 5 bytes after the 12 facets"));
 }
@@ -78,8 +79,8 @@ TEST(StlReader, SaysHowManyFacetsABinaryFileLacks) {
 }
 
 TEST(StlReader, TellsOfFacetsWithoutASurface) {
-  const ImportedMesh mesh =
-      stl("solid q\n" + facet({0, 3, 2, 1}) + facet({0, 1}) + facet({}) + "endsolid q\n");
+  const ImportedMesh mesh = stl("solid q\n" + stl_facet({0, 3, 2, 1}) + stl_facet({0, 1}) +
+                                stl_facet({}) + "endsolid q\n");
   EXPECT_EQ(mesh.triangles.size(), 2U);
   ASSERT_EQ(mesh.notes.size(), 1U);
   EXPECT_EQ(mesh.notes[0],
@@ -88,7 +89,7 @@ TEST(StlReader, TellsOfFacetsWithoutASurface) {
 }
 
 TEST(StlReader, ReadsSeveralSolidsAndNamesTheLineWhereOneIsCutShort) {
-  const std::string one = "solid a\n" + facet({0, 3, 2, 1}) + "endsolid a\n";
+  const std::string one = "solid a\n" + stl_facet({0, 3, 2, 1}) + "endsolid a\n";
   EXPECT_EQ(stl(one + one).triangles.size(), 4U);
   EXPECT_TRUE(input_error([&] {
                 stl(one + "solid b\n");

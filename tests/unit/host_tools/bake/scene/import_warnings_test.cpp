@@ -32,7 +32,7 @@ std::string box_off(double factor, double offset = 0.0, bool inside_out = false)
 }
 
 // The warnings of baking a scene of one mesh with these keys.
-std::vector<std::string> warnings(const std::string& mesh, const std::string& keys) {
+std::vector<std::string> import_warnings(const std::string& mesh, const std::string& keys) {
   const TemporaryFolder folder;
   (void)folder.write("a.off", mesh);
   const auto scene = folder.write("scene.toml", "[[object]]\nmesh = \"a.off\"\n" + keys + "\n");
@@ -46,14 +46,15 @@ std::vector<std::string> warnings(const std::string& mesh, const std::string& ke
 }
 
 TEST(ImportWarnings, TellOfAnInsideOutMeshAndFlipMendsIt) {
-  const auto without = warnings(box_off(0.1, 0.0, true), "");
+  const auto without = import_warnings(box_off(0.1, 0.0, true), "");
   ASSERT_EQ(without.size(), 1U);
   EXPECT_EQ(without[0],
             "a.off: the mesh is inside out: it is closed and its volume is -0.006 m^3, so the tool "
             "goes in unfelt and is held inside; write flip = true at the object");
-  EXPECT_TRUE(warnings(box_off(0.1, 0.0, true), "flip = true").empty());
-  EXPECT_TRUE(warnings(box_off(0.1), "flip = false").empty());
-  EXPECT_TRUE(contains(warnings(box_off(0.1), "flip = true").at(0), "leave flip = true out"));
+  EXPECT_TRUE(import_warnings(box_off(0.1, 0.0, true), "flip = true").empty());
+  EXPECT_TRUE(import_warnings(box_off(0.1), "flip = false").empty());
+  EXPECT_TRUE(
+      contains(import_warnings(box_off(0.1), "flip = true").at(0), "leave flip = true out"));
 }
 
 TEST(ImportWarnings, FlipTurnsTheTrianglesOfTheImageAround) {
@@ -79,30 +80,30 @@ TEST(ImportWarnings, FlipIsForMeshesAlone) {
 }
 
 TEST(ImportWarnings, GuessTheUnitOfAMeshOfAbsurdSize) {
-  const auto huge = warnings(box_off(25.0), "");
+  const auto huge = import_warnings(box_off(25.0), "");
   ASSERT_EQ(huge.size(), 1U);
   EXPECT_EQ(huge[0],
             "a.off: the object is 75 m long; its file looks like millimetres: write scale = 0.001, "
             "which makes it 0.075 m");
-  EXPECT_TRUE(contains(warnings(box_off(2.5), "scale = 10").at(0), "write scale = 0.01, "));
-  EXPECT_TRUE(
-      contains(warnings(box_off(1.0), "longest_side_m = 80").at(0), "write longest_side_m = 0.08"));
-  EXPECT_TRUE(contains(warnings(box_off(1e4), "").at(0), "write longest_side_m = 0.1"));
-  EXPECT_TRUE(contains(warnings(box_off(0.1), "scale = 0.001").at(0),
+  EXPECT_TRUE(contains(import_warnings(box_off(2.5), "scale = 10").at(0), "write scale = 0.01, "));
+  EXPECT_TRUE(contains(import_warnings(box_off(1.0), "longest_side_m = 80").at(0),
+                       "write longest_side_m = 0.08"));
+  EXPECT_TRUE(contains(import_warnings(box_off(1e4), "").at(0), "write longest_side_m = 0.1"));
+  EXPECT_TRUE(contains(import_warnings(box_off(0.1), "scale = 0.001").at(0),
                        "the object is 0.0003 m long; write longest_side_m = 0.1"));
-  EXPECT_TRUE(warnings(box_off(25.0), "scale = 0.001").empty());
-  EXPECT_TRUE(warnings(box_off(1.0), "").empty());
+  EXPECT_TRUE(import_warnings(box_off(25.0), "scale = 0.001").empty());
+  EXPECT_TRUE(import_warnings(box_off(1.0), "").empty());
 }
 
 TEST(ImportWarnings, TellOfAnObjectOutsideTheWorld) {
-  const auto far = warnings(box_off(0.1, 4649776.0), "");
+  const auto far = import_warnings(box_off(0.1, 4649776.0), "");
   ASSERT_FALSE(far.empty());
   EXPECT_TRUE(contains(far.back(),
                        "a.off: the object reaches 4.64978e+06 m from the world's origin, "
                        "where the world ends at 100 m; correct position_m, or write "
                        "longest_side_m, which centres the mesh"));
   EXPECT_TRUE(
-      contains(warnings(box_off(0.1), "position_m = [0, 500, 0]").at(0), "reaches 500.2 m"));
+      contains(import_warnings(box_off(0.1), "position_m = [0, 500, 0]").at(0), "reaches 500.2 m"));
 }
 
 TEST(ImportWarnings, AMeshFarFromItsOriginKeepsItsShape) {
@@ -119,7 +120,7 @@ TEST(ImportWarnings, AMeshFarFromItsOriginKeepsItsShape) {
 }
 
 TEST(ImportWarnings, HaveTheNotesOfTheImport) {
-  const auto rest = warnings(box_off(0.1) + "3 0 1 2\n", "");
+  const auto rest = import_warnings(box_off(0.1) + "3 0 1 2\n", "");
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_TRUE(rest[0].starts_with("a.off:23: 1 lines after the 12 faces")) << rest[0];
 }
