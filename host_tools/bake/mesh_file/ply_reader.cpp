@@ -200,7 +200,7 @@ class PlyReader {
   }
 
   std::int64_t length_of(const PlyProperty& property) {
-    const std::int64_t length = numbers_.next_whole(*property.list_length);
+    const std::int64_t length = numbers_.next_whole(property.list_length.value_or(PlyType::uint8));
     if (length < 0) {
       numbers_.fail(fmt::format(" has a list of {} numbers", length));
     }

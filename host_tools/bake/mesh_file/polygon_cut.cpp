@@ -1,6 +1,7 @@
 #include "host_tools/bake/mesh_file/polygon_cut.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace tactus::host {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 // mean normal (Newell). Differences come first, so that a polygon far from the origin loses
 // nothing.
 Vec3 mean_normal(std::span<const Vec3> vertices, std::span<const std::uint32_t> polygon) {
-  const Vec3 origin = vertices[polygon[0]];
+  const Vec3& origin = vertices[polygon[0]];
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     sum += (vertices[polygon[i]] - origin).cross(vertices[polygon[i + 1]] - origin);
@@ -48,14 +49,11 @@ bool PolygonCut::is_ear(std::size_t k) const {
   if (!(turn(a, b, c) > 0.0)) {
     return false;
   }
-  for (const std::uint32_t p : left_) {
+  return std::ranges::none_of(left_, [&](std::uint32_t p) {
     const bool is_corner =
         points_[p] == points_[a] || points_[p] == points_[b] || points_[p] == points_[c];
-    if (!is_corner && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) {
-      return false;
-    }
-  }
-  return true;
+    return !is_corner && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+  });
 }
 
 std::size_t PolygonCut::next_ear(std::size_t start, bool& found) const {
