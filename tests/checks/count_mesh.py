@@ -14,6 +14,8 @@ class Unread(Exception):
 def off(data):
     lines = [re.sub(r"#.*", "", line).split() for line in data.decode("latin-1").splitlines()]
     lines = [words for words in lines if words]
+    if lines[0][0].isdigit():
+        lines.insert(0, ["OFF"])
     if not re.fullmatch(r"(ST)?C?N?OFF", lines[0][0]):
         raise ValueError(f"header {lines[0][0]}")
     counts = lines[0][1:] or lines[1]

@@ -75,10 +75,11 @@ void compare_with_declared(const std::filesystem::path& path, std::string_view c
   }
   const std::optional<std::size_t> declared = declared_gltf_triangles(content);
   if (declared && *declared != mesh.triangles.size()) {
-    mesh.notes.push_back(fmt::format(
-        "{}: the file declares {} triangles, of which {} could be read; export it without "
-        "compression and extensions",
-        path.string(), *declared, mesh.triangles.size()));
+    mesh.notes.push_back(
+        fmt::format("{}: the file declares {} triangles, of which {} could be read; repair it, or "
+                    "export it without "
+                    "compression and extensions",
+                    path.string(), *declared, mesh.triangles.size()));
   }
 }
 

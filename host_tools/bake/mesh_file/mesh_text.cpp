@@ -20,7 +20,8 @@ std::optional<double> any_number(std::string_view word) {
   }
   if (error == std::errc::result_out_of_range) {
     // Only a negative exponent makes a number too small.
-    const bool is_small = word.find("e-") != word.npos || word.find("E-") != word.npos;
+    const bool is_small =
+        word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
     return is_small ? 0.0 : std::numeric_limits<double>::infinity();
   }
   return value;
@@ -57,7 +58,7 @@ double MeshText::require_number(std::string_view& line, const FilePart& part) co
     fail(word.empty()
              ? fmt::format("{} has too few numbers", part.name())
              : fmt::format("{}: '{}' is not a number{}", part.name(), word,
-                           word.find(',') == word.npos
+                           word.find(',') == std::string_view::npos
                                ? ""
                                : "; numbers need a decimal point and blanks between them"));
   }

@@ -5,8 +5,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <random>
+#include <string>
+#include <string_view>
 
 #include "host_tools/bake/mesh_file/gltf_count.h"
+#include "host_tools/bake/mesh_file/obj_reader.h"
+#include "host_tools/bake/mesh_file/off_reader.h"
+#include "host_tools/bake/mesh_file/ply_reader.h"
+#include "host_tools/bake/mesh_file/stl_reader.h"
 #include "host_tools/bake/scene/mesh_bake.h"
 #include "host_tools/bake/scene/placement.h"
 #include "tests/unit/host_tools/bake/mesh_file/measured.h"
@@ -243,6 +250,52 @@ TEST(MeshImport, NamesWordsWhereNumbersShouldBe) {
 TEST(MeshImport, RefusesWhatIsNoMesh) {
   EXPECT_TRUE(contains(error_for("a.txt", "hello"), "Assimp cannot read this mesh"));
   EXPECT_TRUE(contains(error_for("a.glb", "hello, this is no glTF"), "Assimp cannot read"));
+}
+
+// Whatever the bytes are, a reader returns triangles of vertices that it has, or throws InputError.
+TEST(MeshImport, ReadsOrRefusesDamagedFilesWithoutHarm) {
+  constexpr unsigned kDamageSeed = 20;
+  std::mt19937 random(kDamageSeed);
+  const auto damaged = [&](std::string content) {
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t place = random() % content.size();
+      const std::size_t other = random() % content.size();
+      switch (random() % 4) {
+        case 0:
+          content[place] = static_cast<char>(random());
+          break;
+        case 1:
+          content.insert(place, content.substr(other, 8));
+          break;
+        case 2:
+          content.erase(place, 8);
+          break;
+        default:
+          content[place] = content[other];
+      }
+    }
+    return content;
+  };
+  std::size_t read = 0;
+  for (const testing::BoxFile& file : testing::box_files()) {
+    const auto reader = file.name.ends_with("off")   ? read_off
+                        : file.name.ends_with("obj") ? read_obj
+                        : file.name.ends_with("ply") ? read_ply
+                                                     : read_stl;
+    for (int i = 0; !file.name.ends_with("gltf") && i < 2000; ++i) {
+      try {
+        const ImportedMesh mesh = cut_into_triangles(reader("a", damaged(file.content)), "a");
+        ++read;
+        for (const rendering::TriangleIndices& t : mesh.triangles) {
+          ASSERT_LT(std::ranges::max(t), mesh.vertices.size())
+              << file.name << ", seed " << kDamageSeed;
+        }
+      } catch (const InputError& error) {
+        ASSERT_TRUE(std::string_view(error.what()).starts_with("a:")) << error.what();
+      }
+    }
+  }
+  EXPECT_GT(read, 1000U);
 }
 
 TEST(MeshImport, RefusesAMeshOfPointsAlone) {
