@@ -65,7 +65,7 @@ class ObjReader {
     while (line && continues(*line)) {
       joined_ += line->substr(0, line->rfind('\\'));
       joined_ += ' ';
-      // The very next line, though it may be empty.
+      // The very next line continues this one, though it may be empty.
       line = text_.next_raw_line();
       line = line ? line->substr(0, line->find('#')) : line;
     }

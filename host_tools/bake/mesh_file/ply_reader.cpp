@@ -131,7 +131,7 @@ class PlyReader {
     }
   }
 
-  // Reads indices. In strips -1 ends one, and stays as kStripEnd.
+  // Reads indices. An index of -1 ends a strip, and stays as kStripEnd.
   void read_corners(const PlyProperty& property, bool is_face) {
     const std::int64_t count = length_of(property);
     if (is_face && count < 1) {

@@ -39,7 +39,7 @@ struct PolygonMesh {
   std::vector<std::size_t> ends;
   // A place for every corner, or fewer if some polygons have none.
   std::vector<CornerPlace> places;
-  // As in ImportedMesh.
+  // The same as of ImportedMesh.
   std::uint32_t lines_and_points = 0;
   std::vector<std::string> notes;
 
