@@ -110,11 +110,11 @@ TEST(MeshImport, TellsOfTrianglesThatAGltfFileDeclaresAndThatAreNotRead) {
   EXPECT_TRUE(import_mesh(folder.write("a.gltf", box)).notes.empty());
   EXPECT_EQ(declared_gltf_triangles(box), 12U);
   std::string twice = box;
-  twice.replace(twice.find("\"nodes\":[0]"), 11, "\"nodes\":[0,1]");
-  twice.replace(twice.find("\"nodes\":[{"), 10, "\"nodes\":[{\"mesh\":0},{");
+  twice.replace(twice.find(R"("nodes":[0])"), 11, R"("nodes":[0,1])");
+  twice.replace(twice.find(R"("nodes":[{)"), 10, R"("nodes":[{"mesh":0},{)");
   EXPECT_EQ(declared_gltf_triangles(twice), 24U);
   std::string strip = box;
-  strip.replace(strip.find("\"indices\":1"), 11, "\"indices\":1,\"mode\":5");
+  strip.replace(strip.find(R"("indices":1)"), 11, R"("indices":1,"mode":5)");
   EXPECT_EQ(declared_gltf_triangles(strip), 34U);
   EXPECT_FALSE(declared_gltf_triangles("no JSON"));
 }

@@ -12,7 +12,6 @@ namespace tactus::host {
 namespace {
 
 using testing::area;
-using testing::contains;
 using testing::input_error;
 using testing::volume;
 

@@ -13,7 +13,6 @@
 namespace tactus::host {
 namespace {
 
-using testing::contains;
 using testing::input_error;
 using testing::volume;
 
