@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "host_tools/bake/scene/mesh_import.h"
+#include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/benchmark/debian_bunny.h"
 #include "host_tools/benchmark/external_program.h"

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "host_tools/bake/scene/closed_volume.h"
 #include "host_tools/bake/scene/friction_description.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 
@@ -35,6 +37,8 @@ struct ObjectSummary {
   rendering::Object object;
   rendering::BakeCounters counters;
   double bytes_per_triangle;
+  // Nothing unless the surface is a closed mesh.
+  std::optional<ClosedVolume> volume;
 
   // The corners of the object's box, world frame, m: the root of the hierarchy has them.
   [[nodiscard]] const Float3& lower() const { return object.mesh.nodes.front().lower; }
@@ -54,7 +58,10 @@ ObjectSummary summarise(const SceneImage& image, std::size_t index) {
           .object = image.objects()[index],
           .counters = image.counters(index),
           .bytes_per_triangle =
-              static_cast<double>(bytes) / static_cast<double>(baked.mesh.triangles.size())};
+              static_cast<double>(bytes) / static_cast<double>(baked.mesh.triangles.size()),
+          .volume = image.objects()[index].surface == rendering::SurfaceKind::mesh
+                        ? closed_volume(baked)
+                        : std::nullopt};
 }
 
 nlohmann::ordered_json to_json(const Float3& v) {
@@ -97,7 +104,9 @@ nlohmann::ordered_json to_json(const ObjectSummary& s) {
           {"welded_vertices", s.counters.welded_vertices},
           {"open_edges", s.counters.open_edges},
           {"non_manifold_edges", s.counters.non_manifold_edges},
-          {"inconsistent_edges", s.counters.inconsistent_edges}};
+          {"inconsistent_edges", s.counters.inconsistent_edges},
+          {"volume_m3", s.volume ? nlohmann::ordered_json(s.volume->volume_m3) : nullptr},
+          {"parts_inside_out", s.volume ? nlohmann::ordered_json(s.volume->inside_out) : nullptr}};
 }
 
 void print_json(const InspectOptions& options, const MappedScene& scene) {
@@ -129,6 +138,25 @@ void print_friction(const rendering::Material& material) {
   }
 }
 
+// Prints the volume of a mesh, and the remedy if it is inside out.
+void print_volume(const ObjectSummary& s) {
+  if (s.object.surface != rendering::SurfaceKind::mesh) {
+    return;
+  }
+  const std::optional<ClosedVolume>& volume = s.volume;
+  if (!volume) {
+    fmt::print("  volume     none: the mesh is not closed\n");
+    return;
+  }
+  fmt::print("  volume     {:.4g} m^3 in {} closed part{}\n", volume->volume_m3, volume->parts,
+             volume->parts == 1 ? "" : "s");
+  if (const auto warning = inside_out_warning(
+          volume,
+          "write flip = true at the object, or leave it out if it is there, and bake again")) {
+    fmt::print("  advice     {}\n", *warning);
+  }
+}
+
 void print_object(const ObjectSummary& s) {
   const rendering::Material& material = s.object.material;
   fmt::print("\n{}\n", s.name);
@@ -147,6 +175,7 @@ void print_object(const ObjectSummary& s) {
              s.object.detail.texels.size(), s.object.moves ? ", moves" : "");
   fmt::print("  edges      {} open, {} non-manifold, {} inconsistently wound\n",
              s.counters.open_edges, s.counters.non_manifold_edges, s.counters.inconsistent_edges);
+  print_volume(s);
   fmt::print("  baking     welded {} vertices, dropped {} triangles\n", s.counters.welded_vertices,
              s.counters.degenerate_triangles);
 }

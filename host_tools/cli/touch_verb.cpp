@@ -9,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -84,6 +85,22 @@ class ToolPath {
     }
   }
 
+  // Returns a warning that names the first row where the tool is farther from the world's origin
+  // than hands reach; nothing if there is none.
+  [[nodiscard]] std::optional<std::string> warning(const std::string& file) const {
+    constexpr double kReach_m = 5.0;
+    for (std::size_t row = 0; row < size(); ++row) {
+      const double distance_m = position(row).norm();
+      if (distance_m > kReach_m) {
+        return fmt::format(
+            "{}:{}: the tool is {:.4g} m from the world's origin; if the file has millimetres, "
+            "divide its positions by 1000",
+            file, table_.line(row), distance_m);
+      }
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] std::size_t size() const { return table_.rows(); }
   [[nodiscard]] double time_s(std::size_t row) const { return table_.column("t_s")[row]; }
   // Returns the tool at a row, world frame, m and m/s; at rest in the first row.
@@ -144,6 +161,9 @@ void run(const TouchOptions& options) {
   keep_inputs_safe({options.output}, {options.scene, options.path});
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
+  if (const std::optional<std::string> warning = path.warning(options.path)) {
+    fmt::print(stderr, "tactus touch: warning: {}\n", *warning);
+  }
   const auto world = std::make_unique<rendering::World>();
   if (!world->set_scene(scene.image().objects(), rendering::world_of(scene.image()))) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));

@@ -1,5 +1,5 @@
-// Reads tables of numbers from comma-separated files whose first line names the columns: wish
-// paths, tool paths, runs and measurements. The host tools call it; it is for one thread.
+// Reads tables of numbers from text files whose first line names the columns: wish paths, tool
+// paths, runs and measurements. The host tools call it; it is for one thread.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,14 @@ namespace tactus::host {
 // line in the file, for messages of the caller.
 class CsvTable {
  public:
-  // Reads a file. Every name in `required` must be in the header; names in `optional` may be. Blank
-  // lines and a byte-order mark are skipped. Throws InputError, one line that names the file, the
-  // line and the column, like `path.csv:7: column x_m: 'abc' is not a number`, for: a missing file,
-  // no header, a missing or repeated column, a row with too few or too many fields, a field that is
-  // not a finite number, and a file without rows.
+  // Reads a file. Every name in `required` must be in the header; names in `optional` may be. The
+  // header shows what separates columns: commas, semicolons or tabs. Numbers may have a decimal
+  // comma where commas do not separate, and fields may be in quotes. Blank lines and a byte-order
+  // mark are skipped. Throws InputError, one line that names the file, the line and the column,
+  // like `path.csv:7: column x_m: 'abc' is not a finite number`, for: a missing file, another kind
+  // of file, no header, a missing or repeated column, a row with too few or too many fields, a
+  // field that is not a finite number, decimal points and commas in one file, and a file without
+  // rows.
   static CsvTable read(const std::filesystem::path& file,
                        std::span<const std::string_view> required,
                        std::span<const std::string_view> optional = {});
@@ -37,6 +40,8 @@ class CsvTable {
   [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }
 
  private:
+  class Reader;
+
   std::map<std::string, std::vector<double>, std::less<>> columns_;
   std::vector<std::size_t> lines_;
 };

@@ -8,9 +8,11 @@
 #include <iterator>
 #include <numbers>
 
+#include "host_tools/bake/mesh_file/mesh_import.h"
+#include "host_tools/bake/scene/closed_volume.h"
 #include "host_tools/bake/scene/corner_normals.h"
 #include "host_tools/bake/scene/friction_check.h"
-#include "host_tools/bake/scene/mesh_import.h"
+#include "host_tools/bake/scene/size_check.h"
 #include "host_tools/bake/scene/texture_bake.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
@@ -37,10 +39,17 @@ void tell(const Progress& progress, const std::string& step) {
   }
 }
 
-// A one-sided surface with holes lets the tool get behind it, where it feels nothing.
-std::vector<std::string> warnings_for(const ObjectDescription& object,
-                                      const rendering::BakeCounters& counters) {
-  std::vector<std::string> warnings;
+// Returns warnings of the shape's size and place by the box of its mesh.
+std::vector<std::string> size_warnings_of(const ObjectDescription& object, const BakedMesh& mesh) {
+  return size_warnings(object, mesh.nodes.front().lower, mesh.nodes.front().upper);
+}
+
+// Returns the notes of the import and the findings about the baked mesh. A one-sided surface with
+// holes lets the tool get behind it, where it feels nothing.
+std::vector<std::string> warnings_for(const ObjectDescription& object, const ImportedMesh& imported,
+                                      const BakedMesh& mesh) {
+  const rendering::BakeCounters& counters = mesh.counters;
+  std::vector<std::string> warnings = imported.notes;
   if (object.sides == rendering::Sides::one &&
       (counters.open_edges != 0 || counters.non_manifold_edges != 0 ||
        counters.inconsistent_edges != 0)) {
@@ -54,6 +63,12 @@ std::vector<std::string> warnings_for(const ObjectDescription& object,
     warnings.push_back(fmt::format("{}: {} triangles without area are left out",
                                    object.mesh.string(), counters.degenerate_triangles));
   }
+  const std::string_view remedy =
+      object.flip ? "leave flip = true out" : "write flip = true at the object";
+  if (const auto warning = inside_out_warning(closed_volume(mesh.baked_view()), remedy)) {
+    warnings.push_back(fmt::format("{}: {}", object.mesh.string(), *warning));
+  }
+  std::ranges::move(size_warnings_of(object, mesh), std::back_inserter(warnings));
   return warnings;
 }
 
@@ -127,7 +142,7 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
             .counters = baked.mesh.counters,
             .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
-            .warnings = {}};
+            .warnings = size_warnings_of(object, baked.mesh)};
   return baked;
 }
 
@@ -136,7 +151,10 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
                         ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
   tell(progress, fmt::format("{}: reading {}", object.name, object.mesh.string()));
-  const ImportedMesh imported = import_mesh(object.mesh);
+  ImportedMesh imported = import_mesh(object.mesh);
+  if (object.flip) {
+    turn_inside_out(imported);
+  }
   tell(progress, fmt::format("{}: baking {} triangles", object.name, imported.triangles.size()));
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
@@ -155,7 +173,7 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
             .counters = baked.mesh.counters,
             .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
-            .warnings = warnings_for(object, baked.mesh.counters)};
+            .warnings = warnings_for(object, imported, baked.mesh)};
   return baked;
 }
 

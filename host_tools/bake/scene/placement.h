@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <optional>
 
+#include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/mesh_cleanup.h"
-#include "host_tools/bake/scene/mesh_import.h"
 
 namespace tactus::host {
 

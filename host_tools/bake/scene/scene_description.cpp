@@ -30,6 +30,7 @@ constexpr std::array kOwnKeys{
     KeySpec{"position_m", "m"},
     KeySpec{"rotation", ""},
     KeySpec{"weld_m", "m"},
+    KeySpec{"flip", ""},
     KeySpec{"sides", ""},
     KeySpec{"stiffness_N_per_m", "N_per_m"},
     KeySpec{"damping_Ns_per_m", "Ns_per_m"},
@@ -56,6 +57,17 @@ rendering::Sides read_sides(const TomlSection& section) {
     section.fail("sides", fmt::format(R"(sides is "{}"; write "one" or "two")", sides));
   }
   return sides == "one" ? rendering::Sides::one : rendering::Sides::two;
+}
+
+// Returns true if the faces of the mesh are turned around. Throws InputError for another shape.
+bool read_flip(const TomlSection& section) {
+  const bool flip = section.flag("flip").value_or(false);
+  if (flip && !section.has("mesh")) {
+    section.fail("flip", section.has("formula")
+                             ? "flip is for meshes; negate the formula, as in -(x^2 + y^2 - 1)"
+                             : "flip is for meshes; leave it out");
+  }
+  return flip;
 }
 
 // Reads one [[object]]. A relative path of the mesh begins at `folder`, the scene file's own.
@@ -86,6 +98,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   object.motion =
       read_motion(section, file, object.shape, object.contact, object.placement.position_m);
   object.detail = read_detail(section, file, folder, object.shape, object.contact);
+  object.flip = read_flip(section);
   object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
   return object;
 }

@@ -37,6 +37,8 @@ struct ObjectDescription {
   rendering::Material material;
   // The line of the friction, for errors in it.
   std::size_t friction_line = 0;
+  // The mesh's faces are turned around, since its file has them inside out.
+  bool flip = false;
   // How the mesh is cleaned.
   MeshBakeOptions mesh_options;
   MotionDescription motion;

@@ -58,6 +58,28 @@ TEST_F(TheProgram, PrintsOneJsonObjectALine) {
   EXPECT_EQ(std::ranges::count(inspect.output, '\n'), 1);
 }
 
+TEST_F(TheProgram, InspectShowsTheVolumeAndOffersFlip) {
+  write_box_scene();
+  ASSERT_EQ(run("bake scene.toml").exit_code, 0);
+  EXPECT_TRUE(
+      contains(run("inspect scene.tactus").output, "  volume     6e-06 m^3 in 1 closed part\n"));
+  (void)folder.write("scene.toml", "[[object]]\nmesh = \"box.off\"\nscale = 0.01\nflip = true\n");
+  EXPECT_TRUE(contains(run("bake scene.toml").output, "leave flip = true out"));
+  const Outcome flipped = run("inspect scene.tactus");
+  EXPECT_TRUE(contains(flipped.output, "  volume     -6e-06 m^3 in 1 closed part\n"));
+  EXPECT_TRUE(contains(flipped.output, "write flip = true at the object"));
+  EXPECT_TRUE(contains(run("inspect scene.tactus --json").output, "\"parts_inside_out\":1"));
+}
+
+TEST_F(TheProgram, TouchGuessesThatAPathIsInMillimetres) {
+  write_box_scene();
+  (void)folder.write("path.csv", "t_s;x_m;y_m;z_m\n0,0;1;1;1\n0,001;40;50,5;1\n");
+  ASSERT_EQ(run("bake scene.toml").exit_code, 0);
+  EXPECT_TRUE(contains(run("touch scene.tactus --path path.csv -o out.csv").output,
+                       "tactus touch: warning: path.csv:3: the tool is 64.43 m from the world's "
+                       "origin; if the file has millimetres, divide its positions by 1000"));
+}
+
 TEST_F(TheProgram, ShowsFrictionAndGrain) {
   (void)folder.write("box.off", testing::box_files().front().content);
   (void)folder.write("scene.toml",
