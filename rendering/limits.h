@@ -55,13 +55,11 @@ inline constexpr std::size_t kMaxContactPlanes = 24;
 
 // Straight moves of the proxy in one tick. Beyond: it stops where it is, nearer to the tool than
 // before, and goes on in the next tick; kTouchIterationsExhausted.
-inline constexpr std::size_t kMaxSubGoals = 64;
+inline constexpr std::size_t kMaxSubGoals = 1024;
 
-// Triangles that feature_walk measures in one tick of contact, and on the path to it. Beyond: the
-// point stops where it is, nearer to the tool than before, and goes on in the next tick;
-// kTouchIterationsExhausted. After a tick that made no progress, such as at a vertex of hundreds of
-// triangles, the next one may measure kMaxFeatureVisits. Beyond: the point holds still there.
-inline constexpr std::size_t kUsualFeatureVisits = 96;
+// Triangles that feature_walk measures in one tick of contact, and on the path to it, within the
+// tick's budget. Beyond: the point stops where it is, nearer to the tool than before, and goes on
+// in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxFeatureVisits = 2048;
 
 // Texels along a side of a texture, and the levels that such a side needs. Beyond: the picture is
@@ -69,36 +67,30 @@ inline constexpr std::size_t kMaxFeatureVisits = 2048;
 inline constexpr std::uint32_t kMaxTextureSide = 8192;
 inline constexpr std::size_t kMaxTextureLevels = 14;
 
-// The tick budget of the shared proxy, in cost units (contact/tick_budget.h lists the costs).
-// Beyond: the proxy stops where it is and goes on in the next tick; kTouchIterationsExhausted.
+// The instructions that a tick may take, per second of its period, unless World::set_tick_budget
+// says otherwise: 2 million at 1 kHz, which a desktop core carries out in half of the period. All
+// tools share them. Beyond: a proxy stops where it is and goes on in the next tick;
+// kTouchIterationsExhausted. Ordinary touching takes a small part of them.
 //
 // Measurements are kept. A tick that finds the proxy where the last one began may exceed the budget
-// up to its first move, so that no place can hold the proxy for ever, also with hundreds of
-// triangles in reach. Before that move it measures no triangle twice, and sweeps past them at most
-// kMaxContactPlanes + 1 times.
-//
-// A tick may spend kUsualTickBudget, and up to kMaxTickBudget from what earlier ticks saved: one
-// unit in kTicksPerSavedUnit ticks, and kMaxSavedBudget at the start. The saving pays for a first
-// contact or a jump of the tool. A tick that shading or a texture repeats may spend kMaxTickBudget
-// whatever was saved. kUsualTickBudget keeps 999 of 1,000 ticks on the dragon within 10 us.
-inline constexpr std::size_t kUsualTickBudget = 368;
-inline constexpr std::size_t kMaxTickBudget = 1152;
-inline constexpr std::size_t kMaxSavedBudget = 2048;
-inline constexpr std::size_t kTicksPerSavedUnit = 10;
+// up to its first move, so that no place can hold the proxy for ever.
+inline constexpr double kTickInstructions_per_s = 2e9;
+// The least budget that follows from a period: that of a loop of 8 kHz.
+inline constexpr double kLeastTickInstructions = 250e3;
 
-// The budget, in the same units, for carrying the proxy along with moving objects, where hundreds
-// of triangles may come over it at 5 m/s. Beyond: they pass over it; kTouchPinched. The same budget
-// bounds a straight sweep among more than kMaxCandidates. Beyond: the proxy moves no farther than
-// the sweep has seen.
+// The budget, in cost units (contact/tick_budget.h), for carrying the proxy along with moving
+// objects, where hundreds of triangles may come over it at 5 m/s. Beyond: they pass over it;
+// kTouchPinched. The same budget bounds a straight sweep among more than kMaxCandidates. Beyond:
+// the proxy moves no farther than the sweep has seen.
 inline constexpr std::size_t kMaxCarryBudget = 12'288;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
 // Beyond: baking and the image check refuse.
 inline constexpr std::size_t kMaxFormulaInstructions = 256;
 
-// Formula instructions evaluated for one implicit surface in one tick: about 0.2 ms of a desktop
-// core. Beyond: the proxy stops where its path is known to be free, nearer to the tool than before,
-// and goes on in the next tick; kTouchIterationsExhausted.
+// Formula instructions evaluated for one implicit surface in one tick, within the tick's budget:
+// about 0.2 ms of a desktop core. Beyond: the proxy stops where its path is known to be free,
+// nearer to the tool than before, and goes on in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxFormulaBudget = 32768;
 
 // The world lies within this distance of its origin, metres. A tool beyond it is an error of the

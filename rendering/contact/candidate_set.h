@@ -78,7 +78,6 @@ class CandidateSet {
     trust_ = {};
     plan_ = {};
     progress_.smaller = 0;
-    budget_ = {};
     left_out_ = {};
   }
 
@@ -91,7 +90,6 @@ class CandidateSet {
   // The outcome of a gathering.
   enum class Gathering : std::uint8_t {
     complete,  // the candidates are valid about p
-    smaller,   // the same, but more triangles than kMaxCandidates made the capsule smaller
     begun,     // the tick's budget is spent: the next `ensure` for the same p goes on
     too_many,  // more than kMaxCandidates even in the smallest capsule
   };
@@ -171,9 +169,9 @@ class CandidateSet {
   // Returns true if the set was gathered since the last `start_tick_budget`.
   [[nodiscard]] bool is_fresh() const { return counts_.gatherings >= counts_.first_of_tick; }
 
-  // Starts the budget of a new tick.
-  void start_tick_budget() {
-    budget_.begin_tick();
+  // Starts the budget of a new tick, in cost units.
+  void start_tick_budget(std::size_t limit) {
+    budget_.begin_tick(limit);
     place_.waited = place_.first_of_tick == place_.number;
     place_.first_of_tick = place_.number;
     counts_.first_of_tick = counts_.gatherings + 1;

@@ -29,9 +29,9 @@ namespace {
 // The proxy counts as outside the capsule when it is nearer to the border than this, so that no
 // move is cut to less than a micrometre.
 constexpr double kBorder_m = 1e-6;
-// A tick that has spent more than this, in cost units, gathers nothing for the next one: the other
-// half of the usual budget is left for the gathering.
-constexpr std::size_t kLookAheadBudget = kUsualTickBudget / 2;
+// A tick that has spent more than this, in cost units, gathers nothing for the next one: the cost
+// of gathering is spread over the ticks.
+constexpr std::size_t kLookAheadBudget = 184;
 
 }  // namespace
 
@@ -239,9 +239,10 @@ CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
   if (!is_begun() || p != trust_.start) {
     margins_ = margins;
     progress_.smaller = 0;
+    const bool again = is_fresh();
     ++counts_.gatherings;
     budget_.spend(kCostOfGathering);
-    begin_gathering(scene, plan_.next(trust_.start, p));
+    begin_gathering(scene, plan_.next(trust_.start, p, again));
   }
   for (;;) {
     go_on_gathering(scene);
@@ -261,7 +262,7 @@ CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
     return Gathering::begun;
   }
   end_gathering(scene);
-  return progress_.smaller == 0 ? Gathering::complete : Gathering::smaller;
+  return Gathering::complete;
 }
 
 }  // namespace tactus::rendering

@@ -20,6 +20,8 @@ constexpr double kFewTests = 24.0;
 constexpr double kLeastRadius_m = 10e-6;
 constexpr double kLeastSlimness = 4.0;
 constexpr double kMostSlimness = 32.0;
+// A capsule that is gathered in the same tick as the one before is longer by this.
+constexpr double kLonger = 2.0;
 // The proxy left through the end if it came farther than this share of the length.
 constexpr double kStraight = 0.8;
 // The factors of the slimness after a straight and after a curved path.
@@ -28,12 +30,16 @@ constexpr double kStouter = 0.7;
 
 }  // namespace
 
-Capsule CapsulePlan::next(const Vec3& last_start, const Vec3& p) {
+Capsule CapsulePlan::next(const Vec3& last_start, const Vec3& p, bool again) {
   const Vec3 came = p - last_start;
   const double distance = came.norm();
   const bool straight = distance > kStraight * length_m_;
   slimness_ =
       std::clamp(slimness_ * (straight ? kSlimmer : kStouter), kLeastSlimness, kMostSlimness);
+  if (again) {
+    slimness_ = kLeastSlimness;
+    length_m_ = std::min(kLonger * length_m_, kLongLength_m);
+  }
   length_m_ = std::clamp(length_m_, kLeastLength_m, kMostLength_m);
   const double radius = std::max(kLeastRadius_m, length_m_ / slimness_);
   // The direction of the last motion is known unless the proxy hardly moved or jumped.

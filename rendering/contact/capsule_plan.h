@@ -20,7 +20,9 @@ class CapsulePlan {
   // which the proxy moved since the last gathering, which started at `last_start` (world frame, m).
   // After the proxy left through the side the next capsule is less slim; after it left through the
   // end, slimmer.
-  Capsule next(const Vec3& last_start, const Vec3& p);
+  // `again` says that it is not the first gathering of the tick: the proxy has far to go, so the
+  // capsule is the stoutest, and longer.
+  Capsule next(const Vec3& last_start, const Vec3& p, bool again = false);
 
   // Learns the length of the next capsule from a gathering that tested so many triangles. `lasted`
   // says that it is the first since the tick began, so that the capsule before lasted a tick.

@@ -58,7 +58,7 @@ class ConstraintMemory {
   // The place that the proxy left last; world frame, m.
   Vec3 left_from_ = Vec3::Zero();
   // The candidates that give planes from any distance; beyond their number none is added.
-  std::array<std::uint16_t, 6> recalled_{};
+  std::array<std::uint16_t, 12> recalled_{};
   std::size_t recalled_count_ = 0;
   // The candidates that stopped a sweep; beyond their number none is added.
   std::array<std::uint16_t, kMaxContactPlanes> blocking_{};

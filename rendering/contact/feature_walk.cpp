@@ -167,18 +167,12 @@ void FeatureWalker::place(const Vec3& p_W) {
 }
 
 FeatureRest FeatureWalker::advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
-                                   const Vec3& h_W) {
+                                   const Vec3& h_W, std::size_t most_visits) {
   if (!in_reach(h_W)) {
     return {.proxy_W = p_, .flags = kTouchToolInvalid};
   }
-  const Vec3 before = p_;
-  const FeatureRest rest = go(mesh, sides, material, h_W);
-  has_waited_ = (rest.flags & kTouchIterationsExhausted) != 0 && p_ == before;
-  return rest;
-}
-
-std::size_t FeatureWalker::most_visits() const {
-  return has_waited_ ? kMaxFeatureVisits : kUsualFeatureVisits;
+  most_visits_ = most_visits;
+  return go(mesh, sides, material, h_W);
 }
 
 // A point that leaves one surface may meet the next in the same tick. The walk itself decides when
@@ -231,9 +225,10 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
                        .margin = margin,
                        .sweep = sweep,
                        .free = length,
-                       .room = most_visits()};
+                       .room = most_visits_};
   const double visited =
       visit_along(mesh.mesh.nodes, sweep.from, sweep.direction, margin.reach_m, visitor);
+  rest.approached = static_cast<std::uint16_t>(rest.approached + most_visits_ - visitor.room);
   if (visited < visitor.free) {
     rest.flags |= kTouchIterationsExhausted;
     p_ += visited * sweep.direction;
@@ -258,7 +253,7 @@ bool FeatureWalker::approach(const ConnectedMesh& mesh, Sides sides, const Vec3&
 // Walks with the visits that this tick has left; one triangle is always measured.
 FeatureWalk FeatureWalker::walk(const ConnectedMesh& mesh, std::uint32_t triangle, const Vec3& q,
                                 FeatureRest& rest) const {
-  const std::size_t left = most_visits() - std::min<std::size_t>(rest.visited, most_visits());
+  const std::size_t left = most_visits_ - std::min<std::size_t>(rest.visited, most_visits_);
   const FeatureWalk result = walk_features(mesh, triangle, q, left);
   rest.visited = static_cast<std::uint16_t>(rest.visited + result.visited);
   if (!result.complete) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "rendering/friction/surface_friction.h"
+#include "rendering/limits.h"
 #include "rendering/material/material.h"
 #include "rendering/state_archive.h"
 #include "rendering/surface/connected_mesh.h"
@@ -51,7 +52,9 @@ struct FeatureRest {
   double depth_m = 0.0;  // (proxy - tool) . normal; 0 without contact
   ContactKind contact = ContactKind::none;
   FrictionState friction = FrictionState::free;
-  std::uint16_t visited = 0;  // triangles measured in contact
+  // The number of triangles measured in contact, and on the path to it.
+  std::uint16_t visited = 0;
+  std::uint16_t approached = 0;
   // TouchFlags: iterations exhausted, tool invalid.
   std::uint32_t flags = kTouchClean;
 };
@@ -70,11 +73,10 @@ class FeatureWalker {
   }
 
   // Moves the point as near to the tool as the surface and friction let it. A tool that is not
-  // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most
-  // kUsualFeatureVisits triangles measured in contact, and as many on the path to it;
-  // kMaxFeatureVisits where the last call had too much to do to come anywhere.
+  // finite or beyond kWorldBound_m leaves it where it is. Real time: no heap; at most `most_visits`
+  // triangles measured in contact, and as many on the path to it.
   FeatureRest advance(const ConnectedMesh& mesh, Sides sides, const Material& material,
-                      const Vec3& h_W);
+                      const Vec3& h_W, std::size_t most_visits = kMaxFeatureVisits);
 
   // Returns the point's position after the last tick, m.
   [[nodiscard]] const Vec3& position_W() const { return p_; }
@@ -99,8 +101,6 @@ class FeatureWalker {
   // Returns the place to which friction lets the point move from its old one.
   MeshNearest stay_in_friction_circle(const ConnectedMesh& mesh, const FrictionParameters& friction,
                                       double depth, const FeatureWalk& lowest, FeatureRest& rest);
-  // Returns the triangles that this tick may measure.
-  [[nodiscard]] std::size_t most_visits() const;
   // Takes the new place and writes it, with its normal and depth, to `rest`.
   void settle(const ConnectedMesh& mesh, const Material& material, const Vec3& h,
               const FeatureWalk& lowest, FeatureRest& rest);
@@ -113,8 +113,8 @@ class FeatureWalker {
   FrictionState friction_ = FrictionState::free;
   SurfaceFriction model_;
   bool in_contact_ = false;
-  // True if the last call ended where it began, short of where it would go.
-  bool has_waited_ = false;
+  // The triangles that this tick may measure.
+  std::size_t most_visits_ = kMaxFeatureVisits;
 };
 
 }  // namespace tactus::rendering

@@ -31,6 +31,8 @@ class ImplicitField {
   // arithmetic.
   SegmentRange along(const Vec3& from_O, const Vec3& segment_O, const Interval& t);
 
+  // Returns the number of instructions that are left of the budget.
+  [[nodiscard]] std::size_t left() const { return budget_; }
   // Returns true if the budget allows one more evaluation.
   [[nodiscard]] bool can_evaluate() const { return budget_ >= size(); }
 

@@ -54,12 +54,13 @@ constexpr std::size_t kMostAttempts = 8;
 class Tick {
  public:
   Tick(ImplicitProxyState& state, const ImplicitSurface& surface, const Material& material,
-       Vec3 h_O)
+       Vec3 h_O, std::size_t budget)
       : state_(state),
         surface_(surface),
         material_(material),
         h_(std::move(h_O)),
-        field_(surface, 1.0, kMaxFormulaBudget) {}
+        budget_(budget),
+        field_(surface, 1.0, budget) {}
 
   // Repeats sub-goals until the tick is over. After a stall the proxy stays where it was nearest to
   // the tool, and not where the last swing left it.
@@ -70,6 +71,7 @@ class Tick {
     if (stalled_ > 0 && rest_.planes > 0 && std::isfinite(nearest_m_)) {
       state_.p_O = best_;
     }
+    rest_.evaluated = budget_ - field_.left();
     return rest_;
   }
 
@@ -364,6 +366,8 @@ class Tick {
   const ImplicitSurface& surface_;
   const Material& material_;
   const Vec3 h_;
+  // The formula instructions that this tick may evaluate.
+  const std::size_t budget_;
   ImplicitField field_;
   ImplicitRest rest_;
   // F at the proxy, valid if is_sampled_.
@@ -395,7 +399,7 @@ void ImplicitTracker::place(const Vec3& p_W) {
 }
 
 ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Material& material,
-                                      const Vec3& h_W) {
+                                      const Vec3& h_W, std::size_t budget) {
   ImplicitRest rest;
   if (!(h_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m)) {
     rest.proxy_W = p_W_;
@@ -406,7 +410,7 @@ ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Mate
     state_.p_O = surface.to_object(p_W_);
     placed_ = true;
   }
-  rest = Tick(state_, surface, material, surface.to_object(h_W)).run();
+  rest = Tick(state_, surface, material, surface.to_object(h_W), budget).run();
   p_W_ = surface.to_world(state_.p_O);
   rest.proxy_W = p_W_;
   rest.friction = state_.friction;

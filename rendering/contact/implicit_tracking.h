@@ -8,6 +8,7 @@
 
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/limits.h"
 #include "rendering/material/material.h"
 #include "rendering/state_archive.h"
 #include "rendering/surface/implicit_surface.h"
@@ -25,6 +26,8 @@ struct ImplicitRest {
   // crease, 3 in a corner.
   std::uint8_t planes = 0;
   std::uint16_t sub_goals = 0;
+  // The number of formula instructions evaluated.
+  std::size_t evaluated = 0;
   // TouchFlags: iterations exhausted, tool invalid.
   std::uint32_t flags = kTouchClean;
 };
@@ -56,8 +59,9 @@ class ImplicitTracker {
   // along segments that interval arithmetic proves free, however far the tool jumps and however
   // thin the surface is. Each move brings it nearer to the tool, so it cannot oscillate. A tool
   // that is not finite or beyond kWorldBound_m leaves the proxy where it is. Real time: no heap,
-  // time bounded by kMaxFormulaBudget.
-  ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W);
+  // at most `budget` formula instructions evaluated.
+  ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W,
+                       std::size_t budget = kMaxFormulaBudget);
 
   // Returns the proxy's position after the last tick; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }

@@ -19,6 +19,10 @@ struct ProxyState {
   // The contact with the largest pressure. Its object carries the proxy when it moves, and gives
   // the force in a tick that ends early.
   LastContact last_contact;
+  // True if the last tick ended where the tool and friction want the proxy; and the goal for which
+  // it came there, world frame, m.
+  bool is_settled = false;
+  Vec3 settled_for_W = Vec3::Zero();
 };
 
 }  // namespace tactus::rendering

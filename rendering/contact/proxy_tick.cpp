@@ -23,19 +23,21 @@
 // The tool's projection on planes through the proxy is nearer to the tool than the proxy, and so is
 // every point on the segment to it. Each move shortens the distance to the tool, so the proxy
 // cannot cycle, and it ends at a local minimum of that distance. Two moves are exceptions: one that
-// lifts the sphere to the rest height of a plane, by less than the contact margin (would_cycle ends
-// the cycles of these), and one that is lengthened (CurvedPath bounds them). A sweep has proved
+// lifts the sphere to the rest height of a plane, by less than the contact margin, and one that is
+// lengthened (CurvedPath bounds them). The former can make cycles: would_cycle ends those of two
+// places, and Descent proves that no other one lasts (descent.h). A sweep has proved
 // every position on the path clear, so the proxy crosses nothing, also when a limit ends the tick.
 //
-// A tick ends when there is no move to make, because the goal is settled or the planes leave no
-// free direction, after kMaxSubGoals, or when the budget is spent. After the last two the next tick
-// goes on from where the proxy is.
+// A tick ends when there is no move to make, because the goal is settled, the planes leave no free
+// direction or the descent is over, after kMaxSubGoals, or when the budget is spent. After the last
+// two the next tick goes on from where the proxy is.
 #include "rendering/contact/proxy_tick.h"
 
 #include "rendering/contact/active_constraints.h"
 #include "rendering/contact/candidate_sweep.h"
 #include "rendering/contact/constraint_memory.h"
 #include "rendering/contact/curved_path.h"
+#include "rendering/contact/descent.h"
 #include "rendering/contact/friction_hold.h"
 #include "rendering/contact/plane_collection.h"
 
@@ -52,9 +54,16 @@ void add_point(ProxyPath* path, std::size_t number, const Vec3& p) {
   }
 }
 
+// A goal that has moved by less than this since the proxy settled is at rest, m. A proxy that would
+// then settle no nearer to it by kRestGain_m stays where it is: the difference is rounding.
+constexpr double kGoalAtRest_m = 1e-9;
+constexpr double kRestGain_m = 1e-11;
+
 // The end of the next straight move.
 struct SubGoal {
   Vec3 point = Vec3::Zero();
+  // The tool, or where friction makes it seem to be; world frame, m.
+  Vec3 tool = Vec3::Zero();
   bool settled = false;     // there is no move: the proxy is where it belongs
   bool lengthened = false;  // by CurvedPath
 };
@@ -82,7 +91,11 @@ class ProxyTick {
         path_(move.path),
         state_(state),
         planes_(planes),
-        rest_(rest) {}
+        rest_(rest),
+        start_W_(state.p_W),
+        has_rest_(state.is_settled && (move.h_W - state.settled_for_W).norm() <= kGoalAtRest_m) {
+    state.is_settled = false;
+  }
 
   void run();
 
@@ -94,6 +107,9 @@ class ProxyTick {
   Next collect_planes(double max_push_m);
   Move find_move(double max_push_m);
   SubGoal choose_goal();
+  bool ends(const SubGoal& goal);
+  void settle();
+  void return_to(const Vec3& p_W);
   bool may_move(const Move& move);
   void make_move(const Move& move);
   bool stays_on_face(const Move& move);
@@ -112,6 +128,13 @@ class ProxyTick {
   // The constraints met in this tick; forgotten when the candidates get new numbers.
   ConstraintMemory constraints_;
   CurvedPath curve_;
+  Descent descent_;
+  // True once the proxy has returned to a place where only its contact is still to be found.
+  bool is_over_ = false;
+  // The proxy at the start of the tick (world frame, m), and whether it had settled there for the
+  // goal of this tick.
+  const Vec3 start_W_;
+  bool has_rest_ = false;
   // True once the proxy slipped in this tick: it then slips in the rest of it.
   bool slipped_ = false;
 };
@@ -121,7 +144,9 @@ void ProxyTick::run() {
   // afterwards the proxy's own moves keep it clear.
   double max_push_m = kMaxPushOut_m;
   for (;;) {
-    add_point(path_, rest_.sub_goals, state_.p_W);
+    if (!is_over_) {
+      add_point(path_, rest_.sub_goals, state_.p_W);
+    }
     Next next = gather();
     if (next == Next::go_on) {
       next = collect_planes(max_push_m);
@@ -133,12 +158,19 @@ void ProxyTick::run() {
       return;
     }
     const Move move = find_move(max_push_m);
+    if (ends(move.goal)) {
+      return;
+    }
+    if (is_over_) {
+      continue;
+    }
     if (!may_move(move)) {
       return;
     }
     make_move(move);
     if (stays_on_face(move)) {
       add_point(path_, rest_.sub_goals, state_.p_W);
+      settle();
       return;
     }
     max_push_m = 0.0;
@@ -163,9 +195,6 @@ Next ProxyTick::gather() {
     return Next::end;
   }
   rest_.flags |= kTouchCandidatesOverflow;
-  if (gathering == Gathering::smaller) {
-    return Next::go_on;
-  }
   // Too many triangles come near even in the smallest capsule. Those of an object that the proxy
   // overlaps do not count: it is left out, and the sub-goal begins again.
   if (near_.candidates.left_out().add_overlapped(near_.scene, near_.margins, state_.p_W,
@@ -221,7 +250,8 @@ Move ProxyTick::find_move(double max_push_m) {
     move.goal = choose_goal();
     const SubGoal& goal = move.goal;
     if (!has_recalled && !goal.settled && !goal.lengthened &&
-        constraints_.would_cycle(p, goal.point, h_W_) && constraints_.recall(planes_)) {
+        (constraints_.would_cycle(p, goal.point, h_W_) || descent_.is_stalling()) &&
+        constraints_.recall(planes_)) {
       has_recalled = true;
       collector.add_recalled(constraints_, planes_, rest_.flags);
       continue;
@@ -253,28 +283,67 @@ SubGoal ProxyTick::choose_goal() {
     if (arrived) {
       state_.friction = FrictionState::free;
     }
-    return {.point = h_W_, .settled = arrived};
+    return {.point = h_W_, .tool = h_W_, .settled = arrived};
   }
   const HeldGoal held =
       hold_by_friction(near_.scene, active, rest_, h_W_, planes_, state_, slipped_);
   if (held.sticks) {
-    return {.point = held.point, .settled = held.settled};
+    return {.point = held.point, .tool = held.tool, .settled = held.settled};
   }
   const Vec3 move = held.point - p;
   if (move.norm() <= kSettled_m) {
-    return {.point = p, .settled = true};
+    return {.point = p, .tool = held.tool, .settled = true};
   }
   const Candidate& first = near_.candidates.candidate(rest_.planes[0].candidate);
   const Vec3 lengthened = curve_.lengthen(move, p, held.tool, rest_, planes_, first.triangle);
-  return {.point = p + lengthened, .lengthened = lengthened != move};
+  return {.point = p + lengthened, .tool = held.tool, .lengthened = lengthened != move};
+}
+
+// Returns true if the tick ends where the proxy is. A proxy whose moves bring it no nearer to the
+// goal returns to the nearest place, whose contact is then still to be found. Under a goal at rest,
+// so does one that would settle no nearer than where it had settled before. The moves compare
+// places at their rest height: below it, where a sweep may end, every place is nearer.
+bool ProxyTick::ends(const SubGoal& goal) {
+  if (is_over_) {
+    settle();
+    return true;
+  }
+  const Vec3& p = state_.p_W;
+  if (!goal.settled) {
+    const Vec3 at_rest_W = planes_.empty() ? p : planes_.resting_position(p);
+    if (!descent_.note((goal.tool - at_rest_W).norm(), p)) {
+      return_to(descent_.best_W());
+    }
+    return false;
+  }
+  if (has_rest_ && p != start_W_ &&
+      (goal.tool - p).norm() >= (goal.tool - start_W_).norm() - kRestGain_m) {
+    return_to(start_W_);
+    return false;
+  }
+  settle();
+  return true;
+}
+
+// Remembers that the proxy is where the goal wants it. A goal at rest stays the one for which the
+// proxy came there.
+void ProxyTick::settle() {
+  state_.is_settled = true;
+  if (!has_rest_ || state_.p_W != start_W_) {
+    state_.settled_for_W = h_W_;
+  }
+}
+
+// Returns to a place of this tick. The path there is free: it is the path that led away.
+void ProxyTick::return_to(const Vec3& p_W) {
+  state_.p_W = p_W;
+  near_.candidates.move_to(p_W);
+  is_over_ = true;
 }
 
 // Returns true if the tick goes on with this move. A tick whose budget is spent still makes its
 // first move if the proxy has waited, so that no place can hold it for ever.
 bool ProxyTick::may_move(const Move& move) {
-  if (move.goal.settled) {
-    return false;
-  }
   const bool is_free = move.sweep.travel_m > 0.0;
   const bool must_move = rest_.sub_goals == 0 && is_free && near_.candidates.has_waited();
   if (rest_.sub_goals == kMaxSubGoals || (near_.candidates.budget().is_exhausted() && !must_move)) {

@@ -40,7 +40,6 @@ void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
 
 ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   start_ = state_;
-  candidate_set_.start_tick_budget();
   update_left_out(scene);
   return approach(scene, h_W, path);
 }
@@ -50,7 +49,6 @@ ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, Proxy
 ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   state_ = start_;
   candidate_set_.move_to(state_.p_W);
-  candidate_set_.budget().allow_repeat();
   return approach(scene, h_W, path);
 }
 

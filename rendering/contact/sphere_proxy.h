@@ -31,8 +31,11 @@ class SphereProxy {
   // searches no triangle.
   void place(const Vec3& p_W);
 
-  // Moves the proxy with the objects that moved since the last tick. Call it first in every tick,
-  // when the objects are at their new places. Returns TouchFlags. Bounded time, no heap.
+  // Begins a tick that may spend `limit` cost units (tick_budget.h). Call it first in every tick.
+  void start_tick_budget(std::size_t limit) { candidate_set_.start_tick_budget(limit); }
+
+  // Moves the proxy with the objects that moved since the last tick. Call it in every tick, when
+  // the objects are at their new places. Returns TouchFlags. Bounded time, no heap.
   std::uint32_t begin_tick(const SceneObjects& scene);
 
   // Sets the tool's step since the last tick (world frame, m) and its duration (s), which drive the
@@ -52,6 +55,9 @@ class SphereProxy {
     candidate_set_.look_ahead(scene, margins_, state_.p_W,
                               state_.p_W + kFarther * (state_.p_W - start_.p_W));
   }
+
+  // Returns the cost units that this tick has spent.
+  [[nodiscard]] std::size_t spent() const { return candidate_set_.budget().spent(); }
 
   // Returns true if the tick's budget allows one more advance_again.
   [[nodiscard]] bool can_advance_again() const { return candidate_set_.budget().can_repeat(); }

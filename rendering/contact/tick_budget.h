@@ -1,14 +1,12 @@
-// The tick budget: bounds the computation of the shared proxy in one tick, in cost units. Time
-// itself is no bound: it differs from run to run, and a recorded tick must give the same bits
-// again. CandidateSet owns the budget; gathering, measuring and sweeping spend it.
+// The tick budget: bounds the computation of a tick, in cost units. Time itself is no bound: it
+// differs from run to run, and a recorded tick must give the same bits again. The budget follows
+// from the tick's period (World::set_tick). It is a last resort: ordinary touching spends a small
+// part of it.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-
-#include "rendering/limits.h"
-#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 
@@ -33,36 +31,36 @@ inline constexpr std::size_t kCostOfSeparation = 2;
 inline constexpr std::size_t kCostOfStop = 8;
 inline constexpr std::size_t kTangentsPerUnit = 16;
 
+// A triangle that feature_walk measures, and a potential field. `kFormulaStepsPerUnit` instructions
+// of an implicit surface's formula cost one unit.
+inline constexpr std::size_t kCostOfFeatureVisit = 3;
+inline constexpr std::size_t kCostOfField = 64;
+inline constexpr std::size_t kFormulaStepsPerUnit = 2;
+
 // The remaining cost of a sub-goal, and of a gathering.
 inline constexpr std::size_t kCostOfSubGoal = 8;
 inline constexpr std::size_t kCostOfGathering = 25;
 
-// The budget of one tick. Most ticks may spend kUsualTickBudget. Unspent ticks save units, and a
-// tick with more to do, such as the first of a contact, may spend what was saved, up to
-// kMaxTickBudget in all. A tick that is repeated for shading or textures may spend kMaxTickBudget
-// whatever was saved.
-//
-//   saved <- min(max(saved - beyond * kTicksPerSavedUnit, 0) + 1, kMaxSaved)
-//   limit <- min(kUsualTickBudget + saved / kTicksPerSavedUnit, kMaxTickBudget)
-//
-// `saved` is in tenths of a unit, one per tick; `beyond` is what the last tick spent over
-// kUsualTickBudget. So a tick that spends 100 units more is paid for by 1,000 later ones, and the
-// time of all but few ticks is that of kUsualTickBudget.
+// The instructions of a unit, by callgrind: those of 3,000 ticks on the dragon over the units that
+// they spent.
+inline constexpr double kInstructionsPerUnit = 110.0;
+
+// Returns the cost units that so many instructions pay for.
+constexpr std::size_t units_of(double instructions) {
+  return static_cast<std::size_t>(instructions / kInstructionsPerUnit);
+}
+
+// The budget of one tool in one tick. World shares a tick's budget out among the tools.
 class TickBudget {
  public:
-  // Begins a tick: pays for the last one from what was saved, and sets the limit of this one.
-  void begin_tick() {
-    const std::size_t beyond = spent_ - std::min(spent_, kUsualTickBudget);
-    saved_ -= std::min(saved_, beyond * kTicksPerSavedUnit);
-    saved_ = std::min(saved_ + 1, kMaxSaved);
-    limit_ = std::min(kUsualTickBudget + saved_ / kTicksPerSavedUnit, kMaxTickBudget);
+  // Begins a tick that may spend `limit` units.
+  void begin_tick(std::size_t limit) {
+    limit_ = limit;
     spent_ = 0;
   }
 
-  // Returns true if the cost so far can be spent once more within kMaxTickBudget.
-  [[nodiscard]] bool can_repeat() const { return 2 * spent_ <= kMaxTickBudget; }
-  // Raises the tick's limit to kMaxTickBudget, for a repetition of the tick.
-  void allow_repeat() { limit_ = kMaxTickBudget; }
+  // Returns true if the cost so far can be spent once more within the limit.
+  [[nodiscard]] bool can_repeat() const { return 2 * spent_ <= limit_; }
 
   // Adds a cost. Spending never fails: the code that spends asks is_exhausted() where it can stop.
   void spend(std::size_t cost) { spent_ += cost; }
@@ -72,17 +70,10 @@ class TickBudget {
   // Returns true if the tick has spent more than its limit.
   [[nodiscard]] bool is_exhausted() const { return spent_ > limit_; }
 
-  // Saves the budget to the archive, or restores it.
-  void transfer(StateArchive& archive);
-
  private:
-  static constexpr std::size_t kMaxSaved = kMaxSavedBudget * kTicksPerSavedUnit;
-
-  // The units spent in this tick, and the most that it may spend. A new budget has all savings.
+  // The units spent in this tick, and the most that it may spend.
   std::size_t spent_ = 0;
-  std::size_t limit_ = kMaxTickBudget;
-  // The savings in units times kTicksPerSavedUnit.
-  std::size_t saved_ = kMaxSaved;
+  std::size_t limit_ = 0;
 };
 
 }  // namespace tactus::rendering

@@ -25,8 +25,8 @@ void ForceShading::transfer(StateArchive& archive) {
 }
 
 void FeatureWalker::transfer(StateArchive& archive) {
-  auto& [p, feature, side, friction, model, in_contact, has_waited] = *this;
-  archive(p, feature, side, model, in_contact, has_waited);
+  [[maybe_unused]] auto& [p, feature, side, friction, model, in_contact, most_visits] = *this;
+  archive(p, feature, side, model, in_contact);
   archive.choice(friction, FrictionState::slip);
 }
 
@@ -38,8 +38,8 @@ void ImplicitTracker::transfer(StateArchive& archive) {
 }
 
 void IndependentContacts::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, awake, trackers, walkers,
-                          details, left_out] = *this;
+  [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, budget, share, awake, trackers,
+                          walkers, details, left_out] = *this;
   archive(tool_radius_m, last_tool_W);
   for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
     auto& [shading, point_O, touched, friction_factor] = details[k];

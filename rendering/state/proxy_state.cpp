@@ -38,13 +38,6 @@ void ContactPlanes::transfer(StateArchive& archive, const SceneObjects& scene, b
   }
 }
 
-// The limit follows from the savings at the start of the next tick.
-void TickBudget::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [done, most, saved] = *this;
-  archive(done);
-  archive.up_to(saved, kMaxSaved);
-}
-
 void CapsulePlan::transfer(StateArchive& archive) {
   auto& [length_m, slimness] = *this;
   archive(length_m, slimness);
@@ -80,7 +73,6 @@ void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
   if (archive.is_reading()) {
     bounds.fill_last_four(size);
   }
-  archive(budget);  // which measuring again has added to
 }
 
 // Saves the gathering that has begun: the meshes that are left, and the nodes that the walk of the
@@ -160,8 +152,8 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
 void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [margins, state, start, carried_W, factors, just_placed, candidate_set,
                           planes] = *this;
-  auto& [p_W, friction, model, last_contact] = state;
-  archive(p_W, model, carried_W, factors, just_placed);
+  auto& [p_W, friction, model, last_contact, is_settled, settled_for_W] = state;
+  archive(p_W, model, is_settled, settled_for_W, carried_W, factors, just_placed);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = last_contact;
   archive(object, triangle, normal_W);

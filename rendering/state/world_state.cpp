@@ -91,7 +91,7 @@ void Movers::transfer_one(StateArchive& archive, std::size_t k) {
 }
 
 void ToolTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [radius_m, proxy, independent, last_proxy_W, placed] = *this;
+  [[maybe_unused]] auto& [radius_m, proxy, independent, last_proxy_W, spent, placed] = *this;
   proxy.transfer(archive, scene);
   independent.transfer(archive, scene);
   archive(last_proxy_W, placed);
@@ -106,8 +106,8 @@ void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
 
 // Tools and effects must be as many as in the saved world; the rest follows in the order of a tick.
 void World::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count] =
-      *this;
+  [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count,
+                          budget] = *this;
   archive.same(tool_count);
   archive.same(effects.size());
   archive(time_s, scene);

@@ -88,7 +88,24 @@ void IndependentContacts::place(const SceneObjects& scene, const Vec3& p_W, doub
   }
 }
 
-void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool) {
+std::size_t IndependentContacts::count_near(const SceneObjects& scene, const Vec3& p_W) const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
+    const std::uint32_t number = scene.independent_objects()[k];
+    count += awake_[k] || is_near(scene.mover_of(number), scene[number], p_W) ? 1U : 0U;
+  }
+  return count;
+}
+
+bool IndependentContacts::any_near(const SceneObjects& scene, const Vec3& p_W) const {
+  return count_near(scene, p_W) > 0;
+}
+
+// Every contact may spend an equal share of what those before it have left.
+void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool,
+                                 std::size_t limit) {
+  budget_.begin_tick(limit);
+  std::size_t to_come = count_near(scene, tool.p_W);
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
   Vec3 force = touch.force_W;
   ForceParts parts = touch.parts;
@@ -104,6 +121,7 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     // An object that comes near begins where the tool was in the last tick, so that this tick's
     // motion is seen whole.
     wake(k, mover);
+    share_ = budget_.left() / to_come--;
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scene.tick_s());
     walkers_[k].begin_friction(step_O, scene.tick_s());
@@ -183,11 +201,22 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
   Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   switch (object.method) {
-    case ContactMethod::tracking:
-      return touch_of(trackers_[k].advance(object.implicit, material, goal_O));
-    case ContactMethod::feature_walk:
-      return touch_of(walkers_[k].advance(mesh_of(object), object.sides, material, goal_O));
+    case ContactMethod::tracking: {
+      const ImplicitRest rest =
+          trackers_[k].advance(object.implicit, material, goal_O,
+                               std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_));
+      budget_.spend(rest.evaluated / kFormulaStepsPerUnit);
+      return touch_of(rest);
+    }
+    case ContactMethod::feature_walk: {
+      const FeatureRest rest =
+          walkers_[k].advance(mesh_of(object), object.sides, material, goal_O,
+                              std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
+      budget_.spend(kCostOfFeatureVisit * (std::size_t{rest.visited} + rest.approached));
+      return touch_of(rest);
+    }
     default:
+      budget_.spend(kCostOfField);
       return touch_of_field(k, object, goal_O);
   }
 }

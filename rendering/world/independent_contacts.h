@@ -8,6 +8,7 @@
 
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
+#include "rendering/contact/tick_budget.h"
 #include "rendering/limits.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/objects/scene_objects.h"
@@ -25,8 +26,16 @@ class IndependentContacts {
   void place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m);
 
   // Adds the forces to `touch`, which holds the shared proxy's result, and reports the object with
-  // the largest force of all. The tool must be finite. Bounded time, no heap.
-  void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool);
+  // the largest force of all, within `limit` cost units (contact/tick_budget.h). The tool must be
+  // finite. Bounded time, no heap.
+  void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool, std::size_t limit);
+
+  // Returns true if the tool's motion to p_W (world frame, m) meets an object's box, or if a
+  // contact is left from the last tick.
+  [[nodiscard]] bool any_near(const SceneObjects& scene, const Vec3& p_W) const;
+
+  // Returns the cost units that the last add_to has spent.
+  [[nodiscard]] std::size_t spent() const { return budget_.spent(); }
 
   // Holds the contacts in a tick without a valid tool. Call it instead of add_to.
   void hold(const SceneObjects& scene);
@@ -67,6 +76,8 @@ class IndependentContacts {
   Touch touch_in_frame(const IndependentObject& independent, const ToolState& tool_O);
   // Returns true if the tool's motion in this tick enters the object's box.
   [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
+  // Returns the number of contacts to compute for a tool at p_W.
+  [[nodiscard]] std::size_t count_near(const SceneObjects& scene, const Vec3& p_W) const;
   // Begins a contact that was asleep.
   void wake(std::size_t k, const Mover* mover);
 
@@ -74,6 +85,9 @@ class IndependentContacts {
   double tool_radius_m_ = 0.0;
   Vec3 last_tool_W_ = Vec3::Zero();
   double tool_step_m_ = 0.0;
+  // The budget of the contact that is computed, and the units spent by all in this tick.
+  TickBudget budget_;
+  std::size_t share_ = 0;
   // The objects that are near or in contact; the others were skipped in the last tick.
   std::array<bool, kMaxIndependentObjects> awake_{};
   // The proxies of implicit surfaces, those of feature walks, and the detail; each object uses what

@@ -23,8 +23,12 @@ class ProxyTouch {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
-  // Moves the proxy with the objects that moved. Call it first in every tick. Returns TouchFlags.
+  // Begins a tick that may spend `limit` cost units. Call it first in every tick.
+  void start_tick_budget(std::size_t limit) { proxy_.start_tick_budget(limit); }
+  // Moves the proxy with the objects that moved. Call it in every tick. Returns TouchFlags.
   std::uint32_t begin_tick(const SceneObjects& scene) { return proxy_.begin_tick(scene); }
+  // Returns the cost units that this tick has spent.
+  [[nodiscard]] std::size_t spent() const { return proxy_.spent(); }
 
   // Moves the proxy for a finite tool, and returns the force of the surfaces that hold it: F = K
   // (proxy - tool) - B v. v is relative to the surface; K and B are means weighted by the

@@ -1,5 +1,7 @@
 #include "rendering/world/tool_touch.h"
 
+#include <algorithm>
+
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
@@ -28,7 +30,13 @@ void ToolTouch::place(const SceneObjects& scene, const Vec3& p_W) {
   placed_ = true;
 }
 
-Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path) {
+Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit,
+                       ProxyPath* path) {
+  // The shared proxy comes first; half of the budget is kept for the other contacts, if there are
+  // any.
+  const bool has_others = placed_ && independent_.any_near(scene, tool.p_W);
+  proxy_.start_tick_budget(has_others ? limit / 2 : limit);
+  spent_ = 0;
   // The objects move also in a tick without a valid tool, so the proxy is carried first.
   const std::uint32_t moved = placed_ ? proxy_.begin_tick(scene) : kTouchClean;
   if (!valid(tool)) {
@@ -46,7 +54,8 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPa
     }
   }
   touch.flags |= moved;
-  independent_.add_to(touch, scene, tool);
+  independent_.add_to(touch, scene, tool, limit - std::min(limit, proxy_.spent()));
+  spent_ = proxy_.spent() + independent_.spent();
   last_proxy_W_ = touch.proxy_W;
   return touch;
 }

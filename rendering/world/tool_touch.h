@@ -19,9 +19,13 @@ class ToolTouch {
   // Forgets the contact: the next touch starts with the proxies at the tool.
   void reset() { placed_ = false; }
 
-  // Computes one tick; call it after scene.begin_tick(). Real time: no heap, bounded time. `path`
-  // receives the shared proxy's moves if it is not null.
-  Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
+  // Computes one tick, within `limit` cost units (contact/tick_budget.h); call it after
+  // scene.begin_tick(). Real time: no heap, bounded time. `path` receives the shared proxy's moves
+  // if it is not null.
+  Touch touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit, ProxyPath* path);
+
+  // Returns the cost units that the last touch has spent.
+  [[nodiscard]] std::size_t spent() const { return spent_; }
 
   // Returns how far the proxy of an object was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const {
@@ -49,6 +53,8 @@ class ToolTouch {
   IndependentContacts independent_;
   // The proxy of the last touch (world frame, m), which an invalid tool gets again.
   Vec3 last_proxy_W_ = Vec3::Zero();
+  // The cost units that the last touch has spent.
+  std::size_t spent_ = 0;
   // False until the first valid tool, where the proxies start.
   bool placed_ = false;
 };

@@ -34,7 +34,18 @@ void World::reset() {
 
 bool World::set_tick(double tick_s) {
   const bool good = std::isfinite(tick_s) && tick_s > 0.0;
-  tick_s_ = good ? tick_s : tick_s_;
+  if (good) {
+    tick_s_ = tick_s;
+    set_tick_budget(std::max(kTickInstructions_per_s * tick_s, kLeastTickInstructions));
+  }
+  return good;
+}
+
+bool World::set_tick_budget(double instructions) {
+  // More than any tick can take.
+  constexpr double kNoLimit = 1e11;
+  const bool good = instructions > 0.0;
+  budget_ = good ? units_of(std::min(instructions, kNoLimit)) : budget_;
   return good;
 }
 
@@ -51,8 +62,9 @@ void World::begin_tick() {
   time_s_ += tick_s_;
 }
 
-Touch World::touch_one(std::size_t number, const ToolState& tool, ProxyPath* path) {
-  Touch touch = tools_[number].touch(scene_, tool, path);
+Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
+                       ProxyPath* path) {
+  Touch touch = tools_[number].touch(scene_, tool, limit, path);
   if ((touch.flags & kTouchToolInvalid) != 0) {
     effect_touches_[number].hold();
   } else {
@@ -63,20 +75,31 @@ Touch World::touch_one(std::size_t number, const ToolState& tool, ProxyPath* pat
 
 Touch World::touch(const ToolState& tool, ProxyPath* path) {
   begin_tick();
-  return touch_one(0, tool, path);
+  return touch_one(0, tool, budget_, path);
 }
 
+// Every tool may spend an equal share of what the tools before it have left.
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
   // A tool that is not given is no number, which holds its proxies.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   begin_tick();
+  std::size_t left = budget_;
   for (std::size_t i = 0; i < tool_count_; ++i) {
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
-    const Touch touch = touch_one(i, tool, nullptr);
+    const Touch touch = touch_one(i, tool, left / (tool_count_ - i), nullptr);
+    left -= std::min(left, tools_[i].spent());
     if (i < touches.size()) {
       touches[i] = touch;
     }
   }
+}
+
+std::size_t World::spent_units() const {
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < tool_count_; ++i) {
+    sum += tools_[i].spent();
+  }
+  return sum;
 }
 
 std::size_t World::peak_candidates() const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/contact/tick_budget.h"
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
 #include "rendering/objects/object.h"
@@ -38,9 +39,14 @@ class World {
   // leaves an empty world, if a number of `config` is out of range or SceneObjects::set refuses.
   bool set_scene(std::span<const Object> objects, const WorldConfig& config);
 
-  // Sets the time from tick to tick, for effects and motions; 1 ms by default. Returns false, and
-  // changes nothing, unless it is finite and > 0.
+  // Sets the time from tick to tick, for effects and motions; 1 ms by default. The budget of a tick
+  // becomes kTickInstructions_per_s times that, but at least kLeastTickInstructions. Returns false,
+  // and changes nothing, unless it is finite and > 0.
   bool set_tick(double tick_s);
+
+  // Sets the instructions that a tick of all tools may take, after set_tick(). Infinity is no
+  // limit, for tests and comparisons. Returns false, and changes nothing, unless it is > 0.
+  bool set_tick_budget(double instructions);
 
   // Forgets the contacts and what effects remember: the next touch starts with the proxies at the
   // tools.
@@ -99,6 +105,9 @@ class World {
     return effect_touches_[tool].delivered_J(effect);
   }
 
+  // Returns the cost units that the last touch has spent, of all tools (contact/tick_budget.h).
+  [[nodiscard]] std::size_t spent_units() const;
+
   // Returns the largest number of candidates near a tool so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const;
 
@@ -109,8 +118,8 @@ class World {
  private:
   // Moves the objects to their places in this tick.
   void begin_tick();
-  // Computes one tool with its effects.
-  Touch touch_one(std::size_t number, const ToolState& tool, ProxyPath* path);
+  // Computes one tool with its effects, within `limit` cost units.
+  Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit, ProxyPath* path);
 
   SceneObjects scene_;
   std::array<ToolTouch, kMaxTools> tools_;
@@ -122,6 +131,8 @@ class World {
   // The time since set_scene, s, in ticks: no clock is read.
   double time_s_ = 0.0;
   std::size_t tool_count_ = 1;
+  // The cost units of a tick.
+  std::size_t budget_ = units_of(kTickInstructions_per_s * 0.001);
 };
 
 }  // namespace tactus::rendering

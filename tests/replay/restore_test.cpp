@@ -60,7 +60,7 @@ TEST(Restore, GoesOnAlikeOverEveryShapeOfMesh) {
   EXPECT_GT(tally.contacts, tally.ticks / 10);
 }
 
-TEST(Restore, GoesOnAlikeWhereTrianglesAreGatheredOverSeveralTicks) {
+TEST(Restore, GoesOnAlikeWhereManyTrianglesAreNearEverywhere) {
   // Balls in one another have many triangles everywhere.
   constexpr int kBalls = 32;
   Shape balls = icosphere(0.03, 3);

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "tests/support/rows.h"
 #include "tests/unit/firmware/fault_matrix/faulty_rig.h"
 
 namespace tactus::firmware {
@@ -204,6 +205,9 @@ TEST(FaultMatrix, WithoutAGuardExactlyItsCellsFail) {
     guards.insert(fault.bit);
   }
   for (const std::uint64_t off : guards) {
+    if (!testing::is_taken()) {
+      continue;
+    }
     for (const MatrixFault& fault : kFaults) {
       for (std::size_t mode = 0; mode < kModeCount; ++mode) {
         const bool raised = (fault.modes >> mode & 1U) != 0;

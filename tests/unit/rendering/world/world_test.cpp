@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "rendering/limits.h"
+#include "rendering/state_archive.h"
 #include "tests/support/materials.h"
 #include "tests/support/solid.h"
 
@@ -30,6 +34,9 @@ testing::Shape plate_shape(double half_m, double z_m) {
 
 class WorldTest : public ::testing::Test {
  protected:
+  // A tick's budget, in instructions, that fast motions and dense places reach.
+  static constexpr double kLittle = 40e3;
+
   Touch start(const Solid& solid, double radius_m, const Vec3& tool) {
     EXPECT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = radius_m}));
     return world_->touch({.p_W = tool});
@@ -170,6 +177,7 @@ TEST_F(WorldTest, InADensePlaceTheProxyWaitsForSomeTicksAndIsFeltMeanwhile) {
   constexpr double kTool_m = 0.002;
   const Solid bowl(testing::icosphere(kBowl_m, 4), Sides::two, kSlippery);
   start(bowl, kTool_m, Vec3::Zero());
+  ASSERT_TRUE(world_->set_tick_budget(kLittle));
   for (int tick = 0; tick < 100; ++tick) {
     touch({0.0, 0.0, -0.0005});
   }
@@ -194,6 +202,38 @@ TEST_F(WorldTest, InADensePlaceTheProxyWaitsForSomeTicksAndIsFeltMeanwhile) {
   EXPECT_LE((last.proxy_W - (kBowl_m - kTool_m) * tool.normalized()).norm(), kFacets_m);
 }
 
+// The gathering that has begun is part of the state.
+TEST_F(WorldTest, AStateThatIsSavedWhileTheProxyWaitsGoesOnAlike) {
+  constexpr double kBowl_m = 0.0022;
+  constexpr double kTool_m = 0.002;
+  constexpr std::size_t kRoom = 1 << 20;
+  const Solid bowl(testing::icosphere(kBowl_m, 4), Sides::two, kSlippery);
+  start(bowl, kTool_m, Vec3::Zero());
+  ASSERT_TRUE(world_->set_tick_budget(kLittle));
+  const auto other = std::make_unique<World>();
+  ASSERT_TRUE(other->set_scene({&bowl.object(), 1}, {.tool_radius_m = kTool_m}));
+  ASSERT_TRUE(other->set_tick_budget(kLittle));
+  std::vector<std::byte> room(kRoom);
+  int waits = 0;
+  for (int tick = 0; tick < 400; ++tick) {
+    const double angle = 0.002 * tick;
+    const Vec3 tool = 0.0005 * Vec3{std::sin(angle), 0.0, -std::cos(angle)};
+    StateArchive saved = StateArchive::writer(room);
+    world_->transfer(saved);
+    ASSERT_TRUE(saved.good());
+    StateArchive restored = StateArchive::reader(std::span(room).first(saved.size()));
+    other->transfer(restored);
+    ASSERT_TRUE(restored.good() && restored.at_end());
+    const Touch t = touch(tool);
+    const Touch again = other->touch({.p_W = tool});
+    ASSERT_EQ(again.proxy_W, t.proxy_W) << "tick " << tick;
+    ASSERT_EQ(again.force_W, t.force_W) << "tick " << tick;
+    ASSERT_EQ(again.flags, t.flags) << "tick " << tick;
+    waits += t.flags == kTouchIterationsExhausted ? 1 : 0;
+  }
+  EXPECT_GT(waits, 2);
+}
+
 // Rushed over many triangles, the proxy is often between two faces when a tick's budget is spent.
 TEST_F(WorldTest, ATickThatIsCutShortIsFeltAsTheOnesBefore) {
   constexpr double kBall_m = 0.05;
@@ -201,6 +241,7 @@ TEST_F(WorldTest, ATickThatIsCutShortIsFeltAsTheOnesBefore) {
   const Solid ball(testing::icosphere(kBall_m, 6), Sides::one, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {
     start(ball, radius_m, {0.06, 0.0, 0.0});
+    ASSERT_TRUE(world_->set_tick_budget(kLittle));
     int cut_short = 0;
     for (int tick = 0; tick < 2000; ++tick) {
       const double angle = 0.02 * std::max(0, tick - kSettled) * (tick % 7) / 7.0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -18,10 +19,8 @@ using Polygon = std::vector<Vec3>;
 // The cut of a polygon with its corners in order.
 struct TriedCut {
   explicit TriedCut(const Polygon& polygon) : vertices(polygon) {
-    std::vector<std::uint32_t> corners;
-    for (std::uint32_t i = 0; i < polygon.size(); ++i) {
-      corners.push_back(i);
-    }
+    std::vector<std::uint32_t> corners(polygon.size());
+    std::iota(corners.begin(), corners.end(), 0U);
     simple = cut.make(vertices, corners);
   }
 

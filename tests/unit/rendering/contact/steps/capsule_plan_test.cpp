@@ -47,6 +47,14 @@ TEST(CapsulePlan, HasNoDirectionAfterAJump) {
   EXPECT_EQ(plan.next(Vec3::Zero(), {1.0, 0.0, 0.0}).axis, Vec3::Zero());
 }
 
+TEST(CapsulePlan, IsStoutAndTwiceAsLongWhereOneTickNeedsAnother) {
+  CapsulePlan plan;
+  const Capsule before = after_straight_path(plan, 12, 400);
+  const Capsule next = plan.next(before.start, before.start + before.axis, true);
+  EXPECT_NEAR(next.axis.norm(), 2.0 * before.axis.norm(), 1e-9);
+  EXPECT_NEAR(next.axis.norm() / next.radius, 4.0, 1e-9);
+}
+
 TEST(CapsulePlan, IsHalvedForWantOfRoom) {
   CapsulePlan plan;
   const Capsule before = after_straight_path(plan, 12, 24);

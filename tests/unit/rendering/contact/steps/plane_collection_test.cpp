@@ -22,7 +22,7 @@ class PlaneCollectionTest : public ::testing::Test {
     EXPECT_TRUE(scene_->set({&box_.object(), 1}));
     scene_->begin_tick(0.001, 0.001);
     candidates_->begin_tick(*scene_);
-    candidates_->start_tick_budget();
+    candidates_->start_tick_budget(units_of(1e6));
   }
 
   void put(const Vec3& p) {
@@ -132,7 +132,7 @@ TEST_F(PlaneCollectionTest, AMoveOnOneFaceNeedsNoNewPlanes) {
   collect();
   rest_.planes[0] = planes_[0];
   rest_.plane_count = 1;
-  put(on_top_ + Vec3{0.0, 0.0, 0.0001});
+  put(on_top_ + Vec3{0.0, 0.0, 20e-6});
   EXPECT_TRUE(is_still_on_face(near_, p_, memory_, rest_));
   put({kHalf_m + 0.001, kHalf_m + kRadius_m, 0.0});  // beyond the edge
   EXPECT_FALSE(is_still_on_face(near_, p_, memory_, rest_));
