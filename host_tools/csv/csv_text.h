@@ -46,7 +46,7 @@ class CsvText {
   std::vector<std::string> fields_;
 };
 
-// How a field stands for a number.
+// The mark before the fraction of a number.
 enum class DecimalMark { none, point, comma };
 
 // The number of a field and its mark.

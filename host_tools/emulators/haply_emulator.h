@@ -75,7 +75,7 @@ class HaplyEmulator {
     // The setup that the command makes, if it is one.
     Setup setup;
   };
-  // How many commands of each kind have arrived.
+  // The numbers of commands of each kind that have arrived.
   struct Counts {
     std::uint64_t setups = 0;
     std::uint64_t torque_commands = 0;

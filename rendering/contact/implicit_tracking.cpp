@@ -59,19 +59,19 @@ class Tick {
         surface_(surface),
         material_(material),
         h_(std::move(h_O)),
-        budget_(budget),
         field_(surface, 1.0, budget) {}
 
   // Repeats sub-goals until the tick is over. After a stall the proxy stays where it was nearest to
   // the tool, and not where the last swing left it.
   ImplicitRest run() {
+    const std::size_t budget = field_.left();
     while (!step()) {
       ++rest_.sub_goals;
     }
     if (stalled_ > 0 && rest_.planes > 0 && std::isfinite(nearest_m_)) {
       state_.p_O = best_;
     }
-    rest_.evaluated = budget_ - field_.left();
+    rest_.evaluated = budget - field_.left();
     return rest_;
   }
 
@@ -366,8 +366,6 @@ class Tick {
   const ImplicitSurface& surface_;
   const Material& material_;
   const Vec3 h_;
-  // The formula instructions that this tick may evaluate.
-  const std::size_t budget_;
   ImplicitField field_;
   ImplicitRest rest_;
   // F at the proxy, valid if is_sampled_.

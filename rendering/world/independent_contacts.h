@@ -85,7 +85,7 @@ class IndependentContacts {
   double tool_radius_m_ = 0.0;
   Vec3 last_tool_W_ = Vec3::Zero();
   double tool_step_m_ = 0.0;
-  // The budget of the contact that is computed, and the units spent by all in this tick.
+  // The budget of all contacts in this tick, and the share of the one that is computed, cost units.
   TickBudget budget_;
   std::size_t share_ = 0;
   // The objects that are near or in contact; the others were skipped in the last tick.

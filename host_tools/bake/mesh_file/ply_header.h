@@ -32,7 +32,7 @@ struct PlyElement {
   [[nodiscard]] bool has_list() const;
 };
 
-// How the numbers are written.
+// The encoding of the numbers below the header.
 enum class PlyFormat { ascii, little_endian, big_endian };
 
 // The whole header.

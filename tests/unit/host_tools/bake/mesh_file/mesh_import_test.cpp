@@ -252,7 +252,7 @@ TEST(MeshImport, RefusesWhatIsNoMesh) {
   EXPECT_TRUE(contains(error_for("a.glb", "hello, this is no glTF"), "Assimp cannot read"));
 }
 
-// Whatever the bytes are, a reader returns triangles of vertices that it has, or throws InputError.
+// A reader returns triangles of vertices that it has, or throws InputError, whatever the bytes are.
 TEST(MeshImport, ReadsOrRefusesDamagedFilesWithoutHarm) {
   constexpr unsigned kDamageSeed = 20;
   std::mt19937 random(kDamageSeed);
