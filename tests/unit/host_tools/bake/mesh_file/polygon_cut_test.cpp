@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -20,7 +19,7 @@ using Polygon = std::vector<Vec3>;
 struct TriedCut {
   explicit TriedCut(const Polygon& polygon) : vertices(polygon) {
     std::vector<std::uint32_t> corners(polygon.size());
-    std::iota(corners.begin(), corners.end(), 0U);
+    for (std::uint32_t i = 0; i < corners.size(); ++i) corners[i] = i;
     simple = cut.make(vertices, corners);
   }
 
