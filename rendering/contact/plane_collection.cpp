@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/contact/primitive_sweep.h"
+
 namespace tactus::rendering {
 
 // Planes are collected from the candidates that the tangent bounds show within reach; each of them
@@ -31,6 +33,7 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
     if (nearest.feature == Feature::face || nearest.distance < margin.inner_m ||
         memory.is_blocking(i)) {
       add(i, planes, flags);
+      add_other_contacts(i, planes, flags);
     }
   }
   if (!planes.empty()) {
@@ -70,9 +73,31 @@ bool PlaneCollector::add_blocking(std::size_t i, ContactPlanes& planes, std::uin
   return add(i, planes, flags);
 }
 
-bool PlaneCollector::add(std::size_t i, ContactPlanes& planes, std::uint32_t& flags) {
+// Adds the planes of the other points in which the sphere touches a primitive.
+void PlaneCollector::add_other_contacts(std::size_t i, ContactPlanes& planes,
+                                        std::uint32_t& flags) {
   const Candidate& candidate = near_.candidates.candidate(i);
-  const Nearest& nearest = candidate.nearest;
+  if (candidate.primitive == nullptr ||
+      (candidate.seen.distance_m >= 0.0 && convex(*candidate.primitive))) {
+    return;
+  }
+  const double reach_m = near_.margins.of(candidate.point_tool).reach_m;
+  const SurfaceSamples contacts = all_contacts(*candidate.primitive, p_W_);
+  for (std::size_t k = 0; k < contacts.count; ++k) {
+    const Nearest contact = nearest_of(contacts.samples[k]);
+    if (contact.distance <= reach_m) {
+      add(i, contact, planes, flags);
+    }
+  }
+}
+
+bool PlaneCollector::add(std::size_t i, ContactPlanes& planes, std::uint32_t& flags) {
+  return add(i, near_.candidates.candidate(i).nearest, planes, flags);
+}
+
+bool PlaneCollector::add(std::size_t i, const Nearest& nearest, ContactPlanes& planes,
+                         std::uint32_t& flags) {
+  const Candidate& candidate = near_.candidates.candidate(i);
   const ContactMargin& margin = near_.margins.of(candidate.point_tool);
   // The plane lies where the centre is at its rest height. A proxy above it comes down to it, which
   // keeps it in contact; one that a sweep left a little below rises to it.

@@ -45,8 +45,12 @@ class PlaneCollector {
   void add_face_below(ContactPlanes& planes, std::uint32_t& flags);
 
  private:
-  // Adds the plane of candidate `i`, which is measured. Returns true if it is new.
+  // Adds the plane of candidate `i`, which is measured, or the plane of the candidate at another
+  // contact with it. Returns true if it is new.
   bool add(std::size_t i, ContactPlanes& planes, std::uint32_t& flags);
+  bool add(std::size_t i, const Nearest& nearest, ContactPlanes& planes, std::uint32_t& flags);
+  // Adds the planes of the other contacts with candidate `i` if that is a primitive.
+  void add_other_contacts(std::size_t i, ContactPlanes& planes, std::uint32_t& flags);
   // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;
 

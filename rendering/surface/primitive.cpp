@@ -49,6 +49,22 @@ SurfaceSample sample(const Primitive& primitive, const Vec3& p_W) {
   return {.distance_m = seen.distance_m, .normal_W = primitive.X_WO.direction(seen.normal_O)};
 }
 
+SurfaceSamples all_contacts(const Primitive& primitive, const Vec3& p_W) {
+  const Vec3 p_O = primitive.X_WO.point_in(p_W);
+  Contacts contacts;
+  on_solid(primitive, [&]<class Solid>(std::type_identity<Solid> /*solid*/) {
+    if constexpr (requires { Solid::add_contacts(p_O, primitive.dimensions_m, contacts); }) {
+      Solid::add_contacts(p_O, primitive.dimensions_m, contacts);
+    }
+  });
+  SurfaceSamples found;
+  for (const Measure& contact : contacts.all()) {
+    found.samples[found.count++] = {.distance_m = contact.distance_m,
+                                    .normal_W = primitive.X_WO.direction(contact.normal_O)};
+  }
+  return found;
+}
+
 Bounds bounds(const Primitive& primitive) {
   return on_solid(primitive, [&]<class Solid>(std::type_identity<Solid> /*solid*/) {
     return Solid::extent(primitive.X_WO, primitive.dimensions_m);

@@ -33,6 +33,18 @@ bool valid(const Primitive& primitive);
 // and x before y before z. Any thread; no heap; the primitive must be valid.
 SurfaceSample sample(const Primitive& primitive, const Vec3& p_W);
 
+// The points of the surface that a sphere about a point may touch, in W.
+struct SurfaceSamples {
+  std::array<SurfaceSample, Contacts::kMost> samples{};
+  std::size_t count = 0;
+};
+
+// Returns the points in which a sphere about p_W may touch the surface, at any distance: the walls
+// round a point within a convex solid, and all round the hole of a torus. The plane through each of
+// them, normal to its normal, bounds the sphere. p_W must not be outside a convex solid: there the
+// nearest point is the only contact. Any thread; no heap.
+SurfaceSamples all_contacts(const Primitive& primitive, const Vec3& p_W);
+
 // The surface point that `seen` speaks of, for seen = sample(primitive, p_W).
 inline Vec3 nearest_point(const SurfaceSample& seen, const Vec3& p_W) {
   return p_W - seen.distance_m * seen.normal_W;

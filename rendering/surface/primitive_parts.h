@@ -6,7 +6,8 @@
 //   kIsConvex
 //   measure      the exact signed distance and normal at a point
 //   extent       the box about it
-// and, if positive dimensions are not all it takes, `fits` and its condition in words, kCondition.
+// and, if positive dimensions are not all it takes, `fits` and its condition in words, kCondition;
+// if a sphere can touch it in several points at once, from outside or from within, add_contacts.
 #pragma once
 
 #include <array>
@@ -47,6 +48,19 @@ struct Measure {
   Vec3 normal_O;
 };
 
+// The points in which a sphere about p may touch a solid: at most kMost, in any order.
+class Contacts {
+ public:
+  static constexpr std::size_t kMost = 8;
+
+  void add(const Measure& measure) { measures_[count_++] = measure; }
+  [[nodiscard]] std::span<const Measure> all() const { return {measures_.data(), count_}; }
+
+ private:
+  std::array<Measure, kMost> measures_{};
+  std::size_t count_ = 0;
+};
+
 struct Bounds {
   Vec3 lower_W = Vec3::Zero();  // m
   Vec3 upper_W = Vec3::Zero();
@@ -72,6 +86,18 @@ inline Bounds about_origin(const RigidPose& X_WO, const Vec3& half) {
 // Half the extent along x, y and z of a disc about the unit axis.
 inline Vec3 disc_extent(const Vec3& axis, double radius) {
   return radius * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+}
+
+// Returns six unit vectors across the y axis, 60 degrees apart, the first toward p. A sphere in a
+// round hole touches it in all directions, of which these are enough to hold it.
+inline std::array<Vec3, 6> round_the_axis(const Vec3& p) {
+  const double r = std::sqrt(p.x() * p.x() + p.z() * p.z());
+  const Vec3 first = r > kNoLength_m ? Vec3{p.x() / r, 0.0, p.z() / r} : Vec3::UnitX();
+  const Vec3 across{-first.z(), 0.0, first.x()};
+  constexpr double kHalfRoot3 = 0.86602540378443865;
+  const Vec3 half = 0.5 * first;
+  const Vec3 side = kHalfRoot3 * across;
+  return {first, half + side, side - half, -first, -half - side, half - side};
 }
 
 using ProfilePoint = Eigen::Vector2d;

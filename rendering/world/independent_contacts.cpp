@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rendering/contact/no_pull.h"
 #include "rendering/contact/potential_field.h"
 #include "rendering/geometry/tangential.h"
 
@@ -254,10 +255,11 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
     }
     return touch;
   }
-  // F = K (proxy - tool) - B v, with the velocity relative to the surface.
+  // F = K (proxy - tool) - B v without a pull, with the velocity relative to the surface.
   const Vec3 stretch = touch.proxy_W - tool_O.p_W;
   const double stiffness = material.stiffness_N_per_m;
-  touch.force_W = stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W;
+  touch.force_W =
+      without_pull(stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W, touch.normal_W);
   touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W);
   if (detailed) {
     shade_in_frame(independent, tool_O, touch);
@@ -297,8 +299,10 @@ void IndependentContacts::shade_in_frame(const IndependentObject& independent,
   if (effective_depth > 0.0) {
     const double stiffness = detail.stiffness_factor * material.stiffness_N_per_m;
     const Vec3 along = stiffness * effective_depth * lean;
-    touch.force_W = stiffness * (stretch - (touch.depth_m - effective_depth) * touch.normal_W) -
-                    material.damping_Ns_per_m * tool_O.v_W;
+    touch.force_W =
+        without_pull(stiffness * (stretch - (touch.depth_m - effective_depth) * touch.normal_W) -
+                         material.damping_Ns_per_m * tool_O.v_W,
+                     touch.normal_W);
     touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W) - along;
     touch.parts.texture_W =
         along +

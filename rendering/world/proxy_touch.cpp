@@ -4,14 +4,17 @@
 //
 //   begin -> advance -> blend -> improve -> advance again -> blend -> improve ... -> force
 //
-// The blended force with the pressures w_i as weights is
+// The blended force, with the stiffness K and the sideways part of corner_spring.h and the
+// pressures w_i as weights, is
 //
-//   F = (sum w_i K_i) / (sum w_i) (proxy - tool) - (sum w_i B_i (v - v_i)) / (sum w_i)
+//   F = K (proxy - tool) + sideways - (sum w_i B_i (v - v_i)) / (sum w_i)
 //
 // so that it passes continuously from one surface to the next, as their pressures do.
 #include "rendering/world/proxy_touch.h"
 
 #include <algorithm>
+
+#include "rendering/contact/no_pull.h"
 
 namespace tactus::rendering {
 namespace {
@@ -127,6 +130,8 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
   here_.count = 0;
   BlendedSurface blended;
   double height = 0.0;
+  std::array<double, 3> stiffness_N_per_m{};
+  std::array<double, 3> plain_N_per_m{};
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const ContactPlane& plane = rest.planes[i];
     const Object& object = scene[plane.object];
@@ -136,16 +141,16 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
     const Vec3 surface_v = scene.velocity_W(plane.object, proxy_.position_W());
     blended.surface_v_W += push * surface_v;
     blended.damping_W += push * material.damping_Ns_per_m * (tool.v_W - surface_v);
-    blended.plain_stiffness += push * material.stiffness_N_per_m;
+    plain_N_per_m[i] = material.stiffness_N_per_m;
+    stiffness_N_per_m[i] = material.stiffness_N_per_m;
     if (object.detail.empty()) {
-      blended.stiffness += push * material.stiffness_N_per_m;
       continue;
     }
     // The detail changes K, leans the force, lowers the surface and scales the friction.
     const Detail detail = detail_of(scene, plane);
     blended.detailed = true;
     blended.interpolated = blended.interpolated || !object.detail.corner_normals.empty();
-    blended.stiffness += push * detail.stiffness_factor * material.stiffness_N_per_m;
+    stiffness_N_per_m[i] *= detail.stiffness_factor;
     blended.lean += push * lean_of(detail.normal_O, plane.plane.normal);
     height += push * detail.height_m;
     blended.friction.object[blended.friction.count] = plane.object;
@@ -154,6 +159,8 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
   if (rest.plane_count == 0) {
     return blended;
   }
+  blended.spring = corner_spring(rest, stiffness_N_per_m);
+  blended.plain_spring = corner_spring(rest, plain_N_per_m);
   blended.depth_m = (proxy_.position_W() - tool.p_W).dot(rest.normal_W);
   blended.effective_depth_m = blended.depth_m;
   if (blended.detailed) {
@@ -161,6 +168,7 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
     // The force's magnitude is that of the effective depth, so lean and friction are scaled to it.
     const double share = blended.depth_m > 0.0 ? blended.effective_depth_m / blended.depth_m : 0.0;
     blended.lean *= share / blended.pressure_m;
+    blended.spring.sideways_W *= share;
     for (std::size_t i = 0; i < blended.friction.count; ++i) {
       blended.friction.factor[i] *= share;
     }
@@ -222,8 +230,10 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
         blended.detailed
             ? Vec3{stretch - (blended.depth_m - blended.effective_depth_m) * rest.normal_W}
             : stretch;
-    touch.force_W =
-        (blended.stiffness * effective_stretch - blended.damping_W) / blended.pressure_m;
+    const CornerSpring& spring = blended.spring;
+    const Vec3 force = spring.stiffness_N_per_m * effective_stretch + spring.sideways_W -
+                       blended.damping_W / blended.pressure_m;
+    touch.force_W = without_pull(force, rest.normal_W);
     set_parts(stretch, blended, touch);
   }
   touch.contact = kind_of(hardest.nearest.feature);
@@ -234,13 +244,13 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
 // Splits the force into parts. Detail makes the normal part that of the effective depth, and leans
 // the stretch by depth * lean.
 void ProxyTouch::set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch) {
-  const double stiffness = blended.stiffness / blended.pressure_m;
+  const double stiffness = blended.spring.stiffness_N_per_m;
   touch.parts.friction_W = stiffness * (stretch - blended.depth_m * touch.normal_W);
   touch.parts.driven_power = touch.force_W.dot(blended.surface_v_W) / blended.pressure_m;
   if (blended.detailed) {
     const Vec3 along = stiffness * blended.depth_m * blended.lean;
     const double out_N = stiffness * blended.effective_depth_m -
-                         blended.plain_stiffness / blended.pressure_m * blended.depth_m;
+                         blended.plain_spring.stiffness_N_per_m * blended.depth_m;
     touch.parts.friction_W -= along;
     touch.parts.texture_W = along + out_N * touch.normal_W;
   }

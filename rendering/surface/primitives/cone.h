@@ -16,6 +16,16 @@ struct ConeSolid {
     return revolve(p, [&](const ProfilePoint& q) { return triangle(q, d[0], d[1]); });
   }
 
+  // Planes that touch the side, and the base, from within.
+  static void add_contacts(const Vec3& p, const PrimitiveDimensions& d, Contacts& contacts) {
+    const double slant = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+    for (const Vec3& outward : round_the_axis(p)) {
+      const Vec3 normal = (d[1] * outward + d[0] * Vec3::UnitY()) / slant;
+      contacts.add({normal.dot(p - d[0] * outward), normal});
+    }
+    contacts.add({-p.y(), -Vec3::UnitY()});
+  }
+
   static Bounds extent(const RigidPose& X_WO, const PrimitiveDimensions& d) {
     const Vec3& centre = X_WO.translation;
     const Vec3 axis = X_WO.rotation.col(1);

@@ -15,6 +15,15 @@ struct CylinderSolid {
     return revolve(p, [&](const ProfilePoint& q) { return rectangle(q, d[0], d[1]); });
   }
 
+  // Planes that touch the side, and the two ends, from within.
+  static void add_contacts(const Vec3& p, const PrimitiveDimensions& d, Contacts& contacts) {
+    for (const Vec3& outward : round_the_axis(p)) {
+      contacts.add({p.dot(outward) - d[0], outward});
+    }
+    contacts.add({p.y() - d[1], Vec3::UnitY()});
+    contacts.add({-p.y() - d[1], -Vec3::UnitY()});
+  }
+
   static Bounds extent(const RigidPose& X_WO, const PrimitiveDimensions& d) {
     const Vec3 axis = X_WO.rotation.col(1);
     return about_origin(X_WO, d[1] * axis.cwiseAbs() + disc_extent(axis, d[0]));

@@ -24,6 +24,19 @@ struct TorusSolid {
     return about_origin(X_WO, disc_extent(axis, d[0]) + Vec3::Constant(d[1]));
   }
 
+  // The tube is a ball that goes round the centre circle: the contacts are those of six balls. From
+  // within the tube there is no other contact.
+  static void add_contacts(const Vec3& p, const PrimitiveDimensions& d, Contacts& contacts) {
+    for (const Vec3& outward : round_the_axis(p)) {
+      const Vec3 offset = p - d[0] * outward;
+      const double length = offset.norm();
+      if (length <= d[1]) {
+        return;
+      }
+      contacts.add({length - d[1], offset / length});
+    }
+  }
+
  private:
   static ProfileMeasure disc(const ProfilePoint& q, double radius) {
     const double length = q.norm();

@@ -61,6 +61,32 @@ TEST_F(WorldTest, ForceIsStiffnessTimesStretchMinusDampingTimesVelocity) {
   EXPECT_LE((t.normal_W - Vec3::UnitZ()).norm(), 1e-12);
 }
 
+TEST_F(WorldTest, ADamperNeverPullsTheToolIntoTheSurface) {
+  const Solid plate(plate_shape(0.1, 0.0), Sides::one,
+                    {.stiffness_N_per_m = 800.0, .damping_Ns_per_m = 3.0});
+  std::array objects{plate.object(), plate.object(), plate.object()};
+  objects[1].method = ContactMethod::god_object;
+  objects[2].method = ContactMethod::potential_field;
+  objects[2].surface = SurfaceKind::primitive;
+  objects[2].primitive = {.kind = PrimitiveKind::box, .dimensions_m = {0.1, 0.1, 0.05}};
+  objects[2].primitive.X_WO.translation = {0.0, 0.0, -0.05};
+  for (const Object& object : objects) {
+    ASSERT_TRUE(world_->set_scene({&object, 1}, {.tool_radius_m = 0.002}));
+    touch({0.0, 0.0, 0.01});
+    bool has_pulled = false;
+    for (double z = -0.001; z < 0.003; z += 0.28e-3) {
+      const Touch t = touch({0.0, 0.0, z}, {0.02, 0.0, 0.28});
+      EXPECT_GE(t.force_W.dot(t.normal_W), 0.0) << "z " << z;
+      // The rest of the damper still resists.
+      if (t.contact != ContactKind::none) {
+        EXPECT_NEAR(t.force_W.x(), -0.06, 1e-12);
+        has_pulled = has_pulled || 800.0 * t.depth_m < 0.84;
+      }
+    }
+    EXPECT_TRUE(has_pulled) << "the path is to come where the damper is stronger than the spring";
+  }
+}
+
 TEST_F(WorldTest, AWallATenthOfAMillimetreThickStopsAToolAtFiveMetresASecond) {
   const Solid wall(testing::box({0.1, 0.1, 0.0001}), Sides::one, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {

@@ -1,0 +1,37 @@
+// The spring of a corner whose surfaces have different stiffnesses. Its force is the gradient of
+// one potential, so that no closed path of the tool gives out energy.
+//
+// The stretch of the proxy over the active planes is s = sum_i pressure_i n_i. The potential is
+//
+//   V = 1/2 K s^2,   K = (sum_i K_i pressure_i^2) / (sum_i pressure_i^2)
+//
+// On one plane, and between surfaces of one stiffness, it is the spring of the god-object (Zilles
+// and Salisbury, IROS 1995). In a corner of walls at right angles it is the sum of the walls' own
+// springs, 1/2 K_i pressure_i^2. V and its gradient go continuously into those of the plane that
+// remains when the other of two lets go; between two and three planes V does. The force is
+//
+//   F = dV/ds = K s + 1/2 s^2 dK/ds
+//
+// Its second part pushes across s, toward the softer surface: the tool's energy is less there.
+#pragma once
+
+#include <array>
+
+#include "rendering/contact/proxy_rest.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+struct CornerSpring {
+  // K, N/m; 0 if no plane is active.
+  double stiffness_N_per_m = 0.0;
+  // The second part of the force on the tool, world frame, N. Its length is at most the largest K_i
+  // times |s|: planes that are nearly parallel would make it as long as one likes, and there the
+  // force is not the gradient.
+  Vec3 sideways_W = Vec3::Zero();
+};
+
+// Returns the spring of the active planes; stiffness_N_per_m[i] is that of plane i.
+CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& stiffness_N_per_m);
+
+}  // namespace tactus::rendering
