@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Packs what the emulated machine starts with: busybox, dash, the modules of modules.txt, and the files given, each program with
-# its libraries. The same input gives the same bytes.
-#   host_tools/rig/initramfs.sh KERNEL_FOLDER OUTPUT.gz [FILE[:PATH_IN_THE_MACHINE]]...
+# its libraries. The same input gives the same bytes. The archive is not compressed: the emulated processor would take longer
+# to unpack it than to boot.
+#   host_tools/rig/initramfs.sh KERNEL_FOLDER OUTPUT.cpio [FILE[:PATH_IN_THE_MACHINE]]...
 # A file without a path goes to /usr/bin; a folder needs one.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-kernel="${1:?usage: initramfs.sh KERNEL_FOLDER OUTPUT.gz [FILE[:PATH]]...}"
-output="${2:?usage: initramfs.sh KERNEL_FOLDER OUTPUT.gz [FILE[:PATH]]...}"
+kernel="${1:?usage: initramfs.sh KERNEL_FOLDER OUTPUT.cpio [FILE[:PATH]]...}"
+output="${2:?usage: initramfs.sh KERNEL_FOLDER OUTPUT.cpio [FILE[:PATH]]...}"
 shift 2
 version="$(cat "$kernel/version")"
 root="$(mktemp -d)"
@@ -64,4 +65,4 @@ ln -s /usr/bin/udevadm "$root/usr/lib/systemd/systemd-udevd"
 for file in "$@"; do add "$file"; done
 
 find "$root" -exec touch -h -d @1767225600 {} +
-(cd "$root" && find . | LC_ALL=C sort | cpio --quiet -o -H newc --reproducible) | gzip -1n >"$output"
+(cd "$root" && find . | LC_ALL=C sort | cpio --quiet -o -H newc --reproducible) >"$output"

@@ -11,7 +11,8 @@ usage() {
 usage: tests/rig/run.sh [--build FOLDER] [--help] [SCENARIO]...
   --build FOLDER   the CMake build folder to take the programs from; default build/release, which is built first
 scenarios: $(scenarios | paste -sd' ')
-A scenario with a line "# twice: ENDING..." runs twice, and the files with these endings must be the same.
+A scenario with a line "# twice: ENDING..." runs twice, and the files with these endings must be the same. Those with a line
+"# long: SECONDS" begin first.
 Console and results of each are kept in build/rig/results/SCENARIO. Example: tests/rig/run.sh can
 END
 }
@@ -91,17 +92,20 @@ sed -e 's/^driver = .*/&\nestimate_stale_s = 0.1\nestimate_lost_s = 0.2/' -e '/^
 "$build/bin/tactus" bake --quiet "$images/odrive_traced.toml" -o "$images/odrive_traced.tactus"
 rm -f "$images/bunny00.off"
 
-host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.gz "${programs[@]}" "$(command -v cyclictest)" "$(command -v strace)" tests/rig/scenarios:/rig "$images":/images
+host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.cpio "${programs[@]}" "$(command -v cyclictest)" "$(command -v strace)" tests/rig/scenarios:/rig "$images":/images
 
 # Prints the words of a scenario's line "# KEY: words".
 setting() { sed -n "s/^# $2: //p" "tests/rig/scenarios/$1.sh" | paste -sd' '; }
+
+# Prints the scenario with what its line "# long: SECONDS" says before it, 0 without one.
+with_length() { echo "$(setting "$1" long | grep . || echo 0) $1"; }
 
 # One run, NAME, NAME.again or NAME.third, its verdict in results/RUN.verdict. A machine has one processor: as many run beside
 # each other as this one has.
 run_scenario() {
   local name="${1%%.*}" results="build/rig/results/$1" start=$SECONDS options code=0
   read -r -a options < <(setting "$name" qemu)
-  host_tools/rig/boot.sh build/rig/kernel build/rig/initramfs.gz "$name" "$results" "${options[@]}" || code=$?
+  host_tools/rig/boot.sh build/rig/kernel build/rig/initramfs.cpio "$name" "$results" "${options[@]}" || code=$?
   echo "$code $((SECONDS - start))" >"$results.verdict"
 }
 
@@ -110,9 +114,11 @@ mkdir -p build/rig/results
 echo "rig: running ${wanted[*]}"
 runs=()
 for name in "${wanted[@]}"; do
-  runs+=("$name")
-  if [[ -n "$(setting "$name" twice)" ]]; then runs+=("$name.again"); fi
+  runs+=("$(with_length "$name")")
+  if [[ -n "$(setting "$name" twice)" ]]; then runs+=("$(with_length "$name").again"); fi
 done
+# The longest begin first, so that no processor waits long for the others at the end.
+mapfile -t runs < <(printf '%s\n' "${runs[@]}" | sort -s -rn | cut -d' ' -f2)
 for run in "${runs[@]}"; do
   while (($(jobs -rp | wc -l) >= $(nproc))); do wait -n; done
   run_scenario "$run" &

@@ -1,6 +1,7 @@
 #!/bin/sh
 # tactus commission on a Falcon over USB and on an ODrive arm over CAN, through real kernel interfaces: as they should be, and
 # with one motor reversed.
+# long: 300
 # shellcheck source=tests/rig/scenarios/falcon_gadget.inc
 . /rig/falcon_gadget.inc
 modprobe -a vcan can-raw

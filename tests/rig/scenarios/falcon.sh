@@ -1,5 +1,6 @@
 #!/bin/sh
 # The Falcon over USB at 1 kHz touches the bunny; then it is unplugged.
+# long: 55
 # shellcheck source=tests/rig/scenarios/falcon_gadget.inc
 . /rig/falcon_gadget.inc
 # One count of its encoders is 6.4e-4 rad.

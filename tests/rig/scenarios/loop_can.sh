@@ -1,6 +1,7 @@
 #!/bin/sh
 # Three ODrive axes at 500 Hz and 1 kHz beside a busy machine: no missed tick, and awake as early as cyclictest. A real bus of
 # 1 Mbit/s carries no faster rate for three drives, and tactusd refuses one.
+# long: 130
 # twice: csv log
 modprobe -a vcan can-raw
 ip link add dev can0 type vcan && ip link set can0 mtu 72 up

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The Falcon over USB at 1 kHz, which is as fast as its bus goes, beside a busy machine: no missed tick, and awake as early as
 # cyclictest.
+# long: 100
 # twice: csv log
 # shellcheck source=tests/rig/scenarios/falcon_gadget.inc
 . /rig/falcon_gadget.inc

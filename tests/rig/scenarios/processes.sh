@@ -1,6 +1,7 @@
 #!/bin/sh
 # Processes fail while three ODrive axes press the bunny. The controller is told to end, crashes beside its loop and in it, and is
 # killed; the program that commands it is killed; the program that watches it stops reading.
+# long: 85
 modprobe -a vcan can-raw
 ip link add dev can0 type vcan && ip link set can0 mtu 72 up
 mkdir -p /run && mount -t tmpfs run /run

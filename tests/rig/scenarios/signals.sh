@@ -1,6 +1,7 @@
 #!/bin/sh
 # Signals on every kind of drive while it presses: those that can be caught take the force away at once, those that cannot leave it to the
 # drive's own watchdog.
+# long: 230
 # shellcheck source=tests/rig/scenarios/falcon_gadget.inc
 . /rig/falcon_gadget.inc
 modprobe -a vcan can-raw gpio-sim-oot
