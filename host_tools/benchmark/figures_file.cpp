@@ -6,6 +6,7 @@
 #include <array>
 #include <ctime>
 #include <fstream>
+#include <numbers>
 #include <thread>
 #include <utility>
 
@@ -17,7 +18,8 @@ namespace {
 constexpr const char* kColumns =
     "mesh,triangles,radius_mm,friction,ticks,median_ns,p99_ns,p999_ns,max_ns,once_p999_ns,"
     "once_max_ns,instructions_mean,instructions_median,instructions_p99,instructions_p999,"
-    "instructions_max,contact_ticks,flagged_ticks,peak_candidates";
+    "instructions_max,contact_ticks,flagged_ticks,peak_candidates,motion,late_ticks,"
+    "late_worst_um,late_turn_deg";
 
 // Returns the processor's model. On Arm the kernel names no model; then it is the architecture.
 std::string processor(const utsname& system) {
@@ -39,6 +41,10 @@ std::string today() {
   ::gmtime_r(&now, &date);
   std::array<char, sizeof "YYYY-MM-DD"> text{};
   return {text.data(), std::strftime(text.data(), text.size(), "%F", &date)};
+}
+
+double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
 }
 
 std::string instructions_row(const std::optional<InstructionCount>& count) {
@@ -72,11 +78,14 @@ void FiguresFile::append(const TouchFigures& figures) {
   const TouchTiming& t = figures.timing;
   std::string text = described_ ? "" : fmt::format("# {}\n", describe_machine());
   described_ = true;
-  text += fmt::format("{},{},{:g},{:d},{},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{},{},{},{}\n",
-                      figures.mesh, figures.triangles, 1e3 * figures.radius_m, figures.friction,
-                      t.ticks, t.median_ns, t.p99_ns, t.p999_ns, t.max_ns, t.once_p999_ns,
-                      t.once_max_ns, instructions_row(figures.instructions), t.contact_ticks,
-                      t.flagged_ticks, t.peak_candidates);
+  text += fmt::format(
+      "{},{},{:g},{:d},{},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{},{},{},{},{},{},{:."
+      "1f},{:.1f}\n",
+      figures.mesh, figures.triangles, 1e3 * figures.radius_m, figures.friction, t.ticks,
+      t.median_ns, t.p99_ns, t.p999_ns, t.max_ns, t.once_p999_ns, t.once_max_ns,
+      instructions_row(figures.instructions), t.contact_ticks, t.flagged_ticks, t.peak_candidates,
+      figures.motion, figures.lateness.late_ticks, 1e6 * figures.lateness.worst_m,
+      degrees(figures.lateness.worst_turn_rad));
   write(text);
 }
 

@@ -13,12 +13,15 @@ namespace tactus::host {
 
 // One row: what was touched, and how long it took.
 struct TouchFigures {
-  // The mesh's name, its triangles, the tool's radius, and whether the surface has friction.
+  // The mesh's name, its triangles, the tool's radius, whether the surface has friction, and the
+  // tool's motion: "hand" or "jumps" (workload.h).
   std::string mesh;
   std::size_t triangles = 0;
   double radius_m = 0.0;
   bool friction = true;
+  std::string motion;
   TouchTiming timing;
+  Lateness lateness;
   // Empty if instructions were not counted.
   std::optional<InstructionCount> instructions;
 };

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "host_tools/benchmark/percentile.h"
+#include "rendering/state_archive.h"
 #include "rendering/world/world.h"
 
 namespace tactus::host {
@@ -20,6 +23,20 @@ double nanoseconds_of(rendering::World& world, const Vec3& p, rendering::Touch& 
   touch = world.touch({.p_W = p});
   const Clock::time_point end = Clock::now();
   return std::chrono::duration<double, std::nano>(end - start).count();
+}
+
+// The most bytes of a world's state.
+constexpr std::size_t kMostStateBytes = std::size_t{1} << 22;
+
+// Gives `to`, which has the same scene, the state of `from`.
+void copy_state(rendering::World& from, rendering::World& to, std::span<std::byte> room) {
+  auto writer = rendering::StateArchive::writer(room);
+  from.transfer(writer);
+  auto reader = rendering::StateArchive::reader(room.first(writer.size()));
+  to.transfer(reader);
+  if (!writer.good() || !reader.good()) {
+    throw std::logic_error("a world's state cannot be copied");
+  }
 }
 
 }  // namespace
@@ -56,6 +73,34 @@ TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_r
   timing.once_max_ns = once.back();
   timing.peak_candidates = world->peak_candidates();
   return timing;
+}
+
+Lateness lateness_of(std::span<const rendering::Object> objects, double tool_radius_m,
+                     std::span<const Vec3> path) {
+  const auto usual = std::make_unique<rendering::World>();
+  const auto unlimited = std::make_unique<rendering::World>();
+  usual->set_scene(objects, {.tool_radius_m = tool_radius_m});
+  unlimited->set_scene(objects, {.tool_radius_m = tool_radius_m});
+  unlimited->set_tick_budget(std::numeric_limits<double>::infinity());
+  std::vector<std::byte> room(kMostStateBytes);
+  Lateness lateness;
+  for (const Vec3& p : path) {
+    const rendering::Touch here = usual->touch({.p_W = p});
+    const rendering::Touch there = unlimited->touch({.p_W = p});
+    const double behind_m = (here.proxy_W - there.proxy_W).norm();
+    if (behind_m <= kLate_m) {
+      continue;
+    }
+    copy_state(*usual, *unlimited, room);
+    ++lateness.late_ticks;
+    lateness.worst_m = std::max(lateness.worst_m, behind_m);
+    const double lengths = here.force_W.norm() * there.force_W.norm();
+    if (lengths > 0.0) {
+      const double cosine = std::clamp(here.force_W.dot(there.force_W) / lengths, -1.0, 1.0);
+      lateness.worst_turn_rad = std::max(lateness.worst_turn_rad, std::acos(cosine));
+    }
+  }
+  return lateness;
 }
 
 }  // namespace tactus::host

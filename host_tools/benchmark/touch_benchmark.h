@@ -35,4 +35,20 @@ struct TouchTiming {
 TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_radius_m,
                        std::span<const Vec3> path, std::size_t runs);
 
+// How far the ticks of the usual budget fall behind ticks without a limit that begin in the same
+// state.
+struct Lateness {
+  // The ticks that leave the proxy more than kLate_m from where one without a limit would.
+  std::size_t late_ticks = 0;
+  // The largest distance between them, m, and the largest angle between their forces, rad.
+  double worst_m = 0.0;
+  double worst_turn_rad = 0.0;
+};
+inline constexpr double kLate_m = 1e-6;
+
+// Touches the objects with a tool that follows `path` (m, world frame) in two worlds, of which the
+// one without a limit takes the state of the other after every late tick.
+Lateness lateness_of(std::span<const rendering::Object> objects, double tool_radius_m,
+                     std::span<const Vec3> path);
+
 }  // namespace tactus::host

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <numbers>
 
 #include "rendering/geometry/hierarchy_query.h"
+#include "rendering/world/world.h"
 
 namespace tactus::host {
 namespace {
@@ -69,6 +72,12 @@ double lift_at(double t) {
   return kLift_m * std::max(0.0, 1.0 - to_end / kEnds_s);
 }
 
+// Returns the vector, or one of its direction with the length `most`, m, if it is longer.
+Vec3 shortened(const Vec3& v, double most) {
+  const double length = v.norm();
+  return length > most ? Vec3{v * (most / length)} : v;
+}
+
 }  // namespace
 
 std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, std::size_t ticks) {
@@ -94,6 +103,24 @@ std::vector<Vec3> stroke_workload(const MeshView& mesh, double tool_radius_m, st
     surface = k == 0 ? height : std::clamp(height, surface - most_rise, surface + most_rise);
     const double depth = 0.002 + 0.001 * wave(1.7, t);
     path.emplace_back(middle + (surface + tool_radius_m - depth + lift_at(t)) * u);
+  }
+  return path;
+}
+
+std::vector<Vec3> hand_workload(const rendering::Object& object, double tool_radius_m,
+                                std::span<const Vec3> wishes) {
+  const auto world = std::make_unique<rendering::World>();
+  world->set_scene({&object, 1}, {.tool_radius_m = tool_radius_m});
+  world->set_tick_budget(std::numeric_limits<double>::infinity());
+  std::vector<Vec3> path;
+  path.reserve(wishes.size());
+  Vec3 tool = wishes.empty() ? Vec3::Zero().eval() : wishes.front();
+  Vec3 proxy = tool;
+  for (const Vec3& wish : wishes) {
+    tool += shortened(wish - tool, kTick_s * kHandSpeed_m_per_s);
+    tool = proxy + shortened(tool - proxy, kHandStretch_m);
+    proxy = world->touch({.p_W = tool}).proxy_W;
+    path.push_back(tool);
   }
   return path;
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,12 @@ namespace {
 
 constexpr const char* kBenchExamples =
     "touch: the tool presses 1 to 3 mm into the mesh, strokes, leaves and comes back every two "
-    "seconds, friction\n"
+    "seconds. \"hand\" is\n"
+    "limited to 0.5 m/s and a stretch of 10 mm, \"jumps\" goes from one part of the mesh to "
+    "another "
+    "within a tick. A\n"
+    "tick is late if its proxy is more than 1 um from where a tick without a limit would put it. "
+    "Friction\n"
     "0.6 / 0.4, 1000 N/m; spheres of 0.1 m radius from 1,280 to 1,310,720 triangles, Debian's "
     "bunny, and the Stanford\n"
     "dragon (871,306 triangles, 0.2 m) once --dragon has fetched it, each with a god-object point "
@@ -81,6 +87,7 @@ void print_json(const TouchFigures& figures) {
                               {"triangles", figures.triangles},
                               {"radius_m", figures.radius_m},
                               {"friction", figures.friction},
+                              {"motion", figures.motion},
                               {"ticks", timing.ticks},
                               {"median_ns", timing.median_ns},
                               {"p99_ns", timing.p99_ns},
@@ -90,7 +97,10 @@ void print_json(const TouchFigures& figures) {
                               {"once_max_ns", timing.once_max_ns},
                               {"contact_ticks", timing.contact_ticks},
                               {"flagged_ticks", timing.flagged_ticks},
-                              {"peak_candidates", timing.peak_candidates}};
+                              {"peak_candidates", timing.peak_candidates},
+                              {"late_ticks", figures.lateness.late_ticks},
+                              {"late_worst_m", figures.lateness.worst_m},
+                              {"late_turn_rad", figures.lateness.worst_turn_rad}};
   if (const auto& count = figures.instructions) {
     json["instructions"] = {{"mean", count->mean},
                             {"median", count->median},
@@ -101,15 +111,23 @@ void print_json(const TouchFigures& figures) {
   fmt::print("{}\n", json.dump());
 }
 
+// Returns how late the ticks are, in words; nothing if none is.
+std::string late_words(const Lateness& lateness) {
+  return lateness.late_ticks == 0
+             ? std::string()
+             : fmt::format(", by {:.3g} mm and {:.0f} degrees of the force at most",
+                           1e3 * lateness.worst_m,
+                           lateness.worst_turn_rad * 180.0 / std::numbers::pi);
+}
+
 void print_text(const TouchFigures& figures) {
   const TouchTiming& timing = figures.timing;
   fmt::print(
-      "touch {:<12} {:>9} triangles, radius {:>4.1f} mm: median {:>6.0f} ns, p99 {:>7.0f}, p99.9 "
-      "{:>7.0f}, max {:>7.0f} (run once {:.0f}, {:.0f}); {} of {} ticks flagged; {} triangles near "
-      "at most\n",
-      figures.mesh, figures.triangles, 1e3 * figures.radius_m, timing.median_ns, timing.p99_ns,
-      timing.p999_ns, timing.max_ns, timing.once_p999_ns, timing.once_max_ns, timing.flagged_ticks,
-      timing.ticks, timing.peak_candidates);
+      "touch {:<7} {:>8} triangles, radius {:>3.1f} mm, {:<6} median {:>6.0f} ns, p99 {:>7.0f}, "
+      "p99.9 {:>7.0f}, max {:>7.0f} (run once {:.0f}, {:.0f}); {} of {} ticks late{}\n",
+      figures.mesh, figures.triangles, 1e3 * figures.radius_m, figures.motion + ":",
+      timing.median_ns, timing.p99_ns, timing.p999_ns, timing.max_ns, timing.once_p999_ns,
+      timing.once_max_ns, figures.lateness.late_ticks, timing.ticks, late_words(figures.lateness));
   if (const auto& count = figures.instructions) {
     fmt::print(
         "      instructions a tick: mean {:.0f}, median {:.0f}, p99 {:.0f}, p99.9 {:.0f}, max "
@@ -118,24 +136,40 @@ void print_text(const TouchFigures& figures) {
   }
 }
 
-// Strokes one mesh with each tool radius, and prints and appends a row for each.
+// A path of the tool with its name in the figures.
+struct Motion {
+  std::string name;
+  std::vector<Vec3> path;
+};
+
+// Follows one path over one mesh, and prints and appends its row.
+void bench_motion(const BenchOptions& options, const BenchmarkMesh& mesh, double radius_m,
+                  const Motion& motion, FiguresFile* file) {
+  const rendering::Object object = object_of(mesh, !options.frictionless);
+  TouchFigures figures{.mesh = mesh.name,
+                       .triangles = mesh.mesh.triangles.size(),
+                       .radius_m = radius_m,
+                       .friction = !options.frictionless,
+                       .motion = motion.name,
+                       .timing = time_touch({&object, 1}, radius_m, motion.path, options.runs),
+                       .lateness = lateness_of({&object, 1}, radius_m, motion.path)};
+  if (options.instructions) {
+    figures.instructions = count_instructions(mesh, figures.friction, radius_m, motion.path);
+  }
+  options.json ? print_json(figures) : print_text(figures);
+  std::fflush(stdout);
+  if (file != nullptr) {
+    file->append(figures);
+  }
+}
+
+// Strokes one mesh with each tool radius: with a hand's motion, and with the path that jumps.
 void bench_touch(const BenchOptions& options, const BenchmarkMesh& mesh, FiguresFile* file) {
   const rendering::Object object = object_of(mesh, !options.frictionless);
   for (const double radius_m : options.radii_m) {
-    const std::vector<Vec3> path = stroke_workload(object.mesh, radius_m, options.ticks);
-    TouchFigures figures{.mesh = mesh.name,
-                         .triangles = mesh.mesh.triangles.size(),
-                         .radius_m = radius_m,
-                         .friction = !options.frictionless,
-                         .timing = time_touch({&object, 1}, radius_m, path, options.runs)};
-    if (options.instructions) {
-      figures.instructions = count_instructions(mesh, figures.friction, radius_m, path);
-    }
-    options.json ? print_json(figures) : print_text(figures);
-    std::fflush(stdout);
-    if (file != nullptr) {
-      file->append(figures);
-    }
+    const std::vector<Vec3> jumps = stroke_workload(object.mesh, radius_m, options.ticks);
+    bench_motion(options, mesh, radius_m, {"hand", hand_workload(object, radius_m, jumps)}, file);
+    bench_motion(options, mesh, radius_m, {"jumps", jumps}, file);
   }
 }
 

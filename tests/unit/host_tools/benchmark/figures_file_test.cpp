@@ -16,6 +16,7 @@ using testing::TemporaryFolder;
 const TouchFigures kFigures{.mesh = "ball",
                             .triangles = 20,
                             .radius_m = 0.002,
+                            .motion = "hand",
                             .timing = {.ticks = 7, .median_ns = 400.4, .flagged_ticks = 3}};
 
 TEST(FiguresFile, NamesItsColumnsOnceAndTheMachineOncePerRun) {
@@ -31,7 +32,7 @@ TEST(FiguresFile, NamesItsColumnsOnceAndTheMachineOncePerRun) {
   EXPECT_TRUE(text.starts_with("mesh,triangles,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 1 + 2 + 1 + 1);
   EXPECT_EQ(std::ranges::count(text, '#'), 2);
-  EXPECT_TRUE(contains(text, "\nball,20,2,1,7,400,0,0,0,0,0,,,,,,0,3,0\n"));
+  EXPECT_TRUE(contains(text, "\nball,20,2,1,7,400,0,0,0,0,0,,,,,,0,3,0,hand,0,0.0,0.0\n"));
 }
 
 TEST(FiguresFile, EveryRowHasAFieldForEveryColumn) {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "host_tools/benchmark/touch_benchmark.h"
+#include "rendering/world/world.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid.h"
 
@@ -47,6 +50,33 @@ TEST(StrokeWorkload, MovesNoFasterThanAHandWhereTheMeshEndsAndAnotherBegins) {
   const std::vector<Vec3> path = stroke_workload(two.object().mesh, kRadius_m, 8000);
   constexpr double kTurning_m = 5e-4;  // tangential, and the lift
   EXPECT_LT(fastest_step(path), 1e-3 * kMostRise_m_per_s + kTurning_m);
+}
+
+TEST(HandWorkload, IsNoFasterThanAHandAndStretchesTheProxyNoFartherThanItMay) {
+  const Solid two(testing::joined(testing::icosphere(0.04, 3),
+                                  testing::moved(testing::icosphere(0.01, 3), {0.09, 0.0, 0.0})),
+                  rendering::Sides::one, {.stiffness_N_per_m = 1000.0});
+  const std::vector<Vec3> jumps = stroke_workload(two.object().mesh, kRadius_m, 8000);
+  const std::vector<Vec3> path = hand_workload(two.object(), kRadius_m, jumps);
+  ASSERT_EQ(path.size(), jumps.size());
+  EXPECT_LE(fastest_step(path), 1e-3 * kHandSpeed_m_per_s + 1e-12);
+  double deepest = 0.0;
+  const auto world = std::make_unique<rendering::World>();
+  ASSERT_TRUE(world->set_scene({&two.object(), 1}, {.tool_radius_m = kRadius_m}));
+  for (const Vec3& p : path) {
+    deepest = std::max(deepest, (world->touch({.p_W = p}).proxy_W - p).norm());
+  }
+  EXPECT_GT(deepest, 0.001);
+  EXPECT_LE(deepest, kHandStretch_m + kHandSpeed_m_per_s * 1e-3);
+}
+
+TEST(Lateness, IsNoneWhereTheBudgetIsEnough) {
+  const Solid ball(testing::icosphere(0.04, 4), rendering::Sides::one,
+                   {.stiffness_N_per_m = 1000.0});
+  const std::vector<Vec3> path = stroke_workload(ball.object().mesh, kRadius_m, 2000);
+  const Lateness lateness = lateness_of({&ball.object(), 1}, kRadius_m, path);
+  EXPECT_EQ(lateness.late_ticks, 0U);
+  EXPECT_EQ(lateness.worst_m, 0.0);
 }
 
 }  // namespace
