@@ -40,8 +40,7 @@ enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 enum TouchFlags : std::uint32_t {
   kTouchClean = 0,
   // More triangles than kMaxCandidates are near the tool: a slower path is taken.
-  kTouchCandidatesOverflow =
-      1U << 0,  // more triangles near the tool than kMaxCandidates: slower path taken
+  kTouchCandidatesOverflow = 1U << 0,
   // The tick budget or kMaxSubGoals is spent: the proxy is short of its minimum in this tick.
   kTouchIterationsExhausted = 1U << 1,
   // There are more contact planes than kMaxContactPlanes.
@@ -49,8 +48,7 @@ enum TouchFlags : std::uint32_t {
   // The tool is not finite or beyond kWorldBound_m: the proxy is held and the force is zero.
   kTouchToolInvalid = 1U << 3,
   // Objects that moved left the proxy no room: some of them passed over it.
-  kTouchPinched =
-      1U << 4,  // objects that moved left the proxy no room: some of them passed over it
+  kTouchPinched = 1U << 4,
   // An object that the tool began in or came out of is not felt until the tool is clear of it.
   kTouchOverlap = 1U << 5,
 };
@@ -91,6 +89,10 @@ struct Touch {
   std::uint32_t object = 0;
   // TouchFlags: the limits that the touch reached.
   std::uint32_t flags = kTouchClean;
+  // How far the proxy was from its goal when a limit ended its moves, m; 0 in a tick that ended by
+  // itself. Where the goal was not known yet it is the distance to the tool, which is not less.
+  // With several contacts it is the largest.
+  double short_of_goal_m = 0.0;
   // The parts of the force.
   ForceParts parts;
 };

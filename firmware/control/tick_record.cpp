@@ -38,6 +38,7 @@ void record_touch(const rendering::Touch& touch, TelemetryRecord& record) {
   record.normal_W = to_triple(touch.normal_W);
   record.force_rendered_W = to_triple(touch.force_W);
   record.depth_m = touch.depth_m;
+  record.short_of_goal_m = touch.short_of_goal_m;
   record.counters.touch_flagged += touch.flags != rendering::kTouchClean ? 1U : 0U;
 }
 

@@ -75,6 +75,9 @@ std::uint64_t state_hash(const TelemetryRecord& record, std::uint64_t previous) 
     hash.add_reals(record.joint_measured);
     hash.add(record.effort_known);
   }
+  if (record.short_of_goal_m != 0.0) {
+    hash.add_real(record.short_of_goal_m);
+  }
   return hash.value();
 }
 

@@ -60,6 +60,7 @@ struct TouchSummary {
   std::size_t flagged_ticks = 0;
   double max_force_N = 0.0;
   double max_depth_m = 0.0;
+  double max_short_of_goal_m = 0.0;
 
   // Adds one tick.
   void add(const rendering::Touch& touch) {
@@ -68,6 +69,7 @@ struct TouchSummary {
     flagged_ticks += touch.flags != rendering::kTouchClean ? 1 : 0;
     max_force_N = std::max(max_force_N, touch.force_W.norm());
     max_depth_m = std::max(max_depth_m, touch.depth_m);
+    max_short_of_goal_m = std::max(max_short_of_goal_m, touch.short_of_goal_m);
   }
 };
 
@@ -142,18 +144,24 @@ void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Tou
 void print(const TouchOptions& options, const TouchSummary& s) {
   std::FILE* const out = is_standard_output(options.output) ? stderr : stdout;
   if (options.json) {
-    const nlohmann::ordered_json json{
-        {"output", options.output},         {"ticks", s.ticks},
-        {"contact_ticks", s.contact_ticks}, {"flagged_ticks", s.flagged_ticks},
-        {"max_force_N", s.max_force_N},     {"max_depth_m", s.max_depth_m}};
+    const nlohmann::ordered_json json{{"output", options.output},
+                                      {"ticks", s.ticks},
+                                      {"contact_ticks", s.contact_ticks},
+                                      {"flagged_ticks", s.flagged_ticks},
+                                      {"max_force_N", s.max_force_N},
+                                      {"max_depth_m", s.max_depth_m},
+                                      {"max_short_of_goal_m", s.max_short_of_goal_m}};
     fmt::print(out, "{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   fmt::print(out, "{}: {} ticks, {} in contact, largest force {:.4g} N, largest depth {:.4g} mm\n",
              options.output, s.ticks, s.contact_ticks, s.max_force_N, 1e3 * s.max_depth_m);
   if (s.flagged_ticks > 0) {
-    fmt::print(out, "{} ticks gave something up to a limit (rendering/limits.h)\n",
-               s.flagged_ticks);
+    fmt::print(
+        out,
+        "{} ticks gave something up to a limit (rendering/limits.h); they ended at most {:.4g} "
+        "mm short of their goal\n",
+        s.flagged_ticks, 1e3 * s.max_short_of_goal_m);
   }
 }
 

@@ -62,6 +62,7 @@ void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.state_hash = stored.state_hash();
   record.effort_known = stored.effort_known();
   record.fault_joint = stored.fault_joint();
+  record.short_of_goal_m = stored.short_of_goal_m();
 }
 
 void read_vectors(const telemetry::Record& stored, TelemetryRecord& record) {

@@ -114,6 +114,11 @@ class ProxyTick {
   void make_move(const Move& move);
   bool stays_on_face(const Move& move);
 
+  // Says that a limit ends the tick before the proxy has reached the goal.
+  void end_short_of(const Vec3& goal_W) {
+    rest_.flags |= kTouchIterationsExhausted;
+    rest_.short_of_goal_m = (goal_W - state_.p_W).norm();
+  }
   void sweep_to_tool();
   void escape_overfull_planes();
   void forget_left_out();
@@ -189,7 +194,7 @@ Next ProxyTick::gather() {
     return Next::go_on;
   }
   if (gathering == Gathering::begun) {
-    rest_.flags |= kTouchIterationsExhausted;
+    end_short_of(h_W_);
     // The planes that held the proxy before give the force.
     find_active_constraints(near_.scene, factors_, state_.p_W, h_W_, planes_, rest_);
     return Next::end;
@@ -219,7 +224,7 @@ Next ProxyTick::collect_planes(double max_push_m) {
   PlaneCollector collector(near_, state_.p_W, max_push_m);
   switch (collector.collect(constraints_, planes_, rest_.flags)) {
     case PlaneCollector::Result::unfinished:
-      rest_.flags |= kTouchIterationsExhausted;
+      end_short_of(h_W_);
       rest_.plane_count = 0;
       return Next::end;
     case PlaneCollector::Result::overlapped:
@@ -347,7 +352,7 @@ bool ProxyTick::may_move(const Move& move) {
   const bool is_free = move.sweep.travel_m > 0.0;
   const bool must_move = rest_.sub_goals == 0 && is_free && near_.candidates.has_waited();
   if (rest_.sub_goals == kMaxSubGoals || (near_.candidates.budget().is_exhausted() && !must_move)) {
-    rest_.flags |= kTouchIterationsExhausted;
+    end_short_of(move.goal.point);
     return false;
   }
   // The planes leave no free direction. If more planes hold the proxy than are kept, the missing

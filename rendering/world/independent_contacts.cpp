@@ -73,6 +73,13 @@ Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
           .planes = 1};
 }
 
+// Notes how far a contact that a limit ended is from its goal.
+void note_short_of_goal(const Vec3& goal_O, Touch& touch) {
+  if ((touch.flags & kTouchIterationsExhausted) != 0) {
+    touch.short_of_goal_m = (goal_O - touch.proxy_W).norm();
+  }
+}
+
 }  // namespace
 
 void IndependentContacts::place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m) {
@@ -137,6 +144,7 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     parts.driven_power += own.force_W.dot(scene.velocity_W(number, tool.p_W));
     // The flags of all contacts add up; the other fields describe the one with the largest force.
     own.flags |= touch.flags;
+    own.short_of_goal_m = std::max(own.short_of_goal_m, touch.short_of_goal_m);
     const double push = own.force_W.squaredNorm();
     if (own.contact != ContactKind::none &&
         (push > hardest || touch.contact == ContactKind::none)) {
@@ -144,6 +152,7 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
       touch = own;
     }
     touch.flags = own.flags;
+    touch.short_of_goal_m = own.short_of_goal_m;
   }
   touch.force_W = force;
   touch.parts = parts;
@@ -207,14 +216,18 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
           trackers_[k].advance(object.implicit, material, goal_O,
                                std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_));
       budget_.spend(rest.evaluated / kFormulaStepsPerUnit);
-      return touch_of(rest);
+      Touch touch = touch_of(rest);
+      note_short_of_goal(goal_O, touch);
+      return touch;
     }
     case ContactMethod::feature_walk: {
       const FeatureRest rest =
           walkers_[k].advance(mesh_of(object), object.sides, material, goal_O,
                               std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
       budget_.spend(kCostOfFeatureVisit * (std::size_t{rest.visited} + rest.approached));
-      return touch_of(rest);
+      Touch touch = touch_of(rest);
+      note_short_of_goal(goal_O, touch);
+      return touch;
     }
     default:
       budget_.spend(kCostOfField);

@@ -73,6 +73,7 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyP
   touch.sub_goals = rest.sub_goals;
   touch.planes = rest.plane_count;
   touch.flags = rest.flags;
+  touch.short_of_goal_m = rest.short_of_goal_m;
   if (rest.plane_count > 0) {
     set_force(tool, rest, blended, touch);
   }

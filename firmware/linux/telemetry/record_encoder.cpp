@@ -61,6 +61,7 @@ void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_state_hash(record.state_hash);
   table.add_effort_known(record.effort_known);
   table.add_fault_joint(record.fault_joint);
+  table.add_short_of_goal_m(record.short_of_goal_m);
 }
 
 }  // namespace

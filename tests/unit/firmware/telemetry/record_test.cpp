@@ -56,6 +56,7 @@ TEST(StateHash, ChangesWithEveryFieldButTheStageTimes) {
       [](TelemetryRecord& r) { r.counters.limited_ticks = 1; },
       [](TelemetryRecord& r) { r.counters.touch_flagged = 1; },
       [](TelemetryRecord& r) { r.counters.late_ticks = 1; },
+      [](TelemetryRecord& r) { r.short_of_goal_m = 1e-300; },
   };
   std::vector<std::uint64_t> seen = {state_hash(TelemetryRecord{}, 0)};
   for (const Change& change : changes) {

@@ -276,6 +276,8 @@ TEST_F(WorldTest, ATickThatIsCutShortIsFeltAsTheOnesBefore) {
       const Touch t = touch(tool);
       if (tick > kSettled) {
         cut_short += t.flags == kTouchIterationsExhausted ? 1 : 0;
+        ASSERT_EQ(t.short_of_goal_m > 0.0, t.flags == kTouchIterationsExhausted);
+        ASSERT_LE(t.short_of_goal_m, (t.proxy_W - tool).norm());
         ASSERT_GT(t.planes, 0U) << "tick " << tick << ", radius " << radius_m;
         ASSERT_GT(t.force_W.dot(t.proxy_W), 0.0) << "tick " << tick << ", radius " << radius_m;
       }
