@@ -10,9 +10,9 @@
 namespace tactus::rendering {
 namespace {
 
-// Normals at a smaller sine, or around a smaller volume, count as parallel.
+// Normals with a smaller squared sine between them, or a smaller squared volume around them, count
+// as parallel: the second part of the force would be lessened to nothing.
 constexpr double kNearlyParallel = 1e-6;
-
 using DualBasis = std::array<Vec3, 3>;
 
 // Returns the dual basis of two normals, in their plane; zeros if they are parallel.
@@ -29,10 +29,37 @@ DualBasis dual_of_two(const Vec3& n0, const Vec3& n1) {
 DualBasis dual_of_three(const Vec3& n0, const Vec3& n1, const Vec3& n2) {
   const Vec3 m0 = n1.cross(n2);
   const double volume = n0.dot(m0);
-  if (volume * volume < kNearlyParallel * kNearlyParallel) {
+  if (volume * volume < kNearlyParallel) {
     return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   }
   return {m0 / volume, n2.cross(n0) / volume, n0.cross(n1) / volume};
+}
+
+// Returns the largest cosine between two of the normals.
+double largest_cosine(const ProxyRest& rest) {
+  double largest = -1.0;
+  for (std::size_t i = 1; i < rest.plane_count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      largest = std::max(largest, rest.planes[i].plane.normal.dot(rest.planes[j].plane.normal));
+    }
+  }
+  return largest;
+}
+
+// Returns the share of the second part that is applied. Where the softest surface holds nearly
+// alone, the second part has the stiffness (K_hard - K_soft) m^2, and the first K_soft; their sum
+// is at most twice K_hard. Between normals less than 60 degrees apart the second part is stiffest
+// where both surfaces hold, by about the inverse cube of 1 - cosine.
+double share_of_sideways(const ProxyRest& rest, const DualBasis& dual, double softest,
+                         double hardest) {
+  double longest = 1.0;  // squared
+  for (const Vec3& m : dual) {
+    longest = std::max(longest, m.squaredNorm());
+  }
+  const double at_softest = (2.0 * hardest - softest) / ((hardest - softest) * longest);
+  constexpr double kWholeFrom = 0.49;  // 1 - cosine; 59.3 degrees
+  const double apart = (1.0 - largest_cosine(rest)) / kWholeFrom;
+  return std::min({1.0, at_softest, apart * apart * apart});
 }
 
 }  // namespace
@@ -70,12 +97,8 @@ CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& s
     stretch += pressure * planes[i].plane.normal;
     spring.sideways_W += pressure * (stiffness_N_per_m[i] - spring.stiffness_N_per_m) * dual[i];
   }
-  spring.sideways_W *= stretch.squaredNorm() / squares;
-  const double most_N = *hardest * stretch.norm();
-  const double length_N = spring.sideways_W.norm();
-  if (length_N > most_N) {
-    spring.sideways_W *= most_N / length_N;
-  }
+  spring.sideways_W *=
+      share_of_sideways(rest, dual, *softest, *hardest) * stretch.squaredNorm() / squares;
   return spring;
 }
 

@@ -13,6 +13,10 @@
 //   F = dV/ds = K s + 1/2 s^2 dK/ds
 //
 // Its second part pushes across s, toward the softer surface: the tool's energy is less there.
+// Between normals that are nearly parallel, or nearly opposite, it would make the corner stiffer
+// than any device can hold. It is lessened there, so that it adds no more than about the hardest
+// surface's stiffness; a closed path can then give out energy. It is whole between normals 60 to
+// 135 degrees apart if the hardest surface is at most twenty times as stiff as the softest.
 #pragma once
 
 #include <array>
@@ -25,9 +29,7 @@ namespace tactus::rendering {
 struct CornerSpring {
   // K, N/m; 0 if no plane is active.
   double stiffness_N_per_m = 0.0;
-  // The second part of the force on the tool, world frame, N. Its length is at most the largest K_i
-  // times |s|: planes that are nearly parallel would make it as long as one likes, and there the
-  // force is not the gradient.
+  // The second part of the force on the tool, world frame, N.
   Vec3 sideways_W = Vec3::Zero();
 };
 
