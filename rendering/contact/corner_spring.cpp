@@ -13,6 +13,7 @@ namespace {
 // Normals with a smaller squared sine between them, or a smaller squared volume around them, count
 // as parallel: the second part of the force would be lessened to nothing.
 constexpr double kNearlyParallel = 1e-6;
+
 using DualBasis = std::array<Vec3, 3>;
 
 // Returns the dual basis of two normals, in their plane; zeros if they are parallel.
