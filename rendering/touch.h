@@ -89,8 +89,8 @@ struct Touch {
   std::uint32_t object = 0;
   // TouchFlags: the limits that the touch reached.
   std::uint32_t flags = kTouchClean;
-  // How far the proxy was from its goal when a limit ended its moves, m; 0 in a tick that ended by
-  // itself. Where the goal was not known yet it is the distance to the tool, which is not less.
+  // The distance of the proxy from its goal when a limit ended its moves, m; 0 in a tick that ended
+  // by itself. Where the goal was not known yet it is the distance to the tool, which is not less.
   // With several contacts it is the largest.
   double short_of_goal_m = 0.0;
   // The parts of the force.

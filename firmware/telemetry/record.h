@@ -127,8 +127,8 @@ struct TelemetryRecord {
   // The joint of a latched motor_reversed or effort_mismatch, 1 for the first; 0: none. Not hashed,
   // because `faults` is.
   std::uint32_t fault_joint = 0;
-  // How far the proxy was from its goal when a limit ended its moves, m; 0 in other ticks. Hashed
-  // if it is not 0.
+  // The distance of the proxy from its goal when a limit ended its moves, m; 0 in other ticks. It
+  // is hashed if it is not 0.
   double short_of_goal_m = 0.0;
   // The stage times. Not hashed.
   StageTimes stage_ns;

@@ -35,7 +35,7 @@ struct TouchTiming {
 TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_radius_m,
                        std::span<const Vec3> path, std::size_t runs);
 
-// How far the ticks of the usual budget fall behind ticks without a limit that begin in the same
+// The lateness of ticks with the usual budget, against ticks without a limit that begin in the same
 // state.
 struct Lateness {
   // The ticks that leave the proxy more than kLate_m from where one without a limit would.

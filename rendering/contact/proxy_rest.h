@@ -53,7 +53,8 @@ struct ProxyRest {
   std::uint16_t sub_goals = 0;
   // TouchFlags: the limits that the tick reached.
   std::uint32_t flags = kTouchClean;
-  // How far the proxy was from its goal when a limit ended the tick, m (Touch::short_of_goal_m).
+  // The distance of the proxy from its goal when a limit ended the tick, m
+  // (Touch::short_of_goal_m).
   double short_of_goal_m = 0.0;
 
   // Returns the index of the plane with the largest pressure. plane_count must be > 0.

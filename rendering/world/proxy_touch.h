@@ -60,7 +60,8 @@ class ProxyTouch {
     bool interpolated = false;
     // The sum of the weights, m.
     double pressure_m = 0.0;
-    // The spring of the stiffnesses with the detail's factors, and, if there is detail, without them.
+    // The spring of the stiffnesses with the detail's factors, and, if there is detail, without
+    // them.
     CornerSpring spring;
     CornerSpring plain_spring;
     // The sum of B times the velocity relative to the surface, N m.
