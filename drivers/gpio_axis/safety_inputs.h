@@ -39,10 +39,7 @@ class SafetyInputs {
 
   // Clears the latches at a reset, except active lines and an emergency stop within its release
   // time.
-  void clear(hal::TimeNs now_ns) {
-    emergency_stop_ = limits_.emergency_stop || now_ns - opened_ns_ < release_ns_;
-    fault_ = limits_.fault;
-  }
+  void clear(hal::TimeNs now_ns);
 
   [[nodiscard]] bool emergency_stop() const { return emergency_stop_; }
   [[nodiscard]] bool fault() const { return fault_; }

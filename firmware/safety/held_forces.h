@@ -37,10 +37,7 @@ class HeldForces {
   }
 
   // Sets all forces to zero.
-  void restart() {
-    ring_.fill({});
-    newest_ = 0;
-  }
+  void restart();
 
   // Adds the force that goes out in this tick.
   void push(const HeldForce& force) {
@@ -53,29 +50,11 @@ class HeldForces {
 
   // Returns the force that acts until the next push: the linear interpolation between the two
   // forces on both sides of the delay.
-  [[nodiscard]] HeldForce acting() const {
-    const HeldForce& late = back(whole_);
-    const HeldForce& later = back(whole_ + 1);
-    return {.all_W = late.all_W + share_ * (later.all_W - late.all_W),
-            .rendered_W = late.rendered_W + share_ * (later.rendered_W - late.rendered_W),
-            .effect_W = late.effect_W + share_ * (later.effect_W - late.effect_W)};
-  }
+  [[nodiscard]] HeldForce acting() const;
 
   // Returns the mean of acting() over `ticks` ticks in which the newest force is held. Pushes the
   // newest force again for each further tick.
-  HeldForce acting_over(std::size_t ticks) {
-    HeldForce mean = acting();
-    const std::size_t more = std::min(ticks, kMost) - 1;
-    for (std::size_t tick = 0; tick < more; ++tick) {
-      push(HeldForce(newest()));
-      const HeldForce next = acting();
-      const double weight = 1.0 / static_cast<double>(tick + 2);
-      mean.all_W += weight * (next.all_W - mean.all_W);
-      mean.rendered_W += weight * (next.rendered_W - mean.rendered_W);
-      mean.effect_W += weight * (next.effect_W - mean.effect_W);
-    }
-    return mean;
-  }
+  HeldForce acting_over(std::size_t ticks);
 
   // Writes its memory to the archive, or reads it back.
   void transfer(rendering::StateArchive& archive);

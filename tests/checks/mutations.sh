@@ -4,7 +4,7 @@
 set -euo pipefail
 list=tests/mutation/faults.txt
 tree=build/mutation/tree
-build=build/mutation/build
+build="$tree/build/release"
 export TACTUS_MUTANT_LIMIT_S=60 # a test that a fault keeps from ending has found it
 export TACTUS_PROPERTY_TICKS=20000 GTEST_FAIL_FAST=1
 
@@ -12,14 +12,12 @@ tests/checks/build.sh release plant_faults
 sources="$(git ls-files --cached --others --exclude-standard | sort)"
 faults="$(build/release/tests/plant_faults "$list" . "$tree" <<<"$sources")"
 # A file that has gone since the last run goes from the copy, too.
-comm -13 <(echo "$sources") <(find "$tree" -type f -printf '%P\n' | sort) | sed "s|^|$tree/|" | xargs -r -d '\n' rm --
+comm -13 <(echo "$sources") <(find "$tree" -path "$tree/build" -prune -o -type f -printf '%P\n' | sort) | sed "s|^|$tree/|" | xargs -r -d '\n' rm --
+cmp -s tests/mutation/switch.h "$tree/planted_switch.h" || cp tests/mutation/switch.h "$tree/planted_switch.h"
 
-root="$PWD/$tree"
-CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=true cmake --fresh -S "$tree" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++-19 \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=40 -DTACTUS_TESTS=ON \
-  -DCMAKE_CXX_FLAGS="-Wno-error -include $root/tests/mutation/switch.h" -DCMAKE_CXX_FLAGS_RELEASE=-O1 >/dev/null
+# The preset is that of the other tests: ccache has the objects that no fault is in.
 mapfile -t programs < <(cut -f2 <<<"$faults" | sort -u)
-cmake --build "$build" --target "${programs[@]}" --parallel "$(nproc)"
+(cd "$tree" && tests/checks/build.sh release "${programs[@]}")
 
 # run NUMBER PROGRAM FILTER: the tests with that fault on; 0 is none.
 run() {

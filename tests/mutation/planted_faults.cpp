@@ -113,7 +113,7 @@ std::string with_faults(const std::string& list, const std::string& source,
     places.push_back({at, &fault});
   }
   std::ranges::sort(places, {}, &Place::at);
-  std::string result;
+  std::string result = "#include \"planted_switch.h\"\n#line 1\n";
   std::size_t done = 0;
   for (const Place& place : places) {
     if (place.at < done) {

@@ -21,8 +21,9 @@ struct PlantedFault {
 // The list's form is in README.md. Throws std::runtime_error: `NAME:LINE: what; remedy`.
 std::vector<PlantedFault> read_faults(const std::string& name, std::string_view text);
 
-// The source with every fault of that file in it, each behind a switch: an expression becomes
-// `(is_on(n) ? (to) : (from))`, a statement or a block `if (is_on(n)) { to } else { from }`. Throws
+// Returns the source with every fault of that file in it, each behind a switch: an expression
+// becomes `(is_on(n) ? (to) : (from))`, a statement or a block `if (is_on(n)) { to } else { from
+// }`. The source then includes "planted_switch.h", which declares the switch (switch.h). Throws
 // std::runtime_error if a fault's text does not stand there exactly once, or two overlap.
 std::string with_faults(const std::string& list, const std::string& source,
                         const std::vector<PlantedFault>& faults);

@@ -26,6 +26,7 @@ TEST(PlantedFaults, StandBehindSwitchesAsExpressionOrStatement) {
   ASSERT_EQ(faults.size(), 2U);
   EXPECT_EQ(faults[1].filter, "Clear.*:Other.*");
   EXPECT_EQ(with_faults("list", "if (x > limit) { clear(); }", faults),
+            "#include \"planted_switch.h\"\n#line 1\n"
             "if ((::tactus::mutation::is_on(1) ? (x > 2 * limit) : (x > limit))) { "
             "if (::tactus::mutation::is_on(2)) {   } else { clear(); } }");
 }

@@ -1,6 +1,9 @@
 // Chooses the one planted fault of a run. plant_faults puts calls of is_on into copies of the
-// sources, and the compiler includes this file into each of them by itself (-include).
+// sources, each of which then includes a copy of this file.
 #pragma once
+
+// A fault may leave a variable unused, or make a condition that is always the same.
+#pragma GCC diagnostic warning "-Wall"
 
 #include <cstdlib>
 

@@ -11,6 +11,7 @@
 #include "tests/replay/restore_check.h"
 #include "tests/support/example_scenes.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/paths.h"
 #include "tests/support/share.h"
 
 namespace tactus::testing {
@@ -20,7 +21,7 @@ using RestoreOfExamples = FolderTest;
 
 TEST_F(RestoreOfExamples, GoesOnAlike) {
   constexpr std::size_t kTicksARestore = 4'000;
-  const std::filesystem::path examples = TACTUS_EXAMPLES;
+  const std::filesystem::path examples = in_repository("host_tools/examples");
   std::uint64_t seed = 800;
   for (const char* name : kExampleScenes) {
     SCOPED_TRACE(name);

@@ -18,6 +18,7 @@
 #include "tests/replay/restore_check.h"
 #include "tests/support/example_scenes.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/paths.h"
 #include "tests/support/without_sign_check.h"
 
 namespace tactus::testing {
@@ -27,7 +28,7 @@ using firmware::Mode;
 using firmware::Request;
 using Hashes = std::map<std::string, std::string>;
 
-constexpr const char* kGoldenFile = TACTUS_REFERENCE "/golden_hashes.csv";
+const std::string kGoldenFile = in_repository("tests/reference/golden_hashes.csv");
 constexpr int kTicks = 4000;
 
 std::string text_of(std::uint64_t hash) {
@@ -71,7 +72,7 @@ TEST_F(GoldenHashes, OfAWalkOverEachExampleScene) {
   Hashes hashes;
   for (const std::string name : kExampleScenes) {
     const std::string image = file(name + ".tactus");
-    host::bake_file(std::filesystem::path(TACTUS_EXAMPLES) / name / "scene.toml", image);
+    host::bake_file(in_repository("host_tools/examples/" + name + "/scene.toml"), image);
     const host::MappedScene scene(image);
     const auto controller =
         loaded({.objects = scene.image().objects(), .world = rendering::world_of(scene.image())});

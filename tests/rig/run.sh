@@ -11,8 +11,8 @@ usage() {
 usage: tests/rig/run.sh [--build FOLDER] [--help] [SCENARIO]...
   --build FOLDER   the CMake build folder to take the programs from; default build/release, which is built first
 scenarios: $(scenarios | paste -sd' ')
-A scenario with a line "# twice: ENDING..." runs twice, and the files with these endings must be the same. Those with a line
-"# long: SECONDS" begin first.
+A scenario with a line "# twice: ENDING..." runs twice, and the files with these endings must be the same; with "# soak_twice:"
+it does so with TACTUS_SOAK. Those with a line "# long: SECONDS" begin first.
 Console and results of each are kept in build/rig/results/SCENARIO. Example: tests/rig/run.sh can
 END
 }
@@ -59,14 +59,14 @@ cp host_tools/examples/wall/wish.csv "$images/wall_wish.csv"
 cat >"$images/everywhere.csv" <<END
 t_s,x_m,y_m,z_m
 0,0,0,0
-4,0,0,0
-5,0.05,0,0
-6.5,-0.05,0,0
-7.5,0,0.05,0
-9,0,-0.05,0
-10,0,0,0.04
-11,0,0,-0.04
-12,0,0,0
+2.5,0,0,0
+3,0.05,0,0
+3.75,-0.05,0,0
+4.25,0,0.05,0
+5,0,-0.05,0
+5.5,0,0,0.04
+6,0,0,-0.04
+6.5,0,0,0
 END
 for device in host_tools/examples/devices/*.toml; do
   cp "$device" "$images/"
@@ -97,6 +97,12 @@ host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.cpio "${program
 # Prints the words of a scenario's line "# KEY: words".
 setting() { sed -n "s/^# $2: //p" "tests/rig/scenarios/$1.sh" | paste -sd' '; }
 
+# Prints the endings of the files that a second run of the scenario must repeat, or nothing if it runs once.
+repeated() {
+  setting "$1" twice
+  if [[ -n "${TACTUS_SOAK:-}" ]]; then setting "$1" soak_twice; fi
+}
+
 # Prints the scenario with what its line "# long: SECONDS" says before it, 0 without one.
 with_length() { echo "$(setting "$1" long | grep . || echo 0) $1"; }
 
@@ -115,7 +121,7 @@ echo "rig: running ${wanted[*]}"
 runs=()
 for name in "${wanted[@]}"; do
   runs+=("$(with_length "$name")")
-  if [[ -n "$(setting "$name" twice)" ]]; then runs+=("$(with_length "$name").again"); fi
+  if [[ -n "$(repeated "$name")" ]]; then runs+=("$(with_length "$name").again"); fi
 done
 # The longest begin first, so that no processor waits long for the others at the end.
 mapfile -t runs < <(printf '%s\n' "${runs[@]}" | sort -s -rn | cut -d' ' -f2)
@@ -128,7 +134,7 @@ wait
 # Succeeds if two runs of a scenario have left the same bytes in every file with one of its endings.
 are_alike() {
   local name="${1%%.*}" ending file
-  for ending in $(setting "$name" twice); do
+  for ending in $(repeated "$name"); do
     for file in build/rig/results/"$1"/*."$ending"; do
       cmp "$file" "build/rig/results/$2/$(basename "$file")" || return 1
     done
@@ -158,7 +164,7 @@ for name in "${wanted[@]}"; do
   read -r code seconds <"build/rig/results/$name.verdict"
   echo "== rig: $name"
   grep -E '^(SKIPPED|measured:)' "$console" || true
-  if [[ $code -eq 0 && -n "$(setting "$name" twice)" ]]; then
+  if [[ $code -eq 0 && -n "$(repeated "$name")" ]]; then
     if ! repeats "$name"; then
       code=1
       console="build/rig/results/$name.again/console.log"

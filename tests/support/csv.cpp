@@ -1,5 +1,7 @@
 #include "tests/support/csv.h"
 
+#include "tests/support/paths.h"
+
 #include <cstdlib>
 #include <fstream>
 #include <limits>
@@ -27,7 +29,7 @@ std::vector<std::string> split(const std::string& line) {
 }  // namespace
 
 Csv::Csv(const std::string& name) {
-  const std::string path = std::string(TACTUS_REFERENCE_DIR) + "/" + name;
+  const std::string path = in_repository("tests/reference/" + name);
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) {

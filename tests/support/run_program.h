@@ -1,4 +1,4 @@
-// Runs the tactus program as a user does; for targets that define TACTUS_PROGRAM as its path.
+// Runs the tactus program as a user does.
 #pragma once
 
 #include <sys/wait.h>
@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+
+#include "tests/support/paths.h"
 
 namespace tactus::testing {
 
@@ -17,7 +19,7 @@ struct Outcome {
 
 inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments) {
   const std::string command =
-      "cd '" + folder.string() + "' && '" TACTUS_PROGRAM "' " + arguments + " 2>&1";
+      "cd '" + folder.string() + "' && '" + built_program("tactus") + "' " + arguments + " 2>&1";
   Outcome result;
   FILE* pipe = ::popen(command.c_str(), "r");
   std::array<char, 4096> buffer{};

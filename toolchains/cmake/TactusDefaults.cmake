@@ -36,6 +36,9 @@ add_compile_definitions(${TACTUS_ARITHMETIC_DEFINITIONS})
 # Nobody reads errno after a square root; without it the compiler may use the machine's own instruction.
 add_compile_options(-fno-math-errno)
 
+# A source is named from the repository's root, so that its object is the same wherever that lies.
+add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
+
 find_program(TACTUS_CCACHE ccache)
 if(TACTUS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${TACTUS_CCACHE}")

@@ -33,16 +33,7 @@ class RequestSlot {
   };
 
   // Puts a request into the slot.
-  Posted post(const TicketedRequest& newer) {
-    std::uint64_t waiting = word_.load(std::memory_order_relaxed);
-    do {
-      if (unpack(waiting).request == Request::estop && newer.request != Request::estop) {
-        return {};
-      }
-    } while (!word_.compare_exchange_weak(waiting, pack(newer), std::memory_order_release,
-                                          std::memory_order_relaxed));
-    return {.accepted = true, .replaced = unpack(waiting)};
-  }
+  Posted post(const TicketedRequest& newer);
 
   // Returns the newest request since the last call, or Request::none.
   TicketedRequest take() { return unpack(word_.exchange(kEmpty, std::memory_order_acquire)); }

@@ -12,15 +12,15 @@ fail() {
   exit 1
 }
 
-# The hand holds the middle, moves the handle everywhere from 4 s on, and lets go at 13 s.
+# The hand holds the middle, moves the handle everywhere from 2.5 s on, and lets go at 7.5 s.
 commission() { # NAME DEVICE EXPECTED_CODE EMULATED_WORDS...
   name="$1" device="$2" expected="$3"
   shift 3
-  tactus emulate "$@" --hand firm --path /images/everywhere.csv --let-go 13 --balanced --realtime 90 --seconds 60 2>"/results/$name.emulator" &
+  tactus emulate "$@" --hand firm --path /images/everywhere.csv --let-go 7.5 --balanced --realtime 90 --seconds 60 2>"/results/$name.emulator" &
   emulator=$!
   sleep 0.8
   cp "/images/$device.toml" "/results/$name.toml"
-  tactus commission "/results/$name.toml" --unattended --travel-s 14 >"/results/$name.txt" 2>"/results/$name.log"
+  tactus commission "/results/$name.toml" --unattended --travel-s 8.5 >"/results/$name.txt" 2>"/results/$name.log"
   code=$?
   kill "$emulator" && wait "$emulator"
   cat "/results/$name.log" "/results/$name.txt"

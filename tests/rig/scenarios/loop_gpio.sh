@@ -1,7 +1,7 @@
 #!/bin/sh
 # A Hapkit on GPIO lines at 1, 2, 4 and 8 kHz beside a busy machine: no missed tick, and awake as early as cyclictest.
 # long: 110
-# twice: csv log
+# soak_twice: csv log
 modprobe gpio-sim-oot
 mkdir -p /run && mount -t tmpfs run /run
 # The hand holds the paddle upright, where it is homed at the start of each loop.

@@ -2,7 +2,7 @@
 # The Falcon over USB at 1 kHz, which is as fast as its bus goes, beside a busy machine: no missed tick, and awake as early as
 # cyclictest.
 # long: 100
-# twice: csv log
+# soak_twice: csv log
 # shellcheck source=tests/rig/scenarios/falcon_gadget.inc
 . /rig/falcon_gadget.inc
 emulated='falcon --homed --path /images/wish.csv --origin 0.015,-0.075,0.13'

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/support/paths.h"
+
 namespace tactus::drivers {
 
 namespace {
@@ -83,21 +85,22 @@ hal::CanFrame frame_of(std::string_view text) {
   return frame;
 }
 
-testing::AssertionResult is_golden(const std::string& name, std::span<const std::string> lines) {
-  const std::string path = std::string(TACTUS_GOLDEN_DIR) + "/" + name + ".log";
+::testing::AssertionResult is_golden(const std::string& name, std::span<const std::string> lines) {
+  const std::string path =
+      tactus::testing::in_repository("tests/unit/drivers/golden/" + name + ".log");
   if (std::getenv("TACTUS_RENEW_GOLDEN") != nullptr) {
     std::ofstream file(path);
     for (const std::string& line : lines) {
       file << line << '\n';
     }
-    return testing::AssertionSuccess();
+    return ::testing::AssertionSuccess();
   }
   std::ifstream file(path);
   std::string golden;
   std::size_t at = 0;
   while (std::getline(file, golden)) {
     if (at >= lines.size() || lines[at] != golden) {
-      return testing::AssertionFailure()
+      return ::testing::AssertionFailure()
              << path << ":" << at + 1 << ": expected '" << golden << "', got '"
              << (at < lines.size() ? lines[at] : "the end")
              << "'; TACTUS_RENEW_GOLDEN=1 writes the file anew";
@@ -105,10 +108,10 @@ testing::AssertionResult is_golden(const std::string& name, std::span<const std:
     ++at;
   }
   if (at != lines.size()) {
-    return testing::AssertionFailure()
+    return ::testing::AssertionFailure()
            << path << ": " << lines.size() - at << " lines more than in the file";
   }
-  return testing::AssertionSuccess();
+  return ::testing::AssertionSuccess();
 }
 
 }  // namespace tactus::drivers

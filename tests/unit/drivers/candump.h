@@ -27,6 +27,6 @@ std::vector<std::byte> bytes_of(std::string_view hex);
 
 // Compares the lines with golden/<name>.log. With TACTUS_RENEW_GOLDEN=1 in the environment it
 // writes that file instead; check the change by `git diff`.
-testing::AssertionResult is_golden(const std::string& name, std::span<const std::string> lines);
+::testing::AssertionResult is_golden(const std::string& name, std::span<const std::string> lines);
 
 }  // namespace tactus::drivers

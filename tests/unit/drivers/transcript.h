@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paths.h"
+
 namespace tactus::drivers {
 
 struct TranscriptLine {
@@ -19,7 +21,7 @@ struct TranscriptLine {
 
 // The lines of tests/unit/drivers/transcripts/<name> but for empty ones and comments.
 inline std::vector<TranscriptLine> transcript(const std::string& name) {
-  std::ifstream file(std::filesystem::path(TACTUS_TRANSCRIPTS) / name);
+  std::ifstream file(tactus::testing::in_repository("tests/unit/drivers/transcripts/" + name));
   if (!file) {
     throw std::runtime_error("no transcript " + name);
   }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/paths.h"
+
 namespace tactus::firmware {
 
 using TableRow = std::vector<std::string>;
@@ -31,7 +33,7 @@ inline TableRow cells_of(std::string_view line) {
 // The rows below the header whose first cell is `first_header`, without code marks; empty if there
 // is no such table. The header itself is row 0.
 inline std::vector<TableRow> readme_table(std::string_view first_header) {
-  std::ifstream readme(FIRMWARE_README);
+  std::ifstream readme(tactus::testing::in_repository("firmware/README.md"));
   std::vector<TableRow> rows;
   bool inside = false;
   for (std::string line; std::getline(readme, line);) {

@@ -7,6 +7,7 @@
 
 #include "host_tools/benchmark/external_program.h"
 #include "host_tools/files/atomic_file.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {
@@ -29,7 +30,8 @@ TEST(InstructionCount, IsTheSameInEveryRunOfTheProgram) {
                                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto counts = [&](const std::string& name) {
     const auto file = folder.path() / name;
-    EXPECT_TRUE(command_succeeds("'" TACTUS_PROGRAM "' bench touch --ticks 50 --radius-m 0.002 "
+    EXPECT_TRUE(command_succeeds(shell_quoted(testing::built_program("tactus")) +
+                                 " bench touch --ticks 50 --radius-m 0.002 "
                                  "--instructions --mesh " +
                                  shell_quoted(box) + " --csv " + shell_quoted(file)));
     std::string text = read_file(file);

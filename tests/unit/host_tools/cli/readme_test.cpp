@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "host_tools/files/atomic_file.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 
 namespace tactus::host {
 namespace {
 
-const std::filesystem::path kHostTools = HOST_TOOLS_DIR;
+const std::filesystem::path kHostTools = testing::in_repository("host_tools");
 
 std::size_t times_in(const std::string& text, const std::string& word) {
   std::size_t times = 0;

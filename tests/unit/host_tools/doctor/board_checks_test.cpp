@@ -3,6 +3,7 @@
 #include <string>
 
 #include "host_tools/bake/device/device_bake.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/doctor/recorded_machine.h"
 
 namespace tactus::host {
@@ -16,7 +17,9 @@ void expect_board_to_mend(const Finding& finding, const std::string& command) {
 }
 
 Needs needs_of_example(const std::string& name) {
-  return needs_of(bake_device(TACTUS_EXAMPLE_DEVICES "/" + name + ".toml").config());
+  return needs_of(
+      bake_device(testing::in_repository("host_tools/examples/devices/" + name + ".toml"))
+          .config());
 }
 
 TEST(DoctorOfDevices, TheExamplesNeedWhatTheirFilesName) {

@@ -5,12 +5,13 @@
 #include "firmware/safety/faults.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
+#include "tests/support/paths.h"
 
 namespace tactus::host {
 namespace {
 
 TEST(FaultTable, TheFirmwaresReadmeHasWhatIsGenerated) {
-  const std::string readme = read_file(FIRMWARE_README);
+  const std::string readme = read_file(testing::in_repository("firmware/README.md"));
   EXPECT_EQ(with_fault_table(readme), readme)
       << "run: tactus faults --markdown --into firmware/README.md";
 }

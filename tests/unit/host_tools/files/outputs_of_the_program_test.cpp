@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host_tools/files/atomic_file.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -43,8 +44,8 @@ class OutputsOfTheProgram : public ::testing::Test {
 
   // Runs with files of at most a kilobyte, as on a full disk: writes fail with an error.
   Outcome run_on_a_full_disk(const std::string& arguments) {
-    (void)folder.write("run.sh",
-                       "trap '' XFSZ; ulimit -f 1; exec '" TACTUS_PROGRAM "' " + arguments);
+    (void)folder.write("run.sh", "trap '' XFSZ; ulimit -f 1; exec '" +
+                                     testing::built_program("tactus") + "' " + arguments);
     const std::string command =
         "cd '" + folder.path().string() + "' && bash run.sh >out.txt 2>&1; echo $? >code.txt";
     EXPECT_EQ(std::system(command.c_str()), 0);

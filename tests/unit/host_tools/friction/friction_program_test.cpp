@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host_tools/files/atomic_file.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -68,7 +69,8 @@ TEST_F(FrictionProgram, SaysWhatIsWrongInOneLine) {
 }
 
 TEST_F(FrictionProgram, FitsTheExampleAndWritesItsToml) {
-  const std::string record = " '" TACTUS_EXAMPLES "/friction/record.csv' ";
+  const std::string record =
+      " '" + testing::in_repository("host_tools/examples/friction/record.csv") + "' ";
   const Outcome all = run("fit" + record + "--output friction.toml --figure fit.png");
   EXPECT_EQ(all.exit_code, 0) << all.output;
   EXPECT_TRUE(contains(all.output, "which the AIC prefers\n  Fc     1.00"));
@@ -82,7 +84,8 @@ TEST_F(FrictionProgram, FitsTheExampleAndWritesItsToml) {
 }
 
 TEST_F(FrictionProgram, WhatItFitsBakes) {
-  const std::string record = " '" TACTUS_EXAMPLES "/friction/record.csv' ";
+  const std::string record =
+      " '" + testing::in_repository("host_tools/examples/friction/record.csv") + "' ";
   for (const char* model : {"coulomb", "stribeck"}) {
     ASSERT_EQ(run("fit" + record + "--model " + model + " -o friction.toml").exit_code, 0);
     (void)folder.write("scene.toml", "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.05\n" +

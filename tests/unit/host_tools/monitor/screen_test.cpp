@@ -11,21 +11,26 @@
 #include <string>
 
 #include "firmware/safety/faults.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/monitor/example_run.h"
 
 namespace tactus::host {
 namespace {
 
+std::string file_of(const std::string& name) {
+  return testing::in_repository("tests/unit/host_tools/monitor/screens/" + name + ".txt");
+}
+
 std::string golden(const std::string& name) {
   std::ostringstream text;
-  text << std::ifstream(std::string(TACTUS_GOLDEN_SCREENS) + "/" + name + ".txt").rdbuf();
+  text << std::ifstream(file_of(name)).rdbuf();
   return std::move(text).str();
 }
 
 void expect_screen(const RunView& view, const std::string& name) {
   const std::string text = draw_screen(view).text();
   if (std::getenv("TACTUS_WRITE_SCREENS") != nullptr) {
-    std::ofstream(std::string(TACTUS_GOLDEN_SCREENS) + "/" + name + ".txt") << text;
+    std::ofstream(file_of(name)) << text;
   }
   EXPECT_EQ(text, golden(name));
 }

@@ -23,6 +23,7 @@
 #include "firmware/linux/realtime/end_signals.h"
 #include "hal/linux/system.h"
 #include "host_tools/remote/remote.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 #include "tests/unit/firmware/linux/tactusd/keeping_board.h"
 
@@ -102,13 +103,14 @@ class Bench {
   [[nodiscard]] pid_t start(const std::string& log, const fs::path& run_dir) const {
     const std::string file = (folder_ / log).string();
     const std::string folder = run_dir.string();
+    const std::string program = testing::built_program("tactusd");
     const pid_t child = ::fork();
     if (child == 0) {
       ::setsid();
       const int out = ::open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
       ::dup2(out, STDERR_FILENO);
       if (::chdir(folder_.c_str()) == 0) {
-        ::execl(TACTUSD_PROGRAM, "tactusd", "device.tactus", "scene.tactus", "--enable",
+        ::execl(program.c_str(), "tactusd", "device.tactus", "scene.tactus", "--enable",
                 "--allow-uncommissioned", "--allow-non-realtime", "--run-dir", folder.c_str(),
                 nullptr);
       }

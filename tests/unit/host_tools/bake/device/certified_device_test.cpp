@@ -6,6 +6,7 @@
 #include "host_tools/bake/device/certificate_file.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/files/atomic_file.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {
@@ -15,7 +16,9 @@ class CertifiedDevice : public ::testing::Test {
  protected:
   // Writes a device and the certificate that tactus certify leaves beside its file.
   CertifiedDevice() {
-    (void)folder.write("arm.toml", read_file(TACTUS_EXAMPLE_DEVICES "/odrive_arm.toml"));
+    (void)folder.write(
+        "arm.toml",
+        read_file(testing::in_repository("host_tools/examples/devices/odrive_arm.toml")));
     firmware::StiffnessCertificate certificate;
     certificate.count = 2;
     certificate.points[0] = {.damping_Ns_per_m = 0.0, .stiffness_N_per_m = 900.0};

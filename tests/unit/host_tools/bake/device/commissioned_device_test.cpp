@@ -7,6 +7,7 @@
 #include "firmware/device_file/device_commissioning.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/files/atomic_file.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {
@@ -16,7 +17,9 @@ using testing::contains;
 
 class CommissionedDevice : public ::testing::Test {
  protected:
-  CommissionedDevice() { device_text(read_file(TACTUS_EXAMPLE_DEVICES "/odrive_arm.toml")); }
+  CommissionedDevice() {
+    device_text(read_file(testing::in_repository("host_tools/examples/devices/odrive_arm.toml")));
+  }
 
   void device_text(const std::string& text) { (void)folder.write("arm.toml", text); }
 

@@ -8,6 +8,7 @@
 
 #include "firmware/device_file/homing_words.h"
 #include "host_tools/input_error.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {
@@ -86,7 +87,8 @@ TEST_F(DeviceBake, SaysWhatTheFileSays) {
 
 TEST_F(DeviceBake, AnExampleSaysWhatHomingAsksOfTheUser) {
   const auto words_for = [](const std::string& device) {
-    const LoadedDevice loaded = bake_device(TACTUS_EXAMPLE_DEVICES "/" + device + ".toml");
+    const LoadedDevice loaded =
+        bake_device(testing::in_repository("host_tools/examples/devices/" + device + ".toml"));
     drivers::Words words;
     firmware::add_homing_words(loaded.config(), words);
     return std::string(words.view());
@@ -191,7 +193,8 @@ TEST_F(DeviceBake, UnknownSectionIsNamed) {
 
 TEST_F(DeviceBake, EveryExampleDeviceBakes) {
   std::size_t baked = 0;
-  for (const auto& entry : fs::directory_iterator(TACTUS_EXAMPLE_DEVICES)) {
+  for (const auto& entry :
+       fs::directory_iterator(testing::in_repository("host_tools/examples/devices"))) {
     if (entry.path().extension() == ".toml") {
       EXPECT_TRUE(describes_device(entry.path()));
       EXPECT_NO_THROW((void)bake_device(entry.path())) << entry.path();

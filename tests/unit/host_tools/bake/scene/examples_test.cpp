@@ -9,6 +9,7 @@
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "rendering/world/world.h"
 #include "tests/support/example_scenes.h"
+#include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::testing {
@@ -16,7 +17,8 @@ namespace {
 
 host::MappedScene baked(const TemporaryFolder& folder, const char* example) {
   const std::filesystem::path image = folder.path() / "scene.tactus";
-  host::bake_file(std::filesystem::path(TACTUS_EXAMPLES) / example / "scene.toml", image);
+  host::bake_file(in_repository("host_tools/examples/" + std::string(example) + "/scene.toml"),
+                  image);
   return host::MappedScene(image);
 }
 
