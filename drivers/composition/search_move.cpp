@@ -82,57 +82,61 @@ void SearchMove::begin(double way, double position, hal::TimeNs now_ns) {
   travel_ = 0.0;
   effort_ = 0.0;
   begun_ = {.position = position, .time_ns = now_ns};
-  still_ = begun_;
+  standstill_.restart(begun_);
   checked_ = begun_;
   last_ = begun_;
-  stands_ = false;
 }
 
 void SearchMove::advance(double position, double velocity, hal::TimeNs now_ns) {
-  watch(position, velocity, now_ns);
+  const Place place{.position = position, .time_ns = now_ns};
+  watch(place, velocity);
   if (failure_ != HomingFailure::none) {
     effort_ = 0.0;
     return;
   }
   push(velocity, now_ns);
-  last_ = {.position = position, .time_ns = now_ns};
+  last_ = place;
 }
 
-void SearchMove::watch(double position, double velocity, hal::TimeNs now_ns) {
-  if (!std::isfinite(position) || !std::isfinite(velocity)) {
+void SearchMove::watch(const Place& place, double velocity) {
+  if (!std::isfinite(place.position) || !std::isfinite(velocity)) {
     failure_ = HomingFailure::not_a_number;
     return;
   }
-  if (moves_too_fast(position, now_ns)) {
+  if (moves_too_fast(place)) {
     failure_ = HomingFailure::too_fast;
     return;
   }
-  if (now_ns - checked_.time_ns >= kSpeedWindow_ns) {
-    checked_ = {.position = position, .time_ns = now_ns};
+  if (place.time_ns - checked_.time_ns >= kSpeedWindow_ns) {
+    checked_ = place;
   }
-  travel_ = way_ * (position - begun_.position);
+  travel_ = way_ * (place.position - begun_.position);
   if (travel_ < -limits_.wrong_way) {
     failure_ = HomingFailure::wrong_way;
     return;
   }
   follows_ = follows_ || travel_ > limits_.wrong_way;
-  if (now_ns - begun_.time_ns > limits_.time_ns) {
+  if (place.time_ns - begun_.time_ns > limits_.time_ns) {
     failure_ = HomingFailure::took_too_long;
     return;
   }
-  const bool full = way_ == 0.0 || std::abs(effort_) > kFullShare * limits_.effort;
-  if (!full || std::abs(position - still_.position) > limits_.still_band) {
-    still_ = {.position = position, .time_ns = now_ns};
+  const bool has_full_push = way_ == 0.0 || std::abs(effort_) > kFullShare * limits_.effort;
+  standstill_.take(place, has_full_push, limits_.still_band);
+}
+
+void SearchMove::Standstill::take(const Place& place, bool has_full_push, double band) {
+  if (!has_full_push || std::abs(place.position - since_.position) > band) {
+    since_ = place;
   }
-  stands_ = now_ns - still_.time_ns >= kStanding_ns;
+  is_reached_ = place.time_ns - since_.time_ns >= kStanding_ns;
 }
 
 // Checks the speed since the last tick, and over a window that is long against the encoder's
 // counts.
-bool SearchMove::moves_too_fast(double position, hal::TimeNs now_ns) const {
-  const auto is_too_far_from = [&](const Place& place) {
-    const double passed_s = in_seconds(now_ns - place.time_ns);
-    return std::abs(position - place.position) >
+bool SearchMove::moves_too_fast(const Place& place) const {
+  const auto is_too_far_from = [&](const Place& earlier) {
+    const double passed_s = in_seconds(place.time_ns - earlier.time_ns);
+    return std::abs(place.position - earlier.position) >
            limits_.speed * (kFastest * passed_s + kSpeedSlack_s);
   };
   return is_too_far_from(checked_) || is_too_far_from(last_);

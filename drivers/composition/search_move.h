@@ -60,14 +60,14 @@ class SearchMove {
   // Advances by one tick.
   void advance(double position, double velocity, hal::TimeNs now_ns);
   // Replaces `advance` in a tick without a fresh sample, which does not show that the joint stands.
-  void skip(hal::TimeNs now_ns) { still_.time_ns = now_ns; }
+  void skip(hal::TimeNs now_ns) { standstill_.delay(now_ns); }
 
   // Returns the effort for the motor now.
   [[nodiscard]] double effort() const { return effort_; }
   // Returns the travel in the direction of the push since the move began.
   [[nodiscard]] double travel() const { return travel_; }
   // Returns true if the joint gets the full push and has stood for kStanding_ns.
-  [[nodiscard]] bool stands() const { return stands_; }
+  [[nodiscard]] bool stands() const { return standstill_.is_reached(); }
   [[nodiscard]] HomingFailure failure() const { return failure_; }
 
  private:
@@ -77,8 +77,30 @@ class SearchMove {
     hal::TimeNs time_ns = 0;
   };
 
-  void watch(double position, double velocity, hal::TimeNs now_ns);
-  [[nodiscard]] bool moves_too_fast(double position, hal::TimeNs now_ns) const;
+  // Detects that the joint stands: it stays in one place while it gets the full push.
+  class Standstill {
+   public:
+    // Starts with a joint that does not stand.
+    void restart(const Place& place) {
+      since_ = place;
+      is_reached_ = false;
+    }
+    // Takes the joint's place in a tick. A joint within `band` of its last place stays there.
+    void take(const Place& place, bool has_full_push, double band);
+    // Makes the joint's time in its place start again.
+    void delay(hal::TimeNs now_ns) { since_.time_ns = now_ns; }
+
+    // Returns true if the joint has stood for kStanding_ns.
+    [[nodiscard]] bool is_reached() const { return is_reached_; }
+
+   private:
+    // The joint has stayed near this place since then.
+    Place since_;
+    bool is_reached_ = false;
+  };
+
+  void watch(const Place& place, double velocity);
+  [[nodiscard]] bool moves_too_fast(const Place& place) const;
   void push(double velocity, hal::TimeNs now_ns);
 
   Limits limits_;
@@ -87,15 +109,13 @@ class SearchMove {
   double travel_ = 0.0;
   double effort_ = 0.0;
   Place begun_;
-  // The joint has stood near this place since then.
-  Place still_;
   // The begin of the window over which speeds are judged.
   Place checked_;
   // The last tick.
   Place last_;
   // The joint has followed a push: the encoder's sign is right.
   bool follows_ = false;
-  bool stands_ = false;
+  Standstill standstill_;
   HomingFailure failure_ = HomingFailure::none;
 };
 
