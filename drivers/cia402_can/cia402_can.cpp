@@ -2,25 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "drivers/common/seconds.h"
 
 namespace tactus::drivers {
 
-namespace {
-
-CountedShaftConfig cia402_shaft(const Cia402Config& config) {
-  return {.rad_per_count = 2.0 * std::numbers::pi / config.counts_per_turn,
-          .max_speed_rad_per_s = config.max_speed_rad_per_s,
-          .jump_margin_rad = config.jump_margin_rad,
-          .velocity_filter_s = config.velocity_filter_s};
-}
-
-}  // namespace
-
 Cia402Can::Cia402Can(const Cia402Config& config)
-    : config_(config), objects_(config), shaft_(cia402_shaft(config)) {}
+    : config_(config), objects_(config), sample_(config) {}
 
 std::size_t Cia402Can::filters(std::span<hal::CanFilter> filters) const {
   constexpr std::array kServices = {canopen::kTransmitPdo1, canopen::kTransmitPdo2,
@@ -32,8 +20,7 @@ std::size_t Cia402Can::filters(std::span<hal::CanFilter> filters) const {
 }
 
 void Cia402Can::start(hal::TimeNs now_ns) {
-  shaft_.forget();
-  sample_ = AxisSample{};
+  sample_.forget();
   host_heartbeat_.restart();
   known_.is_followed = false;
   begin(now_ns);
@@ -52,9 +39,8 @@ void Cia402Can::begin(hal::TimeNs now_ns) {
   reports_ = {.heartbeat_ns = reports_.heartbeat_ns};
   faults_.clear();
   known_.is_proven = known_.is_proven && known_.is_followed;
-  sample_.has_torque = false;
+  sample_.forget_torque();
   objects_ = cia402::DriveObjects(config_);
-  power_.close();
   enter(Phase::booting);
 }
 
@@ -70,7 +56,7 @@ bool Cia402Can::has_passed_since(hal::TimeNs since_ns, double time_s) const {
 
 void Cia402Can::latch(DeviceStatus bit, const Trouble& trouble) {
   faults_.latch(bit, trouble);
-  sample_.torque_Nm = 0.0;
+  sample_.drop_torque();
   update_status();
 }
 
@@ -86,8 +72,8 @@ void Cia402Can::lose_reference(DeviceStatus bit, const Trouble& trouble) {
 }
 
 void Cia402Can::update_status() {
-  sample_.status =
-      faults_.status() | (stage_.phase == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady);
+  sample_.set_status(faults_.status() |
+                     (stage_.phase == Phase::ready || faults_ ? kDeviceOk : kDeviceNotReady));
 }
 
 void Cia402Can::shutdown(CanOutbox& outbox) {

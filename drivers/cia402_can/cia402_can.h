@@ -50,9 +50,9 @@
 #include "drivers/cia402_can/cia402_config.h"
 #include "drivers/cia402_can/drive_objects.h"
 #include "drivers/cia402_can/drive_profile.h"
+#include "drivers/cia402_can/drive_sample.h"
 #include "drivers/cia402_can/power_request.h"
 #include "drivers/common/continuity.h"
-#include "drivers/common/counted_shaft.h"
 #include "drivers/common/fault_latch.h"
 #include "drivers/common/repeat_timer.h"
 
@@ -69,7 +69,7 @@ class Cia402Can {
   void take(const hal::CanReceived& received);
   void request(hal::TimeNs now_ns, CanOutbox& outbox);
   void command(hal::TimeNs now_ns, const AxisCommand& command, CanOutbox& outbox);
-  [[nodiscard]] const AxisSample& sample() const { return sample_; }
+  [[nodiscard]] const AxisSample& sample() const { return sample_.sample(); }
   [[nodiscard]] Trouble trouble() const { return faults_.trouble(); }
   void clear_faults(hal::TimeNs now_ns);
   void shutdown(CanOutbox& outbox);
@@ -107,6 +107,7 @@ class Cia402Can {
   // One bring-up and the operation after it, until faults are cleared.
   struct Session {
     hal::TimeNs begun_ns = 0;
+    cia402::PowerRequest power;
     // After a fault: power was taken away by an SDO.
     bool is_cut_off = false;
     // After a fault: the driver asks for the error code.
@@ -155,7 +156,6 @@ class Cia402Can {
   void take_state(const cia402::DriveState& state);
   void take_sample();
   void take_motion(const cia402::DriveMotion& motion);
-  void take_velocity(std::int32_t velocity);
   void take_heartbeat(canopen::NmtState state);
   void take_emergency(const canopen::Emergency& emergency);
   void check_power();
@@ -193,16 +193,14 @@ class Cia402Can {
 
   Cia402Config config_;
   cia402::DriveObjects objects_;
-  CountedShaft shaft_;
+  cia402::DriveSample sample_;
   FaultLatch faults_;
-  AxisSample sample_;
 
   Continuity known_;
   Session session_;
   Stage stage_;
   Tick tick_;
   Reports reports_;
-  cia402::PowerRequest power_;
   RepeatTimer host_heartbeat_;
 };
 

@@ -59,7 +59,7 @@ void Cia402Can::take_power_in_proof(std::uint16_t statusword) {
   }
   objects_.reset();
   const bool has_supply = (statusword & cia402::kVoltageEnabled) != 0;
-  if (power != cia402::PowerState::fault && power_.had_supply() && !has_supply) {
+  if (power != cia402::PowerState::fault && session_.power.had_supply() && !has_supply) {
     latch_missing_supply();
   } else {
     stage_.has_let_go = true;
@@ -110,7 +110,7 @@ void Cia402Can::watch_proof() {
 void Cia402Can::start_again() {
   reports_.running = {};
   objects_.restart();
-  power_.close();
+  session_.power.close();
   enter(Phase::starting);
 }
 

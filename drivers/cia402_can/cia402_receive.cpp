@@ -1,6 +1,5 @@
 // The part of Cia402Can that takes the drive's frames, and detects missing ones.
 #include <algorithm>
-#include <cmath>
 
 #include "drivers/cia402_can/cia402_can.h"
 #include "drivers/cia402_can/error_codes.h"
@@ -57,7 +56,7 @@ void Cia402Can::take(const hal::CanReceived& received) {
 void Cia402Can::take_state(const cia402::DriveState& state) {
   reports_.state = state;
   reports_.running.has_state = true;
-  if (!shaft_.take(state.position, tick_.sync_ns)) {
+  if (!sample_.take_position(state.position, tick_.sync_ns)) {
     lose_reference(kDeviceEncoderFault,
                    {"drive reports a position that its shaft cannot have reached (6064:00)",
                     "check the encoder's cable and shield, and max_speed_rad_per_s, then reset",
@@ -80,13 +79,8 @@ void Cia402Can::take_state(const cia402::DriveState& state) {
 // Puts the newest state into the sample. The caller leaves out a state that comes after its tick,
 // since the next tick waits for its own.
 void Cia402Can::take_sample() {
-  sample_.time_ns = tick_.sync_ns;
-  sample_.position_rad = shaft_.position_rad();
-  if (config_.velocity_unit_rad_per_s == 0.0) {
-    sample_.velocity_rad_per_s = shaft_.velocity_rad_per_s();
-  }
-  sample_.torque_Nm = kTorquePerUnit * objects_.facts().rated_torque_Nm * reports_.state.torque;
-  sample_.has_torque = true;
+  sample_.show(kTorquePerUnit * objects_.facts().rated_torque_Nm * reports_.state.torque,
+               tick_.sync_ns);
   tick_.unanswered_syncs = 0;
 }
 
@@ -102,16 +96,16 @@ void Cia402Can::check_power() {
   const bool has_supply = (reports_.state.statusword & cia402::kVoltageEnabled) != 0;
   if (is_fault(power)) {
     latch_drive_fault();
-  } else if (power_.had_supply() && !has_supply) {
+  } else if (session_.power.had_supply() && !has_supply) {
     latch_missing_supply();
-  } else if (power_.is_granted() && power != PowerState::operation_enabled) {
+  } else if (session_.power.is_granted() && power != PowerState::operation_enabled) {
     latch(kDeviceDriveFault,
           {cia402::power_state_words(power),
            "check motor power, safe torque off and the drive's inputs, then reset",
            reports_.state.statusword});
   }
   if (power == PowerState::operation_enabled && has_supply) {
-    power_.note_supply();
+    session_.power.note_supply();
   }
 }
 
@@ -141,26 +135,17 @@ void Cia402Can::latch_error(std::uint16_t code) {
 
 void Cia402Can::take_motion(const cia402::DriveMotion& motion) {
   reports_.running.in_torque_mode = motion.mode == cia402::kCyclicSynchronousTorque;
-  if (config_.velocity_unit_rad_per_s > 0.0) {
-    take_velocity(motion.velocity);
+  if (!sample_.take_velocity(motion.velocity)) {
+    latch(kDeviceEncoderFault,
+          {"drive reports a speed that its shaft cannot have (606C:00)",
+           "check the encoder's cable, velocity_unit_rad_per_s and max_speed_rad_per_s, then reset",
+           static_cast<std::uint32_t>(motion.velocity)});
   }
   if (!reports_.running.in_torque_mode && stage_.phase > Phase::choosing_mode && !faults_) {
     latch(kDeviceDriveFault, {"drive left cyclic synchronous torque mode (6061:00)",
                               "look for a second master on the bus, then reset",
                               static_cast<std::uint32_t>(motion.mode)});
   }
-}
-
-void Cia402Can::take_velocity(std::int32_t velocity) {
-  const double velocity_rad_per_s = config_.velocity_unit_rad_per_s * velocity;
-  if (std::abs(velocity_rad_per_s) <= config_.max_speed_rad_per_s) {
-    sample_.velocity_rad_per_s = velocity_rad_per_s;
-    return;
-  }
-  latch(kDeviceEncoderFault,
-        {"drive reports a speed that its shaft cannot have (606C:00)",
-         "check the encoder's cable, velocity_unit_rad_per_s and max_speed_rad_per_s, then reset",
-         static_cast<std::uint32_t>(velocity)});
 }
 
 void Cia402Can::take_heartbeat(NmtState state) {
@@ -249,7 +234,7 @@ void Cia402Can::watch_heartbeat() {
 // Watches the samples. If the host missed its ticks it asked for no samples, and the drive is not
 // to blame.
 void Cia402Can::watch_samples() {
-  if (tick_.unanswered_syncs > 1 && has_passed_since(sample_.time_ns, config_.lost_after_s)) {
+  if (tick_.unanswered_syncs > 1 && has_passed_since(sample().time_ns, config_.lost_after_s)) {
     lose_reference(
         kDeviceLost,
         tick_.is_late

@@ -98,7 +98,7 @@ void Cia402Can::bring_up(const AxisCommand& command, CanOutbox& outbox) {
       clear_drive(command);
       return;
     case Phase::powering:
-      if (power_.is_granted()) {
+      if (session_.power.is_granted()) {
         enter(Phase::proving);
       }
       return;
@@ -149,7 +149,7 @@ void Cia402Can::repeat_nmt(NmtCommand command, double every_s, CanOutbox& outbox
 
 void Cia402Can::run_set_up(CanOutbox& outbox) {
   if (is_done(objects_.set_up(config_, tick_.now_ns, outbox))) {
-    shaft_.resume();
+    sample_.resume();
     enter(Phase::starting);
   }
 }
@@ -216,15 +216,15 @@ std::uint16_t Cia402Can::clearing_controlword() const {
 cia402::TorqueCommand Cia402Can::powered_command(const AxisCommand& command) {
   const PowerState power = cia402::power_state(reports_.state.statusword);
   if (!command.enable) {
-    power_.close();
+    session_.power.close();
     return {cia402::controlword_toward(power, false), 0};
   }
-  power_.open(tick_.now_ns);
+  session_.power.open(tick_.now_ns);
   if (power == PowerState::operation_enabled) {
-    power_.note_power(tick_.now_ns);
+    session_.power.note_power(tick_.now_ns);
     return {cia402::kEnableOperation, torque_units(command.torque_Nm)};
   }
-  if (power_.is_older_than(config_.enable_timeout_s, tick_.now_ns)) {
+  if (session_.power.is_older_than(config_.enable_timeout_s, tick_.now_ns)) {
     latch(kDeviceDriveFault,
           {cia402::power_state_words(power),
            "switch motor power on, close safe torque off and the enable input, then reset",
