@@ -28,11 +28,14 @@ class FalconAnswers {
   }
   // Drops the bytes of an answer that is not complete.
   void resynchronize() { reader_.restart(); }
+  // Begins a read, in which no byte has come yet.
+  void begin_read() { has_bytes_ = false; }
   // Notes that a packet was sent.
   void ask(hal::TimeNs now_ns) { questions_.ask(now_ns); }
 
   // Takes a byte. Returns the answer that it ends, if any.
   std::optional<FalconAnswer> take(std::byte byte) {
+    has_bytes_ = true;
     if (++bytes_ % kFalconPacketBytes == 0) {
       answered_ns_ = questions_.answer().value_or(answered_ns_);
     }
@@ -42,12 +45,15 @@ class FalconAnswers {
 
   // Returns true if a packet has no answer yet.
   [[nodiscard]] bool is_awaited() const { return questions_.is_open(); }
+  // Returns true if a byte came in this read.
+  [[nodiscard]] bool has_bytes() const { return has_bytes_; }
   [[nodiscard]] bool has_asked() const { return questions_.has_asked(); }
 
  private:
   FalconPacketReader reader_;
   QuestionTimes questions_;
   std::size_t bytes_ = 0;
+  bool has_bytes_ = false;
   // The time of the question that was answered last.
   hal::TimeNs answered_ns_ = 0;
 };

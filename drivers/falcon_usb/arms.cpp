@@ -8,6 +8,8 @@ namespace tactus::drivers {
 namespace {
 
 constexpr int kFalconCountsOfSlack = 4;
+// The origin moves when the reference is found, so it is trusted after so many equal answers.
+constexpr std::uint32_t kFalconHomedToBelieve = 8;
 
 double arm_angle_rad(std::int16_t counts) {
   return kFalconZeroRad + counts * kFalconRadPerCount;
@@ -15,10 +17,9 @@ double arm_angle_rad(std::int16_t counts) {
 
 }  // namespace
 
-void FalconArms::restart_velocities() {
-  for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
-    samples_.restart_velocity(arm);
-  }
+void FalconArms::forget() {
+  samples_.forget();
+  homing_ = {};
 }
 
 bool FalconArms::can_reach(const Counts& counts, hal::TimeNs time_ns) const {
@@ -36,8 +37,19 @@ bool FalconArms::can_reach(const Counts& counts, hal::TimeNs time_ns) const {
 void FalconArms::take(const Counts& counts, hal::TimeNs time_ns) {
   last_.take(counts, time_ns);
   for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
+    if (homing_.in_a_row == 0) {
+      samples_.restart_velocity(arm);
+    }
     samples_.take(arm, arm_angle_rad(counts[arm]), time_ns);
   }
+}
+
+void FalconArms::take_in_homing(bool all_homed, const Counts& counts, hal::TimeNs time_ns) {
+  const bool is_steady = homing_.in_a_row == 0 || can_reach(counts, time_ns);
+  homing_.in_a_row = all_homed && is_steady ? homing_.in_a_row + 1 : 0;
+  homing_.is_done = homing_.in_a_row >= kFalconHomedToBelieve;
+  homing_.is_reference_lost = homing_.is_reference_lost && !homing_.is_done;
+  take(counts, time_ns);
 }
 
 }  // namespace tactus::drivers

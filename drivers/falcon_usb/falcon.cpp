@@ -26,8 +26,7 @@ void Falcon::start() {
   link_.withdraw_all();
   answers_.restart();
   arms_.forget();
-  homing_ = {};
-  score_ = {};
+  reads_ = {};
   newest_ = {};
   faults_.clear();
   if (!config_.unproven_watchdog) {
@@ -44,12 +43,14 @@ void Falcon::clear_faults() {
   if (!faults_ && state_ != State::stopped) {
     return;
   }
-  const bool was_homed = homing_.is_done || homing_.is_reference_lost;
+  const bool was_homed = arms_.is_homed() || arms_.is_reference_lost();
   if (link_.endpoint().state() == hal::UsbState::returned) {
     (void)link_.endpoint().reopen();  // if it fails, `start` reports it
   }
   start();
-  homing_.is_reference_lost = was_homed;
+  if (was_homed) {
+    arms_.lose_reference();
+  }
 }
 
 void Falcon::stop() {
@@ -64,7 +65,8 @@ void Falcon::stop() {
 }
 
 void Falcon::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
-  this_read_ = {};
+  reads_.begin();
+  answers_.begin_read();
   if ((faults_.status() & kDeviceLost) != 0) {
     if (link_.endpoint().state() != hal::UsbState::attached) {
       faults_.explain(kFalconUnplugged);
@@ -80,12 +82,12 @@ void Falcon::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
 
 std::uint32_t Falcon::status() const {
   const std::uint32_t latched =
-      faults_.status() | (homing_.is_reference_lost ? kDeviceReferenceLost : kDeviceOk);
+      faults_.status() | (arms_.is_reference_lost() ? kDeviceReferenceLost : kDeviceOk);
   if (state_ != State::running) {
     return latched | kDeviceNotReady;
   }
-  return latched | (homing_.is_done ? kDeviceOk : kDeviceHoming) |
-         (this_read_.is_fresh ? kDeviceOk : kDeviceStale);
+  return latched | (arms_.is_homed() ? kDeviceOk : kDeviceHoming) |
+         (reads_.is_fresh() ? kDeviceOk : kDeviceStale);
 }
 
 Trouble Falcon::trouble(std::size_t /*axis*/) const {
@@ -93,7 +95,7 @@ Trouble Falcon::trouble(std::size_t /*axis*/) const {
 }
 
 void Falcon::latch(std::uint32_t status, const Trouble& trouble) {
-  faults_.latch(status | (homing_.is_done ? kDeviceReferenceLost : kDeviceOk), trouble);
+  faults_.latch(status | (arms_.is_homed() ? kDeviceReferenceLost : kDeviceOk), trouble);
 }
 
 void Falcon::lose(const hal::Error& error) {
@@ -149,7 +151,7 @@ void Falcon::write(std::span<const AxisCommand> commands) {
     return;
   }
   check(link_.check_writes());
-  const bool allowed = !faults_ && homing_.is_done;
+  const bool allowed = !faults_ && arms_.is_homed();
   FalconCommand command;
   bool powered = false;
   for (std::size_t arm = 0; arm < kFalconArms; ++arm) {
@@ -174,7 +176,7 @@ std::int16_t Falcon::motor_units(const AxisCommand& command) const {
 }
 
 FalconLights Falcon::lights(bool powered) const {
-  const bool well = homing_.is_done && !faults_;
+  const bool well = arms_.is_homed() && !faults_;
   return {.red = !well, .green = well && !powered, .blue = well && powered};
 }
 

@@ -15,7 +15,7 @@
 
 #include "drivers/axis.h"
 #include "drivers/common/fault_latch.h"
-#include "drivers/common/read_score.h"
+#include "drivers/common/read_judge.h"
 #include "drivers/falcon_usb/answers.h"
 #include "drivers/falcon_usb/arms.h"
 #include "drivers/falcon_usb/bring_up.h"
@@ -92,23 +92,6 @@ class Falcon {
  private:
   enum class State : std::uint8_t { stopped, coming_up, running };
 
-  // The device's own search for its reference.
-  struct Homing {
-    bool is_done = false;
-    // The device was homed before the fault that was cleared last.
-    bool is_reference_lost = false;
-    // The number of answers in a row that have all homing bits.
-    std::uint32_t in_a_row = 0;
-  };
-  // The results of one read.
-  struct ThisRead {
-    // A believable answer came.
-    bool is_fresh = false;
-    // Anything came.
-    bool has_bytes = false;
-    // The reason why an answer was rejected.
-    Trouble doubt;
-  };
   // The content of the newest packets from the device and to it.
   struct Newest {
     std::uint8_t buttons = 0;
@@ -127,7 +110,6 @@ class Falcon {
   void take(std::span<const std::byte> payload);
   void accept(const FalconAnswer& answer);
   void believe(const FalconAnswer& answer);
-  void home_with(const FalconAnswer& answer);
 
   void send(const FalconCommand& command);
   [[nodiscard]] std::int16_t motor_units(const AxisCommand& command) const;
@@ -146,9 +128,7 @@ class Falcon {
   State state_ = State::stopped;
   FalconAnswers answers_;
   FalconArms arms_;
-  Homing homing_;
-  ThisRead this_read_;
-  ReadScore score_;
+  ReadJudge reads_;
   FaultLatch faults_;
   Newest newest_;
 };
