@@ -17,8 +17,8 @@ GpioAxis::GpioAxis(const GpioAxisConfig& config, hal::Counter& counter, hal::Gpi
 GpioAxis::GpioAxis(const GpioAxisConfig& config, hal::Counter* counter, hal::GpioLines& lines,
                    hal::PwmOutput& pwm, const hal::Clock& clock)
     : config_(config),
-      hardware_{.counter = counter, .lines = &lines, .pwm = &pwm, .clock = &clock},
-      wiring_(config),
+      hardware_{.counter = counter, .pwm = &pwm, .clock = &clock},
+      lines_(config, lines),
       encoder_{.edges = {config.encoder, config.pins.encoder_index.has_value()},
                .counts = CounterEncoder(config.encoder),
                .silence = {}},
@@ -34,15 +34,12 @@ void GpioAxis::start() {
     latch(GpioAxisTrouble::not_configured);
     return;
   }
-  hardware_.lines->release();
-  const hal::GpioRequest request{.lines = wiring_.lines(), .edge_buffer = config_.edge_buffer};
   using enum GpioAxisTrouble;
-  if (!did(hardware_.lines->request(request), lines_gone, lines_fail) || !start_pwm()) {
+  if (!did(lines_.request(config_.edge_buffer), lines_gone, lines_fail) || !start_pwm()) {
     return;
   }
   bridge_ = HBridge(config_.bridge);
   safety_.restart();
-  loss_ = {};
   if (start_encoder()) {
     running_ = true;
     sample_.status &= ~std::uint32_t{kDeviceNotReady};
@@ -79,13 +76,13 @@ bool GpioAxis::start_encoder() {
     encoder_.counts.restart(*reading, hardware_.counter->ceiling());
     return true;
   }
-  const auto levels = hardware_.lines->get(wiring_.inputs());
+  const auto levels = lines_.levels();
   if (!levels) {
     return did(std::unexpected(levels.error()), lines_gone, lines_fail);
   }
-  const auto active = [&](AxisLine line) { return (*levels & wiring_.bit(line)) != 0; };
-  encoder_.edges.restart(active(AxisLine::encoder_a), active(AxisLine::encoder_b),
-                         active(AxisLine::encoder_index), hardware_.clock->now_ns());
+  encoder_.edges.restart(levels->is_active(AxisLine::encoder_a),
+                         levels->is_active(AxisLine::encoder_b),
+                         levels->is_active(AxisLine::encoder_index), hardware_.clock->now_ns());
   return true;
 }
 

@@ -15,7 +15,7 @@
 #include <span>
 
 #include "drivers/axis.h"
-#include "drivers/gpio_axis/axis_wiring.h"
+#include "drivers/gpio_axis/axis_lines.h"
 #include "drivers/gpio_axis/counter_encoder.h"
 #include "drivers/gpio_axis/edge_encoder.h"
 #include "drivers/gpio_axis/gpio_axis_config.h"
@@ -58,18 +58,17 @@ class GpioAxis {
   // These are for the log: the error of the system call behind the first fault, and counts of
   // errors.
   [[nodiscard]] const hal::Error& error() const { return fault_.error; }
-  [[nodiscard]] std::uint64_t edges_lost() const { return loss_.lost(); }
+  [[nodiscard]] std::uint64_t edges_lost() const { return lines_.edges_lost(); }
   [[nodiscard]] std::uint64_t illegal_transitions() const {
     return encoder_.edges.illegal_transitions();
   }
   [[nodiscard]] std::int64_t index_error() const;
 
  private:
-  // The parts of the board that the axis uses.
+  // The parts of the board that the axis uses besides its lines.
   struct Hardware {
     // Null: the encoder is on GPIO lines.
     hal::Counter* counter;
-    hal::GpioLines* lines;
     hal::PwmOutput* pwm;
     const hal::Clock* clock;
   };
@@ -124,11 +123,10 @@ class GpioAxis {
 
   GpioAxisConfig config_;
   Hardware hardware_;
-  AxisWiring wiring_;
+  AxisLines lines_;
   Encoder encoder_;
   HBridge bridge_;
   SafetyInputs safety_;
-  hal::GpioLossCounter loss_;
 
   AxisSample sample_;
   FirstFault fault_;

@@ -47,12 +47,12 @@ void GpioAxis::read(std::span<AxisSample> samples, hal::TimeNs /*deadline_ns*/) 
 
 // Reads the waiting edges. Returns true if none is left.
 bool GpioAxis::read_edges() {
-  if (!wiring_.watches_edges()) {
+  if (!lines_.watches_edges()) {
     return true;
   }
   std::array<hal::GpioEdgeEvent, kEventsPerRead> events;
   for (std::size_t i = 0; i < kMaxReadsPerTick; ++i) {
-    const auto count = hardware_.lines->read_edges(events, hal::kNoWait);
+    const auto count = lines_.read_edges(events);
     if (!count) {
       if (count.error().code != hal::ErrorCode::timeout) {
         did(std::unexpected(count.error()), GpioAxisTrouble::lines_gone,
@@ -68,14 +68,14 @@ bool GpioAxis::read_edges() {
 }
 
 void GpioAxis::take(const hal::GpioEdgeEvent& event) {
-  if (loss_.saw(event) != 0) {
+  if (lines_.note(event) != 0) {
     if (hardware_.counter == nullptr) {
       encoder_.edges.fail(EncoderFault::edges_lost);
     } else {
       latch(GpioAxisTrouble::safety_edges_lost);
     }
   }
-  const auto line = wiring_.line_at(event.offset);
+  const auto line = lines_.line_of(event);
   if (!line) {
     return;
   }
@@ -95,22 +95,22 @@ void GpioAxis::take(const hal::GpioEdgeEvent& event) {
 // Reads the levels, after the edges, so that both can be compared. An edge in between only starts
 // the time for which they may disagree.
 void GpioAxis::read_levels(hal::TimeNs now_ns) {
-  if (wiring_.inputs() == 0) {
+  if (!lines_.has_inputs()) {
     return;
   }
-  const auto levels = hardware_.lines->get(wiring_.inputs());
+  const auto levels = lines_.levels();
   if (!levels) {
     did(std::unexpected(levels.error()), GpioAxisTrouble::lines_gone, GpioAxisTrouble::lines_fail);
     return;
   }
-  const auto active = [&](AxisLine line) { return (*levels & wiring_.bit(line)) != 0; };
   if (hardware_.counter == nullptr) {
-    encoder_.edges.compare(active(AxisLine::encoder_a), active(AxisLine::encoder_b), now_ns);
+    encoder_.edges.compare(levels->is_active(AxisLine::encoder_a),
+                           levels->is_active(AxisLine::encoder_b), now_ns);
   }
-  safety_.take({.emergency_stop = active(AxisLine::emergency_stop),
-                .fault = active(AxisLine::fault),
-                .limit_low = active(AxisLine::limit_low),
-                .limit_high = active(AxisLine::limit_high)},
+  safety_.take({.emergency_stop = levels->is_active(AxisLine::emergency_stop),
+                .fault = levels->is_active(AxisLine::fault),
+                .limit_low = levels->is_active(AxisLine::limit_low),
+                .limit_high = levels->is_active(AxisLine::limit_high)},
                now_ns);
 }
 

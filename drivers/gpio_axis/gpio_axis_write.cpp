@@ -57,7 +57,7 @@ void GpioAxis::apply(const BridgeOutput& output) {
 }
 
 void GpioAxis::beat() {
-  if (wiring_.bit(AxisLine::heartbeat) != 0) {
+  if (lines_.is_connected(AxisLine::heartbeat)) {
     output_.heartbeat = !output_.heartbeat;
     set(AxisLine::heartbeat, output_.heartbeat);
   }
@@ -71,19 +71,15 @@ void GpioAxis::cut_power() {
   if (output_.cut) {
     return;
   }
-  const std::uint64_t off = wiring_.bit(AxisLine::enable) | wiring_.bit(AxisLine::brake_release) |
-                            wiring_.bit(AxisLine::heartbeat);
-  using enum GpioAxisTrouble;
-  const bool lines_off = off == 0 || did(hardware_.lines->set(off, 0), lines_gone, lines_fail);
+  const bool lines_off =
+      did(lines_.switch_off(), GpioAxisTrouble::lines_gone, GpioAxisTrouble::lines_fail);
   output_.heartbeat = false;
   const bool duty_off = set_duty(bridge_.idle(hardware_.clock->now_ns()).duty_ns);
   output_.cut = lines_off && duty_off;
 }
 
 bool GpioAxis::set(AxisLine line, bool active) {
-  const std::uint64_t bit = wiring_.bit(line);
-  return bit == 0 || did(hardware_.lines->set(bit, active ? bit : 0), GpioAxisTrouble::lines_gone,
-                         GpioAxisTrouble::lines_fail);
+  return did(lines_.set(line, active), GpioAxisTrouble::lines_gone, GpioAxisTrouble::lines_fail);
 }
 
 bool GpioAxis::set_duty(hal::TimeNs duty_ns) {
