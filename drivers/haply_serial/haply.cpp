@@ -16,20 +16,24 @@ constexpr hal::TimeNs kHaplyWritePatience_ns = 20'000'000;
 constexpr double kHaplyAskedTolerances = 5.0;
 constexpr std::uint32_t kHaplyAskedSteps = 11;
 
+HaplyConfig with_possible_axes(HaplyConfig config) {
+  config.axes = std::clamp<std::size_t>(config.axes, 1, kHaplyMaxAxes);
+  return config;
+}
+
 }  // namespace
 
 Haply::Haply(hal::SerialPort& port, const hal::Clock& clock, const HaplyConfig& config)
     : port_(&port),
       clock_(&clock),
-      config_(config),
-      samples_(config.velocity_cutoff_Hz, config.fastest_rad_per_s) {
-  config_.axes = std::clamp<std::size_t>(config_.axes, 1, kHaplyMaxAxes);
-}
+      config_(with_possible_axes(config)),
+      answers_(config_.axes),
+      samples_(config.velocity_cutoff_Hz, config.fastest_rad_per_s) {}
 
 void Haply::start() {
   setup_ = {.starts = setup_.starts + 1};
   samples_.forget();
-  score_ = {};
+  reads_ = {};
   faults_.clear();
   if (!config_.unproven_watchdog) {
     latch(kDeviceDriveFault, kHaplyNoWatchdog);
@@ -40,8 +44,7 @@ void Haply::start() {
 }
 
 void Haply::forget_answers() {
-  arriving_.restart();
-  commands_ = {};
+  answers_.restart();
   last_ = {};
   setup_.at_home_in_a_row = 0;
 }
@@ -102,7 +105,7 @@ void Haply::stop() {
 }
 
 void Haply::read(std::span<AxisSample> samples, hal::TimeNs deadline_ns) {
-  this_read_ = {};
+  reads_.begin();
   if (state_ == State::settling && clock_->now_ns() >= setup_.settled_ns) {
     if (const auto discarded = port_->discard_input(); !discarded) {
       lose(discarded.error());
@@ -119,7 +122,7 @@ std::uint32_t Haply::status() const {
     return faults_.status() | kDeviceNotReady |
            (setup_.is_reference_lost ? kDeviceReferenceLost : kDeviceOk);
   }
-  return faults_.status() | (this_read_.is_fresh ? kDeviceOk : kDeviceStale);
+  return faults_.status() | (reads_.is_fresh() ? kDeviceOk : kDeviceStale);
 }
 
 Trouble Haply::trouble(std::size_t /*axis*/) const {
@@ -157,7 +160,7 @@ void Haply::write(std::span<const AxisCommand> commands) {
 }
 
 void Haply::send_torques(const Torques& torque_Nm) {
-  commands_.ask(clock_->now_ns());
+  answers_.ask(clock_->now_ns());
   send(haply_torques(config_.device_id, std::span(torque_Nm).first(config_.axes)), hal::kNoWait);
 }
 

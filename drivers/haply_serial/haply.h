@@ -18,8 +18,8 @@
 #include "drivers/common/fault_latch.h"
 #include "drivers/common/last_readings.h"
 #include "drivers/common/position_samples.h"
-#include "drivers/common/question_times.h"
-#include "drivers/common/read_score.h"
+#include "drivers/common/read_judge.h"
+#include "drivers/haply_serial/answers.h"
 #include "drivers/haply_serial/protocol.h"
 #include "hal/serial_port.h"
 
@@ -100,27 +100,6 @@ class Haply {
     // The board was set up before, and is set up again.
     bool is_reference_lost = false;
   };
-  // The answer that is arriving.
-  struct Arriving {
-    std::array<std::byte, haply_reply_bytes(kHaplyMaxAxes)> bytes{};
-    std::size_t size = 0;
-    // The number of reads in which it arrived without its end.
-    std::uint32_t late_reads = 0;
-
-    void restart() {
-      size = 0;
-      late_reads = 0;
-    }
-  };
-  // The results of one read.
-  struct ThisRead {
-    // A believable answer came.
-    bool is_fresh = false;
-    // An answer came without a command.
-    bool is_unasked = false;
-    // The reason why an answer was rejected.
-    Trouble doubt;
-  };
 
   void set_up();
   void forget_answers();
@@ -148,12 +127,10 @@ class Haply {
   HaplyConfig config_;
   State state_ = State::stopped;
   Setup setup_;
-  Arriving arriving_;
-  QuestionTimes commands_;
+  HaplyAnswers answers_;
   LastReadings<HaplyAngles> last_;
   PositionSamples<kHaplyMaxAxes> samples_;
-  ThisRead this_read_;
-  ReadScore score_;
+  ReadJudge reads_;
   FaultLatch faults_;
 };
 

@@ -10,21 +10,20 @@ namespace tactus::drivers {
 namespace {
 
 constexpr std::uint32_t kHaplyAnswersToBelieve = 3;
-constexpr std::uint32_t kHaplyReadsForAnAnswer = 2;
 constexpr double kHaplySlack_rad = 0.002;
 constexpr std::size_t kHaplyAnswersATick = 16;
 
 }  // namespace
 
 void Haply::exchange(hal::TimeNs deadline_ns) {
-  const bool awaited = commands_.is_open();
+  const bool awaited = answers_.is_awaited();
   for (std::size_t i = 0; i < kHaplyAnswersATick && receive(hal::kNoWait); ++i) {
   }
-  if (awaited && !this_read_.is_fresh && !this_read_.doubt) {
+  if (awaited && !reads_.is_fresh() && !reads_.doubt()) {
     (void)receive(deadline_ns);
   }
   drop_late_piece();
-  if (awaited || this_read_.doubt) {
+  if (awaited || reads_.doubt()) {
     judge();
   }
 }
@@ -33,25 +32,21 @@ bool Haply::receive(hal::TimeNs deadline_ns) {
   if ((faults_.status() & kDeviceLost) != 0) {
     return false;
   }
-  const std::size_t whole = haply_reply_bytes(config_.axes);
-  const auto got = port_->read_all(
-      std::span(arriving_.bytes).subspan(arriving_.size, whole - arriving_.size), deadline_ns);
+  const auto got = port_->read_all(answers_.room(), deadline_ns);
   if (!got) {
     if (got.error().code != hal::ErrorCode::timeout) {
       lose(got.error());
     }
     return false;
   }
-  arriving_.size += *got;
-  if (arriving_.size < whole) {
+  const auto answer = answers_.take(*got);
+  if (!answer) {
     return false;
   }
-  arriving_.restart();
-  if (const auto asked_ns = commands_.answer()) {
-    take(std::span(arriving_.bytes).first(whole), *asked_ns);
+  if (answer->asked_ns) {
+    take(answer->bytes, *answer->asked_ns);
   } else {
-    this_read_.is_unasked = true;
-    this_read_.doubt = kHaplyGarbled;
+    reads_.doubt_unasked(kHaplyGarbled);
   }
   return true;
 }
@@ -60,7 +55,7 @@ void Haply::take(std::span<const std::byte> reply, hal::TimeNs asked_ns) {
   if (const auto angles = decode_haply_reply(reply, config_.device_id, config_.axes)) {
     accept(*angles, asked_ns);
   } else {
-    this_read_.doubt = kHaplyGarbled;
+    reads_.doubt(kHaplyGarbled);
     (void)port_->discard_input();  // the next byte may be in the middle of an answer
   }
 }
@@ -68,14 +63,10 @@ void Haply::take(std::span<const std::byte> reply, hal::TimeNs asked_ns) {
 // Drops a part of an answer that came late. A board that lost its setup sends answers that are too
 // short, and they must not add up to a whole one.
 void Haply::drop_late_piece() {
-  arriving_.late_reads = arriving_.size > 0 ? arriving_.late_reads + 1 : 0;
-  if (arriving_.late_reads < kHaplyReadsForAnAnswer) {
-    return;
+  if (answers_.drop_late_piece()) {
+    reads_.doubt(kHaplyGarbled);
+    (void)port_->discard_input();
   }
-  arriving_.restart();
-  (void)commands_.answer();
-  this_read_.doubt = kHaplyGarbled;
-  (void)port_->discard_input();
 }
 
 void Haply::accept(const HaplyAngles& angles, hal::TimeNs asked_ns) {
@@ -85,7 +76,7 @@ void Haply::accept(const HaplyAngles& angles, hal::TimeNs asked_ns) {
   if (!setup_.is_done) {
     find_home(angles, asked_ns);
   } else if (!moved_plausibly(angles, asked_ns)) {
-    this_read_.doubt = kHaplyJumped;
+    reads_.doubt(kHaplyJumped);
   } else {
     believe(angles, asked_ns);
   }
@@ -97,7 +88,7 @@ void Haply::find_home(const HaplyAngles& angles, hal::TimeNs asked_ns) {
   if (!says_what_it_was_told(angles) ||
       (setup_.at_home_in_a_row > 0 && !moved_plausibly(angles, asked_ns))) {
     setup_.at_home_in_a_row = 0;
-    this_read_.doubt = kHaplySetupWrong;
+    reads_.doubt(kHaplySetupWrong);
     return;
   }
   ++setup_.at_home_in_a_row;
@@ -135,7 +126,7 @@ bool Haply::moved_plausibly(const HaplyAngles& angles, hal::TimeNs asked_ns) con
 }
 
 void Haply::believe(const HaplyAngles& angles, hal::TimeNs asked_ns) {
-  this_read_.is_fresh = true;
+  reads_.believe();
   last_.take(angles, asked_ns);
   for (std::size_t i = 0; i < config_.axes; ++i) {
     samples_.take(i, angles[i], asked_ns);
@@ -143,15 +134,11 @@ void Haply::believe(const HaplyAngles& angles, hal::TimeNs asked_ns) {
 }
 
 void Haply::judge() {
-  if (this_read_.is_fresh && !this_read_.is_unasked) {
-    score_.good();
+  if (!reads_.end_in_fault()) {
     return;
   }
-  if (!score_.bad()) {
-    return;
-  }
-  if (this_read_.doubt) {
-    latch(kDeviceEncoderFault, this_read_.doubt);
+  if (reads_.doubt()) {
+    latch(kDeviceEncoderFault, reads_.doubt());
   } else {
     latch(kDeviceLost, kHaplySilent);
   }
