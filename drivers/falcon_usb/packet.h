@@ -15,6 +15,8 @@
 #include <optional>
 #include <span>
 
+#include "hal/angle.h"
+
 namespace tactus::drivers {
 
 inline constexpr std::size_t kFalconPacketBytes = 16;
@@ -24,7 +26,7 @@ inline constexpr std::int16_t kFalconMotorLimit = 4095;
 // The encoder has 1280 counts a motor turn. The capstan of 14.25 mm runs on an arm arc of 110 mm,
 // and the count is zero at 35 degrees.
 inline constexpr double kFalconRadPerCount = 2.0 * std::numbers::pi / 1280.0 * (0.01425 / 0.110);
-inline constexpr double kFalconZeroRad = 35.0 * std::numbers::pi / 180.0;
+inline constexpr double kFalconZeroRad = hal::radians_of(35.0);
 
 // The lights of the device; true is on.
 struct FalconLights {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
+
+#include "hal/angle.h"
 
 namespace tactus::drivers {
 
@@ -13,7 +14,6 @@ constexpr std::uint8_t kHaplyReset = 0;
 constexpr std::uint8_t kHaplySetup = 1;
 constexpr std::uint8_t kHaplyWriteRead = 2;
 constexpr double kHaplyLargestAngle_deg = 36'000.0;
-constexpr double kHaplyDegreesPerRad = 180.0 / std::numbers::pi;
 
 std::uint8_t mask_of_ports(std::size_t count) {
   return static_cast<std::uint8_t>((1U << count) - 1U);
@@ -78,7 +78,7 @@ HaplyMessage haply_setup(std::uint8_t device_id, std::span<const HaplyAxisSetup>
   message.add(std::uint8_t{0});  // analogue inputs
   message.add(std::uint8_t{0});  // PWM outputs
   for (const HaplyAxisSetup& axis : used) {
-    message.add(static_cast<float>(axis.angle_now_rad * kHaplyDegreesPerRad));
+    message.add(static_cast<float>(hal::degrees_of(axis.angle_now_rad)));
     message.add(static_cast<float>(axis.counts_per_turn));
   }
   return message;
@@ -106,7 +106,7 @@ std::optional<HaplyAngles> decode_haply_reply(std::span<const std::byte> reply,
     if (!(std::abs(angle_deg) <= kHaplyLargestAngle_deg)) {
       return std::nullopt;
     }
-    angles[axis] = angle_deg / kHaplyDegreesPerRad;
+    angles[axis] = hal::radians_of(angle_deg);
   }
   return angles;
 }

@@ -1,13 +1,13 @@
 // The configurations of known mechanisms. The figures are published for the device unless a comment
 // calls them assumed.
-#include <numbers>
 
 #include "firmware/configuration/controller_config.h"
+#include "hal/angle.h"
 
 namespace tactus::firmware {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+using hal::radians_of;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ ControllerConfig hapkit_config() {
   config.workspace_origin_D = {0.0, geometry.handle_radius_m, 0.0};
   // The sectors of Hapkits span about 90 degrees.
   config.joints[0] = {
-      .lower = -45.0 * kDegree, .upper = 45.0 * kDegree, .max_effort = kSectorTorque_Nm};
+      .lower = radians_of(-45.0), .upper = radians_of(45.0), .max_effort = kSectorTorque_Nm};
   config.safety.max_force_N = 7.9;  // of the 7.98 N that the motor gives
   return config;
 }
@@ -49,8 +49,8 @@ ControllerConfig haply_pantograph_config() {
   config.workspace_origin_D = {0.01, 0.0, 0.075};
   // The range goes from the home pose (180 and 0 degrees) inward. It is assumed: the stops are not
   // published.
-  config.joints[0] = {.lower = 80.0 * kDegree, .upper = 185.0 * kDegree, .max_effort = 0.123};
-  config.joints[1] = {.lower = -5.0 * kDegree, .upper = 100.0 * kDegree, .max_effort = 0.123};
+  config.joints[0] = {.lower = radians_of(80.0), .upper = radians_of(185.0), .max_effort = 0.123};
+  config.joints[1] = {.lower = radians_of(-5.0), .upper = radians_of(100.0), .max_effort = 0.123};
   // The force that the motors give in the worst direction.
   config.safety.max_force_N = 2.4;
   return config;
@@ -64,11 +64,11 @@ ControllerConfig phantom_premium_config() {
   config.mechanism = geometry;
   config.workspace_origin_D = {0.0, -geometry.forearm_m, geometry.upper_m};
   config.joints = {
-      {{.lower = -90.0 * kDegree, .upper = 90.0 * kDegree, .max_effort = 13.3 * kNominal_Nm},
-       {.lower = -124.0 * kDegree, .upper = 119.0 * kDegree, .max_effort = 11.2 * kNominal_Nm},
-       {.lower = -29.0 * kDegree, .upper = 214.0 * kDegree, .max_effort = 11.2 * kNominal_Nm}}};
+      {{.lower = radians_of(-90.0), .upper = radians_of(90.0), .max_effort = 13.3 * kNominal_Nm},
+       {.lower = radians_of(-124.0), .upper = radians_of(119.0), .max_effort = 11.2 * kNominal_Nm},
+       {.lower = radians_of(-29.0), .upper = radians_of(214.0), .max_effort = 11.2 * kNominal_Nm}}};
   config.coupled_limits[0] = {
-      .joint = 1, .minus = 2, .lower = -55.0 * kDegree, .upper = 65.0 * kDegree};
+      .joint = 1, .minus = 2, .lower = radians_of(-55.0), .upper = radians_of(65.0)};
   config.safety.max_force_N = 8.5;
   return config;
 }
@@ -87,11 +87,13 @@ ControllerConfig woodenhaptics_config() {
   config.workspace_origin_D = {0.0, 0.080, 0.220};
   // These are assumed: the stops are not published.
   config.joints = {
-      {{.lower = -70.0 * kDegree, .upper = 70.0 * kDegree, .max_effort = kFirstRatio * kMotor_Nm},
-       {.lower = -20.0 * kDegree, .upper = 135.0 * kDegree, .max_effort = kRatio * kMotor_Nm},
-       {.lower = -20.0 * kDegree, .upper = 140.0 * kDegree, .max_effort = kRatio * kMotor_Nm}}};
+      {{.lower = radians_of(-70.0),
+        .upper = radians_of(70.0),
+        .max_effort = kFirstRatio * kMotor_Nm},
+       {.lower = radians_of(-20.0), .upper = radians_of(135.0), .max_effort = kRatio * kMotor_Nm},
+       {.lower = radians_of(-20.0), .upper = radians_of(140.0), .max_effort = kRatio * kMotor_Nm}}};
   config.coupled_limits[0] = {
-      .joint = 1, .minus = 2, .lower = -70.0 * kDegree, .upper = 70.0 * kDegree};
+      .joint = 1, .minus = 2, .lower = radians_of(-70.0), .upper = radians_of(70.0)};
   config.safety.max_force_N = 5.0;
   return config;
 }

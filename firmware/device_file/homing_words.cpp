@@ -1,9 +1,10 @@
 #include "firmware/device_file/homing_words.h"
 
-#include <numbers>
 #include <span>
 #include <string_view>
 #include <variant>
+
+#include "hal/angle.h"
 
 namespace tactus::firmware {
 namespace {
@@ -37,7 +38,7 @@ Instruction instruction_for(const drivers::Reference& reference) {
 void add_homing_words(const DeviceConfig& config, Words& words) {
   constexpr int kDecimals = 2;
   const bool is_prismatic = slides(config.controller.mechanism);
-  const double shown_per_unit = is_prismatic ? 1e3 : 180.0 / std::numbers::pi;
+  const double shown_per_unit = is_prismatic ? 1e3 : hal::degrees_of(1.0);
   std::string_view separator;
   for (const JointConfig& joint : std::span(config.joints).first(config.joint_count)) {
     const Instruction instruction = instruction_for(joint.reference);

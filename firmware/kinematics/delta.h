@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 #include <optional>
 #include <span>
 
@@ -17,6 +16,7 @@
 #include "firmware/kinematics/link_weight.h"
 #include "firmware/kinematics/pose.h"
 #include "firmware/kinematics/range_check.h"
+#include "hal/angle.h"
 #include "rendering/geometry/portable_math.h"
 
 namespace tactus::firmware {
@@ -39,9 +39,8 @@ struct DeltaGeometry {
   // The same distance, across the azimuth.
   double platform_tangent_m = -0.025;
   // The directions of the arms in the base plane, from x toward y.
-  std::array<double, 3> azimuth_rad = {105.0 * std::numbers::pi / 180.0,
-                                       -15.0 * std::numbers::pi / 180.0,
-                                       -135.0 * std::numbers::pi / 180.0};
+  std::array<double, 3> azimuth_rad = {hal::radians_of(105.0), hal::radians_of(-15.0),
+                                       hal::radians_of(-135.0)};
   // A z inside the workspace: the iteration starts there if the seed leads nowhere.
   double nominal_height_m = 0.12;
   // The weight of each arm, from the motor axis toward the elbow.

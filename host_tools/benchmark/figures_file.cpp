@@ -6,10 +6,10 @@
 #include <array>
 #include <ctime>
 #include <fstream>
-#include <numbers>
 #include <thread>
 #include <utility>
 
+#include "hal/angle.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -41,10 +41,6 @@ std::string today() {
   ::gmtime_r(&now, &date);
   std::array<char, sizeof "YYYY-MM-DD"> text{};
   return {text.data(), std::strftime(text.data(), text.size(), "%F", &date)};
-}
-
-double degrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
 }
 
 std::string instructions_row(const std::optional<InstructionCount>& count) {
@@ -85,7 +81,7 @@ void FiguresFile::append(const TouchFigures& figures) {
       t.median_ns, t.p99_ns, t.p999_ns, t.max_ns, t.once_p999_ns, t.once_max_ns,
       instructions_row(figures.instructions), t.contact_ticks, t.flagged_ticks, t.peak_candidates,
       figures.motion, figures.lateness.late_ticks, 1e6 * figures.lateness.worst_m,
-      degrees(figures.lateness.worst_turn_rad));
+      hal::degrees_of(figures.lateness.worst_turn_rad));
   write(text);
 }
 

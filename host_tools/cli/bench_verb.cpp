@@ -8,11 +8,11 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/angle.h"
 #include "host_tools/benchmark/benchmark_mesh.h"
 #include "host_tools/benchmark/crowd.h"
 #include "host_tools/benchmark/figures_file.h"
@@ -116,8 +116,7 @@ std::string late_words(const Lateness& lateness) {
   return lateness.late_ticks == 0
              ? std::string()
              : fmt::format(", by {:.3g} mm and {:.0f} degrees of the force at most",
-                           1e3 * lateness.worst_m,
-                           lateness.worst_turn_rad * 180.0 / std::numbers::pi);
+                           1e3 * lateness.worst_m, hal::degrees_of(lateness.worst_turn_rad));
 }
 
 void print_text(const TouchFigures& figures) {

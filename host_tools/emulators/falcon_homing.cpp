@@ -1,7 +1,8 @@
 #include "host_tools/emulators/falcon_homing.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "hal/angle.h"
 
 namespace tactus::host {
 
@@ -15,10 +16,6 @@ constexpr double kPushedIn_rad = 0.7;
 // 110 mm. The firmware's zero is at 35 degrees.
 constexpr double kArmDegreesPerCount = 360.0 * 14.25 / (320.0 * 4.0 * 110.0);
 constexpr double kArmDegreesAtZero = 35.0;
-
-double arm_degrees(double rad) {
-  return rad * 180.0 / std::numbers::pi;
-}
 
 }  // namespace
 
@@ -49,8 +46,8 @@ void FalconHoming::lose_power() {
 
 int FalconHoming::count(std::size_t arm, double position_rad) const {
   const bool is_homed = ((unsigned{homed_} >> arm) & 1U) != 0;
-  const double counted_deg = is_homed ? arm_degrees(position_rad) - kArmDegreesAtZero
-                                      : arm_degrees(position_rad - origin_rad_[arm]);
+  const double counted_deg = is_homed ? hal::degrees_of(position_rad) - kArmDegreesAtZero
+                                      : hal::degrees_of(position_rad - origin_rad_[arm]);
   return static_cast<int>(std::lround(counted_deg / kArmDegreesPerCount));
 }
 

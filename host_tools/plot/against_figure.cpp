@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
+#include "hal/angle.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/gnuplot.h"
 
@@ -17,7 +17,7 @@ double turn_deg(const RunRow& before, const RunRow& now) {
     return 0.0;
   }
   const double sine = before.force_W.cross(now.force_W).norm();
-  return std::atan2(sine, before.force_W.dot(now.force_W)) * 180.0 / std::numbers::pi;
+  return hal::degrees_of(std::atan2(sine, before.force_W.dot(now.force_W)));
 }
 
 // Returns a run as gnuplot's data: time, force, and turn since the row before.

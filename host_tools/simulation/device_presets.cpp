@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "hal/angle.h"
 #include "host_tools/simulation/linkages.h"
 
 namespace tactus::host {
@@ -77,7 +78,7 @@ DevicePreset hapkit_preset() {
   plant.stop_lower_B = preset.centre_B - Vec3(0.04, 0.02, 0.0);
   plant.stop_upper_B = preset.centre_B + Vec3(0.04, 0.0, 0.0);
   // A step of the magnetic sensor on the motor's shaft.
-  preset.device.encoder_resolution = 0.0107 * std::numbers::pi / 180.0;
+  preset.device.encoder_resolution = hal::radians_of(0.0107);
   // 0.03 N m of the motor through the ratio of the radii.
   preset.device.effort_limit = 0.03 * kSector_m / kPulley_m;
   preset.device.motor_time_constant_s = 0.5e-3;

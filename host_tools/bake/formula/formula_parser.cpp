@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "hal/angle.h"
 #include "host_tools/bake/formula/formula_builder.h"
 #include "host_tools/bake/formula/formula_functions.h"
 #include "host_tools/bake/formula/formula_syntax.h"
@@ -199,7 +200,7 @@ class Compiler {
     if (!(axis.norm() > 0.0)) {
       fail_formula(text_, node.place, "rotate: the axis is zero; write rotate(a, 0, 0, 1, 90)");
     }
-    const double half_rad = number(node, 4) * std::numbers::pi / 360.0;
+    const double half_rad = 0.5 * hal::radians_of(number(node, 4));
     const auto [sine, cosine] = rendering::sine_cosine(half_rad);
     if (std::isnan(sine)) {
       fail_formula(text_, node.children[4].place, "rotate: this angle is beyond all turns");

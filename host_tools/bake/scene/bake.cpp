@@ -6,8 +6,8 @@
 #include <array>
 #include <chrono>
 #include <iterator>
-#include <numbers>
 
+#include "hal/angle.h"
 #include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/closed_volume.h"
 #include "host_tools/bake/scene/corner_normals.h"
@@ -97,11 +97,10 @@ BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription
 // Adds shading normals and textures. Texture coordinates that no texture uses are dropped, since
 // they are a large part of the image.
 void add_detail(const ObjectDescription& object, const std::string& scene, BakedObject& baked) {
-  constexpr double kRadian = std::numbers::pi / 180.0;
   BakedMesh& mesh = baked.mesh;
   if (object.detail.angle_limit_deg) {
     mesh.corner_normals = corner_normals(mesh.vertices, mesh.triangles, mesh.neighbours,
-                                         kRadian * *object.detail.angle_limit_deg);
+                                         hal::radians_of(*object.detail.angle_limit_deg));
   }
   baked.textures = bake_textures(object.detail, !mesh.corner_places.empty(), scene);
   if (std::ranges::none_of(baked.textures.layers, [](const rendering::TextureLayer& layer) {

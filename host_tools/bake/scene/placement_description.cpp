@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "hal/angle.h"
+
 namespace tactus::host {
 namespace {
 
@@ -40,7 +42,7 @@ Eigen::Quaterniond read_rotation(const toml::table& table, const TomlSection& ob
   if (!(direction.norm() > 0.0)) {
     section.fail("axis", "axis is zero; write the direction to turn about, as in [0.0, 1.0, 0.0]");
   }
-  return Eigen::Quaterniond(Eigen::AngleAxisd(*angle_deg * M_PI / 180.0, direction.normalized()));
+  return Eigen::Quaterniond(Eigen::AngleAxisd(hal::radians_of(*angle_deg), direction.normalized()));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <numbers>
 
+#include "hal/angle.h"
 #include "host_tools/bake/toml/edit_distance.h"
 
 namespace tactus::host {
@@ -80,12 +81,12 @@ constexpr std::array kOtherUnits{
     OtherUnit{"cm_per_s", "m_per_s", 1e-2},
     OtherUnit{"um_per_s", "m_per_s", 1e-6},
     OtherUnit{"g", "kg", 1e-3},
-    OtherUnit{"rad", "deg", 180.0 / std::numbers::pi},
-    OtherUnit{"deg", "rad", std::numbers::pi / 180.0},
-    OtherUnit{"degrees", "rad", std::numbers::pi / 180.0},
+    OtherUnit{"rad", "deg", hal::degrees_of(1.0)},
+    OtherUnit{"deg", "rad", hal::radians_of(1.0)},
+    OtherUnit{"degrees", "rad", hal::radians_of(1.0)},
     OtherUnit{"turn", "rad", 2.0 * std::numbers::pi},
     OtherUnit{"rev", "rad", 2.0 * std::numbers::pi},
-    OtherUnit{"deg_per_s", "rad_per_s", std::numbers::pi / 180.0},
+    OtherUnit{"deg_per_s", "rad_per_s", hal::radians_of(1.0)},
     OtherUnit{"turn_per_s", "rad_per_s", 2.0 * std::numbers::pi},
     OtherUnit{"rev_per_s", "rad_per_s", 2.0 * std::numbers::pi},
     OtherUnit{"rpm", "rad_per_s", std::numbers::pi / 30.0},
