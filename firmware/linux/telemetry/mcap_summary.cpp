@@ -6,68 +6,20 @@
 #include <array>
 
 #include "firmware/linux/telemetry/mcap_format.h"
+#include "firmware/linux/telemetry/mcap_walk.h"
 
 namespace tactus::firmware {
 
+using mcap::Found;
 using mcap::Opcode;
 using mcap::Packer;
 using mcap::Unpacker;
+using mcap::Walk;
 
 namespace {
 
 // The largest number of channels, which have the ids 1 to 8.
 constexpr std::size_t kMaxChannels = 8;
-// The number of a record's first bytes that are read: enough for all but its bulk.
-constexpr std::size_t kFrontBytes = 512;
-
-// A record in the file: its place and its first bytes.
-struct Found {
-  Opcode opcode{};
-  // The place of its opcode in the file.
-  std::uint64_t offset = 0;
-  // The length with the opcode and the length's own bytes.
-  std::uint64_t length = 0;
-  std::array<std::byte, kFrontBytes> front{};
-  std::size_t front_bytes = 0;
-
-  // Returns the first bytes of the content.
-  [[nodiscard]] Unpacker content() const {
-    return Unpacker(std::span(front).first(front_bytes).subspan(mcap::kRecordHeaderBytes));
-  }
-};
-
-// Reads the records of a file's data section one after the other.
-class Walk {
- public:
-  explicit Walk(const FileSink& sink, std::uint64_t end)
-      : descriptor_(sink.descriptor()), end_(end) {}
-
-  // Reads the next record. Returns false at the end.
-  bool next(Found& found) {
-    if (offset_ + mcap::kRecordHeaderBytes > end_) {
-      return false;
-    }
-    const ssize_t count =
-        pread(descriptor_, found.front.data(), found.front.size(), static_cast<off_t>(offset_));
-    if (count < static_cast<ssize_t>(mcap::kRecordHeaderBytes)) {
-      return false;
-    }
-    Unpacker header(std::span<const std::byte>(found.front).first(mcap::kRecordHeaderBytes));
-    found.opcode = static_cast<Opcode>(header.u8());
-    found.offset = offset_;
-    found.length = header.u64() + mcap::kRecordHeaderBytes;
-    found.front_bytes = std::min(
-        static_cast<std::size_t>(count),
-        static_cast<std::size_t>(std::min<std::uint64_t>(found.length, found.front.size())));
-    offset_ += found.length;
-    return offset_ <= end_;
-  }
-
- private:
-  int descriptor_;
-  std::uint64_t end_;
-  std::uint64_t offset_ = mcap::kMagic.size();
-};
 
 // The numbers of the statistics record. Times are log times, ns since 1970.
 struct Statistics {
