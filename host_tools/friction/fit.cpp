@@ -1,13 +1,12 @@
 #include "host_tools/friction/fit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "host_tools/friction/fit_knowledge.h"
 #include "host_tools/friction/fit_search.h"
 #include "host_tools/friction/fit_start.h"
 #include "host_tools/friction/parameter_names.h"
@@ -16,7 +15,6 @@ namespace tactus::host {
 namespace {
 
 using rendering::FrictionKind;
-
 using rendering::FrictionModelTraits;
 using rendering::FrictionParameters;
 
@@ -36,22 +34,8 @@ constexpr bool can_be_fitted(const FrictionModelTraits& model) {
          });
 }
 
-// A parameter whose logarithm has this standard error or more is unknown: plus and minus two of
-// them come down to almost nothing.
-constexpr double kUnknownFrom = 0.5;
 // The 97.5 % quantile of the normal distribution: 95 % lie within it on both sides.
 constexpr double kTwoSided95 = 1.96;
-
-// How many rows of presliding a reversal must have. With fewer, the turn itself, which happens
-// between two rows, decides what the model does in them.
-constexpr std::size_t kPreslidingRows = 2;
-
-// Returns the standard error of a quantity's logarithm; 0 if it was not searched.
-double error_of(const Solution& solution, Quantity quantity) {
-  const std::vector<Quantity> free = solution.point.free_quantities();
-  const auto found = std::ranges::find(free, quantity);
-  return found == free.end() ? 0.0 : solution.squares.standard_errors(found - free.begin());
-}
 
 // Takes a quantity out of the search. It becomes 0 if the model works without it, else it keeps its
 // value.
@@ -83,24 +67,6 @@ void take_out(FitPoint& point, Quantity quantity) {
   }
 }
 
-// Returns the quantity that the data tell least about, if they do not tell enough. The fall with
-// speed is judged as a whole before its parts.
-std::optional<Quantity> least_known(const Solution& solution) {
-  if (!(error_of(solution, Quantity::excess) < kUnknownFrom)) {
-    return Quantity::excess;
-  }
-  std::optional<Quantity> worst;
-  double most = kUnknownFrom;
-  for (const Quantity q : solution.point.free_quantities()) {
-    const double error = error_of(solution, q);
-    if (q != Quantity::coulomb && q != Quantity::start_force && !(error < most)) {
-      worst = q;
-      most = error;
-    }
-  }
-  return worst;
-}
-
 // Returns the fit without a fall of friction with speed, unless it is clearly worse. A curve that
 // falls finds something to follow in any noise, and standard errors do not show it, since they hold
 // for that place only.
@@ -122,11 +88,6 @@ Solution with_a_fall_that_is_there(Solution solution, const FrictionRecord& reco
   return gain < kClearly ? other : solution;
 }
 
-// Returns true if the record has enough rows of presliding for its reversals.
-bool shows_presliding(const RecordTraits& traits) {
-  return traits.presliding_rows >= kPreslidingRows * (traits.reversals + 1);
-}
-
 // Returns a point whose bristle is held so stiff that it cannot be seen. In a record that does not
 // show presliding, a soft bristle could take the shape of anything.
 FitPoint without_presliding(const FitPoint& start, const RecordTraits& traits) {
@@ -134,99 +95,6 @@ FitPoint without_presliding(const FitPoint& start, const RecordTraits& traits) {
   take_out(point, Quantity::stiffness);
   point.set(Quantity::stiffness, stiffest(start, traits));
   return point;
-}
-
-// Returns the least stiffness that the data permit: where the sum of squares has risen by what
-// chance raises it in one case of twenty. 0 if there is none.
-double least_stiffness(const Solution& solution, const FrictionRecord& record) {
-  // The 95 % quantile of the chi-squared distribution with one degree of freedom.
-  constexpr double kByChance = 3.84;
-  constexpr int kHalvings = 60;
-  constexpr int kBisections = 6;
-  const double limit =
-      solution.squares.sum_of_squares * (1.0 + kByChance / static_cast<double>(record.rows()));
-  FitPoint point = solution.point;
-  const auto is_enough = [&](double stiffness) {
-    point.set(Quantity::stiffness, stiffness);
-    return sum_of_squares(point, record) <= limit;
-  };
-  double enough = solution.point[Quantity::stiffness];
-  int halvings = 0;
-  while (halvings < kHalvings && is_enough(0.5 * enough)) {
-    enough *= 0.5;
-    ++halvings;
-  }
-  double too_little = 0.5 * enough;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = std::sqrt(enough * too_little);
-    (is_enough(middle) ? enough : too_little) = middle;
-  }
-  return halvings < kHalvings ? enough : 0.0;
-}
-
-// Returns why the record does not tell the stiffness, for the user.
-std::string why_no_stiffness(const Solution& solution, const FrictionRecord& record,
-                             const RecordTraits& traits) {
-  const double least = least_stiffness(solution, record);
-  const std::string bound =
-      least > 0.0 ? fmt::format("; it is at least {:.2g} N/m", least) : std::string{};
-  if (traits.reversals == 0 && !shows_presliding(traits)) {
-    return "no presliding in the data: the motion neither starts at rest nor turns back" + bound;
-  }
-  if (!shows_presliding(traits)) {
-    return "no presliding in the data: at a reversal the force is on the other side within a row "
-           "or "
-           "two; sample faster, or reverse more slowly" +
-           bound;
-  }
-  return "the noise hides presliding" + bound;
-}
-
-// Returns why the data do not tell a quantity, for the user.
-std::string why_unknown(Quantity quantity, const Solution& solution, const FrictionRecord& record,
-                        const RecordTraits& traits) {
-  switch (quantity) {
-    case Quantity::excess:
-      return fmt::format(
-          "no fall of the friction with speed in the data: no velocities near vs among those from "
-          "{:.2g} to {:.2g} m/s, or the noise hides it",
-          traits.slowest_m_per_s, traits.fastest_m_per_s);
-    case Quantity::stribeck_velocity:
-    case Quantity::exponent:
-      return solution.point[Quantity::excess] > 0.0 ? "too few velocities near vs in the data"
-                                                    : "it has no effect while Fs is Fc";
-    case Quantity::viscous:
-      return fmt::format("not to be told from 0 at speeds up to {:.2g} m/s",
-                         traits.fastest_m_per_s);
-    case Quantity::stiffness:
-      return why_no_stiffness(solution, record, traits);
-    case Quantity::damping:
-      return !solution.point.is_free(Quantity::stiffness)
-                 ? "it shows only in presliding, of which the data tell nothing"
-                 : "not to be told from 0: it shows only where the motion is fast in presliding";
-    default:
-      return "the model does not fit these data";
-  }
-}
-
-// Returns the relative error of static friction, which is the sum of two quantities. Errors of
-// logarithms are relative ones, so each counts by its share.
-double static_error(const Solution& solution) {
-  const std::vector<Quantity> free = solution.point.free_quantities();
-  const double level = solution.point[Quantity::coulomb] + solution.point[Quantity::excess];
-  const auto share = [&](Eigen::Index i) {
-    const Quantity q = free[static_cast<std::size_t>(i)];
-    const bool is_part = q == Quantity::coulomb || q == Quantity::excess;
-    return is_part ? solution.point[q] / level : 0.0;
-  };
-  const Eigen::MatrixXd& covariance = solution.squares.covariance;
-  double variance = 0.0;
-  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
-    for (Eigen::Index j = 0; j < covariance.cols(); ++j) {
-      variance += share(i) * covariance(i, j) * share(j);
-    }
-  }
-  return std::sqrt(std::max(variance, 0.0));
 }
 
 // Returns a parameter with its 95 % interval, or with why it has none. Intervals are those of the
@@ -241,7 +109,7 @@ FittedParameter described(Quantity quantity, const Solution& solution, bool was_
   const double error = is_static ? static_error(solution) : error_of(solution, quantity);
   if (!was_searched) {
     result.knowledge = Knowledge::held;
-  } else if (!solution.point.is_free(quantity) || !(error < kUnknownFrom)) {
+  } else if (!solution.point.is_free(quantity) || is_unknown(error)) {
     result.knowledge = Knowledge::unknown;
     result.why_unknown = why_unknown(quantity, solution, record, traits);
   } else {

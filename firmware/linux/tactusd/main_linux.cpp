@@ -1,7 +1,6 @@
 // tactusd: the controller on a Linux machine. It reads the images, opens the boards and then runs
 // the loop (read -> controller -> write) at the device's rate, until a signal ends it. After a
 // fault the loop goes on without force, because an operator may reset the fault.
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,14 +23,16 @@
 #include "firmware/linux/realtime/timing_report.h"
 #include "firmware/linux/realtime/watchdog_output.h"
 #include "firmware/linux/tactusd/exclusive_use.h"
+#include "firmware/linux/tactusd/fault_messages.h"
 #include "firmware/linux/tactusd/linux_boards.h"
 #include "firmware/linux/tactusd/loop.h"
 #include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
+#include "firmware/linux/tactusd/program_hooks.h"
+#include "firmware/linux/tactusd/run_folder.h"
 #include "firmware/linux/tactusd/run_inputs.h"
 #include "firmware/linux/tactusd/run_telemetry.h"
 #include "firmware/linux/tactusd/supervisor.h"
-#include "firmware/safety/faults.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {
@@ -89,14 +90,6 @@ void on_flight_signal(int /*signal*/) {
   program.telemetry.ask_for_flight();
 }
 
-// Prints why a board could not be opened.
-void complain(const OpenError& error) {
-  const std::string_view code = hal::words(error.error.code);
-  std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
-               length(error.connection), error.connection.data(), length(error.what),
-               error.what.data(), length(code), code.data(), error.error.errno_value);
-}
-
 // Opens all boards and the watchdog's line. Returns the device, or null after it has printed why to
 // stderr.
 drivers::ComposedDevice* open_boards() {
@@ -119,39 +112,6 @@ drivers::ComposedDevice* open_boards() {
   return &device;
 }
 
-// Connects the loop with the rest of the program: requests come from the command queue and from
-// --enable, and every tick goes to telemetry and to the supervisor.
-class ProgramHooks {
- public:
-  ProgramHooks(const Options& options, const drivers::ComposedDevice& device)
-      : enable_(options.enable), device_(&device) {}
-
-  [[nodiscard]] bool stopping() const { return stop_requested.load(std::memory_order_relaxed); }
-  [[nodiscard]] bool has_crashed() const { return has_helper_crashed(); }
-
-  // Returns the operator's request. With --enable, homes and enables until an operator sends one.
-  [[nodiscard]] Request take_request(Controller& controller) const {
-    const Request commanded = program.queue.before_tick(controller);
-    const Mode mode = controller.mode();
-    if (!enable_ || program.queue.is_operated()) {
-      return commanded;
-    }
-    return mode == Mode::init    ? Request::home
-           : mode == Mode::ready ? Request::enable
-                                 : Request::none;
-  }
-
-  void publish(Controller& controller, const LoopTick& tick) {
-    program.queue.after_tick(controller);
-    program.telemetry.publish(controller, tick, *device_);
-    program.supervisor.note(controller.mode());
-  }
-
- private:
-  bool enable_;
-  const drivers::ComposedDevice* device_;
-};
-
 // Runs the loop and stops the motors. Returns the exit code.
 int run(drivers::ComposedDevice& device, const Options& options) {
   const double rate_hz = program.inputs.config().controller.rate_hz;
@@ -160,7 +120,11 @@ int run(drivers::ComposedDevice& device, const Options& options) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
-  ProgramHooks hooks(options, device);
+  ProgramHooks hooks({.queue = program.queue,
+                      .telemetry = program.telemetry,
+                      .supervisor = program.supervisor,
+                      .stop_requested = stop_requested},
+                     device, options.enable);
   const LoopParts parts{.controller = program.controller,
                         .clock = program.boards.clock(),
                         .timing = program.timing,
@@ -175,29 +139,6 @@ int run(drivers::ComposedDevice& device, const Options& options) {
   device.stop();
   end_real_time();
   return end == LoopEnd::faulted ? kFaulted : kEnded;
-}
-
-// Prints the latched faults, the joint in trouble and the joint that lost its reference.
-void explain_fault(const drivers::ComposedDevice& device) {
-  for (const FaultText& text : kFaultTexts) {
-    if ((program.controller.record().faults & text.bit) != 0) {
-      std::fprintf(stderr, "tactusd: fault %d %.*s: %.*s\n", fault_code(text.bit),
-                   length(text.name), text.name.data(), length(text.meaning), text.meaning.data());
-    }
-  }
-  const auto [joint, trouble] = device.trouble();
-  if (trouble) {
-    std::fprintf(stderr, "tactusd: joint '%.*s': %.*s (code 0x%x); %.*s\n", length(joint),
-                 joint.data(), length(trouble.what), trouble.what.data(), trouble.code,
-                 length(trouble.remedy), trouble.remedy.data());
-  }
-  const auto [unhomed, cause] = device.lost_reference();
-  if (cause) {
-    std::fprintf(stderr,
-                 "tactusd: joint '%.*s' must be homed again because its zero may have "
-                 "moved: %.*s; reset, then home\n",
-                 length(unhomed), unhomed.data(), length(cause.what), cause.what.data());
-  }
 }
 
 // Makes this thread a real-time thread. Returns false after it has printed why to stderr, unless
@@ -233,30 +174,6 @@ bool start_reporting() {
     std::fprintf(stderr, "tactusd: no thread: %s\n", std::strerror(failed));
   }
   return failed == 0;
-}
-
-// Returns the folder of the sockets.
-const char* run_folder(const Options& options) {
-  return options.run_dir != nullptr ? options.run_dir : kRunFolder;
-}
-
-// Claims the folder of the sockets. Creates the default folder if it may, because no program must
-// run without the stop socket. Returns false after it has printed why to stderr.
-bool take_run_folder(const Options& options) {
-  constexpr mode_t kOwnerAndGroup = 0750;
-  const char* const folder = run_folder(options);
-  if (options.run_dir == nullptr) {
-    (void)::mkdir(folder, kOwnerAndGroup);
-  }
-  struct stat status{};
-  if (::stat(folder, &status) != 0 || !S_ISDIR(status.st_mode)) {
-    std::fprintf(stderr,
-                 "tactusd: %s: there is no such folder for its sockets; make it, or name another "
-                 "with --run-dir\n",
-                 folder);
-    return false;
-  }
-  return program.exclusive_use.of_run_folder(folder);
 }
 
 // Opens the command socket and the stop socket. Returns false after it has printed why to stderr.
@@ -314,7 +231,7 @@ void print_end_signal() {
 // Opens everything, runs the loop, and ends what was started. Returns the exit code.
 int start_and_run(const Options& options) {
   program.controller.set_clock(now_ns);
-  if (!take_run_folder(options)) {
+  if (!take_run_folder(options, program.exclusive_use)) {
     return kCouldNotStart;
   }
   RunInputs& inputs = program.inputs;
@@ -347,14 +264,14 @@ int start_and_run(const Options& options) {
   const int code = run(*device, options);
   print_end_signal();
   if (has_helper_crashed()) {
-    explain_fault(*device);
+    explain_fault(program.controller.record().faults, *device);
     end_in_crash();
   }
   const bool has_ended = program.commands.stop();
   program.supervisor.stop();
   program.telemetry.stop(options);
   if (code == kFaulted) {
-    explain_fault(*device);
+    explain_fault(program.controller.record().faults, *device);
   }
   print_timing(stderr, program.timing);
   std::fprintf(stderr, "hash of all ticks: %016" PRIx64 "\n",

@@ -7,6 +7,7 @@
 
 #include "firmware/configuration/config_state.h"
 #include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/tactusd/run_folder.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {
@@ -117,7 +118,7 @@ void RunTelemetry::attach(const RunImages& images) {
 bool RunTelemetry::open_live_socket(const Options& options) {
   std::array<char, 256> path{};
   TextBuffer text{std::span(path).first(path.size() - 1)};
-  text.text(options.run_dir != nullptr ? options.run_dir : kRunFolder).text(kLiveSocketName);
+  text.text(run_folder(options)).text(kLiveSocketName);
   const int failed = writer_.open_live_socket(path.data());
   if (failed == 0) {
     return true;
