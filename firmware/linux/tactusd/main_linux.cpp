@@ -1,8 +1,6 @@
 // tactusd: the controller on a Linux machine. It reads the images, opens the boards and then runs
 // the loop (read -> controller -> write) at the device's rate, until a signal ends it. After a
 // fault the loop goes on without force, because an operator may reset the fault.
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cinttypes>
@@ -29,6 +27,7 @@
 #include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
 #include "firmware/linux/tactusd/program_hooks.h"
+#include "firmware/linux/tactusd/real_time_thread.h"
 #include "firmware/linux/tactusd/run_folder.h"
 #include "firmware/linux/tactusd/run_inputs.h"
 #include "firmware/linux/tactusd/run_telemetry.h"
@@ -141,29 +140,6 @@ int run(drivers::ComposedDevice& device, const Options& options) {
   return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
 
-// Makes this thread a real-time thread. Returns false after it has printed why to stderr, unless
-// --allow-non-realtime is given.
-bool take_time(const Options& options) {
-  RealTimeError error;
-  if (!become_real_time({.priority = options.priority, .cpu = options.cpu}, error)) {
-    std::fprintf(stderr, "tactusd: %.*s (%s)\n", length(error.what), error.what.data(),
-                 std::strerror(error.errno_value));
-    if (!options.allow_non_realtime) {
-      std::fprintf(stderr,
-                   "Give this shell the right to it with\n"
-                   "  sudo prlimit --pid %d --rtprio=%d --memlock=unlimited\n"
-                   "and start again; --allow-non-realtime goes without, and may miss ticks.\n",
-                   getppid(), options.priority);
-      return false;
-    }
-  }
-  if (const int refused = program.cpu_latency.hold(); refused != 0) {
-    std::fprintf(stderr, "tactusd: /dev/cpu_dma_latency: %s; processors may sleep deeply\n",
-                 std::strerror(refused));
-  }
-  return true;
-}
-
 // Starts the messages to the service manager and to stderr. Returns false if there is no thread.
 bool start_reporting() {
   if (const int failed = program.notice.open(); failed != 0) {
@@ -253,7 +229,7 @@ int start_and_run(const Options& options) {
                                inputs.config().joint_count)) {
     return kCouldNotStart;
   }
-  if (!start_commands(options) || !take_time(options) || !start_reporting()) {
+  if (!start_commands(options) || !take_time(options, program.cpu_latency) || !start_reporting()) {
     return kCouldNotStart;
   }
   if (!catch_signals()) {
