@@ -16,6 +16,7 @@ inline constexpr std::string_view kMagic{"\x89MCAP0\r\n", 8};
 
 // The kinds of records.
 enum class Opcode : std::uint8_t {
+  none = 0x00,  // no record has it
   header = 0x01,
   footer = 0x02,
   schema = 0x03,

@@ -73,7 +73,7 @@ class Summary {
  private:
   // A group of records of one kind, for the summary's offsets.
   struct Group {
-    Opcode opcode{};
+    Opcode opcode = Opcode::none;
     std::uint64_t start = 0;
     std::uint64_t length = 0;
   };

@@ -16,7 +16,7 @@ struct Found {
   // The number of a record's first bytes that are read: enough for all but its bulk.
   static constexpr std::size_t kFrontBytes = 512;
 
-  Opcode opcode{};
+  Opcode opcode = Opcode::none;
   // The place of its opcode in the file.
   std::uint64_t offset = 0;
   // The length with the opcode and the length's own bytes.
