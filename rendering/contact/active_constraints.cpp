@@ -44,6 +44,15 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
   return active;
 }
 
+LastContact hardest_contact(const ProxyRest& rest) {
+  const std::size_t hardest = rest.hardest();
+  if (rest.plane_count == 0 || rest.pressure_m[hardest] <= 0.0) {
+    return {};
+  }
+  const ContactPlane& plane = rest.planes[hardest];
+  return {.object = plane.object, .triangle = plane.triangle, .normal_W = rest.normal_W};
+}
+
 void keep_last_contact(const SceneObjects& scene, const LastContact& last_contact, const Vec3& p,
                        const Vec3& h, ProxyRest& rest) {
   if (last_contact.object == kNoObject) {

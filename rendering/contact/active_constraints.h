@@ -32,6 +32,10 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
                                           const Vec3& p, const Vec3& h, ContactPlanes& planes,
                                           ProxyRest& rest);
 
+// Returns the contact of `rest` with the largest pressure, by which objects that move carry the
+// proxy in the next tick; none if no plane pushes.
+LastContact hardest_contact(const ProxyRest& rest);
+
 // Makes the contact of the last tick hold the proxy in a tick that ended early, between two faces
 // or while it waits for candidates. Its surface gives the force if the tool presses toward it. If
 // the proxy moved far from it since, its nearest point gives the normal.

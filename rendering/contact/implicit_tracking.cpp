@@ -38,7 +38,7 @@ namespace tactus::rendering {
 namespace {
 
 // A shorter move counts as none: its force is a micronewton at 1000 N/m.
-constexpr double kSettled_m = 1e-9;
+constexpr double kLeastMove_m = 1e-9;
 // A surface that stops the proxy within this travel counts as an active constraint: it gives a
 // plane at the proxy, and the sub-goal is chosen again. After a longer travel the move is made
 // first.
@@ -346,7 +346,7 @@ class Tick {
     state_.friction = slipped_ ? FrictionState::slip : step.state;
     const Vec3 goal = projection.point + step.goal / surface_.scale_m;
     const bool settled = step.state == FrictionState::stick || !projection.feasible ||
-                         (goal - state_.p_O).norm() * surface_.scale_m <= kSettled_m;
+                         (goal - state_.p_O).norm() * surface_.scale_m <= kLeastMove_m;
     return {.point = goal, .settled = settled};
   }
 
@@ -358,7 +358,7 @@ class Tick {
     lag_O_ = surface_.R_WO.transpose() * (lag.lag_m / surface_.scale_m);
     const Vec3 goal = projection.point - lag_O_;
     const bool settled =
-        !projection.feasible || (goal - state_.p_O).norm() * surface_.scale_m <= kSettled_m;
+        !projection.feasible || (goal - state_.p_O).norm() * surface_.scale_m <= kLeastMove_m;
     return {.point = goal, .settled = settled};
   }
 

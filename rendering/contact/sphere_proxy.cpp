@@ -55,8 +55,8 @@ ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W,
 ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
   const NearbySurfaces near{.scene = scene, .margins = margins_, .candidates = candidate_set_};
   ProxyRest rest;
-  run_sub_goals({.near = near, .factors = factors_, .h_W = h_W, .path = path}, state_, planes_,
-                rest);
+  run_sub_goals({.near = near, .factors = factors_, .h_W = h_W, .path = path},
+                {.state = state_, .planes = planes_, .rest = rest});
   // A tick that ended in the middle of its path may have no plane, yet the surface still pushes the
   // hand.
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;

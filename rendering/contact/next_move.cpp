@@ -1,0 +1,43 @@
+// A goal that would begin a cycle is chosen again with the recalled planes, and one whose sweep is
+// blocked at its start with the plane of the candidate that blocks it: most edges and vertices give
+// their planes in this manner. The recalled planes are those that held the proxy at the place it
+// has left; they bound it from any distance.
+#include "rendering/contact/next_move.h"
+
+namespace tactus::rendering {
+
+// The loop ends after kMaxContactPlanes + 1 sweeps.
+NextMove MoveFinder::find(const ProxyMove& tick, const MovingProxy& proxy,
+                          PlaneCollector& collector, bool is_stalling) {
+  auto& [state, planes, rest] = proxy;
+  const Vec3& p = state.p_W;
+  NextMove move;
+  std::size_t sweeps = 0;
+  bool has_recalled = false;
+  for (;;) {
+    move.goal = sub_goals_.choose(tick, proxy);
+    const SubGoal& goal = move.goal;
+    if (!has_recalled && !goal.settled && !goal.lengthened &&
+        (constraints_.would_cycle(p, goal.point, tick.h_W) || is_stalling) &&
+        constraints_.recall(planes)) {
+      has_recalled = true;
+      collector.add_recalled(constraints_, planes, rest.flags);
+      continue;
+    }
+    has_recalled = false;
+    if (goal.settled) {
+      return move;
+    }
+    move.sweep = sweep_toward(tick.near, p, goal.point, rest, constraints_);
+    if (const FirstHit& hit = move.sweep.beyond; hit.object != kNoObject) {
+      // The contact of this tick, should it end before the object is measured there.
+      state.last_contact = {.object = hit.object, .triangle = hit.triangle};
+    }
+    if (++sweeps > kMaxContactPlanes || move.sweep.blocked_by == kNoCandidate ||
+        !collector.add_blocking(move.sweep.blocked_by, planes, rest.flags)) {
+      return move;
+    }
+  }
+}
+
+}  // namespace tactus::rendering
