@@ -2,7 +2,7 @@
 // free are left behind, the nearest other one is looked at next. For a range it knows F at both
 // ends, and by interval arithmetic bounds of F and of its slope dF/dt over the whole of it.
 //
-//   free:     the bound of F is >= 0, or the slope allows no dip below 0 between the two ends
+//   free:     the bound of F is above 0, or the slope allows no dip below 0 between the two ends
 //   crossed:  F is below 0 at the far end and falls all the way, so there is one crossing
 //   else:     the range is halved, and its first half is looked at
 //
@@ -32,8 +32,13 @@ struct End {
 
 // Returns the least possible F between two ends of a range, from its values there and its slope: F
 // is above the line that falls from `a` at the lowest slope and above the one that reaches `b` at
-// the highest, so it is above the point where they meet.
+// the highest, so it is above the point where they meet. An end at a pole or without a value tells
+// nothing.
 double least_value(const End& a, const End& b, const Interval& slope) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  if (!(a.value < kLargest && b.value < kLargest)) {
+    return -kLargest;
+  }
   if (slope.lower >= 0.0) {
     return a.value;
   }
@@ -68,7 +73,7 @@ class Search {
         return {.state = SegmentState::unknown, .free_to = a.t};
       }
       const SegmentRange range = field_.along(from_, segment_, {a.t, b.t});
-      if (range.value.lower >= 0.0 || least_value(a, b, range.slope) >= 0.0) {
+      if (range.value.lower > 0.0 || least_value(a, b, range.slope) >= 0.0) {
         a = b;
         --depth;
         continue;

@@ -95,10 +95,9 @@ inline Interval power(const Interval& a, int n) {
   const double upper = power(a.upper, n);
   const double ulps = 2.0 * n;
   if (n % 2 != 0 || a.lower >= 0.0) {
-    return outwards(lower, upper, ulps);
+    return rounded(lower, upper, ulps);
   }
-  return a.upper <= 0.0 ? outwards(upper, lower, ulps)
-                        : outwards(0.0, std::max(lower, upper), ulps);
+  return a.upper <= 0.0 ? rounded(upper, lower, ulps) : rounded(0.0, std::max(lower, upper), ulps);
 }
 
 inline double sine(double a) {

@@ -33,6 +33,15 @@ inline Interval outwards(double lower, double upper, double ulps = 1.0) {
           upper + (ulps * kUlp * std::abs(upper) + kSmallest)};
 }
 
+// Widens the result of an operation that a double carries out with one rounding. Such an operation
+// never rounds across 0, so an end that is not below 0, or not above 0, stays so: the square of a
+// number is known to be no less than 0.
+inline Interval rounded(double lower, double upper, double ulps = 1.0) {
+  const Interval wide = outwards(lower, upper, ulps);
+  return {lower >= 0.0 ? std::max(wide.lower, 0.0) : wide.lower,
+          upper <= 0.0 ? std::min(wide.upper, 0.0) : wide.upper};
+}
+
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
@@ -46,19 +55,19 @@ inline Interval operator-(const Interval& a) {
 }
 
 inline Interval operator+(const Interval& a, const Interval& b) {
-  return outwards(a.lower + b.lower, a.upper + b.upper);
+  return rounded(a.lower + b.lower, a.upper + b.upper);
 }
 
 inline Interval operator-(const Interval& a, const Interval& b) {
-  return outwards(a.lower - b.upper, a.upper - b.lower);
+  return rounded(a.lower - b.upper, a.upper - b.lower);
 }
 
 inline Interval operator+(const Interval& a, double c) {
-  return outwards(a.lower + c, a.upper + c);
+  return rounded(a.lower + c, a.upper + c);
 }
 
 inline Interval operator*(const Interval& a, double c) {
-  return c < 0.0 ? outwards(a.upper * c, a.lower * c) : outwards(a.lower * c, a.upper * c);
+  return c < 0.0 ? rounded(a.upper * c, a.lower * c) : rounded(a.lower * c, a.upper * c);
 }
 
 inline Interval operator*(const Interval& a, const Interval& b) {
@@ -67,11 +76,21 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   if (std::isnan(p[0] + p[1] + p[2] + p[3])) {
     return kEverything;  // zero times infinity
   }
-  return outwards(std::min({p[0], p[1], p[2], p[3]}), std::max({p[0], p[1], p[2], p[3]}));
+  return rounded(std::min({p[0], p[1], p[2], p[3]}), std::max({p[0], p[1], p[2], p[3]}));
+}
+
+// Returns 1 / b. Beside a pole it is a half-line, so that the sign of the quotient is known there.
+inline Interval inverse(const Interval& b) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (b.lower < 0.0 && b.upper > 0.0) {
+    return kEverything;
+  }
+  return rounded(b.upper == 0.0 ? -kInfinity : 1.0 / b.upper,
+                 b.lower == 0.0 ? kInfinity : 1.0 / b.lower);
 }
 
 inline Interval operator/(const Interval& a, const Interval& b) {
-  return contains(b, 0.0) ? kEverything : a * outwards(1.0 / b.upper, 1.0 / b.lower);
+  return a * inverse(b);
 }
 
 }  // namespace tactus::rendering

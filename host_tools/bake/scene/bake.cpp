@@ -8,6 +8,8 @@
 #include <iterator>
 
 #include "hal/angle.h"
+#include "host_tools/bake/formula/formula_warnings.h"
+#include "host_tools/bake/formula/pole_search.h"
 #include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/closed_volume.h"
 #include "host_tools/bake/scene/corner_normals.h"
@@ -119,11 +121,34 @@ BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene
   }
 }
 
+// Returns warnings about an object's formula; none for a primitive. Throws InputError if the
+// formula has a pole that the proxy could reach.
+std::vector<std::string> check_formula(const ObjectDescription& object, const std::string& scene) {
+  const auto* implicit = std::get_if<ImplicitDescription>(&object.shape);
+  if (implicit == nullptr) {
+    return {};
+  }
+  const rendering::FormulaView formula = implicit->formula.view();
+  if (const auto pole = find_pole(formula, implicit->bounds_O, object.sides)) {
+    throw InputError(fmt::format(
+        "{}:{}: the formula has a pole at about {}, in its own units, which would hold the proxy; "
+        "multiply the formula by what it divides by there (1/x - y becomes 1 - x*y), or choose "
+        "bounds that leave the place out",
+        scene, object.line, place_text(*pole, implicit->bounds_O)));
+  }
+  std::vector<std::string> warnings = formula_warnings(formula, implicit->bounds_O, object.sides);
+  for (std::string& warning : warnings) {
+    warning.insert(0, object.name + ": ");
+  }
+  return warnings;
+}
+
 // Bakes an object that is a primitive or a formula. Its report counts the triangles of its picture.
 BakedObject bake_shape(const ObjectDescription& object, const std::string& scene,
                        ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
   tell(progress, fmt::format("{}: drawing the shape", object.name));
+  std::vector<std::string> warnings = check_formula(object, scene);
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
                     .material = object.material,
@@ -141,7 +166,8 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
             .counters = baked.mesh.counters,
             .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
-            .warnings = size_warnings_of(object, baked.mesh)};
+            .warnings = std::move(warnings)};
+  std::ranges::move(size_warnings_of(object, baked.mesh), std::back_inserter(report.warnings));
   return baked;
 }
 

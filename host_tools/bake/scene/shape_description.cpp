@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "host_tools/bake/formula/formula_warnings.h"
 #include "host_tools/input_error.h"
 #include "host_tools/mesh/level_set.h"
 #include "host_tools/mesh/primitive_mesh.h"
@@ -194,7 +195,7 @@ TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placemen
   TriangleMesh mesh = mesh_level_set([&](const Vec3& p) { return evaluate(formula, p); },
                                      implicit.bounds_O.lower, implicit.bounds_O.upper, kCells);
   if (mesh.triangles.empty()) {
-    throw InputError("the formula is nowhere 0 within its bounds; correct it, or widen bounds");
+    throw InputError(why_nowhere_zero(formula, implicit.bounds_O));
   }
   for (rendering::Float3& v : mesh.vertices) {
     const Vec3 p =
