@@ -11,50 +11,40 @@ namespace tactus::rendering {
 // A moved object is near if its box comes within reach of the capsule, where it is now or where it
 // was: triangles may have come in or gone.
 void CandidateSet::begin_tick(const SceneObjects& scene) {
-  may_pause_ = true;
-  if (!scene.anything_moved() || trust_.radius < 0.0) {
+  progress_.may_pause = true;
+  if (!scene.anything_moved() || trust_.is_empty()) {
     return;
   }
-  const Vec3 middle = trust_.start + 0.5 * trust_.axis;
-  const double reach = trust_.radius + 0.5 * trust_.axis.norm() + margins_.sphere.reach_m;
+  const Vec3 middle = trust_.middle();
+  const double reach =
+      trust_.capsule.radius + 0.5 * trust_.capsule.axis.norm() + margins_.sphere.reach_m;
   const bool disturbed = std::ranges::any_of(scene.movers(), [&](const Mover& mover) {
     return mover.moved &&
            (mover.distance(middle) <= reach || mover.distance_before(middle) <= reach);
   });
   if (disturbed) {
     clear();
-    plan_.limit();
-    may_pause_ = false;
+    trust_.plan.limit();
+    progress_.may_pause = false;
   }
 }
 
-// The candidates within reach of the sweep's end are among those that the sweep found; the tangents
-// of those measured since may rule out some of them.
 void CandidateSet::move_to_end(const Vec3& p) {
   move_to(p);
-  const TangentBounds::Position at = bounds_.at(p);
-  CandidateNumbers& here = here_.near;
-  here.count = 0;
-  for (const std::uint16_t i : there_.all()) {
-    here.numbers[here.count] = i;
-    here.count += bounds_.may_reach(i, at) ? 1U : 0U;
-  }
-  set_known_here();
+  reach_.move_there(p, now());
 }
 
 std::span<const std::uint16_t> CandidateSet::within_reach_here() {
-  if (!knows_here()) {
+  if (!reach_.knows(now())) {
     budget_.spend(size_ / kTangentsPerUnit);
-    bounds_.find(size_, place_.p, 0.0, here_.near);
-    set_known_here();
+    reach_.find_here(size_, place_.p, now());
   }
-  return here_.near.all();
+  return reach_.here();
 }
 
 std::span<const std::uint16_t> CandidateSet::within_reach(const Vec3& p, double farther_m) {
   budget_.spend(size_ / kTangentsPerUnit);
-  bounds_.find(size_, p, farther_m, there_);
-  return there_.all();
+  return reach_.find_there(size_, p, farther_m);
 }
 
 // The triangle is built in its slot: a copy would move its 240 bytes.
@@ -83,7 +73,7 @@ const Nearest& CandidateSet::nearest(std::size_t i, const SceneObjects& scene) {
   slot.behind =
       slot.one_sided && slot.triangle.height(place_.p) <
                             (slot.nearest.feature == Feature::face ? 0.0 : kBesideBorder_m);
-  bounds_.set_tangent(i, slot.nearest, place_.p, shorter_reach(i));
+  reach_.bounds().set_tangent(i, slot.nearest, place_.p, shorter_reach(i));
   return slot.nearest;
 }
 
@@ -95,9 +85,9 @@ void CandidateSet::measure_primitive(std::size_t i) {
   slot.behind = slot.one_sided && inside;
   slot.nearest = nearest_of(slot.seen);
   if (!inside && convex(*slot.primitive)) {
-    bounds_.set_tangent(i, slot.nearest, place_.p, shorter_reach(i));
+    reach_.bounds().set_tangent(i, slot.nearest, place_.p, shorter_reach(i));
   } else {
-    bounds_.set_none(i);
+    reach_.bounds().set_none(i);
   }
 }
 

@@ -15,12 +15,12 @@
 #include <cstdint>
 #include <span>
 
-#include "rendering/contact/capsule_plan.h"
+#include "rendering/contact/candidate.h"
 #include "rendering/contact/left_out.h"
+#include "rendering/contact/reach_memory.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/contact/tangent_bounds.h"
 #include "rendering/contact/tick_budget.h"
-#include "rendering/geometry/capsule.h"
+#include "rendering/contact/trusted_capsule.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
@@ -28,33 +28,6 @@
 #include "rendering/state_archive.h"
 
 namespace tactus::rendering {
-
-// One member of the set. Most candidates are gathered and never measured, so the fields that
-// gathering writes come first, in one cache line.
-struct alignas(64) Candidate {
-  // The primitive of an object without a mesh; nullptr for a triangle.
-  const Primitive* primitive = nullptr;
-  // The number of the position (CandidateSet::move_to) from which `nearest` was measured; 0: never.
-  std::uint64_t measured_at = 0;
-  // The object's number in the scene.
-  std::uint32_t object = 0;
-  // The triangle's number in its mesh.
-  std::uint32_t index = 0;
-  // True if `triangle` is built.
-  bool prepared = false;
-  // True if the surface blocks from its front only.
-  bool one_sided = true;
-  // True if this object meets the tool's centre only (god_object).
-  bool point_tool = false;
-  // True if the surface is one-sided and the position is on its far side: it does not block then.
-  bool behind = false;
-  // The nearest point from the position of `measured_at`; world frame.
-  Nearest nearest;
-  // The triangle, built at its first measurement; world frame.
-  Triangle triangle;
-  // The primitive's distance and normal from the position of `measured_at`; world frame.
-  SurfaceSample seen;
-};
 
 // The set of one proxy. It also owns the tick budget, since nearly all of a tick's cost is in
 // gathering and measuring candidates, and the objects that are left out, since those give no
@@ -67,16 +40,15 @@ class CandidateSet {
  public:
   // Removes all candidates; the next `ensure` gathers them again.
   void clear() {
-    trust_.radius = -1.0;
+    trust_.clear();
     size_ = 0;
-    here_.place = 0;
+    reach_.forget();
     progress_.clear();
   }
   // Resets the set to its initial state, including the learnt size of the capsule.
   void start_over() {
     clear();
     trust_ = {};
-    plan_ = {};
     progress_.smaller = 0;
     left_out_ = {};
   }
@@ -104,19 +76,16 @@ class CandidateSet {
   [[nodiscard]] bool is_begun() const { return progress_.mesh_count > 0; }
 
   // Returns true if the candidates are valid at p and on the segment from the proxy to p.
-  [[nodiscard]] bool trusts(const Vec3& p) const { return trust_.depth(p) >= 0.0; }
+  [[nodiscard]] bool trusts(const Vec3& p) const { return trust_.capsule.depth(p) >= 0.0; }
 
   // Returns how far, in metres, the proxy may move from p along a unit direction before the
   // candidates must be gathered again. `p` must be inside the trusted capsule.
   [[nodiscard]] double trust_along(const Vec3& p, const Vec3& direction) const {
-    return trust_.room_along(p, direction);
+    return trust_.capsule.room_along(p, direction);
   }
 
   // Sets the position from which `nearest` measures.
-  void move_to(const Vec3& p) {
-    place_.p = p;
-    ++place_.number;
-  }
+  void move_to(const Vec3& p) { place_.move_to(p); }
 
   // Return the numbers of the candidates whose distance may be below the contact margin's
   // `reach_m`, measured from the position of `move_to` or from p. `farther_m` is added to the
@@ -129,10 +98,12 @@ class CandidateSet {
   void move_to_end(const Vec3& p);
 
   // A position in the form that `may_reach` uses. It is valid until the candidates change.
-  [[nodiscard]] TangentBounds::Position bounds_at(const Vec3& p) const { return bounds_.at(p); }
+  [[nodiscard]] TangentBounds::Position bounds_at(const Vec3& p) const {
+    return reach_.bounds().at(p);
+  }
   // Returns false if the tangent shows that candidate i is out of reach of the position.
   [[nodiscard]] bool may_reach(std::size_t i, const TangentBounds::Position& at) const {
-    return bounds_.may_reach(i, at);
+    return reach_.bounds().may_reach(i, at);
   }
 
   // Returns the nearest point of candidate i from the position of `move_to`. It is measured once
@@ -172,8 +143,7 @@ class CandidateSet {
   // Starts the budget of a new tick, in cost units.
   void start_tick_budget(std::size_t limit) {
     budget_.begin_tick(limit);
-    place_.waited = place_.first_of_tick == place_.number;
-    place_.first_of_tick = place_.number;
+    place_.begin_tick();
     counts_.first_of_tick = counts_.gatherings + 1;
   }
   // Returns the tick's budget, which gathering and measuring spend.
@@ -181,13 +151,13 @@ class CandidateSet {
   [[nodiscard]] const TickBudget& budget() const { return budget_; }
   // Returns true if the gathering must pause because the tick's budget is spent. It never pauses
   // near objects that moved, because the result would not be valid in the next tick.
-  [[nodiscard]] bool is_budget_spent() const { return may_pause_ && budget_.is_exhausted(); }
+  [[nodiscard]] bool is_budget_spent() const {
+    return progress_.may_pause && budget_.is_exhausted();
+  }
   // Returns true if the proxy has not moved since the last tick began. That tick ran out of budget,
   // so this one may exceed its budget up to the first move: no place can hold the proxy for ever.
   // Near objects that moved nothing is kept for the next tick, and the result is always true.
-  [[nodiscard]] bool has_waited() const {
-    return !may_pause_ || (place_.waited && place_.number == place_.first_of_tick);
-  }
+  [[nodiscard]] bool has_waited() const { return !progress_.may_pause || place_.has_waited(); }
   // Returns true if candidate i may only be measured in the next tick. Measurements are kept.
   [[nodiscard]] bool must_wait(std::size_t i) const {
     return is_budget_spent() && !has_waited() && !is_measured(i);
@@ -210,6 +180,8 @@ class CandidateSet {
     std::size_t smaller = 0;
     // True if there was no room for a candidate.
     bool is_full = false;
+    // True if no object moved here in this tick, so that a gathering may go on in the next one.
+    bool may_pause = true;
 
     void clear() {
       mesh_count = 0;
@@ -228,13 +200,17 @@ class CandidateSet {
     std::uint64_t first_of_tick = 0;
     // True if the number was the same at the call before: the last tick made no move.
     bool waited = false;
-  };
 
-  // The candidates within reach of a place. They are valid if both numbers are the current ones.
-  struct Here {
-    CandidateNumbers near;
-    std::uint64_t place = 0;
-    std::size_t gathering = 0;
+    void move_to(const Vec3& to) {
+      p = to;
+      ++number;
+    }
+    void begin_tick() {
+      waited = first_of_tick == number;
+      first_of_tick = number;
+    }
+    // Returns true if neither the last tick nor this one has made a move.
+    [[nodiscard]] bool has_waited() const { return waited && number == first_of_tick; }
   };
 
   // The counts of gatherings.
@@ -273,41 +249,28 @@ class CandidateSet {
   static void build(Candidate& slot, const SceneObjects& scene);
   void measure_primitive(std::size_t i);
   void transfer_walk(StateArchive& archive, const SceneObjects& scene);
-  void transfer_here(StateArchive& archive);
   void transfer_candidate(StateArchive& archive, const SceneObjects& scene, std::size_t i);
   // Returns how much shorter the reach of candidate i is than the sphere's, m.
   [[nodiscard]] double shorter_reach(std::size_t i) const {
     return margins_.sphere.reach_m - margins_.of(slots_[i].point_tool).reach_m;
   }
-  // Returns true if here_ is valid for the current position and candidates.
-  [[nodiscard]] bool knows_here() const {
-    return here_.place == place_.number && here_.gathering == counts_.gatherings;
-  }
-  void set_known_here() {
-    here_.place = place_.number;
-    here_.gathering = counts_.gatherings;
+  // Returns the key of the current position and candidates.
+  [[nodiscard]] ReachMemory::Key now() const {
+    return {.place = place_.number, .gathering = counts_.gatherings};
   }
 
   // The position from which candidates are measured.
   Place place_;
-  // The trusted capsule; its radius is negative if there is none.
-  Capsule trust_;
-  CapsulePlan plan_;
+  TrustedCapsule trust_;
   // The contact margins of the last gathering.
   ContactMargins margins_{0.0};
   std::size_t size_ = 0;
   Counts counts_;
   Progress progress_;
-  // True if no object moved here in this tick, so that a gathering may go on in the next one.
-  bool may_pause_ = true;
   TickBudget budget_;
   LeftOut left_out_;
-  // The lower bounds of the candidates' distances.
-  TangentBounds bounds_;
-  // The result of the last `within_reach_here`.
-  Here here_;
-  // The result of the last `within_reach`.
-  CandidateNumbers there_;
+  // The lower bounds of the candidates' distances, and those within reach.
+  ReachMemory reach_;
   std::array<Candidate, kMaxCandidates> slots_{};
 };
 

@@ -26,9 +26,6 @@
 namespace tactus::rendering {
 namespace {
 
-// The proxy counts as outside the capsule when it is nearer to the border than this, so that no
-// move is cut to less than a micrometre.
-constexpr double kBorder_m = 1e-6;
 // A tick that has spent more than this, in cost units, gathers nothing for the next one: the cost
 // of gathering is spread over the ticks.
 constexpr std::size_t kLookAheadBudget = 184;
@@ -87,8 +84,8 @@ struct CandidateSet::GatherTriangles {
     if (mover != nullptr) {
       normal = to_float3(direction_from(mover, to_vec3(normal)));
     }
-    to.bounds_.set_at_origin(to.size_ - 1, normal, -static_cast<double>(bound.offset),
-                             to.shorter_reach(to.size_ - 1));
+    to.reach_.bounds().set_at_origin(to.size_ - 1, normal, -static_cast<double>(bound.offset),
+                                     to.shorter_reach(to.size_ - 1));
   }
 };
 
@@ -108,10 +105,10 @@ struct CandidateSet::GatherObjects {
       to.progress_.meshes[to.progress_.mesh_count++] = number;
       return;
     }
-    const Capsule& trust = to.trust_;
+    const Capsule& trust = to.trust_.capsule;
     const double reach = to.margins_.of(is_point_tool(object)).reach_m + trust.radius;
     const Primitive& primitive = scene.primitive_W(number);
-    const Vec3 middle = trust.start + 0.5 * trust.axis;
+    const Vec3 middle = to.trust_.middle();
     // A distance field is 1-Lipschitz: a primitive that is farther from the middle than the reach
     // and half the axis is out of reach of the whole capsule.
     if (std::abs(sample(primitive, middle).distance_m) <= reach + 0.5 * trust.axis.norm()) {
@@ -141,20 +138,20 @@ void CandidateSet::add_primitive(const Object& object, std::uint32_t number,
                                  const Primitive& primitive) {
   if (Candidate* const slot = add(object, number); slot != nullptr) {
     slot->primitive = &primitive;
-    bounds_.set_none(size_ - 1);
+    reach_.bounds().set_none(size_ - 1);
   }
 }
 
 // Begins with an empty set: visits the objects near the box about the capsule, adds the primitives
 // and lists the meshes.
 void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& trust) {
-  trust_ = trust;
-  bounds_.start(trust.start, margins_.sphere.reach_m);
+  trust_.capsule = trust;
+  reach_.bounds().start(trust.start, margins_.sphere.reach_m);
   size_ = 0;
   progress_.clear();
   progress_.tested = 0;
   GatherObjects visitor{.to = *this, .scene = scene};
-  const Vec3 middle = trust.start + 0.5 * trust.axis;
+  const Vec3 middle = trust_.middle();
   const double reach = margins_.sphere.reach_m + trust.radius;
   visit_all_near(scene.still_nodes(), middle, 0.5 * trust.axis.cwiseAbs(), reach, visitor);
   for (const Mover& mover : scene.movers()) {
@@ -182,9 +179,10 @@ void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
   const Object& object = scene[number];
   const Mover* const mover = scene.mover_of(number);
   const PlacedMesh placed = scene.mesh_O(number);
-  const double reach = margins_.of(is_point_tool(object)).reach_m + trust_.radius;
-  const Vec3 axis = direction_in(mover, trust_.axis);
-  const Vec3 start = point_in(mover, trust_.start);
+  const Capsule& trust = trust_.capsule;
+  const double reach = margins_.of(is_point_tool(object)).reach_m + trust.radius;
+  const Vec3 axis = direction_in(mover, trust.axis);
+  const Vec3 start = point_in(mover, trust.start);
   const NearBox box(start + 0.5 * axis, 0.5 * axis.cwiseAbs(), reach + placed.slack_m);
   if (progress_.left.count() == 0) {
     begin_walk(placed.mesh.nodes, box, progress_.left);
@@ -203,21 +201,22 @@ void CandidateSet::walk_mesh(const SceneObjects& scene, std::uint32_t number) {
 // Ends a complete gathering: the plan learns from it. In free space the capsule gives way to the
 // largest ball that is free, if that is larger.
 void CandidateSet::end_gathering(const SceneObjects& scene) {
-  bounds_.fill_last_four(size_);
+  reach_.bounds().fill_last_four(size_);
   counts_.peak = std::max(counts_.peak, size_);
-  plan_.learn(progress_.tested, counts_.gatherings == counts_.first_of_tick);
+  auto& [trust, plan] = trust_;
+  plan.learn(progress_.tested, counts_.gatherings == counts_.first_of_tick);
   if (size_ == 0) {
-    plan_.shorten();
-    const double ball = free_radius(scene, margins_, trust_.start, trust_.radius, budget_);
-    if (ball > trust_.radius) {
-      trust_ = {.start = trust_.start, .radius = ball};
+    plan.shorten();
+    const double ball = free_radius(scene, margins_, trust.start, trust.radius, budget_);
+    if (ball > trust.radius) {
+      trust = {.start = trust.start, .radius = ball};
     }
   }
 }
 
 CandidateSet::Gathering CandidateSet::ensure(const SceneObjects& scene,
                                              const ContactMargins& margins, const Vec3& p) {
-  const bool is_valid = !is_begun() && trust_.depth(p) >= kBorder_m;
+  const bool is_valid = !is_begun() && trust_.holds(p);
   return is_valid ? Gathering::complete : gather(scene, margins, p);
 }
 
@@ -225,8 +224,8 @@ void CandidateSet::look_ahead(const SceneObjects& scene, const ContactMargins& m
                               const Vec3& p, const Vec3& next) {
   // A point meets too few triangles to be late.
   const bool can_gather = !margins.is_point() && budget_.spent() <= kLookAheadBudget &&
-                          may_pause_ && !is_begun() && progress_.smaller == 0;
-  if (can_gather && trust_.depth(next) < kBorder_m) {
+                          progress_.may_pause && !is_begun() && progress_.smaller == 0;
+  if (can_gather && !trust_.holds(next)) {
     gather(scene, margins, p);
   }
 }
@@ -236,13 +235,13 @@ void CandidateSet::look_ahead(const SceneObjects& scene, const ContactMargins& m
 // than 1/128 of the planned size is not tried.
 CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
                                              const ContactMargins& margins, const Vec3& p) {
-  if (!is_begun() || p != trust_.start) {
+  if (!is_begun() || p != trust_.capsule.start) {
     margins_ = margins;
     progress_.smaller = 0;
     const bool again = is_fresh();
     ++counts_.gatherings;
     budget_.spend(kCostOfGathering);
-    begin_gathering(scene, plan_.next(trust_.start, p, again));
+    begin_gathering(scene, trust_.next(p, again));
   }
   for (;;) {
     go_on_gathering(scene);
@@ -250,13 +249,12 @@ CandidateSet::Gathering CandidateSet::gather(const SceneObjects& scene,
       break;
     }
     counts_.peak = kMaxCandidates;
-    plan_.halve();
+    trust_.plan.halve();
     if (++progress_.smaller >= kMostSmaller) {
       clear();
       return Gathering::too_many;
     }
-    begin_gathering(
-        scene, {.start = trust_.start, .axis = 0.5 * trust_.axis, .radius = 0.5 * trust_.radius});
+    begin_gathering(scene, trust_.half());
   }
   if (is_begun()) {
     return Gathering::begun;

@@ -23,6 +23,7 @@
 #include "rendering/contact/implicit_tick.h"
 
 #include <optional>
+#include <utility>
 
 #include "rendering/contact/implicit_friction.h"
 #include "rendering/contact/implicit_glide.h"
@@ -47,10 +48,10 @@ constexpr std::size_t kMostAttempts = 8;
 class ImplicitTick {
  public:
   ImplicitTick(ImplicitProxyState& state, const ImplicitSurface& surface, const Material& material,
-               const Vec3& h_O, std::size_t budget)
+               Vec3 h_O, std::size_t budget)
       : state_(state),
         surface_(surface),
-        h_(h_O),
+        h_(std::move(h_O)),
         field_(surface, 1.0, budget),
         friction_(material) {}
 

@@ -80,7 +80,7 @@ class ProxyTick {
   void make_move(const NextMove& move);
   bool stays_on_face(const NextMove& move);
 
-  void add_point_to_path();
+  void add_point_to_path() const;
   void end_short_of(const Vec3& goal_W);
   void forget_left_out();
 
@@ -255,7 +255,7 @@ bool ProxyTick::stays_on_face(const NextMove& move) {
 }
 
 // Writes the proxy's place to the path that tests and pictures ask for.
-void ProxyTick::add_point_to_path() {
+void ProxyTick::add_point_to_path() const {
   if (tick_.path != nullptr) {
     tick_.path->points[proxy_.rest.sub_goals] = proxy_.state.p_W;
     tick_.path->count = proxy_.rest.sub_goals + std::size_t{1};

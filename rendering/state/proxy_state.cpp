@@ -48,20 +48,39 @@ void TangentBounds::transfer(StateArchive& archive, std::size_t i) {
   archive(normal_x[i], normal_y[i], normal_z[i], height[i]);
 }
 
+void ReachMemory::transfer(StateArchive& archive, std::size_t size, const Key& now) {
+  [[maybe_unused]] auto& [bounds, here, known_for, there] = *this;
+  bool is_known = knows(now);
+  archive(is_known);
+  if (archive.is_reading()) {
+    known_for = is_known ? now : Key{};
+  }
+  if (!is_known) {
+    return;
+  }
+  auto& [number, count] = here;
+  archive.up_to(count, size);
+  for (std::size_t i = 0; i < count && archive.good(); ++i) {
+    archive(number[i]);
+    archive.require(number[i] < size && (i == 0 || number[i - 1] < number[i]));
+  }
+}
+
 // The capsule, the plan, the counts and the candidates. The fields that follow from the scene and
 // the margins are made anew by a reader.
 void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
                             const ContactMargins& margins) {
-  [[maybe_unused]] auto& [place, trust, plan, own_margins, size, counts, progress, may_pause,
-                          budget, left_out, bounds, here, there, slots] = *this;
+  [[maybe_unused]] auto& [place, trusted, own_margins, size, counts, progress, budget, left_out,
+                          reach, slots] = *this;
   [[maybe_unused]] auto& [p, number, first_of_tick, waited] = place;
+  auto& [trust, plan] = trusted;
   archive(left_out);
   archive(p, trust, plan, number, first_of_tick, progress.tested, counts.peak, counts.gatherings);
   archive.require(number > 0);
   archive.up_to(size, kMaxCandidates);
   if (archive.is_reading()) {
     own_margins = margins;
-    bounds.start(trust.start, margins.sphere.reach_m);
+    reach.bounds().start(trust.start, margins.sphere.reach_m);
     progress.is_full = false;
   }
   archive.up_to(progress.smaller, kMostSmaller);
@@ -69,16 +88,16 @@ void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
   for (std::size_t i = 0; i < size && archive.good(); ++i) {
     transfer_candidate(archive, scene, i);
   }
-  transfer_here(archive);
+  reach.transfer(archive, size, now());
   if (archive.is_reading()) {
-    bounds.fill_last_four(size);
+    reach.bounds().fill_last_four(size);
   }
 }
 
 // Saves the gathering that has begun: the meshes that are left, and the nodes that the walk of the
 // last of them has still to look at.
 void CandidateSet::transfer_walk(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [meshes, count, left, tested, smaller, is_full] = progress_;
+  [[maybe_unused]] auto& [meshes, count, left, tested, smaller, is_full, may_pause] = progress_;
   archive.up_to(count, meshes.size());
   std::size_t waiting = left.count();
   archive.up_to(waiting, WalkLeft::kMostLeft);
@@ -100,26 +119,6 @@ void CandidateSet::transfer_walk(StateArchive& archive, const SceneObjects& scen
   }
 }
 
-// Saves the candidates within reach. A new search could lack those that the tangents have put out
-// of reach since.
-void CandidateSet::transfer_here(StateArchive& archive) {
-  auto& [number, count] = here_.near;
-  bool is_known = knows_here();
-  archive(is_known);
-  if (archive.is_reading()) {
-    set_known_here();
-    here_.place = is_known ? here_.place : 0;
-  }
-  if (!is_known) {
-    return;
-  }
-  archive.up_to(count, size_);
-  for (std::size_t i = 0; i < count && archive.good(); ++i) {
-    archive(number[i]);
-    archive.require(number[i] < size_ && (i == 0 || number[i - 1] < number[i]));
-  }
-}
-
 // Saves one candidate. A reader builds its triangle and measures it again, which gives the same
 // bits.
 void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects& scene,
@@ -129,7 +128,7 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
                           behind, nearest_, triangle, seen] = slot;
   bool measured = is_measured(i);
   archive(object, index, prepared, measured);
-  bounds_.transfer(archive, i);
+  reach_.bounds().transfer(archive, i);
   require_place(archive, scene, object, index);
   archive.require(archive.good() && (!prepared || scene[object].surface != SurfaceKind::primitive));
   if (!archive.is_reading() || !archive.good()) {
