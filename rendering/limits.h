@@ -79,9 +79,9 @@ inline constexpr double kTickInstructions_per_s = 2e9;
 inline constexpr double kLeastTickInstructions = 250e3;
 
 // The budget, in cost units (contact/tick_budget.h), for carrying the proxy along with moving
-// objects, where hundreds of triangles may come over it at 5 m/s. Beyond: they pass over it;
-// kTouchPinched. The same budget bounds a straight sweep among more than kMaxCandidates. Beyond:
-// the proxy moves no farther than the sweep has seen.
+// objects, where hundreds of triangles may come over it at 5 m/s; the tick's budget pays for it,
+// and does not cut it. Beyond: they pass over it; kTouchPinched. The same budget bounds a straight
+// sweep among more than kMaxCandidates. Beyond: the proxy moves no farther than the sweep has seen.
 inline constexpr std::size_t kMaxCarryBudget = 12'288;
 
 // Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.

@@ -65,11 +65,14 @@ struct DeformingPlane {
   // The plane of that violation in the frame now, valid if it is `broken`.
   Plane plane_O{};
   bool broken = false;
+  // The number of triangles measured.
+  std::size_t measured = 0;
 
   // Returns how far the search must reach: the boxes of the hierarchy may lag the vertices by
   // slack_m().
   [[nodiscard]] double reach() const { return reach_m + deformable.slack_m(); }
   void operator()(std::uint32_t t) {
+    ++measured;
     const Triangle before = triangle_of(deformable.before(), t);
     const Nearest nearest = before.nearest(from_O);
     if (nearest.distance > reach_m || (one_sided && before.height(from_O) < 0.0)) {
@@ -105,6 +108,8 @@ struct MovingObstacles {
   std::size_t plane_count = 0;
   // The cost units left (tick_budget.h). 0 also says that the proxy is pinched.
   std::size_t cost_left = kMaxCarryBudget;
+  // The cost units spent.
+  std::size_t spent = 0;
   // True while nothing has blocked the goal of this round.
   bool clear = true;
 
@@ -133,8 +138,10 @@ struct MovingObstacles {
     }
     const ContactMargin& margin = margins.of(is_point_tool(scene[number]));
     const Sweep sweep{.from = from_O, .direction = motion / length};
+    const std::size_t cost_before = cost_left;
     const ObjectHit hit =
         sweep_object(scene, number, {.sweep_O = sweep, .limit_m = length}, margin, cost_left);
+    spent += cost_before - cost_left;
     if (hit.travel_m >= length) {
       return;
     }
@@ -169,6 +176,7 @@ struct MovingObstacles {
         .to_O = to_O,
         .reach_m = margin.reach_m + deformable.step_m() + (to_O - from_O).norm()};
     visit_near(deformable.before().nodes, from_O, visitor);
+    spent += kCostOfMeasurement * visitor.measured;
     if (!visitor.broken) {
       return;
     }
@@ -217,9 +225,9 @@ struct MovingObstacles {
 };
 
 // Returns the end of a sweep that ignores the objects that move and stops at those at rest; world
-// frame, m.
+// frame, m. Adds its cost to `spent`.
 Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, const Vec3& from_W,
-                    const Vec3& goal_W, const LeftOut& left_out) {
+                    const Vec3& goal_W, const LeftOut& left_out, std::size_t& spent) {
   const Vec3 motion = goal_W - from_W;
   const double length = motion.norm();
   if (length <= 0.0) {
@@ -227,8 +235,10 @@ Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, co
   }
   std::size_t cost_left = kMaxCarryBudget;
   const Sweep sweep{.from = from_W, .direction = motion / length};
-  return from_W + sweep_still_objects(scene, margins, sweep, length, cost_left, left_out).travel_m *
-                      sweep.direction;
+  const double travel_m =
+      sweep_still_objects(scene, margins, sweep, length, cost_left, left_out).travel_m;
+  spent += kMaxCarryBudget - cost_left;
+  return from_W + travel_m * sweep.direction;
 }
 
 // Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m. The
@@ -280,7 +290,7 @@ Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, co
     obstacles.meet_movers(goal);
     obstacles.meet_still(goal);
     if (obstacles.clear) {
-      return {.p_W = goal};
+      return {.p_W = goal, .spent = obstacles.spent};
     }
     const PlaneProjection projection =
         project_on_planes(desired, std::span(obstacles.planes).first(obstacles.plane_count));
@@ -289,7 +299,9 @@ Carried carry_along(const SceneObjects& scene, const ContactMargins& margins, co
     }
     goal = projection.point;
   }
-  return {.p_W = swept_to_still(scene, margins, p_W, desired, left_out), .flags = kTouchPinched};
+  std::size_t spent = obstacles.spent;
+  const Vec3 p_still_W = swept_to_still(scene, margins, p_W, desired, left_out, spent);
+  return {.p_W = p_still_W, .flags = kTouchPinched, .spent = spent};
 }
 
 }  // namespace tactus::rendering

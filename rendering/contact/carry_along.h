@@ -2,6 +2,7 @@
 // carries it along, and every object in its path pushes it, at any speed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "rendering/contact/left_out.h"
@@ -27,6 +28,8 @@ struct Carried {
   Vec3 p_W = Vec3::Zero();
   // kTouchPinched if objects that moved have passed over the proxy.
   std::uint32_t flags = kTouchClean;
+  // The cost units spent (tick_budget.h).
+  std::size_t spent = 0;
 };
 
 // Moves the proxy so that it stays clear of every object where it is now. `p_W` is its position

@@ -23,6 +23,7 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
   }
   const Carried carried =
       carry_along(scene, margins_, state_.p_W, state_.last_contact, candidate_set_.left_out());
+  candidate_set_.budget().spend(carried.spent);
   carried_W_ += carried.p_W - state_.p_W;
   if (carried.p_W != state_.p_W) {
     state_.p_W = carried.p_W;

@@ -36,9 +36,9 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::si
   // any.
   const bool has_others = placed_ && independent_.any_near(scene, tool.p_W);
   proxy_.start_tick_budget(has_others ? limit / 2 : limit);
-  spent_ = 0;
   // The objects move also in a tick without a valid tool, so the proxy is carried first.
   const std::uint32_t moved = placed_ ? proxy_.begin_tick(scene) : kTouchClean;
+  spent_ = proxy_.spent();
   if (!valid(tool)) {
     independent_.hold(scene);
     return {.proxy_W = last_proxy_W_, .flags = moved | kTouchToolInvalid};

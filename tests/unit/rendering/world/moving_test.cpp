@@ -258,6 +258,7 @@ TEST_F(MovingTest, ATickWithoutAValidToolStillCarriesTheProxy) {
       ASSERT_NEAR(touch.proxy_W.y(), 0.0005 + 0.002 * tick, kMicron);
     } else {
       ASSERT_EQ(touch.force_W, Vec3::Zero());
+      ASSERT_GT(world_->spent_units(), 0U) << "carrying is paid by the tick's budget";
     }
   }
 }
