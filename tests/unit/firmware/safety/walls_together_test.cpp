@@ -15,6 +15,7 @@
 #include "firmware/safety/faults.h"
 #include "firmware/safety/workspace_walls.h"
 #include "rendering/world/world.h"
+#include "tests/support/share.h"
 
 namespace tactus::firmware {
 namespace {
@@ -236,7 +237,8 @@ TEST(WallsTogether, NoPlaceInAWallIsStifferThanTheCheckSays) {
   walls.configure(config);
   std::size_t at_walls = 0;
   std::size_t places = 0;  // in a wall and in an object, where the force is smooth
-  for (int scene = 0; scene < 200; ++scene) {
+  const unsigned scenes = std::max(20U, tactus::testing::part_of(200U));
+  for (unsigned scene = 0; scene < scenes; ++scene) {
     std::array objects{cube_at(place(0.06), uniform(100.0, 900.0)),
                        solid_at(PrimitiveKind::sphere, place(0.06), {0.01}, uniform(100.0, 900.0))};
     objects[0].method = rendering::ContactMethod::potential_field;
@@ -266,8 +268,8 @@ TEST(WallsTogether, NoPlaceInAWallIsStifferThanTheCheckSays) {
     ASSERT_TRUE(part) << "seed " << kSeed << ", scene " << scene << ": " << stiffest << " N/m";
     at_walls += part->other_count > 0 ? 1U : 0U;
   }
-  EXPECT_GT(at_walls, 50U);
-  EXPECT_GT(places, 1000U);
+  EXPECT_GT(at_walls, scenes / 4);
+  EXPECT_GT(places, 5 * scenes);
 }
 
 }  // namespace

@@ -7,11 +7,13 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/share.h"
+
 namespace tactus::rendering {
 namespace {
 
 constexpr std::uint64_t kPortableMathSeed = 20260318;
-constexpr int kPoints = 200'000;
+const int kPoints = testing::share_of(200'000);
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

@@ -4,6 +4,8 @@
 
 #include <thread>
 
+#include "tests/support/share.h"
+
 namespace tactus::firmware {
 namespace {
 
@@ -30,7 +32,7 @@ TEST(StopSlot, ATickCarriesOutAllStopsThatItHasSeen) {
 }
 
 TEST(StopSlot, BetweenThreadsEveryStopIsAnswered) {
-  constexpr int kStops = 20'000;
+  const int kStops = tactus::testing::share_of(20'000);
   StopSlot slot;
   std::jthread poster([&] {
     for (int i = 0; i < kStops; ++i) {
