@@ -47,7 +47,7 @@ Vec3 random_point(std::mt19937_64& random, double side) {
 // frame), and at no sample as near to 0 as to its neighbours, where it may touch 0 between them.
 // The samples are dense at the beginning, where the proxy lies at its rest height above a surface.
 bool is_free(const ImplicitSurface& surface, double side, const Vec3& from, const Vec3& to) {
-  constexpr int kSamples = 40'000;
+  constexpr int kSamples = 4'000;
   const auto F = [&](int k) {
     const double t = std::pow(10.0, -8.0 * (1.0 - static_cast<double>(k) / kSamples));
     const Vec3 p = from + t * (to - from);
@@ -152,7 +152,7 @@ TEST(FormulaTrap, FormulasWithPolesAreRefusedWithThePlaceAndOthersHoldNoProxy) {
       EXPECT_GT(change_near(surface.formula, *pole, random), 0.5) << pole->transpose();
       continue;
     }
-    for (int run = 0; run < 20; ++run) {
+    for (int run = 0; run < testing::part_of(20); ++run) {
       const auto trap = place_of_trap(surface, random);
       ASSERT_FALSE(trap) << trap->transpose();
     }

@@ -15,30 +15,31 @@ using testing::contains;
 
 const Box kBounds{.lower = Vec3::Constant(-2.0), .upper = Vec3::Constant(2.0)};
 
-std::vector<std::string> warnings_of(std::string_view text, Sides sides = Sides::one) {
+std::vector<std::string> warned_of_formula(std::string_view text, Sides sides = Sides::one) {
   return formula_warnings(parse_formula(text).view(), kBounds, sides);
 }
 
 TEST(FormulaWarnings, ThereAreNoneForAnOrdinaryShape) {
   for (const char* text : {"sphere(1)", "heart()", "torus(1, 0.3)", "z", "x^2 + y^2 - sqrt(z^2)",
                            "intersection(barth_sextic(), sphere(1.7))"}) {
-    EXPECT_TRUE(warnings_of(text).empty()) << text << ": " << warnings_of(text).front();
+    EXPECT_TRUE(warned_of_formula(text).empty()) << text << ": " << warned_of_formula(text).front();
   }
 }
 
 TEST(FormulaWarnings, AFunctionOutsideItsDomainIsToldOnceWithThePlace) {
-  const auto root = warnings_of("sqrt(x) + sqrt(x - 1) - 0.5");
+  const auto root = warned_of_formula("sqrt(x) + sqrt(x - 1) - 0.5");
   ASSERT_EQ(root.size(), 1U);
   EXPECT_TRUE(contains(root.front(), "at (-2, -2, -2) the formula takes sqrt of a number below 0"));
-  EXPECT_TRUE(contains(warnings_of("log(y) + x").front(), "counts as -708"));
-  EXPECT_TRUE(contains(warnings_of("sin(1000000*x) + z").front(), "more than a million radians"));
+  EXPECT_TRUE(contains(warned_of_formula("log(y) + x").front(), "counts as -708"));
+  EXPECT_TRUE(
+      contains(warned_of_formula("sin(1000000*x) + z").front(), "more than a million radians"));
 }
 
 TEST(FormulaWarnings, SwappedSidesAreToldWithTheRemedy) {
-  const auto swapped = warnings_of("1 - x^2 - y^2 - z^2");
+  const auto swapped = warned_of_formula("1 - x^2 - y^2 - z^2");
   ASSERT_EQ(swapped.size(), 1U);
   EXPECT_TRUE(contains(swapped.front(), "write -(...) around the formula"));
-  EXPECT_TRUE(warnings_of("1 - x^2 - y^2 - z^2", Sides::two).empty());
+  EXPECT_TRUE(warned_of_formula("1 - x^2 - y^2 - z^2", Sides::two).empty());
 }
 
 TEST(FormulaWarnings, AFormulaWithoutASurfaceIsToldWhyItHasNone) {

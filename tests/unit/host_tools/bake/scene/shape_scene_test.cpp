@@ -93,7 +93,7 @@ TEST_F(ShapeScene, MistakesAreToldWithLineAndRemedy) {
   EXPECT_TRUE(contains(error_of("[[object]]\nformula = \"x +\"\n"), "scene.toml:2"));
   EXPECT_TRUE(contains(error_of("[[object]]\nformula = \"x^2 + 1\"\n"), "above 0 everywhere"));
   const std::string pole = error_of("[[object]]\nformula = \"1/(x - 0.5)^2 - 1\"\n");
-  EXPECT_TRUE(contains(pole, "scene.toml:1: the formula has a pole at about (0.5, "));
+  EXPECT_TRUE(contains(pole, "scene.toml:2: the formula has a pole at about (0.5, "));
   EXPECT_TRUE(contains(pole, "1/x - y becomes 1 - x*y"));
   EXPECT_TRUE(
       contains(error_of("[[object]]\nformula = \"x\"\ncontact = \"sphere_proxy\"\n"), "tracking"));
