@@ -48,6 +48,7 @@ Vec3 random_point(std::mt19937_64& random, double side) {
 // The samples are dense at the beginning, where the proxy lies at its rest height above a surface.
 bool is_free(const ImplicitSurface& surface, double side, const Vec3& from, const Vec3& to) {
   constexpr int kSamples = 4'000;
+  constexpr double kSteepest = 3.0;
   const auto F = [&](int k) {
     const double t = std::pow(10.0, -8.0 * (1.0 - static_cast<double>(k) / kSamples));
     const Vec3 p = from + t * (to - from);
@@ -57,7 +58,7 @@ bool is_free(const ImplicitSurface& surface, double side, const Vec3& from, cons
   double here = F(1);
   for (int k = 1; k < kSamples; ++k) {
     const double next = F(k + 1);
-    if (!(here > std::abs(next - here) + std::abs(here - before))) {
+    if (!(here > kSteepest * (std::abs(next - here) + std::abs(here - before)))) {
       return false;
     }
     before = here;
