@@ -131,8 +131,9 @@ std::vector<std::string> check_formula(const ObjectDescription& object, const st
   const rendering::FormulaView formula = implicit->formula.view();
   if (const auto pole = find_pole(formula, implicit->bounds_O, object.sides)) {
     throw InputError(fmt::format(
-        "{}:{}: the formula has a pole at about {}, in its own units, which would hold the proxy; "
-        "multiply the formula by what it divides by there (1/x - y becomes 1 - x*y), or choose "
+        "{}:{}: the formula has a pole at about {}, in its own units, or comes so near to one that "
+        "the proxy could be held there; multiply the formula by what it divides by there (1/x - y "
+        "becomes 1 - x*y), or choose "
         "bounds that leave the place out",
         scene, object.line, place_text(*pole, implicit->bounds_O)));
   }
