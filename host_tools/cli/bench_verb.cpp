@@ -11,10 +11,13 @@
 #include <string>
 
 #include "host_tools/benchmark/benchmark_mesh.h"
+#include "host_tools/benchmark/external_program.h"
 #include "host_tools/benchmark/figures_file.h"
 #include "host_tools/benchmark/instruction_count.h"
+#include "host_tools/cli/bench_comparison.h"
 #include "host_tools/cli/bench_loop.h"
 #include "host_tools/cli/bench_ticks.h"
+#include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
@@ -41,15 +44,17 @@ constexpr const char* kBenchExamples =
     "can add 10 us to\n"
     "one tick in a few hundred, and hits others the next time. \"run once\" is the last run's\n"
     "p99.9 and max, with that.\n"
-    "Times are of this machine and noisy: compare ratios within one run. Instructions are the same "
-    "in every run of\n"
-    "one build: compare them from one change to the next.\n"
+    "Times are of this machine and noisy: compare ratios within one run, as --against does with "
+    "another build.\n"
+    "Instructions are the same in every run of one build: compare them from one change to the "
+    "next.\n"
     "\n"
     "Examples:\n"
     "  tactus bench\n"
     "  tactus bench touch --json > touch.jsonl\n"
     "  tactus bench touch --dragon --instructions\n"
     "  tactus bench touch --csv figures.csv\n"
+    "  tactus bench touch --against ../before/build/release --mesh statue.ply\n"
     "  tactus bench --loop --rate 2000 --cpu 3 --figure jitter.png\n"
     "  tactus bench touch --mesh statue.ply --longest-side-m 0.2 --radius-m 0.002\n"
     "  tactus bench sim --seconds 30 --json | jq .simulated_s_per_s";
@@ -62,6 +67,7 @@ struct BenchOptions {
   bool dragon = false;
   TickBenchOptions ticks;
   std::string csv;
+  std::string against;
   std::string to_be_counted;
   bool loop = false;
   LoopBenchOptions loop_options;
@@ -103,7 +109,35 @@ void for_each_mesh(const BenchOptions& options,
   }
 }
 
+// Returns the options that say what touch measures, as words of a shell.
+std::string words_of(const BenchOptions& options) {
+  std::string words = fmt::format("--ticks {} --radius-m {}", options.ticks.ticks,
+                                  fmt::join(options.ticks.radii_m, " "));
+  words += options.ticks.frictionless ? " --frictionless" : "";
+  words += options.dragon ? " --dragon" : "";
+  words += options.mesh.empty()
+               ? std::string()
+               : " --mesh " + shell_quoted(std::filesystem::absolute(options.mesh));
+  return words + fmt::format(" --longest-side-m {}", options.longest_side_m);
+}
+
+void run_comparison(const BenchOptions& options) {
+  if (options.what != "touch") {
+    throw InputError("--against compares touch alone; write: tactus bench touch --against FOLDER");
+  }
+  bench_comparison({.folder = options.against,
+                    .words = words_of(options),
+                    .turns = options.ticks.runs,
+                    .instructions = options.ticks.instructions,
+                    .progress = {}},
+                   options.ticks.json);
+}
+
 void run_bench(const BenchOptions& options) {
+  if (!options.against.empty()) {
+    run_comparison(options);
+    return;
+  }
   if (options.loop) {
     LoopBenchOptions loop = options.loop_options;
     loop.plan.seconds = options.ticks.seconds;
@@ -194,6 +228,11 @@ void add_bench_verb(CLI::App& app) {
                  "For touch, count instructions a tick too, with valgrind; a millisecond a tick");
   verb->add_option("--csv", options->csv,
                    "For touch, append the figures and the machine's description to this file");
+  verb->add_option(
+          "--against", options->against,
+          "For touch, run the program of another build in turn with this one, --runs times "
+          "each, and print the ratios; the folder holds tactus or bin/tactus")
+      ->excludes("--csv");
   // Not for users: count_instructions() starts this program again with it. The empty group hides
   // it.
   verb->add_option("--touch-to-be-counted", options->to_be_counted)->group("");
