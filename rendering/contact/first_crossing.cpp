@@ -36,7 +36,7 @@ struct End {
 // nothing.
 double least_value(const End& a, const End& b, const Interval& slope) {
   constexpr double kLargest = std::numeric_limits<double>::max();
-  if (!(a.value < kLargest && b.value < kLargest)) {
+  if (a.value >= kLargest || b.value >= kLargest) {
     return -kLargest;
   }
   if (slope.lower >= 0.0) {

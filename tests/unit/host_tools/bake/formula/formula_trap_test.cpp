@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -77,7 +78,7 @@ std::optional<Vec3> place_of_trap(const ImplicitSurface& surface, std::mt19937_6
     for (int jump = 0; jump < 5; ++jump) {
       tracker.advance(surface, {}, kScale_m * random_point(random, 2.2));
     }
-    const Vec3 tool_O = random_point(random, 2.2);
+    Vec3 tool_O = random_point(random, 2.2);
     rendering::ImplicitRest end;
     for (int tick = 0; tick < 100; ++tick) {
       end = tracker.advance(surface, {}, kScale_m * tool_O);
@@ -116,7 +117,7 @@ struct Case {
 
 // Poles of odd and even order, on planes, lines and points; poles out of reach within the solid;
 // cusps; functions outside their domain; surfaces that touch themselves.
-constexpr Case kCases[] = {
+constexpr auto kCases = std::to_array<Case>({
     {"1/x^2 - 1", true},
     {"1/x", true},
     {"1/x - y", true},
@@ -139,7 +140,7 @@ constexpr Case kCases[] = {
     {"x^2*y^2 - z^3", false},
     {"max(x, 0) + max(y, 0) - 0.5", false},
     {"heart()", false},
-};
+});
 
 TEST(FormulaTrap, FormulasWithPolesAreRefusedWithThePlaceAndOthersHoldNoProxy) {
   std::mt19937_64 random(kTrapSeed);
@@ -164,8 +165,8 @@ TEST(FormulaTrap, FormulasWithPolesAreRefusedWithThePlaceAndOthersHoldNoProxy) {
 std::string random_text(std::mt19937_64& random, int levels) {
   const auto part = [&] { return random_text(random, levels - 1); };
   if (levels == 0 || random() % 8 == 0) {
-    const char* const leaves[] = {"x", "y", "z", "x", "y", "z", "0.7", "1.3"};
-    return leaves[random() % 8];
+    constexpr std::array kLeaves{"x", "y", "z", "x", "y", "z", "0.7", "1.3"};
+    return kLeaves[random() % kLeaves.size()];
   }
   switch (random() % 13) {
     case 0:
