@@ -37,6 +37,7 @@
 #include <limits>
 
 #include "rendering/contact/object_sweep.h"
+#include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/plane_projection.h"
 
