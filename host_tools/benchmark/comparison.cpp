@@ -5,28 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <fstream>
 #include <string_view>
 
 #include "host_tools/benchmark/external_program.h"
+#include "host_tools/csv/csv_text.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
 namespace {
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::size_t begin = 0;
-  for (;;) {
-    const std::size_t comma = line.find(',', begin);
-    fields.push_back(line.substr(begin, comma - begin));
-    if (comma == std::string::npos) {
-      return fields;
-    }
-    begin = comma + 1;
-  }
-}
 
 // One row with the names of its columns.
 class Row {
@@ -54,12 +41,11 @@ class Row {
     if (!field) {
       return std::nullopt;
     }
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(field->data(), field->data() + field->size(), value);
-    if (error != std::errc() || end != field->data() + field->size()) {
+    const auto value = csv_number(*field);
+    if (!value) {
       throw InputError(fmt::format("{}: column {}: '{}' is no number", where_, name, *field));
     }
-    return value;
+    return value->value;
   }
 
   [[nodiscard]] double needed(std::string_view name) const {
@@ -95,20 +81,19 @@ std::vector<FigureRow> run(const std::filesystem::path& program, const std::stri
 }  // namespace
 
 std::vector<FigureRow> read_figures(const std::filesystem::path& file) {
-  std::ifstream text(file);
+  const std::string content = read_file(file);
+  CsvText text(content);
   std::vector<std::string> names;
   std::vector<FigureRow> rows;
-  std::size_t number = 0;
-  for (std::string line; std::getline(text, line);) {
-    ++number;
-    if (line.starts_with('#')) {
+  while (const std::vector<std::string>* fields = text.next()) {
+    if (fields->front().starts_with('#')) {
       continue;
     }
     if (names.empty()) {
-      names = fields_of(line);
+      names = *fields;
       continue;
     }
-    const Row row(names, fields_of(line), fmt::format("{}:{}", file.string(), number));
+    const Row row(names, *fields, fmt::format("{}:{}", file.string(), text.number()));
     rows.push_back({.mesh = row.text("mesh").value_or(""),
                     .radius_mm = row.needed("radius_mm"),
                     .motion = row.text("motion").value_or("jumps"),

@@ -14,7 +14,7 @@ namespace {
 // them come down to almost nothing.
 constexpr double kUnknownFrom = 0.5;
 
-// How many rows of presliding a reversal must have. With fewer, the turn itself, which happens
+// A reversal must have this many rows of presliding. With fewer, the turn itself, which happens
 // between two rows, decides what the model does in them.
 constexpr std::size_t kPreslidingRows = 2;
 

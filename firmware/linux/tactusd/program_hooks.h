@@ -1,4 +1,5 @@
-// What tactusd's loop asks for and reports to. Real time.
+// Joins the loop of tactusd with the program: the requests that it asks for, and the places that it
+// reports to. Real time.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// What baking says of a formula that can be touched and is odd.
+// Baking tells what is odd about a formula that can be touched.
 #include "host_tools/bake/formula/formula_warnings.h"
 
 #include <gtest/gtest.h>
