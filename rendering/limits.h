@@ -78,7 +78,7 @@ inline constexpr double kTickInstructions_per_s = 2e9;
 // The least budget that follows from a period: that of a loop of 8 kHz.
 inline constexpr double kLeastTickInstructions = 250e3;
 
-// The budget, in cost units (contact/tick_budget.h), for carrying the proxy along with moving
+// The budget, in cost units (tick_budget.h), for carrying the proxy along with moving
 // objects, where hundreds of triangles may come over it at 5 m/s; the tick's budget pays for it,
 // and does not cut it. Beyond: they pass over it; kTouchPinched. The same budget bounds a straight
 // sweep among more than kMaxCandidates. Beyond: the proxy moves no farther than the sweep has seen.

@@ -10,7 +10,7 @@ using rendering::FrictionKind;
 using rendering::StateArchive;
 
 // The bytes begin with it, so that an older recording is refused and not misread.
-inline constexpr std::uint64_t kConfigVersion = 3;
+inline constexpr std::uint64_t kConfigVersion = 4;
 
 template <std::size_t kKind>
 void transfer_if(StateArchive& archive, MechanismGeometry& geometry, std::size_t kind) {
@@ -83,12 +83,12 @@ inline void transfer(StateArchive& archive, StiffnessCertificate& certificate) {
 }
 
 inline void transfer(StateArchive& archive, ControllerConfig& config) {
-  auto& [rate_hz, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints,
-         coupled_limits, friction, safety, certificate, allow_uncertified] = config;
+  auto& [rate_hz, tick_instructions, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz,
+         joints, coupled_limits, friction, safety, certificate, allow_uncertified] = config;
   archive.same(kConfigVersion);
   transfer(archive, mechanism);
-  archive(rate_hz, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints, coupled_limits,
-          friction, safety, certificate, allow_uncertified);
+  archive(rate_hz, tick_instructions, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints,
+          coupled_limits, friction, safety, certificate, allow_uncertified);
 }
 
 std::size_t save_config(const ControllerConfig& config,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/kinematics/range_check.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::firmware {
 namespace {
@@ -20,6 +21,10 @@ constexpr double kMostMargin = 100.0;
 constexpr double kLeastTurnLength = 1e-9;
 // The largest gravity in each direction, m/s^2: Jupiter's, the largest of the planets.
 constexpr double kStrongestGravity = 25.0;
+
+// The instructions of a tick: enough to touch one mesh, and more than any period has.
+constexpr double kFewestInstructions = 50e3;
+constexpr double kMostInstructions = 1e9;
 
 void check_friction(RangeCheck& check, const JointFriction& joint) {
   check.in("friction.compensated_share", joint.compensated_share, 0.0, kMaxCompensatedShare);
@@ -103,9 +108,18 @@ double presliding_length(const JointFriction& joint) {
   return std::max(own, joint.turn_length);
 }
 
+double tick_instructions(const ControllerConfig& config) {
+  return config.tick_instructions > 0.0
+             ? config.tick_instructions
+             : rendering::default_tick_instructions(1.0 / config.rate_hz);
+}
+
 std::expected<void, ConfigError> validate(const ControllerConfig& config) {
   RangeCheck check;
   check.in("rate_hz", config.rate_hz, kMinRate_Hz, kMaxRate_Hz);
+  if (config.tick_instructions != 0.0) {
+    check.in("tick_instructions", config.tick_instructions, kFewestInstructions, kMostInstructions);
+  }
   check_mechanism(check, config.mechanism);
   for (const double coordinate : config.workspace_origin_D) {
     check.in("workspace_origin_D", coordinate, -kWidest, kWidest);

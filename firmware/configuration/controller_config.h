@@ -134,6 +134,10 @@ struct SafetyConfig {
 struct ControllerConfig {
   // The number of ticks per second.
   double rate_hz = 1000.0;
+  // The instructions that a tick's rendering may take: its objects, effects and contacts. 0: those
+  // that follow from the rate (rendering/tick_budget.h), 2 million at 1 kHz. A slow board needs
+  // fewer, and `tactus doctor` says how many.
+  double tick_instructions = 0.0;
   // The kind of mechanism with its lengths and weights.
   MechanismGeometry mechanism = CartesianGeometry{};
   // The origin of the world frame in the device frame, m. Both frames have the same directions.
@@ -155,6 +159,9 @@ struct ControllerConfig {
   // True: a scene beyond the certificate is loaded too.
   bool allow_uncertified = false;
 };
+
+// Returns the instructions that a tick's rendering may take with this configuration.
+double tick_instructions(const ControllerConfig& config);
 
 // Returns the first field that is out of range as the error. Not real time.
 std::expected<void, ConfigError> validate(const ControllerConfig& config);

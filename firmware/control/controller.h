@@ -35,12 +35,17 @@ enum class SceneFault : std::uint8_t {
   active,       // the motors are on
   world,        // World::set_scene refused it
   uncertified,  // a part of it is beyond the configuration's certificate
+  costly,       // its motions and effects take more than half of a tick's budget
 };
 // Why a scene was not loaded.
 struct SceneRefusal {
   SceneFault fault = SceneFault::active;
   // The part that is too stiff; set if the fault is `uncertified`.
   UncertifiedPart part;
+  // The cost units that its motions and effects take, and those of a tick
+  // (rendering/tick_budget.h); set if the fault is `costly`.
+  std::size_t standing_units = 0;
+  std::size_t budget_units = 0;
 };
 
 // The controller of one device with one tool.
@@ -54,7 +59,8 @@ class Controller {
 
   // Loads a scene; the memory behind the objects must outlive it. Refused in mode `active`, and if
   // a part of it, or parts that push together or with a wall of the workspace, are stiffer than the
-  // certificate allows, unless `allow_uncertified`. The world then keeps its scene. If the world
+  // certificate allows, unless `allow_uncertified`. Refused, too, if its motions and effects leave
+  // less than half of a tick's budget to the contacts. The world then keeps its scene. If the world
   // refuses the scene, the world is empty afterwards.
   std::expected<void, SceneRefusal> load_scene(std::span<const rendering::Object> objects,
                                                const rendering::WorldConfig& config);

@@ -39,7 +39,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
   modes_.configure(config.safety.guards_off);
   guards_.configure(config);
   locator_.configure(config);
-  scene_.restart(1.0 / config.rate_hz);
+  scene_.restart(1.0 / config.rate_hz, tick_instructions(config));
   force_path_.configure(config);
   effort_path_.configure(config);
   record_ = TelemetryRecord{};
@@ -49,7 +49,7 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
 std::expected<void, SceneRefusal> Controller::load_scene(std::span<const rendering::Object> objects,
                                                          const rendering::WorldConfig& config) {
   if (modes_.mode() == Mode::active) {
-    return std::unexpected(SceneRefusal{SceneFault::active, {}});
+    return std::unexpected(SceneRefusal{.fault = SceneFault::active});
   }
   const auto& [device, safety, is_configured] = settings_;
   const SceneFeel feel{.tool_radius_m = config.tool_radius_m,
@@ -57,10 +57,16 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
                        .walls = felt_walls(safety)};
   if (const auto part = unless_allowed(
           device, first_uncertified(device.certificate, objects, config.effects, feel))) {
-    return std::unexpected(SceneRefusal{SceneFault::uncertified, *part});
+    return std::unexpected(SceneRefusal{.fault = SceneFault::uncertified, .part = *part});
+  }
+  const std::size_t standing = rendering::standing_units(objects, config);
+  if (standing > scene_.world.budget_units() / 2) {
+    return std::unexpected(SceneRefusal{.fault = SceneFault::costly,
+                                        .standing_units = standing,
+                                        .budget_units = scene_.world.budget_units()});
   }
   if (!scene_.load(objects, config)) {
-    return std::unexpected(SceneRefusal{SceneFault::world, {}});
+    return std::unexpected(SceneRefusal{.fault = SceneFault::world});
   }
   return {};
 }

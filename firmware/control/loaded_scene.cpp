@@ -34,10 +34,11 @@ FeltScene felt_scene(const WantedMaterials& materials, const SafetyConfig& safet
 
 }  // namespace
 
-void LoadedScene::restart(double tick_s) {
+void LoadedScene::restart(double tick_s, double tick_instructions) {
   complete_changes();
   world.reset();
   world.set_tick(tick_s);
+  world.set_tick_budget(tick_instructions);
 }
 
 bool LoadedScene::load(std::span<const rendering::Object> loaded,

@@ -19,8 +19,8 @@ namespace tactus::firmware {
 // in the order of its format.
 struct LoadedScene {
   // Completes all changes of materials and frees the tool of all contact. `tick_s` is the time from
-  // tick to tick.
-  void restart(double tick_s);
+  // tick to tick, and `tick_instructions` is what a tick of the world may take.
+  void restart(double tick_s, double tick_instructions);
 
   // Loads a scene; the memory behind the objects must outlive it. Returns false if the world
   // refuses it; the scene is then empty.

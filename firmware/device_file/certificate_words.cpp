@@ -149,6 +149,14 @@ std::string_view refusal_words(const SceneRefusal& refusal, const PartNames& nam
       return uncertified_words(refusal.part, names, room);
     case SceneFault::active:
       return write_words(room, "no scene can be loaded while the motors are on; disable first");
+    case SceneFault::costly:
+      return write_words(
+          room,
+          "the objects that move or deform and the effects take %.0f of the %.0f instructions of a "
+          "tick, and contacts need half of them; let fewer move, simplify the meshes that deform, "
+          "lower the rate or raise tick_instructions in the device's [controller]",
+          rendering::instructions_of(refusal.standing_units),
+          rendering::instructions_of(refusal.budget_units));
     case SceneFault::world:
       break;
   }

@@ -21,6 +21,7 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
   using S = SafetyConfig;
   static constexpr std::array kKeys{
       bind<&C::rate_hz>("rate_hz", "hz"),
+      bind<&C::tick_instructions>("tick_instructions"),
       bind<&C::velocity_cutoff_hz>("velocity_cutoff_hz", "hz"),
       bind<&C::workspace_origin_D>("workspace_origin_m", "m"),
       bind<&C::gravity_D>("gravity_m_per_s2", "m_per_s2"),

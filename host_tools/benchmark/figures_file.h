@@ -22,6 +22,9 @@ struct TouchFigures {
   std::string motion;
   TouchTiming timing;
   Lateness lateness;
+  // The times of ticks after a sleep and with cold caches; empty if they were not measured.
+  std::optional<SingleTimes> paced;
+  std::optional<SingleTimes> cold;
   // Empty if instructions were not counted.
   std::optional<InstructionCount> instructions;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "host_tools/benchmark/percentile.h"
@@ -38,6 +39,35 @@ void copy_state(rendering::World& from, rendering::World& to, std::span<std::byt
     throw std::logic_error("a world's state cannot be copied");
   }
 }
+
+// Sleeps until the next whole period after the last wake-up.
+class Pace {
+ public:
+  void wait() {
+    constexpr std::chrono::milliseconds kPeriod{1};
+    next_ = std::max(next_ + kPeriod, Clock::now());
+    std::this_thread::sleep_until(next_);
+  }
+
+ private:
+  Clock::time_point next_ = Clock::now();
+};
+
+// Reads memory that no tick uses, and so takes the ticks' own out of the first two levels of cache.
+class OtherMemory {
+ public:
+  void read() {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t i = 0; i < bytes_.size(); i += kLine) {
+      sum_ = sum_ + bytes_[i];
+    }
+  }
+
+ private:
+  std::vector<unsigned char> bytes_ = std::vector<unsigned char>(std::size_t{1} << 23, 1);
+  // Volatile, so that the reading is done.
+  volatile unsigned sum_ = 0;
+};
 
 }  // namespace
 
@@ -73,6 +103,22 @@ TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_r
   timing.once_max_ns = once.back();
   timing.peak_candidates = world->peak_candidates();
   return timing;
+}
+
+SingleTimes time_single_ticks(std::span<const rendering::Object> objects, double tool_radius_m,
+                              std::span<const Vec3> path, Before before) {
+  const auto world = std::make_unique<rendering::World>();
+  world->set_scene(objects, {.tool_radius_m = tool_radius_m});
+  Pace pace;
+  OtherMemory other;
+  std::vector<double> times(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    before == Before::sleep ? pace.wait() : other.read();
+    rendering::Touch touch;
+    times[i] = nanoseconds_of(*world, path[i], touch);
+  }
+  std::ranges::sort(times);
+  return {.median_ns = percentile(times, 0.5), .p999_ns = percentile(times, 0.999)};
 }
 
 Lateness lateness_of(std::span<const rendering::Object> objects, double tool_radius_m,

@@ -35,6 +35,23 @@ struct TouchTiming {
 TouchTiming time_touch(std::span<const rendering::Object> objects, double tool_radius_m,
                        std::span<const Vec3> path, std::size_t runs);
 
+// Percentiles of the times of single ticks, each measured once.
+struct SingleTimes {
+  double median_ns = 0.0;
+  double p999_ns = 0.0;
+};
+
+// The preparation of a tick whose time is measured.
+enum class Before : std::uint8_t {
+  sleep,       // until the next millisecond, as a loop at 1 kHz
+  cold_cache,  // other memory has been read, so that code and state have to be fetched
+};
+
+// Touches the objects with a tool that follows `path` (m, world frame), each tick after the
+// preparation. Takes about a millisecond a tick.
+SingleTimes time_single_ticks(std::span<const rendering::Object> objects, double tool_radius_m,
+                              std::span<const Vec3> path, Before before);
+
 // The lateness of ticks with the usual budget, against ticks without a limit that begin in the same
 // state.
 struct Lateness {

@@ -46,6 +46,10 @@ void print_json(const TouchFigures& figures) {
                             {"p999", count->p999},
                             {"max", count->max}};
   }
+  if (figures.paced && figures.cold) {
+    json["paced"] = {{"median_ns", figures.paced->median_ns}, {"p999_ns", figures.paced->p999_ns}};
+    json["cold"] = {{"median_ns", figures.cold->median_ns}, {"p999_ns", figures.cold->p999_ns}};
+  }
   fmt::print("{}\n", json.dump());
 }
 
@@ -55,6 +59,16 @@ std::string late_words(const Lateness& lateness) {
              ? std::string()
              : fmt::format(", by {:.3g} mm and {:.0f} degrees of the force at most",
                            1e3 * lateness.worst_m, hal::degrees_of(lateness.worst_turn_rad));
+}
+
+void print_single_times(const TouchFigures& figures) {
+  if (figures.paced && figures.cold) {
+    fmt::print(
+        "      once each: after a sleep to the next ms median {:.0f} ns, p99.9 {:.0f}; with cold "
+        "caches median {:.0f}, p99.9 {:.0f}\n",
+        figures.paced->median_ns, figures.paced->p999_ns, figures.cold->median_ns,
+        figures.cold->p999_ns);
+  }
 }
 
 void print_text(const TouchFigures& figures) {
@@ -71,6 +85,7 @@ void print_text(const TouchFigures& figures) {
         "{:.0f}\n",
         count->mean, count->median, count->p99, count->p999, count->max);
   }
+  print_single_times(figures);
 }
 
 // A path of the tool with its name in the figures.
@@ -92,6 +107,10 @@ void bench_motion(const TickBenchOptions& options, const BenchmarkMesh& mesh, do
                        .lateness = lateness_of({&object, 1}, radius_m, motion.path)};
   if (options.instructions) {
     figures.instructions = count_instructions(mesh, figures.friction, radius_m, motion.path);
+  }
+  if (options.paced) {
+    figures.paced = time_single_ticks({&object, 1}, radius_m, motion.path, Before::sleep);
+    figures.cold = time_single_ticks({&object, 1}, radius_m, motion.path, Before::cold_cache);
   }
   options.json ? print_json(figures) : print_text(figures);
   std::fflush(stdout);

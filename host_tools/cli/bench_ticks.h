@@ -21,6 +21,8 @@ struct TickBenchOptions {
   bool frictionless = false;
   // True: bench_touch counts instructions too.
   bool instructions = false;
+  // True: bench_touch measures ticks after a sleep and with cold caches too.
+  bool paced = false;
   bool json = false;
 };
 

@@ -53,6 +53,7 @@ constexpr const char* kBenchExamples =
     "  tactus bench\n"
     "  tactus bench touch --json > touch.jsonl\n"
     "  tactus bench touch --dragon --instructions\n"
+    "  tactus bench touch --dragon --paced\n"
     "  tactus bench touch --csv figures.csv\n"
     "  tactus bench touch --against ../before/build/release --mesh statue.ply\n"
     "  tactus bench --loop --rate 2000 --cpu 3 --figure jitter.png\n"
@@ -226,6 +227,9 @@ void add_bench_verb(CLI::App& app) {
   verb->add_flag("--frictionless", options->ticks.frictionless, "Without friction");
   verb->add_flag("--instructions", options->ticks.instructions,
                  "For touch, count instructions a tick too, with valgrind; a millisecond a tick");
+  verb->add_flag("--paced", options->ticks.paced,
+                 "For touch, also time each tick once after a sleep to the next millisecond, and "
+                 "once with cold caches; two milliseconds a tick");
   verb->add_option("--csv", options->csv,
                    "For touch, append the figures and the machine's description to this file");
   verb->add_option(

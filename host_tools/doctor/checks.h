@@ -42,6 +42,12 @@ void check_compaction(Machine& machine, Findings& findings);
 // Advises against swap.
 void check_swap(Machine& machine, Findings& findings);
 
+// tick_checks.cpp: the time of a tick.
+//
+// Reports whether this processor carries out the instructions that a tick may take within the
+// tick's period.
+void check_tick_budget(Machine& machine, const Needs& needs, Findings& findings);
+
 // motor_checks.cpp: the means that take a motor's torque away when the host dies.
 //
 // Judges the device's configuration and does not look at the machine.

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host_tools/benchmark/unit_cost.h"
 #include "host_tools/doctor/live_machine.h"
 #include "host_tools/input_error.h"
 
@@ -18,6 +19,7 @@ namespace {
 // The files of a recorded machine for what no file of /proc or /sys tells: a line for each.
 constexpr const char* kAccessFile = "tactus/access";
 constexpr const char* kGpioFile = "tactus/gpio_chips";
+constexpr const char* kUnitCostFile = "tactus/unit_cost_ns";
 
 // Returns the text without blanks and line ends at its end.
 std::string without_end(std::string text) {
@@ -141,6 +143,17 @@ std::optional<std::string> Machine::ip_link(std::string_view interface) {
     files_.insert_or_assign(ip_file(interface), *found);
   }
   return found;
+}
+
+std::optional<double> Machine::unit_cost_ns() {
+  if (!root_.empty()) {
+    double cost_ns = 0.0;
+    std::istringstream text(read_whole(root_ / kUnitCostFile).value_or(""));
+    return text >> cost_ns ? std::optional(cost_ns) : std::nullopt;
+  }
+  const double cost_ns = measured_unit_cost_ns();
+  files_.insert_or_assign(kUnitCostFile, fmt::format("{:.2f}", cost_ns));
+  return cost_ns;
 }
 
 void Machine::save(const std::filesystem::path& folder) const {

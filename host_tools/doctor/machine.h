@@ -7,6 +7,7 @@
 //
 // - tactus/access: a line `w PATH` for what may be written to, `- PATH` for what may not.
 // - tactus/gpio_chips: a line `gpiochip0 LABEL` a chip.
+// - tactus/unit_cost_ns: the time of a cost unit of the rendering, ns (rendering/tick_budget.h).
 // - tactus/ip_link_can0.json: the output of `ip -details -json link show can0`.
 #pragma once
 
@@ -38,6 +39,9 @@ class Machine {
   // Returns the JSON that `ip` prints for a network interface; nothing without `ip` or the
   // interface.
   std::optional<std::string> ip_link(std::string_view interface);
+  // Returns the time that a cost unit of the rendering takes (rendering/tick_budget.h), ns; nothing
+  // if a recorded machine does not say it. On this machine it takes a fraction of a second.
+  std::optional<double> unit_cost_ns();
 
   // Writes all remembered answers as a recorded machine. Throws InputError if the folder cannot be
   // written to.

@@ -65,6 +65,8 @@ void add_need(const drivers::GpioConnection& gpio, bool /*fd*/, Needs& needs) {
 
 Needs needs_of(const firmware::DeviceConfig& config) {
   Needs needs;
+  needs.rate_hz = config.controller.rate_hz;
+  needs.tick_instructions = firmware::tick_instructions(config.controller);
   for (const firmware::JointConfig& joint : std::span(config.joints).first(config.joint_count)) {
     needs.motors.push_back(motor_of(config, joint.motor));
   }

@@ -46,6 +46,9 @@ struct MotorNeed {
 
 // All needs of one device.
 struct Needs {
+  // The ticks per second, and the instructions that the rendering of a tick may take.
+  double rate_hz = firmware::ControllerConfig{}.rate_hz;
+  double tick_instructions = firmware::tick_instructions({});
   std::vector<MotorNeed> motors;
   std::vector<CanNeed> can;
   std::vector<GpioNeed> gpio;

@@ -19,13 +19,13 @@
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/reach_memory.h"
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/contact/tick_budget.h"
 #include "rendering/contact/trusted_capsule.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/limits.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/state_archive.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::rendering {
 

@@ -37,9 +37,9 @@
 #include <limits>
 
 #include "rendering/contact/object_sweep.h"
-#include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/plane_projection.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::rendering {
 namespace {

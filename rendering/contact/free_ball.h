@@ -2,8 +2,8 @@
 #pragma once
 
 #include "rendering/contact/sphere_sweep.h"
-#include "rendering/contact/tick_budget.h"
 #include "rendering/objects/scene_objects.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::rendering {
 

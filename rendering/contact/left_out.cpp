@@ -8,8 +8,8 @@
 #include <bit>
 #include <cmath>
 
-#include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/hierarchy_query.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::rendering {
 namespace {

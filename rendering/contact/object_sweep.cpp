@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "rendering/contact/primitive_sweep.h"
-#include "rendering/contact/tick_budget.h"
 #include "rendering/geometry/hierarchy_query.h"
 #include "rendering/geometry/near_segment.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::rendering {
 namespace {

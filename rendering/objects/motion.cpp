@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "rendering/geometry/portable_math.h"
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
@@ -62,8 +61,12 @@ Placement place_at(const Motion& motion, double t_s) {
   return at;
 }
 
-double wave_at(const Motion& motion, const Vec3& rest_O, double t_s) {
-  return motion.wave_m * of_turns(motion.wave_Hz * t_s - motion.wave_per_m.dot(rest_O)).sine;
+SineCosine wave_angle(const Motion& motion, const Vec3& rest_O) {
+  return of_turns(motion.wave_per_m.dot(rest_O));
+}
+
+SineCosine wave_angle(const Motion& motion, double t_s) {
+  return of_turns(motion.wave_Hz * t_s);
 }
 
 }  // namespace tactus::rendering

@@ -3,6 +3,7 @@
 // (movers.h) asks for the place in every tick.
 #pragma once
 
+#include "rendering/geometry/portable_math.h"
 #include "rendering/geometry/rigid_pose.h"
 #include "rendering/geometry/vector.h"
 
@@ -55,7 +56,14 @@ struct Placement {
 // same on every machine.
 Placement place_at(const Motion& motion, double t_s);
 
-// Returns how far a point of the surface is from rest along its normal, m.
-double wave_at(const Motion& motion, const Vec3& rest_O, double t_s);
+// The angle of the wave at a point that is at rest_O: 2 pi k . rest_O.
+SineCosine wave_angle(const Motion& motion, const Vec3& rest_O);
+// The angle of the wave at a time, 2 pi wave_Hz t_s, which all points share.
+SineCosine wave_angle(const Motion& motion, double t_s);
+// Returns how far a point of the surface is from rest along its normal, m, from both angles: wave_m
+// times the sine of their difference.
+inline double wave_at(const Motion& motion, const SineCosine& of_place, const SineCosine& of_time) {
+  return motion.wave_m * (of_time.sine * of_place.cosine - of_time.cosine * of_place.sine);
+}
 
 }  // namespace tactus::rendering

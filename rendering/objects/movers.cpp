@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "rendering/tick_budget.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -65,7 +67,24 @@ bool Movers::start_one(std::uint32_t number) {
   }
   DeformableMesh& deformable = deformables_[deformable_count_++];
   mover.deformable = &deformable;
-  return deformable.start(object.mesh, pool_);
+  if (!deformable.start(object.mesh, pool_)) {
+    return false;
+  }
+  mover.wave_angles = start_wave(object);
+  return true;
+}
+
+// Called when the pool has the vertices of the object.
+std::span<const SineCosine> Movers::start_wave(const Object& object) {
+  if (object.motion == nullptr || object.motion->wave_m == 0.0) {
+    return {};
+  }
+  const std::size_t count = object.mesh.vertices.size();
+  const auto angles = std::span(wave_angles_).subspan(pool_.vertices_used - count, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    angles[i] = wave_angle(*object.motion, to_vec3(object.mesh.vertices[i]));
+  }
+  return angles;
 }
 
 DeformableMesh& Movers::deformable_of(const Mover& mover) {
@@ -92,42 +111,48 @@ bool Movers::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& 
   return true;
 }
 
-void Movers::begin_tick(double time_s) {
+std::size_t Movers::begin_tick(double time_s) {
   anything_moved_ = false;
+  std::size_t cost = 0;
   for (std::size_t k = 0; k < count_; ++k) {
-    begin_tick_of(k, time_s);
+    cost += begin_tick_of(k, time_s);
     anything_moved_ = anything_moved_ || movers_[k].moved;
   }
+  return cost;
 }
 
 // Moves some vertices per tick, in turns. The target of each is its place at rest, moved along the
 // normal at rest, so that nothing drifts.
-void Movers::wave(Mover& mover, double time_s) {
+std::size_t Movers::wave(Mover& mover, double time_s) {
   const Object& object = objects_[mover.object];
+  const SineCosine of_time = wave_angle(*mover.motion, time_s);
   const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
   DeformableMesh& mesh = deformable_of(mover);
-  for (std::size_t k = 0; k < std::min<std::size_t>(kWaveVertices, count); ++k) {
+  const std::size_t turns = std::min<std::size_t>(kWaveVertices, count);
+  for (std::size_t k = 0; k < turns; ++k) {
     const std::uint32_t i = mover.next_vertex;
     mover.next_vertex = i + 1 == count ? 0 : i + 1;
-    const Vec3 rest_O = to_vec3(object.mesh.vertices[i]);
+    const double height_m = wave_at(*mover.motion, mover.wave_angles[i], of_time);
     mesh.move_vertex(
-        i, rest_O + wave_at(*mover.motion, rest_O, time_s) * to_vec3(object.vertex_normals[i]));
+        i, to_vec3(object.mesh.vertices[i]) + height_m * to_vec3(object.vertex_normals[i]));
   }
+  return turns / kVertexWavesPerUnit;
 }
 
 // The order matters: the deformable takes its step first, because the bounds and `moved` follow
 // from it; the pose of the last tick is kept, because carrying sweeps between the two.
-void Movers::begin_tick_of(std::size_t k, double time_s) {
+std::size_t Movers::begin_tick_of(std::size_t k, double time_s) {
   Mover& mover = movers_[k];
+  std::size_t cost = kCostOfMover;
   if (mover.motion != nullptr) {
     const Placement at = place_at(*mover.motion, time_s);
     orders_[k] = {.X_WO = at.X_WO, .twist = at.twist};
-    if (mover.deformable != nullptr && mover.motion->wave_m != 0.0) {
-      wave(mover, time_s);
+    if (!mover.wave_angles.empty()) {
+      cost += wave(mover, time_s);
     }
   }
   if (mover.deformable != nullptr) {
-    deformable_of(mover).begin_tick();
+    cost += deformable_of(mover).begin_tick();
   }
   mover.X_WO_before = mover.X_WO;
   mover.X_WO = orders_[k].X_WO;
@@ -148,6 +173,7 @@ void Movers::begin_tick_of(std::size_t k, double time_s) {
                       .upper_W = to_vec3(root.upper) + slack};
     mover.moved = mover.moved || mover.deformable->step_m() > 0.0;
   }
+  return cost;
 }
 
 }  // namespace tactus::rendering

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "rendering/geometry/portable_math.h"
 #include "rendering/geometry/rigid_pose.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
@@ -36,6 +37,8 @@ struct Mover {
   Bounds bounds_O;
   // The object's own motion, until the outside takes over; nullptr then.
   const Motion* motion = nullptr;
+  // The angle of the wave at each vertex; empty if there is no wave.
+  std::span<const SineCosine> wave_angles;
   // The vertex whose turn it is in the waves.
   std::uint32_t next_vertex = 0;
   // True if the object has moved or deformed since the last tick.
@@ -78,8 +81,9 @@ class Movers {
   bool set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist);
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
-  // Moves every object to its place in the tick that begins `time_s` after the start.
-  void begin_tick(double time_s);
+  // Moves every object to its place in the tick that begins `time_s` after the start. Returns the
+  // cost units that it took (tick_budget.h).
+  std::size_t begin_tick(double time_s);
 
   // Returns the mover of object `number`, or nullptr if it is at rest.
   [[nodiscard]] const Mover* of(std::uint32_t number) const {
@@ -111,10 +115,12 @@ class Movers {
   bool start_one(std::uint32_t number);
   // Returns the mesh of a mover that deforms, to be changed.
   DeformableMesh& deformable_of(const Mover& mover);
-  // Moves one mover to its place in this tick.
-  void begin_tick_of(std::size_t k, double time_s);
-  // Moves the vertices whose turn it is to their places in the wave.
-  void wave(Mover& mover, double time_s);
+  // Returns the angle of an object's wave at each of its vertices, which it keeps.
+  std::span<const SineCosine> start_wave(const Object& object);
+  // Moves one mover to its place in this tick; returns the cost units.
+  std::size_t begin_tick_of(std::size_t k, double time_s);
+  // Moves the vertices whose turn it is to their places in the wave; returns the cost units.
+  std::size_t wave(Mover& mover, double time_s);
   void transfer_one(StateArchive& archive, std::size_t k);
 
   std::span<const Object> objects_;
@@ -126,6 +132,8 @@ class Movers {
   std::size_t count_ = 0;
   bool anything_moved_ = false;
   DeformablePool pool_;
+  // The angle of the wave at the vertices of the pool.
+  std::array<SineCosine, kMaxDeformableVertices> wave_angles_{};
   std::array<DeformableMesh, kMaxDeformables> deformables_;
   std::size_t deformable_count_ = 0;
 };

@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "rendering/tick_budget.h"
+
 namespace tactus::rendering {
 
 void SceneCapacityNeeds::add(const Object& object) {
   movers += is_mover(object) ? 1U : 0U;
   independent += meets_proxy(object) ? 0U : 1U;
+  motion_units += is_mover(object) ? kCostOfMover : 0U;
   if (object.deforms) {
+    motion_units += std::min(kWaveVertices, object.mesh.vertices.size()) / kVertexWavesPerUnit +
+                    object.mesh.vertices.size() / kVertexStepsPerUnit +
+                    std::min(kRefitNodes, object.mesh.nodes.size()) * kCostOfRefit;
     ++deformables;
     deformable_vertices += object.mesh.vertices.size();
     deformable_nodes += object.mesh.nodes.size();
@@ -56,9 +62,9 @@ bool SceneObjects::set_material(std::uint32_t number, const Material& material) 
   return number < objects_.size() && sound(material) && materials_.set(number, material);
 }
 
-void SceneObjects::begin_tick(double time_s, double tick_s) {
+std::size_t SceneObjects::begin_tick(double time_s, double tick_s) {
   tick_s_ = tick_s;
-  movers_.begin_tick(time_s);
+  return movers_.begin_tick(time_s);
 }
 
 Triangle triangle_W(const SceneObjects& scene, std::uint32_t number, std::uint32_t triangle) {

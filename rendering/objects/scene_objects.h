@@ -37,6 +37,9 @@ struct SceneCapacityNeeds {
   std::size_t deformable_vertices = 0;
   std::size_t deformable_nodes = 0;
 
+  // The most cost units (tick_budget.h) that moving the objects takes in one tick.
+  std::size_t motion_units = 0;
+
   // Adds the needs of one object.
   void add(const Object& object);
   // Returns true if the needs are within kMaxMovers, kMaxIndependentObjects, kMaxDeformables,
@@ -69,8 +72,9 @@ class SceneObjects {
   bool set_material(std::uint32_t number, const Material& material);
 
   // Begins a tick, `time_s` after the scene was set, which lasts `tick_s`. Objects move to where
-  // their own motion has them now, or where the outside set them since the last tick.
-  void begin_tick(double time_s, double tick_s);
+  // their own motion has them now, or where the outside set them since the last tick. Returns the
+  // cost units that it took (tick_budget.h).
+  std::size_t begin_tick(double time_s, double tick_s);
   // Returns the duration of the tick, s.
   [[nodiscard]] double tick_s() const { return tick_s_; }
 

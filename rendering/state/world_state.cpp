@@ -63,7 +63,7 @@ void SceneObjects::transfer_materials(StateArchive& archive) {
 
 void Movers::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [objects, mover_of, movers, orders, count, anything_moved, pool,
-                          deformables, deformable_count] = *this;
+                          wave_angles, deformables, deformable_count] = *this;
   for (std::size_t k = 0; k < count; ++k) {
     transfer_one(archive, k);
   }
@@ -76,7 +76,7 @@ void Movers::transfer(StateArchive& archive) {
 // it one again is refused unless the scene has it.
 void Movers::transfer_one(StateArchive& archive, std::size_t k) {
   [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
-                          motion, next_vertex, moved] = movers_[k];
+                          motion, wave_angles, next_vertex, moved] = movers_[k];
   auto& [ordered_X_WO, ordered_twist] = orders_[k];
   archive(X_WO_before, X_WO, twist, primitive_W.X_WO, bounds_O, moved, ordered_X_WO, ordered_twist);
   const std::size_t vertices = objects_[object].mesh.vertices.size();
@@ -106,8 +106,8 @@ void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
 
 // Tools and effects must be as many as in the saved world; the rest follows in the order of a tick.
 void World::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count,
-                          budget] = *this;
+  [[maybe_unused]] auto& [scene, tools, effect_touches, effects, tick_s, time_s, tool_count, budget,
+                          standing_units] = *this;
   archive.same(tool_count);
   archive.same(effects.size());
   archive(time_s, scene);

@@ -1,18 +1,31 @@
 #include "rendering/surface/deformable_mesh.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+
+#include "rendering/geometry/floats.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::rendering {
 namespace {
 
-Float3 least_corner(const Float3& a, const Float3& b) {
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
+// A box as it is drawn: the fourth lane of each corner is of no meaning.
+struct DrawnBox {
+  Floats lower;
+  Floats upper;
 
-Float3 greatest(const Float3& a, const Float3& b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
+  // Grows to hold another box, or a point that is both of its corners.
+  void add(Floats other_lower, Floats other_upper) {
+    lower = least(lower, other_lower);
+    upper = most(upper, other_upper);
+  }
+
+  // Sets the corners of a node.
+  void store(BvhNode& node) const {
+    node.lower = {lower[0], lower[1], lower[2]};
+    node.upper = {upper[0], upper[1], upper[2]};
+  }
+};
 
 }  // namespace
 
@@ -40,8 +53,7 @@ bool DeformableMesh::start(const MeshView& rest, DeformablePool& pool) {
 }
 
 bool DeformableMesh::move_vertex(std::uint32_t vertex, const Vec3& p_O) {
-  if (vertex >= wanted_.size() ||
-      !(p_O.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m)) {
+  if (vertex >= wanted_.size() || !(p_O.array().abs() <= kWorldBound_m).all()) {
     return false;
   }
   wanted_[vertex] = to_float3(p_O);
@@ -50,34 +62,34 @@ bool DeformableMesh::move_vertex(std::uint32_t vertex, const Vec3& p_O) {
 }
 
 double DeformableMesh::take_step() {
-  double longest = 0.0;
+  constexpr double kSquaredMost = kMaxVertexStep_m * kMaxVertexStep_m;
+  double longest_squared = 0.0;
   asked_ = false;
   for (std::size_t i = 0; i < now_.size(); ++i) {
-    if (now_[i] == wanted_[i]) {
-      continue;
-    }
     const Vec3 from = to_vec3(now_[i]);
     const Vec3 step = to_vec3(wanted_[i]) - from;
-    const double length = step.norm();
-    if (length <= kMaxVertexStep_m) {
+    const double squared = step.squaredNorm();
+    if (squared <= kSquaredMost) {
       now_[i] = wanted_[i];
+      longest_squared = std::max(longest_squared, squared);
     } else {
-      now_[i] = to_float3(from + kMaxVertexStep_m / length * step);
+      now_[i] = to_float3(from + kMaxVertexStep_m / std::sqrt(squared) * step);
+      longest_squared = std::max(longest_squared, (to_vec3(now_[i]) - from).squaredNorm());
       asked_ = true;
     }
-    longest = std::max(longest, (to_vec3(now_[i]) - from).norm());
   }
-  return longest;
+  return std::sqrt(longest_squared);
 }
 
-void DeformableMesh::begin_tick() {
+std::size_t DeformableMesh::begin_tick() {
   if (step_m_ > 0.0) {
     std::ranges::copy(now_, before_.begin());
   }
+  const std::size_t step_cost = asked_ ? now_.size() / kVertexStepsPerUnit : 0;
   step_m_ = asked_ ? take_step() : 0.0;
   moved_in_pass_m_ += step_m_;
   if (slack_m() <= 0.0) {
-    return;
+    return step_cost;
   }
   // Children stand after their parents, so from the back to the front each node finds its children
   // done.
@@ -90,23 +102,27 @@ void DeformableMesh::begin_tick() {
     moved_in_last_pass_m_ = moved_in_pass_m_;
     moved_in_pass_m_ = 0.0;
   }
+  return step_cost + count * kCostOfRefit;
 }
 
 void DeformableMesh::refit(BvhNode& node) const {
   if (!node.is_leaf()) {
-    node.lower = least_corner(nodes_[node.first].lower, nodes_[node.first + 1].lower);
-    node.upper = greatest(nodes_[node.first].upper, nodes_[node.first + 1].upper);
+    const BvhNode& left = nodes_[node.first];
+    const BvhNode& right = nodes_[node.first + 1];
+    DrawnBox box{.lower = floats_at(&left.lower.x), .upper = floats_at(&left.upper.x)};
+    box.add(floats_at(&right.lower.x), floats_at(&right.upper.x));
+    box.store(node);
     return;
   }
-  constexpr float kFar = std::numeric_limits<float>::infinity();
-  node.lower = {kFar, kFar, kFar};
-  node.upper = {-kFar, -kFar, -kFar};
+  const Floats first = floats_at(&now_[triangles_[node.first][0]].x);
+  DrawnBox box{.lower = first, .upper = first};
   for (const TriangleIndices& corners : triangles_.subspan(node.first, node.triangle_count)) {
     for (const std::uint32_t corner : corners) {
-      node.lower = least_corner(node.lower, now_[corner]);
-      node.upper = greatest(node.upper, now_[corner]);
+      const Floats vertex = floats_at(&now_[corner].x);
+      box.add(vertex, vertex);
     }
   }
+  box.store(node);
 }
 
 }  // namespace tactus::rendering

@@ -16,7 +16,8 @@ namespace tactus::rendering {
 // Memory for the meshes of a scene that deform, one after another.
 struct DeformablePool {
   std::array<Float3, kMaxDeformableVertices> before;  // in the last tick
-  std::array<Float3, kMaxDeformableVertices> now;
+  // One more than there may be, because a vertex is read as four floats.
+  std::array<Float3, kMaxDeformableVertices + 1> now{};
   std::array<Float3, kMaxDeformableVertices> wanted;  // by the outside
   std::array<BvhNode, kMaxDeformableNodes> nodes;
   std::size_t vertices_used = 0;
@@ -35,8 +36,9 @@ class DeformableMesh {
   // kWorldBound_m.
   bool move_vertex(std::uint32_t vertex, const Vec3& p_O);
 
-  // Begins a tick: vertices take their step, and kRefitNodes boxes are refitted.
-  void begin_tick();
+  // Begins a tick: vertices take their step, and kRefitNodes boxes are refitted. Returns the cost
+  // units that it took (tick_budget.h).
+  std::size_t begin_tick();
 
   [[nodiscard]] MeshView now() const { return {now_, triangles_, nodes_}; }
   [[nodiscard]] MeshView before() const { return {before_, triangles_, nodes_}; }
@@ -50,7 +52,9 @@ class DeformableMesh {
   void transfer(StateArchive& archive);
 
  private:
+  // Moves every vertex toward where it is wanted; returns the longest of the steps, m.
   double take_step();
+  // Draws the box of a node about its children's, or about its triangles.
   void refit(BvhNode& node) const;
 
   std::span<Float3> before_;

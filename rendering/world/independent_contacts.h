@@ -8,11 +8,11 @@
 
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
-#include "rendering/contact/tick_budget.h"
 #include "rendering/limits.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/state_archive.h"
+#include "rendering/tick_budget.h"
 #include "rendering/touch.h"
 
 namespace tactus::rendering {
@@ -26,7 +26,7 @@ class IndependentContacts {
   void place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m);
 
   // Adds the forces to `touch`, which holds the shared proxy's result, and reports the object with
-  // the largest force of all, within `limit` cost units (contact/tick_budget.h). The tool must be
+  // the largest force of all, within `limit` cost units (tick_budget.h). The tool must be
   // finite. Bounded time, no heap.
   void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool, std::size_t limit);
 

@@ -19,7 +19,7 @@ class ToolTouch {
   // Forgets the contact: the next touch starts with the proxies at the tool.
   void reset() { placed_ = false; }
 
-  // Computes one tick, within `limit` cost units (contact/tick_budget.h); call it after
+  // Computes one tick, within `limit` cost units (tick_budget.h); call it after
   // scene.begin_tick(). Real time: no heap, bounded time. `path` receives the shared proxy's moves
   // if it is not null.
   Touch touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit, ProxyPath* path);

@@ -6,6 +6,12 @@
 
 namespace tactus::rendering {
 
+std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config) {
+  SceneCapacityNeeds needs;
+  std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
+  return needs.motion_units + kCostOfEffect * config.effects.size() * config.tool_count;
+}
+
 // All tools start again, also after a refusal: the world is then empty and gives no force.
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
   const bool good_config =
@@ -36,7 +42,7 @@ bool World::set_tick(double tick_s) {
   const bool good = std::isfinite(tick_s) && tick_s > 0.0;
   if (good) {
     tick_s_ = tick_s;
-    set_tick_budget(std::max(kTickInstructions_per_s * tick_s, kLeastTickInstructions));
+    set_tick_budget(default_tick_instructions(tick_s));
   }
   return good;
 }
@@ -57,9 +63,11 @@ double World::stretch_m(std::uint32_t object) const {
   return longest;
 }
 
-void World::begin_tick() {
-  scene_.begin_tick(time_s_, tick_s_);
+std::size_t World::begin_tick() {
+  standing_units_ =
+      scene_.begin_tick(time_s_, tick_s_) + kCostOfEffect * effects_.size() * tool_count_;
   time_s_ += tick_s_;
+  return budget_ - std::min(budget_, standing_units_);
 }
 
 Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
@@ -74,16 +82,14 @@ Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t li
 }
 
 Touch World::touch(const ToolState& tool, ProxyPath* path) {
-  begin_tick();
-  return touch_one(0, tool, budget_, path);
+  return touch_one(0, tool, begin_tick(), path);
 }
 
 // Every tool may spend an equal share of what the tools before it have left.
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
   // A tool that is not given is no number, which holds its proxies.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  begin_tick();
-  std::size_t left = budget_;
+  std::size_t left = begin_tick();
   for (std::size_t i = 0; i < tool_count_; ++i) {
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
     const Touch touch = touch_one(i, tool, left / (tool_count_ - i), nullptr);
@@ -95,7 +101,7 @@ void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
 }
 
 std::size_t World::spent_units() const {
-  std::size_t sum = 0;
+  std::size_t sum = standing_units_;
   for (std::size_t i = 0; i < tool_count_; ++i) {
     sum += tools_[i].spent();
   }

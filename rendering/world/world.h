@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <span>
 
-#include "rendering/contact/tick_budget.h"
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
 #include "rendering/objects/object.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/state_archive.h"
+#include "rendering/tick_budget.h"
 #include "rendering/touch.h"
 #include "rendering/world/effect_touch.h"
 #include "rendering/world/tool_touch.h"
@@ -29,6 +29,10 @@ struct WorldConfig {
   std::span<const Effect> effects;
 };
 
+// Returns the most cost units (tick_budget.h) that a tick spends before the first contact: on
+// objects that move or deform, and on the effects. They cannot be cut.
+std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config);
+
 // Lives in static storage: a few megabytes of fixed arrays, no heap. Not thread-safe; one thread
 // owns it.
 class World {
@@ -40,13 +44,17 @@ class World {
   bool set_scene(std::span<const Object> objects, const WorldConfig& config);
 
   // Sets the time from tick to tick, for effects and motions; 1 ms by default. The budget of a tick
-  // becomes kTickInstructions_per_s times that, but at least kLeastTickInstructions. Returns false,
+  // becomes default_tick_instructions() (tick_budget.h). Returns false,
   // and changes nothing, unless it is finite and > 0.
   bool set_tick(double tick_s);
 
-  // Sets the instructions that a tick of all tools may take, after set_tick(). Infinity is no
+  // Sets the instructions that a tick of all tools may take, after set_tick(). Objects, effects and
+  // contacts share them, in this order. Infinity is no
   // limit, for tests and comparisons. Returns false, and changes nothing, unless it is > 0.
   bool set_tick_budget(double instructions);
+
+  // Returns the cost units that a tick may spend.
+  [[nodiscard]] std::size_t budget_units() const { return budget_; }
 
   // Forgets the contacts and what effects remember: the next touch starts with the proxies at the
   // tools.
@@ -105,7 +113,7 @@ class World {
     return effect_touches_[tool].delivered_J(effect);
   }
 
-  // Returns the cost units that the last touch has spent, of all tools (contact/tick_budget.h).
+  // Returns the cost units that the last touch has spent, of all tools (tick_budget.h).
   [[nodiscard]] std::size_t spent_units() const;
 
   // Returns the largest number of candidates near a tool so far, of kMaxCandidates.
@@ -116,8 +124,9 @@ class World {
   void transfer(StateArchive& archive);
 
  private:
-  // Moves the objects to their places in this tick.
-  void begin_tick();
+  // Moves the objects to their places in this tick. Returns the cost units that are left for the
+  // contacts of all tools.
+  std::size_t begin_tick();
   // Computes one tool with its effects, within `limit` cost units.
   Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit, ProxyPath* path);
 
@@ -131,8 +140,9 @@ class World {
   // The time since set_scene, s, in ticks: no clock is read.
   double time_s_ = 0.0;
   std::size_t tool_count_ = 1;
-  // The cost units of a tick.
+  // The cost units of a tick, and those that the last tick spent on the objects and the effects.
   std::size_t budget_ = units_of(kTickInstructions_per_s * 0.001);
+  std::size_t standing_units_ = 0;
 };
 
 }  // namespace tactus::rendering

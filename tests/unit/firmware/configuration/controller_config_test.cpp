@@ -65,6 +65,7 @@ TEST(ControllerConfig, CompensationIsOffAndLeavesRoomAtMost) {
 TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
   const auto fields = std::to_array<BadField>({
       {"rate_hz", [](ControllerConfig& c, double v) { c.rate_hz = v; }},
+      {"tick_instructions", [](ControllerConfig& c, double v) { c.tick_instructions = v; }},
       {"workspace_origin_D", [](ControllerConfig& c, double v) { c.workspace_origin_D.y() = v; }},
       {"velocity_cutoff_hz", [](ControllerConfig& c, double v) { c.velocity_cutoff_hz = v; }},
       {"joints.lower", [](ControllerConfig& c, double v) { c.joints[2].lower = v; }},
@@ -142,6 +143,16 @@ TEST(ControllerConfig, ABadFieldIsNamedWithItsValueAndRange) {
       EXPECT_LE(valid.error().least, valid.error().greatest);
     }
   }
+}
+
+TEST(ControllerConfig, ATicksInstructionsFollowFromTheRateUnlessGiven) {
+  ControllerConfig config{.rate_hz = 2000.0};
+  EXPECT_DOUBLE_EQ(tick_instructions(config), 1e6);
+  config.tick_instructions = 300e3;
+  EXPECT_TRUE(validate(config));
+  EXPECT_EQ(tick_instructions(config), 300e3);
+  config.tick_instructions = 1000.0;
+  EXPECT_EQ(validate(config).error().field, "tick_instructions");
 }
 
 TEST(ControllerConfig, StaleTicksAndSampleAgeHaveARange) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "firmware/safety/faults.h"
+#include "rendering/tick_budget.h"
+#include "tests/support/solid.h"
 #include "tests/support/without_sign_check.h"
 #include "tests/unit/firmware/control/controller_fixture.h"
 
@@ -202,6 +204,23 @@ TEST_F(ControllerTest, ASceneIsNotSwappedWhileActive) {
   EXPECT_NEAR(controller_.tick(kPressed, Request::none).effort[1], 2.0, kSkinForce_N);
   controller_.tick(kPressed, Request::disable);
   EXPECT_TRUE(controller_.load_scene({}, {.tool_radius_m = 0.0}));
+}
+
+TEST_F(ControllerTest, RefusesASceneWhoseMotionsTakeMoreThanHalfOfATick) {
+  const testing::Solid sheet(testing::flat_sheet(0.002, 60), rendering::Sides::two, {});
+  rendering::Object deforming = sheet.object();
+  deforming.deforms = true;
+  const rendering::WorldConfig scene{.tool_radius_m = 0.002};
+  EXPECT_TRUE(controller_.load_scene({&deforming, 1}, scene));
+  ControllerConfig slow = teleporting_config();
+  slow.tick_instructions = 300e3;
+  ASSERT_TRUE(controller_.configure(slow));
+  const auto refused = controller_.load_scene({&deforming, 1}, scene);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().fault, SceneFault::costly);
+  EXPECT_GT(rendering::instructions_of(refused.error().standing_units), 150e3);
+  EXPECT_EQ(refused.error().budget_units, rendering::units_of(300e3));
+  ASSERT_TRUE(controller_.load_scene({}, scene)) << "the sheet ends with this test";
 }
 
 TEST_F(ControllerTest, StageTimesComeFromTheClockAndStayOutOfTheHash) {

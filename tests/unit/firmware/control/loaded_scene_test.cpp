@@ -17,7 +17,7 @@ constexpr rendering::Material kSoft = {
 class LoadedSceneTest : public ::testing::Test {
  protected:
   LoadedSceneTest() {
-    scene_->restart(0.001);
+    scene_->restart(0.001, 2e6);
     EXPECT_TRUE(scene_->load(floor_.objects(), {.tool_radius_m = 0.0}));
     scene_->world.touch({.p_W = {0.01, 0.05, 0.02}});
     EXPECT_NEAR(force_N(), 2.0, 1e-3);
@@ -55,7 +55,7 @@ TEST_F(LoadedSceneTest, ARestartCompletesTheChanges) {
   rendering::Material stiff = kSoft;
   stiff.stiffness_N_per_m = 1000.0;
   ASSERT_TRUE(scene_->change_material(0, stiff));
-  scene_->restart(0.001);
+  scene_->restart(0.001, 2e6);
   EXPECT_EQ(scene_->world.material(0).stiffness_N_per_m, 1000.0);
   EXPECT_FALSE(scene_->changes.any());
 }

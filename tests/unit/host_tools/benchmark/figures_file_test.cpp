@@ -32,7 +32,7 @@ TEST(FiguresFile, NamesItsColumnsOnceAndTheMachineOncePerRun) {
   EXPECT_TRUE(text.starts_with("mesh,triangles,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 1 + 2 + 1 + 1);
   EXPECT_EQ(std::ranges::count(text, '#'), 2);
-  EXPECT_TRUE(contains(text, "\nball,20,2,1,7,400,0,0,0,0,0,,,,,,0,3,0,hand,0,0.0,0.0\n"));
+  EXPECT_TRUE(contains(text, "\nball,20,2,1,7,400,0,0,0,0,0,,,,,,0,3,0,hand,0,0.0,0.0,,,,\n"));
 }
 
 TEST(FiguresFile, EveryRowHasAFieldForEveryColumn) {
@@ -41,6 +41,8 @@ TEST(FiguresFile, EveryRowHasAFieldForEveryColumn) {
   FiguresFile file(path);
   TouchFigures counted = kFigures;
   counted.instructions = InstructionCount{.mean = 1.0, .median = 2.0, .max = 3.0};
+  counted.paced = SingleTimes{.median_ns = 900.0, .p999_ns = 4000.0};
+  counted.cold = counted.paced;
   file.append(kFigures);
   file.append(counted);
   const std::string text = read_file(path);

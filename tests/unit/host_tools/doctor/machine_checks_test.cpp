@@ -34,6 +34,23 @@ TEST(Doctor, AKernelWithoutRealTimeIsToBeReplacedByTheOneForItsProcessor) {
   EXPECT_EQ(exit_code(board.examine()), 1);
 }
 
+// 2 million instructions are 18,181 cost units.
+TEST(Doctor, ATickThatTheProcessorIsTooSlowForIsToBeMadeSmaller) {
+  const RecordedMachine board;
+  const Finding fast = board.finding("tick budget");
+  EXPECT_EQ(fast.state, FindingState::well);
+  EXPECT_EQ(fast.found, "2 million instructions take up to 0.36 of 1.00 ms");
+  board.write("tactus/unit_cost_ns", "30\n");
+  EXPECT_EQ(board.finding("tick budget").state, FindingState::advice) << "0.55 ms";
+  board.write("tactus/unit_cost_ns", "110\n");
+  expect_to_mend(board.finding("tick budget"), "tick_instructions = 500000 below [controller]");
+  Needs fewer = needs_of_any_device();
+  fewer.tick_instructions = 5e5;
+  EXPECT_EQ(board.finding("tick budget", fewer).state, FindingState::well);
+  board.remove("tactus/unit_cost_ns");
+  EXPECT_EQ(board.finding("tick budget").state, FindingState::not_looked);
+}
+
 TEST(Doctor, AKernelThatSaysItInSysfsIsARealTimeKernel) {
   const RecordedMachine board;
   board.change("proc/version", "PREEMPT_RT", "PREEMPT");

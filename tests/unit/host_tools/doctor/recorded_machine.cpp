@@ -51,6 +51,7 @@ constexpr auto kWell = std::to_array<std::pair<std::string_view, std::string_vie
     {"sys/bus/gpio/devices/gpiochip0/uevent", "\n"},
     {"tactus/access", "w /dev/cpu_dma_latency\nw /dev/bus/usb/001/005\nw /dev/gpiochip0\n"},
     {"tactus/gpio_chips", "gpiochip0 pinctrl-bcm2711\n"},
+    {"tactus/unit_cost_ns", "20\n"},
 });
 
 }  // namespace

@@ -53,9 +53,16 @@ TEST(Motion, ItsTwistIsTheChangeOfItsPlace) {
 
 TEST(Motion, AWaveRunsAlongItsDirection) {
   const Motion wave{.wave_m = 0.002, .wave_Hz = 2.0, .wave_per_m = {10.0, 0.0, 0.0}};
-  EXPECT_NEAR(wave_at(wave, {0.0, 0.5, 0.0}, 0.125), 0.002, 1e-15);
-  EXPECT_NEAR(wave_at(wave, {0.05, 0.0, 0.0}, 0.375), 0.002, 1e-15);
-  EXPECT_NEAR(wave_at(wave, {0.025, 0.0, 0.0}, 0.0), -0.002, 1e-15);
+  const auto height = [&](const Vec3& rest_O, double t_s) {
+    return wave_at(wave, wave_angle(wave, rest_O), wave_angle(wave, t_s));
+  };
+  EXPECT_NEAR(height({0.0, 0.5, 0.0}, 0.125), 0.002, 1e-15);
+  EXPECT_NEAR(height({0.05, 0.0, 0.0}, 0.375), 0.002, 1e-15);
+  EXPECT_NEAR(height({0.025, 0.0, 0.0}, 0.0), -0.002, 1e-15);
+  for (double t_s = 0.0; t_s < 2.0; t_s += 0.01) {
+    EXPECT_NEAR(height({0.033, 0.1, 0.2}, t_s),
+                0.002 * std::sin(2.0 * std::numbers::pi * (2.0 * t_s - 0.33)), 1e-15);
+  }
 }
 
 TEST(Motion, RefusesNumbersThatAreNone) {

@@ -195,6 +195,33 @@ TEST_F(DeformingTest, ASceneMovesAndWavesItsObjectsByItselfUntilTheOutsideTakesO
   EXPECT_EQ(world_->touch({.p_W = {0.0, -0.001, 0.0}}).proxy_W.y(), last);
 }
 
+// The cost units of a tick far from a sheet of 441 vertices that waves.
+TEST_F(DeformingTest, TheTicksBudgetPaysForWavesFirst) {
+  const Motion wave{.wave_m = 0.002, .wave_Hz = 1.0, .wave_per_m = {10.0, 0.0, 0.0}};
+  const Solid sheet(testing::flat_sheet(kCell_m, 20), Sides::two, kSlippery);
+  object_ = deforming(sheet.object());
+  object_.motion = &wave;
+  const std::vector<Float3> up(object_.mesh.vertices.size(), Float3{0.0F, 1.0F, 0.0F});
+  object_.vertex_normals = up;
+  const WorldConfig config{.tool_radius_m = 0.002};
+  ASSERT_TRUE(world_->set_scene({&object_, 1}, config));
+  std::size_t most = 0;
+  for (int tick = 0; tick < 100; ++tick) {
+    world_->touch({.p_W = {0.0, 0.5, 0.0}});
+    most = std::max(most, world_->spent_units());
+  }
+  const std::size_t standing = standing_units({&object_, 1}, config);
+  EXPECT_GT(most, object_.mesh.vertices.size() / kVertexWavesPerUnit);
+  EXPECT_LE(most, standing + kCostOfGathering) << "the tool looks about itself";
+  EXPECT_LT(standing, most + most / 4) << "much more is said than a tick takes";
+  // In contact a budget below that leaves nothing for the proxy, and the tick says so.
+  world_->set_tick_budget(0.5 * instructions_of(standing));
+  world_->touch({.p_W = {0.05, 0.006, 0.05}});
+  const Touch touch = world_->touch({.p_W = {-0.05, -0.01, -0.05}});
+  EXPECT_NE(touch.flags & kTouchIterationsExhausted, 0U);
+  ASSERT_TRUE(world_->set_scene({}, config)) << "the wave and the normals end with this test";
+}
+
 TEST(DeformableMesh, NoVertexIsOutsideABoxAboveItByMoreThanTheSlack) {
   constexpr std::uint64_t kSeed = 23;
   std::mt19937_64 random(kSeed);

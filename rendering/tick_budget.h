@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rendering/limits.h"
+
 namespace tactus::rendering {
 
 // Costs of the parts of a tick, in cost units. One unit is a sixth of the time that measuring a
@@ -41,6 +43,17 @@ inline constexpr std::size_t kFormulaStepsPerUnit = 2;
 inline constexpr std::size_t kCostOfSubGoal = 8;
 inline constexpr std::size_t kCostOfGathering = 25;
 
+// Moving the objects, before the first tool: an object with its pose, and of a mesh that deforms
+// `kVertexWavesPerUnit` vertices of a wave, `kVertexStepsPerUnit` steps of vertices and a box drawn
+// anew.
+inline constexpr std::size_t kCostOfMover = 11;
+inline constexpr std::size_t kVertexWavesPerUnit = 2;
+inline constexpr std::size_t kVertexStepsPerUnit = 2;
+inline constexpr std::size_t kCostOfRefit = 1;
+
+// An effect on one tool.
+inline constexpr std::size_t kCostOfEffect = 4;
+
 // The instructions of a unit, by callgrind: those of 3,000 ticks on the dragon over the units that
 // they spent.
 inline constexpr double kInstructionsPerUnit = 110.0;
@@ -48,6 +61,16 @@ inline constexpr double kInstructionsPerUnit = 110.0;
 // Returns the cost units that so many instructions pay for.
 constexpr std::size_t units_of(double instructions) {
   return static_cast<std::size_t>(instructions / kInstructionsPerUnit);
+}
+
+// Returns the instructions that so many cost units stand for.
+constexpr double instructions_of(std::size_t units) {
+  return kInstructionsPerUnit * static_cast<double>(units);
+}
+
+// Returns the instructions that a tick of this period may take, unless someone says otherwise.
+constexpr double default_tick_instructions(double tick_s) {
+  return std::max(kTickInstructions_per_s * tick_s, kLeastTickInstructions);
 }
 
 // The budget of one tool in one tick. World shares a tick's budget out among the tools.

@@ -1,4 +1,4 @@
-#include "rendering/contact/tick_budget.h"
+#include "rendering/tick_budget.h"
 
 #include <gtest/gtest.h>
 
