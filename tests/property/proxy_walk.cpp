@@ -64,9 +64,10 @@ void walk_about(const ProxyCase& c, std::uint64_t seed, std::size_t ticks, Proxy
   Wanderer tool(solid.shape(), seed);
   world->touch({.p_W = Wanderer::start()});
   ProxyPath path;
+  SCOPED_TRACE(c.shape.name + " radius " + std::to_string(c.radius_m) + " seed " +
+               std::to_string(seed));
   for (std::size_t tick = 0; tick < ticks; ++tick) {
-    SCOPED_TRACE(c.shape.name + " radius " + std::to_string(c.radius_m) + " seed " +
-                 std::to_string(seed) + " tick " + std::to_string(tick));
+    SCOPED_TRACE("tick " + std::to_string(tick));
     const Vec3 p = tool.next();
     const Touch touch = world->touch({.p_W = p}, &path);
     tally.unfinished += touch.flags != 0 ? 1 : 0;

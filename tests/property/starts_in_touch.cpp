@@ -28,7 +28,7 @@ class Departure {
 
   [[nodiscard]] double clearance_at(const Vec3& p) { return clearance_along(p, p); }
   [[nodiscard]] double clearance_along(const Vec3& p, const Vec3& q) {
-    const double within = 2.0 * radius_m_;
+    const double within = radius_m_ + 2.0 * kClear_m;
     return clearance(triangles_.near(p, q, within), p, q, within) - radius_m_;
   }
 

@@ -57,6 +57,18 @@ bool pierces(const Corners& t, const Vec3& p, const Vec3& q) {
   return (x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0);
 }
 
+// The distance of the segment to the ball round the triangle, and to the box round it along the
+// axes, bound that to the triangle from below.
+double ball_distance(const Corners& t, const Vec3& p, const Vec3& q) {
+  return (nearest_on_segment(p, q, t.centre) - t.centre).norm() - t.radius_m;
+}
+
+double box_distance(const Corners& t, const Vec3& p, const Vec3& q) {
+  const Vec3 below = t.a.cwiseMin(t.b).cwiseMin(t.c) - p.cwiseMax(q);
+  const Vec3 above = p.cwiseMin(q) - t.a.cwiseMax(t.b).cwiseMax(t.c);
+  return below.cwiseMax(above).cwiseMax(0.0).norm();
+}
+
 }  // namespace
 
 std::vector<Corners> corners_of(const Shape& shape) {
@@ -90,6 +102,9 @@ Vec3 nearest_point(const Corners& t, const Vec3& q) {
 }
 
 double segment_distance(const Corners& t, const Vec3& p, const Vec3& q) {
+  if (p == q) {
+    return (nearest_point(t, p) - p).norm();
+  }
   if (pierces(t, p, q)) {
     return 0.0;
   }
@@ -99,14 +114,10 @@ double segment_distance(const Corners& t, const Vec3& p, const Vec3& q) {
 }
 
 double clearance(std::span<const Corners> triangles, const Vec3& p, const Vec3& q, double within) {
-  const Vec3 d = q - p;
-  const double squared = d.squaredNorm();
-  const double inverse = squared > 0.0 ? 1.0 / squared : 0.0;
   double best = std::numeric_limits<double>::infinity();
   for (const Corners& t : triangles) {
-    const double along = std::clamp((t.centre - p).dot(d) * inverse, 0.0, 1.0);
-    const double reach = t.radius_m + within;
-    if ((p + along * d - t.centre).squaredNorm() <= reach * reach) {
+    const double most = std::min(within, best);
+    if (ball_distance(t, p, q) <= most && box_distance(t, p, q) <= most) {
       best = std::min(best, segment_distance(t, p, q));
     }
   }
@@ -145,6 +156,9 @@ double descent_left(const Vec3& p, const Vec3& h, std::span<const Corners> trian
                     double reach) {
   std::vector<Vec3> normals;
   for (const Corners& t : triangles) {
+    if ((p - t.centre).norm() > reach + t.radius_m) {
+      continue;
+    }
     const Vec3 offset = p - nearest_point(t, p);
     if (offset.norm() <= reach) {
       normals.push_back(offset.normalized());
