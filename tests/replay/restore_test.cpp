@@ -28,7 +28,7 @@ using rendering::Sides;
 
 constexpr std::size_t kTicksAScene = 20'000;
 constexpr std::size_t kTicksOfOneScene = 8'000;
-constexpr std::size_t kLeastTicksAScene = 3'000;  // with fewer some tools never get to the surface
+constexpr std::size_t kLeastTicksAScene = 1'500;  // with fewer some tools never get to the surface
 
 // A soak begins anew now and then: a scene that moves by itself is out of reach in the end.
 void check(const std::vector<Object>& objects, double radius_m, std::uint64_t seed,

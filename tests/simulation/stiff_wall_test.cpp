@@ -133,6 +133,9 @@ TEST(StiffWall, TheAccountIsWhatTheMotorsGave) {
   for (const char* device : {"cartesian", "falcon", "woodenhaptics"}) {
     for (const char* hand : {"finger", "pen"}) {
       for (const double stiffness : {1e4, 1e5, 1e6}) {
+        if (!is_taken(5)) {
+          continue;
+        }
         host::SimulationConfig config = config_of(device, hand, pressing(device));
         config.controller.safety.passivity_damping_Ns_per_m = 0.0;
         config.controller.safety.guards_off = firmware::kFaultNotPassive;
@@ -164,6 +167,9 @@ TEST(StiffWall, FarBeyondTheLimitItBuzzesForAMomentAtMost) {
     // A tool that nobody holds bounces too slowly for the detector, and its debt has to grow.
     const double longest_s = std::string_view(hand) == "none" ? 0.6 : 0.3;
     for (const double stiffness : {3e3, 1e4, 3e4, 1e5, 3e5, 1e6}) {
+      if (!is_taken(5)) {
+        continue;
+      }
       expect_no_lasting_buzz("cartesian", hand, stiffness, longest_s);
     }
   }

@@ -293,7 +293,7 @@ TEST(WrongJoint, NoneIsSeenWhereAllAreRight) {
       for (const double stiffness_N_per_m : {300.0, 1000.0, 4000.0}) {
         for (const double press_s : {0.15, 0.4, 1.0}) {
           for (const bool begins_in_touch : {false, true}) {
-            if (!is_taken()) {
+            if (!is_taken(25)) {
               continue;
             }
             const Press press{.preset = preset,

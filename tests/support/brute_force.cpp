@@ -57,8 +57,8 @@ bool pierces(const Corners& t, const Vec3& p, const Vec3& q) {
   return (x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0);
 }
 
-// The distance of the segment to the ball round the triangle, and to the box round it along the
-// axes, bound that to the triangle from below.
+// The distance of the segment to the ball round the triangle, to the box round it along the axes,
+// and to its plane, each bounds that to the triangle from below.
 double ball_distance(const Corners& t, const Vec3& p, const Vec3& q) {
   return (nearest_on_segment(p, q, t.centre) - t.centre).norm() - t.radius_m;
 }
@@ -67,6 +67,22 @@ double box_distance(const Corners& t, const Vec3& p, const Vec3& q) {
   const Vec3 below = t.a.cwiseMin(t.b).cwiseMin(t.c) - p.cwiseMax(q);
   const Vec3 above = p.cwiseMin(q) - t.a.cwiseMax(t.b).cwiseMax(t.c);
   return below.cwiseMax(above).cwiseMax(0.0).norm();
+}
+
+double plane_distance(const Corners& t, const Vec3& p, const Vec3& q) {
+  constexpr double kRounding = 1e-14;  // of the volumes, for a sliver's normal is not good
+  const Vec3 u = t.b - t.a;
+  const Vec3 v = t.c - t.a;
+  const Vec3 normal = u.cross(v);
+  const double area = normal.norm();
+  const double from = normal.dot(p - t.a);
+  const double to = normal.dot(q - t.a);
+  if (area == 0.0 || (from > 0.0) != (to > 0.0)) {
+    return 0.0;
+  }
+  const double rounding =
+      kRounding * u.norm() * v.norm() * std::max((p - t.a).norm(), (q - t.a).norm());
+  return (std::min(std::abs(from), std::abs(to)) - rounding) / area;
 }
 
 }  // namespace
@@ -117,7 +133,8 @@ double clearance(std::span<const Corners> triangles, const Vec3& p, const Vec3& 
   double best = std::numeric_limits<double>::infinity();
   for (const Corners& t : triangles) {
     const double most = std::min(within, best);
-    if (ball_distance(t, p, q) <= most && box_distance(t, p, q) <= most) {
+    if (ball_distance(t, p, q) <= most && box_distance(t, p, q) <= most &&
+        plane_distance(t, p, q) <= most) {
       best = std::min(best, segment_distance(t, p, q));
     }
   }

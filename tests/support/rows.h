@@ -5,11 +5,10 @@
 
 namespace tactus::testing {
 
-// Returns true for every row, or for one in eight where a sanitizer or emulation makes them slow.
-inline bool is_taken() {
-  constexpr int kMost = 8;
+// Returns true for every row, or for one in `rows` where a sanitizer or emulation makes them slow.
+inline bool is_taken(int rows = 8) {
   static int count = 0;
-  return count++ % (kMost / part_of(kMost)) == 0;
+  return count++ % (rows / part_of(rows)) == 0;
 }
 
 }  // namespace tactus::testing

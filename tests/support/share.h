@@ -3,8 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdlib>
+#include <span>
 
 namespace tactus::testing {
 
@@ -23,6 +26,12 @@ Count share_of(Count count) {
 template <std::integral Count>
 Count part_of(Count count) {
   return std::min(count, share_of(count));
+}
+
+// Returns the first of a list's entries in the same proportion, one at least.
+template <class Entry, std::size_t N>
+std::span<const Entry> part_of(const std::array<Entry, N>& all) {
+  return std::span(all).first(part_of(N));
 }
 
 }  // namespace tactus::testing

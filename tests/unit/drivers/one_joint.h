@@ -13,6 +13,7 @@
 #include "hal/simulated/can_network.h"
 #include "hal/simulated/clock.h"
 #include "host_tools/emulators/can_emulator.h"
+#include "tests/support/share.h"
 
 namespace tactus::drivers {
 
@@ -120,7 +121,7 @@ template <class Joint>
 void expect_only_homing_brings_it_back(Joint& joint, const char* name) {
   SCOPED_TRACE(name);
   joint.expect_lost();
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < testing::part_of(3); ++i) {
     joint.reset();
     joint.expect_lost();
     EXPECT_EQ(joint.sample().status, kDeviceNotReady) << joint.device().trouble().trouble.what;

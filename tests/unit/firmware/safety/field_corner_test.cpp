@@ -72,8 +72,11 @@ std::optional<double> stiffness_at(std::span<const Object> objects, const Vec3& 
   return Eigen::SelfAdjointEigenSolver<Mat3>(symmetric).eigenvalues()[2];
 }
 
-// The stiffest place of a grid over a cube about the origin, N/m.
-double stiffest(std::span<const Object> objects, double half_m, int steps, double radius_m) {
+// The stiffest place of a grid over a cube about the origin, N/m. The grid has so many steps along
+// an edge, or as few as meet every part of these scenes.
+double stiffest(std::span<const Object> objects, double half_m, int most_steps, double radius_m) {
+  constexpr int kLeastSteps = 20;
+  const int steps = std::max(kLeastSteps, testing::part_of(most_steps));
   double most = 0.0;
   for (int i = 0; i < steps * steps * steps; ++i) {
     const std::array<int, 3> cell{i % steps, i / steps % steps, i / steps / steps};

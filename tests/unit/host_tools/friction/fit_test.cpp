@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "host_tools/friction/fit_report.h"
@@ -134,7 +135,8 @@ TEST(Fit, FindsTheExponentWhenAsked) {
 }
 
 TEST(Fit, TheAicPrefersThePlantedModel) {
-  for (const FrictionKind planted : fitted_kinds()) {
+  const auto kinds = fitted_kinds();
+  for (const FrictionKind planted : std::span(kinds).last(testing::part_of(kinds.size()))) {
     const FrictionRecord record = noisy_record(plan_for(planted, 41));
     std::vector<FrictionFit> fits;
     for (const FrictionKind kind : fitted_kinds()) {

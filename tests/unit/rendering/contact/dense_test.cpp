@@ -3,15 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <tuple>
 
 #include "rendering/world/world.h"
 #include "tests/support/connected_solid.h"
 #include "tests/support/materials.h"
+#include "tests/support/share.h"
 #include "tests/support/solid.h"
 
 namespace tactus::rendering {
@@ -103,6 +107,11 @@ class DenseTest : public ::testing::Test {
 class DiscTest : public DenseTest,
                  public ::testing::WithParamInterface<std::tuple<std::uint32_t, End, double>> {};
 
+// Five strokes to and fro, or one and a half.
+int ticks_of_strokes() {
+  return std::max(1'500, testing::part_of(5'000));
+}
+
 // A tool that goes to and fro over the middle, as deep as that lets it.
 Vec3 tool_at(int tick, double radius_m) {
   const double angle = 2.0 * std::numbers::pi * 1e-3 * tick;
@@ -114,7 +123,7 @@ TEST_P(DiscTest, TheProxyFollowsOverItsMiddleAndLeavesIt) {
   const Solid solid(disc(sides, end), Sides::one, testing::kSlippery);
   ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = radius_m}));
   come_near(nearest_above(end, tool_at(0, radius_m), radius_m));
-  for (int tick = 0; tick < 5'000; ++tick) {
+  for (int tick = 0; tick < ticks_of_strokes(); ++tick) {
     const Vec3 tool = tool_at(tick, radius_m);
     const Vec3 proxy = world_->touch({.p_W = tool}).proxy_W;
     look(proxy, nearest_above(end, tool, radius_m));
@@ -138,7 +147,7 @@ TEST_F(DenseTest, TheProxyLeavesAPointOfMoreTrianglesThanItKeeps) {
     ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = kTool_m}));
     come_near(nearest_above(end, Vec3::Zero(), kTool_m));
     std::uint32_t flags = kTouchClean;
-    for (int tick = 0; tick < 500; ++tick) {
+    for (int tick = 0; tick < std::max(100, testing::part_of(500)); ++tick) {
       flags |= world_->touch({.p_W = {0.0, 0.0005, 0.0}}).flags;
     }
     EXPECT_NE(flags & kTouchCandidatesOverflow, 0U);
@@ -158,7 +167,9 @@ TEST_P(DiscTest, ThatRisesPushesTheProxyAndNeverSwallowsIt) {
   const Solid solid(disc(sides, end), Sides::one, testing::kSlippery);
   Object object = solid.object();
   object.moves = true;
-  for (const double speed : {0.01, 0.1, 1.0, 5.0}) {  // m/s
+  constexpr std::array kSpeeds_m_per_s{0.1, 1.0, 5.0, 0.01};
+  const std::size_t speeds = std::max(std::size_t{3}, testing::part_of(kSpeeds_m_per_s.size()));
+  for (const double speed : std::span(kSpeeds_m_per_s).first(speeds)) {
     ASSERT_TRUE(world_->set_scene({&object, 1}, {.tool_radius_m = radius_m}));
     for (double y = kLowest_m; y < -kLowest_m; y += speed * kTick_s) {
       ASSERT_TRUE(world_->set_pose(0, {.translation = {0.0, y, 0.0}}, {}));
@@ -199,7 +210,7 @@ TEST_P(WalkTest, ThePointFollowsOverItsMiddleAndLeavesIt) {
   come_near(nearest_above(end, tool_at(0, 0.0), 0.0));
   int off = 0;  // ticks in a row
   int most_off = 0;
-  for (int tick = 0; tick < 5'000; ++tick) {
+  for (int tick = 0; tick < ticks_of_strokes(); ++tick) {
     const Vec3 tool = tool_at(tick, 0.0);
     const Vec3 proxy = world_->touch({.p_W = tool}).proxy_W;
     off = (proxy - nearest_above(end, tool, 0.0)).norm() > 0.2e-3 ? off + 1 : 0;

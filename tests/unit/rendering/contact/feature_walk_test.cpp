@@ -245,8 +245,8 @@ TEST(FeatureWalk, VisitsAsManyFeaturesOnLargeMeshesAsOnSmallOnes) {
     finger.place(1.2 * kRadius_m * start);
     double sum = 0.0;
     int largest = 0;
-    constexpr int kTicks = 2000;
-    for (int i = 0; i < kTicks; ++i) {
+    const int ticks = std::max(500, testing::part_of(2'000));
+    for (int i = 0; i < ticks; ++i) {
       const double angle = 0.02 * edge / kRadius_m * i;
       const Vec3 h = (kRadius_m - 0.05 * edge) *
                      (std::cos(angle) * start + std::sin(angle) * axis.cross(start));
@@ -256,7 +256,7 @@ TEST(FeatureWalk, VisitsAsManyFeaturesOnLargeMeshesAsOnSmallOnes) {
       sum += i > 0 ? rest.visited : 0;
       largest = i > 0 ? std::max<int>(largest, rest.visited) : 0;
     }
-    means.push_back(sum / kTicks);
+    means.push_back(sum / ticks);
     most.push_back(largest);
   }
   EXPECT_LE(std::ranges::max(means), 1.01 * std::ranges::min(means));

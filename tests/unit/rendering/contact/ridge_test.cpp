@@ -10,6 +10,7 @@
 #include "rendering/world/world.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/materials.h"
+#include "tests/support/share.h"
 #include "tests/support/solid.h"
 
 namespace tactus::rendering {
@@ -48,7 +49,7 @@ TEST_P(RidgeTest, StaysAsNearToTheToolAsTheSurfaceAllows) {
   const Solid solid(testing::open_tube(kSides, kRadius_m, 0.02), Sides::two, testing::kSlippery);
   const std::vector<Corners> triangles = testing::corners_of(solid.shape());
   put(solid);
-  for (int tick = 1; tick < 400; ++tick) {
+  for (int tick = 1; tick < std::max(100, testing::part_of(400)); ++tick) {
     const Vec3 h = tool(tick);
     const Touch t = world_->touch({.p_W = h});
     ASSERT_EQ(t.flags, kTouchClean) << "tick " << tick;

@@ -7,6 +7,7 @@
 
 #include "host_tools/friction/sliding_mass.h"
 #include "tests/support/csv.h"
+#include "tests/support/share.h"
 #include "tests/unit/rendering/friction/published.h"
 
 namespace tactus::testing {
@@ -46,7 +47,7 @@ double drift_per_cycle(FrictionKind kind, const Swing& swing, double rate_Hz) {
 }
 
 TEST(ElastoPlastic, DoesNotCreepUnderAForceBelowItsBreakAwayWhereLugreDoes) {
-  for (const double rate : {1000.0, 4000.0}) {
+  for (const double rate : part_of(kRates_Hz)) {
     const Swing slow{.mean_N = 0.35, .amplitude_N = 0.3, .frequency_Hz = 2.0};
     EXPECT_NEAR(drift_per_cycle(FrictionKind::lugre, slow, rate), 3.1115e-6, 0.01 * 3.1115e-6);
     EXPECT_LE(std::fabs(drift_per_cycle(FrictionKind::elasto_plastic, slow, rate)), 1e-14);
@@ -57,7 +58,7 @@ TEST(ElastoPlastic, DoesNotCreepUnderAForceBelowItsBreakAwayWhereLugreDoes) {
 }
 
 TEST(ElastoPlastic, CreepsALittleWhereTheForcePassesItsBreakAway) {
-  for (const double rate : {1000.0, 4000.0}) {
+  for (const double rate : part_of(kRates_Hz)) {
     const Swing swing{.mean_N = 0.5, .amplitude_N = 0.3, .frequency_Hz = 2.0};
     EXPECT_NEAR(drift_per_cycle(FrictionKind::lugre, swing, rate), 4.7682e-6, 0.01 * 4.7682e-6);
     EXPECT_NEAR(drift_per_cycle(FrictionKind::elasto_plastic, swing, rate), 0.0067e-6, 0.0005e-6);

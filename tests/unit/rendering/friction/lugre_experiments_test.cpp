@@ -9,6 +9,7 @@
 
 #include "host_tools/friction/sliding_mass.h"
 #include "tests/support/csv.h"
+#include "tests/support/share.h"
 #include "tests/unit/rendering/friction/published.h"
 
 namespace tactus::testing {
@@ -43,21 +44,21 @@ double presliding_push(double t) {
   return kPeak_N * std::min(1.0, -1.0 + (t - 40.0) / 10.0);
 }
 
-TEST_P(LugreExperiments, PreslidingFollowsTheCurveAndItsLoop) {
+void expect_presliding_loop(double step_s) {
   const Csv csv("lugre_presliding_fig2.csv");
   SlidingMass mass({.friction = published(FrictionKind::lugre)});
   double loop_J = 0.0;
   std::size_t row = 1;
-  const auto steps = static_cast<std::size_t>(std::lround(65.0 / step_s()));
+  const auto steps = static_cast<std::size_t>(std::lround(65.0 / step_s));
   for (std::size_t k = 0; k < steps; ++k) {
     const SlidingMassState before = mass.state();
     const SlidingMassState& after =
-        mass.step({.push_N = presliding_push(before.time_s + 0.5 * step_s())}, step_s());
+        mass.step({.push_N = presliding_push(before.time_s + 0.5 * step_s)}, step_s);
     if (before.time_s >= 15.0) {
       loop_J += after.friction.mean_force_N * (after.x_m - before.x_m);
     }
     for (; row < csv.rows() && csv.number(row, "t_s") <= after.time_s; ++row) {
-      const double share = (csv.number(row, "t_s") - before.time_s) / step_s();
+      const double share = (csv.number(row, "t_s") - before.time_s) / step_s;
       EXPECT_NEAR(std::lerp(before.x_m, after.x_m, share), csv.number(row, "x_m"),
                   kOnePercent * 45e-6)
           << "row " << row;
@@ -66,6 +67,13 @@ TEST_P(LugreExperiments, PreslidingFollowsTheCurveAndItsLoop) {
   EXPECT_GE(row, csv.rows() - 1);
   expect_within(mass.state().x_m, 45.3119e-6, kOnePercent, "x at the end");
   expect_within(loop_J, 8.0478e-5, kOnePercent, "loop");
+}
+
+TEST(LugreRuns, PreslidingFollowsTheCurveAndItsLoop) {
+  for (const double rate_Hz : part_of(kRates_Hz)) {
+    SCOPED_TRACE(rate_Hz);
+    expect_presliding_loop(1.0 / rate_Hz);
+  }
 }
 
 TEST_P(LugreExperiments, FrictionLagsBehindTheVelocity) {
@@ -137,7 +145,7 @@ TEST_P(LugreExperiments, BreakAwayFallsWithTheRateOfTheForce) {
   }
 }
 
-TEST_P(LugreExperiments, StickSlipHasThePeriodAndTheAmplitude) {
+void expect_stick_slip(double step_s) {
   constexpr double kSlips_m_per_s = 0.01;
   const Csv csv("lugre_stickslip_events.csv");
   SlidingMass mass({.friction = published(FrictionKind::lugre), .spring_N_per_m = 2.0});
@@ -150,7 +158,7 @@ TEST_P(LugreExperiments, StickSlipHasThePeriodAndTheAmplitude) {
   while (mass.state().time_s < 36.0) {
     const SlidingMassState before = mass.state();
     const SlidingMassState& after =
-        mass.step({.spring_end_m = 0.1 * (before.time_s + 0.5 * step_s())}, step_s());
+        mass.step({.spring_end_m = 0.1 * (before.time_s + 0.5 * step_s)}, step_s);
     fastest = std::max(fastest, after.v_m_per_s);
     strongest_N = std::max(strongest_N, after.friction.mean_force_N);
     const bool was_fast = before.v_m_per_s >= kSlips_m_per_s;
@@ -158,7 +166,7 @@ TEST_P(LugreExperiments, StickSlipHasThePeriodAndTheAmplitude) {
     if (was_fast != is_fast) {
       const double share =
           (kSlips_m_per_s - before.v_m_per_s) / (after.v_m_per_s - before.v_m_per_s);
-      (is_fast ? starts : ends).push_back(before.time_s + share * step_s());
+      (is_fast ? starts : ends).push_back(before.time_s + share * step_s);
       (is_fast ? begins_m : ends_m).push_back(std::lerp(before.x_m, after.x_m, share));
     }
   }
@@ -174,7 +182,14 @@ TEST_P(LugreExperiments, StickSlipHasThePeriodAndTheAmplitude) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rates, LugreExperiments, ::testing::Values(1000.0, 4000.0),
+TEST(LugreRuns, StickSlipHasThePeriodAndTheAmplitude) {
+  for (const double rate_Hz : part_of(kRates_Hz)) {
+    SCOPED_TRACE(rate_Hz);
+    ASSERT_NO_FATAL_FAILURE(expect_stick_slip(1.0 / rate_Hz));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rates, LugreExperiments, ::testing::ValuesIn(kRates_Hz),
                          [](const auto& rate) {
                            return std::to_string(std::lround(rate.param)) + "Hz";
                          });

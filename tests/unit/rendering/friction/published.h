@@ -2,11 +2,16 @@
 // normal force: N, N/m, N s/m; and the tick of a controller at 1 kHz.
 #pragma once
 
+#include <array>
+
 #include "rendering/friction/friction_model.h"
 
 namespace tactus::testing {
 
 inline constexpr double kTick_s = 1e-3;
+
+// The rates of a controller at which the experiments are run.
+inline constexpr std::array kRates_Hz{1000.0, 4000.0};
 
 inline rendering::FrictionParameters published(rendering::FrictionKind kind) {
   return {.kind = kind,

@@ -8,6 +8,7 @@
 
 #include "host_tools/friction/sliding_mass.h"
 #include "rendering/friction/cone.h"
+#include "tests/support/share.h"
 #include "tests/unit/rendering/friction/published.h"
 
 namespace tactus::testing {
@@ -39,7 +40,7 @@ SlidingMassState coast(const FrictionParameters& friction, double speed_m_per_s,
 }
 
 TEST(Coulomb, StopsAMassAfterTheWayAndTheTimeOfTheClosedForm) {
-  for (const double rate : {1000.0, 4000.0}) {
+  for (const double rate : kRates_Hz) {
     const SlidingMassState end = coast(rigid(FrictionKind::coulomb_viscous), 0.5, 1.0 / rate);
     EXPECT_NEAR(end.x_m, 0.125, 1e-6);
     EXPECT_NEAR(end.time_s, 0.5, 1.01 / rate);
@@ -49,7 +50,7 @@ TEST(Coulomb, StopsAMassAfterTheWayAndTheTimeOfTheClosedForm) {
 TEST(Coulomb, WithAViscousTermStopsAMassBySlowingItExponentially) {
   FrictionParameters friction = rigid(FrictionKind::coulomb_viscous);
   friction.viscous_s_per_m = 0.4;
-  for (const double rate : {1000.0, 4000.0}) {
+  for (const double rate : kRates_Hz) {
     const SlidingMassState end = coast(friction, 0.5, 1.0 / rate);
     EXPECT_NEAR(end.x_m, 0.110490270, 1e-6);
     EXPECT_NEAR(end.time_s, 0.455803892, 1.01 / rate);
@@ -63,7 +64,7 @@ TEST(Coulomb, WithASpringToStickByStopsWithinTheSpring) {
 }
 
 TEST(Karnopp, SticksAndSlipsByTheClosedForm) {
-  for (const double rate : {1000.0, 4000.0}) {
+  for (const double rate : part_of(kRates_Hz)) {
     for (const double stiffness : {0.0, 1e6}) {
       FrictionParameters friction = rigid(FrictionKind::karnopp);
       friction.stiffness_N_per_m = stiffness;
