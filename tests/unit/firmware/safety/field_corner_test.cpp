@@ -75,7 +75,7 @@ std::optional<double> stiffness_at(std::span<const Object> objects, const Vec3& 
 // The stiffest place of a grid over a cube about the origin, N/m. The grid has so many steps along
 // an edge, or as few as meet every part of these scenes.
 double stiffest(std::span<const Object> objects, double half_m, int most_steps, double radius_m) {
-  constexpr int kLeastSteps = 20;
+  constexpr int kLeastSteps = 26;
   const int steps = std::max(kLeastSteps, testing::part_of(most_steps));
   double most = 0.0;
   for (int i = 0; i < steps * steps * steps; ++i) {
