@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/property/wanderer.h"
+#include "tests/support/share.h"
 
 namespace tactus::testing {
 namespace {
@@ -24,7 +25,7 @@ TEST(TriangleGrid, FindsEveryTriangleThatIsNear) {
   for (const Shape& shape : shapes) {
     const std::vector<Corners> all = corners_of(shape);
     TriangleGrid grid(all);
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < std::max(48, part_of(200)); ++k) {
       const Vec3 p = somewhere();
       const Vec3 q = p + std::pow(0.1, k % 4) * (somewhere() - p);
       const double reach = 0.002 * (1 + k % 3);
