@@ -3,6 +3,8 @@
 // A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
 // neighbour's edge is near too, its plane is tilted against the motion, and yet it never blocks.
+// The edge on which a proxy sticks gives its plane too: without it the proxy would come down to the
+// edge along the way to the tool in every tick, rise again, and so creep.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +32,10 @@ class PlaneCollector {
     unfinished,  // the tick's budget is spent before all near candidates are measured
   };
   // Collects the planes of the candidates in contact. Candidates that blocked a sweep in this tick,
-  // and those that are recalled, give their planes as well. `flags` gets TouchFlags.
-  Result collect(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);
+  // those that are recalled, and the one of the contact on which the proxy sticks give their planes
+  // as well. `flags` gets TouchFlags.
+  Result collect(const ConstraintMemory& memory, const LastContact& sticks_on,
+                 ContactPlanes& planes, std::uint32_t& flags);
 
   // Adds the planes of the recalled candidates, at any distance.
   void add_recalled(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);

@@ -172,7 +172,9 @@ Next ProxyTick::collect_planes(PlaneCollector& collector) {
   if (rest.plane_count > 0) {
     state.last_contact = hardest_contact(rest);
   }
-  switch (collector.collect(moves_.constraints(), planes, rest.flags)) {
+  const bool sticks = rest.sub_goals == 0 && state.friction == FrictionState::stick;
+  switch (collector.collect(moves_.constraints(), sticks ? state.last_contact : LastContact{},
+                            planes, rest.flags)) {
     case PlaneCollector::Result::unfinished:
       end_short_of(tick_.h_W);
       rest.plane_count = 0;

@@ -1,8 +1,6 @@
 // The fixed-point iteration for G. A pass with the stretch G ends with the normal n and the lean
 // that the detail asks for there; the error is d (n + lean) - G. Its part along n is corrected at
-// once. Its part across, the residual, is multiplied by the relaxation w, which two passes in a row
-// determine (Irons and Tuck): w <- -w r_old . (r - r_old) / |r - r_old|^2, the step at which the
-// line through both residuals is nearest to zero.
+// once. Of its part across, the residual, the relaxation's share is taken.
 #include "rendering/material/force_shading.h"
 
 #include <algorithm>
@@ -14,10 +12,6 @@ namespace {
 
 // The offset is settled when it changes by less than this: a tenth of a millinewton at 1000 N/m.
 constexpr double kSettled_m = 1e-7;
-// The shortest step of the iteration, in units of the plain one, and how much longer the next tick
-// tries again.
-constexpr double kShortest = 0.05;
-constexpr double kLengthening = 1.5;
 // The depth of a lifted goal in tool radii, s. On an edge a pass leaves s / (1 - s) of the error.
 constexpr double kDepthOfRadius = 0.25;
 // The least depth of a lifted goal. An edge has no rounding for a point, and any depth is too deep
@@ -33,14 +27,19 @@ void ForceShading::set_tool_radius(double tool_radius_m) {
 
 void ForceShading::reset() {
   const double tool_radius_m = tool_radius_m_;
+  Relaxation relaxation = relaxation_;
+  relaxation.restart();
   *this = {};
   tool_radius_m_ = tool_radius_m;
+  relaxation_ = relaxation;
 }
 
-void ForceShading::begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes) {
-  has_residual_ = has_residual_ && passes == Passes::one;
-  relaxation_ = std::min(1.0, kLengthening * relaxation_);
-  const double depth = (proxy_W - tool_W).dot(normal_);
+void ForceShading::begin(const Start& start, Passes passes) {
+  relaxation_.begin_tick(start.moved_m, passes == Passes::one);
+  if (is_at_rest()) {
+    return;
+  }
+  const double depth = (start.proxy_W - start.tool_W).dot(normal_);
   const bool deep = depth > 0.0 && depth_m_ > 0.0;
   if (!deep) {
     reset();
@@ -78,16 +77,7 @@ bool ForceShading::improve(const ShadedRest& rest) {
   }
   const Vec3 error = rest.depth_m * (rest.normal_W + rest.lean) - stretch_;
   const Vec3 residual = tangential(error, rest.normal_W);
-  if (has_residual_) {
-    const Vec3 change = residual - residual_;
-    const double squared = change.squaredNorm();
-    if (squared > kSettled_m * kSettled_m) {
-      relaxation_ = std::clamp(-relaxation_ * residual_.dot(change) / squared, kShortest, 1.0);
-    }
-  }
-  residual_ = residual;
-  has_residual_ = true;
-  stretch_ += error + (relaxation_ - 1.0) * residual;
+  stretch_ += error + (relaxation_.share_of(residual) - 1.0) * residual;
   normal_ = rest.normal_W;
   interpolated_ = rest.interpolated;
   const Vec3 before = offset_;

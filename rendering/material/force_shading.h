@@ -15,8 +15,10 @@
 //
 // m depends on where the proxy rests, so G is found by iteration: on a surface of the curvature k
 // each pass leaves d k of the error. Beyond 1, as in the grooves of a bump, plain iteration would
-// swing from wall to wall without end; so each step is lengthened or shortened by what the one
-// before it did (Irons and Tuck, IJNME 1(3), 1969), and the proxy comes to rest in the groove.
+// swing from wall to wall without end; so only a share of each step is taken (relaxation.h), and
+// the proxy comes to rest in the groove. Where no G exists, as on an edge between two faces that
+// lean the force each toward the other, the iteration ends when the tool has been at rest for a
+// while; the proxy then goes to a goal that no longer moves.
 //
 // A sphere that rolls over an edge holds still on it only while its goal is nearer than the edge's
 // rounding, its radius. So on interpolated planes the goal of a deep tool is lifted toward the
@@ -25,6 +27,7 @@
 #pragma once
 
 #include "rendering/geometry/vector.h"
+#include "rendering/material/relaxation.h"
 #include "rendering/state_archive.h"
 
 namespace tactus::rendering {
@@ -56,9 +59,15 @@ class ForceShading {
   // The number of passes in a tick; with one, the iteration runs from tick to tick.
   enum class Passes : bool { one, several };
 
-  // Begins a tick with what the last one came to, at the depth of its proxy now. All are in the
-  // world frame, metres.
-  void begin(const Vec3& proxy_W, const Vec3& tool_W, Passes passes = Passes::several);
+  // A tick begins with the proxy, the tool, and how far the tool has moved beside the surface since
+  // the last tick; world frame, m.
+  struct Start {
+    const Vec3& proxy_W;
+    const Vec3& tool_W;
+    double moved_m;
+  };
+  // Begins a tick with what the last one came to, at the depth of its proxy now.
+  void begin(const Start& start, Passes passes = Passes::several);
 
   // Takes a pass's outcome. Returns true if another pass with the new offset() pays.
   bool improve(const ShadedRest& rest);
@@ -70,6 +79,8 @@ class ForceShading {
   [[nodiscard]] const Vec3& offset() const { return offset_; }
   // Returns true if the goal is shifted.
   [[nodiscard]] bool is_on() const { return offset_ != Vec3::Zero(); }
+  // Returns true if the tool has been at rest for so long that the goal is left as it is.
+  [[nodiscard]] bool is_at_rest() const { return relaxation_.is_at_rest(); }
   // Returns the tool's depth (m) if the goal is lifted, else 0.
   [[nodiscard]] double lifted_from_m() const { return lifted_from_m_; }
 
@@ -92,11 +103,8 @@ class ForceShading {
   // The offset of the goal, and the depth from which it is lifted (0: it is not); m.
   Vec3 offset_ = Vec3::Zero();
   double lifted_from_m_ = 0.0;
-  // The residual of the pass before in this tick, if there is one, and the share of a step that is
-  // taken.
-  Vec3 residual_ = Vec3::Zero();
-  bool has_residual_ = false;
-  double relaxation_ = 1.0;
+  // The share of a step that is taken.
+  Relaxation relaxation_;
 };
 
 // Returns m / (m . n) - n, with m turned toward n if it leans by more than 60 degrees. Both

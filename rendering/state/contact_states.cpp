@@ -19,9 +19,13 @@ void SurfaceFriction::transfer(StateArchive& archive) {
 
 void ForceShading::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [tool_radius_m, normal, stretch, depth_m, interpolated, offset,
-                          lifted_from_m, residual, has_residual, relaxation] = *this;
-  archive(normal, stretch, depth_m, interpolated, offset, lifted_from_m, residual, has_residual,
-          relaxation);
+                          lifted_from_m, relaxation] = *this;
+  archive(normal, stretch, depth_m, interpolated, offset, lifted_from_m, relaxation);
+}
+
+void Relaxation::transfer(StateArchive& archive) {
+  auto& [residual, has_residual, share, ceiling] = *this;
+  archive(residual, has_residual, share, ceiling);
 }
 
 void FeatureWalker::transfer(StateArchive& archive) {

@@ -133,8 +133,9 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scene.tick_s());
     walkers_[k].begin_friction(step_O, scene.tick_s());
-    Touch own = touch_in_frame({.k = k, .object = object, .material = scene.material(number)},
-                               in_frame(scene, number, tool));
+    Touch own = touch_in_frame(
+        {.k = k, .object = object, .material = scene.material(number), .moved_m = step_O.norm()},
+        in_frame(scene, number, tool));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;
@@ -207,7 +208,7 @@ void IndependentContacts::wake(std::size_t k, const Mover* mover) {
 }
 
 Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, const Vec3& goal_O) {
-  const auto& [k, object, own] = independent;
+  const auto& [k, object, own, moved_m] = independent;
   Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   switch (object.method) {
@@ -248,12 +249,13 @@ Touch IndependentContacts::touch_of_field(std::size_t k, const Object& object, c
 
 Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
                                           const ToolState& tool_O) {
-  const auto& [k, object, material] = independent;
+  const auto& [k, object, material, moved_m] = independent;
   const bool detailed = !object.detail.empty();
   ForceShading& shading = details_[k].shading;
   Touch touch;
   if (detailed) {
-    shading.begin(last_proxy_O(k, object), tool_O.p_W, ForceShading::Passes::one);
+    shading.begin({.proxy_W = last_proxy_O(k, object), .tool_W = tool_O.p_W, .moved_m = moved_m},
+                  ForceShading::Passes::one);
     touch = rest_in_frame(independent, tool_O.p_W + shading.offset());
     if (touch.contact == ContactKind::none && shading.is_on()) {
       shading.reset();
@@ -283,7 +285,7 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
 // Applies detail with one pass per tick: its result shifts the goal of the next tick.
 void IndependentContacts::shade_in_frame(const IndependentObject& independent,
                                          const ToolState& tool_O, Touch& touch) {
-  const auto& [k, object, material] = independent;
+  const auto& [k, object, material, moved_m] = independent;
   DetailState& state = details_[k];
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
@@ -302,9 +304,11 @@ void IndependentContacts::shade_in_frame(const IndependentObject& independent,
   const double effective_depth = std::max(touch.depth_m + detail.height_m, 0.0);
   const double share = touch.depth_m > 0.0 ? effective_depth / touch.depth_m : 0.0;
   const Vec3 lean = lean_of(detail.normal_O, touch.normal_W);
-  state.shading.improve(
-      {.normal_W = touch.normal_W, .lean = share * lean, .depth_m = touch.depth_m});
-  state.friction_factor = share * detail.friction_factor;
+  if (!state.shading.is_at_rest()) {
+    state.shading.improve(
+        {.normal_W = touch.normal_W, .lean = share * lean, .depth_m = touch.depth_m});
+    state.friction_factor = share * detail.friction_factor;
+  }
   state.point_O = touch.proxy_W;
   state.touched = true;
   touch.force_W = Vec3::Zero();

@@ -62,6 +62,8 @@ class IndependentContacts {
     std::size_t k;
     const Object& object;
     const Material& material;
+    // How far the tool has moved since the last tick, seen from the object, m.
+    double moved_m;
   };
 
   // Computes the contact of one object without shading, in its own frame.

@@ -22,6 +22,9 @@ namespace {
 // The most advances of one tick.
 constexpr int kMostPasses = 4;
 
+// The motion beside an object that moves: no tool is at rest there.
+constexpr double kMoves_m = 1.0;
+
 // Returns the pose of the object's frame in this tick.
 RigidPose pose_of(const SceneObjects& scene, std::uint32_t object) {
   const Mover* const mover = scene.mover_of(object);
@@ -57,7 +60,9 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyP
   proxy_.begin_friction(tool_step, scene.tick_s());
   first_pass_ = true;
   if (detailed_) {
-    shading_.begin(proxy_.position_W(), tool.p_W);
+    shading_.begin({.proxy_W = proxy_.position_W(),
+                    .tool_W = tool.p_W,
+                    .moved_m = scene.anything_moved() ? kMoves_m : tool_step_m_});
     set_friction(friction_);
   }
   ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), path);
@@ -85,6 +90,9 @@ void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, ProxyPa
                        ProxyRest& rest, BlendedSurface& blended) {
   first_pass_ = false;
   for (int pass = 1; blended.detailed; ++pass) {
+    if (shading_.is_at_rest()) {
+      return;
+    }
     const bool improves = shading_.improve({.normal_W = rest.normal_W,
                                             .lean = blended.lean,
                                             .depth_m = blended.depth_m,

@@ -31,7 +31,7 @@ class PlaneCollectionTest : public ::testing::Test {
     EXPECT_EQ(candidates_->ensure(*scene_, margins_, p), CandidateSet::Gathering::complete);
   }
   PlaneCollector::Result collect() {
-    return PlaneCollector(near_, p_, kMaxPushOut_m).collect(memory_, planes_, flags_);
+    return PlaneCollector(near_, p_, kMaxPushOut_m).collect(memory_, {}, planes_, flags_);
   }
   SweepResult sweep(const Vec3& goal) { return sweep_toward(near_, p_, goal, rest_, memory_); }
 
