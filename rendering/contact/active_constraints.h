@@ -3,8 +3,8 @@
 // of a sub-goal (proxy_tick.cpp).
 #pragma once
 
-#include "rendering/contact/carry_along.h"
 #include "rendering/contact/contact_planes.h"
+#include "rendering/contact/last_contact.h"
 #include "rendering/contact/proxy_rest.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/plane_projection.h"

@@ -5,21 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rendering/contact/last_contact.h"
 #include "rendering/contact/left_out.h"
 #include "rendering/contact/sphere_sweep.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/touch.h"
 
 namespace tactus::rendering {
-
-// The contact that held the proxy last.
-struct LastContact {
-  std::uint32_t object = kNoObject;
-  // The triangle of its mesh; 0 for a primitive.
-  std::uint32_t triangle = 0;
-  // The direction of the joint push of all that held the proxy, unit; zero if it is not known.
-  Vec3 normal_W = Vec3::Zero();
-};
 
 // The result of carrying the proxy.
 struct Carried {

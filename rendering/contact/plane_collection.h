@@ -12,6 +12,7 @@
 
 #include "rendering/contact/constraint_memory.h"
 #include "rendering/contact/contact_planes.h"
+#include "rendering/contact/last_contact.h"
 #include "rendering/contact/nearby_surfaces.h"
 #include "rendering/contact/proxy_rest.h"
 

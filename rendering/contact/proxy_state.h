@@ -1,7 +1,7 @@
 // The state of the shared proxy: everything that one tick takes over from the tick before.
 #pragma once
 
-#include "rendering/contact/carry_along.h"
+#include "rendering/contact/last_contact.h"
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/touch.h"

@@ -1,6 +1,7 @@
 #include "rendering/contact/sphere_proxy.h"
 
 #include "rendering/contact/active_constraints.h"
+#include "rendering/contact/carry_along.h"
 #include "rendering/contact/proxy_tick.h"
 
 namespace tactus::rendering {

@@ -3,7 +3,7 @@
 // these structs call them.
 #pragma once
 
-#include "rendering/contact/carry_along.h"
+#include "rendering/contact/last_contact.h"
 #include "rendering/effects/effect.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/capsule.h"
