@@ -111,12 +111,14 @@ Dual<S, N> square_root(const Dual<S, N>& a) {
 
 template <class S, std::size_t N>
 Dual<S, N> sine(const Dual<S, N>& a) {
-  return chain(a, sine(a.v), cosine(a.v));
+  const auto [value, slope] = sine_and_cosine(a.v);
+  return chain(a, value, slope);
 }
 
 template <class S, std::size_t N>
 Dual<S, N> cosine(const Dual<S, N>& a) {
-  return chain(a, cosine(a.v), -sine(a.v));
+  const auto [minus_slope, value] = sine_and_cosine(a.v);
+  return chain(a, value, -minus_slope);
 }
 
 template <class S, std::size_t N>

@@ -133,6 +133,25 @@ inline Interval shifted_sine(const Interval& a, double at_lower, double at_upper
   return {std::max(range.lower, -1.0), std::min(range.upper, 1.0)};
 }
 
+// The sine and the cosine of one number, which its value and its slope need together.
+template <class Number>
+struct SineAndCosine {
+  Number sine;
+  Number cosine;
+};
+
+inline SineAndCosine<double> sine_and_cosine(double a) {
+  const SineCosine at = sine_cosine(a);
+  return {at.sine, at.cosine};
+}
+
+inline SineAndCosine<Interval> sine_and_cosine(const Interval& a) {
+  const SineCosine lower = sine_cosine(a.lower);
+  const SineCosine upper = sine_cosine(a.upper);
+  return {shifted_sine(a, lower.sine, upper.sine, 0),
+          shifted_sine(a, lower.cosine, upper.cosine, 1)};
+}
+
 inline Interval sine(const Interval& a) {
   return shifted_sine(a, sine(a.lower), sine(a.upper), 0);
 }
