@@ -53,6 +53,14 @@ LastContact hardest_contact(const ProxyRest& rest) {
   return {.object = plane.object, .triangle = plane.triangle, .normal_W = rest.normal_W};
 }
 
+HeldBy holding_surfaces(const ProxyRest& rest) {
+  HeldBy held_by;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    held_by.surfaces[i] = {.object = rest.planes[i].object, .triangle = rest.planes[i].triangle};
+  }
+  return held_by;
+}
+
 void keep_last_contact(const SceneObjects& scene, const LastContact& last_contact, const Vec3& p,
                        const Vec3& h, ProxyRest& rest) {
   if (last_contact.object == kNoObject) {

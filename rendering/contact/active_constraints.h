@@ -36,6 +36,9 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
 // proxy in the next tick; none if no plane pushes.
 LastContact hardest_contact(const ProxyRest& rest);
 
+// Returns the surfaces of the planes that hold the proxy.
+HeldBy holding_surfaces(const ProxyRest& rest);
+
 // Makes the contact of the last tick hold the proxy in a tick that ended early, between two faces
 // or while it waits for candidates. Its surface gives the force if the tool presses toward it. If
 // the proxy moved far from it since, its nearest point gives the normal.

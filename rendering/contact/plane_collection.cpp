@@ -7,21 +7,12 @@
 
 namespace tactus::rendering {
 
-namespace {
-
-// Returns true if the candidate is the surface of that contact.
-bool is_contact(const Candidate& candidate, const LastContact& contact) {
-  return candidate.object == contact.object && candidate.index == contact.triangle;
-}
-
-}  // namespace
-
 // Planes are collected from the candidates that the tangent bounds show within reach; each of them
 // is measured, unless the budget is spent. A surface gives its plane if it is touched on a face, if
 // the proxy is below the margin of its edge or vertex (then it must be pushed out), or if it
 // blocked a sweep in this tick, or if the proxy sticks on it.
 PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
-                                               const LastContact& sticks_on, ContactPlanes& planes,
+                                               const HeldBy& sticks_on, ContactPlanes& planes,
                                                std::uint32_t& flags) {
   CandidateSet& candidates = near_.candidates;
   planes.clear();
@@ -41,7 +32,7 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
       continue;
     }
     if (nearest.feature == Feature::face || nearest.distance < margin.inner_m ||
-        memory.is_blocking(i) || is_contact(candidate, sticks_on)) {
+        memory.is_blocking(i) || sticks_on.has({candidate.object, candidate.index})) {
       add(i, planes, flags);
       add_other_contacts(i, planes, flags);
     }

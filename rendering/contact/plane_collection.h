@@ -33,10 +33,10 @@ class PlaneCollector {
     unfinished,  // the tick's budget is spent before all near candidates are measured
   };
   // Collects the planes of the candidates in contact. Candidates that blocked a sweep in this tick,
-  // those that are recalled, and the one of the contact on which the proxy sticks give their planes
-  // as well. `flags` gets TouchFlags.
-  Result collect(const ConstraintMemory& memory, const LastContact& sticks_on,
-                 ContactPlanes& planes, std::uint32_t& flags);
+  // those that are recalled, and those on which the proxy sticks give their planes as well. `flags`
+  // gets TouchFlags.
+  Result collect(const ConstraintMemory& memory, const HeldBy& sticks_on, ContactPlanes& planes,
+                 std::uint32_t& flags);
 
   // Adds the planes of the recalled candidates, at any distance.
   void add_recalled(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);

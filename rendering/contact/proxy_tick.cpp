@@ -173,8 +173,8 @@ Next ProxyTick::collect_planes(PlaneCollector& collector) {
     state.last_contact = hardest_contact(rest);
   }
   const bool sticks = rest.sub_goals == 0 && state.friction == FrictionState::stick;
-  switch (collector.collect(moves_.constraints(), sticks ? state.last_contact : LastContact{},
-                            planes, rest.flags)) {
+  switch (collector.collect(moves_.constraints(), sticks ? state.held_by : HeldBy{}, planes,
+                            rest.flags)) {
     case PlaneCollector::Result::unfinished:
       end_short_of(tick_.h_W);
       rest.plane_count = 0;

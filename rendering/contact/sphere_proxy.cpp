@@ -66,6 +66,7 @@ ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, Prox
     keep_last_contact(scene, state_.last_contact, state_.p_W, h_W, rest);
   }
   state_.last_contact = hardest_contact(rest);
+  state_.held_by = holding_surfaces(rest);
   rest.flags |= candidate_set_.left_out().any() ? kTouchOverlap : kTouchClean;
   return rest;
 }

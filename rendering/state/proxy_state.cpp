@@ -151,11 +151,14 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
 void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
   [[maybe_unused]] auto& [margins, state, start, carried_W, factors, just_placed, candidate_set,
                           planes] = *this;
-  auto& [p_W, friction, model, last_contact, is_settled, settled_for_W] = state;
+  auto& [p_W, friction, model, last_contact, held_by, is_settled, settled_for_W] = state;
   archive(p_W, model, is_settled, settled_for_W, carried_W, factors, just_placed);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = last_contact;
   archive(object, triangle, normal_W);
+  for (HeldBy::Surface& surface : held_by.surfaces) {
+    archive(surface.object, surface.triangle);
+  }
   if (object == kNoObject) {
     archive.require(normal_W.isZero(0.0));
   } else {
