@@ -10,9 +10,9 @@ namespace tactus::rendering {
 // Planes are collected from the candidates that the tangent bounds show within reach; each of them
 // is measured, unless the budget is spent. A surface gives its plane if it is touched on a face, if
 // the proxy is below the margin of its edge or vertex (then it must be pushed out), or if it
-// blocked a sweep in this tick, or if the proxy sticks on it.
+// blocked a sweep in this tick, or if it held the proxy when the last tick ended.
 PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
-                                               const HeldBy& sticks_on, ContactPlanes& planes,
+                                               const HeldBy& held_by, ContactPlanes& planes,
                                                std::uint32_t& flags) {
   CandidateSet& candidates = near_.candidates;
   planes.clear();
@@ -32,7 +32,7 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
       continue;
     }
     if (nearest.feature == Feature::face || nearest.distance < margin.inner_m ||
-        memory.is_blocking(i) || sticks_on.has({candidate.object, candidate.index})) {
+        memory.is_blocking(i) || held_by.has({candidate.object, candidate.index})) {
       add(i, planes, flags);
       add_other_contacts(i, planes, flags);
     }

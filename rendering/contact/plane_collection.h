@@ -3,8 +3,9 @@
 // A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
 // neighbour's edge is near too, its plane is tilted against the motion, and yet it never blocks.
-// The edge on which a proxy sticks gives its plane too: without it the proxy would come down to the
-// edge along the way to the tool in every tick, rise again, and so creep.
+// At the start of a tick the edges that held a proxy with friction give their planes too: without
+// them it would come down to the edge along the way to the tool, rise again, and so creep in every
+// tick.
 #pragma once
 
 #include <cstddef>
@@ -33,9 +34,9 @@ class PlaneCollector {
     unfinished,  // the tick's budget is spent before all near candidates are measured
   };
   // Collects the planes of the candidates in contact. Candidates that blocked a sweep in this tick,
-  // those that are recalled, and those on which the proxy sticks give their planes as well. `flags`
-  // gets TouchFlags.
-  Result collect(const ConstraintMemory& memory, const HeldBy& sticks_on, ContactPlanes& planes,
+  // those that are recalled, and those of `held_by` give their planes as well. `flags` gets
+  // TouchFlags.
+  Result collect(const ConstraintMemory& memory, const HeldBy& held_by, ContactPlanes& planes,
                  std::uint32_t& flags);
 
   // Adds the planes of the recalled candidates, at any distance.

@@ -19,7 +19,7 @@ struct ProxyState {
   // The contact with the largest pressure. Its object carries the proxy when it moves, and gives
   // the force in a tick that ends early.
   LastContact last_contact;
-  // All contacts. A proxy that sticks keeps their planes.
+  // All contacts. A proxy with friction keeps their planes.
   HeldBy held_by;
   // True if the last tick ended where the tool and friction want the proxy; and the goal for which
   // it came there, world frame, m.

@@ -172,8 +172,8 @@ Next ProxyTick::collect_planes(PlaneCollector& collector) {
   if (rest.plane_count > 0) {
     state.last_contact = hardest_contact(rest);
   }
-  const bool sticks = rest.sub_goals == 0 && state.friction == FrictionState::stick;
-  switch (collector.collect(moves_.constraints(), sticks ? state.held_by : HeldBy{}, planes,
+  const bool rubs = rest.sub_goals == 0 && state.friction != FrictionState::free;
+  switch (collector.collect(moves_.constraints(), rubs ? state.held_by : HeldBy{}, planes,
                             rest.flags)) {
     case PlaneCollector::Result::unfinished:
       end_short_of(tick_.h_W);
