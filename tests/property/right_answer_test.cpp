@@ -76,6 +76,36 @@ TEST(StillTool, ComesToRestWithinAHundredTicks) {
   }
 }
 
+// A sphere of 2 mm lies on the two edges of a slot, along which the tool draws it by 10 mm and
+// stops.
+TEST(StillTool, LeavesTheProxyAtRestInASlotAlongWhichItSlipped) {
+  constexpr double kTool_m = 0.002;
+  constexpr int kStrokeTicks = 300;
+  for (const double gap_m : {0.001, 0.002, 0.003}) {
+    const Solid solid(slotted_block(gap_m, 0.02), Sides::one, kRough);
+    for (const double depth_m : {0.001, 0.003, 0.006}) {
+      for (const double aside_m : {0.0, 0.3e-3, 1e-3}) {
+        const std::unique_ptr<World> world = world_of(solid, kTool_m);
+        Touch last;
+        Vec3 tool;
+        for (int tick = 0; tick <= kStrokeTicks; ++tick) {
+          const double part = static_cast<double>(tick) / kStrokeTicks;
+          const double above_m = 0.003 - (0.001 + depth_m) * std::min(1.0, 2.0 * part);
+          tool = {aside_m * part, above_m, 0.01 * part};
+          last = world->touch({.p_W = tool});
+        }
+        for (int tick = 0; tick < 100; ++tick) {
+          const Touch touch = world->touch({.p_W = tool});
+          ASSERT_LE((touch.proxy_W - last.proxy_W).norm(), tick < 10 ? 1e-5 : 1e-9)
+              << "gap " << gap_m << ", depth " << depth_m << ", aside " << aside_m << ", tick "
+              << tick;
+          last = touch;
+        }
+      }
+    }
+  }
+}
+
 // A ball of 327,680 triangles is stroked 4 mm deep at up to 0.5 m/s. The proxy belongs on the ray
 // through the tool.
 TEST(FastStroke, KeepsUpWithTheToolOnAFineBall) {
