@@ -54,7 +54,8 @@ class Controller {
   // Takes a configuration and starts anew in mode `init`, with the loaded scene. On an error
   // nothing changes. If the loaded scene is beyond the configuration's certificate, the error's
   // field is "certificate" and its value a stiffness, N/m. A wall of the workspace beyond the
-  // certificate is refused too, by the name of its stiffness or its damping.
+  // certificate is refused too, by the name of its stiffness or its damping, and so is a
+  // "tick_instructions" of which the loaded scene's motions and effects take more than half.
   std::expected<void, ConfigError> configure(const ControllerConfig& config);
 
   // Loads a scene; the memory behind the objects must outlive it. Refused in mode `active`, and if

@@ -1,8 +1,10 @@
 // Controller::configure and Controller::load_scene.
+#include <limits>
 #include <optional>
 
 #include "firmware/control/controller.h"
 #include "firmware/safety/faults.h"
+#include "rendering/tick_budget.h"
 
 namespace tactus::firmware {
 namespace {
@@ -11,6 +13,12 @@ namespace {
 std::optional<UncertifiedPart> unless_allowed(const ControllerConfig& config,
                                               const std::optional<UncertifiedPart>& part) {
   return config.allow_uncertified ? std::nullopt : part;
+}
+
+// Returns true if motions and effects of so many cost units leave half of a tick's budget to the
+// contacts.
+bool leaves_room(std::size_t standing_units, std::size_t budget_units) {
+  return standing_units <= budget_units / 2;
 }
 
 // Returns the field of the configuration to which the refused part is attributed.
@@ -34,12 +42,20 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
           unless_allowed(config, scene_.first_refused(config.certificate, config.safety))) {
     return std::unexpected(uncertified_field(*part));
   }
+  const double budget = tick_instructions(config);
+  const std::size_t standing =
+      rendering::standing_units(scene_.objects, {.effects = scene_.effects});
+  if (!leaves_room(standing, rendering::units_of(budget))) {
+    return std::unexpected(ConfigError{"tick_instructions", budget,
+                                       2.0 * rendering::instructions_of(standing),
+                                       std::numeric_limits<double>::infinity()});
+  }
   settings_ = {.config = config, .configured_safety = config.safety, .is_configured = true};
   next_ = NextTick{};
   modes_.configure(config.safety.guards_off);
   guards_.configure(config);
   locator_.configure(config);
-  scene_.restart(1.0 / config.rate_hz, tick_instructions(config));
+  scene_.restart(1.0 / config.rate_hz, budget);
   force_path_.configure(config);
   effort_path_.configure(config);
   record_ = TelemetryRecord{};
@@ -60,7 +76,7 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
     return std::unexpected(SceneRefusal{.fault = SceneFault::uncertified, .part = *part});
   }
   const std::size_t standing = rendering::standing_units(objects, config);
-  if (standing > scene_.world.budget_units() / 2) {
+  if (!leaves_room(standing, scene_.world.budget_units())) {
     return std::unexpected(SceneRefusal{.fault = SceneFault::costly,
                                         .standing_units = standing,
                                         .budget_units = scene_.world.budget_units()});

@@ -220,6 +220,13 @@ TEST_F(ControllerTest, RefusesASceneWhoseMotionsTakeMoreThanHalfOfATick) {
   EXPECT_EQ(refused.error().fault, SceneFault::costly);
   EXPECT_GT(rendering::instructions_of(refused.error().standing_units), 150e3);
   EXPECT_EQ(refused.error().budget_units, rendering::units_of(300e3));
+  // The same the other way round: the scene is there, and the budget becomes too small for it.
+  ASSERT_TRUE(controller_.configure(teleporting_config()));
+  ASSERT_TRUE(controller_.load_scene({&deforming, 1}, scene));
+  const auto too_small = controller_.configure(slow);
+  ASSERT_FALSE(too_small);
+  EXPECT_EQ(too_small.error().field, "tick_instructions");
+  EXPECT_GT(too_small.error().least, 300e3);
   ASSERT_TRUE(controller_.load_scene({}, scene)) << "the sheet ends with this test";
 }
 
