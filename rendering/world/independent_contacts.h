@@ -62,7 +62,7 @@ class IndependentContacts {
     std::size_t k;
     const Object& object;
     const Material& material;
-    // How far the tool has moved since the last tick, seen from the object, m.
+    // The distance that the tool has moved since the last tick, seen from the object, m.
     double moved_m;
   };
 

@@ -6,10 +6,19 @@
 
 namespace tactus::rendering {
 
+namespace {
+
+// Returns the cost units of so many effects on each of the tools.
+constexpr std::size_t effect_units(std::size_t effects, std::size_t tools) {
+  return kCostOfEffect * effects * tools;
+}
+
+}  // namespace
+
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config) {
   SceneCapacityNeeds needs;
   std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
-  return needs.motion_units + kCostOfEffect * config.effects.size() * config.tool_count;
+  return needs.motion_units + effect_units(config.effects.size(), config.tool_count);
 }
 
 // All tools start again, also after a refusal: the world is then empty and gives no force.
@@ -65,7 +74,7 @@ double World::stretch_m(std::uint32_t object) const {
 
 std::size_t World::begin_tick() {
   standing_units_ =
-      scene_.begin_tick(time_s_, tick_s_) + kCostOfEffect * effects_.size() * tool_count_;
+      scene_.begin_tick(time_s_, tick_s_) + effect_units(effects_.size(), tool_count_);
   time_s_ += tick_s_;
   return budget_ - std::min(budget_, standing_units_);
 }
