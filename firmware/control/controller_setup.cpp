@@ -43,11 +43,9 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
     return std::unexpected(uncertified_field(*part));
   }
   const double budget = tick_instructions(config);
-  const std::size_t standing =
-      rendering::standing_units(scene_.objects, {.effects = scene_.effects});
-  if (!leaves_room(standing, rendering::units_of(budget))) {
+  if (!leaves_room(scene_.standing_units, rendering::units_of(budget))) {
     return std::unexpected(ConfigError{"tick_instructions", budget,
-                                       2.0 * rendering::instructions_of(standing),
+                                       2.0 * rendering::instructions_of(scene_.standing_units),
                                        std::numeric_limits<double>::infinity()});
   }
   settings_ = {.config = config, .configured_safety = config.safety, .is_configured = true};

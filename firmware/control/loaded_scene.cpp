@@ -49,6 +49,7 @@ bool LoadedScene::load(std::span<const rendering::Object> loaded,
   objects = taken ? loaded : std::span<const rendering::Object>{};
   effects = taken ? config.effects : std::span<const rendering::Effect>{};
   tool_radius_m = config.tool_radius_m;
+  standing_units = taken ? rendering::standing_units(loaded, config) : 0;
   return taken;
 }
 

@@ -2,6 +2,7 @@
 // complete, and its check against the certificate. One thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -52,6 +53,8 @@ struct LoadedScene {
   std::span<const rendering::Object> objects;
   std::span<const rendering::Effect> effects;
   double tool_radius_m = 0.0;
+  // The cost units that its motions and effects take in every tick (rendering/tick_budget.h).
+  std::size_t standing_units = 0;
   // The part that is_certified() refused last.
   UncertifiedPart refused_part;
 };

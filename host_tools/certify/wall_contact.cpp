@@ -208,11 +208,12 @@ double motion_in_window(Contact& contact, const Press& press, const WindowTicks&
 }  // namespace
 
 ContactVerdict ContactTrial::run(const WallContact& contact, const WallStiffness& wall) {
-  const std::array<rendering::Object, 1> objects{wall_object(contact, wall)};
-  prepare(*controller_, contact, objects);
+  auto& [objects, controller] = *setup_;
+  objects = {wall_object(contact, wall)};
+  prepare(controller, contact, objects);
   const Course course = plan_course(contact, wall);
   const Press press = press_of(contact, course);
-  Contact now(*controller_, contact, course);
+  Contact now(controller, contact, course);
   if (!now.lead_in()) {
     return ContactVerdict::fault;
   }

@@ -22,6 +22,7 @@
 // second and a few.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -68,13 +69,18 @@ constexpr bool is_stable(ContactVerdict verdict) {
 // depend on those before. Deterministic; one thread.
 class ContactTrial {
  public:
-  ContactTrial() : controller_(std::make_unique<firmware::Controller>()) {}
+  ContactTrial() : setup_(std::make_unique<Setup>()) {}
 
   // Tries one wall. Throws InputError if the device or the controller refuses its configuration.
   ContactVerdict run(const WallContact& contact, const WallStiffness& wall);
 
  private:
-  std::unique_ptr<firmware::Controller> controller_;
+  // The wall, to which the controller refers until the next trial, and the controller.
+  struct Setup {
+    std::array<rendering::Object, 1> wall;
+    firmware::Controller controller;
+  };
+  std::unique_ptr<Setup> setup_;
 };
 
 }  // namespace tactus::host
