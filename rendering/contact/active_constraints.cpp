@@ -1,7 +1,9 @@
 // The projection is geometry alone: the planes, the tool and their normals. The materials come in
-// afterwards: every active plane adds a share of its friction circle in proportion to its pressure.
+// afterwards: every active plane adds its friction circle, of mu times its part of the normal
+// force.
 #include "rendering/contact/active_constraints.h"
 
+#include "rendering/contact/corner_spring.h"
 #include "rendering/contact/object_sweep.h"
 #include "rendering/material/sliding_surface.h"
 
@@ -17,29 +19,33 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
   if (projection.active_count == 0) {
     return active;
   }
+  std::array<double, 3> stiffness_N_per_m{};
   double total = 0.0;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = planes[projection.active[i]];
-    const Material& material = scene.material(contact.object);
     const double pressure = projection.pressure_m[i];
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
-    const double push = factors.of(contact.object) * pressure;
+    stiffness_N_per_m[i] = scene.material(contact.object).stiffness_N_per_m;
     total += pressure;
-    active.push_m += push;
+  }
+  rest.normal_W.normalize();
+  active.stiffness_N_per_m = corner_spring(rest, stiffness_N_per_m).stiffness_N_per_m;
+  // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
+  // The friction is that of the tool's real depth.
+  const double deeper = factors.depth_m > 0.0 ? factors.depth_m / total : 1.0;
+  for (std::size_t i = 0; i < projection.active_count; ++i) {
+    const std::uint32_t object = rest.planes[i].object;
+    const Material& material = scene.material(object);
+    double push = deeper * factors.of(object) * rest.pressure_m[i];
+    if (stiffness_N_per_m[i] != active.stiffness_N_per_m) {
+      push *= stiffness_N_per_m[i] / active.stiffness_N_per_m;
+    }
+    active.push_m[i] = push;
     active.circle.static_radius_m += material.friction.static_level * push;
     active.circle.dynamic_radius_m += material.friction.coulomb * push;
     active.are_cones = active.are_cones && is_plain_cone(material);
-  }
-  rest.normal_W.normalize();
-  // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
-  // The friction is that of the tool's real depth.
-  if (factors.depth_m > 0.0) {
-    const double deeper = factors.depth_m / total;
-    active.push_m *= deeper;
-    active.circle.static_radius_m *= deeper;
-    active.circle.dynamic_radius_m *= deeper;
   }
   return active;
 }

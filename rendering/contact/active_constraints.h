@@ -3,6 +3,8 @@
 // of a sub-goal (proxy_tick.cpp).
 #pragma once
 
+#include <array>
+
 #include "rendering/contact/contact_planes.h"
 #include "rendering/contact/last_contact.h"
 #include "rendering/contact/proxy_rest.h"
@@ -16,12 +18,13 @@ namespace tactus::rendering {
 struct ActiveConstraints {
   // The projection of the tool on the planes; world frame, m.
   PlaneProjection projection;
-  // The sum of the friction circles of the active planes, each of the radius mu times its pressure,
-  // m.
+  // The spring between tool and proxy (corner_spring.h), N/m.
+  double stiffness_N_per_m = 0.0;
+  // The normal force of each active plane that friction sees, over that stiffness, m: its pressure
+  // times its friction factor, and times its own stiffness over that of the spring.
+  std::array<double, 3> push_m{};
+  // The sum of the friction circles of the active planes, each of the radius mu times its push, m.
   FrictionCircle circle;
-  // The sum of the pressures, each times its friction factor, m. Times the stiffness it is the
-  // normal force of the friction models.
-  double push_m = 0.0;
   // True if all materials of the active planes have the friction cone's exact rule.
   bool are_cones = true;
 };

@@ -47,17 +47,18 @@ inline HeldGoal hold_by_circle(const ActiveConstraints& active, const Vec3& h,
   return held;
 }
 
-// Holds a proxy of which a surface has another friction model. The surface with the largest
-// pressure supplies the model, under the push of all surfaces (friction/surface_friction.h).
+// Holds a proxy of which a surface has another friction model. Every object holds it by its own,
+// under its own normal force (friction/joint_friction.h).
 HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& active,
-                       const ProxyRest& rest, const Vec3& h, ProxyState& state);
+                       const ProxyRest& rest, const Vec3& h, ContactPlanes& planes,
+                       ProxyState& state);
 
 // Returns the goal of a proxy in contact, and updates its friction state.
 inline HeldGoal hold_by_friction(const SceneObjects& scene, const ActiveConstraints& active,
                                  const ProxyRest& rest, const Vec3& h, ContactPlanes& planes,
                                  ProxyState& state, bool& slipped) {
   return active.are_cones ? hold_by_circle(active, h, planes, state, slipped)
-                          : hold_by_model(scene, active, rest, h, state);
+                          : hold_by_model(scene, active, rest, h, planes, state);
 }
 
 }  // namespace tactus::rendering

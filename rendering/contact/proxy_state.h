@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rendering/contact/last_contact.h"
-#include "rendering/friction/surface_friction.h"
+#include "rendering/friction/joint_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/touch.h"
 
@@ -12,10 +12,10 @@ namespace tactus::rendering {
 struct ProxyState {
   // The proxy's centre; world frame, m.
   Vec3 p_W = Vec3::Zero();
-  // The state of the friction circle, or that of the friction model if one runs.
+  // The state of the friction circle, or that of the friction models if they run.
   FrictionState friction = FrictionState::free;
   // The memory of the friction models: bristles and what drives them.
-  SurfaceFriction model;
+  JointFriction models;
   // The contact with the largest pressure. Its object carries the proxy when it moves, and gives
   // the force in a tick that ends early.
   LastContact last_contact;

@@ -36,7 +36,7 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
 // A proxy that is carried does not slide over the object that carries it, so friction sees the
 // tool's step without it.
 void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
-  state_.model.begin_tick(tool_step_W - carried_W_, tick_s);
+  state_.models.begin_tick(tool_step_W - carried_W_, tick_s);
   carried_W_ = Vec3::Zero();
 }
 

@@ -26,6 +26,25 @@ void SurfaceFriction::begin_tick(const Vec3& tool_step, double tick_s) {
   tick_s_ = tick_s;
 }
 
+Bristle SurfaceFriction::bristle(const Vec3& normal) const {
+  if (!is_held_) {
+    return {};
+  }
+  const Vec3& force_N = memory_.elastic_force_N;
+  return {.force_N = normal == normal_ ? force_N : turned(force_N, normal_, normal),
+          .stiffness_N_per_m = stiffness_N_per_m_};
+}
+
+void SurfaceFriction::set_bristle(const Bristle& bristle, const Vec3& normal) {
+  if (!is_held_) {
+    memory_ = {};
+  }
+  memory_.elastic_force_N = bristle.force_N;
+  stiffness_N_per_m_ = bristle.stiffness_N_per_m;
+  normal_ = normal;
+  is_held_ = true;
+}
+
 FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& normal,
                                  double normal_force_N) {
   const bool is_pressed = normal_force_N > 0.0 && surface.stiffness_N_per_m > 0.0;
@@ -36,17 +55,20 @@ FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& norm
     run(surface, normal, normal_force_N);
     ran_ = true;
   }
-  const Vec3 force_N = normal == normal_ ? force_N_ : turned(force_N_, normal_, normal);
+  Vec3 force_N = normal == normal_ ? force_N_ : turned(force_N_, normal_, normal);
+  if (surface.share < share_) {
+    force_N *= surface.share / share_;
+  }
   return {.lag_m = force_N / surface.stiffness_N_per_m, .state = state_};
 }
 
 void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
                           double normal_force_N) {
   FrictionParameters friction = surface.friction;
-  if (friction.stiffness_N_per_m <= 0.0) {
-    friction.stiffness_N_per_m = surface.stiffness_N_per_m;
-  }
-  Vec3 step = tangential(tool_step_, normal);
+  friction.stiffness_N_per_m = bristle_stiffness(surface);
+  const Vec3& crease = surface.crease;
+  Vec3 step = crease == Vec3::Zero() ? tangential(tool_step_, normal)
+                                     : Vec3{crease.dot(tool_step_) * crease};
   if (is_held_) {
     if (normal != normal_) {
       turn(memory_, normal_, normal);
@@ -65,6 +87,7 @@ void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
   state_ = felt.slipping ? FrictionState::slip : FrictionState::stick;
   normal_ = normal;
   stiffness_N_per_m_ = friction.stiffness_N_per_m;
+  share_ = surface.share;
 }
 
 }  // namespace tactus::rendering

@@ -30,9 +30,27 @@ namespace tactus::rendering {
 
 // The surface that the proxy slides on, in the frame of the contact.
 struct SlidingSurface {
-  const FrictionParameters& friction;
+  FrictionParameters friction;
   double stiffness_N_per_m = 0.0;  // K >= 0
   Grain grain;                     // its direction need not lie in the contact plane
+  // The part of the contact's bristle that is this surface's: 1, or less if others hold the proxy
+  // too (joint_friction.h).
+  double share = 1.0;
+  // The direction in which alone the contact can move, unit, if two planes hold the proxy; zero if
+  // it moves along a plane. The tool's motion across it takes nothing along.
+  Vec3 crease = Vec3::Zero();
+};
+
+// Returns the stiffness of the surface's part of the bristle, N/m: its own, or else that of K.
+inline double bristle_stiffness(const SlidingSurface& surface) {
+  const double own = surface.friction.stiffness_N_per_m;
+  return surface.share * (own > 0.0 ? own : surface.stiffness_N_per_m);
+}
+
+// The elastic force of a bristle and its stiffness.
+struct Bristle {
+  Vec3 force_N = Vec3::Zero();
+  double stiffness_N_per_m = 0.0;
 };
 
 struct FrictionLag {
@@ -47,8 +65,20 @@ class SurfaceFriction {
   void begin_tick(const Vec3& tool_step, double tick_s);
 
   // Returns the lag of a contact with the unit `normal`. The first call in a tick runs the model;
-  // later calls turn its force to their plane. The lag is zero without a normal force or without K.
+  // later calls turn its force to their plane and lessen it with the share. The lag is zero without
+  // a normal force or without K.
   FrictionLag lag(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
+
+  // Returns true if the model has run in this tick.
+  [[nodiscard]] bool has_run() const { return ran_; }
+  // Returns 2 if the model has run in this tick, 1 if it ran in the last one only, else 0.
+  [[nodiscard]] int recency() const { return ran_ ? 2 : static_cast<int>(is_held_); }
+
+  // Returns the bristle in the plane with the unit `normal`, before the model runs; one without
+  // stiffness if the contact begins in this tick.
+  [[nodiscard]] Bristle bristle(const Vec3& normal) const;
+  // Sets the bristle of a contact that goes on in the plane with the unit `normal`.
+  void set_bristle(const Bristle& bristle, const Vec3& normal);
 
   // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
@@ -60,6 +90,7 @@ class SurfaceFriction {
   Vec3 normal_ = Vec3::Zero();  // of the last run
   Vec3 force_N_ = Vec3::Zero();
   double stiffness_N_per_m_ = 0.0;  // of the bristle in the last run
+  double share_ = 1.0;              // the surface's share in the last run
   Vec3 tool_step_ = Vec3::Zero();
   double tick_s_ = 1e-3;
   FrictionState state_ = FrictionState::free;

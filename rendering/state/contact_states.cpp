@@ -1,9 +1,13 @@
 // Saves and restores the state of friction, shading and the proxies of independent contacts. A
 // transfer names every member and leaves out the configuration's, and those that each tick sets
 // before it reads them.
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
-#include "rendering/friction/surface_friction.h"
+#include "rendering/friction/joint_friction.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/state/plain_states.h"
 #include "rendering/world/independent_contacts.h"
@@ -11,10 +15,21 @@
 namespace tactus::rendering {
 
 void SurfaceFriction::transfer(StateArchive& archive) {
-  auto& [memory, normal, force_N, stiffness_N_per_m, tool_step, tick_s, state, ran, is_held] =
-      *this;
-  archive(memory, normal, force_N, stiffness_N_per_m, tool_step, tick_s, ran, is_held);
+  auto& [memory, normal, force_N, stiffness_N_per_m, share, tool_step, tick_s, state, ran,
+         is_held] = *this;
+  archive(memory, normal, force_N, stiffness_N_per_m, share, tool_step, tick_s, ran, is_held);
   archive.choice(state, FrictionState::slip);
+}
+
+void JointFriction::transfer(StateArchive& archive) {
+  auto& [surfaces, models] = *this;
+  archive(surfaces, models);
+  // The numbers differ; only places without a surface are alike.
+  for (std::size_t i = 1; i < kMost; ++i) {
+    const auto before = std::span(surfaces).first(i);
+    archive.require(surfaces[i] == kNoSurface ||
+                    std::ranges::find(before, surfaces[i]) == before.end());
+  }
 }
 
 void ForceShading::transfer(StateArchive& archive) {

@@ -65,7 +65,7 @@ TEST_F(FrictionHoldTest, AFactorScalesTheCircleAndADepthReplacesTheGoals) {
   factors_ = {.object = {0}, .factor = {0.5}, .count = 1, .depth_m = 2 * kDepth_m};
   const ActiveConstraints active = project({0.0, -kDepth_m, 0.0});
   EXPECT_NEAR(active.circle.static_radius_m, 0.5 * kStatic * 2 * kDepth_m, 1e-15);
-  EXPECT_NEAR(active.push_m, 0.5 * 2 * kDepth_m, 1e-15);
+  EXPECT_NEAR(active.push_m[0], 0.5 * 2 * kDepth_m, 1e-15);
 }
 
 TEST_F(FrictionHoldTest, TheProxySticksWithinTheStaticCircle) {
@@ -102,7 +102,7 @@ TEST_F(FrictionHoldTest, AModelMakesTheProxyLagByItsForceOverTheStiffness) {
   const double level_N = kDynamic * dahl.stiffness_N_per_m * kDepth_m;
   for (int tick = 0; tick < 20; ++tick) {
     const Vec3 step = tick == 0 ? Vec3::Zero() : Vec3{kStep_m, 0.0, 0.0};  // contact begins
-    state_.model.begin_tick(step, 0.001);
+    state_.models.begin_tick(step, 0.001);
     const double x = kStep_m * tick;
     expected_N =
         level_N * (1.0 - std::exp(-dahl.friction.stiffness_N_per_m * kStep_m * tick / level_N));

@@ -1,0 +1,78 @@
+// Several surfaces with friction models of their own in one contact. The oracle is one surface.
+#include "rendering/friction/joint_friction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "rendering/friction/friction_model.h"
+
+namespace tactus::rendering {
+namespace {
+
+constexpr double kSpring_N_per_m = 1000.0;
+constexpr double kNormal_N = 2.0;
+constexpr double kTick_s = 1e-3;
+
+class JointFrictionTest : public ::testing::Test {
+ protected:
+  // Lets the tool go on by one step over the surfaces, which share the normal force equally.
+  // Returns the lag along the step, m.
+  double step(const std::vector<std::uint32_t>& surfaces) { return step(joint_, surfaces); }
+  double step(JointFriction& joint, const std::vector<std::uint32_t>& numbers) const {
+    joint.begin_tick({kStep_m, 0.0, 0.0}, kTick_s);
+    std::vector<JointSurface> surfaces;
+    for (const std::uint32_t number : numbers) {
+      surfaces.push_back({.number = number,
+                          .sliding = {.friction = dahl_, .stiffness_N_per_m = kSpring_N_per_m},
+                          .normal_force_N = kNormal_N / static_cast<double>(numbers.size())});
+    }
+    return joint.lag(surfaces, Vec3::UnitY()).lag_m.x();
+  }
+
+  static constexpr double kStep_m = 20e-6;
+  FrictionParameters dahl_{.kind = FrictionKind::dahl, .coulomb = 0.5, .stiffness_N_per_m = 600.0};
+  JointFriction joint_;
+};
+
+TEST_F(JointFrictionTest, OfSurfacesOfOneMaterialIsThatOfOne) {
+  JointFriction one;
+  JointFriction several;
+  for (int tick = 0; tick < 100; ++tick) {
+    EXPECT_NEAR(step(several, {1, 2, 3}), step(one, {7}), 1e-12) << tick;
+  }
+}
+
+TEST_F(JointFrictionTest, GoesOnFromOneSurfaceToTheNext) {
+  double lag_m = 0.0;
+  for (std::uint32_t tick = 0; tick < 60; ++tick) {
+    // The first tick of contact is without force.
+    const double level_m = 0.5 * kNormal_N / kSpring_N_per_m;
+    const double bent = tick * kStep_m * dahl_.stiffness_N_per_m / (0.5 * kNormal_N);
+    lag_m = step({tick / 20});
+    EXPECT_NEAR(lag_m, level_m * (1.0 - std::exp(-bent)), 1e-12) << tick;
+  }
+  EXPECT_GT(lag_m, 0.0);
+}
+
+TEST_F(JointFrictionTest, IsTheSameWhenASurfaceJoinsOrLetsGo) {
+  JointFriction one;
+  for (std::uint32_t tick = 0; tick < 60; ++tick) {
+    const std::vector<std::uint32_t> numbers =
+        tick < 20 ? std::vector<std::uint32_t>{1} : std::vector<std::uint32_t>{1, 2 + tick / 40};
+    EXPECT_NEAR(step(numbers), step(one, {1}), 1e-12) << tick;
+  }
+}
+
+TEST_F(JointFrictionTest, ATickWithoutContactEndsTheMemory) {
+  for (int tick = 0; tick < 60; ++tick) {
+    step({1, 2});
+  }
+  joint_.begin_tick({kStep_m, 0.0, 0.0}, kTick_s);
+  EXPECT_EQ(step({1, 2}), 0.0);
+}
+
+}  // namespace
+}  // namespace tactus::rendering
