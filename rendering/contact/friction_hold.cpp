@@ -2,37 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
-#include <Eigen/Geometry>
-
 #include "rendering/friction/joint_friction.h"
+#include "rendering/geometry/tangential.h"
 #include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
-namespace {
-
-// Returns the direction of the crease between the two planes that hold the proxy, unit. It is zero
-// if another number of planes does, or if they are nearly parallel.
-Vec3 crease_of(const ProxyRest& rest) {
-  constexpr double kLeastSquaredSine = 1e-6;
-  if (rest.plane_count != 2) {
-    return Vec3::Zero();
-  }
-  const Vec3 along = rest.planes[0].plane.normal.cross(rest.planes[1].plane.normal);
-  const double squared = along.squaredNorm();
-  return squared > kLeastSquaredSine ? Vec3{along / std::sqrt(squared)} : Vec3{Vec3::Zero()};
-}
-
-}  // namespace
-
 // Lets the tool lag by what the friction models say; the goal is the point nearest to it in front
 // of all planes. In a corner the lag may lead into a wall, which then takes that part of it.
 HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& active,
                        const ProxyRest& rest, const Vec3& h, ContactPlanes& planes,
                        ProxyState& state) {
-  const Vec3 crease = crease_of(rest);
+  const Vec3 crease = rest.plane_count == 2
+                          ? crease_between(rest.planes[0].plane.normal, rest.planes[1].plane.normal)
+                          : Vec3{Vec3::Zero()};
   std::array<JointSurface, JointFriction::kMost> surfaces;
   std::size_t count = 0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {

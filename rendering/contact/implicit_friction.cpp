@@ -11,10 +11,11 @@ constexpr double kLeastMove_m = 1e-9;
 
 }  // namespace
 
-ImplicitGoal ImplicitFriction::hold(const ImplicitPush& push, const ImplicitSurface& surface,
+ImplicitGoal ImplicitFriction::hold(const ImplicitPush& push, const ImplicitPlanes& planes,
+                                    const Vec3& h, const ImplicitSurface& surface,
                                     ImplicitProxyState& state) {
   return is_plain_cone(material_) ? stay_in_cone(push, surface, state)
-                                  : lag_behind(push, surface, state);
+                                  : lag_behind(push, planes, h, surface, state);
 }
 
 // Draws the goal back to the friction circle, whose radius is mu times the depth of the tool below
@@ -36,18 +37,22 @@ ImplicitGoal ImplicitFriction::stay_in_cone(const ImplicitPush& push,
   return {.point = goal, .settled = settled};
 }
 
-// Lets the goal lag behind the tool by what a friction model says: F = K lag along the surface.
-ImplicitGoal ImplicitFriction::lag_behind(const ImplicitPush& push, const ImplicitSurface& surface,
+// Lets the tool lag by what a friction model says: F = K lag along the surface. The goal is the
+// point nearest to it in front of all planes: in a crease the lag may lead into a wall, which then
+// takes that part of it.
+ImplicitGoal ImplicitFriction::lag_behind(const ImplicitPush& push, const ImplicitPlanes& planes,
+                                          const Vec3& h, const ImplicitSurface& surface,
                                           ImplicitProxyState& state) {
-  const PlaneProjection& projection = push.projection;
-  const FrictionLag lag = state.model.lag(sliding_surface(material_), push.normal_W,
-                                          material_.stiffness_N_per_m * push.depth_m);
+  SlidingSurface sliding = sliding_surface(material_);
+  sliding.crease = push.crease_W;
+  const FrictionLag lag =
+      state.model.lag(sliding, push.normal_W, material_.stiffness_N_per_m * push.depth_m);
   state.friction = lag.state;
   lag_O_ = surface.R_WO.transpose() * (lag.lag_m / surface.scale_m);
-  const Vec3 goal = projection.point - lag_O_;
-  const bool settled =
-      !projection.feasible || (goal - state.p_O).norm() * surface.scale_m <= kLeastMove_m;
-  return {.point = goal, .settled = settled};
+  const PlaneProjection projection = planes.project(h - lag_O_);
+  const bool settled = !projection.feasible ||
+                       (projection.point - state.p_O).norm() * surface.scale_m <= kLeastMove_m;
+  return {.point = projection.point, .settled = settled};
 }
 
 }  // namespace tactus::rendering

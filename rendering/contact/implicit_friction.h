@@ -21,23 +21,43 @@ class ImplicitFriction {
  public:
   explicit ImplicitFriction(const Material& material) : material_(material) {}
 
-  // Returns the goal that friction leaves to the proxy, and updates its friction state.
-  ImplicitGoal hold(const ImplicitPush& push, const ImplicitSurface& surface,
-                    ImplicitProxyState& state);
+  // Returns the goal that friction leaves to the proxy, and updates its friction state. `push` is
+  // that of the planes against the tool h (object frame).
+  ImplicitGoal hold(const ImplicitPush& push, const ImplicitPlanes& planes, const Vec3& h,
+                    const ImplicitSurface& surface, ImplicitProxyState& state);
 
-  // Returns the lag of the tool's nearest point that a friction model asks for; zero otherwise.
+  // Remembers the friction before a goal is chosen, and returns to it if the choice is not taken.
+  void begin_choice(const ImplicitProxyState& state) {
+    before_ = {state.friction, state.model, slipped_, lag_O_};
+  }
+  void take_back(ImplicitProxyState& state) {
+    state.friction = before_.friction;
+    state.model = before_.model;
+    slipped_ = before_.slipped;
+    lag_O_ = before_.lag_O;
+  }
+
+  // Returns the lag of the tool that a friction model asks for, object frame; zero otherwise.
   [[nodiscard]] const Vec3& lag_O() const { return lag_O_; }
 
  private:
   ImplicitGoal stay_in_cone(const ImplicitPush& push, const ImplicitSurface& surface,
                             ImplicitProxyState& state);
-  ImplicitGoal lag_behind(const ImplicitPush& push, const ImplicitSurface& surface,
-                          ImplicitProxyState& state);
+  ImplicitGoal lag_behind(const ImplicitPush& push, const ImplicitPlanes& planes, const Vec3& h,
+                          const ImplicitSurface& surface, ImplicitProxyState& state);
 
   const Material& material_;
   // True once the proxy slipped in this tick: it then slips in the rest of it.
   bool slipped_ = false;
   Vec3 lag_O_ = Vec3::Zero();
+  // The friction at the last begin_choice().
+  struct Before {
+    FrictionState friction = FrictionState::free;
+    SurfaceFriction model;
+    bool slipped = false;
+    Vec3 lag_O = Vec3::Zero();
+  };
+  Before before_;
 };
 
 }  // namespace tactus::rendering

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rendering/geometry/tangential.h"
+
 namespace tactus::rendering {
 
 // `rise` is the way from the proxy's height, which is of first order, to the rest height.
@@ -30,7 +32,7 @@ bool ImplicitPlanes::add(const Plane& plane) {
 }
 
 ImplicitPush ImplicitPlanes::push(const Vec3& h, const ImplicitSurface& surface) {
-  ImplicitPush push{.projection = project_on_planes(h, std::span(planes_).first(count_))};
+  ImplicitPush push{.projection = project(h)};
   const PlaneProjection& projection = push.projection;
   holding_ = projection.active;
   holding_count_ = projection.active_count;
@@ -43,6 +45,10 @@ ImplicitPush ImplicitPlanes::push(const Vec3& h, const ImplicitSurface& surface)
     push.depth_m += pressure_m;
   }
   push.normal_W.normalize();
+  if (holding_count_ == 2) {
+    push.crease_W =
+        surface.R_WO * crease_between(planes_[holding_[0]].normal, planes_[holding_[1]].normal);
+  }
   return push;
 }
 

@@ -30,6 +30,8 @@ struct ImplicitPush {
   Vec3 normal_W = Vec3::Zero();
   // The sum of the pressures, m.
   double depth_m = 0.0;
+  // The direction of the crease if two planes push, unit; zero otherwise; world frame.
+  Vec3 crease_W = Vec3::Zero();
 };
 
 // At most kMostPlanes planes.
@@ -47,6 +49,11 @@ class ImplicitPlanes {
 
   // Returns the push of the planes against the tool `h`.
   ImplicitPush push(const Vec3& h, const ImplicitSurface& surface);
+
+  // Returns the point nearest to `h` on the positive side of all planes.
+  [[nodiscard]] PlaneProjection project(const Vec3& h) const {
+    return project_on_planes(h, std::span(planes_).first(count_));
+  }
 
  private:
   // Three planes can hold a point, and one more is on trial.

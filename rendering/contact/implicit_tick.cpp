@@ -11,15 +11,15 @@
 //   2. On smooth ground the proxy glides: a tangent step corrected for curvature, then back to the
 //      surface along the gradient (rendering/contact/implicit_glide.h).
 //   3. Elsewhere it sweeps straight to the sub-goal and stops where intervals find the surface. A
-//      surface that blocks it at once, such as the second wall of a crease, gives one more plane.
+//      surface that blocks it at once, such as the second wall of a crease, gives one more plane,
+//      and is remembered (crease_walls.h).
 //
 // Without contact the sub-goal is the tool itself. First contact is found in this manner, and
 // contact ends when the tool leaves through the plane: then no plane is active in the projection.
 //
-// Two things go beyond the paper (see implicit_tracking.h) and make the tracking safe. Every move
-// is along segments that interval arithmetic has proved free, so the proxy crosses nothing thin.
-// Every move along the surface brings it nearer to the tool, so it cannot oscillate; is_stalled()
-// ends the ticks in which the gain is only rounding.
+// Two things go beyond the paper (see implicit_tracking.h): intervals prove every move free, so the
+// proxy crosses nothing thin, and every move along the surface brings it nearer to the tool, so it
+// cannot oscillate. ImplicitStall ends the ticks in which the gain is only rounding.
 #include "rendering/contact/implicit_tick.h"
 
 #include <optional>
@@ -35,9 +35,8 @@
 namespace tactus::rendering {
 namespace {
 
-// A surface that stops the proxy within this travel counts as an active constraint: it gives a
-// plane at the proxy, and the sub-goal is chosen again. After a longer travel the move is made
-// first.
+// A surface that stops the proxy within this travel gives a plane at the proxy, and the sub-goal is
+// chosen again. After a longer travel the move is made first.
 constexpr double kHeld_m = 1e-6;
 // A move along the surface that brings the proxy nearer to the tool by less than this is none.
 constexpr double kLeastGain_m = 1e-10;
@@ -79,12 +78,16 @@ class ImplicitTick {
     rest_.flags |= kTouchIterationsExhausted;
     return true;
   }
-  // Returns F at the proxy; the reference is valid until the proxy moves.
+  // Returns F at the proxy, valid until the proxy moves.
   const ImplicitSample& sample_here() {
     if (!here_) {
       here_ = sample(field_, state_.p_O);
     }
     return *here_;
+  }
+  // Returns the distance of a place from the tool, as friction lets it lag.
+  [[nodiscard]] double distance_m(const Vec3& p) const {
+    return (p - (h_ - friction_.lag_O())).norm() * surface_.scale_m;
   }
   // Moves the proxy; the sample of F at the old place is not valid there.
   void move_to(const Vec3& p) {
@@ -96,6 +99,7 @@ class ImplicitTick {
     rest_.planes = 0;
     rest_.normal_W = Vec3::Zero();
     state_.friction = FrictionState::free;
+    state_.walls.clear();
   }
 
   ImplicitProxyState& state_;
@@ -163,12 +167,14 @@ bool ImplicitTick::step_in_bounds() {
     move_to(raised_to_rest(field_, state_.p_O).value_or(state_.p_O));
     return false;
   }
-  const double distance_m = (state_.p_O - (h_ - friction_.lag_O())).norm() * surface_.scale_m;
-  if (stall_.note(state_.p_O, height_m, distance_m)) {
+  if (stall_.note(state_.p_O, height_m, distance_m(state_.p_O))) {
     return true;
   }
   if (height_m <= kImplicitReach_m) {
     planes_.add(tangent_plane(surface_, here));
+    state_.walls.add_planes(field_, here, planes_);
+  } else {
+    state_.walls.clear();
   }
   return go(here);
 }
@@ -219,9 +225,10 @@ bool ImplicitTick::come_out() {
 // Moves to the sub-goal, or as far as the segment is free.
 //
 // A wall that stops the segment at once adds its plane, and the sub-goal is chosen again with it:
-// two walls of a crease give the goal on the line of the crease.
+// two walls of a crease give the goal on the line of the crease, and share the friction.
 bool ImplicitTick::go(const ImplicitSample& here) {
   for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
+    friction_.begin_choice(state_);
     const ImplicitGoal goal = choose_goal();
     if (goal.settled) {
       return true;
@@ -238,11 +245,13 @@ bool ImplicitTick::go(const ImplicitSample& here) {
     const Vec3 stop = segment.at(crossing.free_to);
     const bool is_held = crossing.state == SegmentState::blocked &&
                          (stop - state_.p_O).norm() * surface_.scale_m <= kHeld_m;
-    if (!is_held ||
-        !planes_.add(blocking_plane(field_, segment.at(crossing.blocked_at), state_.p_O - h_))) {
+    const Vec3 wall = segment.at(crossing.blocked_at);
+    if (!is_held || !planes_.add(blocking_plane(field_, wall, state_.p_O - h_))) {
       const bool has_moved = come_to_rest_at(stop);
       return !has_moved && (crossing.state == SegmentState::blocked || exhausted());
     }
+    state_.walls.add(wall - state_.p_O);
+    friction_.take_back(state_);
   }
   return exhausted();
 }
@@ -256,7 +265,7 @@ ImplicitGoal ImplicitTick::choose_goal() {
     state_.friction = FrictionState::free;
     return {.point = h_, .settled = h_ == state_.p_O};
   }
-  return friction_.hold(push, surface_, state_);
+  return friction_.hold(push, planes_, h_, surface_, state_);
 }
 
 // Glides toward a goal on the tangent plane, and returns true if it could. The sample at the end
@@ -270,8 +279,8 @@ bool ImplicitTick::glide_toward(const Vec3& goal, const ImplicitSample& here) {
   return to.has_value();
 }
 
-// Moves from the end of a segment to the rest height, away from the planes, or back. Returns
-// false, and stays, if the result is no nearer to the tool than before.
+// Moves from the end of a segment to the rest height. Returns false, and stays, if that is no
+// nearer to the tool than before.
 bool ImplicitTick::come_to_rest_at(const Vec3& stop) {
   Vec3 end = raised_to_rest(field_, stop).value_or(stop);
   if (end == stop) {
@@ -279,8 +288,7 @@ bool ImplicitTick::come_to_rest_at(const Vec3& stop) {
                                      : (state_.p_O - stop).stableNormalized();
     end = raised_from_crease(field_, state_.p_O, stop, up);
   }
-  const double gain_m = ((state_.p_O - h_).norm() - (end - h_).norm()) * surface_.scale_m;
-  if (gain_m <= kLeastGain_m) {
+  if (distance_m(state_.p_O) - distance_m(end) <= kLeastGain_m) {
     return false;
   }
   move_to(end);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "rendering/contact/crease_walls.h"
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
@@ -40,6 +41,7 @@ struct ImplicitProxyState {
   double side = 0.0;
   FrictionState friction = FrictionState::free;
   SurfaceFriction model;
+  CreaseWalls walls;
 };
 
 // One proxy on one implicit surface. IndependentContacts (rendering/world/independent_contacts.h)

@@ -51,9 +51,15 @@ void FeatureWalker::transfer(StateArchive& archive) {
 
 void ImplicitTracker::transfer(StateArchive& archive) {
   auto& [p_W, placed, state] = *this;
-  auto& [p_O, side, friction, model] = state;
-  archive(p_W, placed, p_O, side, model);
+  auto& [p_O, side, friction, model, walls] = state;
+  archive(p_W, placed, p_O, side, model, walls);
   archive.choice(friction, FrictionState::slip);
+}
+
+void CreaseWalls::transfer(StateArchive& archive) {
+  auto& [offsets_O, count] = *this;
+  archive(offsets_O, count);
+  archive.require(count <= offsets_O.size());
 }
 
 void IndependentContacts::transfer(StateArchive& archive, const SceneObjects& scene) {

@@ -20,13 +20,14 @@ class ImplicitFrictionTest : public ::testing::Test {
 
   // Returns the goal for a tool so far aside.
   ImplicitGoal hold(ImplicitFriction& friction, double aside_m) {
-    ImplicitPush push{.normal_W = Vec3::UnitY(), .depth_m = kDepth_m};
-    push.projection.point = {aside_m / kScale_m, 0.0, 0.0};
-    push.projection.active_count = 1;
-    return friction.hold(push, plane_.surface, state_);
+    const Vec3 h{aside_m / kScale_m, -kDepth_m / kScale_m, 0.0};
+    planes_.clear();
+    planes_.add({.normal = Vec3::UnitY(), .offset = 0.0});
+    return friction.hold(planes_.push(h, plane_.surface), planes_, h, plane_.surface, state_);
   }
 
   const FormulaSurface plane_{"y", kScale_m};
+  ImplicitPlanes planes_;
   const Material rough_ = rough(kStatic, kDynamic);
   ImplicitProxyState state_;
 };
