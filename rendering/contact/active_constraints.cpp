@@ -3,6 +3,8 @@
 // force.
 #include "rendering/contact/active_constraints.h"
 
+#include <algorithm>
+
 #include "rendering/contact/corner_spring.h"
 #include "rendering/contact/object_sweep.h"
 #include "rendering/material/sliding_surface.h"
@@ -32,13 +34,10 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
   }
   rest.normal_W.normalize();
   active.stiffness_N_per_m = corner_spring(rest, stiffness_N_per_m).stiffness_N_per_m;
-  // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
-  // The friction is that of the tool's real depth.
-  const double deeper = factors.depth_m > 0.0 ? factors.depth_m / total : 1.0;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const std::uint32_t object = rest.planes[i].object;
     const Material& material = scene.material(object);
-    double push = deeper * factors.of(object) * rest.pressure_m[i];
+    double push = factors.of(object) * rest.pressure_m[i];
     if (stiffness_N_per_m[i] != active.stiffness_N_per_m) {
       push *= stiffness_N_per_m[i] / active.stiffness_N_per_m;
     }
@@ -46,6 +45,14 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
     active.circle.static_radius_m += material.friction.static_level * push;
     active.circle.dynamic_radius_m += material.friction.coulomb * push;
     active.are_cones = active.are_cones && is_plain_cone(material);
+  }
+  // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
+  // The friction is that of the tool's real depth.
+  if (factors.depth_m > 0.0) {
+    const double deeper = factors.depth_m / total;
+    std::ranges::for_each(active.push_m, [&](double& push_m) { push_m *= deeper; });
+    active.circle.static_radius_m *= deeper;
+    active.circle.dynamic_radius_m *= deeper;
   }
   return active;
 }

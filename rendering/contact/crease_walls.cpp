@@ -17,11 +17,17 @@ void CreaseWalls::add(const Vec3& offset_O) {
 void CreaseWalls::add_planes(ImplicitField& field, const ImplicitSample& ground,
                              ImplicitPlanes& planes) {
   constexpr double kLeastTurn = 1e-4;  // squared, rad
+  // Of the distance to the proxy, the height that may be missing at the wall's point.
+  constexpr double kMostHeight = 0.3;
   const ImplicitSurface& surface = field.surface();
   const auto has_ended = [&](const Vec3& offset_O) {
     const ImplicitSample wall = sample(field, ground.point + offset_O);
-    const bool stands = wall.steepness > 0.0 &&
-                        std::abs(wall.height) * surface.scale_m <= kImplicitReach_m &&
+    // A wall that the proxy is behind is the far side of a thin one.
+    const double distance = -wall.normal.dot(offset_O);
+    const double height = std::abs(wall.height);
+    const bool stands = wall.steepness > 0.0 && distance > 0.0 &&
+                        height <= kMostHeight * distance &&
+                        height * surface.scale_m <= kImplicitReach_m &&
                         (wall.normal - ground.normal).squaredNorm() > kLeastTurn;
     if (stands) {
       planes.add(tangent_plane(surface, wall));

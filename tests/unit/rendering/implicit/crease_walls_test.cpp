@@ -38,6 +38,13 @@ TEST(CreaseWalls, TheGroundIsNoWall) {
   EXPECT_EQ(planes_at(walls, ground, {0.0, kWallRest_m, 0.0}), 0U);
 }
 
+TEST(CreaseWalls, TheFarSideOfAThinWallIsNone) {
+  const FormulaSurface thin("min(y, abs(x))");
+  CreaseWalls walls;
+  walls.add({-1.5 * kWallRest_m, 0.0, 0.0});
+  EXPECT_EQ(planes_at(walls, thin, {kWallRest_m, 0.9 * kWallRest_m, 0.0}), 0U);
+}
+
 TEST(CreaseWalls, OfThreeTheOldestIsForgotten) {
   const FormulaSurface corner("min(min(x, y), z)");
   CreaseWalls walls;
