@@ -64,7 +64,8 @@ class Row {
 };
 
 bool is_same(const FigureRow& a, const FigureRow& b) {
-  return a.mesh == b.mesh && a.radius_mm == b.radius_mm && a.motion == b.motion;
+  return a.mesh == b.mesh && a.triangles == b.triangles && a.radius_mm == b.radius_mm &&
+         a.motion == b.motion;
 }
 
 // Runs one program and returns its rows.
@@ -95,6 +96,7 @@ std::vector<FigureRow> read_figures(const std::filesystem::path& file) {
     }
     const Row row(names, *fields, fmt::format("{}:{}", file.string(), text.number()));
     rows.push_back({.mesh = row.text("mesh").value_or(""),
+                    .triangles = row.number("triangles").value_or(0.0),
                     .radius_mm = row.needed("radius_mm"),
                     .motion = row.text("motion").value_or("jumps"),
                     .median_ns = row.needed("median_ns"),

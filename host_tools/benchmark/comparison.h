@@ -14,6 +14,8 @@ namespace tactus::host {
 // The figures of one row of a figures file (figures_file.h) that are compared.
 struct FigureRow {
   std::string mesh;
+  // 0 in a file without that column.
+  double triangles = 0.0;
   double radius_mm = 0.0;
   // The tool's motion, "hand" or "jumps"; "jumps" in a file without that column.
   std::string motion = "jumps";

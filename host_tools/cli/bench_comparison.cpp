@@ -11,9 +11,10 @@ namespace {
 void print_text(const ComparedRow& row) {
   const auto& [here, there] = row;
   fmt::print(
-      "{:<7} {:g} mm {:<6} median {:>6.0f} ns, there {:>6.0f}, ratio {:.3f}; p99 {:.3f}; p99.9 "
+      "{:<7} {:>7.0f} {:g} mm {:<6} median {:>6.0f} ns, there {:>6.0f}, ratio {:.3f}; p99 {:.3f}; "
+      "p99.9 "
       "{:.3f}",
-      here.mesh, here.radius_mm, here.motion, here.median_ns, there.median_ns,
+      here.mesh, here.triangles, here.radius_mm, here.motion, here.median_ns, there.median_ns,
       here.median_ns / there.median_ns, here.p99_ns / there.p99_ns, here.p999_ns / there.p999_ns);
   if (here.instructions && there.instructions) {
     fmt::print("; instructions {:.0f}, there {:.0f}, ratio {:.4f}", *here.instructions,
@@ -40,6 +41,7 @@ nlohmann::ordered_json json_of(const FigureRow& row) {
 void print_json(const ComparedRow& row) {
   fmt::print("{}\n", nlohmann::ordered_json{{"bench", "touch"},
                                             {"mesh", row.here.mesh},
+                                            {"triangles", row.here.triangles},
                                             {"radius_mm", row.here.radius_mm},
                                             {"motion", row.here.motion},
                                             {"here", json_of(row.here)},

@@ -10,6 +10,20 @@
 #include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
+namespace {
+
+// Weighs the pushes of surfaces of different stiffness, and with them their friction circles.
+void weigh_by_stiffness(const SceneObjects& scene, const ProxyRest& rest,
+                        const std::array<double, 3>& stiffness_N_per_m, ActiveConstraints& active) {
+  active.stiffness_N_per_m = corner_spring(rest, stiffness_N_per_m).stiffness_N_per_m;
+  active.circle = {};
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    active.push_m[i] *= stiffness_N_per_m[i] / active.stiffness_N_per_m;
+    active.circle.add(scene.material(rest.planes[i].object).friction, active.push_m[i]);
+  }
+}
+
+}  // namespace
 
 ActiveConstraints find_active_constraints(const SceneObjects& scene, const FrictionFactors& factors,
                                           const Vec3& p, const Vec3& h, ContactPlanes& planes,
@@ -23,28 +37,25 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
   }
   std::array<double, 3> stiffness_N_per_m{};
   double total = 0.0;
+  bool are_alike = true;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
     const ContactPlane& contact = planes[projection.active[i]];
+    const Material& material = scene.material(contact.object);
     const double pressure = projection.pressure_m[i];
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
-    stiffness_N_per_m[i] = scene.material(contact.object).stiffness_N_per_m;
+    stiffness_N_per_m[i] = material.stiffness_N_per_m;
+    are_alike = are_alike && stiffness_N_per_m[i] == stiffness_N_per_m[0];
     total += pressure;
+    active.push_m[i] = factors.of(contact.object) * pressure;
+    active.circle.add(material.friction, active.push_m[i]);
+    active.are_cones = active.are_cones && is_plain_cone(material);
   }
   rest.normal_W.normalize();
-  active.stiffness_N_per_m = corner_spring(rest, stiffness_N_per_m).stiffness_N_per_m;
-  for (std::size_t i = 0; i < projection.active_count; ++i) {
-    const std::uint32_t object = rest.planes[i].object;
-    const Material& material = scene.material(object);
-    double push = factors.of(object) * rest.pressure_m[i];
-    if (stiffness_N_per_m[i] != active.stiffness_N_per_m) {
-      push *= stiffness_N_per_m[i] / active.stiffness_N_per_m;
-    }
-    active.push_m[i] = push;
-    active.circle.static_radius_m += material.friction.static_level * push;
-    active.circle.dynamic_radius_m += material.friction.coulomb * push;
-    active.are_cones = active.are_cones && is_plain_cone(material);
+  active.stiffness_N_per_m = stiffness_N_per_m[0];
+  if (!are_alike) {
+    weigh_by_stiffness(scene, rest, stiffness_N_per_m, active);
   }
   // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
   // The friction is that of the tool's real depth.

@@ -9,6 +9,7 @@
 // again when it finds itself within that circle.
 #pragma once
 
+#include "rendering/friction/friction_parameters.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/touch.h"
 
@@ -18,6 +19,12 @@ namespace tactus::rendering {
 struct FrictionCircle {
   double static_radius_m = 0.0;
   double dynamic_radius_m = 0.0;
+
+  // Adds the circle of a surface that is pushed `push_m` deep.
+  void add(const FrictionParameters& friction, double push_m) {
+    static_radius_m += friction.static_level * push_m;
+    dynamic_radius_m += friction.coulomb * push_m;
+  }
 };
 
 struct FrictionStep {

@@ -50,13 +50,27 @@ double scale_of(const JointBristle& before, const JointBristle& after) {
 }  // namespace
 
 void JointFriction::begin_tick(const Vec3& tool_step, double tick_s) {
+  tool_step_ = tool_step;
+  tick_s_ = tick_s;
+  if (!is_in_use_) {
+    return;
+  }
+  is_in_use_ = has_run();
+  begin_models();
+}
+
+void JointFriction::begin_models() {
   for (SurfaceFriction& model : models_) {
-    model.begin_tick(tool_step, tick_s);
+    model.begin_tick(tool_step_, tick_s_);
   }
 }
 
 FrictionLag JointFriction::lag(std::span<JointSurface> surfaces, const Vec3& normal) {
   set_shares(surfaces);
+  if (!is_in_use_) {
+    is_in_use_ = true;
+    begin_models();
+  }
   const bool is_first = !has_run();
   give_models(surfaces, is_first);
   if (is_first && surfaces.size() > 1) {

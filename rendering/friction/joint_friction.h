@@ -55,6 +55,7 @@ class JointFriction {
  private:
   static constexpr std::uint32_t kNoSurface = std::numeric_limits<std::uint32_t>::max();
 
+  void begin_models();
   [[nodiscard]] bool has_run() const;
   [[nodiscard]] std::size_t place_of(std::uint32_t surface) const;
   void give_models(std::span<const JointSurface> surfaces, bool to_all);
@@ -63,6 +64,10 @@ class JointFriction {
   // The surfaces, and the models that they hold the proxy by.
   std::array<std::uint32_t, kMost> surfaces_{kNoSurface, kNoSurface, kNoSurface};
   std::array<SurfaceFriction, kMost> models_;
+  // True if a model has run in this tick or the last; else they are not touched.
+  bool is_in_use_ = false;
+  Vec3 tool_step_ = Vec3::Zero();
+  double tick_s_ = 1e-3;
 };
 
 }  // namespace tactus::rendering

@@ -22,8 +22,8 @@ void SurfaceFriction::transfer(StateArchive& archive) {
 }
 
 void JointFriction::transfer(StateArchive& archive) {
-  auto& [surfaces, models] = *this;
-  archive(surfaces, models);
+  auto& [surfaces, models, is_in_use, tool_step, tick_s] = *this;
+  archive(surfaces, models, is_in_use, tool_step, tick_s);
   // The numbers differ; only places without a surface are alike.
   for (std::size_t i = 1; i < kMost; ++i) {
     const auto before = std::span(surfaces).first(i);
