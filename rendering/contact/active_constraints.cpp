@@ -17,6 +17,10 @@ void weigh_by_stiffness(const SceneObjects& scene, const ProxyRest& rest,
                         const std::array<double, 3>& stiffness_N_per_m, ActiveConstraints& active) {
   active.stiffness_N_per_m = corner_spring(rest, stiffness_N_per_m).stiffness_N_per_m;
   active.circle = {};
+  if (!(active.stiffness_N_per_m > 0.0)) {
+    active.push_m = {};  // it is rounded to nothing
+    return;
+  }
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     active.push_m[i] *= stiffness_N_per_m[i] / active.stiffness_N_per_m;
     active.circle.add(scene.material(rest.planes[i].object).friction, active.push_m[i]);
