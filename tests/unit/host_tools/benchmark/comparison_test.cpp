@@ -82,8 +82,8 @@ TEST(Comparison, TheProgramRunsBesideAnotherBuildOfItself) {
   const auto outcome = testing::run_program(
       folder.path(), "bench touch --mesh box.off --ticks 50 --runs 2 --radius-m 0.002 --against .");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_TRUE(contains(outcome.output, "box     2 mm hand"));
-  EXPECT_TRUE(contains(outcome.output, "box     2 mm jumps"));
+  EXPECT_TRUE(contains(outcome.output, "box           4 2 mm hand"));
+  EXPECT_TRUE(contains(outcome.output, "box           4 2 mm jumps"));
   const auto refused = testing::run_program(folder.path(), "bench sim --against .");
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
   EXPECT_TRUE(contains(refused.output, "--against compares touch alone"));
