@@ -17,59 +17,18 @@
 #include "tests/support/rows.h"
 #include "tests/support/solid.h"
 #include "tests/unit/rendering/friction/every_kind.h"
-#include "tests/unit/rendering/implicit/implicit_scene.h"
+#include "tests/unit/rendering/world/groove.h"
 
 namespace tactus::rendering {
 namespace {
 
 using testing::every_kind;
+using testing::Groove;
+using testing::kGrooveBristle_N_per_m;
+using testing::kGrooveTick_s;
 using testing::NamedFriction;
+using testing::Side;
 using testing::Solid;
-
-constexpr double kGrooveTick_s = 1e-3;
-constexpr double kGrooveBristle_N_per_m = 400.0;
-
-// A side of a groove along z.
-struct Side {
-  double stiffness_N_per_m = 0.0;
-  FrictionParameters friction;
-};
-
-// A groove of two planes, each at `half_rad` from the plane x = 0, for a tool that is a point.
-class Groove {
- public:
-  Groove(double half_rad, const Side& left, const Side& right)
-      : normals_{Vec3(std::cos(half_rad), std::sin(half_rad), 0.0),
-                 Vec3(-std::cos(half_rad), std::sin(half_rad), 0.0)} {
-    const std::array sides{left, right};
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      objects_[i] = {.surface = SurfaceKind::primitive,
-                     .primitive = {.kind = PrimitiveKind::plane},
-                     .material = {.stiffness_N_per_m = sides[i].stiffness_N_per_m,
-                                  .friction = sides[i].friction}};
-      Mat3& rotation = objects_[i].primitive.X_WO.rotation;
-      rotation.col(1) = normals_[i];
-      rotation.col(2) = Vec3::UnitZ();
-      rotation.col(0) = normals_[i].cross(Vec3::UnitZ());
-    }
-    EXPECT_TRUE(world_->set_scene(objects_, {.tool_radius_m = 0.0}));
-    EXPECT_TRUE(world_->set_tick(kGrooveTick_s));
-    world_->touch({.p_W = {0.0, 0.01, 0.0}});
-  }
-
-  Touch touch(const Vec3& tool) { return world_->touch({.p_W = tool}); }
-
-  // Returns the pressures of a tool at (x, -depth), m: depth and x are made of the two normals.
-  [[nodiscard]] std::array<double, 2> pressures_m(double x, double depth) const {
-    const Vec3& n = normals_[0];
-    return {0.5 * (depth / n.y() - x / n.x()), 0.5 * (depth / n.y() + x / n.x())};
-  }
-
- private:
-  std::array<Vec3, 2> normals_;
-  std::array<Object, 2> objects_;
-  std::unique_ptr<World> world_ = std::make_unique<World>();
-};
 
 // Returns what a steady slip takes, N per N of normal force.
 double steady_force(const FrictionParameters& friction, double speed) {
@@ -167,33 +126,6 @@ TEST(CornerFriction, OfTwoObjectsOfOneMaterialIsThatOfOne) {
       largest_N = std::max(largest_N, difference.norm());
     }
     EXPECT_LE(largest_N, 1e-3) << kind.name;
-  }
-}
-
-// The groove of the formula y - |x|, whose proxy is found by another method.
-TEST(CornerFriction, OfAFormulaIsThatOfItsPlanes) {
-  const FormulaSurface valley("y - abs(x)");
-  for (const NamedFriction& kind : rough_kinds()) {
-    const Side side{800.0, kind.parameters};
-    const Material material{.stiffness_N_per_m = side.stiffness_N_per_m, .friction = side.friction};
-    Groove planes(0.25 * std::numbers::pi, side, side);
-    ImplicitTracker tracker;
-    Vec3 before(0.0, 0.01, 0.0);
-    tracker.place(before);
-    double largest_N = 0.0;
-    for (int tick = 0; tick < 1500; ++tick) {
-      const Vec3 tool{-0.0008 + 1e-6 * tick, -0.002, 20e-6 * tick};
-      tracker.begin_friction(tool - before, kGrooveTick_s);
-      before = tool;
-      const ImplicitRest rest = tracker.advance(valley.surface, material, tool);
-      const Vec3 force = side.stiffness_N_per_m * (rest.proxy_W - tool);
-      const Vec3 expected = planes.touch(tool).force_W;
-      // The first ticks differ: on one wall or both, where the tool met the groove.
-      if (tick >= 700) {
-        largest_N = std::max(largest_N, (force - expected).norm());
-      }
-    }
-    EXPECT_LE(largest_N, 2e-3) << kind.name;
   }
 }
 
