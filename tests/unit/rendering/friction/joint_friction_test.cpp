@@ -24,6 +24,7 @@ class JointFrictionTest : public ::testing::Test {
   double step(JointFriction& joint, const std::vector<std::uint32_t>& numbers) const {
     joint.begin_tick({kStep_m, 0.0, 0.0}, kTick_s);
     std::vector<JointSurface> surfaces;
+    surfaces.reserve(numbers.size());
     for (const std::uint32_t number : numbers) {
       surfaces.push_back({.number = number,
                           .sliding = {.friction = dahl_, .stiffness_N_per_m = kSpring_N_per_m},

@@ -113,7 +113,7 @@ TEST(CornerFriction, OfTwoObjectsOfOneMaterialIsThatOfOne) {
     Groove two(0.25 * std::numbers::pi, side, side);
     const Solid one(valley, Sides::one,
                     {.stiffness_N_per_m = side.stiffness_N_per_m, .friction = side.friction});
-    const Object object = one.object();
+    const Object& object = one.object();
     const auto world = std::make_unique<World>();
     ASSERT_TRUE(world->set_scene({&object, 1}, {.tool_radius_m = 0.0}));
     ASSERT_TRUE(world->set_tick(kGrooveTick_s));
