@@ -16,8 +16,9 @@ void CreaseWalls::add(const Vec3& offset_O) {
 
 void CreaseWalls::add_planes(ImplicitField& field, const ImplicitSample& ground,
                              ImplicitPlanes& planes) {
-  constexpr double kLeastTurn = 1e-4;  // squared, rad
-  // Of the distance to the proxy, the height that may be missing at the wall's point.
+  // The square of the least angle between a wall and the ground, rad.
+  constexpr double kLeastTurn = 1e-4;
+  // The wall's point may be off the wall by this part of its distance from the proxy.
   constexpr double kMostHeight = 0.3;
   const ImplicitSurface& surface = field.surface();
   const auto has_ended = [&](const Vec3& offset_O) {

@@ -9,6 +9,7 @@
 #include "rendering/material/sliding_surface.h"
 
 namespace tactus::rendering {
+
 // Lets the tool lag by what the friction models say; the goal is the point nearest to it in front
 // of all planes. In a corner the lag may lead into a wall, which then takes that part of it.
 HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& active,

@@ -121,18 +121,19 @@ void JointFriction::give_models(std::span<const JointSurface> surfaces, bool to_
 }
 
 void JointFriction::share_bristles(std::span<const JointSurface> surfaces, const Vec3& normal) {
+  std::array<Bristle, kMost> bristles;
   JointBristle before;
-  for (const JointSurface& surface : surfaces) {
-    before.add(models_[place_of(surface.number)].bristle(normal));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    bristles[i] = models_[place_of(surfaces[i].number)].bristle(normal);
+    before.add(bristles[i]);
   }
   if (!(before.twice_energy_J > 0.0)) {
     return;
   }
   const Vec3 mean_m = before.force_N / before.stiffness_N_per_m;
-  std::array<Bristle, kMost> bristles;
   JointBristle after;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Bristle old = models_[place_of(surfaces[i].number)].bristle(normal);
+    const Bristle& old = bristles[i];
     const double stiffness = bristle_stiffness(surfaces[i].sliding);
     const Vec3 deflection_m =
         old.stiffness_N_per_m > 0.0 ? Vec3{old.force_N / old.stiffness_N_per_m} : mean_m;
