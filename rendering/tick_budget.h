@@ -39,6 +39,9 @@ inline constexpr std::size_t kCostOfFeatureVisit = 3;
 inline constexpr std::size_t kCostOfField = 64;
 inline constexpr std::size_t kFormulaStepsPerUnit = 2;
 
+// A goal that is put on the round walls of a primitive (contact/round_walls.h).
+inline constexpr std::size_t kCostOfRoundWalls = 20;
+
 // The remaining cost of a sub-goal, and of a gathering.
 inline constexpr std::size_t kCostOfSubGoal = 8;
 inline constexpr std::size_t kCostOfGathering = 25;

@@ -34,7 +34,7 @@ ImplicitGoal ImplicitFriction::stay_in_cone(const ImplicitPush& push,
   const Vec3 goal = projection.point + step.goal / surface.scale_m;
   const bool settled = step.state == FrictionState::stick || !projection.feasible ||
                        (goal - state.p_O).norm() * surface.scale_m <= kLeastMove_m;
-  return {.point = goal, .settled = settled};
+  return {.point = goal, .pulled_to = projection.point, .settled = settled};
 }
 
 // Lets the tool lag by what a friction model says: F = K lag along the surface. The goal is the
@@ -52,7 +52,7 @@ ImplicitGoal ImplicitFriction::lag_behind(const ImplicitPush& push, const Implic
   const PlaneProjection projection = planes.project(h - lag_O_);
   const bool settled = !projection.feasible ||
                        (projection.point - state.p_O).norm() * surface.scale_m <= kLeastMove_m;
-  return {.point = projection.point, .settled = settled};
+  return {.point = projection.point, .pulled_to = projection.point, .settled = settled};
 }
 
 }  // namespace tactus::rendering

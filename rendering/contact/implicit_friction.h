@@ -12,6 +12,9 @@ namespace tactus::rendering {
 // The end of the proxy's next move.
 struct ImplicitGoal {
   Vec3 point = Vec3::Zero();  // object frame
+  // The point to which the tool pulls the proxy, from which the friction circle draws the goal
+  // back; object frame.
+  Vec3 pulled_to = Vec3::Zero();
   // True if there is no move: the proxy is where the tool and friction want it.
   bool settled = false;
 };

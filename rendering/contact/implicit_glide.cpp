@@ -11,6 +11,11 @@
 // leaves d times the curvature of the error: from 1 on it never settles in a hollow. The solved
 // step is that of Newton's method, and its error falls quadratically.
 //
+// Friction is opposite to the motion, so a proxy that the friction circle holds back slides along
+// the pull itself, also where the surface bends more to one side than to the other. With the pull
+// q, the curvature k along it and the friction mu d, what is left of the pull falls along the path
+// by 1 - k (d + mu q).
+//
 // The surface is not trusted beyond the second order: the step is cut to what the normal's turn
 // permits, its end is brought back to the surface by Newton's method along the gradient, and the
 // path must be proved free. A step that fails is tried again at a quarter of its length.
@@ -20,6 +25,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
 namespace {
@@ -49,19 +56,52 @@ Mat2 shape_operator(ImplicitField& field, const ImplicitSample& at, const Tangen
   return shape / distance;
 }
 
-// Returns the tangent step (1 - depth * S)^-1 (length, 0), cut so that the normal turns by at most
-// 0.3 rad, as far as the second order is trusted. If the tool lies beyond the centre of curvature,
-// where 1 - depth * S is not positive, the distance has no minimum nearby: the step then goes along
-// the plain one as far as the normal's turn permits.
-Vec2 corrected_step(const Mat2& shape, double depth, double length) {
+// The pull on a proxy, along the tangent plane: its length, the part of it that the friction circle
+// leaves, and the tool's depth below the plane.
+struct Pull {
+  double length = 0.0;
+  double left = 0.0;
+  double depth = 0.0;
+
+  [[nodiscard]] bool is_held() const { return length > left; }
+};
+
+Pull pull_of(const GlideStart& start) {
+  const Vec3& p = start.from.point;
+  const Vec3& normal = start.from.normal;
+  const double left = tangential(start.goal - p, normal).norm();
+  return {.length =
+              start.pulled_to == start.goal ? left : tangential(start.pulled_to - p, normal).norm(),
+          .left = left,
+          .depth = normal.dot(p - start.tool)};
+}
+
+// Returns the step along the pull that friction holds back: to the place where friction holds all
+// of it, or short of there, since a proxy that goes too far does not come back. So on a bulge it
+// leaves out that friction falls along the step. It is a long step if there is no such place ahead.
+Vec2 step_along_pull(double curvature, const Pull& pull, double most_stretch) {
+  const double friction =
+      curvature < 0.0 ? (pull.length - pull.left) / pull.depth * pull.length : 0.0;
+  const double stiffness = 1.0 - curvature * (pull.depth + friction);
+  return {stiffness * most_stretch > 1.0 ? pull.left / stiffness : most_stretch * pull.left, 0.0};
+}
+
+// Returns the tangent step (1 - depth * S)^-1 (left, 0), or the one along the pull if friction
+// holds the proxy back, cut so that the normal turns by at most 0.3 rad, as far as the second order
+// is trusted. If the tool lies beyond the centre of curvature, where 1 - depth * S is not positive,
+// the distance has no minimum nearby: the step then goes along the plain one as far as the normal's
+// turn permits.
+Vec2 corrected_step(const Mat2& shape, const Pull& pull) {
   constexpr double kMostTurn_rad = 0.3;
   constexpr double kMostStretch = 1e3;
   constexpr double kLeastStiffness = 1.0 / kMostStretch;
-  const Mat2 stiffness = Mat2::Identity() - depth * shape;
+  const Mat2 stiffness = Mat2::Identity() - pull.depth * shape;
   const double determinant = stiffness.determinant();
-  Vec2 step{kMostStretch * length, 0.0};
-  if (stiffness.trace() > 0.0 && determinant > kLeastStiffness) {
-    step = length / determinant * Vec2{stiffness(1, 1), -stiffness(1, 0)};
+  Vec2 step{kMostStretch * pull.left, 0.0};
+  if (pull.is_held()) {
+    step = step_along_pull(shape(0, 0), pull, kMostStretch);
+  } else if (stiffness.trace() > 0.0 && determinant > kLeastStiffness) {
+    step = pull.left / determinant * Vec2{stiffness(1, 1), -stiffness(1, 0)};
   }
   const double turn = (shape * step).norm();
   return turn > kMostTurn_rad ? Vec2{kMostTurn_rad / turn * step} : step;
@@ -108,18 +148,15 @@ std::optional<ImplicitSample> glide(ImplicitField& field, const GlideStart& star
   constexpr double kMostProbe_m = 1e-4;
   const double scale_m = field.surface().scale_m;
   const ImplicitSample& from = start.from;
-  const Vec3 wanted = start.goal - from.point;
-  const Vec3 tangent = wanted - from.normal.dot(wanted) * from.normal;
-  const double length = tangent.norm();
-  if (!(length > 0.0) || !(from.steepness > 0.0)) {
+  const Pull pull = pull_of(start);
+  if (!(pull.left > 0.0) || !(from.steepness > 0.0)) {
     return std::nullopt;
   }
-  Tangents t{.along = tangent / length, .across = {}};
+  Tangents t{.along = tangential(start.goal - from.point, from.normal) / pull.left, .across = {}};
   t.across = from.normal.cross(t.along);
-  const double probe = std::clamp(0.5 * length, kLeastProbe_m / scale_m, kMostProbe_m / scale_m);
+  const double probe = std::clamp(0.5 * pull.left, kLeastProbe_m / scale_m, kMostProbe_m / scale_m);
   const Mat2 shape = shape_operator(field, from, t, probe);
-  const double depth = from.normal.dot(from.point - start.tool);
-  Vec2 step = corrected_step(shape, depth, length);
+  Vec2 step = corrected_step(shape, pull);
   if (!step.allFinite()) {
     return std::nullopt;
   }

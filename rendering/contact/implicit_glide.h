@@ -14,6 +14,8 @@ struct GlideStart {
   ImplicitSample from;
   // The sub-goal, on the tangent plane at `from`.
   Vec3 goal = Vec3::Zero();
+  // The tool's projection on the tangent plane, from which the friction circle draws the goal back.
+  Vec3 pulled_to = Vec3::Zero();
   // The tool; the step must come nearer to it.
   Vec3 tool = Vec3::Zero();
 };

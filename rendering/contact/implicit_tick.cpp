@@ -69,7 +69,7 @@ class ImplicitTick {
   // The moves in contact and toward it. They keep to the side of the surface where the proxy is.
   bool go(const ImplicitSample& here);
   ImplicitGoal choose_goal();
-  bool glide_toward(const Vec3& goal, const ImplicitSample& here);
+  bool glide_toward(const ImplicitGoal& goal, const ImplicitSample& here);
   bool come_to_rest_at(const Vec3& stop);
 
   // Ends the tick with the proxy where it is known to be free, and returns true. The planes of the
@@ -233,7 +233,7 @@ bool ImplicitTick::go(const ImplicitSample& here) {
     if (goal.settled) {
       return true;
     }
-    if (rest_.planes == 1 && planes_.size() == 1 && glide_toward(goal.point, here)) {
+    if (rest_.planes == 1 && planes_.size() == 1 && glide_toward(goal, here)) {
       return false;
     }
     const SweptSegment segment = sweep_segment(field_, state_.p_O, goal.point);
@@ -263,15 +263,16 @@ ImplicitGoal ImplicitTick::choose_goal() {
   rest_.normal_W = push.normal_W;
   if (rest_.planes == 0) {
     state_.friction = FrictionState::free;
-    return {.point = h_, .settled = h_ == state_.p_O};
+    return {.point = h_, .pulled_to = h_, .settled = h_ == state_.p_O};
   }
   return friction_.hold(push, planes_, h_, surface_, state_);
 }
 
 // Glides toward a goal on the tangent plane, and returns true if it could. The sample at the end
 // is kept, so that the next sub-goal need not evaluate F there again.
-bool ImplicitTick::glide_toward(const Vec3& goal, const ImplicitSample& here) {
-  const auto to = glide(field_, {.from = here, .goal = goal, .tool = h_});
+bool ImplicitTick::glide_toward(const ImplicitGoal& goal, const ImplicitSample& here) {
+  const auto to =
+      glide(field_, {.from = here, .goal = goal.point, .pulled_to = goal.pulled_to, .tool = h_});
   if (to) {
     move_to(to->point);
     here_ = to;

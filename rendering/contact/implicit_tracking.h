@@ -1,7 +1,7 @@
 // A point proxy on an implicit surface: the tracking of Salisbury and Tarr ("Haptic rendering of
 // surfaces defined by implicit functions", ASME DSC 61, 1997) made safe. The tool is a point; its
-// radius is not used. (A formula that is a distance, such as those of the ready shapes, is felt by
-// a sphere of radius r as f - r.)
+// radius is not used. (A formula that is a distance, such as sphere(1), is felt by a sphere of
+// radius r as f - r; rendering/surface/README.md names those that are.)
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // A goal that would begin a cycle is chosen again with the recalled planes, and one whose sweep is
 // blocked at its start with the plane of the candidate that blocks it: most edges and vertices give
 // their planes in this manner. The recalled planes are those that held the proxy at the place it
-// has left; they bound it from any distance.
+// has left; they bound it from any distance. A proxy that rubs, and meets a seam only because it is
+// below its rest height, rises first.
 #include "rendering/contact/next_move.h"
 
 namespace tactus::rendering {
@@ -33,8 +34,17 @@ NextMove MoveFinder::find(const ProxyMove& tick, const MovingProxy& proxy,
       // The contact of this tick, should it end before the object is measured there.
       state.last_contact = {.object = hit.object, .triangle = hit.triangle};
     }
-    if (++sweeps > kMaxContactPlanes || move.sweep.blocked_by == kNoCandidate ||
-        !collector.add_blocking(move.sweep.blocked_by, planes, rest.flags)) {
+    const std::size_t blocked_by = move.sweep.blocked_by;
+    if (++sweeps > kMaxContactPlanes || blocked_by == kNoCandidate) {
+      return move;
+    }
+    if (const auto raised = collector.place_above_seam(blocked_by, planes)) {
+      const SweepResult rise = sweep_toward(tick.near, p, *raised, rest, constraints_);
+      if (rise.arrived) {
+        return {.goal = {.point = *raised, .tool = goal.tool}, .sweep = rise};
+      }
+    }
+    if (!collector.add_blocking(blocked_by, planes, rest.flags)) {
       return move;
     }
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "rendering/contact/friction_hold.h"
 #include "rendering/contact/primitive_sweep.h"
 
 namespace tactus::rendering {
@@ -17,6 +19,7 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
   CandidateSet& candidates = near_.candidates;
   planes.clear();
   bool found_overlap = false;
+  RubbingEdges edges;
   for (const std::uint16_t i : candidates.within_reach_here()) {
     if (candidates.must_wait(i)) {
       return Result::unfinished;
@@ -31,16 +34,68 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
     if (nearest.distance > margin.reach_m || candidate.behind) {
       continue;
     }
-    if (nearest.feature == Feature::face || nearest.distance < margin.inner_m ||
-        memory.is_blocking(i) || held_by.has({candidate.object, candidate.index})) {
+    if (nearest.feature == Feature::face || nearest.distance < margin.inner_m) {
       add(i, planes, flags);
       add_other_contacts(i, planes, flags);
+    } else if ((memory.is_blocking(i) || held_by.has({candidate.object, candidate.index})) &&
+               !(rubs(candidate) && edges.add(i))) {
+      add(i, planes, flags);
     }
   }
+  add_edges(edges, planes, flags);
   if (!planes.empty()) {
     add_recalled(memory, planes, flags);
   }
   return found_overlap ? Result::overlapped : Result::complete;
+}
+
+void PlaneCollector::add_edges(const RubbingEdges& edges, ContactPlanes& planes,
+                               std::uint32_t& flags) {
+  if (edges.count == 0) {
+    return;
+  }
+  const Vec3 raised_W = planes.resting_position(p_W_);
+  for (const std::uint16_t i : std::span(edges.numbers).first(edges.count)) {
+    if (!is_seam(i, planes) || !is_clear(i, raised_W)) {
+      add(i, planes, flags);
+    }
+  }
+}
+
+std::optional<Vec3> PlaneCollector::place_above_seam(std::size_t i, ContactPlanes& planes) const {
+  if (!is_seam(i, planes)) {
+    return std::nullopt;
+  }
+  const Vec3 raised_W = planes.resting_position(p_W_);
+  const bool is_low = (raised_W - p_W_).norm() > kUnevenRest_m;
+  return is_low && is_clear(i, raised_W) ? std::optional(raised_W) : std::nullopt;
+}
+
+bool PlaneCollector::rubs(const Candidate& candidate) const {
+  const FrictionParameters& friction = near_.scene.material(candidate.object).friction;
+  return friction.kind != FrictionKind::cone || friction.static_level > 0.0;
+}
+
+// A sphere that is lower than its rest height over a face, by as much as a sweep may end lower,
+// meets the edge of the next face at a slant: for a point up to 48 degrees, and less the larger it
+// is. Friction would take that slant for the slope of the surface.
+bool PlaneCollector::is_seam(std::size_t i, const ContactPlanes& planes) const {
+  const Candidate& candidate = near_.candidates.candidate(i);
+  const ContactMargin& margin = near_.margins.of(candidate.point_tool);
+  if (candidate.primitive != nullptr || candidate.nearest.feature == Feature::face ||
+      !rubs(candidate)) {
+    return false;
+  }
+  return std::ranges::any_of(planes.all(), [&](const ContactPlane& contact) {
+    return contact.object == candidate.object && contact.nearest.feature == Feature::face &&
+           contact.nearest.normal.dot(candidate.nearest.normal) >= margin.inner_m / margin.stop_m;
+  });
+}
+
+bool PlaneCollector::is_clear(std::size_t i, const Vec3& p_W) const {
+  const Candidate& candidate = near_.candidates.candidate(i);
+  return candidate.triangle.nearest(p_W).distance >=
+         near_.margins.of(candidate.point_tool).rest_m - kSettled_m;
 }
 
 // Returns true if the object overlaps the sphere. A sphere is nearer to the back than its radius

@@ -3,13 +3,17 @@
 // A triangle that is touched on its face gives its plane at once. One that is touched on an edge or
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
 // neighbour's edge is near too, its plane is tilted against the motion, and yet it never blocks.
+// A seam with friction is left out where the sphere only meets it because it is below its rest
+// height.
 // At the start of a tick the edges that held a proxy with friction give their planes too: without
 // them it would come down to the edge along the way to the tool, rise again, and so creep in every
 // tick.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "rendering/contact/constraint_memory.h"
 #include "rendering/contact/contact_planes.h"
@@ -42,6 +46,10 @@ class PlaneCollector {
   // Adds the planes of the recalled candidates, at any distance.
   void add_recalled(const ConstraintMemory& memory, ContactPlanes& planes, std::uint32_t& flags);
 
+  // Returns the rest height of the planes if the sphere is below it and meets candidate `i`, a seam
+  // that it rubs, only because it is too low. World frame, m.
+  [[nodiscard]] std::optional<Vec3> place_above_seam(std::size_t i, ContactPlanes& planes) const;
+
   // Adds the plane of candidate `i`, which blocked a sweep at its start. Returns true if it is new.
   bool add_blocking(std::size_t i, ContactPlanes& planes, std::uint32_t& flags);
 
@@ -57,6 +65,30 @@ class PlaneCollector {
   bool add(std::size_t i, const Nearest& nearest, ContactPlanes& planes, std::uint32_t& flags);
   // Adds the planes of the other contacts with candidate `i` if that is a primitive.
   void add_other_contacts(std::size_t i, ContactPlanes& planes, std::uint32_t& flags);
+  // The candidates with friction that the sphere touches on an edge or a vertex.
+  struct RubbingEdges {
+    std::array<std::uint16_t, kMaxContactPlanes> numbers{};
+    std::size_t count = 0;
+
+    // Returns false if there are too many.
+    bool add(std::uint16_t number) {
+      if (count == numbers.size()) {
+        return false;
+      }
+      numbers[count++] = number;
+      return true;
+    }
+  };
+  // Adds the planes of the edges, except of seams that the sphere is clear of at the rest height of
+  // the planes that are there.
+  void add_edges(const RubbingEdges& edges, ContactPlanes& planes, std::uint32_t& flags);
+  // Returns true if the candidate's surface has friction.
+  [[nodiscard]] bool rubs(const Candidate& candidate) const;
+  // Returns true if candidate `i` rubs the sphere with an edge or a vertex beside a face of its
+  // object that gave one of the planes.
+  [[nodiscard]] bool is_seam(std::size_t i, const ContactPlanes& planes) const;
+  // Returns true if candidate `i`, a triangle, does not touch a sphere at p_W (world frame, m).
+  [[nodiscard]] bool is_clear(std::size_t i, const Vec3& p_W) const;
   // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;
 

@@ -6,6 +6,7 @@
 #include "rendering/contact/curved_path.h"
 #include "rendering/contact/friction_hold.h"
 #include "rendering/contact/moving_proxy.h"
+#include "rendering/contact/round_walls.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
@@ -60,9 +61,16 @@ inline SubGoal SubGoalChooser::choose(const ProxyMove& tick, const MovingProxy& 
   if (held.sticks) {
     return {.point = held.point, .tool = held.tool, .settled = held.settled};
   }
-  const Vec3 move = held.point - p;
+  const Vec3& pulled_to = active.are_cones ? active.projection.point : held.point;
+  const Vec3 point = touches_round_wall(near.candidates, rest)
+                         ? goal_on_walls({near, planes, rest, p}, pulled_to, held)
+                         : held.point;
+  const Vec3 move = point - p;
   if (move.norm() <= kSettled_m) {
     return {.point = p, .tool = held.tool, .settled = true};
+  }
+  if (point != held.point) {
+    return {.point = point, .tool = held.tool};
   }
   const Candidate& first = near.candidates.candidate(rest.planes[0].candidate);
   const Vec3 lengthened = curve_.lengthen(move, p, held.tool, rest, planes, first.triangle);

@@ -57,7 +57,7 @@ SurfaceSamples all_contacts(const Primitive& primitive, const Vec3& p_W) {
       Solid::add_contacts(p_O, primitive.dimensions_m, contacts);
     }
   });
-  SurfaceSamples found;
+  SurfaceSamples found{.round_count = contacts.round_count()};
   for (const Measure& contact : contacts.all()) {
     found.samples[found.count++] = {.distance_m = contact.distance_m,
                                     .normal_W = primitive.X_WO.direction(contact.normal_O)};

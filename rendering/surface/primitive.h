@@ -37,12 +37,15 @@ SurfaceSample sample(const Primitive& primitive, const Vec3& p_W);
 struct SurfaceSamples {
   std::array<SurfaceSample, Contacts::kMost> samples{};
   std::size_t count = 0;
+  // The first so many are with one round wall; samples[0] is then the nearest of it.
+  std::size_t round_count = 0;
 };
 
 // Returns the points in which a sphere about p_W may touch the surface, at any distance: the walls
 // round a point within a convex solid, and all round the hole of a torus. The plane through each of
-// them, normal to its normal, bounds the sphere. p_W must not be outside a convex solid: there the
-// nearest point is the only contact. Any thread; no heap.
+// them, normal to its normal, bounds the sphere. From outside a convex solid, where the nearest
+// point is the only contact, they are its walls as they are on the side of p_W. Any thread; no
+// heap.
 SurfaceSamples all_contacts(const Primitive& primitive, const Vec3& p_W);
 
 // The surface point that `seen` speaks of, for seen = sample(primitive, p_W).

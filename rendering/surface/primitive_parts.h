@@ -8,6 +8,9 @@
 //   extent       the box about it
 // and, if positive dimensions are not all it takes, `fits` and its condition in words, kCondition;
 // if a sphere can touch it in several points at once, from outside or from within, add_contacts.
+// Of a convex solid these are planes that touch it, whether p is within or outside. A round wall is
+// touched by many: those on the side of p, of which the first is the nearest, come before
+// end_round_wall().
 #pragma once
 
 #include <array>
@@ -54,11 +57,16 @@ class Contacts {
   static constexpr std::size_t kMost = 8;
 
   void add(const Measure& measure) { measures_[count_++] = measure; }
+  // Says that the contacts so far are with one round wall, the first of them on the side of p.
+  void end_round_wall() { round_count_ = count_; }
+
   [[nodiscard]] std::span<const Measure> all() const { return {measures_.data(), count_}; }
+  [[nodiscard]] std::size_t round_count() const { return round_count_; }
 
  private:
   std::array<Measure, kMost> measures_{};
   std::size_t count_ = 0;
+  std::size_t round_count_ = 0;
 };
 
 struct Bounds {

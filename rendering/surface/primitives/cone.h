@@ -23,6 +23,7 @@ struct ConeSolid {
       const Vec3 normal = (d[1] * outward + d[0] * Vec3::UnitY()) / slant;
       contacts.add({normal.dot(p - d[0] * outward), normal});
     }
+    contacts.end_round_wall();
     contacts.add({-p.y(), -Vec3::UnitY()});
   }
 

@@ -20,6 +20,7 @@ struct CylinderSolid {
     for (const Vec3& outward : round_the_axis(p)) {
       contacts.add({p.dot(outward) - d[0], outward});
     }
+    contacts.end_round_wall();
     contacts.add({p.y() - d[1], Vec3::UnitY()});
     contacts.add({-p.y() - d[1], -Vec3::UnitY()});
   }

@@ -35,6 +35,7 @@ struct TorusSolid {
       }
       contacts.add({length - d[1], offset / length});
     }
+    contacts.end_round_wall();
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -26,6 +27,8 @@ class PrimitiveContacts : public ::testing::Test {
  protected:
   static constexpr double kTool_m = 0.0065;
   static constexpr int kTicks = 400;
+  // How much room a round wall leaves to the sphere's centre.
+  static constexpr std::array kRooms_m{1e-6, 3e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 
   void load(const Primitive& primitive, Sides sides, const Material& material = kSlippery) {
     object_ = {.surface = SurfaceKind::primitive,
@@ -51,6 +54,24 @@ class PrimitiveContacts : public ::testing::Test {
       last = touch;
     }
     return pose_.point_in(last.proxy_W);
+  }
+
+  // Strokes round a round wall that leaves the sphere's centre this room, 3 mm beyond it and at up
+  // to 1 m/s: `about_O` is the middle of the wall, `u` and `v` are the directions of the circle.
+  void expect_to_follow(double room_m, const Vec3& about_O, const Vec3& u, const Vec3& v) {
+    constexpr double kBeyond_m = 0.003;
+    constexpr double kStep_m = 1e-3;
+    constexpr double kExact_m = 0.1e-6;
+    const double rest_m = room_m - 0.5e-6;
+    const double turn = std::min(kStep_m / (room_m + kBeyond_m), 0.3);
+    for (int tick = 0; tick < kTicks; ++tick) {
+      const Vec3 out = std::cos(turn * tick) * u + std::sin(turn * tick) * v;
+      const double out_m = std::min(room_m + kBeyond_m, 0.25 * kStep_m * tick);
+      const Touch touch = world_->touch({.p_W = pose_.point(about_O + out_m * out)});
+      const Vec3 exact = pose_.point(about_O + std::min(out_m, rest_m) * out);
+      ASSERT_EQ(touch.flags, kTouchClean) << "room " << room_m << ", tick " << tick;
+      ASSERT_LE((touch.proxy_W - exact).norm(), kExact_m) << "room " << room_m << ", tick " << tick;
+    }
   }
 
   // Returns a random rotation and a place within a centimetre.
@@ -142,6 +163,65 @@ TEST_F(PrimitiveContacts, AHollowConeHoldsTheSphereBelowItsTip) {
     const Vec3 proxy = press({0, 0.008, 0}, Vec3(0, any(0.025, 0.03), 0) + aside);
     EXPECT_NEAR(std::hypot(proxy.x(), proxy.z()), 0.0, 2.0 * kMicron) << press_number;
     EXPECT_NEAR(proxy.y(), height_m, 2.0 * kMicron) << press_number;
+  }
+}
+
+TEST_F(PrimitiveContacts, AHollowSolidFollowsAFastHandHoweverLittleRoomItHas) {
+  constexpr double kLength_m = 0.02;
+  constexpr double kRing_m = 0.04;
+  for (const double room_m : kRooms_m) {
+    const double radius_m = kTool_m + room_m;
+    for (const PrimitiveKind kind :
+         {PrimitiveKind::sphere, PrimitiveKind::capsule, PrimitiveKind::cylinder}) {
+      load({.kind = kind, .X_WO = any_pose(), .dimensions_m = {radius_m, kLength_m}}, Sides::two);
+      expect_to_follow(room_m, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ());
+    }
+    load({.kind = PrimitiveKind::torus, .X_WO = any_pose(), .dimensions_m = {kRing_m, radius_m}},
+         Sides::two);
+    expect_to_follow(room_m, kRing_m * Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitY());
+  }
+}
+
+TEST_F(PrimitiveContacts, TheHoleOfATorusFollowsAFastHandHoweverLittleRoomItHas) {
+  constexpr double kTube_m = 0.005;
+  for (const double room_m : kRooms_m) {
+    load({.kind = PrimitiveKind::torus,
+          .X_WO = any_pose(),
+          .dimensions_m = {kTool_m + room_m + kTube_m, kTube_m}},
+         Sides::one);
+    expect_to_follow(room_m, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ());
+  }
+}
+
+// The hand goes to random places about the tip at up to 1 m/s. The proxy is at the tool's
+// projection on the cone of its room.
+TEST_F(PrimitiveContacts, TheTipOfAHollowConeFollowsAFastHand) {
+  constexpr double kRadius_m = 0.02;
+  constexpr double kHeight_m = 0.03;
+  constexpr double kStep_m = 1e-3;
+  const double slant_m = std::hypot(kRadius_m, kHeight_m);
+  const double tip_m = kHeight_m - (kTool_m + 0.5e-6) * slant_m / kRadius_m;
+  load({.kind = PrimitiveKind::cone, .X_WO = any_pose(), .dimensions_m = {kRadius_m, kHeight_m}},
+       Sides::two);
+  Vec3 tool(0.0, tip_m - 0.003, 0.0);
+  Vec3 target = tool;
+  world_->touch({.p_W = pose_.point(tool)});
+  for (int tick = 0; tick < testing::share_of(5 * kTicks); ++tick) {
+    if ((target - tool).norm() < kStep_m) {
+      target = Vec3(any(-0.003, 0.003), tip_m + any(-0.002, 0.004), any(-0.003, 0.003));
+    }
+    tool += kStep_m * (target - tool).normalized();
+    const double r = std::hypot(tool.x(), tool.z());
+    const double beyond = (kHeight_m * r + kRadius_m * (tool.y() - tip_m)) / slant_m;
+    const double out = r - beyond * kHeight_m / slant_m;
+    const double up = tool.y() - beyond * kRadius_m / slant_m;
+    Vec3 exact = tool;
+    if (beyond > 0.0) {
+      exact = out > 0.0 ? Vec3(out / r * tool.x(), up, out / r * tool.z()) : Vec3(0.0, tip_m, 0.0);
+    }
+    const Touch touch = world_->touch({.p_W = pose_.point(tool)});
+    ASSERT_EQ(touch.flags, kTouchClean) << "tick " << tick;
+    ASSERT_LE((pose_.point_in(touch.proxy_W) - exact).norm(), kMicron) << "tick " << tick;
   }
 }
 
