@@ -19,7 +19,8 @@ constexpr const char* kColumns =
     "mesh,triangles,radius_mm,friction,ticks,median_ns,p99_ns,p999_ns,max_ns,once_p999_ns,"
     "once_max_ns,instructions_mean,instructions_median,instructions_p99,instructions_p999,"
     "instructions_max,contact_ticks,flagged_ticks,peak_candidates,motion,late_ticks,"
-    "late_worst_um,late_turn_deg,paced_median_ns,paced_p999_ns,cold_median_ns,cold_p999_ns";
+    "late_worst_um,late_turn_deg,late_in_a_row,late_turned,"
+    "paced_median_ns,paced_p999_ns,cold_median_ns,cold_p999_ns";
 
 // Returns the processor's model. On Arm the kernel names no model; then it is the architecture.
 std::string processor(const utsname& system) {
@@ -80,12 +81,13 @@ void FiguresFile::append(const TouchFigures& figures) {
   described_ = true;
   text += fmt::format(
       "{},{},{:g},{:d},{},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{},{},{},{},{},{},{:."
-      "1f},{:.1f},{},{}\n",
+      "1f},{:.1f},{},{},{},{}\n",
       figures.mesh, figures.triangles, 1e3 * figures.radius_m, figures.friction, t.ticks,
       t.median_ns, t.p99_ns, t.p999_ns, t.max_ns, t.once_p999_ns, t.once_max_ns,
       instructions_row(figures.instructions), t.contact_ticks, t.flagged_ticks, t.peak_candidates,
       figures.motion, figures.lateness.late_ticks, 1e6 * figures.lateness.worst_m,
-      hal::degrees_of(figures.lateness.worst_turn_rad), single_times_row(figures.paced),
+      hal::degrees_of(figures.lateness.worst_turn_rad), figures.lateness.in_a_row,
+      figures.lateness.turned_ticks, single_times_row(figures.paced),
       single_times_row(figures.cold));
   write(text);
 }

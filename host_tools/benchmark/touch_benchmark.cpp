@@ -40,6 +40,12 @@ void copy_state(rendering::World& from, rendering::World& to, std::span<std::byt
   }
 }
 
+// Returns the angle between two vectors, rad; 0 if one of them is zero.
+double angle_between(const Vec3& a, const Vec3& b) {
+  const double lengths = a.norm() * b.norm();
+  return lengths > 0.0 ? std::acos(std::clamp(a.dot(b) / lengths, -1.0, 1.0)) : 0.0;
+}
+
 // Sleeps until the next whole period after the last wake-up.
 class Pace {
  public:
@@ -122,29 +128,33 @@ SingleTimes time_single_ticks(std::span<const rendering::Object> objects, double
 }
 
 Lateness lateness_of(std::span<const rendering::Object> objects, double tool_radius_m,
-                     std::span<const Vec3> path) {
+                     std::span<const Vec3> path, std::optional<double> tick_instructions) {
   const auto usual = std::make_unique<rendering::World>();
   const auto unlimited = std::make_unique<rendering::World>();
   usual->set_scene(objects, {.tool_radius_m = tool_radius_m});
   unlimited->set_scene(objects, {.tool_radius_m = tool_radius_m});
+  if (tick_instructions) {
+    usual->set_tick_budget(*tick_instructions);
+  }
   unlimited->set_tick_budget(std::numeric_limits<double>::infinity());
   std::vector<std::byte> room(kMostStateBytes);
   Lateness lateness;
+  std::size_t series = 0;
   for (const Vec3& p : path) {
     const rendering::Touch here = usual->touch({.p_W = p});
     const rendering::Touch there = unlimited->touch({.p_W = p});
     const double behind_m = (here.proxy_W - there.proxy_W).norm();
     if (behind_m <= kLate_m) {
+      series = 0;
       continue;
     }
     copy_state(*usual, *unlimited, room);
     ++lateness.late_ticks;
+    lateness.in_a_row = std::max(lateness.in_a_row, ++series);
     lateness.worst_m = std::max(lateness.worst_m, behind_m);
-    const double lengths = here.force_W.norm() * there.force_W.norm();
-    if (lengths > 0.0) {
-      const double cosine = std::clamp(here.force_W.dot(there.force_W) / lengths, -1.0, 1.0);
-      lateness.worst_turn_rad = std::max(lateness.worst_turn_rad, std::acos(cosine));
-    }
+    const double turn_rad = angle_between(here.force_W, there.force_W);
+    lateness.worst_turn_rad = std::max(lateness.worst_turn_rad, turn_rad);
+    lateness.turned_ticks += turn_rad > kTurned_rad ? 1 : 0;
   }
   return lateness;
 }

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
+#include <optional>
 #include <span>
 
 #include "rendering/objects/object.h"
@@ -60,12 +62,21 @@ struct Lateness {
   // The largest distance between them, m, and the largest angle between their forces, rad.
   double worst_m = 0.0;
   double worst_turn_rad = 0.0;
+  // The longest series of late ticks: so many it takes at most until the proxy is where one without
+  // a limit would put it.
+  std::size_t in_a_row = 0;
+  // The late ticks whose force has an angle of more than kTurned_rad to the one without a limit.
+  std::size_t turned_ticks = 0;
 };
 inline constexpr double kLate_m = 1e-6;
+inline constexpr double kTurned_rad = std::numbers::pi / 6.0;
 
 // Touches the objects with a tool that follows `path` (m, world frame) in two worlds, of which the
-// one without a limit takes the state of the other after every late tick.
+// one without a limit takes the state of the other after every late tick. `tick_instructions` takes
+// the place of the usual budget of a tick; it must be > 0 (World::set_tick_budget). An angle counts
+// only where both forces are other than zero.
 Lateness lateness_of(std::span<const rendering::Object> objects, double tool_radius_m,
-                     std::span<const Vec3> path);
+                     std::span<const Vec3> path,
+                     std::optional<double> tick_instructions = std::nullopt);
 
 }  // namespace tactus::host

@@ -38,7 +38,9 @@ void print_json(const TouchFigures& figures) {
                               {"peak_candidates", timing.peak_candidates},
                               {"late_ticks", figures.lateness.late_ticks},
                               {"late_worst_m", figures.lateness.worst_m},
-                              {"late_turn_rad", figures.lateness.worst_turn_rad}};
+                              {"late_turn_rad", figures.lateness.worst_turn_rad},
+                              {"late_in_a_row", figures.lateness.in_a_row},
+                              {"late_turned", figures.lateness.turned_ticks}};
   if (const auto& count = figures.instructions) {
     json["instructions"] = {{"mean", count->mean},
                             {"median", count->median},
@@ -57,8 +59,10 @@ void print_json(const TouchFigures& figures) {
 std::string late_words(const Lateness& lateness) {
   return lateness.late_ticks == 0
              ? std::string()
-             : fmt::format(", by {:.3g} mm and {:.0f} degrees of the force at most",
-                           1e3 * lateness.worst_m, hal::degrees_of(lateness.worst_turn_rad));
+             : fmt::format(
+                   ", by {:.3g} mm and {:.0f} degrees of the force at most, at most {} in a row",
+                   1e3 * lateness.worst_m, hal::degrees_of(lateness.worst_turn_rad),
+                   lateness.in_a_row);
 }
 
 void print_single_times(const TouchFigures& figures) {

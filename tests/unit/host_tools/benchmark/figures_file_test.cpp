@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "host_tools/files/atomic_file.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
@@ -17,7 +18,12 @@ const TouchFigures kFigures{.mesh = "ball",
                             .triangles = 20,
                             .radius_m = 0.002,
                             .motion = "hand",
-                            .timing = {.ticks = 7, .median_ns = 400.4, .flagged_ticks = 3}};
+                            .timing = {.ticks = 7, .median_ns = 400.4, .flagged_ticks = 3},
+                            .lateness = {.late_ticks = 7,
+                                         .worst_m = 8e-5,
+                                         .worst_turn_rad = std::numbers::pi / 2.0,
+                                         .in_a_row = 4,
+                                         .turned_ticks = 2}};
 
 TEST(FiguresFile, NamesItsColumnsOnceAndTheMachineOncePerRun) {
   const TemporaryFolder folder;
@@ -32,7 +38,8 @@ TEST(FiguresFile, NamesItsColumnsOnceAndTheMachineOncePerRun) {
   EXPECT_TRUE(text.starts_with("mesh,triangles,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 1 + 2 + 1 + 1);
   EXPECT_EQ(std::ranges::count(text, '#'), 2);
-  EXPECT_TRUE(contains(text, "\nball,20,2,1,7,400,0,0,0,0,0,,,,,,0,3,0,hand,0,0.0,0.0,,,,\n"));
+  EXPECT_TRUE(
+      contains(text, "\nball,20,2,1,7,400,0,0,0,0,0,,,,,,0,3,0,hand,7,80.0,90.0,4,2,,,,\n"));
 }
 
 TEST(FiguresFile, EveryRowHasAFieldForEveryColumn) {

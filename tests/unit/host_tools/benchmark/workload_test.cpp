@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "host_tools/benchmark/touch_benchmark.h"
 #include "rendering/world/world.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid.h"
@@ -68,15 +67,6 @@ TEST(HandWorkload, IsNoFasterThanAHandAndStretchesTheProxyNoFartherThanItMay) {
   }
   EXPECT_GT(deepest, 0.001);
   EXPECT_LE(deepest, kHandStretch_m + kHandSpeed_m_per_s * 1e-3);
-}
-
-TEST(Lateness, IsNoneWhereTheBudgetIsEnough) {
-  const Solid ball(testing::icosphere(0.04, 4), rendering::Sides::one,
-                   {.stiffness_N_per_m = 1000.0});
-  const std::vector<Vec3> path = stroke_workload(ball.object().mesh, kRadius_m, 2000);
-  const Lateness lateness = lateness_of({&ball.object(), 1}, kRadius_m, path);
-  EXPECT_EQ(lateness.late_ticks, 0U);
-  EXPECT_EQ(lateness.worst_m, 0.0);
 }
 
 }  // namespace
