@@ -1,5 +1,6 @@
 #include "host_tools/benchmark/gravel.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace {
 constexpr int kBallsAlongEdge = 10;
 constexpr double kGridStep_m = 0.0075;
 constexpr double kJitter_m = 0.0005;
-static_assert(kBallsAlongEdge * kBallsAlongEdge * kBallsAlongEdge == kGravelBalls);
+static_assert(std::size_t{kBallsAlongEdge} * kBallsAlongEdge * kBallsAlongEdge == kGravelBalls);
 
 // Returns the middles of the balls, m, in the order of the grid.
 std::vector<Vec3> jittered_grid(SplitMix64& random) {
