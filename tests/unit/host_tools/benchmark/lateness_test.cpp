@@ -8,6 +8,7 @@
 
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
+#include "rendering/friction/friction_model.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid.h"
 
@@ -21,16 +22,22 @@ constexpr double kRadius_m = 0.002;
 constexpr double kDepth_m = 0.005;
 // The instructions of a tick that ends after a few moves.
 constexpr double kLittle = 10'000.0;
+// The ticks in which the proxy arrives from anywhere.
+constexpr std::size_t kWait = 500;
 
 class LatenessTest : public ::testing::Test {
  protected:
-  // The tool presses at each of the angles (rad) in turn, long enough for the proxy to arrive.
+  // Returns the tool's place where it presses at an angle about the ball, rad.
+  [[nodiscard]] static Vec3 pressed_at(double angle) {
+    return (kBall_m + kRadius_m - kDepth_m) * Vec3{std::cos(angle), std::sin(angle), 0.0};
+  }
+
+  // Returns a path on which the tool presses at each of the angles (rad) in turn, long enough for
+  // the proxy to arrive.
   [[nodiscard]] static std::vector<Vec3> jumps(const std::vector<double>& angles) {
-    constexpr std::size_t kWait = 500;
     std::vector<Vec3> path{{kBall_m + 2.0 * kRadius_m, 0.0, 0.0}};
     for (const double angle : angles) {
-      const Vec3 outward{std::cos(angle), std::sin(angle), 0.0};
-      path.insert(path.end(), kWait, (kBall_m + kRadius_m - kDepth_m) * outward);
+      path.insert(path.end(), kWait, pressed_at(angle));
     }
     return path;
   }
@@ -90,6 +97,19 @@ TEST_F(LatenessTest, OnlyAForceThatPointsElsewhereIsTurned) {
   EXPECT_GT(far.worst_turn_rad, kTurned_rad);
   EXPECT_GT(far.turned_ticks, far.late_ticks / 2);
   EXPECT_LE(far.turned_ticks, far.late_ticks);
+}
+
+TEST_F(LatenessTest, IsThatOfTicksFromTheSameState) {
+  // The late proxy is dragged to the last place from one side, and one that was never late from the
+  // other. Friction holds them on these two sides for ever, but no tick there is late.
+  const Solid rough(testing::icosphere(kBall_m, 6), rendering::Sides::one,
+                    {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)});
+  std::vector<Vec3> path = jumps({0.0});
+  path.insert(path.end(), 5, pressed_at(1.0));
+  path.insert(path.end(), kWait, pressed_at(0.5));
+  const Lateness lateness = lateness_of({&rough.object(), 1}, kRadius_m, path, kLittle);
+  EXPECT_GT(lateness.in_a_row, 5U);
+  EXPECT_LT(lateness.late_ticks, kWait / 2);
 }
 
 }  // namespace
