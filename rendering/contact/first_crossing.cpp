@@ -1,6 +1,7 @@
 // The search for the first crossing halves the segment from its start on: ranges that are proved
-// free are left behind, the nearest other one is looked at next. For a range it knows F at both
-// ends, and by interval arithmetic bounds of F and of its slope dF/dt over the whole of it.
+// free are left behind, the nearest other one is looked at next. For a range it knows by interval
+// arithmetic bounds of F and of its slope dF/dt over the whole of it, and F at both ends: an end is
+// evaluated when the bounds alone do not decide.
 //
 //   free:     the bound of F is above 0, or the slope allows no dip below 0 between the two ends
 //   crossed:  F is below 0 at the far end and falls all the way, so there is one crossing
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace tactus::rendering {
 namespace {
@@ -24,17 +26,29 @@ constexpr double kResolution_m = 1e-9;
 // 100 m halved this often is below the resolution.
 constexpr std::size_t kMostHalvings = 40;
 
-// An end of a range: its share of the segment, and F there.
+// An end of a range: its share of the segment, and F there once it is evaluated.
 struct End {
+  double t = 0.0;
+  std::optional<double> value;  // F
+};
+
+// An end whose F is known.
+struct KnownEnd {
   double t = 0.0;
   double value = 0.0;  // F
 };
+
+// Returns true if F and its slope are finite all over a range, so that F has no pole there.
+bool is_bounded(const SegmentRange& range) {
+  return std::isfinite(range.value.lower) && std::isfinite(range.value.upper) &&
+         std::isfinite(range.slope.lower) && std::isfinite(range.slope.upper);
+}
 
 // Returns the least possible F between two ends of a range, from its values there and its slope: F
 // is above the line that falls from `a` at the lowest slope and above the one that reaches `b` at
 // the highest, so it is above the point where they meet. An end at a pole or without a value tells
 // nothing.
-double least_value(const End& a, const End& b, const Interval& slope) {
+double least_value(const KnownEnd& a, const KnownEnd& b, const Interval& slope) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   if (a.value >= kLargest || b.value >= kLargest) {
     return -kLargest;
@@ -61,46 +75,70 @@ class Search {
 
   // Runs the search with at most `most_ranges` ranges; then the segment is free up to the last one
   // proved.
-  Crossing run(std::size_t most_ranges) {
+  Crossing run(std::size_t most_ranges, const EndValues& known) {
     // Ends that wait to the right of the range, the nearest on top.
     std::array<End, kMostHalvings + 1> open;
     std::size_t depth = 0;
-    End a = at(0.0);
-    open[depth++] = at(1.0);
+    End a{.t = 0.0, .value = known.from};
+    open[depth++] = {.t = 1.0, .value = known.to};
     for (std::size_t ranges = 0; depth > 0; ++ranges) {
-      const End b = open[depth - 1];
+      End& b = open[depth - 1];
       if (ranges == most_ranges || !field_.can_evaluate()) {
         return {.state = SegmentState::unknown, .free_to = a.t};
       }
       const SegmentRange range = field_.along(from_, segment_, {a.t, b.t});
-      if (range.value.lower > 0.0 || least_value(a, b, range.slope) >= 0.0) {
+      if (is_free(a, b, range)) {
         a = b;
         --depth;
         continue;
       }
-      if (b.value < 0.0 && range.slope.upper < 0.0) {
-        return narrow(a, b);
+      if (value(b) < 0.0 && range.slope.upper < 0.0) {
+        return narrow({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)});
       }
       if (b.t - a.t <= resolution_ || depth == open.size()) {
         return {.state = SegmentState::blocked, .free_to = a.t, .blocked_at = b.t};
       }
-      const End middle = at(0.5 * (a.t + b.t));
+      const KnownEnd middle = at(0.5 * (a.t + b.t));
       if (middle.value < 0.0) {
         depth = 0;  // what lies behind does not matter
       }
-      open[depth++] = middle;
+      open[depth++] = {.t = middle.t, .value = middle.value};
     }
     return {};
   }
 
  private:
-  End at(double t) {
+  KnownEnd at(double t) {
     return {.t = t, .value = field_.value(t == 1.0 ? to_ : Vec3{from_ + t * segment_})};
+  }
+
+  // Returns F at an end, and evaluates it there at the first call.
+  double value(End& end) {
+    if (!end.value) {
+      end.value = at(end.t).value;
+    }
+    return *end.value;
+  }
+
+  // Returns true if F is proved not to fall below 0 between two ends. Where F has no pole and only
+  // rises or only falls, its lower end decides.
+  bool is_free(End& a, End& b, const SegmentRange& range) {
+    if (range.value.lower > 0.0) {
+      return true;
+    }
+    if (is_bounded(range) && range.slope.lower >= 0.0) {
+      return value(a) >= 0.0;
+    }
+    if (is_bounded(range) && range.slope.upper <= 0.0) {
+      return value(b) >= 0.0;
+    }
+    return least_value({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)}, range.slope) >=
+           0.0;
   }
 
   // F falls all the way from a to b, and below 0: false position. An end that stays a second time
   // counts half (the Illinois rule: Dowell and Jarratt, BIT 11, 1971), so that both close in.
-  Crossing narrow(End a, End b) {
+  Crossing narrow(KnownEnd a, KnownEnd b) {
     constexpr int kMostSteps = 40;
     double weight_a = a.value;
     double weight_b = b.value;
@@ -110,7 +148,8 @@ class Search {
          ++step) {
       const double share = weight_a / (weight_a - weight_b);
       const double guess = a.t + (b.t - a.t) * (share >= 0.0 && share <= 1.0 ? share : 0.5);
-      const End middle = at(std::clamp(guess, a.t + 0.4 * resolution_, b.t - 0.4 * resolution_));
+      const KnownEnd middle =
+          at(std::clamp(guess, a.t + 0.4 * resolution_, b.t - 0.4 * resolution_));
       if (middle.value < 0.0) {
         weight_a *= moved_b ? 0.5 : 1.0;
         b = middle;
@@ -157,8 +196,8 @@ SegmentRange ImplicitField::along(const Vec3& from_O, const Vec3& segment_O, con
 }
 
 Crossing first_crossing(ImplicitField& field, const Vec3& from_O, const Vec3& to_O,
-                        std::size_t most_ranges) {
-  return Search(field, from_O, to_O).run(most_ranges);
+                        std::size_t most_ranges, const EndValues& known) {
+  return Search(field, from_O, to_O).run(most_ranges, known);
 }
 
 }  // namespace tactus::rendering

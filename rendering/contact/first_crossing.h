@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "rendering/surface/implicit_surface.h"
 
@@ -64,10 +65,17 @@ struct Crossing {
       1.0;  // for SegmentState::blocked: F < 0 here, or undecided; at most 1 nm further
 };
 
+// F at the ends of a segment, where the caller has evaluated it there: ImplicitField::value at
+// exactly these points, from the same side.
+struct EndValues {
+  std::optional<double> from;
+  std::optional<double> to;
+};
+
 // Returns the first place on the segment between two points within the bounds where F falls below
-// 0. It looks at `most_ranges` ranges at most, and evaluates F within the field's budget. F(from)
-// must be >= 0.
+// 0. It looks at `most_ranges` ranges at most, and evaluates F within the field's budget; what is
+// `known` is not evaluated again. F(from) must be >= 0.
 Crossing first_crossing(ImplicitField& field, const Vec3& from_O, const Vec3& to_O,
-                        std::size_t most_ranges);
+                        std::size_t most_ranges, const EndValues& known = {});
 
 }  // namespace tactus::rendering

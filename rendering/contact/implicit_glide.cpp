@@ -107,8 +107,21 @@ Vec2 corrected_step(const Mat2& shape, const Pull& pull) {
   return turn > kMostTurn_rad ? Vec2{kMostTurn_rad / turn * step} : step;
 }
 
-// Returns true if a path between two surface points is free. The straight segment dips into a
-// bulge, so the path has an apex above the middle of the chord.
+// Returns true if the chord between two surface points is free. F is about the rest height at its
+// ends, and the chord dips into a bulge by |turn| * length / 8. Intervals prove no more than a
+// multiple of the dip, so the chord of a longer step is not tried.
+bool is_chord_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
+  constexpr std::size_t kOneRange = 1;
+  const Vec3 chord = to.point - from.point;
+  const double bend = std::abs((to.normal - from.normal).dot(chord));  // |turn| * length
+  return bend * field.surface().scale_m <= kImplicitRest_m &&
+         first_crossing(field, from.point, to.point, kOneRange,
+                        {.from = from.value, .to = to.value})
+                 .state == SegmentState::free;
+}
+
+// Returns true if a path between two surface points is free: the chord of a short step; else a path
+// with an apex above the middle of the chord, which dips into a bulge.
 //
 // Against the chord the surface's slope is at most |turn| / 2, at its ends. Each half of the path
 // has the slope 2 rise / length = 0.1 + |turn| + turn / 2, which is steeper on a bulge (turn > 0)
@@ -117,14 +130,19 @@ Vec2 corrected_step(const Mat2& shape, const Pull& pull) {
 bool is_path_free(ImplicitField& field, const ImplicitSample& from, const ImplicitSample& to) {
   constexpr std::size_t kMostRanges = 8;
   constexpr double kLeastSlope = 0.05;
+  if (is_chord_free(field, from, to)) {
+    return true;
+  }
   const Vec3 chord = to.point - from.point;
   const double length = chord.norm();
   const double turn = (to.normal - from.normal).dot(chord) / length;  // curvature * length
   const double rise = length * (kLeastSlope + 0.5 * std::abs(turn) + 0.25 * turn);
   const Vec3 apex = 0.5 * (from.point + to.point) + rise * (from.normal + to.normal).normalized();
   return field.surface().bounds_O.contains(apex) &&
-         first_crossing(field, from.point, apex, kMostRanges).state == SegmentState::free &&
-         first_crossing(field, apex, to.point, kMostRanges).state == SegmentState::free;
+         first_crossing(field, from.point, apex, kMostRanges, {.from = from.value, .to = {}})
+                 .state == SegmentState::free &&
+         first_crossing(field, apex, to.point, kMostRanges, {.from = {}, .to = to.value}).state ==
+             SegmentState::free;
 }
 
 // Returns true if the step's end is free, if its normal is within 60 degrees of the normal at the

@@ -26,7 +26,8 @@ Inside clip(const Box& box, const Vec3& from, const Vec3& segment) {
   return inside;
 }
 
-SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to) {
+SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to,
+                           std::optional<double> value_from) {
   // The segment ends where it is known to be free if it would take more intervals.
   constexpr std::size_t kMostRanges = 64;
   // A part of the segment beyond the bounds is cut off: the caller goes on from the border, where
@@ -38,7 +39,8 @@ SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& t
                        .crossing = {}};
   // A segment that leaves the bounds at once is free: it stands on the wall of the box.
   if (leave > 0.0) {
-    segment.crossing = first_crossing(field, from, segment.to, kMostRanges);
+    segment.crossing =
+        first_crossing(field, from, segment.to, kMostRanges, {.from = value_from, .to = {}});
   }
   return segment;
 }
@@ -51,7 +53,8 @@ std::optional<Vec3> raised_to_rest(ImplicitField& field, const Vec3& from) {
   const auto up = settle_at_rest(field, from, kMostRise / surface.scale_m);
   const bool can_rise =
       up && surface.bounds_O.contains(up->point) && up->value >= 0.0 &&
-      first_crossing(field, from, up->point, kFewRanges).state == SegmentState::free;
+      first_crossing(field, from, up->point, kFewRanges, {.from = {}, .to = up->value}).state ==
+          SegmentState::free;
   return can_rise ? std::optional(up->point) : std::nullopt;
 }
 

@@ -30,8 +30,10 @@ struct SweptSegment {
   }
 };
 
-// Sweeps from `from` toward `to`, within the bounds of the surface. F(from) must be >= 0.
-SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to);
+// Sweeps from `from` toward `to`, within the bounds of the surface. F(from) must be >= 0;
+// `value_from` is F(from) where the caller has evaluated it.
+SweptSegment sweep_segment(ImplicitField& field, const Vec3& from, const Vec3& to,
+                           std::optional<double> value_from = {});
 
 // Returns a free point moved up to the rest height along the gradient. Returns nothing if that is
 // farther than 0.4 um, outside the bounds, or if the segment there is not free.

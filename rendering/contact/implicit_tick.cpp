@@ -236,7 +236,7 @@ bool ImplicitTick::go(const ImplicitSample& here) {
     if (rest_.planes == 1 && planes_.size() == 1 && glide_toward(goal, here)) {
       return false;
     }
-    const SweptSegment segment = sweep_segment(field_, state_.p_O, goal.point);
+    const SweptSegment segment = sweep_segment(field_, state_.p_O, goal.point, here.value);
     const Crossing& crossing = segment.crossing;
     if (crossing.state == SegmentState::free) {
       move_to(goal.point);

@@ -15,9 +15,10 @@ constexpr std::size_t kPlentyOfWork = 10'000'000;
 constexpr std::size_t kPlentyOfRanges = 100'000;
 constexpr std::uint64_t kCrossingSeed = 20260320;
 
-Crossing cross(const FormulaSurface& shape, const Vec3& from, const Vec3& to) {
+Crossing cross(const FormulaSurface& shape, const Vec3& from, const Vec3& to,
+               const EndValues& known = {}) {
   ImplicitField field(shape.surface, 1.0, kPlentyOfWork);
-  return first_crossing(field, from, to, kPlentyOfRanges);
+  return first_crossing(field, from, to, kPlentyOfRanges, known);
 }
 
 TEST(FirstCrossing, FindsWhereALineEntersASphere) {
@@ -64,6 +65,32 @@ TEST(FirstCrossing, StopsWhereTheBudgetRunsOutWithThePathBehindItFree) {
   EXPECT_GT(last, 0.5);
 }
 
+// An end that the caller has evaluated costs nothing, and a segment on which F only rises needs its
+// start alone.
+TEST(FirstCrossing, EvaluatesNoKnownEndAndNoEndThatTheBoundsMakeNeedless) {
+  const FormulaSurface sphere("sphere(1)");
+  const auto formula_size = sphere.surface.formula.instructions.size();
+  const Vec3 low{1.0, 0.0, 0.0};
+  const Vec3 high{1.01, 0.001, 0.0};
+  const auto evaluations = [&](const Vec3& from, const Vec3& to, const EndValues& known) {
+    ImplicitField field(sphere.surface, 1.0, kPlentyOfWork);
+    EXPECT_EQ(first_crossing(field, from, to, 1, known).state, SegmentState::free);
+    return (kPlentyOfWork - field.left()) / formula_size;
+  };
+  const double at_low = sphere.value_at(low);
+  EXPECT_EQ(evaluations(low, high, {}), 2U);
+  EXPECT_EQ(evaluations(high, low, {}), 2U);
+  EXPECT_EQ(evaluations(low, high, {.from = at_low, .to = {}}), 1U);
+  EXPECT_EQ(evaluations(high, low, {.from = {}, .to = at_low}), 1U);
+}
+
+// F rises beside the pole of -1/x without a bound, and is below 0 behind it.
+TEST(FirstCrossing, DoesNotTakeARiseToAPoleForFree) {
+  const FormulaSurface pole("-1/x");
+  EXPECT_EQ(cross(pole, {-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}).state, SegmentState::blocked);
+  EXPECT_EQ(cross(pole, {-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}).state, SegmentState::blocked);
+}
+
 class RandomSegments : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RandomSegments, AreFreeUpToTheFirstCrossingThatSamplingFinds) {
@@ -85,6 +112,10 @@ TEST_P(RandomSegments, AreFreeUpToTheFirstCrossingThatSamplingFinds) {
     }
     const Crossing crossing = cross(shape, from, to);
     ASSERT_NE(crossing.state, SegmentState::unknown);
+    const Crossing with_ends =
+        cross(shape, from, to, {.from = f(0.0), .to = evaluate(shape.surface.formula, to)});
+    EXPECT_EQ(with_ends.state, crossing.state);
+    EXPECT_EQ(with_ends.free_to, crossing.free_to);
     for (int i = 0; i <= kSamples && i <= crossing.free_to * kSamples; ++i) {
       ASSERT_GE(f(static_cast<double>(i) / kSamples), 0.0) << "run " << run;
     }
