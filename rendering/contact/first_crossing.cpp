@@ -40,8 +40,8 @@ struct KnownEnd {
 
 // Returns true if F and its slope are finite all over a range, so that F has no pole there.
 bool is_bounded(const SegmentRange& range) {
-  return std::isfinite(range.value.lower) && std::isfinite(range.value.upper) &&
-         std::isfinite(range.slope.lower) && std::isfinite(range.slope.upper);
+  return std::isfinite(range.value.lower()) && std::isfinite(range.value.upper()) &&
+         std::isfinite(range.slope.lower()) && std::isfinite(range.slope.upper());
 }
 
 // Returns the least possible F between two ends of a range, from its values there and its slope: F
@@ -53,15 +53,15 @@ double least_value(const KnownEnd& a, const KnownEnd& b, const Interval& slope) 
   if (a.value >= kLargest || b.value >= kLargest) {
     return -kLargest;
   }
-  if (slope.lower >= 0.0) {
+  if (slope.lower() >= 0.0) {
     return a.value;
   }
-  if (slope.upper <= 0.0) {
+  if (slope.upper() <= 0.0) {
     return b.value;
   }
   const double width = b.t - a.t;
-  const double meet = (a.value - b.value + slope.upper * width) / (slope.upper - slope.lower);
-  return a.value + slope.lower * std::clamp(meet, 0.0, width);
+  const double meet = (a.value - b.value + slope.upper() * width) / (slope.upper() - slope.lower());
+  return a.value + slope.lower() * std::clamp(meet, 0.0, width);
 }
 
 class Search {
@@ -92,7 +92,7 @@ class Search {
         --depth;
         continue;
       }
-      if (value(b) < 0.0 && range.slope.upper < 0.0) {
+      if (value(b) < 0.0 && range.slope.upper() < 0.0) {
         return narrow({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)});
       }
       if (b.t - a.t <= resolution_ || depth == open.size()) {
@@ -123,13 +123,13 @@ class Search {
   // Returns true if F is proved not to fall below 0 between two ends. Where F has no pole and only
   // rises or only falls, its lower end decides.
   bool is_free(End& a, End& b, const SegmentRange& range) {
-    if (range.value.lower > 0.0) {
+    if (range.value.lower() > 0.0) {
       return true;
     }
-    if (is_bounded(range) && range.slope.lower >= 0.0) {
+    if (is_bounded(range) && range.slope.lower() >= 0.0) {
       return value(a) >= 0.0;
     }
-    if (is_bounded(range) && range.slope.upper <= 0.0) {
+    if (is_bounded(range) && range.slope.upper() <= 0.0) {
       return value(b) >= 0.0;
     }
     return least_value({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)}, range.slope) >=

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "rendering/geometry/pair.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -40,11 +42,24 @@ constexpr std::array<double, N> reciprocal_factorials() {
 constexpr auto kReciprocalFactorial = reciprocal_factorials<18>();
 constexpr std::size_t kExponentialTerms = 14;
 
-// sum over k of (-r^2)^k / (first + 2k)!: the cosine from 0; the sine, but for a factor r, from 1.
-double alternating_series(double r_squared, std::size_t first) {
-  double sum = 0.0;
-  for (std::size_t k = 9; k-- > 0;) {
-    sum = kReciprocalFactorial[first + 2 * k] - r_squared * sum;
+// 1/(1 + 2k)! and 1/(2k)! for k = 0..8, those of the sine and the cosine.
+constexpr std::size_t kAlternatingTerms = 9;
+constexpr std::array<Pair, kAlternatingTerms> alternating_coefficients() {
+  std::array<Pair, kAlternatingTerms> table{};
+  for (std::size_t k = 0; k < kAlternatingTerms; ++k) {
+    table[k] = Pair{kReciprocalFactorial[2 * k + 1], kReciprocalFactorial[2 * k]};
+  }
+  return table;
+}
+constexpr auto kAlternatingCoefficients = alternating_coefficients();
+
+// sum over k of (-r^2)^k / (first + 2k)!, for both functions at once: the sine, but for a factor r,
+// with first = 1, and the cosine with first = 0.
+Pair alternating_series(double r_squared) {
+  const Pair x = both(-r_squared);
+  Pair sum = kAlternatingCoefficients.back();
+  for (std::size_t k = kAlternatingTerms - 1; k-- > 0;) {
+    sum = x * sum + kAlternatingCoefficients[k];
   }
   return sum;
 }
@@ -66,8 +81,9 @@ SineCosine sine_cosine(double x) {
   // the high part is exact.
   const int quadrant = static_cast<int>(x * kTwoOverPi + (x < 0.0 ? -0.5 : 0.5));
   const double r = (x - quadrant * kHalfPiHigh) - quadrant * kHalfPiLow;
-  const double sine = r * alternating_series(r * r, 1);
-  const double cosine = alternating_series(r * r, 0);
+  const Pair series = alternating_series(r * r);
+  const double sine = r * series[0];
+  const double cosine = series[1];
   switch (static_cast<unsigned>(quadrant) % 4U) {
     case 0:
       return {sine, cosine};

@@ -16,6 +16,12 @@ struct Dual {
   std::array<Scalar, N> d{};
 };
 
+// Returns the value alone.
+template <class S, std::size_t N>
+const S& value_of(const Dual<S, N>& a) {
+  return a.v;
+}
+
 // f(a) from its value and slope there.
 template <class S, std::size_t N>
 Dual<S, N> chain(const Dual<S, N>& a, const S& value, const S& slope) {
@@ -40,6 +46,17 @@ Dual<S, N> operator-(const Dual<S, N>& a, const Dual<S, N>& b) {
   Dual<S, N> r{.v = a.v - b.v};
   for (std::size_t i = 0; i < N; ++i) {
     r.d[i] = a.d[i] - b.d[i];
+  }
+  return r;
+}
+
+// f(a, b) from its value and its slopes along a and b there.
+template <class S, std::size_t N>
+Dual<S, N> chain(const Dual<S, N>& a, const Dual<S, N>& b, const S& value, const S& along_a,
+                 const S& along_b) {
+  Dual<S, N> r{.v = value};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = a.d[i] * along_a + b.d[i] * along_b;
   }
   return r;
 }
@@ -100,57 +117,53 @@ Dual<S, N> smaller(const Dual<S, N>& a, const Dual<S, N>& b) {
 
 template <class S, std::size_t N>
 Dual<S, N> power(const Dual<S, N>& a, int n) {
-  return chain(a, power(a.v, n), power(a.v, n - 1) * static_cast<double>(n));
+  return chain(a, power(value_of(a), n), power(value_of(a), n - 1) * static_cast<double>(n));
 }
 
 template <class S, std::size_t N>
 Dual<S, N> square_root(const Dual<S, N>& a) {
-  const S root = square_root(a.v);
+  const S root = square_root(value_of(a));
   return chain(a, root, square_root_slope(root));
 }
 
 template <class S, std::size_t N>
 Dual<S, N> sine(const Dual<S, N>& a) {
-  const auto [value, slope] = sine_and_cosine(a.v);
+  const auto [value, slope] = sine_and_cosine(value_of(a));
   return chain(a, value, slope);
 }
 
 template <class S, std::size_t N>
 Dual<S, N> cosine(const Dual<S, N>& a) {
-  const auto [minus_slope, value] = sine_and_cosine(a.v);
+  const auto [minus_slope, value] = sine_and_cosine(value_of(a));
   return chain(a, value, -minus_slope);
 }
 
 template <class S, std::size_t N>
 Dual<S, N> exponential(const Dual<S, N>& a) {
-  const S value = exponential(a.v);
-  return chain(a, value, exponential_slope(a.v, value));
+  const S value = exponential(value_of(a));
+  return chain(a, value, exponential_slope(value_of(a), value));
 }
 
 template <class S, std::size_t N>
 Dual<S, N> logarithm(const Dual<S, N>& a) {
-  return chain(a, logarithm(a.v), logarithm_slope(a.v));
+  return chain(a, logarithm(value_of(a)), logarithm_slope(value_of(a)));
 }
 
 template <class S, std::size_t N>
 Dual<S, N> magnitude(const Dual<S, N>& a) {
-  return chain(a, magnitude(a.v), magnitude_slope(a.v));
+  return chain(a, magnitude(value_of(a)), magnitude_slope(value_of(a)));
 }
 
 template <class S, std::size_t N>
 Dual<S, N> real_power(const Dual<S, N>& a, double c) {
-  return chain(a, real_power(a.v, c), real_power_slope(a.v, c));
+  return chain(a, real_power(value_of(a), c), real_power_slope(value_of(a), c));
 }
 
 template <class S, std::size_t N>
 Dual<S, N> power_norm(const Dual<S, N>& a, const Dual<S, N>& b, double p) {
-  Dual<S, N> r{.v = power_norm(a.v, b.v, p)};
-  const S along_a = power_norm_slope(a.v, b.v, p);
-  const S along_b = power_norm_slope(b.v, a.v, p);
-  for (std::size_t i = 0; i < N; ++i) {
-    r.d[i] = a.d[i] * along_a + b.d[i] * along_b;
-  }
-  return r;
+  const S& x = value_of(a);
+  const S& y = value_of(b);
+  return chain(a, b, power_norm(x, y, p), power_norm_slope(x, y, p), power_norm_slope(y, x, p));
 }
 
 }  // namespace tactus::rendering

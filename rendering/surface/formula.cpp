@@ -2,14 +2,15 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "rendering/surface/dual.h"
 #include "rendering/surface/elementary.h"
+#include "rendering/surface/gradient_dual.h"
 
 namespace tactus::rendering {
 namespace {
 
-using Gradient = Dual<double, 3>;
 using AlongSegment = Dual<Interval, 1>;
 
 constexpr Opcode kFirstBinary = Opcode::add;
@@ -64,8 +65,8 @@ Interval constant_number(double c) {
   return {c, c};
 }
 template <>
-Gradient constant_number(double c) {
-  return {.v = c};
+GradientDual constant_number(double c) {
+  return {.value_and_x = Pair{c, 0.0}};
 }
 template <>
 AlongSegment constant_number(double c) {
@@ -130,7 +131,7 @@ inline Number carry_out(const Instruction& i, const Number& a, const Number& b,
     case Opcode::power_norm:
       return power_norm(a, b, i.constant);
   }
-  return at.x;  // no opcode that check() lets through
+  std::unreachable();  // no opcode that check() lets through
 }
 
 template <class Number>
@@ -150,8 +151,8 @@ Number run(std::span<const Instruction> instructions, const Coordinates<Number>&
 AlongSegment coordinate_along(double from, double segment, const Interval& t) {
   // The point of a segment is rounded, and so is its end.
   constexpr double kUlps = 8.0;
-  const double lower = from + (segment < 0.0 ? t.upper : t.lower) * segment;
-  const double upper = from + (segment < 0.0 ? t.lower : t.upper) * segment;
+  const double lower = from + (segment < 0.0 ? t.upper() : t.lower()) * segment;
+  const double upper = from + (segment < 0.0 ? t.lower() : t.upper()) * segment;
   const double slack = kUlps * 0x1p-52 * (std::abs(from) + std::abs(segment));
   return {.v = {lower - slack, upper + slack}, .d = {Interval{segment, segment}}};
 }
@@ -180,10 +181,11 @@ double evaluate(const FormulaView& formula, const Vec3& p) {
 }
 
 ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p) {
-  const auto f = run<Gradient>(formula.instructions, {{.v = p.x(), .d = {1.0, 0.0, 0.0}},
-                                                      {.v = p.y(), .d = {0.0, 1.0, 0.0}},
-                                                      {.v = p.z(), .d = {0.0, 0.0, 1.0}}});
-  return {.value = f.v, .gradient = {f.d[0], f.d[1], f.d[2]}};
+  const auto f = run<GradientDual>(formula.instructions,
+                                   {{.value_and_x = Pair{p.x(), 1.0}, .yz = Pair{0.0, 0.0}},
+                                    {.value_and_x = Pair{p.y(), 0.0}, .yz = Pair{1.0, 0.0}},
+                                    {.value_and_x = Pair{p.z(), 0.0}, .yz = Pair{0.0, 1.0}}});
+  return {.value = value_of(f), .gradient = Vec3{f.value_and_x[1], f.yz[0], f.yz[1]}};
 }
 
 SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& segment,

@@ -22,8 +22,8 @@ constexpr std::size_t kMostParts = 200'000;
 // Returns true if a range holds 0, or reaches so near to it that a quotient changes beyond measure.
 bool nears_zero(const rendering::Interval& range) {
   constexpr double kNear = 1e-6;
-  const double least = std::max(range.lower, -range.upper);
-  return !(least > kNear * std::max(std::abs(range.lower), std::abs(range.upper)));
+  const double least = std::max(range.lower(), -range.upper());
+  return !(least > kNear * std::max(std::abs(range.lower()), std::abs(range.upper())));
 }
 
 // Returns true if a divisor may be 0 within the box. The instructions up to a divisor are a formula
@@ -40,8 +40,8 @@ bool may_divide_by_zero(const rendering::FormulaView& formula, const Box& box) {
 
 bool may_hold_pole(const rendering::FormulaView& formula, const Box& box, rendering::Sides sides) {
   const rendering::Interval range = evaluate_box(formula, box.lower, box.upper);
-  const bool is_solid = sides == rendering::Sides::one && range.upper < 0.0;
-  const bool is_finite = std::isfinite(range.lower) && std::isfinite(range.upper);
+  const bool is_solid = sides == rendering::Sides::one && range.upper() < 0.0;
+  const bool is_finite = std::isfinite(range.lower()) && std::isfinite(range.upper());
   return !is_solid && (!is_finite || may_divide_by_zero(formula, box));
 }
 

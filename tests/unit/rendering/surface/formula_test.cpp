@@ -133,7 +133,7 @@ List random_list(std::mt19937_64& random) {
 }
 
 bool holds(const Interval& range, double value, double slack) {
-  return range.lower - slack <= value && value <= range.upper + slack;
+  return range.lower() - slack <= value && value <= range.upper() + slack;
 }
 
 TEST(FormulaRanges, HoldTheValueAndTheSlopeAtEveryPointOfASegment) {
@@ -151,9 +151,9 @@ TEST(FormulaRanges, HoldTheValueAndTheSlopeAtEveryPointOfASegment) {
     const double a = unit(random);
     const double b = a + (1.0 - a) * unit(random);
     const SegmentRange range = evaluate_along({list}, from, motion, {a, b});
-    ASSERT_LE(range.value.lower, range.value.upper);
-    ASSERT_LE(range.slope.lower, range.slope.upper);
-    tight += std::isfinite(range.slope.lower) && std::isfinite(range.slope.upper) ? 1 : 0;
+    ASSERT_LE(range.value.lower(), range.value.upper());
+    ASSERT_LE(range.slope.lower(), range.slope.upper());
+    tight += std::isfinite(range.slope.lower()) && std::isfinite(range.slope.upper()) ? 1 : 0;
     for (int k = 0; k <= 10; ++k) {
       const double t = k == 0 ? a : k == 10 ? b : a + (b - a) * unit(random);
       const ValueAndGradient f = evaluate_gradient({list}, from + t * motion);
@@ -185,7 +185,7 @@ TEST(FormulaRanges, ShrinkWithTheSegment) {
   const Vec3 from{0.5, 0.8, 1.0};
   const auto width = [&](double length) {
     const Interval slope = evaluate_along({list}, from, {1.0, 1.0, 1.0}, {0.0, length}).slope;
-    return slope.upper - slope.lower;
+    return slope.upper() - slope.lower();
   };
   EXPECT_LT(width(1e-3), 0.011 * width(1e-1));
 }
