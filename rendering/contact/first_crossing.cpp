@@ -183,10 +183,20 @@ double ImplicitField::value(const Vec3& p_O) {
 
 ValueAndGradient ImplicitField::value_and_gradient(const Vec3& p_O) {
   count();
-  ValueAndGradient f = evaluate_gradient(surface_.formula, p_O);
-  f.value = std::isnan(f.value) ? std::numeric_limits<double>::max() : side_ * f.value;
-  f.gradient = f.gradient.allFinite() ? Vec3{side_ * f.gradient} : Vec3::Zero();
-  return f;
+  return from_side(evaluate_gradient(surface_.formula, p_O));
+}
+
+std::array<ValueAndGradient, 2> ImplicitField::values_and_gradients(const Vec3& p_O,
+                                                                    const Vec3& q_O) {
+  count();
+  count();
+  const auto f = evaluate_gradients(surface_.formula, p_O, q_O);
+  return {from_side(f[0]), from_side(f[1])};
+}
+
+ValueAndGradient ImplicitField::from_side(const ValueAndGradient& f) const {
+  return {.value = std::isnan(f.value) ? std::numeric_limits<double>::max() : side_ * f.value,
+          .gradient = f.gradient.allFinite() ? Vec3{side_ * f.gradient} : Vec3::Zero()};
 }
 
 SegmentRange ImplicitField::along(const Vec3& from_O, const Vec3& segment_O, const Interval& t) {

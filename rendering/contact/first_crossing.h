@@ -3,6 +3,7 @@
 // thin to be met. ImplicitTracker (implicit_tracking.h) and its parts use it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -28,6 +29,8 @@ class ImplicitField {
   double value(const Vec3& p_O);
   // Returns F and its gradient at p_O. A gradient that is not finite is given as zero.
   ValueAndGradient value_and_gradient(const Vec3& p_O);
+  // Returns F and its gradient at two points, as value_and_gradient() does at each.
+  std::array<ValueAndGradient, 2> values_and_gradients(const Vec3& p_O, const Vec3& q_O);
   // Returns bounds of F and of its slope over the shares `t` of the segment, by interval
   // arithmetic.
   SegmentRange along(const Vec3& from_O, const Vec3& segment_O, const Interval& t);
@@ -40,6 +43,8 @@ class ImplicitField {
  private:
   // Returns the number of instructions of one evaluation.
   [[nodiscard]] std::size_t size() const { return surface_.formula.instructions.size(); }
+  // Returns f and its gradient as they are seen from the side.
+  [[nodiscard]] ValueAndGradient from_side(const ValueAndGradient& f) const;
   // Takes one evaluation from the budget.
   void count() { budget_ -= can_evaluate() ? size() : budget_; }
 

@@ -47,8 +47,10 @@ using Vec2 = Eigen::Vector2d;
 // taken.
 Mat2 shape_operator(ImplicitField& field, const ImplicitSample& at, const Tangents& t,
                     double distance) {
-  const Vec3 along = sample(field, at.point + distance * t.along).normal - at.normal;
-  const Vec3 across = sample(field, at.point + distance * t.across).normal - at.normal;
+  const auto near =
+      two_samples(field, at.point + distance * t.along, at.point + distance * t.across);
+  const Vec3 along = near[0].normal - at.normal;
+  const Vec3 across = near[1].normal - at.normal;
   // S is symmetric; its two measured halves are not quite.
   const double twist = 0.5 * (along.dot(t.across) + across.dot(t.along));
   Mat2 shape;
@@ -114,7 +116,7 @@ bool is_chord_free(ImplicitField& field, const ImplicitSample& from, const Impli
   constexpr std::size_t kOneRange = 1;
   const Vec3 chord = to.point - from.point;
   const double bend = std::abs((to.normal - from.normal).dot(chord));  // |turn| * length
-  return bend * field.surface().scale_m <= kImplicitRest_m &&
+  return bend * field.surface().scale_m <= 2.0 * kImplicitRest_m &&
          first_crossing(field, from.point, to.point, kOneRange,
                         {.from = from.value, .to = to.value})
                  .state == SegmentState::free;

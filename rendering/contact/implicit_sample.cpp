@@ -4,11 +4,11 @@
 #include <limits>
 
 namespace tactus::rendering {
+namespace {
 
 // The height F / |grad F| is the distance to the surface to first order. stableNorm() does not
 // overflow where a formula is steep.
-ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
-  const ValueAndGradient f = field.value_and_gradient(p_O);
+ImplicitSample sample_of(const ValueAndGradient& f, const Vec3& p_O) {
   ImplicitSample s{.point = p_O,
                    .value = f.value,
                    .steepness = f.gradient.stableNorm(),
@@ -18,6 +18,17 @@ ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
     s.height = f.value / s.steepness;
   }
   return s;
+}
+
+}  // namespace
+
+ImplicitSample sample(ImplicitField& field, const Vec3& p_O) {
+  return sample_of(field.value_and_gradient(p_O), p_O);
+}
+
+std::array<ImplicitSample, 2> two_samples(ImplicitField& field, const Vec3& p_O, const Vec3& q_O) {
+  const auto f = field.values_and_gradients(p_O, q_O);
+  return {sample_of(f[0], p_O), sample_of(f[1], q_O)};
 }
 
 std::optional<ImplicitSample> settle_at_rest(ImplicitField& field, Vec3 p_O, double most) {

@@ -3,6 +3,7 @@
 // for the ends of their moves.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "rendering/contact/first_crossing.h"
@@ -31,6 +32,9 @@ struct ImplicitSample {
 
 // Evaluates F and its gradient at p_O, at the cost of one evaluation.
 ImplicitSample sample(ImplicitField& field, const Vec3& p_O);
+
+// Evaluates F and its gradient at two points, at the cost of less than two evaluations.
+std::array<ImplicitSample, 2> two_samples(ImplicitField& field, const Vec3& p_O, const Vec3& q_O);
 
 // Returns the point that Newton's steps along the gradient reach from p_O, at the height at which
 // the proxy rests. It returns nothing if the steps meet a singular point, do not converge, or if

@@ -1,12 +1,15 @@
 // Forward automatic differentiation: a value and its derivatives along N directions, carried
-// through every operation by the chain rule. Exact but for rounding. The scalar is a number or an
-// interval; value and derivatives are then intervals that hold those of every point.
+// through every operation by the chain rule. Exact but for rounding. The scalar is a number, an
+// interval, whose value and derivatives hold those of every point, or a pair, for two points at
+// once.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "rendering/geometry/pair.h"
 #include "rendering/surface/elementary.h"
+#include "rendering/surface/two_points.h"
 
 namespace tactus::rendering {
 
@@ -111,6 +114,17 @@ Dual<S, N> smaller(const Dual<S, N>& a, const Dual<S, N>& b) {
     r.d[i] = which == Order::first    ? a.d[i]
              : which == Order::second ? b.d[i]
                                       : hull(a.d[i], b.d[i]);
+  }
+  return r;
+}
+
+// The derivatives are those of the smaller operand at each of the points.
+template <std::size_t N>
+Dual<Pair, N> smaller(const Dual<Pair, N>& a, const Dual<Pair, N>& b) {
+  const auto is_a = a.v <= b.v;
+  Dual<Pair, N> r{.v = is_a ? a.v : b.v};
+  for (std::size_t i = 0; i < N; ++i) {
+    r.d[i] = is_a ? a.d[i] : b.d[i];
   }
   return r;
 }

@@ -12,6 +12,7 @@ namespace tactus::rendering {
 namespace {
 
 using AlongSegment = Dual<Interval, 1>;
+using TwoGradients = Dual<Pair, 3>;
 
 constexpr Opcode kFirstBinary = Opcode::add;
 constexpr Opcode kLastBinary = Opcode::divide;
@@ -67,6 +68,10 @@ Interval constant_number(double c) {
 template <>
 GradientDual constant_number(double c) {
   return {.value_and_x = Pair{c, 0.0}};
+}
+template <>
+TwoGradients constant_number(double c) {
+  return {.v = both(c)};
 }
 template <>
 AlongSegment constant_number(double c) {
@@ -186,6 +191,18 @@ ValueAndGradient evaluate_gradient(const FormulaView& formula, const Vec3& p) {
                                     {.value_and_x = Pair{p.y(), 0.0}, .yz = Pair{1.0, 0.0}},
                                     {.value_and_x = Pair{p.z(), 0.0}, .yz = Pair{0.0, 1.0}}});
   return {.value = value_of(f), .gradient = Vec3{f.value_and_x[1], f.yz[0], f.yz[1]}};
+}
+
+std::array<ValueAndGradient, 2> evaluate_gradients(const FormulaView& formula, const Vec3& p,
+                                                   const Vec3& q) {
+  const Pair one = both(1.0);
+  const Pair none = both(0.0);
+  const auto f = run<TwoGradients>(formula.instructions,
+                                   {TwoGradients{.v = Pair{p.x(), q.x()}, .d = {one, none, none}},
+                                    TwoGradients{.v = Pair{p.y(), q.y()}, .d = {none, one, none}},
+                                    TwoGradients{.v = Pair{p.z(), q.z()}, .d = {none, none, one}}});
+  return {ValueAndGradient{.value = f.v[0], .gradient = Vec3{f.d[0][0], f.d[1][0], f.d[2][0]}},
+          ValueAndGradient{.value = f.v[1], .gradient = Vec3{f.d[0][1], f.d[1][1], f.d[2][1]}}};
 }
 
 SegmentRange evaluate_along(const FormulaView& formula, const Vec3& from, const Vec3& segment,

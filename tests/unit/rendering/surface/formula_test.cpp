@@ -132,6 +132,32 @@ List random_list(std::mt19937_64& random) {
   return list;
 }
 
+// Returns true if two doubles have the same bits, or if both are no number.
+bool is_same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
+         (std::isnan(a) && std::isnan(b));
+}
+
+TEST(FormulaValues, AtTwoPointsAtOnceHaveTheBitsOfEachPointAlone) {
+  SCOPED_TRACE(kFormulaSeed);
+  std::mt19937_64 random(kFormulaSeed);
+  std::uniform_real_distribution<double> side(-2.0, 2.0);
+  for (int run = 0; run < 20'000; ++run) {
+    const List list = random_list(random);
+    const Vec3 p{side(random), side(random), side(random)};
+    const Vec3 q{side(random), side(random), side(random)};
+    const auto both_of = evaluate_gradients({list}, p, q);
+    const ValueAndGradient at_p = evaluate_gradient({list}, p);
+    const ValueAndGradient at_q = evaluate_gradient({list}, q);
+    ASSERT_TRUE(is_same(both_of[0].value, at_p.value)) << "run " << run;
+    ASSERT_TRUE(is_same(both_of[1].value, at_q.value)) << "run " << run;
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_TRUE(is_same(both_of[0].gradient[axis], at_p.gradient[axis])) << "run " << run;
+      ASSERT_TRUE(is_same(both_of[1].gradient[axis], at_q.gradient[axis])) << "run " << run;
+    }
+  }
+}
+
 bool holds(const Interval& range, double value, double slack) {
   return range.lower() - slack <= value && value <= range.upper() + slack;
 }
