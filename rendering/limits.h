@@ -84,7 +84,7 @@ inline constexpr double kLeastTickInstructions = 250e3;
 // sweep among more than kMaxCandidates. Beyond: the proxy moves no farther than the sweep has seen.
 inline constexpr std::size_t kMaxCarryBudget = 12'288;
 
-// Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 8 kilobytes.
+// Instructions of an implicit surface's formula; sizes the evaluation's stack frame, 16 kilobytes.
 // Beyond: baking and the image check refuse.
 inline constexpr std::size_t kMaxFormulaInstructions = 256;
 

@@ -15,8 +15,8 @@ namespace tactus::firmware {
 
 namespace {
 
-// The part of the stack that is loaded. A tick needs far less: its largest frames have 9 kB (CAN
-// frames in flight, the programs of implicit surfaces).
+// The part of the stack that is loaded. A tick needs far less: its largest frames have 17 kB (the
+// programs of implicit surfaces) and 9 kB (CAN frames in flight).
 constexpr std::size_t kStack_bytes = std::size_t{256} << 10;
 constexpr std::size_t kPage_bytes = 4096;
 
