@@ -34,7 +34,7 @@ Operand any_operand(std::mt19937_64& random) {
 }
 
 // Returns true if two doubles have the same bits, or if both are no number.
-bool is_same(double a, double b) {
+bool has_same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
          (std::isnan(a) && std::isnan(b));
 }
@@ -46,8 +46,8 @@ void expect_same_bits(const char* name, const Operand& a, const Operand& b, cons
   const std::array<double, 3> derivatives{r.value_and_x[1], r.yz[0], r.yz[1]};
   for (std::size_t i = 0; i < derivatives.size(); ++i) {
     const Alone expected = rule(a.alone.at(i), b.alone.at(i));
-    ASSERT_TRUE(is_same(value_of(r), expected.v)) << name;
-    ASSERT_TRUE(is_same(derivatives.at(i), expected.d[0])) << name << " along " << i;
+    ASSERT_TRUE(has_same_bits(value_of(r), expected.v)) << name;
+    ASSERT_TRUE(has_same_bits(derivatives.at(i), expected.d[0])) << name << " along " << i;
   }
 }
 
@@ -79,7 +79,7 @@ TEST(GradientDual, HasTheBitsOfItsNumbersAlone) {
     expect("magnitude", [](const auto& p, const auto&) { return magnitude(p); });
     expect("real power", [](const auto& p, const auto&) { return real_power(p, 1.5); });
     expect("norm", [](const auto& p, const auto& q) { return power_norm(p, q, 2.5); });
-    if (testing::Test::HasFatalFailure()) {
+    if (::testing::Test::HasFatalFailure()) {
       return;
     }
   }

@@ -17,7 +17,7 @@ namespace tactus::rendering {
 namespace {
 
 constexpr std::uint64_t kIntervalSeed = 20261127;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 // Numbers of every size, zeros, and the ends of the range of a double.
@@ -37,8 +37,8 @@ double any_end(std::mt19937_64& random) {
 Interval any_interval(std::mt19937_64& random) {
   const double one = any_end(random);
   const double other = random() % 8U == 0 ? one : any_end(random);
-  const double lower = random() % 16U == 0 ? -kInfinity : std::min(one, other);
-  return {lower, random() % 16U == 0 ? kInfinity : std::max(one, other)};
+  const double lower = random() % 16U == 0 ? -kUnbounded : std::min(one, other);
+  return {lower, random() % 16U == 0 ? kUnbounded : std::max(one, other)};
 }
 
 // Expects `result` to hold the least and the largest of an exact operation and to be no wider than
@@ -66,8 +66,8 @@ TEST(IntervalArithmetic, GivesTheHullOfTheOperationOnTheEnds) {
     const Interval a = any_interval(random);
     const Interval b = any_interval(random);
     const double c = any_end(random);
-    SCOPED_TRACE(testing::Message() << "[" << a.lower() << ", " << a.upper() << "] [" << b.lower()
-                                    << ", " << b.upper() << "] " << c);
+    SCOPED_TRACE(::testing::Message() << "[" << a.lower() << ", " << a.upper() << "] [" << b.lower()
+                                      << ", " << b.upper() << "] " << c);
     expect_hull(a + b, a.lower() + b.lower(), a.upper() + b.upper());
     expect_hull(a - b, a.lower() - b.upper(), a.upper() - b.lower());
     expect_hull(-a, -a.upper(), -a.lower());
@@ -79,15 +79,15 @@ TEST(IntervalArithmetic, GivesTheHullOfTheOperationOnTheEnds) {
       expect_hull(a * b, least, largest);
     } else {
       // Zero times infinity: every number is possible.
-      ASSERT_EQ((a * b).lower(), -kInfinity);
-      ASSERT_EQ((a * b).upper(), kInfinity);
+      ASSERT_EQ((a * b).lower(), -kUnbounded);
+      ASSERT_EQ((a * b).upper(), kUnbounded);
     }
     const double at_lower = a.lower() * c;
     const double at_upper = a.upper() * c;
     if (!std::isnan(at_lower) && !std::isnan(at_upper)) {
       expect_hull(a * c, std::min(at_lower, at_upper), std::max(at_lower, at_upper));
     }
-    if (testing::Test::HasFatalFailure()) {
+    if (::testing::Test::HasFatalFailure()) {
       return;
     }
   }
@@ -154,7 +154,7 @@ TEST(IntervalSine, HoldsTheSineAndTheCosineAndIsAsNarrowAsTheAngle) {
     const double width = std::pow(10.0, -8.0 + 4.0 * (1.0 + unit(random)));
     const double from = at - std::abs(unit(random)) * width;
     const Interval a{from, from + width};
-    SCOPED_TRACE(testing::Message() << "[" << a.lower() << ", " << a.upper() << "]");
+    SCOPED_TRACE(::testing::Message() << "[" << a.lower() << ", " << a.upper() << "]");
     const SineAndCosine<Interval> both_of = sine_and_cosine(a);
     // The bend, which is its square, and the roundings of the angle.
     const double slack = 1e-14 + 0x1p-50 * std::abs(from) + 0.5 * width * width;
@@ -166,7 +166,7 @@ TEST(IntervalSine, HoldsTheSineAndTheCosineAndIsAsNarrowAsTheAngle) {
     ASSERT_TRUE(contains(both_of.cosine, middle.cosine));
     ASSERT_TRUE(contains(sine(a), middle.sine));
     ASSERT_TRUE(contains(cosine(a), middle.cosine));
-    if (testing::Test::HasFatalFailure()) {
+    if (::testing::Test::HasFatalFailure()) {
       return;
     }
   }
@@ -176,9 +176,9 @@ TEST(IntervalSine, IsEverythingBeyondTheLargestAngle) {
   for (const Interval a : {Interval{2.0 * kLargestAngle, 2.0 * kLargestAngle + 1e-3},
                            Interval{kLargestAngle - 1e-3, kLargestAngle + 1e-4},
                            Interval{-kLargestAngle - 1e-4, -kLargestAngle + 1e-3},
-                           Interval{0.0, kInfinity}, kEverything}) {
-    EXPECT_EQ(sine(a).upper(), kInfinity);
-    EXPECT_EQ(cosine(a).lower(), -kInfinity);
+                           Interval{0.0, kUnbounded}, kEverything}) {
+    EXPECT_EQ(sine(a).upper(), kUnbounded);
+    EXPECT_EQ(cosine(a).lower(), -kUnbounded);
   }
 }
 
