@@ -69,11 +69,12 @@ struct OneRounding {
   // The bits of a double but for its sign.
   PairBits magnitude;
 };
-extern const OneRounding kOneRounding;
+// Weak, since a compiler that sees the numbers makes them constants again.
+[[gnu::weak]] extern const OneRounding kOneRounding;
 
 // Returns what `rounded` returns with one rounding, for ends that are known to be ordered and above
 // -infinity.
-inline Interval rounded_once(Pair ends) {
+[[gnu::always_inline]] inline Interval rounded_once(Pair ends) {
   const Pair magnitude =
       std::bit_cast<Pair>(std::bit_cast<PairBits>(ends) & kOneRounding.magnitude);
   const Pair wide = ends + (kOneRounding.ulp * magnitude + kOneRounding.smallest);
@@ -83,7 +84,7 @@ inline Interval rounded_once(Pair ends) {
 }
 
 // Returns what `rounded` returns for the ends of a sum.
-inline Interval rounded_sum(Pair ends) {
+[[gnu::always_inline]] inline Interval rounded_sum(Pair ends) {
   const bool are_ordered = ends[0] + ends[1] >= 0.0;
   if (!are_ordered) [[unlikely]] {
     return rounded(ends);
@@ -120,7 +121,7 @@ inline Interval operator*(const Interval& a, double c) {
 }
 
 // The largest of the four products of two ends is the upper end, and the smallest the lower one.
-inline Interval operator*(const Interval& a, const Interval& b) {
+[[gnu::always_inline]] inline Interval operator*(const Interval& a, const Interval& b) {
   const Pair same = a.ends() * b.ends();               // lower * lower, upper * upper
   const Pair opposite = a.ends() * swapped(b.ends());  // -lower * upper, -upper * lower
   const Pair one{opposite[0], same[0]};
