@@ -8,12 +8,10 @@
 #include <iterator>
 
 #include "hal/angle.h"
-#include "host_tools/bake/formula/formula_warnings.h"
-#include "host_tools/bake/formula/pole_search.h"
-#include "host_tools/bake/mesh_file/mesh_import.h"
-#include "host_tools/bake/scene/closed_volume.h"
 #include "host_tools/bake/scene/corner_normals.h"
 #include "host_tools/bake/scene/friction_check.h"
+#include "host_tools/bake/scene/object_mesh.h"
+#include "host_tools/bake/scene/progress.h"
 #include "host_tools/bake/scene/size_check.h"
 #include "host_tools/bake/scene/texture_bake.h"
 #include "host_tools/files/atomic_file.h"
@@ -35,45 +33,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void tell(const Progress& progress, const std::string& step) {
-  if (progress) {
-    progress(step);
-  }
-}
-
-// Returns warnings of the shape's size and place by the box of its mesh.
-std::vector<std::string> size_warnings_of(const ObjectDescription& object, const BakedMesh& mesh) {
-  return size_warnings(object, mesh.nodes.front().lower, mesh.nodes.front().upper);
-}
-
-// Returns the notes of the import and the findings about the baked mesh. A one-sided surface with
-// holes lets the tool get behind it, where it feels nothing.
-std::vector<std::string> warnings_for(const ObjectDescription& object, const ImportedMesh& imported,
-                                      const BakedMesh& mesh) {
-  const rendering::BakeCounters& counters = mesh.counters;
-  std::vector<std::string> warnings = imported.notes;
-  if (object.sides == rendering::Sides::one &&
-      (counters.open_edges != 0 || counters.non_manifold_edges != 0 ||
-       counters.inconsistent_edges != 0)) {
-    warnings.push_back(fmt::format(
-        "{}: the mesh has {} open, {} non-manifold and {} inconsistently wound edges, so the tool "
-        "can get behind it; write sides = \"two\", or close the mesh",
-        object.mesh.string(), counters.open_edges, counters.non_manifold_edges,
-        counters.inconsistent_edges));
-  }
-  if (counters.degenerate_triangles != 0) {
-    warnings.push_back(fmt::format("{}: {} triangles without area are left out",
-                                   object.mesh.string(), counters.degenerate_triangles));
-  }
-  const std::string_view remedy =
-      object.flip ? "leave flip = true out" : "write flip = true at the object";
-  if (const auto warning = inside_out_warning(closed_volume(mesh.baked_view()), remedy)) {
-    warnings.push_back(fmt::format("{}: {}", object.mesh.string(), *warning));
-  }
-  std::ranges::move(size_warnings_of(object, mesh), std::back_inserter(warnings));
-  return warnings;
-}
-
 // Throws InputError if the mesh file is missing. The scene names it, so the error points to the
 // scene's line and not to the mesh.
 void require_mesh_file(const ObjectDescription& object, const std::string& scene) {
@@ -83,16 +42,6 @@ void require_mesh_file(const ObjectDescription& object, const std::string& scene
         fmt::format("{}:{}: there is no mesh file {}; correct the path, it starts from the scene "
                     "file's folder",
                     scene, object.line, object.mesh.string()));
-  }
-}
-
-// Places and bakes a mesh. Errors of these steps know no file, so the mesh's name is put before
-// them.
-BakedMesh bake_object_mesh(const ImportedMesh& imported, const ObjectDescription& object) {
-  try {
-    return bake_mesh(place(imported, object.placement), object.mesh_options);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", object.mesh.string(), error.what()));
   }
 }
 
@@ -121,35 +70,12 @@ BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene
   }
 }
 
-// Returns warnings about an object's formula; none for a primitive. Throws InputError if the
-// formula has a pole that the proxy could reach.
-std::vector<std::string> check_formula(const ObjectDescription& object, const std::string& scene) {
-  const auto* implicit = std::get_if<ImplicitDescription>(&object.shape);
-  if (implicit == nullptr) {
-    return {};
-  }
-  const rendering::FormulaView formula = implicit->formula.view();
-  if (const auto pole = find_pole(formula, implicit->bounds_O, object.sides)) {
-    throw InputError(fmt::format(
-        "{}:{}: the formula has a pole at about {}, in its own units, or comes so near to one that "
-        "the proxy could be held there; multiply the formula by what it divides by there (1/x - y "
-        "becomes 1 - x*y), or choose "
-        "bounds that leave the place out",
-        scene, object.line, place_text(*pole, implicit->bounds_O)));
-  }
-  std::vector<std::string> warnings = formula_warnings(formula, implicit->bounds_O, object.sides);
-  for (std::string& warning : warnings) {
-    warning.insert(0, object.name + ": ");
-  }
-  return warnings;
-}
-
 // Bakes an object that is a primitive or a formula. Its report counts the triangles of its picture.
 BakedObject bake_shape(const ObjectDescription& object, const std::string& scene,
                        ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
   tell(progress, fmt::format("{}: drawing the shape", object.name));
-  std::vector<std::string> warnings = check_formula(object, scene);
+  std::vector<std::string> warnings = formula_warnings(object, scene);
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
                     .material = object.material,
@@ -168,7 +94,7 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
             .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
             .warnings = std::move(warnings)};
-  std::ranges::move(size_warnings_of(object, baked.mesh), std::back_inserter(report.warnings));
+  std::ranges::move(size_warnings(object, baked.mesh), std::back_inserter(report.warnings));
   return baked;
 }
 
@@ -176,16 +102,12 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
 BakedObject bake_object(const ObjectDescription& object, const std::string& scene,
                         ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
-  tell(progress, fmt::format("{}: reading {}", object.name, object.mesh.string()));
-  ImportedMesh imported = import_mesh(object.mesh);
-  if (object.flip) {
-    turn_inside_out(imported);
-  }
+  const ImportedMesh imported = mesh_of(object, scene, progress);
   tell(progress, fmt::format("{}: baking {} triangles", object.name, imported.triangles.size()));
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
                     .material = object.material,
-                    .mesh = bake_object_mesh(imported, object),
+                    .mesh = bake_mesh_of(object, imported),
                     .shape = {},
                     .placement = {},
                     .contact = object.contact,
@@ -199,7 +121,7 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
             .counters = baked.mesh.counters,
             .bytes = image_bytes(baked.mesh) + baked.textures.texels.size(),
             .seconds = stopwatch.seconds(),
-            .warnings = warnings_for(object, imported, baked.mesh)};
+            .warnings = mesh_warnings(object, imported, baked.mesh)};
   return baked;
 }
 
@@ -271,9 +193,9 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
   require_room(needs, description.file);
   for (const ObjectDescription& object : description.objects) {
     ObjectReport& own = report.objects.emplace_back();
-    baked.objects.push_back(object.mesh.empty()
-                                ? bake_shape(object, description.file, own, progress)
-                                : bake_object(object, description.file, own, progress));
+    baked.objects.push_back(is_touched_as_mesh(object)
+                                ? bake_object(object, description.file, own, progress)
+                                : bake_shape(object, description.file, own, progress));
     std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
   }
   needs = {};

@@ -5,12 +5,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "host_tools/bake/scene/image_writer.h"
+#include "host_tools/bake/scene/progress.h"
 #include "host_tools/bake/scene/scene_description.h"
 
 namespace tactus::host {
@@ -49,9 +48,6 @@ struct BakeReport {
   double seconds = 0.0;
   std::vector<ObjectReport> objects;
 };
-
-// Is called at the start of each step with a text like "bunny: reading bunny.ply".
-using Progress = std::function<void(std::string_view step)>;
 
 // Bakes the file `scene` into the file `image`, which takes its place only when it is complete:
 // after a failure an older image is still there. Throws InputError that names the file and the

@@ -95,9 +95,10 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   object.material.friction = read_friction(section, file, object.material.stiffness_N_per_m);
   object.friction_line = section.line("friction");
   object.material.grain = read_grain(section, file, object.contact);
-  object.motion =
-      read_motion(section, file, object.shape, object.contact, object.placement.position_m);
-  object.detail = read_detail(section, file, folder, object.shape, object.contact);
+  const bool is_meshed = meshed_formula(object.shape, object.contact) != nullptr;
+  const ShapeDescription touched = is_meshed ? ShapeDescription{} : object.shape;
+  object.motion = read_motion(section, file, touched, object.contact, object.placement.position_m);
+  object.detail = read_detail(section, file, folder, touched, object.contact);
   object.flip = read_flip(section);
   object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
   return object;

@@ -85,6 +85,13 @@ ImplicitDescription read_implicit(const TomlSection& section, const std::string&
   // In units of the formula, to each side.
   constexpr double kDefaultBound = 2.0;
   ImplicitDescription implicit;
+  if (section.has("longest_side_m")) {
+    section.fail("longest_side_m",
+                 "longest_side_m is for mesh files; write scale, the length of the formula's unit "
+                 "in m");
+  }
+  implicit.tolerance_m =
+      section.number("tolerance_m", kAboveZero).value_or(kDefaultFormulaTolerance_m);
   try {
     implicit.formula = parse_formula(text);
   } catch (const InputError& error) {
@@ -122,6 +129,7 @@ std::vector<KeySpec> shape_keys() {
   std::vector<KeySpec> keys = primitive_keys();
   keys.push_back({"formula", ""});
   keys.push_back({"bounds", ""});
+  keys.push_back({"tolerance_m", "m"});
   return keys;
 }
 
@@ -172,16 +180,22 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
     section.fail("contact",
                  fmt::format("no contact method \"{}\"; write one of {}", name, list(kMethods)));
   }
-  if (implicit != (method->method == ContactMethod::tracking)) {
-    section.fail("contact", implicit
-                                ? R"(a formula is touched by "tracking" alone; leave contact out)"
-                                : R"("tracking" is for formulas; write "sphere_proxy")");
+  if (!implicit && method->method == ContactMethod::tracking) {
+    section.fail("contact", R"("tracking" is for formulas; write "sphere_proxy")");
   }
-  if (method->method == ContactMethod::feature_walk &&
-      !std::holds_alternative<std::monostate>(shape)) {
+  if (method->method == ContactMethod::feature_walk && std::holds_alternative<Primitive>(shape)) {
     section.fail("contact", R"("feature_walk" is for meshes; write "sphere_proxy")");
   }
+  if (section.has("tolerance_m") && meshed_formula(shape, method->method) == nullptr) {
+    section.fail("tolerance_m",
+                 "tolerance_m is for a formula that is baked as a mesh; write contact = "
+                 "\"sphere_proxy\" beside a formula, or leave it out");
+  }
   return method->method;
+}
+
+const ImplicitDescription* meshed_formula(const ShapeDescription& shape, ContactMethod contact) {
+  return contact == ContactMethod::tracking ? nullptr : std::get_if<ImplicitDescription>(&shape);
 }
 
 TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "host_tools/bake/formula/formula_mesh.h"
 #include "host_tools/bake/formula/formula_parser.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/bake/toml/toml_section.h"
@@ -16,6 +17,8 @@ struct ImplicitDescription {
   Formula formula;
   // The box in which the surface lies, in the formula's own frame and unit.
   rendering::Box bounds_O;
+  // The largest distance of its mesh from the surface, if it is baked as a mesh, m.
+  double tolerance_m = kDefaultFormulaTolerance_m;
 };
 
 // Nothing means that the object is a mesh.
@@ -39,6 +42,11 @@ rendering::Primitive read_primitive(const TomlSection& section, const std::strin
 // Returns the contact method, or the shape's default. Throws InputError if the method does not go
 // with the shape.
 rendering::ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape);
+
+// Returns the formula that is baked as a mesh, because its contact is not that of formulas; nullptr
+// for every other shape.
+const ImplicitDescription* meshed_formula(const ShapeDescription& shape,
+                                          rendering::ContactMethod contact);
 
 // Returns a mesh of the shape, for pictures and for the path of a simulated hand. Throws
 // InputError, without a file name, if the formula has no surface within its bounds.

@@ -31,14 +31,12 @@ std::string size_remedy(const Placement& placement, double side) {
 
 }  // namespace
 
-std::vector<std::string> size_warnings(const ObjectDescription& object,
-                                       const rendering::Float3& lower,
-                                       const rendering::Float3& upper) {
+std::vector<std::string> size_warnings(const ObjectDescription& object, const BakedMesh& mesh) {
   std::vector<std::string> warnings;
   const bool is_mesh = !object.mesh.empty();
   const std::string name = is_mesh ? object.mesh.string() : object.name;
-  const Vec3 low = rendering::to_vec3(lower);
-  const Vec3 high = rendering::to_vec3(upper);
+  const Vec3 low = rendering::to_vec3(mesh.nodes.front().lower);
+  const Vec3 high = rendering::to_vec3(mesh.nodes.front().upper);
   const double side = (high - low).maxCoeff();
   if (is_mesh && (side > kLongestObject_m || side < kShortestObject_m)) {
     warnings.push_back(fmt::format("{}: the object is {:.4g} m long; {}", name, side,

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/bake/scene/mesh_bake.h"
 #include "host_tools/bake/scene/scene_description.h"
-#include "rendering/objects/object.h"
 
 namespace tactus::host {
 
@@ -14,9 +14,7 @@ inline constexpr double kLongestObject_m = 10.0;
 inline constexpr double kShortestObject_m = 0.001;
 
 // Returns a warning, with the line to write, for a mesh of absurd size and for an object that
-// reaches out of the world. `lower` and `upper` are the corners of its box, world frame, m.
-std::vector<std::string> size_warnings(const ObjectDescription& object,
-                                       const rendering::Float3& lower,
-                                       const rendering::Float3& upper);
+// reaches out of the world. `mesh` is the object's, or its picture.
+std::vector<std::string> size_warnings(const ObjectDescription& object, const BakedMesh& mesh);
 
 }  // namespace tactus::host

@@ -18,7 +18,7 @@ namespace {
 using testing::Solid;
 
 constexpr double kBall_m = 0.04;
-constexpr double kRadius_m = 0.002;
+constexpr double kToolRadius_m = 0.002;
 constexpr double kDepth_m = 0.005;
 // The instructions of a tick that ends after a few moves.
 constexpr double kLittle = 10'000.0;
@@ -29,13 +29,13 @@ class LatenessTest : public ::testing::Test {
  protected:
   // Returns the tool's place where it presses at an angle about the ball, rad.
   [[nodiscard]] static Vec3 pressed_at(double angle) {
-    return (kBall_m + kRadius_m - kDepth_m) * Vec3{std::cos(angle), std::sin(angle), 0.0};
+    return (kBall_m + kToolRadius_m - kDepth_m) * Vec3{std::cos(angle), std::sin(angle), 0.0};
   }
 
   // Returns a path on which the tool presses at each of the angles (rad) in turn, long enough for
   // the proxy to arrive.
   [[nodiscard]] static std::vector<Vec3> jumps(const std::vector<double>& angles) {
-    std::vector<Vec3> path{{kBall_m + 2.0 * kRadius_m, 0.0, 0.0}};
+    std::vector<Vec3> path{{kBall_m + 2.0 * kToolRadius_m, 0.0, 0.0}};
     for (const double angle : angles) {
       path.insert(path.end(), kWait, pressed_at(angle));
     }
@@ -44,7 +44,7 @@ class LatenessTest : public ::testing::Test {
 
   [[nodiscard]] Lateness late(const std::vector<Vec3>& path,
                               std::optional<double> tick_instructions) const {
-    return lateness_of({&ball_.object(), 1}, kRadius_m, path, tick_instructions);
+    return lateness_of({&ball_.object(), 1}, kToolRadius_m, path, tick_instructions);
   }
 
   Solid ball_{testing::icosphere(kBall_m, 6), rendering::Sides::one, {.stiffness_N_per_m = 1000.0}};
@@ -52,7 +52,7 @@ class LatenessTest : public ::testing::Test {
 
 TEST_F(LatenessTest, IsNoneWhereTheBudgetIsEnough) {
   const Lateness lateness =
-      late(stroke_workload(ball_.object().mesh, kRadius_m, 2000), std::nullopt);
+      late(stroke_workload(ball_.object().mesh, kToolRadius_m, 2000), std::nullopt);
   EXPECT_EQ(lateness.late_ticks, 0U);
   EXPECT_EQ(lateness.worst_m, 0.0);
   EXPECT_EQ(lateness.worst_turn_rad, 0.0);
@@ -61,7 +61,8 @@ TEST_F(LatenessTest, IsNoneWhereTheBudgetIsEnough) {
 }
 
 TEST_F(LatenessTest, IsReportedOverTheUsualPathWhereTheBudgetIsTooSmall) {
-  const Lateness lateness = late(stroke_workload(ball_.object().mesh, kRadius_m, 2000), kLittle);
+  const Lateness lateness =
+      late(stroke_workload(ball_.object().mesh, kToolRadius_m, 2000), kLittle);
   EXPECT_GT(lateness.late_ticks, 10U);
   EXPECT_GT(lateness.worst_m, 10.0 * kLate_m);
   EXPECT_GT(lateness.in_a_row, 1U);
@@ -76,7 +77,7 @@ TEST_F(LatenessTest, TheSeriesIsThatOfTheLongestJumpAlone) {
   EXPECT_EQ(two.in_a_row, one.in_a_row) << "the second jump is shorter";
   EXPECT_GT(two.late_ticks, one.late_ticks);
   // The chord between the proxy before the jump and the place where it belongs after it.
-  const double chord_m = 2.0 * (kBall_m + kRadius_m) * std::sin(0.5);
+  const double chord_m = 2.0 * (kBall_m + kToolRadius_m) * std::sin(0.5);
   EXPECT_LT(one.worst_m, chord_m);
   EXPECT_GT(one.worst_m, 0.5 * chord_m);
   EXPECT_EQ(two.worst_m, one.worst_m);
@@ -85,7 +86,7 @@ TEST_F(LatenessTest, TheSeriesIsThatOfTheLongestJumpAlone) {
 TEST_F(LatenessTest, OnlyAForceThatPointsElsewhereIsTurned) {
   // The proxy lags by at most the jump, so the force turns by no more than this angle.
   constexpr double kShort = 0.05;
-  const double most_rad = std::atan2((kBall_m + kRadius_m) * kShort, kDepth_m);
+  const double most_rad = std::atan2((kBall_m + kToolRadius_m) * kShort, kDepth_m);
   ASSERT_LT(most_rad, kTurned_rad);
   const Lateness near = late(jumps({0.0, kShort}), kLittle);
   EXPECT_GT(near.late_ticks, 0U);
@@ -107,7 +108,7 @@ TEST_F(LatenessTest, IsThatOfTicksFromTheSameState) {
   std::vector<Vec3> path = jumps({0.0});
   path.insert(path.end(), 5, pressed_at(1.0));
   path.insert(path.end(), kWait, pressed_at(0.5));
-  const Lateness lateness = lateness_of({&rough.object(), 1}, kRadius_m, path, kLittle);
+  const Lateness lateness = lateness_of({&rough.object(), 1}, kToolRadius_m, path, kLittle);
   EXPECT_GT(lateness.in_a_row, 5U);
   EXPECT_LT(lateness.late_ticks, kWait / 2);
 }

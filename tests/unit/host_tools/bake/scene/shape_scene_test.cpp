@@ -1,6 +1,7 @@
 // Scenes of primitives and formulas, from the text to the touch.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "host_tools/bake/scene/bake.h"
@@ -68,6 +69,55 @@ TEST_F(ShapeScene, APrimitiveAndAMeshlessFormulaOfTheSameSphereFeelAlike) {
   EXPECT_LT((touch.proxy_W - expected).norm(), 1e-6);
 }
 
+// The oracle is the offset surface of an ellipsoid: q + r n for its points q with the normals n.
+TEST_F(ShapeScene, ASphereTouchesTheOffsetSurfaceOfAFormula) {
+  constexpr double kRadius_m = 0.004;
+  constexpr double kDepth_m = 0.001;
+  constexpr double kTolerance_m = 2e-5;
+  const MappedScene scene = baked(
+      "[[object]]\nformula = \"(x/1.2)^2 + y^2 + (z/0.8)^2 - 1\"\nscale = 0.03\n"
+      "contact = \"sphere_proxy\"\ntolerance_m = 2e-5\nstiffness_N_per_m = 1000.0\n");
+  EXPECT_EQ(scene.image().objects()[0].surface, SurfaceKind::mesh);
+  for (int i = 0; i < 40; ++i) {
+    const double turn = 2.4 * i;
+    const double up = (i - 19.5) / 20.0;
+    const double out = std::sqrt(1.0 - up * up);
+    const Vec3 unit(out * std::cos(turn), up, out * std::sin(turn));
+    const Vec3 q = 0.03 * Vec3(1.2 * unit.x(), unit.y(), 0.8 * unit.z());
+    const Vec3 n = Vec3(unit.x() / 1.2, unit.y(), unit.z() / 0.8).normalized();
+    const auto world = std::make_unique<World>();
+    ASSERT_TRUE(world->set_scene(scene.image().objects(), {.tool_radius_m = kRadius_m}));
+    world->touch({.p_W = q + 3.0 * kRadius_m * n});
+    const Touch touch = world->touch({.p_W = q + (kRadius_m - kDepth_m) * n});
+    // A facet that is off by e is tilted by less than 2 sqrt(2 e / R), which moves the proxy by
+    // that part of the depth.
+    const double most_m = kTolerance_m + kDepth_m * 2.0 * std::sqrt(2.0 * kTolerance_m / 0.016);
+    EXPECT_LT((touch.proxy_W - (q + kRadius_m * n)).norm(), most_m) << i;
+    EXPECT_NEAR(touch.force_W.norm(), 1.0, 2.0 * kTolerance_m * 1000.0) << i;
+  }
+}
+
+TEST_F(ShapeScene, AFormulaThatIsAMeshTakesWhatMeshesTake) {
+  const std::string ball =
+      "[[object]]\nformula = \"sphere(1)\"\nscale = 0.03\ntolerance_m = 1e-3\n";
+  EXPECT_EQ(baked(ball + "contact = \"feature_walk\"\n").image().objects()[0].method,
+            ContactMethod::feature_walk);
+  const MappedScene shaded = baked(ball + "contact = \"sphere_proxy\"\nshading = {}\n");
+  EXPECT_FALSE(shaded.image().objects()[0].detail.corner_normals.empty());
+  const MappedScene soft = baked(ball + "contact = \"sphere_proxy\"\ndeforms = true\n");
+  EXPECT_TRUE(soft.image().objects()[0].deforms);
+}
+
+TEST_F(ShapeScene, KeysOfAMeshAreRefusedBesideATrackedFormula) {
+  const std::string ball = "[[object]]\nformula = \"sphere(1)\"\n";
+  EXPECT_TRUE(contains(error_of(ball + "tolerance_m = 1e-5\n"),
+                       "scene.toml:3: object 1: tolerance_m is for a formula that is baked as a "
+                       "mesh; write contact = \"sphere_proxy\""));
+  EXPECT_TRUE(contains(error_of(ball + "longest_side_m = 0.1\n"), "write scale"));
+  EXPECT_TRUE(contains(error_of("[[object]]\nformula = \"x^2 + 1\"\ncontact = \"sphere_proxy\"\n"),
+                       "scene.toml:2: the formula is above 0 everywhere"));
+}
+
 TEST_F(ShapeScene, APotentialFieldPopsThroughAThinPlateWhereAProxyHolds) {
   const std::string plate =
       "[[object]]\nprimitive = \"box\"\nsize_m = [0.1, 0.002, 0.1]\nstiffness_N_per_m = 500.0\n";
@@ -95,8 +145,9 @@ TEST_F(ShapeScene, MistakesAreToldWithLineAndRemedy) {
   const std::string pole = error_of("[[object]]\nformula = \"1/(x - 0.5)^2 - 1\"\n");
   EXPECT_TRUE(contains(pole, "scene.toml:2: the formula has a pole at about (0.5, "));
   EXPECT_TRUE(contains(pole, "1/x - y becomes 1 - x*y"));
-  EXPECT_TRUE(
-      contains(error_of("[[object]]\nformula = \"x\"\ncontact = \"sphere_proxy\"\n"), "tracking"));
+  EXPECT_TRUE(contains(error_of("[[object]]\nprimitive = \"sphere\"\nradius_m = 0.03\n"
+                                "contact = \"tracking\"\n"),
+                       "\"tracking\" is for formulas"));
   EXPECT_TRUE(
       contains(error_of("[[object]]\nprimitive = \"plane\"\nformula = \"x\"\n"), "more than one"));
 }
