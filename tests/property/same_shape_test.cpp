@@ -211,7 +211,8 @@ TEST_P(SameShape, RestsWhereTheClosedFormSays) {
     }
     all_ticks += ticks;
   });
-  EXPECT_GT(contacts, all_ticks / 20);
+  // A short part of the path may hardly touch.
+  EXPECT_GT(contacts, part_of(kTicks) >= kTicks ? all_ticks / 20 : 0);
 }
 
 // The hand moves at up to 0.1 m/s. In creases the test is that the proxy lags by no more than the

@@ -5,8 +5,6 @@
 
 namespace tactus::testing {
 
-using rendering::PrimitiveKind;
-
 TouchingHand::TouchingHand(const TouchedShape& shape, double most_step_m, std::uint64_t seed)
     : shape_(shape), most_step_m_(most_step_m), random_(seed) {
   constexpr double kClear_m = 2e-4;
@@ -47,11 +45,11 @@ Vec3 TouchingHand::any_place() {
   constexpr double kPlane_m = 0.05;
   constexpr double kAround = 0.7;
   const rendering::Bounds box = bounds(shape_.primitive);
-  const double size_m = shape_.primitive.kind == PrimitiveKind::plane
+  const double size_m = shape_.primitive.kind == rendering::PrimitiveKind::plane
                             ? kPlane_m
                             : kAround * (box.upper_W - box.lower_W).maxCoeff();
   const auto any = [&] { return size_m * (2.0 * unit_(random_) - 1.0); };
-  return shape_.primitive.X_WO.translation + Vec3(any(), any(), any());
+  return shape_.primitive.X_WO.translation + Vec3{any(), any(), any()};
 }
 
 void TouchingHand::choose_target() {
@@ -77,7 +75,7 @@ double TouchingHand::allowed_depth_m(const Vec3& p_W) const {
 bool TouchingHand::is_in_tip(const Vec3& p_W) const {
   constexpr double kTip_m = 1e-3;
   const rendering::Primitive& cone = shape_.primitive;
-  if (cone.kind != PrimitiveKind::cone || shape_.side == Side::outside) {
+  if (cone.kind != rendering::PrimitiveKind::cone || shape_.side == Side::outside) {
     return false;
   }
   const Vec3 place_O = cone.X_WO.point_in(resting_place(shape_, p_W, 0.0));

@@ -127,14 +127,19 @@ void expect_range(const Interval& range, const Interval& a, double most_slack,
   long double largest = -2.0L;
   for (int k = 0; k <= kSamples; ++k) {
     const long double share = static_cast<long double>(k) / kSamples;
-    const long double value = function(a.lower() + share * (a.upper() - a.lower()));
+    const auto lower = static_cast<long double>(a.lower());
+    const auto width = static_cast<long double>(a.upper() - a.lower());
+    const long double value = function(lower + share * width);
     least = std::min(least, value);
     largest = std::max(largest, value);
   }
-  ASSERT_LE(range.lower(), least);
-  ASSERT_GE(range.upper(), largest);
-  ASSERT_GE(range.lower(), least - most_slack);
-  ASSERT_LE(range.upper(), largest + most_slack);
+  const auto lower = static_cast<long double>(range.lower());
+  const auto upper = static_cast<long double>(range.upper());
+  const auto slack = static_cast<long double>(most_slack);
+  ASSERT_LE(lower, least);
+  ASSERT_GE(upper, largest);
+  ASSERT_GE(lower, least - slack);
+  ASSERT_LE(upper, largest + slack);
   ASSERT_GE(range.lower(), -1.0);
   ASSERT_LE(range.upper(), 1.0);
 }
@@ -148,9 +153,11 @@ TEST(IntervalSine, HoldsTheSineAndTheCosineAndIsAsNarrowAsTheAngle) {
   constexpr long double kQuarter = 1.57079632679489661923132169163975144L;
   for (int run = 0; run < 20'000; ++run) {
     const double size = run % 2 == 0 ? 10.0 : kLargestAngle - 10.0;
-    const double at = run % 3 == 0
-                          ? static_cast<double>(kQuarter * std::round(0.5 * size * unit(random)))
-                          : size * unit(random);
+    const double at =
+        run % 3 == 0
+            ? static_cast<double>(kQuarter *
+                                  static_cast<long double>(std::round(0.5 * size * unit(random))))
+            : size * unit(random);
     const double width = std::pow(10.0, -8.0 + 4.0 * (1.0 + unit(random)));
     const double from = at - std::abs(unit(random)) * width;
     const Interval a{from, from + width};
