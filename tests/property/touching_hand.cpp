@@ -7,12 +7,12 @@ namespace tactus::testing {
 
 TouchingHand::TouchingHand(const TouchedShape& shape, double most_step_m, std::uint64_t seed)
     : shape_(shape), most_step_m_(most_step_m), random_(seed) {
-  constexpr double kClear_m = 2e-4;
+  constexpr double kStartClear_m = 2e-4;
   do {
     const Vec3 place = any_place();
     const Clearance there = clearance(shape_, place);
-    tool_W_ = place + (1.5 * kClear_m - there.distance_m) * there.away_W;
-  } while (clearance(shape_, tool_W_).distance_m < kClear_m || is_in_tip(tool_W_));
+    tool_W_ = place + (1.5 * kStartClear_m - there.distance_m) * there.away_W;
+  } while (clearance(shape_, tool_W_).distance_m < kStartClear_m || is_in_tip(tool_W_));
 }
 
 Vec3 TouchingHand::next() {
