@@ -8,8 +8,8 @@
 //   extent       the box about it
 // and, if positive dimensions are not all it takes, `fits` and its condition in words, kCondition;
 // if a sphere can touch it in several points at once, from outside or from within, add_contacts.
-// Of a convex solid these are planes that touch it, whether p is within or outside. A round wall is
-// touched by many: those on the side of p, of which the first is the nearest, come before
+// The contacts of a convex solid are planes that touch it, whether p is within or outside. A round
+// wall is touched by many: those on the side of p, of which the first is the nearest, come before
 // end_round_wall().
 #pragma once
 

@@ -1,5 +1,5 @@
-// Where a tool rests on a primitive, in closed form: the oracle of same_shape_test.cpp. It shares
-// no code with the primitives under test.
+// The closed form of the place where a tool rests on a primitive: the oracle of
+// same_shape_test.cpp. It shares no code with the primitives under test.
 #pragma once
 
 #include <cstdint>

@@ -74,9 +74,10 @@ bool has_creases(const TouchedShape& shape) {
 struct Representation {
   std::string name;
   MeshError error;
-  // How far the proxy may be beside its place, m, where the error of the mesh is not the reason.
+  // The most that the proxy may be beside its place, m, where the error of the mesh is not the
+  // reason.
   double off_m = 0.0;
-  // How much lower than its rest height it may be in a crease, m.
+  // The most that it may be below its rest height in a crease, m.
   double low_m = 0.0;
   std::unique_ptr<World> world;
 

@@ -6,16 +6,15 @@
 namespace tactus::host {
 namespace {
 
-// How much the parts of the grid differ.
+// The share by which the first cell of the grid is longer than the mean, and the last one shorter.
 constexpr double kStretch = 0.0618;
 
-// Returns corner k of a box at `from`.
+}  // namespace
+
 GridPlace corner_of(const GridPlace& from, int size, unsigned k) {
   return {from[0] + ((k & 1U) != 0 ? size : 0), from[1] + ((k & 2U) != 0 ? size : 0),
           from[2] + ((k & 4U) != 0 ? size : 0)};
 }
-
-}  // namespace
 
 CellTree::CellTree(const rendering::FormulaView& formula, const rendering::Box& bounds, int levels)
     : formula_(formula), bounds_(bounds), first_size_(1 << std::clamp(levels, 0, kMostLevels)) {

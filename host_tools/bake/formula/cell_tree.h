@@ -15,6 +15,10 @@ namespace tactus::host {
 // A place of the finest grid: whole numbers along the three axes.
 using GridPlace = std::array<int, 3>;
 
+// Returns corner k of a box at `from`, which is the corner 0: at x = k & 1, y = k >> 1 & 1,
+// z = k >> 2.
+GridPlace corner_of(const GridPlace& from, int size, unsigned k);
+
 // A cell that is not split.
 struct Leaf {
   std::uint32_t node = 0;
@@ -58,8 +62,7 @@ class CellTree {
   // would say little.
   [[nodiscard]] Vec3 corner(const GridPlace& place) const;
 
-  // Returns a bit for each corner k of a leaf, at x = k & 1, y = k >> 1 & 1, z = k >> 2: 1 where
-  // the formula is below 0.
+  // Returns a bit for each corner k of a leaf (corner_of): 1 where the formula is below 0.
   [[nodiscard]] unsigned inside(const Leaf& leaf) const { return nodes_[leaf.node].inside; }
 
   // Returns the size of a cell that is not split, in steps of the finest grid.

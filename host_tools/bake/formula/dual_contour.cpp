@@ -73,8 +73,7 @@ struct Corners {
 };
 
 Corners corners_of(const CellTree& tree, const Leaf& leaf) {
-  return {tree.corner(leaf.from), tree.corner({leaf.from[0] + leaf.size, leaf.from[1] + leaf.size,
-                                               leaf.from[2] + leaf.size})};
+  return {tree.corner(leaf.from), tree.corner(corner_of(leaf.from, leaf.size, kCorners - 1))};
 }
 
 // The tangent planes of the surface at the edges of a cell.
@@ -151,12 +150,8 @@ class Contour {
   // it takes it.
   void look_at_edge(const Leaf& leaf, unsigned k, unsigned axis) {
     constexpr std::array<std::array<int, 2>, 4> kRound{{{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}};
-    GridPlace from = leaf.from;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      from[i] += (k >> i & 1U) != 0 ? leaf.size : 0;
-    }
-    GridPlace to = from;
-    to[axis] += leaf.size;
+    const GridPlace from = corner_of(leaf.from, leaf.size, k);
+    const GridPlace to = corner_of(leaf.from, leaf.size, k | 1U << axis);
     std::array<Leaf, 4> round;
     bool is_found = false;
     for (std::size_t i = 0; i < round.size(); ++i) {

@@ -23,7 +23,7 @@ namespace {
 using rendering::Box;
 using rendering::FormulaView;
 
-// How often a cell is split in which the surface is finer than the cell.
+// The number of times that a cell is split in which the surface is finer than the cell.
 constexpr int kSplitsWhereUnclear = 5;
 
 // Returns the distance from p within which the formula changes its sign, to twice of it, and no
@@ -34,18 +34,22 @@ constexpr int kSplitsWhereUnclear = 5;
 double distance_bound(const FormulaView& formula, const Vec3& p, const Vec3& across, double most,
                       double tolerance) {
   constexpr double kGrowth = 2.0;
-  const std::array directions{across.normalized(),
-                              evaluate_gradient(formula, p).gradient.normalized(),
-                              Vec3(1.0, 1.0, 1.0).normalized(),
-                              Vec3(1.0, 1.0, -1.0).normalized(),
-                              Vec3(1.0, -1.0, 1.0).normalized(),
-                              Vec3(-1.0, 1.0, 1.0).normalized()};
   const bool inside = evaluate(formula, p) < 0.0;
   double bound = tolerance;
   const auto changes = [&](const Vec3& direction) {
     return (evaluate(formula, p + bound * direction) < 0.0) != inside ||
            (evaluate(formula, p - bound * direction) < 0.0) != inside;
   };
+  const Vec3 normal = across.normalized();
+  if (changes(normal)) {
+    return bound;  // as at most places
+  }
+  const std::array directions{normal,
+                              evaluate_gradient(formula, p).gradient.normalized(),
+                              Vec3(1.0, 1.0, 1.0).normalized(),
+                              Vec3(1.0, 1.0, -1.0).normalized(),
+                              Vec3(1.0, -1.0, 1.0).normalized(),
+                              Vec3(-1.0, 1.0, 1.0).normalized()};
   while (bound < most && std::ranges::none_of(directions, changes)) {
     bound *= kGrowth;
   }
@@ -92,9 +96,9 @@ std::optional<Vec3> split_unclear(const FormulaView& formula, CellTree& tree, in
   return left;
 }
 
-// What is to be split so that the mesh comes near enough.
+// The cells to be split so that the mesh comes near enough.
 struct Splits {
-  // How often the cell of each vertex is split.
+  // The number of times that the cell of each vertex is split.
   std::vector<int> times;
   // The largest distance of the mesh from the surface, and the number of triangles to come.
   double distance = 0.0;
@@ -142,9 +146,6 @@ ContourMesh near_mesh(const FormulaView& formula, CellTree& tree, const FormulaM
     ContourMesh mesh = dual_contour(formula, tree);
     const Splits splits = splits_of(formula, mesh, tolerance);
     require_few(mesh, splits, plan);
-    if (plan.progress) {
-      plan.progress(mesh.triangles.size());
-    }
     bool is_split = false;
     for (std::size_t i = 0; i < splits.times.size(); ++i) {
       tree.split(mesh.cells[i], splits.times[i]);
@@ -152,6 +153,9 @@ ContourMesh near_mesh(const FormulaView& formula, CellTree& tree, const FormulaM
     }
     if (!is_split) {
       return mesh;
+    }
+    if (plan.progress) {
+      plan.progress(mesh.triangles.size());
     }
   }
 }

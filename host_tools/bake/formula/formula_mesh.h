@@ -14,7 +14,7 @@ namespace tactus::host {
 // otherwise, m.
 inline constexpr double kDefaultFormulaTolerance_m = 1e-5;
 
-// What is wanted of the mesh.
+// The demands on a mesh.
 struct FormulaMeshPlan {
   // The largest distance of the mesh from the surface, m.
   double tolerance_m = kDefaultFormulaTolerance_m;

@@ -75,7 +75,7 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
                        ObjectReport& report, const Progress& progress) {
   const Stopwatch stopwatch;
   tell(progress, fmt::format("{}: drawing the shape", object.name));
-  std::vector<std::string> warnings = formula_warnings(object, scene);
+  std::vector<std::string> warnings = check_formula(object, scene);
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
                     .material = object.material,

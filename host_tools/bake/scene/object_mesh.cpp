@@ -23,7 +23,7 @@ std::string name_of_mesh(const ObjectDescription& object) {
   return object.mesh.empty() ? object.name : object.mesh.string();
 }
 
-// Makes the mesh of a formula.
+// Makes the mesh of a formula that has no poles.
 ImportedMesh make_mesh(const ObjectDescription& object, const ImplicitDescription& implicit,
                        const std::string& scene, const Progress& progress) {
   const FormulaMeshPlan plan{.tolerance_m = implicit.tolerance_m,
@@ -32,12 +32,13 @@ ImportedMesh make_mesh(const ObjectDescription& object, const ImplicitDescriptio
                                tell(progress, fmt::format("{}: {} triangles, not near enough yet",
                                                           object.name, triangles));
                              }};
+  std::vector<std::string> warnings = check_formula(object, scene);
   try {
     ImportedMesh mesh = mesh_formula(implicit.formula.view(), implicit.bounds_O, plan);
     for (std::string& note : mesh.notes) {
       note.insert(0, object.name + ": ");
     }
-    std::ranges::move(formula_warnings(object, scene), std::back_inserter(mesh.notes));
+    std::ranges::move(warnings, std::back_inserter(mesh.notes));
     return mesh;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}: {}", scene, object.line, error.what()));
@@ -72,8 +73,7 @@ BakedMesh bake_mesh_of(const ObjectDescription& object, const ImportedMesh& impo
   }
 }
 
-// A one-sided surface with
-// holes lets the tool get behind it, where it feels nothing.
+// A one-sided surface with holes lets the tool get behind it, where it feels nothing.
 std::vector<std::string> mesh_warnings(const ObjectDescription& object,
                                        const ImportedMesh& imported, const BakedMesh& mesh) {
   const rendering::BakeCounters& counters = mesh.counters;
@@ -100,8 +100,7 @@ std::vector<std::string> mesh_warnings(const ObjectDescription& object,
   return warnings;
 }
 
-std::vector<std::string> formula_warnings(const ObjectDescription& object,
-                                          const std::string& scene) {
+std::vector<std::string> check_formula(const ObjectDescription& object, const std::string& scene) {
   const auto* implicit = std::get_if<ImplicitDescription>(&object.shape);
   if (implicit == nullptr) {
     return {};

@@ -30,7 +30,6 @@ std::vector<std::string> mesh_warnings(const ObjectDescription& object,
 
 // Returns warnings about an object's formula; none for other shapes. Throws InputError if the
 // formula has a pole that the proxy could reach.
-std::vector<std::string> formula_warnings(const ObjectDescription& object,
-                                          const std::string& scene);
+std::vector<std::string> check_formula(const ObjectDescription& object, const std::string& scene);
 
 }  // namespace tactus::host

@@ -1,4 +1,4 @@
-// How a long bake tells what it is doing.
+// The callback by which a long bake tells what it is doing.
 #pragma once
 
 #include <functional>

@@ -118,6 +118,13 @@ TEST_F(ShapeScene, KeysOfAMeshAreRefusedBesideATrackedFormula) {
                        "scene.toml:2: the formula is above 0 everywhere"));
 }
 
+TEST_F(ShapeScene, APoleIsToldBeforeAFormulaIsCutIntoTriangles) {
+  const std::string pole =
+      error_of("[[object]]\nformula = \"1/(x - 0.5)^2 - 1\"\ncontact = \"sphere_proxy\"\n");
+  EXPECT_TRUE(contains(pole, "scene.toml:2: the formula has a pole at about (0.5, "));
+  EXPECT_EQ(pole.find("scene.toml"), pole.rfind("scene.toml")) << pole;
+}
+
 TEST_F(ShapeScene, APotentialFieldPopsThroughAThinPlateWhereAProxyHolds) {
   const std::string plate =
       "[[object]]\nprimitive = \"box\"\nsize_m = [0.1, 0.002, 0.1]\nstiffness_N_per_m = 500.0\n";
