@@ -54,7 +54,14 @@ class ImplicitTick {
         field_(surface, 1.0, budget),
         friction_(material) {}
 
-  ImplicitRest run();
+  // Runs the tick. `see` is given the proxy's place before each sub-goal, after the sub-goal.
+  template <class See>
+  ImplicitRest run(const See& see);
+
+  // Returns what a watcher is shown of the sub-goal that began at `from_O`.
+  [[nodiscard]] WatchedFormulaStep watched(const Vec3& from_O) const {
+    return {surface_, from_O, goal_.point, state_.p_O, rest_.planes, state_.friction, rest_.flags};
+  }
 
  private:
   // Runs one sub-goal. Returns true when the tick is over, as pass_outside, come_out and go do.
@@ -69,7 +76,7 @@ class ImplicitTick {
   // The moves in contact and toward it. They keep to the side of the surface where the proxy is.
   bool go(const ImplicitSample& here);
   ImplicitGoal choose_goal();
-  bool glide_toward(const ImplicitGoal& goal, const ImplicitSample& here);
+  bool glide_toward(const ImplicitSample& here);
   bool come_to_rest_at(const Vec3& stop);
 
   // Ends the tick with the proxy where it is known to be free, and returns true. The planes of the
@@ -107,6 +114,8 @@ class ImplicitTick {
   const Vec3 h_;
   ImplicitField field_;
   ImplicitRest rest_;
+  // The sub-goal that was chosen last.
+  ImplicitGoal goal_;
   // F at the proxy, once it is evaluated there.
   std::optional<ImplicitSample> here_;
   // The planes at the proxy.
@@ -119,10 +128,16 @@ class ImplicitTick {
 
 // Repeats sub-goals until the tick is over. After a stall the proxy stays where it was nearest to
 // the tool, and not where the last swing left it.
-ImplicitRest ImplicitTick::run() {
+template <class See>
+ImplicitRest ImplicitTick::run(const See& see) {
   const std::size_t budget = field_.left();
-  while (!step()) {
-    ++rest_.sub_goals;
+  for (bool is_over = false; !is_over;) {
+    const Vec3 from_O = state_.p_O;
+    is_over = step();
+    see(from_O);
+    if (!is_over) {
+      ++rest_.sub_goals;
+    }
   }
   if (rest_.planes > 0 && stall_.has_swung()) {
     state_.p_O = stall_.best_O();
@@ -229,17 +244,17 @@ bool ImplicitTick::come_out() {
 bool ImplicitTick::go(const ImplicitSample& here) {
   for (std::size_t attempt = 0; attempt < kMostAttempts; ++attempt) {
     friction_.begin_choice(state_);
-    const ImplicitGoal goal = choose_goal();
-    if (goal.settled) {
+    goal_ = choose_goal();
+    if (goal_.settled) {
       return true;
     }
-    if (rest_.planes == 1 && planes_.size() == 1 && glide_toward(goal, here)) {
+    if (rest_.planes == 1 && planes_.size() == 1 && glide_toward(here)) {
       return false;
     }
-    const SweptSegment segment = sweep_segment(field_, state_.p_O, goal.point, here.value);
+    const SweptSegment segment = sweep_segment(field_, state_.p_O, goal_.point, here.value);
     const Crossing& crossing = segment.crossing;
     if (crossing.state == SegmentState::free) {
-      move_to(goal.point);
+      move_to(goal_.point);
       return false;
     }
     const Vec3 stop = segment.at(crossing.free_to);
@@ -268,11 +283,11 @@ ImplicitGoal ImplicitTick::choose_goal() {
   return friction_.hold(push, planes_, h_, surface_, state_);
 }
 
-// Glides toward a goal on the tangent plane, and returns true if it could. The sample at the end
+// Glides toward the goal on the tangent plane, and returns true if it could. The sample at the end
 // is kept, so that the next sub-goal need not evaluate F there again.
-bool ImplicitTick::glide_toward(const ImplicitGoal& goal, const ImplicitSample& here) {
+bool ImplicitTick::glide_toward(const ImplicitSample& here) {
   const auto to =
-      glide(field_, {.from = here, .goal = goal.point, .pulled_to = goal.pulled_to, .tool = h_});
+      glide(field_, {.from = here, .goal = goal_.point, .pulled_to = goal_.pulled_to, .tool = h_});
   if (to) {
     move_to(to->point);
     here_ = to;
@@ -299,8 +314,15 @@ bool ImplicitTick::come_to_rest_at(const Vec3& stop) {
 }  // namespace
 
 ImplicitRest run_implicit_tick(ImplicitProxyState& state, const ImplicitSurface& surface,
-                               const Material& material, const Vec3& h_O, std::size_t budget) {
-  return ImplicitTick(state, surface, material, h_O, budget).run();
+                               const Material& material, const Vec3& h_O, std::size_t budget,
+                               const ObjectWatch& watch) {
+  ImplicitTick tick(state, surface, material, h_O, budget);
+  if (watch.watcher == nullptr) {
+    return tick.run([](const Vec3& /*from_O*/) {});
+  }
+  return tick.run([&tick, &watch](const Vec3& from_O) {
+    watch.watcher->see(watch.object, tick.watched(from_O));
+  });
 }
 
 }  // namespace tactus::rendering

@@ -11,7 +11,8 @@ void ImplicitTracker::place(const Vec3& p_W) {
 }
 
 ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Material& material,
-                                      const Vec3& h_W, std::size_t budget) {
+                                      const Vec3& h_W, std::size_t budget,
+                                      const ObjectWatch& watch) {
   ImplicitRest rest;
   if (!(h_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m)) {
     rest.proxy_W = p_W_;
@@ -22,7 +23,7 @@ ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Mate
     state_.p_O = surface.to_object(p_W_);
     placed_ = true;
   }
-  rest = run_implicit_tick(state_, surface, material, surface.to_object(h_W), budget);
+  rest = run_implicit_tick(state_, surface, material, surface.to_object(h_W), budget, watch);
   p_W_ = surface.to_world(state_.p_O);
   rest.proxy_W = p_W_;
   rest.friction = state_.friction;

@@ -44,6 +44,15 @@ struct ImplicitProxyState {
   CreaseWalls walls;
 };
 
+class TickWatcher;
+
+// Whoever watches a tick (tick_watcher.h), and the number of the object that is touched; nobody by
+// default.
+struct ObjectWatch {
+  TickWatcher* watcher = nullptr;
+  std::uint32_t object = 0;
+};
+
 // One proxy on one implicit surface. IndependentContacts (rendering/world/independent_contacts.h)
 // has one for each such object and tool.
 class ImplicitTracker {
@@ -61,9 +70,9 @@ class ImplicitTracker {
   // along segments that interval arithmetic proves free, however far the tool jumps and however
   // thin the surface is. Each move brings it nearer to the tool, so it cannot oscillate. A tool
   // that is not finite or beyond kWorldBound_m leaves the proxy where it is. Real time: no heap,
-  // at most `budget` formula instructions evaluated.
+  // at most `budget` formula instructions evaluated. `watch` sees the sub-goals.
   ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W,
-                       std::size_t budget = kMaxFormulaBudget);
+                       std::size_t budget = kMaxFormulaBudget, const ObjectWatch& watch = {});
 
   // Returns the proxy's position after the last tick; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }

@@ -17,13 +17,6 @@ namespace tactus::rendering {
 // Numbers no candidate of the candidate set.
 inline constexpr std::size_t kNoCandidate = static_cast<std::size_t>(-1);
 
-// The sub-goals that the proxy reached in one tick, for tests and pictures: points[0] to
-// points[count - 1], world frame, metres.
-struct ProxyPath {
-  std::array<Vec3, kMaxSubGoals + 1> points;
-  std::size_t count = 0;
-};
-
 // One contact plane: a constraint on the proxy's centre.
 struct ContactPlane {
   // The half space of the proxy's centre: normal . x >= offset; world frame.

@@ -42,6 +42,7 @@
 #include "rendering/contact/plane_collection.h"
 #include "rendering/contact/straight_escape.h"
 #include "rendering/contact/tick_end.h"
+#include "rendering/contact/tick_watcher.h"
 
 namespace tactus::rendering {
 namespace {
@@ -80,7 +81,6 @@ class ProxyTick {
   void make_move(const NextMove& move);
   bool stays_on_face(const NextMove& move);
 
-  void add_point_to_path() const;
   void end_short_of(const Vec3& goal_W);
   void forget_left_out();
 
@@ -101,12 +101,12 @@ void ProxyTick::run() {
       max_push_m = 0.0;
     }
   }
+  if (tick_.watcher != nullptr) {
+    tick_.watcher->see_end(proxy_, end_.has_gone_back());
+  }
 }
 
 Next ProxyTick::take_sub_goal(double max_push_m) {
-  if (!end_.has_gone_back()) {
-    add_point_to_path();
-  }
   if (const Next next = gather(); next != Next::go_on) {
     return next;
   }
@@ -115,6 +115,9 @@ Next ProxyTick::take_sub_goal(double max_push_m) {
     return next;
   }
   const NextMove move = moves_.find(tick_, proxy_, collector, end_.is_stalling());
+  if (tick_.watcher != nullptr) {
+    tick_.watcher->see({tick_, proxy_, move, end_.has_gone_back()});
+  }
   if (const Next next = judge(move.goal); next != Next::go_on) {
     return next;
   }
@@ -125,7 +128,6 @@ Next ProxyTick::take_sub_goal(double max_push_m) {
   if (!stays_on_face(move)) {
     return Next::go_on;
   }
-  add_point_to_path();
   end_.settle(tick_.h_W, proxy_.state);
   return Next::end;
 }
@@ -159,7 +161,6 @@ Next ProxyTick::gather() {
   if (rest.sub_goals < kMaxSubGoals) {
     sweep_to_tool(near_, tick_.h_W, state);
     ++rest.sub_goals;
-    add_point_to_path();
   }
   return Next::end;
 }
@@ -254,14 +255,6 @@ bool ProxyTick::stays_on_face(const NextMove& move) {
   Nearest& nearest = rest.planes[0].nearest;
   nearest.distance += nearest.normal.dot(p - constraints.left_from());
   return true;
-}
-
-// Writes the proxy's place to the path that tests and pictures ask for.
-void ProxyTick::add_point_to_path() const {
-  if (tick_.path != nullptr) {
-    tick_.path->points[proxy_.rest.sub_goals] = proxy_.state.p_W;
-    tick_.path->count = proxy_.rest.sub_goals + std::size_t{1};
-  }
 }
 
 // Says that a limit ends the tick before the proxy has reached the goal.

@@ -40,24 +40,25 @@ void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
   carried_W_ = Vec3::Zero();
 }
 
-ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
+ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher) {
   start_ = state_;
   update_left_out(scene);
-  return approach(scene, h_W, path);
+  return approach(scene, h_W, watcher);
 }
 
 // The candidates stay, with the tangents of their measurements, so a repetition costs less than the
 // first advance; its distances are measured again.
-ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
+ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W,
+                                     TickWatcher* watcher) {
   state_ = start_;
   candidate_set_.move_to(state_.p_W);
-  return approach(scene, h_W, path);
+  return approach(scene, h_W, watcher);
 }
 
-ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path) {
+ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher) {
   const NearbySurfaces near{.scene = scene, .margins = margins_, .candidates = candidate_set_};
   ProxyRest rest;
-  run_sub_goals({.near = near, .factors = factors_, .h_W = h_W, .path = path},
+  run_sub_goals({.near = near, .factors = factors_, .h_W = h_W, .watcher = watcher},
                 {.state = state_, .planes = planes_, .rest = rest});
   // A tick that ended in the middle of its path may have no plane, yet the surface still pushes the
   // hand.

@@ -18,6 +18,8 @@
 
 namespace tactus::rendering {
 
+class TickWatcher;
+
 // The proxy of one tool, shared by all objects of the methods sphere_proxy and god_object. World
 // frame.
 class SphereProxy {
@@ -43,12 +45,12 @@ class SphereProxy {
   void begin_friction(const Vec3& tool_step_W, double tick_s);
 
   // Moves the proxy as near to the tool position h_W (world frame, m, finite) as surfaces and
-  // friction allow. `path` receives the moves if it is not null. Bounded time, no heap.
-  ProxyRest advance(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
+  // friction allow. `watcher` sees the moves if it is not null. Bounded time, no heap.
+  ProxyRest advance(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
 
   // Repeats the last advance from the same start toward another goal. Friction takes the state of
   // the repetition only. The cost of both counts for the tick.
-  ProxyRest advance_again(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
+  ProxyRest advance_again(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
 
   // Gathers candidates for the next tick if there is budget left. Call it last in a tick.
   void look_ahead(const SceneObjects& scene) {
@@ -81,7 +83,7 @@ class SphereProxy {
   static constexpr double kFarther = 1.5;
 
   // Moves the proxy and finds the contact of the tick.
-  ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, ProxyPath* path);
+  ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
   void update_left_out(const SceneObjects& scene);
 
   // The contact margins of the tool's radius.

@@ -4,6 +4,7 @@
 
 #include "rendering/contact/no_pull.h"
 #include "rendering/contact/potential_field.h"
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
@@ -111,7 +112,7 @@ bool IndependentContacts::any_near(const SceneObjects& scene, const Vec3& p_W) c
 
 // Every contact may spend an equal share of what those before it have left.
 void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool,
-                                 std::size_t limit) {
+                                 std::size_t limit, TickWatcher* watcher) {
   budget_.begin_tick(limit);
   std::size_t to_come = count_near(scene, tool.p_W);
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
@@ -133,9 +134,12 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scene.tick_s());
     walkers_[k].begin_friction(step_O, scene.tick_s());
-    Touch own = touch_in_frame(
-        {.k = k, .object = object, .material = scene.material(number), .moved_m = step_O.norm()},
-        in_frame(scene, number, tool));
+    Touch own = touch_in_frame({.k = k,
+                                .object = object,
+                                .material = scene.material(number),
+                                .moved_m = step_O.norm(),
+                                .watch = {.watcher = watcher, .object = number}},
+                               in_frame(scene, number, tool));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;
@@ -208,14 +212,14 @@ void IndependentContacts::wake(std::size_t k, const Mover* mover) {
 }
 
 Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, const Vec3& goal_O) {
-  const auto& [k, object, own, moved_m] = independent;
+  const auto& [k, object, own, moved_m, watch] = independent;
   Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   switch (object.method) {
     case ContactMethod::tracking: {
       const ImplicitRest rest =
           trackers_[k].advance(object.implicit, material, goal_O,
-                               std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_));
+                               std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_), watch);
       budget_.spend(rest.evaluated / kFormulaStepsPerUnit);
       Touch touch = touch_of(rest);
       note_short_of_goal(goal_O, touch);
@@ -225,6 +229,9 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
       const FeatureRest rest =
           walkers_[k].advance(mesh_of(object), object.sides, material, goal_O,
                               std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
+      if (watch.watcher != nullptr) {
+        watch.watcher->see(watch.object, walkers_[k].feature());
+      }
       budget_.spend(kCostOfFeatureVisit * (std::size_t{rest.visited} + rest.approached));
       Touch touch = touch_of(rest);
       note_short_of_goal(goal_O, touch);
@@ -249,7 +256,7 @@ Touch IndependentContacts::touch_of_field(std::size_t k, const Object& object, c
 
 Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
                                           const ToolState& tool_O) {
-  const auto& [k, object, material, moved_m] = independent;
+  const auto& [k, object, material, moved_m, watch] = independent;
   const bool detailed = !object.detail.empty();
   ForceShading& shading = details_[k].shading;
   Touch touch;
@@ -285,7 +292,7 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
 // Applies detail with one pass per tick: its result shifts the goal of the next tick.
 void IndependentContacts::shade_in_frame(const IndependentObject& independent,
                                          const ToolState& tool_O, Touch& touch) {
-  const auto& [k, object, material, moved_m] = independent;
+  const auto& [k, object, material, moved_m, watch] = independent;
   DetailState& state = details_[k];
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;

@@ -17,6 +17,8 @@
 
 namespace tactus::rendering {
 
+class TickWatcher;
+
 // Every contact is computed in its object's own frame: an object that moves carries its proxy
 // along, and meets every tool that it sweeps over. An object whose box is not near the tool sleeps
 // and costs next to nothing. `k` counts SceneObjects::independent_objects() throughout.
@@ -27,8 +29,9 @@ class IndependentContacts {
 
   // Adds the forces to `touch`, which holds the shared proxy's result, and reports the object with
   // the largest force of all, within `limit` cost units (tick_budget.h). The tool must be
-  // finite. Bounded time, no heap.
-  void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool, std::size_t limit);
+  // finite. Bounded time, no heap. `watcher` sees the moves if it is not null.
+  void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool, std::size_t limit,
+              TickWatcher* watcher);
 
   // Returns true if the tool's motion to p_W (world frame, m) meets an object's box, or if a
   // contact is left from the last tick.
@@ -64,6 +67,8 @@ class IndependentContacts {
     const Material& material;
     // The distance that the tool has moved since the last tick, seen from the object, m.
     double moved_m;
+    // Sees the moves on object `watch.object`.
+    ObjectWatch watch;
   };
 
   // Computes the contact of one object without shading, in its own frame.

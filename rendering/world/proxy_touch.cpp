@@ -53,7 +53,7 @@ void ProxyTouch::place(const Vec3& p_W) {
   last_tool_W_ = p_W;
 }
 
-Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path) {
+Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher) {
   const Vec3 tool_step = tool.p_W - last_tool_W_;
   tool_step_m_ = tool_step.norm();
   last_tool_W_ = tool.p_W;
@@ -65,11 +65,11 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyP
                     .moved_m = scene.anything_moved() ? kMoves_m : tool_step_m_});
     set_friction(friction_);
   }
-  ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), path);
-  BlendedSurface blended = return_to_surface(scene, tool, path, rest);
+  ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), watcher);
+  BlendedSurface blended = return_to_surface(scene, tool, watcher, rest);
   // A proxy that has just left a surface with detail needs its shading to be forgotten.
   if (blended.detailed || detailed_) {
-    shade(scene, tool, path, rest, blended);
+    shade(scene, tool, watcher, rest, blended);
     before_ = here_;
   }
   detailed_ = blended.detailed;
@@ -86,7 +86,7 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, ProxyP
   return touch;
 }
 
-void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, ProxyPath* path,
+void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher,
                        ProxyRest& rest, BlendedSurface& blended) {
   first_pass_ = false;
   for (int pass = 1; blended.detailed; ++pass) {
@@ -101,8 +101,8 @@ void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, ProxyPa
     if (!improves || pass == kMostPasses || !proxy_.can_advance_again()) {
       return;
     }
-    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), path);
-    blended = return_to_surface(scene, tool, path, rest);
+    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), watcher);
+    blended = return_to_surface(scene, tool, watcher, rest);
   }
   shading_.reset();
   set_friction({});
@@ -111,16 +111,16 @@ void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, ProxyPa
 // Moves the proxy back when a lifted or shifted goal has taken it off the surface. The goal is
 // lowered first, then set to the tool, and the proxy meets the surface if it is between them.
 ProxyTouch::BlendedSurface ProxyTouch::return_to_surface(const SceneObjects& scene,
-                                                         const ToolState& tool, ProxyPath* path,
-                                                         ProxyRest& rest) {
+                                                         const ToolState& tool,
+                                                         TickWatcher* watcher, ProxyRest& rest) {
   if (is_free(rest) && shading_.lower()) {
     set_friction(friction_);
-    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), path);
+    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), watcher);
   }
   if (is_free(rest) && shading_.is_on()) {
     shading_.reset();
     set_friction(friction_);
-    rest = proxy_.advance_again(scene, tool.p_W, path);
+    rest = proxy_.advance_again(scene, tool.p_W, watcher);
   }
   return blend_surfaces(scene, tool, rest);
 }

@@ -15,6 +15,8 @@
 
 namespace tactus::rendering {
 
+class TickWatcher;
+
 // The shared proxy of one tool with its detail. World frame.
 class ProxyTouch {
  public:
@@ -36,9 +38,9 @@ class ProxyTouch {
   // of different stiffness act as one spring (corner_spring.h); B v is a mean weighted by the
   // pressures. A surface with detail shifts the proxy so that the force is along its shading
   // normal, and its bumps shorten the stretch. This takes up to kMostPasses advances of the proxy,
-  // within the budget of one tick. Bounded time, no heap. `path` receives the moves if it is not
+  // within the budget of one tick. Bounded time, no heap. `watcher` sees the moves if it is not
   // null.
-  Touch touch(const SceneObjects& scene, const ToolState& tool, ProxyPath* path);
+  Touch touch(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher);
 
   // Returns the proxy's centre, m.
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
@@ -88,11 +90,11 @@ class ProxyTouch {
   };
 
   // Repeats the advance with a shifted goal until the shift settles, the passes or the budget end.
-  void shade(const SceneObjects& scene, const ToolState& tool, ProxyPath* path, ProxyRest& rest,
-             BlendedSurface& blended);
+  void shade(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher,
+             ProxyRest& rest, BlendedSurface& blended);
   // Blends the surfaces; first it moves the proxy back if a shifted goal took it off them.
   BlendedSurface return_to_surface(const SceneObjects& scene, const ToolState& tool,
-                                   ProxyPath* path, ProxyRest& rest);
+                                   TickWatcher* watcher, ProxyRest& rest);
   // Gives the proxy the friction factors of its next advance.
   void set_friction(const FrictionFactors& of_surfaces);
   // Sums up the surfaces that hold the proxy, weighted by the pressures.

@@ -31,7 +31,7 @@ void ToolTouch::place(const SceneObjects& scene, const Vec3& p_W) {
 }
 
 Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit,
-                       ProxyPath* path) {
+                       TickWatcher* watcher) {
   // The shared proxy comes first; half of the budget is kept for the other contacts, if there are
   // any.
   const bool has_others = placed_ && independent_.any_near(scene, tool.p_W);
@@ -48,13 +48,13 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::si
   }
   Touch touch{.proxy_W = tool.p_W};
   if (scene.any_meets_proxy()) {
-    touch = proxy_.touch(scene, tool, path);
+    touch = proxy_.touch(scene, tool, watcher);
     if (touch.contact != ContactKind::none && scene[touch.object].deforms) {
       add_driven_power(touch, scene.tick_s());
     }
   }
   touch.flags |= moved;
-  independent_.add_to(touch, scene, tool, limit - std::min(limit, proxy_.spent()));
+  independent_.add_to(touch, scene, tool, limit - std::min(limit, proxy_.spent()), watcher);
   spent_ = proxy_.spent() + independent_.spent();
   last_proxy_W_ = touch.proxy_W;
   return touch;

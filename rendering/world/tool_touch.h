@@ -10,6 +10,8 @@
 
 namespace tactus::rendering {
 
+class TickWatcher;
+
 // The shared proxy and the independent contacts of one tool.
 class ToolTouch {
  public:
@@ -20,9 +22,10 @@ class ToolTouch {
   void reset() { placed_ = false; }
 
   // Computes one tick, within `limit` cost units (tick_budget.h); call it after
-  // scene.begin_tick(). Real time: no heap, bounded time. `path` receives the shared proxy's moves
+  // scene.begin_tick(). Real time: no heap, bounded time. `watcher` sees the moves
   // if it is not null.
-  Touch touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit, ProxyPath* path);
+  Touch touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit,
+              TickWatcher* watcher);
 
   // Returns the cost units that the last touch has spent.
   [[nodiscard]] std::size_t spent() const { return spent_; }

@@ -80,8 +80,8 @@ std::size_t World::begin_tick() {
 }
 
 Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
-                       ProxyPath* path) {
-  Touch touch = tools_[number].touch(scene_, tool, limit, path);
+                       TickWatcher* watcher) {
+  Touch touch = tools_[number].touch(scene_, tool, limit, watcher);
   if ((touch.flags & kTouchToolInvalid) != 0) {
     effect_touches_[number].hold();
   } else {
@@ -90,8 +90,8 @@ Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t li
   return touch;
 }
 
-Touch World::touch(const ToolState& tool, ProxyPath* path) {
-  return touch_one(0, tool, begin_tick(), path);
+Touch World::touch(const ToolState& tool, TickWatcher* watcher) {
+  return touch_one(0, tool, begin_tick(), watcher);
 }
 
 // Every tool may spend an equal share of what the tools before it have left.

@@ -18,6 +18,8 @@
 
 namespace tactus::rendering {
 
+class TickWatcher;
+
 // The parts of a scene beside its objects.
 struct WorldConfig {
   // The radius of every tool, m: 0 to kMaxToolRadius_m; 0 is the god-object point.
@@ -100,8 +102,8 @@ class World {
   // at most B v.
   //
   // Real time: no heap, no exceptions, bounded time; limits that were reached are in Touch::flags.
-  // `path` receives the shared proxy's moves if it is not null.
-  Touch touch(const ToolState& tool, ProxyPath* path = nullptr);
+  // `watcher` sees the moves if it is not null.
+  Touch touch(const ToolState& tool, TickWatcher* watcher = nullptr);
 
   // Computes one tick of all tools, which do not feel each other; touches[i] is of tools[i]. A tool
   // without a state in `tools` counts as invalid.
@@ -128,7 +130,8 @@ class World {
   // contacts of all tools.
   std::size_t begin_tick();
   // Computes one tool with its effects, within `limit` cost units.
-  Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit, ProxyPath* path);
+  Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
+                  TickWatcher* watcher);
 
   SceneObjects scene_;
   std::array<ToolTouch, kMaxTools> tools_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/world/world.h"
 #include "tests/property/wanderer.h"
 #include "tests/support/brute_force.h"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/world/world.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/materials.h"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <random>
 
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/world/world.h"
 #include "tests/support/materials.h"
 #include "tests/support/share.h"

@@ -13,6 +13,7 @@
 #include "host_tools/bake/scene/corner_normals.h"
 #include "host_tools/bake/scene/mesh_bake.h"
 #include "host_tools/bake/scene/mip_pyramid.h"
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/world/world.h"
 #include "tests/support/shapes.h"
 
@@ -51,8 +52,8 @@ class Hand {
   Hand(rendering::Object object, double radius_m) : object_(std::move(object)) {
     EXPECT_TRUE(world_->set_scene({&object_, 1}, {.tool_radius_m = radius_m}));
   }
-  rendering::Touch touch(const Vec3& tool, rendering::ProxyPath* path = nullptr) {
-    return world_->touch({.p_W = tool}, path);
+  rendering::Touch touch(const Vec3& tool, rendering::TickWatcher* watcher = nullptr) {
+    return world_->touch({.p_W = tool}, watcher);
   }
 
  private:

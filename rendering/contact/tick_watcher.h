@@ -1,0 +1,86 @@
+// Lets a program see how a tick comes to its result: for explanations, pictures and tests. A tick
+// without a watcher computes the same bits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "rendering/contact/feature_walk.h"
+#include "rendering/contact/implicit_tracking.h"
+#include "rendering/contact/next_move.h"
+#include "rendering/limits.h"
+#include "rendering/touch.h"
+
+namespace tactus::rendering {
+
+// A sub-goal of the shared proxy, chosen and swept but not moved to yet.
+struct WatchedSubGoal {
+  // The tick's goal, and the proxy with its planes, its active planes and its friction.
+  const ProxyMove& tick;
+  const MovingProxy& proxy;
+  const NextMove& move;
+  // True if the proxy was put back to an earlier place of this tick, whose contact is found again.
+  bool is_put_back;
+};
+
+// A sub-goal of the proxy of an implicit surface, after its move. Positions are in the object's
+// frame, in the formula's unit of length.
+struct WatchedFormulaStep {
+  const ImplicitSurface& surface;
+  // The proxy before the move, its goal, and the proxy after it.
+  Vec3 from_O;
+  Vec3 goal_O;
+  Vec3 to_O;
+  // The number of tangent planes that hold the proxy, and the state of its friction.
+  std::uint8_t planes;
+  FrictionState friction;
+  // TouchFlags so far.
+  std::uint32_t flags;
+};
+
+// Receives the steps of ticks in their order. What it is given is valid during the call. It must
+// not change the world.
+class TickWatcher {
+ public:
+  TickWatcher(const TickWatcher&) = delete;
+  TickWatcher& operator=(const TickWatcher&) = delete;
+
+  // A sub-goal of the shared proxy is chosen.
+  virtual void see(const WatchedSubGoal& sub_goal) = 0;
+  // The shared proxy has ended its moves toward a goal; shading may give it another one in the same
+  // tick.
+  virtual void see_end(const MovingProxy& proxy, bool is_put_back) = 0;
+  // A sub-goal on the implicit surface of object `number` has ended.
+  virtual void see(std::uint32_t number, const WatchedFormulaStep& step) = 0;
+  // The feature walk on the mesh of object `number` has ended its tick at this feature.
+  virtual void see(std::uint32_t number, const MeshFeature& feature) = 0;
+
+ protected:
+  TickWatcher() = default;
+  ~TickWatcher() = default;
+};
+
+// The places that the shared proxy reached in a tick's last advance, for tests and pictures:
+// points[0] to points[count - 1], world frame, m.
+class ProxyPath final : public TickWatcher {
+ public:
+  void see(const WatchedSubGoal& sub_goal) override { add(sub_goal.proxy, sub_goal.is_put_back); }
+  void see_end(const MovingProxy& proxy, bool is_put_back) override { add(proxy, is_put_back); }
+  void see(std::uint32_t /*number*/, const WatchedFormulaStep& /*step*/) override {}
+  void see(std::uint32_t /*number*/, const MeshFeature& /*feature*/) override {}
+
+  std::array<Vec3, kMaxSubGoals + 1> points;
+  std::size_t count = 0;
+
+ private:
+  // The path ends where the proxy has been farthest, not where it was put back.
+  void add(const MovingProxy& proxy, bool is_put_back) {
+    if (!is_put_back) {
+      points[proxy.rest.sub_goals] = proxy.state.p_W;
+      count = proxy.rest.sub_goals + std::size_t{1};
+    }
+  }
+};
+
+}  // namespace tactus::rendering
