@@ -16,6 +16,8 @@
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/csv/csv_table.h"
+#include "host_tools/explain/explainer.h"
+#include "host_tools/explain/steps_csv.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/simulation/run_log.h"
@@ -30,26 +32,32 @@ constexpr const char* kTouchExamples =
     "The proxy starts at the\n"
     "first position. The tool's velocity, which the damping acts on, is the difference to the row "
     "before (0 in the first).\n"
-    "In the output contact is 1 while the surface holds the proxy, friction_state is 0 free, 1 "
-    "stick, 2 slip, and depth_m is\n"
-    "how far the proxy stands above the tool along the contact normal.\n"
+    "In the output contact is 0 free, 1 face, 2 edge, 3 vertex; friction_state is 0 free, 1 stick, "
+    "2 slip; depth_m is how far\n"
+    "the proxy stands above the tool along the contact normal; object is the number of the touched "
+    "object in the scene;\n"
+    "flags are the limits that the tick reached (0: none).\n"
+    "In the lecture's words the tool is the HIP (or PHIP), the proxy the god-object (GO).\n"
     "\n"
     "Examples:\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv\n"
     "  tactus plot out.csv --scene scene.tactus\n"
+    "  tactus touch scene.tactus --path path.csv --output out.csv --explain steps.csv\n"
+    "                                       and every step of every tick: moves, planes, "
+    "multipliers, friction circles\n"
     "  tactus touch scene.tactus --path path.csv --output /dev/stdout | cut -d, -f1,8-10\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv --json | jq .max_force_N";
 
 constexpr std::string_view kHeader =
     "t_s,tool_x_m,tool_y_m,tool_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_N,force_y_N,force_z_N,"
-    "contact,depth_m,"
-    "friction_state\n";
+    "contact,depth_m,friction_state,normal_x,normal_y,normal_z,object,flags,short_of_goal_m\n";
 
 // The verb's options as the user gave them.
 struct TouchOptions {
   std::string scene;
   std::string path;
   std::string output;
+  std::string explain;
   bool json = false;
 };
 
@@ -134,9 +142,15 @@ void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Tou
   append(line, tool);
   append(line, touch.proxy_W);
   append(line, touch.force_W);
-  fmt::format_to(std::back_inserter(line), ",{},{},{}\n",
-                 touch.contact == rendering::ContactKind::none ? 0 : 1, touch.depth_m,
-                 static_cast<int>(touch.friction));
+  fmt::format_to(std::back_inserter(line), ",{},{},{}", static_cast<int>(touch.contact),
+                 touch.depth_m, static_cast<int>(touch.friction));
+  append(line, touch.normal_W);
+  if (touch.contact == rendering::ContactKind::none) {
+    line += ',';
+  } else {
+    fmt::format_to(std::back_inserter(line), ",{}", touch.object);
+  }
+  fmt::format_to(std::back_inserter(line), ",{},{}\n", touch.flags, touch.short_of_goal_m);
   file.flush_if_full();
 }
 
@@ -166,7 +180,7 @@ void print(const TouchOptions& options, const TouchSummary& s) {
 }
 
 void run(const TouchOptions& options) {
-  keep_inputs_safe({options.output}, {options.scene, options.path});
+  keep_inputs_safe({options.output, options.explain}, {options.scene, options.path});
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
   if (const std::optional<std::string> warning = path.warning(options.path)) {
@@ -177,6 +191,11 @@ void run(const TouchOptions& options) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
   }
   LogFile file(options.output, kHeader);
+  std::optional<StepsCsv> steps;
+  Explainer explainer(scene.image().objects(), rendering::world_of(scene.image()).tool_radius_m);
+  if (!options.explain.empty()) {
+    steps.emplace(options.explain);
+  }
   TouchSummary summary;
   ProgressLine progress;
   constexpr std::size_t kTicksBetweenSteps = 4096;
@@ -185,7 +204,11 @@ void run(const TouchOptions& options) {
     if (row > 0) {
       world->set_tick(path.time_s(row) - path.time_s(row - 1));
     }
-    const rendering::Touch touch = world->touch(tool);
+    explainer.begin(row, path.time_s(row), tool.p_W);
+    const rendering::Touch touch = world->touch(tool, steps ? &explainer : nullptr);
+    if (steps) {
+      steps->add(explainer.finish(touch));
+    }
     write_row(file, path.time_s(row), tool.p_W, touch);
     summary.add(touch);
     if (row % kTicksBetweenSteps == 0) {
@@ -193,6 +216,9 @@ void run(const TouchOptions& options) {
     }
   }
   file.close();
+  if (steps) {
+    steps->close();
+  }
   print(options, summary);
 }
 
@@ -206,6 +232,9 @@ void add_touch_verb(CLI::App& app) {
   verb->add_option("--path", options->path, "Tool positions (CSV)")->required();
   verb->add_option("-o,--output", options->output, "Write one row a tick to this CSV file")
       ->required();
+  verb->add_option(
+      "--explain", options->explain,
+      "Write every step of every tick to this CSV file (host_tools/explain/README.md)");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");
   verb->footer(kTouchExamples);
   verb->callback([options] { run(*options); });

@@ -135,7 +135,7 @@ SweepResult sweep_toward(const NearbySurfaces& near, const Vec3& p, const Vec3& 
     return result;
   }
   result.travel_m = against.free_m();
-  result.blocked_by = against.blocked_by();
+  result.ends_at = against.blocked_by();
   result.is_known = stays && result.travel_m >= length;
   // A capsule that was gathered in this tick and is left again is too small for the tool's motion.
   // The sweep goes on against the hierarchies, if the place is sparse enough for that to be cheap.
@@ -146,13 +146,13 @@ SweepResult sweep_toward(const NearbySurfaces& near, const Vec3& p, const Vec3& 
     result.travel_m = std::max(room, result.beyond.travel_m);
   }
   result.arrived = result.travel_m >= length;
-  if (result.blocked_by != kNoCandidate) {
-    memory.add_blocking(result.blocked_by);
+  if (result.ends_at != kNoCandidate) {
+    memory.add_blocking(result.ends_at);
   }
   // A candidate that is met on the way becomes a plane at the next position, where it is measured
   // anew.
-  if (result.travel_m > kBlockedTravel_m) {
-    result.blocked_by = kNoCandidate;
+  if (result.travel_m <= kBlockedTravel_m) {
+    result.blocked_by = result.ends_at;
   }
   return result;
 }

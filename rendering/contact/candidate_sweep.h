@@ -27,6 +27,8 @@ struct SweepResult {
   bool is_known = false;
   // The candidate that blocks the sphere at its start, kNoCandidate if none does.
   std::size_t blocked_by = kNoCandidate;
+  // The candidate at which the free part ends, kNoCandidate if none shortens it.
+  std::size_t ends_at = kNoCandidate;
   // The object that blocks it beyond the candidate set; its `object` is kNoObject if none does.
   FirstHit beyond;
 };

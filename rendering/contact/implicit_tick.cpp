@@ -60,7 +60,14 @@ class ImplicitTick {
 
   // Returns what a watcher is shown of the sub-goal that began at `from_O`.
   [[nodiscard]] WatchedFormulaStep watched(const Vec3& from_O) const {
-    return {surface_, from_O, goal_.point, state_.p_O, rest_.planes, state_.friction, rest_.flags};
+    return {.surface = surface_,
+            .side = state_.side,
+            .from_O = from_O,
+            .goal_O = goal_.point,
+            .to_O = state_.p_O,
+            .planes = rest_.planes,
+            .friction = state_.friction,
+            .flags = rest_.flags};
   }
 
  private:
@@ -320,9 +327,8 @@ ImplicitRest run_implicit_tick(ImplicitProxyState& state, const ImplicitSurface&
   if (watch.watcher == nullptr) {
     return tick.run([](const Vec3& /*from_O*/) {});
   }
-  return tick.run([&tick, &watch](const Vec3& from_O) {
-    watch.watcher->see(watch.object, tick.watched(from_O));
-  });
+  return tick.run(
+      [&tick, &watch](const Vec3& from_O) { watch.watcher->see(watch, tick.watched(from_O)); });
 }
 
 }  // namespace tactus::rendering

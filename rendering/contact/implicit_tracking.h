@@ -46,11 +46,14 @@ struct ImplicitProxyState {
 
 class TickWatcher;
 
-// Whoever watches a tick (tick_watcher.h), and the number of the object that is touched; nobody by
-// default.
+struct Mover;
+
+// Whoever watches a tick (tick_watcher.h), and the object that is touched; nobody by default.
 struct ObjectWatch {
   TickWatcher* watcher = nullptr;
   std::uint32_t object = 0;
+  // The object's place if it moves; nullptr if it is fixed.
+  const Mover* mover = nullptr;
 };
 
 // One proxy on one implicit surface. IndependentContacts (rendering/world/independent_contacts.h)

@@ -28,6 +28,8 @@ struct WatchedSubGoal {
 // frame, in the formula's unit of length.
 struct WatchedFormulaStep {
   const ImplicitSurface& surface;
+  // The sign of f on the side where the proxy is: F = side * f. It is 0 where it is not known.
+  double side;
   // The proxy before the move, its goal, and the proxy after it.
   Vec3 from_O;
   Vec3 goal_O;
@@ -51,10 +53,10 @@ class TickWatcher {
   // The shared proxy has ended its moves toward a goal; shading may give it another one in the same
   // tick.
   virtual void see_end(const MovingProxy& proxy, bool is_put_back) = 0;
-  // A sub-goal on the implicit surface of object `number` has ended.
-  virtual void see(std::uint32_t number, const WatchedFormulaStep& step) = 0;
-  // The feature walk on the mesh of object `number` has ended its tick at this feature.
-  virtual void see(std::uint32_t number, const MeshFeature& feature) = 0;
+  // A sub-goal on the implicit surface of `object` has ended.
+  virtual void see(const ObjectWatch& object, const WatchedFormulaStep& step) = 0;
+  // The feature walk on the mesh of `object` has ended its tick at this feature.
+  virtual void see(const ObjectWatch& object, const MeshFeature& feature) = 0;
 
  protected:
   TickWatcher() = default;
@@ -67,8 +69,8 @@ class ProxyPath final : public TickWatcher {
  public:
   void see(const WatchedSubGoal& sub_goal) override { add(sub_goal.proxy, sub_goal.is_put_back); }
   void see_end(const MovingProxy& proxy, bool is_put_back) override { add(proxy, is_put_back); }
-  void see(std::uint32_t /*number*/, const WatchedFormulaStep& /*step*/) override {}
-  void see(std::uint32_t /*number*/, const MeshFeature& /*feature*/) override {}
+  void see(const ObjectWatch& /*object*/, const WatchedFormulaStep& /*step*/) override {}
+  void see(const ObjectWatch& /*object*/, const MeshFeature& /*feature*/) override {}
 
   std::array<Vec3, kMaxSubGoals + 1> points;
   std::size_t count = 0;

@@ -138,7 +138,7 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
                                 .object = object,
                                 .material = scene.material(number),
                                 .moved_m = step_O.norm(),
-                                .watch = {.watcher = watcher, .object = number}},
+                                .watch = {.watcher = watcher, .object = number, .mover = mover}},
                                in_frame(scene, number, tool));
     to_world(mover, own);
     own.object = number;
@@ -230,7 +230,7 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
           walkers_[k].advance(mesh_of(object), object.sides, material, goal_O,
                               std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
       if (watch.watcher != nullptr) {
-        watch.watcher->see(watch.object, walkers_[k].feature());
+        watch.watcher->see(watch, walkers_[k].feature());
       }
       budget_.spend(kCostOfFeatureVisit * (std::size_t{rest.visited} + rest.approached));
       Touch touch = touch_of(rest);

@@ -1,0 +1,233 @@
+#include "host_tools/explain/explainer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "rendering/contact/active_constraints.h"
+#include "rendering/contact/implicit_sample.h"
+#include "rendering/contact/sub_goal.h"
+#include "rendering/limits.h"
+#include "rendering/objects/movers.h"
+#include "rendering/surface/implicit_surface.h"
+
+namespace tactus::host {
+namespace {
+
+using rendering::ContactKind;
+using rendering::ContactPlane;
+using rendering::Feature;
+using rendering::SceneObjects;
+
+// A goal that is nearer to a plane than this is on it, m.
+constexpr double kOnPlane_m = 1e-9;
+
+// Returns the number of the triangle's vertex that is nearest to a point of the mesh's frame.
+std::uint32_t nearest_vertex(const rendering::MeshView& mesh, std::uint32_t triangle,
+                             const Vec3& p_O) {
+  const rendering::TriangleIndices& corners = mesh.triangles[triangle];
+  return *std::ranges::min_element(corners, {}, [&](std::uint32_t vertex) {
+    return (to_vec3(mesh.vertices[vertex]) - p_O).squaredNorm();
+  });
+}
+
+ExplainedFeature feature_of(const SceneObjects& scene, const ContactPlane& plane,
+                            const Vec3& surface_W) {
+  ExplainedFeature feature{.object = plane.object,
+                           .kind = kind_of(plane.nearest.feature),
+                           .face = plane.triangle,
+                           .edge = plane.nearest.edge};
+  if (plane.nearest.feature == Feature::vertex) {
+    const Vec3 surface_O = rendering::point_in(scene.mover_of(plane.object), surface_W);
+    feature.vertex = nearest_vertex(scene.mesh_O(plane.object).mesh, plane.triangle, surface_O);
+  }
+  return feature;
+}
+
+// Returns the point of the plane's surface that is nearest to the proxy.
+Vec3 surface_of(const ContactPlane& plane, const Vec3& proxy_W) {
+  return proxy_W - plane.nearest.distance * plane.nearest.normal;
+}
+
+// Returns all planes of a move. `projection` is the point nearest to the tool in front of them.
+std::vector<ExplainedPlane> planes_of(const rendering::WatchedSubGoal& sub_goal,
+                                      const rendering::PlaneProjection& projection) {
+  const Vec3& p_W = sub_goal.proxy.state.p_W;
+  const auto planes = sub_goal.proxy.planes.all();
+  std::vector<ExplainedPlane> explained;
+  explained.reserve(planes.size());
+  for (const ContactPlane& plane : planes) {
+    const Vec3 surface_W = surface_of(plane, p_W);
+    const rendering::Plane& half_space = plane.plane;
+    const double goal_m = half_space.normal.dot(projection.point) - half_space.offset;
+    explained.push_back(
+        {.feature = feature_of(sub_goal.tick.near.scene, plane, surface_W),
+         .surface_W = surface_W,
+         .normal_W = half_space.normal,
+         .offset_m = half_space.offset,
+         .tool_distance_m = half_space.normal.dot(sub_goal.tick.h_W) - half_space.offset,
+         .goal_distance_m = goal_m,
+         .fate = goal_m > kOnPlane_m ? PlaneFate::not_reached : PlaneFate::redundant});
+  }
+  for (std::size_t i = 0; i < projection.active_count; ++i) {
+    explained[projection.active[i]].multiplier_m = projection.pressure_m[i];
+    explained[projection.active[i]].fate = PlaneFate::active;
+  }
+  return explained;
+}
+
+// Returns what stops the move before its goal, if a surface does.
+std::optional<ExplainedFeature> stop_of(const rendering::WatchedSubGoal& sub_goal) {
+  const rendering::SweepResult& sweep = sub_goal.move.sweep;
+  if (sweep.ends_at != rendering::kNoCandidate) {
+    const rendering::Candidate& met = sub_goal.tick.near.candidates.candidate(sweep.ends_at);
+    return ExplainedFeature{.object = met.object, .kind = ContactKind::face, .face = met.index};
+  }
+  if (sweep.beyond.object != rendering::kNoObject) {
+    return ExplainedFeature{
+        .object = sweep.beyond.object, .kind = ContactKind::face, .face = sweep.beyond.triangle};
+  }
+  return std::nullopt;
+}
+
+MoveEnding ending_of(const rendering::NextMove& move, bool is_stopped) {
+  if (move.goal.settled) {
+    return MoveEnding::settled;
+  }
+  if (move.sweep.arrived) {
+    return MoveEnding::arrived;
+  }
+  if (!(move.sweep.travel_m > 0.0)) {
+    return MoveEnding::held;
+  }
+  return is_stopped ? MoveEnding::stopped : MoveEnding::border;
+}
+
+IterationEnding ending_of(const rendering::WatchedFormulaStep& step) {
+  if ((step.flags & rendering::kTouchIterationsExhausted) != 0) {
+    return IterationEnding::cut;
+  }
+  if (step.planes == 0) {
+    return IterationEnding::free;
+  }
+  if (step.from_O == step.to_O) {
+    return IterationEnding::settled;
+  }
+  return step.to_O == step.goal_O ? IterationEnding::arrived : IterationEnding::stopped;
+}
+
+}  // namespace
+
+void Explainer::begin(std::size_t number, double t_s, const Vec3& tool_W) {
+  tick_ = {.number = number,
+           .t_s = t_s,
+           .tool_W = tool_W,
+           .from_W = has_last_ ? last_proxy_W_ : tool_W,
+           .friction_before = last_friction_};
+  passes_ = 0;
+  is_moving_ = false;
+}
+
+const ExplainedTick& Explainer::finish(const rendering::Touch& touch) {
+  tick_.touch = touch;
+  tick_.surface_W = touch.proxy_W - tool_radius_m_ * touch.normal_W;
+  last_proxy_W_ = touch.proxy_W;
+  last_friction_ = touch.friction;
+  has_last_ = true;
+  return tick_;
+}
+
+void Explainer::see(const rendering::WatchedSubGoal& sub_goal) {
+  const rendering::MovingProxy& proxy = sub_goal.proxy;
+  end_move(proxy.state.p_W, sub_goal.is_put_back);
+  rendering::ContactPlanes planes = proxy.planes;
+  rendering::ProxyRest rest;
+  const rendering::ActiveConstraints active =
+      find_active_constraints(sub_goal.tick.near.scene, sub_goal.tick.factors, proxy.state.p_W,
+                              sub_goal.tick.h_W, planes, rest);
+  ExplainedMove move{.pass = passes_,
+                     .tool_W = sub_goal.move.goal.tool,
+                     .from_W = proxy.state.p_W,
+                     .goal_W = sub_goal.move.goal.point,
+                     .stopped_by = stop_of(sub_goal),
+                     .planes = planes_of(sub_goal, active.projection),
+                     .friction_before = tick_.moves.empty() || tick_.moves.back().pass != passes_
+                                            ? tick_.friction_before
+                                            : tick_.moves.back().friction,
+                     .friction = proxy.state.friction};
+  move.ending = ending_of(sub_goal.move, move.stopped_by.has_value());
+  if (active.projection.active_count > 0 && active.are_cones) {
+    const Vec3 from =
+        active.projection.feasible ? planes.resting_position(proxy.state.p_W) : proxy.state.p_W;
+    move.circle = {.static_radius_m = active.circle.static_radius_m,
+                   .dynamic_radius_m = active.circle.dynamic_radius_m,
+                   .lag_m = (from - active.projection.point).norm()};
+  }
+  tick_.moves.push_back(std::move(move));
+  is_moving_ = true;
+}
+
+void Explainer::see_end(const rendering::MovingProxy& proxy, bool is_put_back) {
+  end_move(proxy.state.p_W, is_put_back);
+  ++passes_;
+  const rendering::ProxyRest& rest = proxy.rest;
+  if ((rest.flags & rendering::kTouchIterationsExhausted) != 0 && !tick_.moves.empty() &&
+      tick_.moves.back().to_W == tick_.moves.back().from_W) {
+    tick_.moves.back().ending = MoveEnding::cut;
+  }
+  const std::vector<ExplainedPlane>* const planes =
+      tick_.moves.empty() ? nullptr : &tick_.moves.back().planes;
+  tick_.feature.reset();
+  if (planes != nullptr && !planes->empty()) {
+    const ExplainedPlane& hardest =
+        *std::ranges::max_element(*planes, {}, &ExplainedPlane::multiplier_m);
+    if (hardest.multiplier_m > 0.0) {
+      tick_.feature = hardest.feature;
+    }
+  }
+}
+
+void Explainer::end_move(const Vec3& p_W, bool is_put_back) {
+  if (!is_moving_) {
+    return;
+  }
+  tick_.moves.back().to_W = p_W;
+  if (is_put_back && tick_.moves.back().ending != MoveEnding::settled) {
+    tick_.moves.back().ending = MoveEnding::put_back;
+  }
+  is_moving_ = false;
+}
+
+void Explainer::see(const rendering::ObjectWatch& object,
+                    const rendering::WatchedFormulaStep& step) {
+  const rendering::ImplicitSurface& surface = step.surface;
+  const auto to_world = [&](const Vec3& p_O) {
+    return rendering::point_from(object.mover, surface.to_world(p_O));
+  };
+  ExplainedIteration iteration{.object = object.object,
+                               .from_W = to_world(step.from_O),
+                               .goal_W = to_world(step.goal_O),
+                               .to_W = to_world(step.to_O),
+                               .ending = ending_of(step),
+                               .friction = step.friction};
+  if (step.side != 0.0 && surface.bounds_O.contains(step.from_O)) {
+    rendering::ImplicitField field(surface, step.side, rendering::kMaxFormulaBudget);
+    const rendering::ImplicitSample here = rendering::sample(field, step.from_O);
+    iteration.value = here.value;
+    iteration.normal_W = rendering::direction_from(object.mover, surface.R_WO * here.normal);
+    iteration.height_m = here.height * surface.scale_m;
+  }
+  tick_.iterations.push_back(iteration);
+}
+
+void Explainer::see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) {
+  const bool is_vertex = feature.kind == Feature::vertex;
+  const rendering::MeshView& mesh = objects_[object.object].mesh;
+  tick_.walked_to.push_back(
+      {.object = object.object,
+       .kind = kind_of(feature.kind),
+       .face = feature.triangle,
+       .edge = is_vertex ? std::uint32_t{0} : feature.number,
+       .vertex = is_vertex ? mesh.triangles[feature.triangle][feature.number] : 0});
+}
+
+}  // namespace tactus::host

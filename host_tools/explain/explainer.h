@@ -1,0 +1,52 @@
+// Watches the ticks of one tool and explains them. `tactus touch --explain` uses it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "host_tools/explain/explained_tick.h"
+#include "rendering/contact/tick_watcher.h"
+#include "rendering/objects/object.h"
+#include "rendering/touch.h"
+
+namespace tactus::host {
+
+// One object explains one tick after the other: begin(), the world's touch with this watcher,
+// finish().
+class Explainer final : public rendering::TickWatcher {
+ public:
+  // The objects are those of the world and must outlive this. `tool_radius_m` is the radius of the
+  // sphere that the shared proxy is the centre of, m.
+  Explainer(std::span<const rendering::Object> objects, double tool_radius_m)
+      : objects_(objects), tool_radius_m_(tool_radius_m) {}
+
+  // Begins the tick with this number at t_s (s); the tool is in the world frame (m).
+  void begin(std::size_t number, double t_s, const Vec3& tool_W);
+  // Returns the explained tick, valid until the next begin().
+  const ExplainedTick& finish(const rendering::Touch& touch);
+
+  void see(const rendering::WatchedSubGoal& sub_goal) override;
+  void see_end(const rendering::MovingProxy& proxy, bool is_put_back) override;
+  void see(const rendering::ObjectWatch& object,
+           const rendering::WatchedFormulaStep& step) override;
+  void see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) override;
+
+ private:
+  // Ends the last move at `p_W`, and says how it ended.
+  void end_move(const Vec3& p_W, bool is_put_back);
+
+  std::span<const rendering::Object> objects_;
+  double tool_radius_m_;
+  ExplainedTick tick_;
+  // The advances of this tick that have ended.
+  std::size_t passes_ = 0;
+  // True while the last move has no end.
+  bool is_moving_ = false;
+  // The proxy and its friction at the end of the last tick; not known before the first.
+  Vec3 last_proxy_W_ = Vec3::Zero();
+  bool has_last_ = false;
+  rendering::FrictionState last_friction_ = rendering::FrictionState::free;
+};
+
+}  // namespace tactus::host
