@@ -107,7 +107,7 @@ rendering::Touch Controller::touch(bool is_located) {
     return free_touch(locator_.tool);
   }
   advance_changes();
-  rendering::Touch touch = scene_.world.touch(locator_.tool);
+  rendering::Touch touch = scene_.world.touch(locator_.tool, scene_.watcher);
   if (!is_finite(touch)) {
     modes_.raise(kFaultForceNotFinite);
     return free_touch(locator_.tool);

@@ -109,6 +109,9 @@ class Controller {
   // Returns the clock of set_clock; null if none was set.
   [[nodiscard]] NowNs clock() const { return now_ns_; }
 
+  // Sets who sees how each touch is computed; null for nobody. It must live as long as ticks run.
+  void watch(rendering::TickWatcher* watcher) { scene_.watcher = watcher; }
+
   // Takes the loop's report for the next tick. The loop calls it before the tick.
   void note_loop(const LoopReport& report) { next_.loop = report; }
 

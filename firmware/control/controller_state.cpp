@@ -135,7 +135,7 @@ void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [number, loop_report, write_status, change, held_effort] = next;
   [[maybe_unused]] auto& [loop, sample, encoders, walls, motion, efforts, signs] = guards;
   [[maybe_unused]] auto& [mechanism, velocity_filter, origin_D, pose, tool] = locator;
-  [[maybe_unused]] auto& [world, changes, objects, effects, tool_radius_m, standing_units,
+  [[maybe_unused]] auto& [world, watcher, changes, objects, effects, tool_radius_m, standing_units,
                           refused_part] = scene;
   auto& [energy, passivity, limiter] = force_path;
   [[maybe_unused]] auto& [gravity, friction, limits] = effort_path;

@@ -48,6 +48,8 @@ struct LoadedScene {
   void complete_changes() { changes.finish(world); }
 
   rendering::World world;
+  // Sees how the world comes to its touches (rendering/contact/tick_watcher.h), if it is not null.
+  rendering::TickWatcher* watcher = nullptr;
   MaterialChanges changes;
   // The objects and effects of the scene.
   std::span<const rendering::Object> objects;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host_tools/cli/progress_line.h"
+#include "host_tools/explain/run_explanation.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
@@ -43,6 +44,7 @@ constexpr const char* kReplayExamples =
     "  tactus replay flight-20261122T101500Z-81920.mcap     the last seconds before a fault\n"
     "  tactus replay run.mcap --device falcon.tactus --scene scene.tactus\n"
     "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
+    "  tactus replay run.mcap --explain steps.csv           every move, plane and friction circle\n"
     "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png";
 
 // The verb's options as the user gave them.
@@ -52,22 +54,36 @@ struct ReplayOptions {
   std::vector<std::string> changes;
   std::string csv;
   std::string picture;
+  std::string explain;
 };
 
 // Returns true if every replayed tick equals the recorded one.
-bool compare(RecordedRun& run, const std::string& name) {
+bool compare(RecordedRun& run, const std::string& name, const std::string& explain) {
   const double rate_hz = run.setup().config.rate_hz;
   std::optional<ProgressLine> progress;
   if (::isatty(STDERR_FILENO) == 1) {
     progress.emplace();
   }
-  const ReplayResult result = replay(run, [&](const firmware::RecordedTick& tick) {
+  std::optional<RunExplanation> explanation;
+  const auto begin = [&](firmware::Controller& controller) {
+    if (!explain.empty()) {
+      explanation.emplace(explain, controller, run.setup().world.tool_radius_m);
+    }
+  };
+  const auto see = [&](const firmware::RecordedTick& tick) {
     constexpr std::uint64_t kTicksBetweenSteps = 4096;
+    if (explanation) {
+      explanation->add(tick.record);
+    }
     if (progress && tick.record.tick % kTicksBetweenSteps == 0) {
       progress->step(fmt::format("tick {}, {:.1f} s: equal", tick.record.tick, tick.record.time_s));
     }
-  });
+  };
+  const ReplayResult result = replay(run, see, begin);
   progress.reset();
+  if (explanation) {
+    explanation->close();
+  }
   if (result.ticks > 0) {
     fmt::print("ticks {} to {} ({:.3f} s): every hash equal\n", result.first_tick,
                result.first_tick + result.ticks - 1, static_cast<double>(result.ticks) / rate_hz);
@@ -176,10 +192,10 @@ int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
     throw InputError("--csv and --picture show two forces: give --set name=value, too");
   }
-  keep_inputs_safe({options.csv, options.picture},
+  keep_inputs_safe({options.csv, options.picture, options.explain},
                    {options.recording, options.images.device, options.images.scene});
   RecordedRun run(options.recording, options.images);
-  if (!compare(run, options.recording)) {
+  if (!compare(run, options.recording, options.explain)) {
     return kDiffers;
   }
   if (!options.changes.empty()) {
@@ -199,6 +215,9 @@ void add_replay_verb(CLI::App& app) {
   verb->add_option("--set", options->changes, "A parameter as it was not, like max_force_N=4");
   verb->add_option("--csv", options->csv, "With --set: write both forces of every tick there");
   verb->add_option("--picture", options->picture, "With --set: draw both forces there (PNG)");
+  verb->add_option(
+      "--explain", options->explain,
+      "Write every step of every tick to this CSV file (host_tools/explain/README.md)");
   verb->footer(kReplayExamples);
   verb->callback([options] {
     if (const int code = run_replay(*options); code != 0) {

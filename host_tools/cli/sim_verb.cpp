@@ -13,6 +13,7 @@
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/cli/serve_simulation.h"
+#include "host_tools/explain/run_explanation.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
@@ -37,6 +38,9 @@ constexpr const char* kSimExamples =
     "  tactus sim scene.tactus --hashes a.txt && tactus sim scene.tactus --hashes b.txt && cmp "
     "a.txt b.txt\n"
     "  tactus sim scene.tactus --record run.mcap      then: tactus replay run.mcap\n"
+    "  tactus sim scene.tactus --explain steps.csv    every move, plane and friction circle of "
+    "every "
+    "tick\n"
     "  tactus sim scene.tactus --fault estop@4 --fault stale@2.5x2\n"
     "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s\n"
     "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
@@ -48,6 +52,7 @@ struct SimOptions {
   std::string output;
   std::string hashes;
   std::string record;
+  std::string explain;
   bool json = false;
   bool serve = false;
   ServeOptions serving{.run_dir = std::string(kDefaultRunDir)};
@@ -57,8 +62,8 @@ struct SimOptions {
 // Writes the outputs that the user asked for and shows the progress, after each tick.
 class Recorder {
  public:
-  Recorder(const SimOptions& options, double seconds, const Simulation& simulation,
-           std::span<const std::byte> scene)
+  Recorder(const SimOptions& options, double seconds, Simulation& simulation,
+           const MappedScene& scene)
       : seconds_(seconds) {
     if (!options.output.empty()) {
       csv_.emplace(options.output);
@@ -67,7 +72,10 @@ class Recorder {
       hashes_.emplace(options.hashes);
     }
     if (!options.record.empty()) {
-      recording_.emplace(options.record, simulation, scene);
+      recording_.emplace(options.record, simulation, scene.bytes());
+    }
+    if (!options.explain.empty()) {
+      explanation_.emplace(options.explain, simulation.controller(), scene.image().tool_radius_m());
     }
     if (::isatty(STDERR_FILENO) == 1) {
       progress_.emplace();
@@ -87,6 +95,9 @@ class Recorder {
     if (recording_) {
       recording_->add(simulation);
     }
+    if (explanation_) {
+      explanation_->add(record);
+    }
     if (progress_ && record.tick % kTicksBetweenSteps == 0) {
       progress_->step(fmt::format("{:.1f} of {:.1f} s simulated, mode {}", record.time_s, seconds_,
                                   firmware::mode_name(record.mode)));
@@ -105,6 +116,9 @@ class Recorder {
     if (recording_) {
       recording_->close();
     }
+    if (explanation_) {
+      explanation_->close();
+    }
   }
 
  private:
@@ -112,11 +126,12 @@ class Recorder {
   std::optional<RunCsv> csv_;
   std::optional<HashLog> hashes_;
   std::optional<RunRecording> recording_;
+  std::optional<RunExplanation> explanation_;
   std::optional<ProgressLine> progress_;
 };
 
 void run_sim(const SimOptions& options) {
-  keep_inputs_safe({options.output, options.hashes, options.record},
+  keep_inputs_safe({options.output, options.hashes, options.record, options.explain},
                    {options.scene, options.run.path});
   if (options.serve) {
     ServeOptions serving = options.serving;
@@ -133,7 +148,7 @@ void run_sim(const SimOptions& options) {
     fmt::print(stderr, "tactus sim: warning: {}\n", warning);
   }
   Simulation simulation(plan.config, objects, tool_radius_m);
-  Recorder recorder(options, plan.seconds, simulation, scene.bytes());
+  Recorder recorder(options, plan.seconds, simulation, scene);
   const RunSummary summary = run(simulation, plan.seconds, options.run.rate_hz,
                                  [&](const Simulation& now) { recorder.add(now); });
   recorder.close();
@@ -168,6 +183,9 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--hashes", options->hashes, "Write the state hash of every tick to this file");
   verb->add_option("--record", options->record,
                    "Record the run to this MCAP file, for tactus replay");
+  verb->add_option(
+      "--explain", options->explain,
+      "Write every step of every tick to this CSV file (host_tools/explain/README.md)");
   verb->add_option("--fault", run.faults,
                    "Let the device fail: stale, nan, estop or lost, like stale@2.5x3");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");
@@ -180,7 +198,7 @@ void add_sim_verb(CLI::App& app) {
   verb->add_flag("--allow-inject", options->serving.allow_inject,
                  "Let tactus inject raise faults in --serve")
       ->needs(serve);
-  for (const char* const other : {"--output", "--hashes", "--fault", "--json"}) {
+  for (const char* const other : {"--output", "--hashes", "--explain", "--fault", "--json"}) {
     serve->excludes(verb->get_option(other));
   }
   verb->footer(kSimExamples);

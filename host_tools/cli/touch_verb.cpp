@@ -192,7 +192,7 @@ void run(const TouchOptions& options) {
   }
   LogFile file(options.output, kHeader);
   std::optional<StepsCsv> steps;
-  Explainer explainer(scene.image().objects(), rendering::world_of(scene.image()).tool_radius_m);
+  Explainer explainer(scene.image().tool_radius_m());
   if (!options.explain.empty()) {
     steps.emplace(options.explain);
   }
@@ -204,10 +204,10 @@ void run(const TouchOptions& options) {
     if (row > 0) {
       world->set_tick(path.time_s(row) - path.time_s(row - 1));
     }
-    explainer.begin(row, path.time_s(row), tool.p_W);
+    explainer.begin();
     const rendering::Touch touch = world->touch(tool, steps ? &explainer : nullptr);
     if (steps) {
-      steps->add(explainer.finish(touch));
+      steps->add(explainer.finish(row, path.time_s(row), tool.p_W, touch));
     }
     write_row(file, path.time_s(row), tool.p_W, touch);
     summary.add(touch);

@@ -117,17 +117,18 @@ IterationEnding ending_of(const rendering::WatchedFormulaStep& step) {
 
 }  // namespace
 
-void Explainer::begin(std::size_t number, double t_s, const Vec3& tool_W) {
-  tick_ = {.number = number,
-           .t_s = t_s,
-           .tool_W = tool_W,
-           .from_W = has_last_ ? last_proxy_W_ : tool_W,
-           .friction_before = last_friction_};
+void Explainer::begin() {
+  tick_ = {.friction_before = last_friction_};
   passes_ = 0;
   is_moving_ = false;
 }
 
-const ExplainedTick& Explainer::finish(const rendering::Touch& touch) {
+const ExplainedTick& Explainer::finish(std::size_t number, double t_s, const Vec3& tool_W,
+                                       const rendering::Touch& touch) {
+  tick_.number = number;
+  tick_.t_s = t_s;
+  tick_.tool_W = tool_W;
+  tick_.from_W = has_last_ ? last_proxy_W_ : tool_W;
   tick_.touch = touch;
   tick_.surface_W = touch.proxy_W - tool_radius_m_ * touch.normal_W;
   last_proxy_W_ = touch.proxy_W;
@@ -203,7 +204,7 @@ void Explainer::see(const rendering::ObjectWatch& object,
   const auto to_world = [&](const Vec3& p_O) {
     return rendering::point_from(object.mover, surface.to_world(p_O));
   };
-  ExplainedIteration iteration{.object = object.object,
+  ExplainedIteration iteration{.object = object.number,
                                .from_W = to_world(step.from_O),
                                .goal_W = to_world(step.goal_O),
                                .to_W = to_world(step.to_O),
@@ -221,9 +222,9 @@ void Explainer::see(const rendering::ObjectWatch& object,
 
 void Explainer::see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) {
   const bool is_vertex = feature.kind == Feature::vertex;
-  const rendering::MeshView& mesh = objects_[object.object].mesh;
+  const rendering::MeshView& mesh = object.object->mesh;
   tick_.walked_to.push_back(
-      {.object = object.object,
+      {.object = object.number,
        .kind = kind_of(feature.kind),
        .face = feature.triangle,
        .edge = is_vertex ? std::uint32_t{0} : feature.number,

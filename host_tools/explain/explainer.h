@@ -3,11 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "host_tools/explain/explained_tick.h"
 #include "rendering/contact/tick_watcher.h"
-#include "rendering/objects/object.h"
 #include "rendering/touch.h"
 
 namespace tactus::host {
@@ -16,15 +14,15 @@ namespace tactus::host {
 // finish().
 class Explainer final : public rendering::TickWatcher {
  public:
-  // The objects are those of the world and must outlive this. `tool_radius_m` is the radius of the
-  // sphere that the shared proxy is the centre of, m.
-  Explainer(std::span<const rendering::Object> objects, double tool_radius_m)
-      : objects_(objects), tool_radius_m_(tool_radius_m) {}
+  // `tool_radius_m` is the radius of the sphere that the shared proxy is the centre of, m.
+  explicit Explainer(double tool_radius_m) : tool_radius_m_(tool_radius_m) {}
 
-  // Begins the tick with this number at t_s (s); the tool is in the world frame (m).
-  void begin(std::size_t number, double t_s, const Vec3& tool_W);
-  // Returns the explained tick, valid until the next begin().
-  const ExplainedTick& finish(const rendering::Touch& touch);
+  // Begins a tick.
+  void begin();
+  // Returns the explained tick, valid until the next begin(), with its number, its time (s) and the
+  // tool (world frame, m).
+  const ExplainedTick& finish(std::size_t number, double t_s, const Vec3& tool_W,
+                              const rendering::Touch& touch);
 
   void see(const rendering::WatchedSubGoal& sub_goal) override;
   void see_end(const rendering::MovingProxy& proxy, bool is_put_back) override;
@@ -36,7 +34,6 @@ class Explainer final : public rendering::TickWatcher {
   // Ends the last move at `p_W`, and says how it ended.
   void end_move(const Vec3& p_W, bool is_put_back);
 
-  std::span<const rendering::Object> objects_;
   double tool_radius_m_;
   ExplainedTick tick_;
   // The advances of this tick that have ended.

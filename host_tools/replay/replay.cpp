@@ -15,7 +15,7 @@ std::string gap(std::uint64_t from, std::uint64_t to) {
 
 }  // namespace
 
-ReplayResult replay(RecordedRun& run, const ReplaySink& sink) {
+ReplayResult replay(RecordedRun& run, const ReplaySink& sink, const ReplayStart& start) {
   Replayer replayer(run.setup());
   ReplayResult result{.cut = run.ticks().cut()};
   if (!run.state().empty()) {
@@ -23,6 +23,9 @@ ReplayResult replay(RecordedRun& run, const ReplaySink& sink) {
     result.first_tick = replayer.next_tick();
   }
   run.ticks().rewind();
+  if (start) {
+    start(replayer.controller());
+  }
   while (const auto recorded = run.ticks().next()) {
     const std::uint64_t tick = recorded->record.tick;
     if (tick < result.first_tick) {

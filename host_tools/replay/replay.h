@@ -23,11 +23,14 @@ struct ReplayResult {
   std::optional<Difference> difference;
 };
 
+// Receives the controller before the first tick.
+using ReplayStart = std::function<void(firmware::Controller&)>;
+
 // Receives the recorded tick after every tick that was equal.
 using ReplaySink = std::function<void(const firmware::RecordedTick&)>;
 
 // Replays from the beginning up to the first tick that differs. Throws InputError if the recording
 // is damaged, a tick is missing in it, or it begins after tick 0 without the controller's state.
-ReplayResult replay(RecordedRun& run, const ReplaySink& sink = {});
+ReplayResult replay(RecordedRun& run, const ReplaySink& sink = {}, const ReplayStart& start = {});
 
 }  // namespace tactus::host

@@ -15,8 +15,7 @@ constexpr std::string_view kHeader =
     "t_s,tool_x_m,tool_y_m,tool_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_N,force_y_N,force_z_N,"
     "contact,depth_m,"
     "friction_state,commanded_force_x_N,commanded_force_y_N,commanded_force_z_N,wish_x_m,wish_y_m,"
-    "wish_z_m,mode,faults,"
-    "limits,hash\n";
+    "wish_z_m,normal_x,normal_y,normal_z,object,touch_flags,mode,faults,limits,hash\n";
 
 void append(std::string& line, const firmware::Triple& v) {
   fmt::format_to(std::back_inserter(line), ",{:.9g},{:.9g},{:.9g}", v[0], v[1], v[2]);
@@ -52,11 +51,17 @@ void RunCsv::add(const Simulation& simulation) {
   append(line, record.tool_p_W);
   append(line, record.proxy_W);
   append(line, record.force_rendered_W);
-  fmt::format_to(std::back_inserter(line), ",{},{:.9g},{}",
-                 record.contact == rendering::ContactKind::none ? 0 : 1, record.depth_m,
-                 static_cast<int>(record.friction));
+  fmt::format_to(std::back_inserter(line), ",{},{:.9g},{}", static_cast<int>(record.contact),
+                 record.depth_m, static_cast<int>(record.friction));
   append(line, record.force_commanded_W);
   append(line, firmware::to_triple(simulation.wish_W()));
+  append(line, record.normal_W);
+  if (record.contact == rendering::ContactKind::none) {
+    line += ',';
+  } else {
+    fmt::format_to(std::back_inserter(line), ",{}", record.object);
+  }
+  fmt::format_to(std::back_inserter(line), ",{}", record.touch_flags);
   fmt::format_to(std::back_inserter(line), ",{},{},{},{:016x}\n", static_cast<int>(record.mode),
                  record.faults, record.limits, record.state_hash);
   file_.flush_if_full();

@@ -47,11 +47,14 @@ struct ImplicitProxyState {
 class TickWatcher;
 
 struct Mover;
+struct Object;
 
 // Whoever watches a tick (tick_watcher.h), and the object that is touched; nobody by default.
 struct ObjectWatch {
   TickWatcher* watcher = nullptr;
-  std::uint32_t object = 0;
+  // The number of the object in the scene, and the object itself.
+  std::uint32_t number = 0;
+  const Object* object = nullptr;
   // The object's place if it moves; nullptr if it is fixed.
   const Mover* mover = nullptr;
 };

@@ -134,12 +134,13 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
     trackers_[k].begin_friction(step_O, scene.tick_s());
     walkers_[k].begin_friction(step_O, scene.tick_s());
-    Touch own = touch_in_frame({.k = k,
-                                .object = object,
-                                .material = scene.material(number),
-                                .moved_m = step_O.norm(),
-                                .watch = {.watcher = watcher, .object = number, .mover = mover}},
-                               in_frame(scene, number, tool));
+    Touch own = touch_in_frame(
+        {.k = k,
+         .object = object,
+         .material = scene.material(number),
+         .moved_m = step_O.norm(),
+         .watch = {.watcher = watcher, .number = number, .object = &object, .mover = mover}},
+        in_frame(scene, number, tool));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;

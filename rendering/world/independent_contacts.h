@@ -67,7 +67,7 @@ class IndependentContacts {
     const Material& material;
     // The distance that the tool has moved since the last tick, seen from the object, m.
     double moved_m;
-    // Sees the moves on object `watch.object`.
+    // Who sees the moves on it.
     ObjectWatch watch;
   };
 

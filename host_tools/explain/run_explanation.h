@@ -1,0 +1,33 @@
+// Explains the ticks of a controller, for `tactus sim --explain`.
+#pragma once
+
+#include <filesystem>
+
+#include "firmware/control/controller.h"
+#include "firmware/telemetry/record.h"
+#include "host_tools/explain/explainer.h"
+#include "host_tools/explain/steps_csv.h"
+
+namespace tactus::host {
+
+// Watches a controller and writes the steps of every tick to a file. The controller must not tick
+// without it once it watches.
+class RunExplanation {
+ public:
+  // The controller's tool has this radius, m. Throws InputError if the file cannot be created.
+  RunExplanation(const std::filesystem::path& file, firmware::Controller& controller,
+                 double tool_radius_m);
+  RunExplanation(const RunExplanation&) = delete;
+  RunExplanation& operator=(const RunExplanation&) = delete;
+
+  // Writes the tick that has ended, whose record this is, and begins the next one.
+  void add(const firmware::TelemetryRecord& record);
+  // Writes the rest and puts the file in its place.
+  void close() { steps_.close(); }
+
+ private:
+  Explainer explainer_;
+  StepsCsv steps_;
+};
+
+}  // namespace tactus::host

@@ -1,0 +1,95 @@
+// The program writes a row for each thing that happened, and feels the same with and without an
+// explanation.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "host_tools/csv/csv_text.h"
+#include "host_tools/files/atomic_file.h"
+#include "tests/support/folder_test.h"
+#include "tests/support/paths.h"
+#include "tests/support/run_program.h"
+
+namespace tactus::host {
+namespace {
+
+class StepsCsvTest : public FolderTest {
+ protected:
+  // Bakes an example scene to scene.tactus.
+  void bake(const std::string& example) {
+    example_ = testing::in_repository("host_tools/examples/" + example);
+    run("bake '" + example_ + "/scene.toml' -o scene.tactus");
+  }
+
+  void run(const std::string& arguments) const {
+    const testing::Outcome outcome = testing::run_program(folder(), arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << arguments << "\n" << outcome.output;
+  }
+
+  // Touches along the example's stroke with and without an explanation, which is steps.csv.
+  void touch_twice() const {
+    const std::string touch = "touch scene.tactus --path '" + example_ + "/stroke.csv' -o ";
+    run(touch + "plain.csv");
+    run(touch + "run.csv --explain steps.csv");
+    EXPECT_EQ(read_file(file("run.csv")), read_file(file("plain.csv")));
+  }
+
+  // Counts the rows of steps.csv by their kind.
+  [[nodiscard]] std::map<std::string, int> rows() const {
+    const std::string text = read_file(file("steps.csv"));
+    CsvText table(text);
+    const std::vector<std::string>* const header = table.next();
+    const std::size_t columns = header->size();
+    const auto row = std::ranges::find(*header, "row") - header->begin();
+    std::map<std::string, int> count;
+    while (const std::vector<std::string>* const fields = table.next()) {
+      EXPECT_EQ(fields->size(), columns) << "line " << table.number();
+      ++count[(*fields)[static_cast<std::size_t>(row)]];
+    }
+    return count;
+  }
+
+  // Returns the number of lines below the header.
+  [[nodiscard]] int lines_of(const std::string& name) const {
+    const std::string text = read_file(file(name));
+    return static_cast<int>(std::ranges::count(text, '\n')) - 1;
+  }
+
+ private:
+  std::string example_;
+};
+
+TEST_F(StepsCsvTest, HasTheIterationsOfFormulas) {
+  bake("heart");
+  touch_twice();
+  std::map<std::string, int> count = rows();
+  EXPECT_EQ(count["tick"], lines_of("run.csv"));
+  EXPECT_GT(count["iteration"], 100);
+}
+
+TEST_F(StepsCsvTest, HasMovesPlanesAndTheFeaturesOfFeatureWalks) {
+  bake("gem");
+  touch_twice();
+  std::map<std::string, int> count = rows();
+  EXPECT_EQ(count["tick"], lines_of("run.csv"));
+  EXPECT_GT(count["move"], count["tick"]);
+  EXPECT_GT(count["plane"], 100);
+  EXPECT_GT(count["feature"], 100);
+}
+
+TEST_F(StepsCsvTest, ASimulationAndItsReplayExplainTheSameAndHashAsWithout) {
+  bake("ramp");
+  run("sim scene.tactus --seconds 2 --hashes plain.txt");
+  run("sim scene.tactus --seconds 2 --hashes hashes.txt --record run.mcap --explain steps.csv");
+  EXPECT_EQ(read_file(file("hashes.txt")), read_file(file("plain.txt")));
+  EXPECT_EQ(rows()["tick"], lines_of("hashes.txt"));
+  const std::string in_simulation = read_file(file("steps.csv"));
+  run("replay run.mcap --explain steps.csv");
+  EXPECT_EQ(read_file(file("steps.csv")), in_simulation);
+}
+
+}  // namespace
+}  // namespace tactus::host
