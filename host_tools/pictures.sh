@@ -61,6 +61,15 @@ cp "$examples/devices/falcon.toml" "$work/"
 cp "$work/falcon.zwidth.png" "$pictures/falcon_zwidth.png"
 echo "$pictures/falcon_zwidth.png"
 
+# One tick, of host_tools/explain/README.md.
+pictures=host_tools/explain/pictures
+mkdir -p "$pictures"
+"$tactus" bake "$examples/gem/scene.toml" -o "$work/gem.tactus" >"$work/log"
+"$tactus" touch "$work/gem.tactus" --path "$examples/gem/stroke.csv" -o "$work/gem.csv" --explain "$work/gem_steps.csv" >"$work/log"
+"$tactus" plot "$work/gem_steps.csv" --explain --tick 870 --scene "$work/gem.tactus" -o "$work/" >"$work/log"
+cp "$work/gem_steps_tick870.png" "$pictures/"
+echo "$pictures/gem_steps_tick870.png"
+
 # The demo's path, of the root README.
 host_tools/bunny_mesh.sh "$work/bunny00.off"
 cp "$examples/bunny/scene.toml" "$work/bunny.toml"

@@ -12,6 +12,8 @@
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/run_data.h"
+#include "host_tools/plot/tick_figure.h"
+#include "host_tools/plot/tick_steps.h"
 
 namespace tactus::host {
 namespace {
@@ -28,7 +30,10 @@ constexpr const char* kPlotExamples =
     "ears_path.png\n"
     "  tactus plot shaded.csv --against faceted.csv --scene scene.tactus\n"
     "                                                        and shaded_against.png: both forces, "
-    "and how they turn";
+    "and how they turn\n"
+    "  tactus plot steps.csv --explain --tick 120 --scene scene.tactus\n"
+    "                                                        steps_tick120.png: moves, planes and "
+    "friction cone of one tick";
 
 // The verb's options as the user gave them.
 struct PlotOptions {
@@ -36,7 +41,34 @@ struct PlotOptions {
   std::string scene;
   std::string output;
   std::string against;
+  bool explain = false;
+  TickChoice tick;
 };
+
+// Makes the folder of a file if it is missing.
+void make_folder_of(const std::filesystem::path& file) {
+  std::error_code failure;
+  if (file.has_parent_path()) {
+    std::filesystem::create_directories(file.parent_path(), failure);
+  }
+  if (failure) {
+    throw InputError(fmt::format("{}: {}", file.parent_path().string(), failure.message()));
+  }
+}
+
+// Draws one tick of a file that --explain wrote.
+void draw_tick(const PlotOptions& options) {
+  const TickSteps tick = read_tick_steps(options.run, options.tick);
+  const MappedScene scene(options.scene);
+  const std::filesystem::path csv(options.run);
+  const std::filesystem::path png = tick_figure_file(options.output.empty() ? "./" : options.output,
+                                                     csv.stem().string(), tick.number);
+  make_folder_of(png);
+  draw_tick_figure(
+      tick, scene.image().objects(),
+      fmt::format("{}: tick {} at {:.6g} s", csv.filename().string(), tick.number, tick.t_s), png);
+  fmt::print("{}\n", png.string());
+}
 
 void run_plot(const PlotOptions& options) {
   const RunData run = read_run(options.run);
@@ -46,13 +78,7 @@ void run_plot(const PlotOptions& options) {
       figure_files(options.output.empty() ? "./" : options.output, csv.stem().string());
   keep_inputs_safe({files.force, files.path, files.against},
                    {options.run, options.against, options.scene});
-  std::error_code failure;
-  if (files.force.has_parent_path()) {
-    std::filesystem::create_directories(files.force.parent_path(), failure);
-  }
-  if (failure) {
-    throw InputError(fmt::format("{}: {}", files.force.parent_path().string(), failure.message()));
-  }
+  make_folder_of(files.force);
   const std::string name = csv.filename().string();
   draw_force_figure(run, fmt::format("{}: force and depth", name), files.force);
   draw_path_figure(run, scene.image().objects(), fmt::format("{}: path of the proxy", name),
@@ -72,14 +98,33 @@ void run_plot(const PlotOptions& options) {
 void add_plot_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("plot", "Draw figures of a run: force, depth and the path");
   const auto options = std::make_shared<PlotOptions>();
-  verb->add_option("run", options->run, "Run (CSV) of tactus sim or tactus touch")->required();
+  verb->add_option("run", options->run,
+                   "Run (CSV) of tactus sim or tactus touch, or with --explain its steps")
+      ->required();
   verb->add_option("--scene", options->scene, "Scene image (.tactus) of the run")->required();
   verb->add_option("-o,--output", options->output,
                    "Folder or prefix of the PNG files; default: this folder");
   verb->add_option("--against", options->against,
                    "Another run (CSV), drawn over this one in a third figure");
+  CLI::Option* const explain =
+      verb->add_flag("--explain", options->explain,
+                     "Draw one tick of a file that --explain of touch, sim or replay wrote")
+          ->excludes("--against");
+  CLI::Option* const tick =
+      verb->add_option("--tick", options->tick.number, "For --explain, the number of the tick")
+          ->needs(explain);
+  CLI::Option* const time =
+      verb->add_option("--time", options->tick.t_s, "For --explain, the time of the tick, s")
+          ->needs(explain)
+          ->excludes(tick);
+  verb->add_flag_function(
+          "--worst", [](std::int64_t) {},
+          "For --explain, the tick with most moves; so it is without --tick")
+      ->needs(explain)
+      ->excludes(tick)
+      ->excludes(time);
   verb->footer(kPlotExamples);
-  verb->callback([options] { run_plot(*options); });
+  verb->callback([options] { options->explain ? draw_tick(*options) : run_plot(*options); });
 }
 
 }  // namespace tactus::host

@@ -130,7 +130,10 @@ const ExplainedTick& Explainer::finish(std::size_t number, double t_s, const Vec
   tick_.tool_W = tool_W;
   tick_.from_W = has_last_ ? last_proxy_W_ : tool_W;
   tick_.touch = touch;
-  tick_.surface_W = touch.proxy_W - tool_radius_m_ * touch.normal_W;
+  if (!tick_.feature || tick_.feature->object != touch.object) {
+    const bool is_point = !tick_.iterations.empty() || !tick_.walked_to.empty();
+    tick_.surface_W = touch.proxy_W - (is_point ? 0.0 : tool_radius_m_) * touch.normal_W;
+  }
   last_proxy_W_ = touch.proxy_W;
   last_friction_ = touch.friction;
   has_last_ = true;
@@ -183,6 +186,7 @@ void Explainer::see_end(const rendering::MovingProxy& proxy, bool is_put_back) {
         *std::ranges::max_element(*planes, {}, &ExplainedPlane::multiplier_m);
     if (hardest.multiplier_m > 0.0) {
       tick_.feature = hardest.feature;
+      tick_.surface_W = hardest.surface_W;
     }
   }
 }

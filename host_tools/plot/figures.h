@@ -26,6 +26,10 @@ struct FigureFiles {
 // <prefix>_force.png and so on.
 FigureFiles figure_files(const std::filesystem::path& output, const std::string& stem);
 
+// Returns the file of the figure of one tick, named in the same manner: <stem>_tick120.png.
+std::filesystem::path tick_figure_file(const std::filesystem::path& output, const std::string& stem,
+                                       std::size_t tick);
+
 // Draws force and depth in two panels over one time axis; the background shows stick and slip.
 // Throws InputError if gnuplot is missing or fails.
 void draw_force_figure(const RunData& run, const std::string& title,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "host_tools/files/atomic_file.h"
 #include "tests/support/folder_test.h"
 #include "tests/support/paths.h"
+#include "tests/support/png_size.h"
 #include "tests/support/run_program.h"
 
 namespace tactus::host {
@@ -89,6 +91,28 @@ TEST_F(StepsCsvTest, ASimulationAndItsReplayExplainTheSameAndHashAsWithout) {
   const std::string in_simulation = read_file(file("steps.csv"));
   run("replay run.mcap --explain steps.csv");
   EXPECT_EQ(read_file(file("steps.csv")), in_simulation);
+}
+
+TEST_F(StepsCsvTest, TickIsDrawnByItsNumberItsTimeAndTheMostMoves) {
+  bake("gem");
+  touch_twice();
+  const std::string plot = "plot steps.csv --explain --scene scene.tactus ";
+  run(plot + "--tick 870");
+  EXPECT_EQ(testing::png_size(file("steps_tick870.png")).width, 1800U);
+  std::filesystem::remove(file("steps_tick870.png"));
+  run(plot + "--time 3.48");
+  EXPECT_TRUE(std::filesystem::exists(file("steps_tick870.png")));
+  std::filesystem::remove(file("steps_tick870.png"));
+  run(plot + "--worst");
+  EXPECT_TRUE(std::filesystem::exists(file("steps_tick870.png")));
+  const testing::Outcome missing = testing::run_program(folder(), plot + "--tick 99999");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_NE(missing.output.find("no tick 99999; it has the ticks 0 to 1460"), std::string::npos)
+      << missing.output;
+  const testing::Outcome foreign =
+      testing::run_program(folder(), "plot run.csv --explain --scene scene.tactus");
+  EXPECT_EQ(foreign.exit_code, 2);
+  EXPECT_NE(foreign.output.find("--explain of tactus touch"), std::string::npos) << foreign.output;
 }
 
 }  // namespace
