@@ -47,12 +47,14 @@ inline constexpr std::size_t kCostOfSubGoal = 8;
 inline constexpr std::size_t kCostOfGathering = 25;
 
 // Moving the objects, before the first tool: an object with its pose, and of a mesh that deforms
-// `kVertexWavesPerUnit` vertices of a wave, `kVertexStepsPerUnit` steps of vertices and a box drawn
-// anew.
+// `kVertexWavesPerUnit` vertices of a wave, `kVertexStepsPerUnit` steps of vertices,
+// `kVertexLongStepsPerUnit` more of a mesh in which some step is cut, and `kRefitsPerUnit` boxes
+// drawn anew. They are the instructions by callgrind, rounded up to parts of a unit.
 inline constexpr std::size_t kCostOfMover = 11;
-inline constexpr std::size_t kVertexWavesPerUnit = 2;
-inline constexpr std::size_t kVertexStepsPerUnit = 2;
-inline constexpr std::size_t kCostOfRefit = 1;
+inline constexpr std::size_t kVertexWavesPerUnit = 6;
+inline constexpr std::size_t kVertexStepsPerUnit = 10;
+inline constexpr std::size_t kVertexLongStepsPerUnit = 2;
+inline constexpr std::size_t kRefitsPerUnit = 2;
 
 // An effect on one tool.
 inline constexpr std::size_t kCostOfEffect = 4;

@@ -19,8 +19,7 @@ void CandidateSet::begin_tick(const SceneObjects& scene) {
   const double reach =
       trust_.capsule.radius + 0.5 * trust_.capsule.axis.norm() + margins_.sphere.reach_m;
   const bool disturbed = std::ranges::any_of(scene.movers(), [&](const Mover& mover) {
-    return mover.moved &&
-           (mover.distance(middle) <= reach || mover.distance_before(middle) <= reach);
+    return mover.moved && (mover.is_near(middle, reach) || mover.was_near(middle, reach));
   });
   if (disturbed) {
     clear();

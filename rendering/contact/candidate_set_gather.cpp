@@ -154,9 +154,9 @@ void CandidateSet::begin_gathering(const SceneObjects& scene, const Capsule& tru
   const Vec3 middle = trust_.middle();
   const double reach = margins_.sphere.reach_m + trust.radius;
   visit_all_near(scene.still_nodes(), middle, 0.5 * trust.axis.cwiseAbs(), reach, visitor);
+  const double half_axis = 0.5 * trust.axis.norm();
   for (const Mover& mover : scene.movers()) {
-    if (meets_proxy(scene[mover.object]) &&
-        mover.distance(middle) <= reach + 0.5 * trust.axis.norm()) {
+    if (mover.is_near(middle, reach + half_axis) && meets_proxy(scene[mover.object])) {
       visitor.take(mover.object);
     }
   }

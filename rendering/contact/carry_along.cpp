@@ -66,14 +66,19 @@ struct DeformingPlane {
   // The plane of that violation in the frame now, valid if it is `broken`.
   Plane plane_O{};
   bool broken = false;
-  // The number of triangles measured.
-  std::size_t measured = 0;
+  // The cost units spent.
+  std::size_t spent = 0;
 
   // Returns how far the search must reach: the boxes of the hierarchy may lag the vertices by
   // slack_m().
   [[nodiscard]] double reach() const { return reach_m + deformable.slack_m(); }
   void operator()(std::uint32_t t) {
-    ++measured;
+    // Most triangles of a leaf are too far away, and their boxes show it.
+    spent += kCostOfLeafTriangle;
+    if (offset_from_box(deformable.before(), t, from_O).squaredNorm() > reach_m * reach_m) {
+      return;
+    }
+    spent += kCostOfMeasurement;
     const Triangle before = triangle_of(deformable.before(), t);
     const Nearest nearest = before.nearest(from_O);
     if (nearest.distance > reach_m || (one_sided && before.height(from_O) < 0.0)) {
@@ -177,7 +182,7 @@ struct MovingObstacles {
         .to_O = to_O,
         .reach_m = margin.reach_m + deformable.step_m() + (to_O - from_O).norm()};
     visit_near(deformable.before().nodes, from_O, visitor);
-    spent += kCostOfMeasurement * visitor.measured;
+    spent += visitor.spent;
     if (!visitor.broken) {
       return;
     }
@@ -188,8 +193,10 @@ struct MovingObstacles {
 
   // Tests the objects that move or deform. One whose box the motion cannot reach is skipped.
   void meet_movers(const Vec3& goal_W) {
+    const double distance = (goal_W - from_W).norm();
     for (const Mover& mover : scene.movers()) {
-      if (!meets_proxy(scene[mover.object]) || left_out.has(mover.object)) {
+      if (mover.is_passed_by(from_W, distance, margins.sphere.reach_m) ||
+          !meets_proxy(scene[mover.object]) || left_out.has(mover.object)) {
         continue;
       }
       const Vec3 from_O = mover.X_WO_before.point_in(from_W);

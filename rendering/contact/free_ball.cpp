@@ -14,20 +14,6 @@ namespace {
 // Limits the radius of the ball in free space.
 constexpr double kMostClearance_m = 0.1;
 
-// Returns the vector from the nearest point of the triangle's box to p.
-Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
-  const TriangleIndices& corners = mesh.triangles[t];
-  const Float3& a = mesh.vertices[corners[0]];
-  const Float3& b = mesh.vertices[corners[1]];
-  const Float3& c = mesh.vertices[corners[2]];
-  const auto axis = [](float u, float v, float w, double x) {
-    const auto lower = static_cast<double>(std::min({u, v, w}));
-    const auto upper = static_cast<double>(std::max({u, v, w}));
-    return std::max(x - upper, 0.0) - std::max(lower - x, 0.0);
-  };
-  return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};
-}
-
 // Accepts a ball of half the possible radius, which is found at a fraction of the cost.
 constexpr double kEasyPart = 0.5;
 
@@ -111,7 +97,7 @@ double free_radius(const SceneObjects& scene, const ContactMargins& margins, con
                 .free = kMostClearance_m};
   visit_near(scene.still_nodes(), p, ball);
   for (const Mover& mover : scene.movers()) {
-    if (meets_proxy(scene[mover.object]) && mover.distance(p) <= ball.reach()) {
+    if (mover.is_near(p, ball.reach()) && meets_proxy(scene[mover.object])) {
       ball.take(mover.object);
     }
   }

@@ -98,7 +98,7 @@ bool LeftOut::add_overlapped(const SceneObjects& scene, const ContactMargins& ma
       .to = *this, .scene = scene, .margins = margins, .p_W = p_W, .slack_m = slack_m};
   visit_near(scene.still_nodes(), p_W, visitor);
   for (const Mover& mover : scene.movers()) {
-    if (meets_proxy(scene[mover.object]) && mover.distance(p_W) <= visitor.reach()) {
+    if (mover.is_near(p_W, visitor.reach()) && meets_proxy(scene[mover.object])) {
       visitor.take(mover.object);
     }
   }

@@ -159,8 +159,8 @@ FirstHit sweep_all_objects(const SceneObjects& scene, const ContactMargins& marg
                            const LeftOut& left_out) {
   ObjectsSweep visitor = over_still(scene, margins, sweep_W, limit_m, cost_left, left_out);
   for (const Mover& mover : scene.movers()) {
-    if (meets_proxy(scene[mover.object]) &&
-        mover.distance(sweep_W.from) <= visitor.first.travel_m + margins.sphere.reach_m) {
+    if (mover.is_near(sweep_W.from, visitor.first.travel_m + margins.sphere.reach_m) &&
+        meets_proxy(scene[mover.object])) {
       visitor.take(mover.object);
     }
   }

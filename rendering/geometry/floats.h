@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 
+#include "rendering/geometry/pair.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
@@ -26,6 +27,31 @@ inline Floats floats_at(const float* place) {
   Floats floats;
   std::memcpy(&floats, place, sizeof floats);
   return floats;
+}
+
+// Returns two pairs of doubles as four floats, each rounded to the nearest.
+inline Floats rounded(Pair low, Pair high) {
+#ifdef __SSE2__
+  return __builtin_shufflevector(__builtin_ia32_cvtpd2ps(low), __builtin_ia32_cvtpd2ps(high), 0, 1,
+                                 4, 5);
+#else
+  return Floats{static_cast<float>(low[0]), static_cast<float>(low[1]), static_cast<float>(high[0]),
+                static_cast<float>(high[1])};
+#endif
+}
+
+// Stores four floats at any address.
+inline void store(Floats floats, float* place) {
+  std::memcpy(place, &floats, sizeof floats);
+}
+
+// Loads two floats from each of two addresses.
+inline Floats two_and_two(const float* low, const float* high) {
+  double first = 0.0;
+  double second = 0.0;
+  std::memcpy(&first, low, sizeof first);
+  std::memcpy(&second, high, sizeof second);
+  return std::bit_cast<Floats>(Pair{first, second});
 }
 
 // Loads four floats from an aligned address.
@@ -88,17 +114,11 @@ inline FourVectors four(const Vec3& v) {
 
 // Returns four vectors side by side: a transposition of 4 x 3 numbers.
 inline FourVectors four(const Float3& a, const Float3& b, const Float3& c, const Float3& d) {
-  const Floats va{a.x, a.y, a.z, 0.0F};
-  const Floats vb{b.x, b.y, b.z, 0.0F};
-  const Floats vc{c.x, c.y, c.z, 0.0F};
-  const Floats vd{d.x, d.y, d.z, 0.0F};
-  const Floats low_ab = __builtin_shufflevector(va, vb, 0, 4, 1, 5);
-  const Floats low_cd = __builtin_shufflevector(vc, vd, 0, 4, 1, 5);
-  const Floats high_ab = __builtin_shufflevector(va, vb, 2, 6, 3, 7);
-  const Floats high_cd = __builtin_shufflevector(vc, vd, 2, 6, 3, 7);
-  return {__builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5),
-          __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7),
-          __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5)};
+  // x and y of two vectors fill one register.
+  const Floats xy_ab = two_and_two(&a.x, &b.x);
+  const Floats xy_cd = two_and_two(&c.x, &d.x);
+  return {__builtin_shufflevector(xy_ab, xy_cd, 0, 2, 4, 6),
+          __builtin_shufflevector(xy_ab, xy_cd, 1, 3, 5, 7), Floats{a.z, b.z, c.z, d.z}};
 }
 
 }  // namespace tactus::rendering

@@ -33,6 +33,20 @@ inline Triangle triangle_of(const MeshView& mesh, std::uint32_t t) {
           to_vec3(mesh.vertices[corners[2]])};
 }
 
+// Returns the vector from the nearest point of the triangle's own box to p; frame of the mesh, m.
+inline Vec3 offset_from_box(const MeshView& mesh, std::uint32_t t, const Vec3& p) {
+  const TriangleIndices& corners = mesh.triangles[t];
+  const Float3& a = mesh.vertices[corners[0]];
+  const Float3& b = mesh.vertices[corners[1]];
+  const Float3& c = mesh.vertices[corners[2]];
+  const auto axis = [](float u, float v, float w, double x) {
+    const auto lower = static_cast<double>(std::min({u, v, w}));
+    const auto upper = static_cast<double>(std::max({u, v, w}));
+    return std::max(x - upper, 0.0) - std::max(lower - x, 0.0);
+  };
+  return {axis(a.x, b.x, c.x, p.x()), axis(a.y, b.y, c.y, p.y()), axis(a.z, b.z, c.z, p.z())};
+}
+
 // Returns the squared distance from p to the node's box, m^2; 0 inside.
 inline double squared_distance(const BvhNode& node, const Vec3& p) {
   const double x = std::max(

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace tactus::rendering {
 
@@ -14,6 +15,13 @@ using PairBits [[gnu::vector_size(16)]] = std::int64_t;
 // Returns both doubles equal to x.
 constexpr Pair both(double x) {
   return Pair{x, x};
+}
+
+// Loads two doubles from any address.
+inline Pair pair_at(const double* place) {
+  Pair pair;
+  std::memcpy(&pair, place, sizeof pair);
+  return pair;
 }
 
 // Returns (b, a) for (a, b).

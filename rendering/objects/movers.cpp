@@ -25,12 +25,36 @@ bool sound(const RigidPose& pose) {
 
 }  // namespace
 
-double Mover::distance(const Vec3& p_W) const {
-  return bounds_O.distance(X_WO.point_in(p_W));
+bool Mover::is_near(const Vec3& p_W, double reach_m) const {
+  const double most = radius_m + reach_m;
+  return (p_W - middle_W).squaredNorm() <= most * most &&
+         bounds_O.distance(X_WO.point_in(p_W)) <= reach_m;
 }
 
-double Mover::distance_before(const Vec3& p_W) const {
-  return bounds_O.distance(X_WO_before.point_in(p_W));
+bool Mover::was_near(const Vec3& p_W, double reach_m) const {
+  const double most = radius_m + reach_m;
+  return (p_W - middle_before_W).squaredNorm() <= most * most &&
+         bounds_O.distance(X_WO_before.point_in(p_W)) <= reach_m;
+}
+
+// With m the middle, u = X_before^-1 from - m and R the rotations, the point goes in the frame O by
+//
+//   |X_now^-1 to - X_before^-1 from| = |(to - from) + (m_before - m_now) + (R_before - R_now) u|.
+bool Mover::is_passed_by(const Vec3& from_W, double distance_m, double reach_m) const {
+  const double from_middle_m = (from_W - middle_before_W).norm();
+  const double motion_m = distance_m + shift_m + turn * from_middle_m;
+  return from_middle_m - radius_m > motion_m + reach_m;
+}
+
+// The radius has room for the roundings of places in the world.
+void Mover::enclose() {
+  constexpr double kRounding_m = 1e-9;
+  const Vec3 middle_O = 0.5 * (bounds_O.lower_W + bounds_O.upper_W);
+  radius_m = 0.5 * (bounds_O.upper_W - bounds_O.lower_W).norm() * (1.0 + kRounding_m) + kRounding_m;
+  middle_W = X_WO.point(middle_O);
+  middle_before_W = X_WO_before.point(middle_O);
+  shift_m = (middle_W - middle_before_W).norm();
+  turn = (X_WO.rotation - X_WO_before.rotation).norm();
 }
 
 // All objects are visited even after a failure: every entry of mover_of_ must be set.
@@ -59,6 +83,7 @@ bool Movers::start_one(std::uint32_t number) {
   if (object.surface == SurfaceKind::primitive && object.primitive.kind == PrimitiveKind::plane) {
     mover.bounds_O = kEverywhere;
   }
+  mover.enclose();
   if (!object.deforms) {
     return true;
   }
@@ -70,21 +95,17 @@ bool Movers::start_one(std::uint32_t number) {
   if (!deformable.start(object.mesh, pool_)) {
     return false;
   }
-  mover.wave_angles = start_wave(object);
+  mover.wave = start_wave(object);
   return true;
 }
 
 // Called when the pool has the vertices of the object.
-std::span<const SineCosine> Movers::start_wave(const Object& object) {
+WaveVertices Movers::start_wave(const Object& object) {
   if (object.motion == nullptr || object.motion->wave_m == 0.0) {
     return {};
   }
-  const std::size_t count = object.mesh.vertices.size();
-  const auto angles = std::span(wave_angles_).subspan(pool_.vertices_used - count, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    angles[i] = wave_angle(*object.motion, to_vec3(object.mesh.vertices[i]));
-  }
-  return angles;
+  return wave_pool_.start(*object.motion, pool_.vertices_used - object.mesh.vertices.size(),
+                          object.mesh.vertices, object.vertex_normals);
 }
 
 DeformableMesh& Movers::deformable_of(const Mover& mover) {
@@ -121,20 +142,18 @@ std::size_t Movers::begin_tick(double time_s) {
   return cost;
 }
 
-// Moves some vertices per tick, in turns. The target of each is its place at rest, moved along the
-// normal at rest, so that nothing drifts.
+// Moves some vertices per tick, in turns, from next_vertex on and then from the first one. The
+// target of each is its place at rest, moved along the normal at rest, so that nothing drifts.
 std::size_t Movers::wave(Mover& mover, double time_s) {
-  const Object& object = objects_[mover.object];
   const SineCosine of_time = wave_angle(*mover.motion, time_s);
-  const auto count = static_cast<std::uint32_t>(object.mesh.vertices.size());
-  DeformableMesh& mesh = deformable_of(mover);
-  const std::size_t turns = std::min<std::size_t>(kWaveVertices, count);
-  for (std::size_t k = 0; k < turns; ++k) {
-    const std::uint32_t i = mover.next_vertex;
-    mover.next_vertex = i + 1 == count ? 0 : i + 1;
-    const double height_m = wave_at(*mover.motion, mover.wave_angles[i], of_time);
-    mesh.move_vertex(
-        i, to_vec3(object.mesh.vertices[i]) + height_m * to_vec3(object.vertex_normals[i]));
+  const std::size_t count = mover.wave.rest.size();
+  const std::size_t turns = std::min(kWaveVertices, count);
+  for (std::size_t left = turns; left > 0;) {
+    const std::size_t part = std::min(left, count - mover.next_vertex);
+    rendering::wave(*mover.motion, of_time, mover.wave.part(mover.next_vertex, part),
+                    deformable_of(mover).want(mover.next_vertex, part));
+    mover.next_vertex = static_cast<std::uint32_t>((mover.next_vertex + part) % count);
+    left -= part;
   }
   return turns / kVertexWavesPerUnit;
 }
@@ -147,7 +166,7 @@ std::size_t Movers::begin_tick_of(std::size_t k, double time_s) {
   if (mover.motion != nullptr) {
     const Placement at = place_at(*mover.motion, time_s);
     orders_[k] = {.X_WO = at.X_WO, .twist = at.twist};
-    if (!mover.wave_angles.empty()) {
+    if (!mover.wave.rest.empty()) {
       cost += wave(mover, time_s);
     }
   }
@@ -159,7 +178,7 @@ std::size_t Movers::begin_tick_of(std::size_t k, double time_s) {
   mover.twist = orders_[k].twist;
   mover.moved = mover.X_WO.rotation != mover.X_WO_before.rotation ||
                 mover.X_WO.translation != mover.X_WO_before.translation;
-  if (mover.moved) {
+  if (mover.moved && objects_[mover.object].surface != SurfaceKind::mesh) {
     // A primitive has a pose of its own within O.
     const RigidPose& own = objects_[mover.object].primitive.X_WO;
     mover.primitive_W.X_WO = {.rotation = mover.X_WO.rotation * own.rotation,
@@ -173,6 +192,7 @@ std::size_t Movers::begin_tick_of(std::size_t k, double time_s) {
                       .upper_W = to_vec3(root.upper) + slack};
     mover.moved = mover.moved || mover.deformable->step_m() > 0.0;
   }
+  mover.enclose();
   return cost;
 }
 

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <span>
 
-#include "rendering/geometry/portable_math.h"
 #include "rendering/geometry/rigid_pose.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
 #include "rendering/objects/motion.h"
 #include "rendering/objects/object.h"
+#include "rendering/objects/vertex_wave.h"
 #include "rendering/state_archive.h"
 #include "rendering/surface/deformable_mesh.h"
 #include "rendering/surface/primitive.h"
@@ -37,17 +37,34 @@ struct Mover {
   Bounds bounds_O;
   // The object's own motion, until the outside takes over; nullptr then.
   const Motion* motion = nullptr;
-  // The angle of the wave at each vertex; empty if there is no wave.
-  std::span<const SineCosine> wave_angles;
+  // The vertices of the wave; none if there is no wave.
+  WaveVertices wave;
   // The vertex whose turn it is in the waves.
   std::uint32_t next_vertex = 0;
   // True if the object has moved or deformed since the last tick.
   bool moved = false;
 
-  // Return the distance from p_W to the object's box, m, 0 inside: at its place now, and at its
+  // A ball about the box, which rules out most objects at a fraction of the box's cost: its middle
+  // now and in the last tick (world frame, m), its radius, how far the middle has moved since (m),
+  // and the most that a vector of length 1 has been turned by. They follow from the poses and the
+  // box (enclose()).
+  Vec3 middle_W = Vec3::Zero();
+  Vec3 middle_before_W = Vec3::Zero();
+  double radius_m = 0.0;
+  double shift_m = 0.0;
+  double turn = 0.0;
+
+  // Return true if the object's box comes within `reach_m` of p_W: at its place now, and at its
   // place in the last tick.
-  [[nodiscard]] double distance(const Vec3& p_W) const;
-  [[nodiscard]] double distance_before(const Vec3& p_W) const;
+  [[nodiscard]] bool is_near(const Vec3& p_W, double reach_m) const;
+  [[nodiscard]] bool was_near(const Vec3& p_W, double reach_m) const;
+  // Returns true if a point that goes from `from_W` in the last tick to `to_W` in this one, which
+  // are `distance_m` apart, stays farther than `reach_m` from the box, seen from the object. It may
+  // return false for another one too.
+  [[nodiscard]] bool is_passed_by(const Vec3& from_W, double distance_m, double reach_m) const;
+
+  // Sets the ball to the poses and the box.
+  void enclose();
 };
 
 // Convert points and directions to the frame O of an object and back. A mover of nullptr is an
@@ -115,8 +132,8 @@ class Movers {
   bool start_one(std::uint32_t number);
   // Returns the mesh of a mover that deforms, to be changed.
   DeformableMesh& deformable_of(const Mover& mover);
-  // Returns the angle of an object's wave at each of its vertices, which it keeps.
-  std::span<const SineCosine> start_wave(const Object& object);
+  // Returns the vertices of an object's wave, which it keeps; none without a wave.
+  WaveVertices start_wave(const Object& object);
   // Moves one mover to its place in this tick; returns the cost units.
   std::size_t begin_tick_of(std::size_t k, double time_s);
   // Moves the vertices whose turn it is to their places in the wave; returns the cost units.
@@ -132,8 +149,8 @@ class Movers {
   std::size_t count_ = 0;
   bool anything_moved_ = false;
   DeformablePool pool_;
-  // The angle of the wave at the vertices of the pool.
-  std::array<SineCosine, kMaxDeformableVertices> wave_angles_{};
+  // The waves of the vertices of the pool.
+  WavePool wave_pool_;
   std::array<DeformableMesh, kMaxDeformables> deformables_;
   std::size_t deformable_count_ = 0;
 };

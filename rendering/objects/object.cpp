@@ -1,5 +1,7 @@
 #include "rendering/objects/object.h"
 
+#include <cmath>
+
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
@@ -30,6 +32,23 @@ Bounds bounds(const ImplicitSurface& implicit) {
     box.upper_W = box.upper_W.cwiseMax(p_W);
   }
   return box;
+}
+
+// Returns true if the motion has no waves, or the mesh deforms, has a normal for every vertex, and
+// no wave takes one of them out of the world.
+bool can_wave(const Object& object) {
+  const double wave_m = std::abs(object.motion->wave_m);
+  if (wave_m == 0.0) {
+    return true;
+  }
+  const auto& vertices = object.mesh.vertices;
+  const auto& normals = object.vertex_normals;
+  bool good = object.deforms && normals.size() == vertices.size();
+  for (std::size_t i = 0; good && i < vertices.size(); ++i) {
+    const Vec3 farthest = to_vec3(vertices[i]).cwiseAbs() + wave_m * to_vec3(normals[i]).cwiseAbs();
+    good = (farthest.array() <= kWorldBound_m).all();
+  }
+  return good;
 }
 
 // Returns true if the method can render the surface. Each method knows some kinds of surfaces only,
@@ -66,13 +85,8 @@ Bounds bounds_of(const Object& object) {
 }
 
 bool usable(const Object& object) {
-  if (object.motion != nullptr) {
-    const bool can_wave =
-        object.motion->wave_m == 0.0 ||
-        (object.deforms && object.vertex_normals.size() == object.mesh.vertices.size());
-    if (!valid(*object.motion) || !can_wave) {
-      return false;
-    }
+  if (object.motion != nullptr && !(valid(*object.motion) && can_wave(object))) {
+    return false;
   }
   return touchable(object) &&
          (object.detail.empty() || object.method != ContactMethod::potential_field) &&

@@ -14,7 +14,8 @@ void SceneCapacityNeeds::add(const Object& object) {
   if (object.deforms) {
     motion_units += std::min(kWaveVertices, object.mesh.vertices.size()) / kVertexWavesPerUnit +
                     object.mesh.vertices.size() / kVertexStepsPerUnit +
-                    std::min(kRefitNodes, object.mesh.nodes.size()) * kCostOfRefit;
+                    object.mesh.vertices.size() / kVertexLongStepsPerUnit +
+                    std::min(kRefitNodes, object.mesh.nodes.size()) / kRefitsPerUnit;
     ++deformables;
     deformable_vertices += object.mesh.vertices.size();
     deformable_nodes += object.mesh.nodes.size();

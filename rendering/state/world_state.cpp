@@ -10,8 +10,8 @@ namespace tactus::rendering {
 
 // The boxes are saved and not refitted: they lag the vertices by a part of a pass.
 void DeformableMesh::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [before, now, wanted, nodes, triangles, nodes_left, moved_in_pass_m,
-                          moved_in_last_pass_m, step_m, asked] = *this;
+  [[maybe_unused]] auto& [before, now, wanted, nodes, triangles, nodes_left, motion_per_pass_m,
+                          moved_in_pass_m, moved_in_last_pass_m, step_m, asked] = *this;
   archive.same(now.size());
   archive.same(nodes.size());
   archive.up_to(nodes_left, nodes.size());
@@ -62,8 +62,8 @@ void SceneObjects::transfer_materials(StateArchive& archive) {
 }
 
 void Movers::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [objects, mover_of, movers, orders, count, anything_moved, pool,
-                          wave_angles, deformables, deformable_count] = *this;
+  [[maybe_unused]] auto& [objects, mover_of, movers, orders, count, anything_moved, pool, wave_pool,
+                          deformables, deformable_count] = *this;
   for (std::size_t k = 0; k < count; ++k) {
     transfer_one(archive, k);
   }
@@ -76,7 +76,8 @@ void Movers::transfer(StateArchive& archive) {
 // it one again is refused unless the scene has it.
 void Movers::transfer_one(StateArchive& archive, std::size_t k) {
   [[maybe_unused]] auto& [object, X_WO_before, X_WO, twist, deformable, primitive_W, bounds_O,
-                          motion, wave_angles, next_vertex, moved] = movers_[k];
+                          motion, wave, next_vertex, moved, middle_W, middle_before_W, radius_m,
+                          shift_m, turn] = movers_[k];
   auto& [ordered_X_WO, ordered_twist] = orders_[k];
   archive(X_WO_before, X_WO, twist, primitive_W.X_WO, bounds_O, moved, ordered_X_WO, ordered_twist);
   const std::size_t vertices = objects_[object].mesh.vertices.size();
@@ -87,6 +88,7 @@ void Movers::transfer_one(StateArchive& archive, std::size_t k) {
   archive.require(!moves_by_itself || objects_[object].motion != nullptr);
   if (archive.is_reading()) {
     motion = moves_by_itself && archive.good() ? objects_[object].motion : nullptr;
+    movers_[k].enclose();
   }
 }
 

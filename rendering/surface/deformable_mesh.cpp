@@ -9,6 +9,26 @@
 namespace tactus::rendering {
 namespace {
 
+// A pass over the boxes is complete when the vertices have moved by this share of a leaf's length,
+// so that the slack is never much more than twice that: searches then look at few leaves for
+// nothing.
+constexpr double kMotionPerPass = 1.0 / 8.0;
+// The boxes that are refitted in any tick with a slack, so that it vanishes when the motion ends.
+constexpr std::size_t kLeastRefitNodes = 32;
+
+// Returns the mean of the longest sides of the leaves' boxes, m.
+double mean_leaf_length(std::span<const BvhNode> nodes) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const BvhNode& node : nodes) {
+    if (node.is_leaf()) {
+      sum += (to_vec3(node.upper) - to_vec3(node.lower)).maxCoeff();
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
 // A box as it is drawn: the fourth lane of each corner is of no meaning.
 struct DrawnBox {
   Floats lower;
@@ -26,6 +46,30 @@ struct DrawnBox {
     node.upper = {upper[0], upper[1], upper[2]};
   }
 };
+
+// Returns the square of the longest of the steps between two rows of vertices, m^2, to within seven
+// roundings. They are read as rows of floats, four vertices at a time; the last up to three are
+// left to the caller.
+float longest_squared(std::span<const Float3> from, std::span<const Float3> to) {
+  Floats longest = all(0.0F);
+  for (std::size_t i = 0; i + 4 <= from.size(); i += 4) {
+    const float* const a = &from[i].x;
+    const float* const b = &to[i].x;
+    Floats u = floats_at(b) - floats_at(a);          // x0 y0 z0 x1
+    Floats v = floats_at(b + 4) - floats_at(a + 4);  // y1 z1 x2 y2
+    Floats w = floats_at(b + 8) - floats_at(a + 8);  // z2 x3 y3 z3
+    u *= u;
+    v *= v;
+    w *= w;
+    // Lane k of each of three rows has one of the squares of vertex k.
+    const Floats uv = __builtin_shufflevector(u, v, 1, 2, 4, 5);
+    const Floats vw = __builtin_shufflevector(v, w, 2, 3, 6, 7);
+    longest = most(longest, __builtin_shufflevector(u, w, 0, 3, 4, 5) +
+                                __builtin_shufflevector(uv, vw, 0, 2, 4, 6) +
+                                __builtin_shufflevector(uv, vw, 1, 3, 5, 7));
+  }
+  return std::max({longest[0], longest[1], longest[2], longest[3]});
+}
 
 }  // namespace
 
@@ -47,6 +91,7 @@ bool DeformableMesh::start(const MeshView& rest, DeformablePool& pool) {
   }
   std::ranges::copy(rest.nodes, nodes_.begin());
   nodes_left_ = nodes_.size();
+  motion_per_pass_m_ = kMotionPerPass * mean_leaf_length(nodes_);
   moved_in_pass_m_ = moved_in_last_pass_m_ = step_m_ = 0.0;
   asked_ = false;
   return true;
@@ -61,12 +106,34 @@ bool DeformableMesh::move_vertex(std::uint32_t vertex, const Vec3& p_O) {
   return true;
 }
 
-double DeformableMesh::take_step() {
+std::size_t DeformableMesh::take_step() {
+  const std::size_t cost = now_.size() / kVertexStepsPerUnit;
+  // More than the roundings of the square, and than a step whose square vanishes.
+  constexpr double kRounding = 1.0 + 0x1p-20;
+  constexpr double kVanishes_m = 1e-19;
+  float squared = longest_squared(before_, wanted_);
+  for (std::size_t i = now_.size() / 4 * 4; i < now_.size(); ++i) {
+    const Vec3 step = to_vec3(wanted_[i]) - to_vec3(before_[i]);
+    squared = std::max(squared, static_cast<float>(step.squaredNorm()));
+  }
+  const double longest_m = kRounding * std::sqrt(static_cast<double>(squared)) + kVanishes_m;
+  if (longest_m > kMaxVertexStep_m) {
+    take_long_step();
+    return cost + now_.size() / kVertexLongStepsPerUnit;
+  }
+  asked_ = false;
+  const bool any = squared > 0.0F || !std::ranges::equal(before_, wanted_);
+  step_m_ = any ? longest_m : 0.0;
+  std::ranges::copy(wanted_, now_.begin());
+  return cost;
+}
+
+void DeformableMesh::take_long_step() {
   constexpr double kSquaredMost = kMaxVertexStep_m * kMaxVertexStep_m;
   double longest_squared = 0.0;
   asked_ = false;
   for (std::size_t i = 0; i < now_.size(); ++i) {
-    const Vec3 from = to_vec3(now_[i]);
+    const Vec3 from = to_vec3(before_[i]);
     const Vec3 step = to_vec3(wanted_[i]) - from;
     const double squared = step.squaredNorm();
     if (squared <= kSquaredMost) {
@@ -78,22 +145,35 @@ double DeformableMesh::take_step() {
       asked_ = true;
     }
   }
-  return std::sqrt(longest_squared);
+  step_m_ = std::sqrt(longest_squared);
+}
+
+// The share of the boxes that is done follows the share of the motion of a pass.
+std::size_t DeformableMesh::boxes_due() const {
+  const double share =
+      moved_in_pass_m_ < motion_per_pass_m_ ? moved_in_pass_m_ / motion_per_pass_m_ : 1.0;
+  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(nodes_.size()));
+  const std::size_t done = nodes_.size() - nodes_left_;
+  const std::size_t late = wanted > done ? wanted - done : 0;
+  return std::min({std::max(late, kLeastRefitNodes), kRefitNodes, nodes_left_});
 }
 
 std::size_t DeformableMesh::begin_tick() {
-  if (step_m_ > 0.0) {
+  std::size_t step_cost = 0;
+  if (asked_) {
+    std::swap(before_, now_);
+    step_cost = take_step();
+  } else if (step_m_ > 0.0) {
     std::ranges::copy(now_, before_.begin());
+    step_m_ = 0.0;
   }
-  const std::size_t step_cost = asked_ ? now_.size() / kVertexStepsPerUnit : 0;
-  step_m_ = asked_ ? take_step() : 0.0;
   moved_in_pass_m_ += step_m_;
   if (slack_m() <= 0.0) {
     return step_cost;
   }
   // Children stand after their parents, so from the back to the front each node finds its children
   // done.
-  const std::size_t count = std::min(kRefitNodes, nodes_left_);
+  const std::size_t count = boxes_due();
   for (std::size_t k = 0; k < count; ++k) {
     refit(nodes_[--nodes_left_]);
   }
@@ -102,7 +182,7 @@ std::size_t DeformableMesh::begin_tick() {
     moved_in_last_pass_m_ = moved_in_pass_m_;
     moved_in_pass_m_ = 0.0;
   }
-  return step_cost + count * kCostOfRefit;
+  return step_cost + count / kRefitsPerUnit;
 }
 
 void DeformableMesh::refit(BvhNode& node) const {

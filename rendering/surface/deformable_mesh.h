@@ -15,8 +15,9 @@ namespace tactus::rendering {
 
 // Memory for the meshes of a scene that deform, one after another.
 struct DeformablePool {
-  std::array<Float3, kMaxDeformableVertices> before;  // in the last tick
-  // One more than there may be, because a vertex is read as four floats.
+  // In the last tick and now; the two change places. One more than there may be, because a vertex
+  // is read as four floats.
+  std::array<Float3, kMaxDeformableVertices + 1> before{};
   std::array<Float3, kMaxDeformableVertices + 1> now{};
   std::array<Float3, kMaxDeformableVertices> wanted;  // by the outside
   std::array<BvhNode, kMaxDeformableNodes> nodes;
@@ -36,8 +37,15 @@ class DeformableMesh {
   // kWorldBound_m.
   bool move_vertex(std::uint32_t vertex, const Vec3& p_O);
 
-  // Begins a tick: vertices take their step, and kRefitNodes boxes are refitted. Returns the cost
-  // units that it took (tick_budget.h).
+  // Returns where `count` vertices from `first` on are wanted, for the caller to write: frame O, m,
+  // each within kWorldBound_m. They move there from the next tick on, as by move_vertex().
+  std::span<Float3> want(std::size_t first, std::size_t count) {
+    asked_ = true;
+    return wanted_.subspan(first, count);
+  }
+
+  // Begins a tick: vertices take their step, and as many boxes are refitted as the steps make
+  // necessary, at most kRefitNodes. Returns the cost units that it took (tick_budget.h).
   std::size_t begin_tick();
 
   [[nodiscard]] MeshView now() const { return {now_, triangles_, nodes_}; }
@@ -45,15 +53,21 @@ class DeformableMesh {
   // Returns how far, in metres, a vertex of now() or before() may be outside the box of a node
   // above it.
   [[nodiscard]] double slack_m() const { return moved_in_last_pass_m_ + moved_in_pass_m_; }
-  // Returns the largest motion of a vertex from `before` to `now`, m.
+  // Returns the largest motion of a vertex from `before` to `now`, m; never less, and more by at
+  // most a millionth.
   [[nodiscard]] double step_m() const { return step_m_; }
 
   // Saves the state to the archive, or restores it.
   void transfer(StateArchive& archive);
 
  private:
-  // Moves every vertex toward where it is wanted; returns the longest of the steps, m.
-  double take_step();
+  // Moves every vertex from `before` toward where it is wanted, and sets step_m_. Returns the cost
+  // units.
+  std::size_t take_step();
+  // Does so for steps of which some are longer than kMaxVertexStep_m.
+  void take_long_step();
+  // Returns the number of boxes to refit in this tick.
+  [[nodiscard]] std::size_t boxes_due() const;
   // Draws the box of a node about its children's, or about its triangles.
   void refit(BvhNode& node) const;
 
@@ -63,6 +77,8 @@ class DeformableMesh {
   std::span<BvhNode> nodes_;
   std::span<const TriangleIndices> triangles_;
   std::size_t nodes_left_ = 0;  // of this pass, from the leaves to the root
+  // The motion of the vertices after which a pass is to be complete, m.
+  double motion_per_pass_m_ = 0.0;
   double moved_in_pass_m_ = 0.0;
   double moved_in_last_pass_m_ = 0.0;
   double step_m_ = 0.0;
