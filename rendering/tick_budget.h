@@ -50,7 +50,7 @@ inline constexpr std::size_t kCostOfGathering = 25;
 // `kVertexWavesPerUnit` vertices of a wave, `kVertexStepsPerUnit` steps of vertices,
 // `kVertexLongStepsPerUnit` more of a mesh in which some step is cut, and `kRefitsPerUnit` boxes
 // drawn anew. They are the instructions by callgrind, rounded up to parts of a unit.
-inline constexpr std::size_t kCostOfMover = 11;
+inline constexpr std::size_t kCostOfMover = 8;
 inline constexpr std::size_t kVertexWavesPerUnit = 6;
 inline constexpr std::size_t kVertexStepsPerUnit = 10;
 inline constexpr std::size_t kVertexLongStepsPerUnit = 2;

@@ -11,7 +11,6 @@
 #include <memory>
 #include <string>
 
-#include "host_tools/bake/scene/image_writer.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/benchmark/external_program.h"
 #include "host_tools/benchmark/percentile.h"
@@ -37,12 +36,7 @@ constexpr const char* kPath = "path";
 constexpr const char* kCounts = "callgrind.out";
 
 // Writes the scene and the path for the program under callgrind.
-void write_work(const fs::path& folder, const BenchmarkMesh& mesh, bool friction,
-                double tool_radius_m, std::span<const Vec3> path) {
-  const rendering::Object object = object_of(mesh, friction);
-  BakedScene scene{.tool_radius_m = tool_radius_m};
-  scene.objects.push_back(
-      {.name = mesh.name, .sides = object.sides, .material = object.material, .mesh = mesh.mesh});
+void write_work(const fs::path& folder, const BakedScene& scene, std::span<const Vec3> path) {
   write_file_atomically(folder / kScene, write_image(scene));
   write_file_atomically(folder / kPath, std::as_bytes(path));
 }
@@ -57,13 +51,20 @@ std::vector<Vec3> read_path(const fs::path& file) {
 
 }  // namespace
 
-InstructionCount count_instructions(const BenchmarkMesh& mesh, bool friction, double tool_radius_m,
-                                    std::span<const Vec3> path) {
+BakedScene scene_of(const BenchmarkMesh& mesh, bool friction, double tool_radius_m) {
+  const rendering::Object object = object_of(mesh, friction);
+  BakedScene scene{.tool_radius_m = tool_radius_m};
+  scene.objects.push_back(
+      {.name = mesh.name, .sides = object.sides, .material = object.material, .mesh = mesh.mesh});
+  return scene;
+}
+
+InstructionCount count_instructions(const BakedScene& scene, std::span<const Vec3> path) {
   if (!command_succeeds("command -v valgrind")) {
     throw InputError("--instructions needs valgrind; install it (Debian: valgrind)");
   }
   const FolderGuard folder(fs::temp_directory_path() / fmt::format("tactus-count-{}", ::getpid()));
-  write_work(folder.path(), mesh, friction, tool_radius_m, path);
+  write_work(folder.path(), scene, path);
   const fs::path counts = folder.path() / kCounts;
   const std::string command = fmt::format(
       "valgrind --tool=callgrind --toggle-collect=tactus_counted_touch "

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "host_tools/bake/scene/image_writer.h"
 #include "host_tools/benchmark/benchmark_mesh.h"
 
 namespace tactus::host {
@@ -26,8 +27,10 @@ struct InstructionCount {
 // nothing else. `path` has the tool's positions, m, world frame. It takes about a millisecond a
 // tick, and 4 kB a tick in the folder for temporary files. Throws InputError if valgrind is missing
 // or fails.
-InstructionCount count_instructions(const BenchmarkMesh& mesh, bool friction, double tool_radius_m,
-                                    std::span<const Vec3> path);
+InstructionCount count_instructions(const BakedScene& scene, std::span<const Vec3> path);
+
+// Returns the scene of one mesh with the material of object_of().
+BakedScene scene_of(const BenchmarkMesh& mesh, bool friction, double tool_radius_m);
 
 // Runs inside the program that count_instructions() has started: touches the scene in `folder`
 // along the path there.

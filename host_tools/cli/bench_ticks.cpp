@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,6 +11,7 @@
 #include "hal/angle.h"
 #include "host_tools/benchmark/crowd.h"
 #include "host_tools/benchmark/instruction_count.h"
+#include "host_tools/benchmark/moving_scenes.h"
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
 #include "host_tools/friction/parameter_names.h"
@@ -17,6 +19,20 @@
 
 namespace tactus::host {
 namespace {
+
+nlohmann::ordered_json json_of(const InstructionCount& count) {
+  return {{"mean", count.mean},
+          {"median", count.median},
+          {"p99", count.p99},
+          {"p999", count.p999},
+          {"max", count.max}};
+}
+
+std::string words_of(const InstructionCount& count) {
+  return fmt::format(
+      "instructions a tick: mean {:.0f}, median {:.0f}, p99 {:.0f}, p99.9 {:.0f}, max {:.0f}",
+      count.mean, count.median, count.p99, count.p999, count.max);
+}
 
 void print_json(const TouchFigures& figures) {
   const TouchTiming& timing = figures.timing;
@@ -42,11 +58,7 @@ void print_json(const TouchFigures& figures) {
                               {"late_in_a_row", figures.lateness.in_a_row},
                               {"late_turned", figures.lateness.turned_ticks}};
   if (const auto& count = figures.instructions) {
-    json["instructions"] = {{"mean", count->mean},
-                            {"median", count->median},
-                            {"p99", count->p99},
-                            {"p999", count->p999},
-                            {"max", count->max}};
+    json["instructions"] = json_of(*count);
   }
   if (figures.paced && figures.cold) {
     json["paced"] = {{"median_ns", figures.paced->median_ns}, {"p999_ns", figures.paced->p999_ns}};
@@ -84,10 +96,7 @@ void print_text(const TouchFigures& figures) {
       timing.median_ns, timing.p99_ns, timing.p999_ns, timing.max_ns, timing.once_p999_ns,
       timing.once_max_ns, figures.lateness.late_ticks, timing.ticks, late_words(figures.lateness));
   if (const auto& count = figures.instructions) {
-    fmt::print(
-        "      instructions a tick: mean {:.0f}, median {:.0f}, p99 {:.0f}, p99.9 {:.0f}, max "
-        "{:.0f}\n",
-        count->mean, count->median, count->p99, count->p999, count->max);
+    fmt::print("      {}\n", words_of(*count));
   }
   print_single_times(figures);
 }
@@ -110,7 +119,8 @@ void bench_motion(const TickBenchOptions& options, const BenchmarkMesh& mesh, do
                        .timing = time_touch({&object, 1}, radius_m, motion.path, options.runs),
                        .lateness = lateness_of({&object, 1}, radius_m, motion.path)};
   if (options.instructions) {
-    figures.instructions = count_instructions(mesh, figures.friction, radius_m, motion.path);
+    figures.instructions =
+        count_instructions(scene_of(mesh, figures.friction, radius_m), motion.path);
   }
   if (options.paced) {
     figures.paced = time_single_ticks({&object, 1}, radius_m, motion.path, Before::sleep);
@@ -156,6 +166,30 @@ void bench_objects(const TickBenchOptions& options) {
     } else {
       fmt::print("objects {:>4}: median {:>6.0f} ns, {:+.0f} against one alone; p99 {:>7.0f}\n",
                  count, timing.median_ns, timing.median_ns - alone_ns, timing.p99_ns);
+    }
+    std::fflush(stdout);
+  }
+}
+
+// Callgrind takes milliseconds for a tick of these scenes, so it counts fewer ticks than others.
+void bench_moving(const TickBenchOptions& options) {
+  constexpr std::size_t kMostTicks = 5000;
+  constexpr int kCoarse = 2;
+  constexpr int kFine = 3;
+  const std::size_t ticks = std::min(options.ticks, kMostTicks);
+  for (const MovingScene& moving :
+       {swarm("64 movers near", kCoarse, 1.0, ticks),
+        swarm("64 fast movers near", kFine, 5.0, ticks), sheets(ticks)}) {
+    const InstructionCount count = count_instructions(moving.scene, moving.path);
+    if (options.json) {
+      const nlohmann::ordered_json json{{"bench", "moving"},
+                                        {"scene", moving.name},
+                                        {"radius_m", moving.scene.tool_radius_m},
+                                        {"ticks", ticks},
+                                        {"instructions", json_of(count)}};
+      fmt::print("{}\n", json.dump());
+    } else {
+      fmt::print("moving {:<19}: {}\n", moving.name, words_of(count));
     }
     std::fflush(stdout);
   }

@@ -33,6 +33,10 @@ void bench_touch(const TickBenchOptions& options, const BenchmarkMesh& mesh, Fig
 // Strokes one ball, alone and among others, to show what the others cost.
 void bench_objects(const TickBenchOptions& options);
 
+// Counts the instructions of ticks with 64 objects that move near the tool, slowly and fast, and
+// with eight sheets that wave. It needs valgrind; throws InputError without it.
+void bench_moving(const TickBenchOptions& options);
+
 // Strokes one ball under every friction model.
 void bench_friction(const TickBenchOptions& options);
 

@@ -17,10 +17,10 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr std::uint64_t kSeed = 41;
-
 class VertexWaveTest : public ::testing::Test {
  protected:
+  static constexpr std::uint64_t kSeed = 41;
+
   // Draws a mesh's vertices and normals at random.
   void draw(std::size_t count) {
     const auto vector = [this] {

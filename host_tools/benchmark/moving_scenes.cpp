@@ -1,0 +1,119 @@
+#include "host_tools/benchmark/moving_scenes.h"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "host_tools/mesh/icosphere.h"
+#include "host_tools/simulation/random.h"
+#include "rendering/friction/friction_model.h"
+#include "rendering/limits.h"
+
+namespace tactus::host {
+namespace {
+
+constexpr double kPathRadius_m = 0.002;
+constexpr double kPathTick_s = 0.001;
+
+// Returns a vector of three draws from -most to most.
+Vec3 draw(SplitMix64& random, double most) {
+  Vec3 drawn;
+  for (double& along : drawn) {
+    along = random.uniform(-most, most);
+  }
+  return drawn;
+}
+
+// Returns an object of the mesh with a motion of its own.
+BakedObject moving_object(std::string name, const TriangleMesh& mesh,
+                          const rendering::Motion& motion) {
+  return {.name = std::move(name),
+          .material = {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)},
+          .mesh = bake_mesh(mesh),
+          .motion = {.moves = true, .motion = motion}};
+}
+
+// Returns a level square of `side` times `side` vertices about the middle of the world, at a
+// height.
+TriangleMesh level_square(std::uint32_t side, double length_m, double height_m) {
+  TriangleMesh mesh;
+  const double last = side - 1;
+  for (std::uint32_t i = 0; i < side; ++i) {
+    for (std::uint32_t j = 0; j < side; ++j) {
+      mesh.vertices.push_back(rendering::to_float3(
+          {length_m * (i / last - 0.5), length_m * (j / last - 0.5), height_m}));
+    }
+  }
+  for (std::uint32_t i = 0; i + 1 < side; ++i) {
+    for (std::uint32_t j = 0; j + 1 < side; ++j) {
+      const std::uint32_t a = i * side + j;
+      const std::uint32_t b = a + side;
+      mesh.triangles.push_back({a, b, b + 1});
+      mesh.triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+MovingScene swarm(const std::string& name, int level, double speed, std::size_t ticks) {
+  constexpr std::uint64_t kSeed = 1;
+  constexpr int kAlongEdge = 4;
+  static_assert(kAlongEdge * kAlongEdge * kAlongEdge == rendering::kMaxMovers);
+  constexpr double kGridStep_m = 0.008;
+  constexpr double kJitter_m = 0.002;
+  constexpr double kRadius_m = 0.005;
+  constexpr double kSway_m = 0.004;
+  constexpr double kPath_m = 0.012;
+  SplitMix64 random(kSeed);
+  MovingScene swarm{.name = name, .scene = {.tool_radius_m = kPathRadius_m}};
+  const TriangleMesh ball = icosphere(kRadius_m, level);
+  for (std::size_t i = 0; i < rendering::kMaxMovers; ++i) {
+    const auto x = static_cast<double>(i % kAlongEdge);
+    const auto y = static_cast<double>(i / kAlongEdge % kAlongEdge);
+    const auto z = static_cast<double>(i / kAlongEdge / kAlongEdge);
+    const Vec3 middle = Vec3::Constant(0.5 * (kAlongEdge - 1));
+    const Vec3 place = kGridStep_m * (Vec3{x, y, z} - middle) + draw(random, kJitter_m);
+    TriangleMesh mesh = ball;
+    for (rendering::Float3& vertex : mesh.vertices) {
+      vertex = rendering::to_float3(rendering::to_vec3(vertex) + place);
+    }
+    rendering::Motion motion{.pivot_W = place};
+    motion.sway_W = draw(random, kSway_m * speed);
+    motion.sway_Hz = speed * random.uniform(0.5, 3.0);
+    motion.spin_W = draw(random, 3.0 * speed);
+    swarm.scene.objects.push_back(moving_object("ball " + std::to_string(i), mesh, motion));
+  }
+  for (std::size_t i = 0; i < ticks; ++i) {
+    const double t = kPathTick_s * static_cast<double>(i);
+    swarm.path.push_back(kPath_m *
+                         Vec3{std::sin(2.6 * t + 1.2), std::sin(3.4 * t), std::cos(2.2 * t)});
+  }
+  return swarm;
+}
+
+MovingScene sheets(std::size_t ticks) {
+  constexpr std::uint32_t kSide = 22;
+  constexpr double kLength_m = 0.1;
+  constexpr double kApart_m = 0.02;
+  MovingScene pile{.name = "8 sheets", .scene = {.tool_radius_m = kPathRadius_m}};
+  for (std::size_t k = 0; k < rendering::kMaxDeformables; ++k) {
+    const auto number = static_cast<double>(k);
+    const TriangleMesh sheet = level_square(kSide, kLength_m, kApart_m * (number - 3.5));
+    const rendering::Motion motion{
+        .wave_m = 0.005, .wave_Hz = 1.0 + 0.3 * number, .wave_per_m = {20.0, 7.0 + number, 0.0}};
+    BakedObject object = moving_object("sheet " + std::to_string(k), sheet, motion);
+    object.sides = rendering::Sides::two;
+    object.motion.deforms = true;
+    pile.scene.objects.push_back(std::move(object));
+  }
+  for (std::size_t i = 0; i < ticks; ++i) {
+    const double t = kPathTick_s * static_cast<double>(i);
+    pile.path.emplace_back(0.03 * std::sin(2.0 * t), 0.03 * std::cos(1.3 * t),
+                           0.01 + 0.03 * std::cos(3.0 * t));
+  }
+  return pile;
+}
+
+}  // namespace tactus::host

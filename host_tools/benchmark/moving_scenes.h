@@ -1,0 +1,28 @@
+// Scenes of objects that move or deform, as many as a world can hold, to measure what a tick of
+// them takes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host_tools/bake/scene/image_writer.h"
+
+namespace tactus::host {
+
+// A scene with a path of the tool through it: its positions in every tick of 1 ms, m, world frame.
+struct MovingScene {
+  std::string name;
+  BakedScene scene;
+  std::vector<Vec3> path;
+};
+
+// Returns 64 balls of 5 mm radius that sway and turn in a cube of 34 mm, through one another and
+// about a tool of 2 mm radius, which circles within 12 mm of the middle. They are meshes of
+// 20 * 4^level triangles, and sway by up to 4 mm at 0.5 to 3 Hz, both times `speed`.
+MovingScene swarm(const std::string& name, int level, double speed, std::size_t ticks);
+
+// Returns eight sheets of 484 vertices and 0.1 m length in a pile, each of which waves by 5 mm at 1
+// to 3.1 Hz. A tool of 2 mm radius goes up and down between them.
+MovingScene sheets(std::size_t ticks);
+
+}  // namespace tactus::host
