@@ -1,6 +1,7 @@
 #include "rendering/objects/movers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "rendering/tick_budget.h"
@@ -11,6 +12,20 @@ namespace {
 // The bounds of a plane that moves. The box of a plane at rest is the world's, and would move
 // along.
 const Bounds kEverywhere{.lower_W = Vec3::Constant(-1e6), .upper_W = Vec3::Constant(1e6)};
+
+// Returns the distance from the middle of the box to the farthest vertex of a rigid mesh, m;
+// infinity for another object.
+double farthest_vertex_m(const Object& object, const Bounds& box_O) {
+  if (object.surface != SurfaceKind::mesh || object.deforms) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Vec3 middle_O = 0.5 * (box_O.lower_W + box_O.upper_W);
+  double squared = 0.0;
+  for (const Float3& vertex : object.mesh.vertices) {
+    squared = std::max(squared, (to_vec3(vertex) - middle_O).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
 
 // Returns true if the pose is a rotation to 1e-9 and within the world. A component that is not a
 // number fails, because it propagates to the maximum.
@@ -47,10 +62,15 @@ bool Mover::is_passed_by(const Vec3& from_W, double distance_m, double reach_m) 
 }
 
 // The radius has room for the roundings of places in the world.
-void Mover::enclose() {
+void Mover::set_bounds(const Bounds& box_O, double reaches_m) {
   constexpr double kRounding_m = 1e-9;
+  bounds_O = box_O;
+  const double corner_m = 0.5 * (box_O.upper_W - box_O.lower_W).norm();
+  radius_m = std::min(corner_m, reaches_m) * (1.0 + kRounding_m) + kRounding_m;
+}
+
+void Mover::place_ball() {
   const Vec3 middle_O = 0.5 * (bounds_O.lower_W + bounds_O.upper_W);
-  radius_m = 0.5 * (bounds_O.upper_W - bounds_O.lower_W).norm() * (1.0 + kRounding_m) + kRounding_m;
   middle_W = X_WO.point(middle_O);
   middle_before_W = X_WO_before.point(middle_O);
   shift_m = (middle_W - middle_before_W).norm();
@@ -76,14 +96,12 @@ bool Movers::start_one(std::uint32_t number) {
   mover_of_[number] = static_cast<std::uint8_t>(count_);
   orders_[count_] = {};
   Mover& mover = movers_[count_++];
-  mover = {.object = number,
-           .primitive_W = object.primitive,
-           .bounds_O = bounds_of(object),
-           .motion = object.motion};
-  if (object.surface == SurfaceKind::primitive && object.primitive.kind == PrimitiveKind::plane) {
-    mover.bounds_O = kEverywhere;
-  }
-  mover.enclose();
+  mover = {.object = number, .primitive_W = object.primitive, .motion = object.motion};
+  const bool is_plane =
+      object.surface == SurfaceKind::primitive && object.primitive.kind == PrimitiveKind::plane;
+  const Bounds box_O = is_plane ? kEverywhere : bounds_of(object);
+  mover.set_bounds(box_O, farthest_vertex_m(object, box_O));
+  mover.place_ball();
   if (!object.deforms) {
     return true;
   }
@@ -188,11 +206,11 @@ std::size_t Movers::begin_tick_of(std::size_t k, double time_s) {
     // The box of a mesh that deforms changes, and its hierarchy lags the vertices by the slack.
     const BvhNode& root = mover.deformable->now().nodes[0];
     const Vec3 slack = Vec3::Constant(mover.deformable->slack_m());
-    mover.bounds_O = {.lower_W = to_vec3(root.lower) - slack,
-                      .upper_W = to_vec3(root.upper) + slack};
+    mover.set_bounds(
+        {.lower_W = to_vec3(root.lower) - slack, .upper_W = to_vec3(root.upper) + slack});
     mover.moved = mover.moved || mover.deformable->step_m() > 0.0;
   }
-  mover.enclose();
+  mover.place_ball();
   return cost;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "rendering/geometry/rigid_pose.h"
@@ -44,27 +45,30 @@ struct Mover {
   // True if the object has moved or deformed since the last tick.
   bool moved = false;
 
-  // A ball about the box, which rules out most objects at a fraction of the box's cost: its middle
-  // now and in the last tick (world frame, m), its radius, how far the middle has moved since (m),
-  // and the most that a vector of length 1 has been turned by. They follow from the poses and the
-  // box (enclose()).
+  // A ball about all that the proxy can touch, which rules out most objects at a fraction of the
+  // box's cost: its middle now and in the last tick (world frame, m), its radius, how far the
+  // middle has moved since (m), and the most that a vector of length 1 has been turned by. It is in
+  // the middle of the box.
   Vec3 middle_W = Vec3::Zero();
   Vec3 middle_before_W = Vec3::Zero();
   double radius_m = 0.0;
   double shift_m = 0.0;
   double turn = 0.0;
 
-  // Return true if the object's box comes within `reach_m` of p_W: at its place now, and at its
-  // place in the last tick.
+  // Return true if the object's box and ball come within `reach_m` of p_W: at its place now, and at
+  // its place in the last tick.
   [[nodiscard]] bool is_near(const Vec3& p_W, double reach_m) const;
   [[nodiscard]] bool was_near(const Vec3& p_W, double reach_m) const;
   // Returns true if a point that goes from `from_W` in the last tick to `to_W` in this one, which
-  // are `distance_m` apart, stays farther than `reach_m` from the box, seen from the object. It may
-  // return false for another one too.
+  // are `distance_m` apart, stays farther than `reach_m` from the ball, seen from the object. It
+  // may return false for another one too.
   [[nodiscard]] bool is_passed_by(const Vec3& from_W, double distance_m, double reach_m) const;
 
-  // Sets the ball to the poses and the box.
-  void enclose();
+  // Sets the box, and the ball's radius so that it holds the box. `reaches_m` says that nothing of
+  // the object is farther from the box's middle than that.
+  void set_bounds(const Bounds& box_O, double reaches_m = std::numeric_limits<double>::infinity());
+  // Sets the ball's place from the poses and the box.
+  void place_ball();
 };
 
 // Convert points and directions to the frame O of an object and back. A mover of nullptr is an

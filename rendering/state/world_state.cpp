@@ -88,7 +88,10 @@ void Movers::transfer_one(StateArchive& archive, std::size_t k) {
   archive.require(!moves_by_itself || objects_[object].motion != nullptr);
   if (archive.is_reading()) {
     motion = moves_by_itself && archive.good() ? objects_[object].motion : nullptr;
-    movers_[k].enclose();
+    if (objects_[object].deforms) {
+      movers_[k].set_bounds(bounds_O);
+    }
+    movers_[k].place_ball();
   }
 }
 
