@@ -1,0 +1,40 @@
+#include "host_tools/benchmark/moving_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "rendering/scene/scene_image.h"
+#include "rendering/world/world.h"
+
+namespace tactus::host {
+namespace {
+
+// As many objects move as may, and the tool touches them.
+TEST(MovingScenes, FillTheWorldAndAreTouched) {
+  constexpr std::size_t kTicks = 1000;
+  for (const MovingScene& moving : {swarm("balls", 2, 1.0, kTicks), sheets(kTicks)}) {
+    SCOPED_TRACE(moving.name);
+    const std::vector<std::byte> bytes = write_image(moving.scene);
+    const auto image = rendering::SceneImage::open(bytes);
+    ASSERT_TRUE(image.has_value());
+    const auto movers = std::ranges::count_if(image->objects(), rendering::is_mover);
+    const auto deforming = std::ranges::count_if(image->objects(), &rendering::Object::deforms);
+    EXPECT_TRUE(std::cmp_equal(movers, rendering::kMaxMovers) ||
+                std::cmp_equal(deforming, rendering::kMaxDeformables));
+    const auto world = std::make_unique<rendering::World>();
+    ASSERT_TRUE(world->set_scene(image->objects(), {.tool_radius_m = moving.scene.tool_radius_m}));
+    ASSERT_EQ(moving.path.size(), kTicks);
+    std::size_t contacts = 0;
+    for (const Vec3& p : moving.path) {
+      contacts += world->touch({.p_W = p}).contact != rendering::ContactKind::none ? 1U : 0U;
+    }
+    EXPECT_GT(contacts, kTicks / 2);
+  }
+}
+
+}  // namespace
+}  // namespace tactus::host
