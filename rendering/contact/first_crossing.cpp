@@ -132,8 +132,23 @@ class Search {
     if (is_bounded(range) && range.slope.upper() <= 0.0) {
       return value(b) >= 0.0;
     }
-    return least_value({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)}, range.slope) >=
-           0.0;
+    const double least =
+        least_value({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)}, range.slope);
+    return least >= 0.0 && (!is_near_zero(least, *a.value + *b.value, range) ||
+                            least > rounding_at(a.t) + rounding_at(b.t));
+  }
+
+  // Returns true if rounding may have made a least value that is not below 0: F nearly reaches 0
+  // in a kink, as |x| does, or is 0 but for rounding at both ends.
+  static bool is_near_zero(double least, double ends, const SegmentRange& range) {
+    constexpr double kNear = 1e-6;
+    return least <= kNear * ends || ends <= kNear * range.value.upper();
+  }
+
+  // Returns a bound of the rounding in F at one place.
+  double rounding_at(double t) {
+    const Interval value = field_.along(from_, segment_, {t, t}).value;
+    return value.upper() - value.lower();
   }
 
   // F falls all the way from a to b, and below 0: false position. An end that stays a second time

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -16,20 +15,6 @@ using rendering::FormulaView;
 constexpr unsigned kCorners = CellTree::kCorners;
 constexpr unsigned kAllCorners = (1U << kCorners) - 1;
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-
-// Returns true if edges of a cell connect all corners of the set, which is not empty.
-bool is_connected(unsigned set) {
-  unsigned found = set & (~set + 1U);
-  for (unsigned before = 0; before != found;) {
-    before = found;
-    for (unsigned k = 0; k < kCorners; ++k) {
-      if ((before >> k & 1U) != 0) {
-        found |= (1U << (k ^ 1U) | 1U << (k ^ 2U) | 1U << (k ^ 4U)) & set;
-      }
-    }
-  }
-  return found == set;
-}
 
 // Returns the zero between two points, of which the formula is below 0 at `in` alone, to a small
 // part of their distance. The method is the Illinois one (Dowell and Jarratt, BIT 11, 1971): the
@@ -255,44 +240,6 @@ class Contour {
 
 ContourMesh dual_contour(const FormulaView& formula, const CellTree& tree) {
   return Contour(formula, tree).mesh();
-}
-
-// A bulge of the surface that hardly comes through one side of the cell does not count. Newton's
-// method leads to sheets that are thinner than the distance of the places looked at.
-bool is_too_coarse(const FormulaView& formula, const CellTree& tree, const Leaf& leaf) {
-  const unsigned inside = tree.inside(leaf);
-  if (inside != 0 && inside != kAllCorners) {
-    return !is_connected(inside) || !is_connected(kAllCorners & ~inside);
-  }
-  constexpr int kPlaces = 3;
-  constexpr int kSteps = 3;
-  constexpr double kBeyond = 1.01;
-  const auto& [low, high] = corners_of(tree, leaf);
-  const auto is_other_side = [&](const Vec3& p) {
-    return (evaluate(formula, p) < 0.0) != (inside != 0);
-  };
-  for (int i = 0; i < kPlaces * kPlaces * kPlaces; ++i) {
-    const int z = i / (kPlaces * kPlaces);
-    const Vec3 part(i % kPlaces + 1, i / kPlaces % kPlaces + 1, z + 1);
-    if (is_other_side(low + (high - low).cwiseProduct(part) / (kPlaces + 1))) {
-      return true;
-    }
-  }
-  Vec3 p = 0.5 * (low + high);
-  for (int i = 0; i < kSteps; ++i) {
-    const rendering::ValueAndGradient there = evaluate_gradient(formula, p);
-    const Vec3 step = -there.value / there.gradient.squaredNorm() * there.gradient;
-    const Vec3 beyond = p + kBeyond * step;
-    if (!beyond.allFinite() || (beyond.array() <= low.array()).any() ||
-        (beyond.array() >= high.array()).any()) {
-      return false;
-    }
-    if (is_other_side(beyond)) {
-      return true;
-    }
-    p += step;
-  }
-  return false;
 }
 
 std::optional<Vec3> surface_along(const FormulaView& formula, const Vec3& p, const Vec3& direction,

@@ -29,11 +29,6 @@ struct ContourMesh {
 // corners of cells.
 ContourMesh dual_contour(const rendering::FormulaView& formula, const CellTree& tree);
 
-// Returns true if the surface may be finer than the cell, so that a vertex is too little for it:
-// the corners on one side of the surface are not connected by edges, or the sign changes well
-// within the cell and at none of its corners.
-bool is_too_coarse(const rendering::FormulaView& formula, const CellTree& tree, const Leaf& leaf);
-
 // Returns the point on the surface that is nearest to p along a line in that unit direction, within
 // `most` of p; nothing if the formula keeps its sign there. Formula's frame and units.
 std::optional<Vec3> surface_along(const rendering::FormulaView& formula, const Vec3& p,

@@ -14,7 +14,10 @@
 #include <vector>
 
 #include "host_tools/bake/formula/dual_contour.h"
+#include "host_tools/bake/formula/fine_parts.h"
 #include "host_tools/bake/formula/formula_warnings.h"
+#include "host_tools/bake/formula/zero_bounds.h"
+#include "host_tools/bake/formula/zero_search.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -72,28 +75,6 @@ double distance_bound(const FormulaView& formula, const std::array<Vec3, 3>& cor
         std::max(largest, std::min(most, distance_bound(formula, p, across, most, tolerance)));
   }
   return largest;
-}
-
-// Splits the cells in which the surface is finer than the cell, down to a size. Returns a place of
-// those that are left.
-std::optional<Vec3> split_unclear(const FormulaView& formula, CellTree& tree, int least_size) {
-  std::optional<Vec3> left;
-  for (std::vector<Leaf> cells(1); !cells.empty();) {
-    cells.clear();
-    left.reset();
-    tree.for_each_leaf([&](const Leaf& leaf) {
-      if (is_too_coarse(formula, tree, leaf)) {
-        left = tree.corner(leaf.from);
-        if (leaf.size > least_size) {
-          cells.push_back(leaf);
-        }
-      }
-    });
-    for (const Leaf& cell : cells) {
-      tree.split(cell, 1);
-    }
-  }
-  return left;
 }
 
 // The cells to be split so that the mesh comes near enough.
@@ -160,32 +141,70 @@ ContourMesh near_mesh(const FormulaView& formula, CellTree& tree, const FormulaM
   }
 }
 
-}  // namespace
+// Cells in which the surface is hardly finer than the cell.
+struct Cells {
+  CellTree tree;
+  // A place where it still is.
+  std::optional<Vec3> unclear;
+  // The side of the smallest of them, m.
+  double smallest_m = 0.0;
+};
 
-ImportedMesh mesh_formula(const FormulaView& formula, const Box& bounds,
-                          const FormulaMeshPlan& plan) {
+Cells cut_into_cells(const FormulaView& formula, const Box& bounds, const FormulaMeshPlan& plan) {
   const double cell_m =
       (bounds.upper - bounds.lower).maxCoeff() * plan.unit_m / CellTree::kFirstCells;
   const int levels = std::max(kSplitsWhereUnclear,
                               static_cast<int>(std::ceil(std::log2(cell_m / plan.tolerance_m))));
   CellTree tree(formula, bounds, levels);
   const auto unclear = split_unclear(formula, tree, tree.first_size() >> kSplitsWhereUnclear);
-  ContourMesh mesh = near_mesh(formula, tree, plan);
-  const double unclear_m = std::ldexp(cell_m, -kSplitsWhereUnclear);
+  return {.tree = std::move(tree),
+          .unclear = unclear,
+          .smallest_m = std::ldexp(cell_m, -kSplitsWhereUnclear)};
+}
+
+// Returns bounds that hold all of the surface, if they are much smaller along an axis than those of
+// the scene: a shape that is small or flat then has finer cells.
+std::optional<Box> fitted_bounds(const FormulaView& formula, const Box& bounds) {
+  constexpr double kMuch = 0.25;
+  const Box box = bounds_of_zeros(formula, bounds);
+  const bool is_smaller =
+      ((box.upper - box.lower).array() < kMuch * (bounds.upper - bounds.lower).array()).any();
+  return is_smaller ? std::optional(box) : std::nullopt;
+}
+
+// Throws InputError that says why a mesh is empty.
+[[noreturn]] void fail_without_triangles(const FormulaView& formula, const Box& bounds,
+                                         const FormulaMeshPlan& plan, const Cells& cells) {
+  const ZeroSearch zero = search_zero(formula, bounds, plan.unit_m);
+  throw InputError(zero.kind == ZeroKind::crossed
+                       ? fmt::format("the surface at about {} is thinner than {:.2g} m; narrow the "
+                                     "bounds, or write contact = \"tracking\"",
+                                     place_text(cells.unclear.value_or(zero.place), bounds),
+                                     cells.smallest_m)
+                       : why_nowhere_zero(zero, bounds, plan.unit_m));
+}
+
+}  // namespace
+
+ImportedMesh mesh_formula(const FormulaView& formula, const Box& bounds,
+                          const FormulaMeshPlan& plan) {
+  Cells cells = cut_into_cells(formula, bounds, plan);
+  if (cells.unclear) {
+    if (const auto fitted = fitted_bounds(formula, bounds)) {
+      cells = cut_into_cells(formula, *fitted, plan);
+    }
+  }
+  ContourMesh mesh = near_mesh(formula, cells.tree, plan);
   if (mesh.triangles.empty()) {
-    throw InputError(unclear
-                         ? fmt::format("the surface at about {} is thinner than {:.2g} m; narrow "
-                                       "the bounds, or write contact = \"tracking\"",
-                                       place_text(*unclear, bounds), unclear_m)
-                         : why_nowhere_zero(formula, bounds));
+    fail_without_triangles(formula, bounds, plan, cells);
   }
   ImportedMesh result{.vertices = std::move(mesh.vertices), .triangles = std::move(mesh.triangles)};
-  if (unclear) {
+  if (cells.unclear) {
     result.notes.push_back(fmt::format(
         "at about {}, in the formula's units, parts of its surface are nearer to each other than "
         "{:.2g} m, and the mesh may join them or leave one out; narrow the bounds, or write "
         "contact = \"tracking\"",
-        place_text(*unclear, bounds), unclear_m));
+        place_text(*cells.unclear, bounds), cells.smallest_m));
   }
   return result;
 }

@@ -139,28 +139,37 @@ std::vector<std::string> formula_warnings(const FormulaView& formula, const Box&
   return warnings;
 }
 
-std::string why_nowhere_zero(const FormulaView& formula, const Box& bounds) {
-  Vec3 nearest = bounds.lower;
-  double least = std::numeric_limits<double>::infinity();
-  any_point(bounds, [&](const Vec3& p, bool /*on_border*/) {
-    const double f = evaluate(formula, p);
-    if (std::abs(f) < std::abs(least)) {
-      least = f;
-      nearest = p;
-    }
-    return false;
-  });
-  const std::string place = place_text(nearest, bounds);
-  if (least == 0.0) {
-    return fmt::format(
-        "the formula touches 0 at {} and never changes its sign, so it has no inside; subtract a "
-        "little, as in x^2 - 0.001^2, which is a wall 0.002 thick",
-        place);
+std::string why_nowhere_zero(const ZeroSearch& zero, const Box& bounds, double unit_m) {
+  constexpr double kMillimetres = 1000.0;
+  const std::string place = place_text(zero.place, bounds);
+  const std::string_view side = zero.value > 0.0 ? "above" : "below";
+  switch (zero.kind) {
+    case ZeroKind::crossed:
+      return fmt::format("the formula changes its sign at {}", place);
+    case ZeroKind::touched:
+      return fmt::format(
+          "the formula touches 0 at {} and never changes its sign, so it has no inside; write "
+          "contact = \"tracking\", which feels it as a wall, or subtract a little, as in x^2 - "
+          "0.001^2, which is a wall 0.002 thick",
+          place);
+    case ZeroKind::flat:
+      return fmt::format(
+          "the formula is 0 in a whole region about {} and was not found to change its sign, so it "
+          "has no surface; subtract a little",
+          place);
+    case ZeroKind::none:
+      return fmt::format(
+          "the formula is {} 0 everywhere within its bounds, nearest to it at {} with {:.4g}; "
+          "interval arithmetic proves it; correct it, or widen bounds",
+          side, place, zero.value);
+    default:
+      return fmt::format(
+          "the formula is {} 0 wherever it was looked at within its bounds, nearest to it at {} "
+          "with {:.4g}; nothing is proved of parts of {:.2g} mm and less, one of them at {}; "
+          "correct it, narrow the bounds, or widen them",
+          side, place, zero.value, kMillimetres * unit_m * zero.undecided_size,
+          place_text(zero.undecided, bounds));
   }
-  return fmt::format(
-      "the formula is {} 0 everywhere within its bounds, nearest to it at {} with {:.4g}; correct "
-      "it, or widen bounds",
-      least > 0.0 ? "above" : "below", place, least);
 }
 
 }  // namespace tactus::host

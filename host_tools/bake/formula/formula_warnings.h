@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/bake/formula/zero_search.h"
 #include "rendering/surface/implicit_surface.h"
 
 namespace tactus::host {
@@ -14,9 +15,10 @@ namespace tactus::host {
 std::vector<std::string> formula_warnings(const rendering::FormulaView& formula,
                                           const rendering::Box& bounds, rendering::Sides sides);
 
-// Returns a sentence that says why a formula without a surface has none: on which side of 0 it is,
-// and how near it comes.
-std::string why_nowhere_zero(const rendering::FormulaView& formula, const rendering::Box& bounds);
+// Returns a sentence that says why a formula has no surface with an inside, from what a search of
+// its bounds has found: on which side of 0 it is, how near it comes and down to which size it was
+// searched. `unit_m` is the length of its unit in m.
+std::string why_nowhere_zero(const ZeroSearch& zero, const rendering::Box& bounds, double unit_m);
 
 // Returns a place within the bounds as "(0.5, 0, -1)"; what is 0 but for rounding becomes 0.
 std::string place_text(const Vec3& place, const rendering::Box& bounds);

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <iterator>
+#include <utility>
 
 #include "hal/angle.h"
 #include "host_tools/bake/scene/corner_normals.h"
@@ -61,10 +62,16 @@ void add_detail(const ObjectDescription& object, const std::string& scene, Baked
   }
 }
 
-// Bakes the mesh by which a primitive or a formula is shown.
-BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene) {
+// Bakes the mesh by which a primitive or a formula is shown. Adds what it does not show to the
+// warnings.
+BakedMesh bake_picture(const ObjectDescription& object, const std::string& scene,
+                       std::vector<std::string>& warnings) {
   try {
-    return bake_mesh(picture_of(object.shape, object.placement));
+    FormulaPicture picture = picture_of(object.shape, object.placement, object.sides);
+    for (const std::string& note : picture.notes) {
+      warnings.push_back(fmt::format("{}: {}", object.name, note));
+    }
+    return bake_mesh(std::move(picture.mesh));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}: {}", scene, object.line, error.what()));
   }
@@ -79,7 +86,7 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
   BakedObject baked{.name = object.name,
                     .sides = object.sides,
                     .material = object.material,
-                    .mesh = bake_picture(object, scene),
+                    .mesh = bake_picture(object, scene, warnings),
                     .shape = object.shape,
                     .placement = object.placement,
                     .contact = object.contact,

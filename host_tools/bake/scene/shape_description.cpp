@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "host_tools/bake/formula/formula_warnings.h"
 #include "host_tools/input_error.h"
-#include "host_tools/mesh/level_set.h"
 #include "host_tools/mesh/primitive_mesh.h"
 
 namespace tactus::host {
@@ -198,25 +196,20 @@ const ImplicitDescription* meshed_formula(const ShapeDescription& shape, Contact
   return contact == ContactMethod::tracking ? nullptr : std::get_if<ImplicitDescription>(&shape);
 }
 
-TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement) {
-  // Parts of the box along each side, for the picture.
-  constexpr int kCells = 40;
+FormulaPicture picture_of(const ShapeDescription& shape, const Placement& placement,
+                          rendering::Sides sides) {
   if (const auto* primitive = std::get_if<Primitive>(&shape)) {
-    return primitive_mesh(*primitive);
+    return {.mesh = primitive_mesh(*primitive), .notes = {}};
   }
   const auto& implicit = std::get<ImplicitDescription>(shape);
-  const rendering::FormulaView formula = implicit.formula.view();
-  TriangleMesh mesh = mesh_level_set([&](const Vec3& p) { return evaluate(formula, p); },
-                                     implicit.bounds_O.lower, implicit.bounds_O.upper, kCells);
-  if (mesh.triangles.empty()) {
-    throw InputError(why_nowhere_zero(formula, implicit.bounds_O));
-  }
-  for (rendering::Float3& v : mesh.vertices) {
+  FormulaPicture picture =
+      draw_formula(implicit.formula.view(), implicit.bounds_O, placement.scale, sides);
+  for (rendering::Float3& v : picture.mesh.vertices) {
     const Vec3 p =
         placement.position_m + placement.rotation * (placement.scale * rendering::to_vec3(v));
     v = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
   }
-  return mesh;
+  return picture;
 }
 
 }  // namespace tactus::host

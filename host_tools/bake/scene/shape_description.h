@@ -6,6 +6,7 @@
 
 #include "host_tools/bake/formula/formula_mesh.h"
 #include "host_tools/bake/formula/formula_parser.h"
+#include "host_tools/bake/formula/formula_picture.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/bake/toml/toml_section.h"
 #include "rendering/objects/object.h"
@@ -48,8 +49,9 @@ rendering::ContactMethod read_contact(const TomlSection& section, const ShapeDes
 const ImplicitDescription* meshed_formula(const ShapeDescription& shape,
                                           rendering::ContactMethod contact);
 
-// Returns a mesh of the shape, for pictures and for the path of a simulated hand. Throws
-// InputError, without a file name, if the formula has no surface within its bounds.
-TriangleMesh picture_of(const ShapeDescription& shape, const Placement& placement);
+// Returns a mesh of the shape in the world frame, m, for pictures and for the path of a simulated
+// hand. Throws InputError, without a file name, if the formula has no surface within its bounds.
+FormulaPicture picture_of(const ShapeDescription& shape, const Placement& placement,
+                          rendering::Sides sides);
 
 }  // namespace tactus::host

@@ -44,6 +44,20 @@ TEST(FirstCrossing, CatchesASheetOfANanometreInOneStepOfAMetre) {
   EXPECT_NEAR(crossing.free_to, 0.3, 2e-9);
 }
 
+// f touches 0 in a kink, or is 0 but for rounding, and has the same sign on both sides.
+TEST(FirstCrossing, IsBlockedByAWallWithoutAnInside) {
+  for (const char* text : {"x^2", "abs(x)", "abs(x - 0.37)", "x^2 - 0.74*x + 0.1369",
+                           "abs(exp(x) - exp(0.37))", "abs(x + 2*y + 2*z - 0.3)"}) {
+    const FormulaSurface wall(text, 1.0);
+    for (int i = 0; i < 200; ++i) {
+      const double side = i % 2 == 0 ? 1.0 : -1.0;
+      const Vec3 from(side * (0.6 + 0.001 * i), 0.003, 0.002);
+      const Vec3 to(-side * (0.4 + 0.0017 * i), 0.003, 0.002);
+      EXPECT_EQ(cross(wall, from, to).state, SegmentState::blocked) << text << " " << i;
+    }
+  }
+}
+
 TEST(FirstCrossing, StopsWhereTheBudgetRunsOutWithThePathBehindItFree) {
   const FormulaSurface sphere("sphere(1)");
   const Vec3 from{-3.0, 0.0, 1.001};

@@ -44,7 +44,8 @@ TEST(FormulaWarnings, SwappedSidesAreToldWithTheRemedy) {
 
 TEST(FormulaWarnings, AFormulaWithoutASurfaceIsToldWhyItHasNone) {
   const auto why = [](std::string_view text) {
-    return why_nowhere_zero(parse_formula(text).view(), kBounds);
+    const Formula formula = parse_formula(text);
+    return why_nowhere_zero(search_zero(formula.view(), kBounds, 1.0), kBounds, 1.0);
   };
   EXPECT_TRUE(contains(why("x^2"), "touches 0 at (0, -2, -2) and never changes its sign"));
   EXPECT_TRUE(contains(why("x^2 + y^2 + 3"), "above 0 everywhere"));

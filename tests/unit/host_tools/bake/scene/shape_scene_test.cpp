@@ -37,6 +37,9 @@ class ShapeScene : public ::testing::Test {
     bake_file(folder_.write("scene.toml", text), folder_.path() / "scene.tactus");
     return MappedScene(folder_.path() / "scene.tactus");
   }
+  host::BakeReport reported(const std::string& text) {
+    return bake_file(folder_.write("scene.toml", text), folder_.path() / "scene.tactus");
+  }
   std::string error_of(const std::string& text) {
     return input_error([&] { baked(text); });
   }
@@ -123,6 +126,79 @@ TEST_F(ShapeScene, APoleIsToldBeforeAFormulaIsCutIntoTriangles) {
       error_of("[[object]]\nformula = \"1/(x - 0.5)^2 - 1\"\ncontact = \"sphere_proxy\"\n");
   EXPECT_TRUE(contains(pole, "scene.toml:2: the formula has a pole at about (0.5, "));
   EXPECT_EQ(pole.find("scene.toml"), pole.rfind("scene.toml")) << pole;
+}
+
+// The closed form: the stiffness times the depth below the face, also where the tool is beyond the
+// other face.
+TEST_F(ShapeScene, WallsThatAreThinOrHaveNoInsideAreFeltFromBothSides) {
+  struct Wall {
+    const char* formula;
+    // Its middle, and half of its thickness, m.
+    double x_m;
+    double half_m;
+    const char* scale;
+  };
+  for (const Wall& wall :
+       {Wall{"translate(box(0.12, 100, 100), 13.3, 0, 0)", 0.0133, 6e-5, "0.001"},
+        Wall{"translate(box(0.02, 100, 100), 13.3, 0, 0)", 0.0133, 1e-5, "0.001"},
+        Wall{"abs(x - 13.37) - 0.01", 0.01337, 1e-5, "0.001"}, Wall{"x^2", 0.0, 0.0, "1.0"},
+        Wall{"(x - 0.37)^4", 0.37, 0.0, "1.0"}, Wall{"abs(x)", 0.0, 0.0, "1.0"},
+        Wall{"abs(x - 0.37)", 0.37, 0.0, "1.0"}, Wall{"shell(x - 0.37, 0)", 0.37, 0.0, "1.0"},
+        Wall{"x^2 - 0.74*x + 0.1369", 0.37, 0.0, "1.0"}}) {
+    const MappedScene scene =
+        baked(std::string("[[object]]\nformula = \"") + wall.formula + "\"\nscale = " + wall.scale +
+              "\nbounds = [-60, -60, -60, 60, 60, 60]\nstiffness_N_per_m = 1000.0\n");
+    for (const double side : {-1.0, 1.0}) {
+      const auto world = std::make_unique<World>();
+      ASSERT_TRUE(world->set_scene(scene.image().objects(), {.tool_radius_m = 0.0}));
+      for (int i = -100; i <= 200; ++i) {
+        const double depth_m = 1.3e-5 * i;
+        const double x_m = wall.x_m + side * (wall.half_m - depth_m);
+        const Touch touch = world->touch({.p_W = {x_m, 0.002, 0.003}});
+        ASSERT_LT((touch.force_W - side * 1000.0 * std::max(0.0, depth_m) * Vec3::UnitX()).norm(),
+                  5e-4)
+            << wall.formula << ", " << side << ", " << depth_m;
+      }
+    }
+  }
+}
+
+TEST_F(ShapeScene, ThinShapesAreDrawnWhereTheyAre) {
+  const std::string box = "\nscale = 0.001\nbounds = [-60, -60, -60, 60, 60, 60]\n";
+  const MappedScene plate =
+      baked("[[object]]\nformula = \"translate(box(100, 0.02, 100), 0, 13.37, 0)\"" + box);
+  const auto& root = plate.image().objects()[0].mesh.nodes.front();
+  EXPECT_NEAR(root.lower.y, 0.01336, 1e-7);
+  EXPECT_NEAR(root.upper.y, 0.01338, 1e-7);
+  EXPECT_NEAR(root.upper.x - root.lower.x, 0.1, 1e-4);
+  const MappedScene ball =
+      baked("[[object]]\nformula = \"translate(sphere(0.6), 13.3, 7.1, -9.2)\"" + box);
+  const auto& about = ball.image().objects()[0].mesh.nodes.front();
+  EXPECT_NEAR(about.upper.x - about.lower.x, 0.0012, 2e-5);
+  EXPECT_NEAR(about.lower.z, -0.0098, 1e-5);
+}
+
+// A plate that lies askew is thinner than the cells of any picture.
+TEST_F(ShapeScene, ShapesThatAreDrawnThickerAreToldSo) {
+  const host::BakeReport askew = reported(
+      "[[object]]\nformula = \"rotate(box(50, 0.02, 50), 1, 2, 3, 33)\"\nscale = 0.001\n"
+      "bounds = [-60, -60, -60, 60, 60, 60]\n");
+  ASSERT_EQ(askew.objects[0].warnings.size(), 1U);
+  EXPECT_TRUE(contains(askew.objects[0].warnings[0], "formula: its picture shows it about 0."));
+  const host::BakeReport wall = reported("[[object]]\nformula = \"x^2\"\n");
+  ASSERT_EQ(wall.objects[0].warnings.size(), 2U);
+  EXPECT_TRUE(contains(wall.objects[0].warnings[0], "felt as a wall without an inside"));
+  EXPECT_GT(wall.objects[0].triangles, 0U);
+  EXPECT_TRUE(contains(reported("[[object]]\nformula = \"-x^2\"\n").objects[0].warnings[0],
+                       "it is never felt; write sides = \"two\""));
+}
+
+TEST_F(ShapeScene, AThinPlateIsAMeshToo) {
+  const MappedScene plate = baked(
+      "[[object]]\nformula = \"translate(box(100, 0.02, 100), 0, 13.37, 0)\"\nscale = 0.001\n"
+      "bounds = [-60, -60, -60, 60, 60, 60]\ncontact = \"sphere_proxy\"\n");
+  EXPECT_EQ(plate.image().counters(0).open_edges, 0U);
+  EXPECT_NEAR(plate.image().objects()[0].mesh.nodes.front().upper.y, 0.01338, 1e-7);
 }
 
 TEST_F(ShapeScene, APotentialFieldPopsThroughAThinPlateWhereAProxyHolds) {
