@@ -3,14 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <string>
+#include <vector>
 
 #include "host_tools/bake/scene/closed_volume.h"
 #include "host_tools/bake/scene/friction_description.h"
 #include "host_tools/bake/scene/mapped_scene.h"
+#include "host_tools/bake/scene/open_loops.h"
+#include "host_tools/files/output_place.h"
+#include "host_tools/plot/figures.h"
 
 namespace tactus::host {
 namespace {
@@ -21,13 +27,17 @@ using rendering::SceneImage;
 constexpr const char* kInspectExamples =
     "An image that opens has passed every check: checksum, structure, index ranges, hierarchy.\n"
     "\n"
+    "A hole is a loop of open edges; its size is the diameter of a ball that holds it.\n"
+    "\n"
     "Examples:\n"
     "  tactus inspect scene.tactus\n"
+    "  tactus inspect scene.tactus --picture holes.png     marks the holes of its meshes\n"
     "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'";
 
 // The verb's options as the user gave them.
 struct InspectOptions {
   std::string image;
+  std::string picture;
   bool json = false;
 };
 
@@ -39,6 +49,8 @@ struct ObjectSummary {
   double bytes_per_triangle;
   // Nothing unless the surface is a closed mesh.
   std::optional<ClosedVolume> volume;
+  // The holes of a mesh; none of another surface.
+  std::vector<OpenLoop> holes;
 
   // The corners of the object's box, world frame, m: the root of the hierarchy has them.
   [[nodiscard]] const Float3& lower() const { return object.mesh.nodes.front().lower; }
@@ -47,6 +59,14 @@ struct ObjectSummary {
     return object.sides == rendering::Sides::one ? "one" : "two";
   }
 };
+
+// Returns the holes of an object that is a mesh.
+std::vector<OpenLoop> holes_of(const SceneImage& image, std::size_t index) {
+  const rendering::MeshView& mesh = image.baked_mesh(index).mesh;
+  const bool has_holes = image.objects()[index].surface == rendering::SurfaceKind::mesh &&
+                         image.counters(index).open_edges != 0;
+  return has_holes ? find_open_loops(mesh.vertices, mesh.triangles) : std::vector<OpenLoop>{};
+}
 
 // Returns the summary of one object.
 ObjectSummary summarise(const SceneImage& image, std::size_t index) {
@@ -61,7 +81,8 @@ ObjectSummary summarise(const SceneImage& image, std::size_t index) {
               static_cast<double>(bytes) / static_cast<double>(baked.mesh.triangles.size()),
           .volume = image.objects()[index].surface == rendering::SurfaceKind::mesh
                         ? closed_volume(baked)
-                        : std::nullopt};
+                        : std::nullopt,
+          .holes = holes_of(image, index)};
 }
 
 nlohmann::ordered_json to_json(const Float3& v) {
@@ -80,6 +101,17 @@ nlohmann::ordered_json to_json(const rendering::FrictionParameters& friction) {
 nlohmann::ordered_json to_json(const rendering::MaterialGrain& grain) {
   return {
       {"direction", to_json(grain.direction_O)}, {"along", grain.along}, {"across", grain.across}};
+}
+
+nlohmann::ordered_json to_json(const std::vector<OpenLoop>& holes) {
+  auto json = nlohmann::ordered_json::array();
+  for (const OpenLoop& hole : holes) {
+    json.push_back({{"size_m", hole.size_m},
+                    {"middle_m", {hole.middle_W.x(), hole.middle_W.y(), hole.middle_W.z()}},
+                    {"edges", hole.corners.size()},
+                    {"is_loop", hole.is_closed}});
+  }
+  return json;
 }
 
 nlohmann::ordered_json to_json(const ObjectSummary& s) {
@@ -105,6 +137,7 @@ nlohmann::ordered_json to_json(const ObjectSummary& s) {
           {"open_edges", s.counters.open_edges},
           {"non_manifold_edges", s.counters.non_manifold_edges},
           {"inconsistent_edges", s.counters.inconsistent_edges},
+          {"holes", to_json(s.holes)},
           {"volume_m3", s.volume ? nlohmann::ordered_json(s.volume->volume_m3) : nullptr},
           {"parts_inside_out", s.volume ? nlohmann::ordered_json(s.volume->inside_out) : nullptr}};
 }
@@ -157,6 +190,25 @@ void print_volume(const ObjectSummary& s) {
   }
 }
 
+// Prints the place and the size of each hole, the largest first.
+void print_holes(const ObjectSummary& s) {
+  constexpr std::size_t kMost = 20;
+  constexpr double kMillimetres = 1000.0;
+  for (const OpenLoop& hole : s.holes | std::views::take(kMost)) {
+    fmt::print("  hole       {:.3g} mm at ({:.5g}, {:.5g}, {:.5g}) m, {} open edge{}{}\n",
+               kMillimetres * hole.size_m, hole.middle_W.x(), hole.middle_W.y(), hole.middle_W.z(),
+               hole.corners.size(), hole.corners.size() == 1 ? "" : "s",
+               hole.is_closed ? "" : ", no loop");
+  }
+  if (s.holes.size() > kMost) {
+    fmt::print("  holes      {} in all; --json lists them\n", s.holes.size());
+  }
+  if (!s.holes.empty()) {
+    fmt::print("  advice     cap_holes_mm = {:.3g} at the object closes {} when it is baked\n",
+               cap_holes_mm_for(s.holes), s.holes.size() == 1 ? "it" : "all of them");
+  }
+}
+
 void print_object(const ObjectSummary& s) {
   const rendering::Material& material = s.object.material;
   fmt::print("\n{}\n", s.name);
@@ -175,6 +227,7 @@ void print_object(const ObjectSummary& s) {
              s.object.detail.texels.size(), s.object.moves ? ", moves" : "");
   fmt::print("  edges      {} open, {} non-manifold, {} inconsistently wound\n",
              s.counters.open_edges, s.counters.non_manifold_edges, s.counters.inconsistent_edges);
+  print_holes(s);
   print_volume(s);
   fmt::print("  baking     welded {} vertices, dropped {} triangles\n", s.counters.welded_vertices,
              s.counters.degenerate_triangles);
@@ -194,8 +247,34 @@ void print_text(const InspectOptions& options, const MappedScene& scene) {
   }
 }
 
+// Draws the scene with the holes of all its meshes.
+void draw_picture(const InspectOptions& options, const MappedScene& scene) {
+  keep_inputs_safe({options.picture}, {options.image});
+  std::vector<HoleMark> marks;
+  for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
+    const rendering::MeshView& mesh = scene.image().baked_mesh(i).mesh;
+    for (const OpenLoop& hole : holes_of(scene.image(), i)) {
+      HoleMark& mark = marks.emplace_back(
+          HoleMark{.rim_W = {}, .middle_W = hole.middle_W, .size_m = hole.size_m});
+      for (const MeshCorner& at : hole.corners) {
+        for (std::uint32_t k = 0; k < 2; ++k) {
+          mark.rim_W.push_back(
+              rendering::to_vec3(mesh.vertices[mesh.triangles[at.triangle][(at.corner + k) % 3]]));
+        }
+      }
+    }
+  }
+  draw_holes_figure(
+      scene.image().objects(), marks,
+      fmt::format("{}: {} hole{}", options.image, marks.size(), marks.size() == 1 ? "" : "s"),
+      options.picture);
+}
+
 void run(const InspectOptions& options) {
   const MappedScene scene(options.image);
+  if (!options.picture.empty()) {
+    draw_picture(options, scene);
+  }
   if (options.json) {
     print_json(options, scene);
   } else {
@@ -209,6 +288,8 @@ void add_inspect_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("inspect", "Check a scene image and show what is in it");
   const auto options = std::make_shared<InspectOptions>();
   verb->add_option("image", options->image, "Scene image (.tactus)")->required();
+  verb->add_option("--picture", options->picture,
+                   "Draw the scene with the holes of its meshes into this PNG file");
   verb->add_flag("--json", options->json, "Print one JSON object");
   verb->footer(kInspectExamples);
   verb->callback([options] { run(*options); });

@@ -1,10 +1,11 @@
-// The figures of a run, as PNG files. `tactus plot` draws the first two, `tactus replay --picture`
-// the last.
+// The figures of a run, and of the holes in a scene, as PNG files. `tactus plot`, `tactus replay
+// --picture` and `tactus inspect --picture` draw them.
 #pragma once
 
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "host_tools/plot/run_data.h"
 #include "rendering/objects/object.h"
@@ -52,5 +53,20 @@ struct NamedRun {
 // another. Throws InputError if gnuplot is missing or fails.
 void draw_against_figure(const NamedRun& run, const NamedRun& other,
                          const std::filesystem::path& png);
+
+// A hole of a mesh, to be marked.
+struct HoleMark {
+  // The vertices of its rim in their order, world frame, m.
+  std::vector<Vec3> rim_W;
+  // The middle and the diameter of a ball that holds it.
+  Vec3 middle_W = Vec3::Zero();
+  double size_m = 0.0;
+};
+
+// Draws the objects from the front and from the side, with the rim of each hole in red, also where
+// the mesh hides it, a ring about it and its number in the list, from 1. Throws InputError if
+// gnuplot is missing or fails.
+void draw_holes_figure(std::span<const rendering::Object> objects, std::span<const HoleMark> holes,
+                       const std::string& title, const std::filesystem::path& png);
 
 }  // namespace tactus::host

@@ -27,7 +27,8 @@ bool is_digit(char c) {
 
 // A recursive-descent parser, one function for each level of precedence: sums, products, signs,
 // powers, atoms. Powers bind tighter than signs and associate to the right: -x^2 is -(x^2), and
-// 2^3^2 is 2^9.
+// 2^3^2 is 2^9. Coordinates side by side are multiplied and bind tighter than a division: 1/xy^2 is
+// 1/(x*y^2).
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -149,14 +150,21 @@ class Reader {
     return node;
   }
 
-  // power = atom [ "^" signed ]
+  // power = atom [ "^" signed ] [ power, in a run of coordinates ]
   FormulaNode power() {
     FormulaNode base = atom();
+    const std::size_t place = place_;
+    if (place_ < run_end_) {
+      enter();
+      FormulaNode node = binary(Kind::multiply, place, std::move(base), power());
+      --depth_;
+      return node;
+    }
     if (peek() != '^') {
       return base;
     }
-    const std::size_t place = place_++;
-    return binary(Kind::power, place, std::move(base), signed_factor());
+    const std::size_t caret = place_++;
+    return binary(Kind::power, caret, std::move(base), signed_factor());
   }
 
   // atom = number | name | name "(" sum { "," sum } ")" | "(" sum ")"
@@ -212,6 +220,12 @@ class Reader {
                      .place = begin};
     const std::size_t opened = place_;
     if (!take('(')) {
+      const bool is_run = node.name.find_first_not_of("xyz") == std::string::npos;
+      if (is_run && node.name.size() > 1) {
+        run_end_ = opened;
+        place_ = begin + 1;
+        node.name.resize(1);
+      }
       return node;
     }
     node.kind = Kind::call;
@@ -229,6 +243,8 @@ class Reader {
 
   std::string_view text_;
   std::size_t place_ = 0;
+  // The end of the run of coordinates that is being read: xy is x*y.
+  std::size_t run_end_ = 0;
   std::size_t depth_ = 0;
 };
 

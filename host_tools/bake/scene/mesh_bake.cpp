@@ -53,6 +53,9 @@ BakedMesh bake_mesh(TriangleMesh mesh, const MeshBakeOptions& options) {
         fmt::format("no triangle with an area is left ({} dropped); check the mesh and its scale",
                     baked.counters.degenerate_triangles));
   }
+  if (options.cap_holes_m > 0.0) {
+    baked.caps = cap_holes(mesh, options.cap_holes_m);
+  }
   Hierarchy hierarchy = build_hierarchy(mesh.vertices, mesh.triangles);
   mesh.triangles = reordered(mesh.triangles, hierarchy.order);
   if (!mesh.corner_places.empty()) {

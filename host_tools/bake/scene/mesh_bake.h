@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "host_tools/bake/scene/hole_caps.h"
 #include "host_tools/bake/scene/mesh_cleanup.h"
 #include "rendering/objects/object.h"
 #include "rendering/scene/mesh_check.h"
@@ -16,6 +17,8 @@ namespace tactus::host {
 struct MeshBakeOptions {
   // Vertices closer than this become one; 0 merges exactly equal positions only.
   double weld_m = 0.0;
+  // Holes of at most this size are closed (hole_caps.h), m; 0 closes none.
+  double cap_holes_m = 0.0;
 };
 
 // A mesh in the world frame, m, with its triangles in the order of the hierarchy's leaves.
@@ -34,6 +37,8 @@ struct BakedMesh {
   std::vector<rendering::CornerNormals> corner_normals;
   // The numbers of welded vertices, dropped triangles and faulty edges.
   rendering::BakeCounters counters;
+  // The holes that were closed.
+  HoleCaps caps;
 
   // Return views that are valid as long as this mesh lives and its vectors are unchanged.
   [[nodiscard]] rendering::MeshView view() const {
@@ -44,9 +49,10 @@ struct BakedMesh {
   }
 };
 
-// Welds vertices, drops triangles without area, builds the hierarchy, orders the arrays by it, and
-// finds neighbours and normals. The result depends on the input alone. Throws InputError, without a
-// file name, for a vertex that is not finite, an index out of range, and if no triangle is left.
+// Welds vertices, drops triangles without area, closes small holes, builds the hierarchy, orders
+// the arrays by it, and finds neighbours and normals. The result depends on the input alone. Throws
+// InputError, without a file name, for a vertex that is not finite, an index out of range, a hole
+// that no triangles close, and if no triangle is left.
 BakedMesh bake_mesh(TriangleMesh mesh, const MeshBakeOptions& options = {});
 BakedMesh bake_mesh(std::span<const rendering::Float3> vertices,
                     std::span<const rendering::TriangleIndices> triangles,

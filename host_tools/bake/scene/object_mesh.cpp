@@ -11,6 +11,7 @@
 #include "host_tools/bake/formula/pole_search.h"
 #include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/closed_volume.h"
+#include "host_tools/bake/scene/open_loops.h"
 #include "host_tools/bake/scene/size_check.h"
 #include "host_tools/input_error.h"
 
@@ -73,6 +74,20 @@ BakedMesh bake_mesh_of(const ObjectDescription& object, const ImportedMesh& impo
   }
 }
 
+// Returns the end of a sentence that tells where the holes of a mesh are and what closes them;
+// nothing if it has none.
+std::string advice_on_holes(const ObjectDescription& object, const BakedMesh& mesh) {
+  const std::vector<OpenLoop> loops = find_open_loops(mesh.vertices, mesh.triangles);
+  if (loops.empty()) {
+    return "";
+  }
+  const std::string text = text_of_loops(loops);
+  return object.mesh.empty()
+             ? fmt::format(". {}", text)
+             : fmt::format(". {}; cap_holes_mm = {:.3g} would close {}", text,
+                           cap_holes_mm_for(loops), loops.size() == 1 ? "it" : "all");
+}
+
 // A one-sided surface with holes lets the tool get behind it, where it feels nothing.
 std::vector<std::string> mesh_warnings(const ObjectDescription& object,
                                        const ImportedMesh& imported, const BakedMesh& mesh) {
@@ -83,9 +98,14 @@ std::vector<std::string> mesh_warnings(const ObjectDescription& object,
        counters.inconsistent_edges != 0)) {
     warnings.push_back(fmt::format(
         "{}: the mesh has {} open, {} non-manifold and {} inconsistently wound edges, so the tool "
-        "can get behind it; write sides = \"two\", or close the mesh",
+        "can get behind it; write sides = \"two\", or close the mesh{}",
         name_of_mesh(object), counters.open_edges, counters.non_manifold_edges,
-        counters.inconsistent_edges));
+        counters.inconsistent_edges, advice_on_holes(object, mesh)));
+  }
+  if (mesh.caps.holes != 0) {
+    warnings.push_back(fmt::format("{}: {} hole{} closed by {} triangles", name_of_mesh(object),
+                                   mesh.caps.holes, mesh.caps.holes == 1 ? " is" : "s are",
+                                   mesh.caps.triangles));
   }
   if (counters.degenerate_triangles != 0) {
     warnings.push_back(fmt::format("{}: {} triangles without area are left out",

@@ -30,6 +30,7 @@ constexpr std::array kOwnKeys{
     KeySpec{"position_m", "m"},
     KeySpec{"rotation", ""},
     KeySpec{"weld_m", "m"},
+    KeySpec{"cap_holes_mm", "mm"},
     KeySpec{"flip", ""},
     KeySpec{"sides", ""},
     KeySpec{"stiffness_N_per_m", "N_per_m"},
@@ -70,6 +71,16 @@ bool read_flip(const TomlSection& section) {
   return flip;
 }
 
+// Reads how a mesh is cleaned. Throws InputError for holes of another shape.
+MeshBakeOptions read_mesh_options(const TomlSection& section) {
+  constexpr double kMillimetre_m = 0.001;
+  if (section.has("cap_holes_mm") && !section.has("mesh")) {
+    section.fail("cap_holes_mm", "cap_holes_mm is for meshes; leave it out");
+  }
+  return {.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0),
+          .cap_holes_m = kMillimetre_m * section.number("cap_holes_mm", kZeroOrMore).value_or(0.0)};
+}
+
 // Reads one [[object]]. A relative path of the mesh begins at `folder`, the scene file's own.
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
                               const std::filesystem::path& folder) {
@@ -100,7 +111,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   object.motion = read_motion(section, file, touched, object.contact, object.placement.position_m);
   object.detail = read_detail(section, file, folder, touched, object.contact);
   object.flip = read_flip(section);
-  object.mesh_options.weld_m = section.number("weld_m", kZeroOrMore).value_or(0.0);
+  object.mesh_options = read_mesh_options(section);
   return object;
 }
 

@@ -78,6 +78,15 @@ TEST(FormulaParser, MeasuresDistanceInTheReadyShapes) {
   EXPECT_NEAR(at("shell(sphere(2), 0.5)", 0, 0, 2.1), -0.15, 1e-15);
 }
 
+TEST(FormulaParser, MultipliesCoordinatesThatStandSideBySide) {
+  EXPECT_EQ(value("x^2+xy+y^2-1"), value("x^2 + x*y + y^2 - 1"));
+  EXPECT_EQ(value("2*xyz^2"), value("2*(x*(y*z^2))"));
+  EXPECT_EQ(value("1/xy"), value("1/(x*y)"));
+  EXPECT_EQ(value("-xx"), value("-(x*x)"));
+  EXPECT_TRUE(testing::contains(error("xa + x"), "no name 'xa'"));
+  EXPECT_TRUE(testing::contains(error("x y"), "write * for times"));
+}
+
 TEST(FormulaParser, CombinesSolids) {
   const Vec3 in_both{0.5, 0.0, 0.0};
   const Vec3 in_second{1.4, 0.0, 0.0};

@@ -35,6 +35,7 @@ sides = "two"
 stiffness_N_per_m = 800.0
 damping_Ns_per_m = 0.5
 weld_m = 1e-6
+cap_holes_mm = 2.5
 [object.friction]
 model = "cone"
 static = 0.6
@@ -58,6 +59,7 @@ scale = 0.001
   EXPECT_EQ(bunny.material.friction.static_level, 0.6);
   EXPECT_EQ(bunny.material.friction.coulomb, 0.4);
   EXPECT_EQ(bunny.mesh_options.weld_m, 1e-6);
+  EXPECT_EQ(bunny.mesh_options.cap_holes_m, 0.0025);
   EXPECT_EQ(scene.objects[1].mesh, "/elsewhere/plate.stl");
   EXPECT_EQ(scene.objects[1].placement.scale, 0.001);
 }
