@@ -53,6 +53,7 @@ BakedMesh bake_mesh(TriangleMesh mesh, const MeshBakeOptions& options) {
         fmt::format("no triangle with an area is left ({} dropped); check the mesh and its scale",
                     baked.counters.degenerate_triangles));
   }
+  baked.counters.welded_vertices += weld_rims(mesh);
   if (options.cap_holes_m > 0.0) {
     baked.caps = cap_holes(mesh, options.cap_holes_m);
   }

@@ -6,7 +6,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <ranges>
 #include <unordered_map>
+#include <utility>
+
+#include "host_tools/bake/scene/mesh_topology.h"
+#include "host_tools/bake/scene/open_loops.h"
 
 namespace tactus::host {
 namespace {
@@ -158,6 +163,43 @@ std::uint32_t weld(TriangleMesh& mesh, double weld_m) {
   }
   const auto gone = static_cast<std::uint32_t>(mesh.vertices.size() - kept.size());
   mesh.vertices = std::move(kept);
+  return gone;
+}
+
+std::uint32_t weld_rims(TriangleMesh& mesh) {
+  std::vector<std::uint32_t> target(mesh.vertices.size());
+  const std::ranges::iota_view numbers(std::uint32_t{0}, static_cast<std::uint32_t>(target.size()));
+  std::ranges::copy(numbers, target.begin());
+  std::uint32_t gone = 0;
+  NearGrid grid(mesh.vertices, kRimGap_m);
+  for (const OpenLoop& loop : find_open_loops(mesh.vertices, mesh.triangles)) {
+    for (const MeshCorner& at : loop.corners) {
+      const std::uint32_t vertex = mesh.triangles[at.triangle][at.corner];
+      if (target[vertex] == vertex) {
+        target[vertex] = grid.find_or_keep(vertex);
+        gone += target[vertex] == vertex ? 0U : 1U;
+      }
+    }
+  }
+  if (gone == 0) {
+    return 0;
+  }
+  TriangleMesh closed{.vertices = mesh.vertices, .triangles = mesh.triangles};
+  for (TriangleIndices& triangle : closed.triangles) {
+    for (std::uint32_t& vertex : triangle) {
+      vertex = target[vertex];
+    }
+  }
+  const auto faults = [](const TriangleMesh& of) {
+    const Topology topology = find_topology(of.triangles, of.vertices.size());
+    return topology.non_manifold_edges + topology.inconsistent_edges;
+  };
+  const bool loses_area = std::ranges::any_of(
+      closed.triangles, [&](const TriangleIndices& t) { return is_degenerate(closed, t); });
+  if (loses_area || faults(closed) > faults(mesh)) {
+    return 0;
+  }
+  mesh.triangles = std::move(closed.triangles);
   return gone;
 }
 

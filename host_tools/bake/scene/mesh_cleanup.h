@@ -17,6 +17,15 @@ inline constexpr double kDegenerateHeight_m = 1e-9;
 // first kept vertex within `weld_m`, in the order of the list.
 std::uint32_t weld(TriangleMesh& mesh, double weld_m);
 
+// Two rims nearer than this are one: a point in contact stands 0.5 um above the surface
+// (rendering/contact/proxy_rest.h), and would roll over the edges of a gap as narrow as that.
+inline constexpr double kRimGap_m = 5e-7;
+
+// Closes narrow gaps: gives vertices of open edges within kRimGap_m of each other the same vertex,
+// and returns how many were removed. It changes nothing if a triangle would lose its area or an
+// edge would get a third triangle or a wrong winding. Vertices that are not used stay in the list.
+std::uint32_t weld_rims(TriangleMesh& mesh);
+
 // Drops triangles with a repeated vertex or a height below kDegenerateHeight_m, and returns their
 // number. Duplicated triangles stay.
 std::uint32_t drop_degenerate(TriangleMesh& mesh);

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
 #include "host_tools/bake/scene/mesh_bake.h"
+#include "rendering/world/world.h"
 #include "tests/support/shapes.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -64,6 +69,63 @@ TEST(Weld, MergesAcrossTheCellsOfItsGrid) {
   const float above = 0.5001e-3F;
   TriangleMesh mesh{.vertices = {{below, below, below}, {above, above, above}}, .triangles = {}};
   EXPECT_EQ(weld(mesh, 1e-3), 1U);
+}
+
+// Two sheets of 3 x 2 cells side by side, with a gap between their rims.
+TriangleMesh sheets_with_gap(float gap_m) {
+  constexpr std::uint32_t kRows = 3;
+  TriangleMesh mesh;
+  for (const float side : {-1.0F, 1.0F}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::uint32_t row = 0; row <= kRows; ++row) {
+      for (const float out : {0.0F, 0.01F, 0.02F}) {
+        mesh.vertices.push_back(
+            {side * (0.5F * gap_m + out), 0.0F, 0.01F * static_cast<float>(row)});
+      }
+    }
+    for (std::uint32_t row = 0; row < kRows; ++row) {
+      for (std::uint32_t k = 0; k < 2; ++k) {
+        const std::uint32_t a = first + 3 * row + k;
+        const std::uint32_t b = a + 1;
+        mesh.triangles.push_back(side > 0.0F ? TriangleIndices{a, a + 3, b}
+                                             : TriangleIndices{a, b, a + 3});
+        mesh.triangles.push_back(side > 0.0F ? TriangleIndices{b, a + 3, b + 3}
+                                             : TriangleIndices{b, b + 3, a + 3});
+      }
+    }
+  }
+  return mesh;
+}
+
+TEST(WeldRims, ClosesAGapNarrowerThanTheContactMarginAndNoOther) {
+  EXPECT_EQ(bake_mesh(sheets_with_gap(3e-7F)).counters.open_edges, 14U);
+  EXPECT_EQ(bake_mesh(sheets_with_gap(3e-7F)).counters.welded_vertices, 4U);
+  EXPECT_EQ(bake_mesh(sheets_with_gap(2e-6F)).counters.open_edges, 20U);
+  TriangleMesh ball{.vertices = testing::icosphere(1e-6, 2).vertices,
+                    .triangles = testing::icosphere(1e-6, 2).triangles};
+  EXPECT_EQ(weld_rims(ball), 0U);
+}
+
+// The point strokes across the gap and over the seams that end at it, 2.5 mm deep.
+TEST(WeldRims, APointFeelsNoWallAtANarrowGap) {
+  const BakedMesh baked = bake_mesh(sheets_with_gap(3e-7F));
+  rendering::Object object;
+  object.mesh = baked.view();
+  object.method = rendering::ContactMethod::god_object;
+  object.material.stiffness_N_per_m = 1000.0;
+  const auto world = std::make_unique<rendering::World>();
+  ASSERT_TRUE(world->set_scene({&object, 1}, {.tool_radius_m = 0.0}));
+  for (const double z_m : {0.0037, 0.01, 0.0151, 0.02}) {
+    for (int i = 0; i < 200; ++i) {
+      const double y_m = std::max(-0.0025, 0.001 - 1e-4 * i);
+      const double x_m = -0.002 + 2e-5 * i;
+      const rendering::Touch touch = world->touch({.p_W = {x_m, y_m, z_m}});
+      ASSERT_LT(std::abs(touch.force_W.x()), 1e-3) << x_m << " " << z_m;
+      ASSERT_NEAR(touch.force_W.y(), 1000.0 * std::max(0.0, -y_m), 2e-3) << x_m << " " << z_m;
+    }
+    world->touch({.p_W = {0.0, 0.01, z_m}});
+    world->touch({.p_W = {-0.002, 0.01, z_m}});
+  }
 }
 
 TEST(DropDegenerate, DropsRepeatedVerticesAndHeightsBelowANanometre) {
