@@ -41,10 +41,7 @@ Vec3 bisected_zero(const FormulaView& formula, Vec3 below, Vec3 above) {
 class Search {
  public:
   Search(const FormulaView& formula, const Box& bounds, double unit_m)
-      : formula_(formula),
-        bounds_(bounds),
-        point_(std::max(kPoint_m / unit_m, kFinestShare * size_of(bounds))),
-        flat_(2.0 * rendering::kImplicitRest_m / unit_m) {}
+      : formula_(formula), bounds_(bounds), unit_m_(unit_m) {}
 
   ZeroSearch run() {
     look_at_grid();
@@ -74,9 +71,9 @@ class Search {
       crossing_ =
           side_ < 0.0 ? bisected_zero(formula_, first_, p) : bisected_zero(formula_, p, first_);
     }
-    if (height < least_) {
-      least_ = height;
-      nearest_ = p;
+    if (height < nearest_.height) {
+      nearest_.height = height;
+      nearest_.p = p;
     }
     return height;
   }
@@ -108,7 +105,7 @@ class Search {
   }
 
   void look_at(const Box& box) {
-    if (size_of(box) <= point_) {
+    if (size_of(box) <= point()) {
       touch_ = touch_.value_or(middle_of(box));
       return;
     }
@@ -189,8 +186,13 @@ class Search {
   // Returns true if interval arithmetic does not tell the formula from 0 in a part of a point's
   // size about p.
   bool is_point_at_zero(const Vec3& p) {
-    const Vec3 half = Vec3::Constant(0.5 * point_);
+    const Vec3 half = Vec3::Constant(0.5 * point());
     return !is_settled({.lower = p - half, .upper = p + half});
+  }
+
+  // Returns the size of a part that counts as a point.
+  [[nodiscard]] double point() const {
+    return std::max(kPoint_m / unit_m_, kFinestShare * size_of(bounds_));
   }
 
   void count(double values) { work_ += values * static_cast<double>(formula_.instructions.size()); }
@@ -198,7 +200,8 @@ class Search {
   // Returns true if the formula is 0 all about a place, so far that the tracker has no slope to
   // rest on. The directions are none along which a surface is likely to lie.
   bool is_flat_about(const Vec3& p) {
-    const Vec3 away = Vec3::Constant(flat_).cwiseMin(0.5 * (bounds_.upper - bounds_.lower));
+    const double flat = 2.0 * rendering::kImplicitRest_m / unit_m_;
+    const Vec3 away = Vec3::Constant(flat).cwiseMin(0.5 * (bounds_.upper - bounds_.lower));
     const Vec3 middle = p.cwiseMax(bounds_.lower + away).cwiseMin(bounds_.upper - away);
     for (unsigned k = 0; k < 8; ++k) {
       const Vec3 direction((k & 1U) != 0 ? 0.31 : -0.47, (k & 2U) != 0 ? 0.77 : -0.91,
@@ -212,17 +215,17 @@ class Search {
 
   ZeroSearch result() {
     if (!crossing_ && !touch_) {
-      go_down(nearest_);
+      go_down(nearest_.p);
     }
     ZeroSearch result{.kind = ZeroKind::none,
-                      .place = nearest_,
-                      .value = evaluate(formula_, nearest_),
+                      .place = nearest_.p,
+                      .value = evaluate(formula_, nearest_.p),
                       .is_below = side_ < 0.0};
     if (crossing_) {
       result = {.kind = ZeroKind::crossed, .place = *crossing_, .is_below = side_ < 0.0};
     } else if (touch_) {
       result.kind =
-          result.value == 0.0 && is_flat_about(nearest_) ? ZeroKind::flat : ZeroKind::touched;
+          result.value == 0.0 && is_flat_about(nearest_.p) ? ZeroKind::flat : ZeroKind::touched;
     } else if (!parts_.is_empty()) {
       const Box largest = parts_.take(true);
       result.kind = ZeroKind::undecided;
@@ -234,16 +237,16 @@ class Search {
 
   const FormulaView& formula_;
   const Box& bounds_;
-  // The size of a part that counts as a point.
-  double point_;
-  // A formula that is 0 this far to all sides has no slope.
-  double flat_;
+  double unit_m_;
   // The sign of f at the first place where it is not 0; 0 while there is none.
   double side_ = 0.0;
   Vec3 first_ = Vec3::Zero();
-  // The least height, and its place.
-  double least_ = std::numeric_limits<double>::infinity();
-  Vec3 nearest_ = Vec3::Zero();
+  // The place with the least height.
+  struct Place {
+    Vec3 p = Vec3::Zero();
+    double height = std::numeric_limits<double>::infinity();
+  };
+  Place nearest_;
   // A change of the sign, and a place that is 0 to a point's size.
   std::optional<Vec3> crossing_;
   std::optional<Vec3> touch_;
