@@ -20,10 +20,10 @@ using rendering::FormulaView;
 using rendering::Interval;
 
 // The search ends after about this many instructions, a second or two.
-constexpr double kMostWork = 3e8;
+constexpr double kMostCost = 3e8;
 // The costs of a box and of a gradient, in values.
-constexpr double kBoxWork = 5.0;
-constexpr double kGradientWork = 3.0;
+constexpr double kBoxCost = 5.0;
+constexpr double kGradientCost = 3.0;
 // The share of the bounds' longest side below which a double is too coarse for a part.
 constexpr double kFinestShare = 0x1p-44;
 
@@ -46,7 +46,7 @@ class Search {
   ZeroSearch run() {
     look_at_grid();
     push(bounds_);
-    for (bool largest = false; !crossing_ && !parts_.is_empty() && work_ < kMostWork;
+    for (bool largest = false; !crossing_ && !parts_.is_empty() && cost_ < kMostCost;
          largest = !largest) {
       look_at(parts_.take(largest));
     }
@@ -92,7 +92,7 @@ class Search {
   // Returns true if there is nothing to look for in a box: no zero or, after one is found, no
   // change of the sign.
   bool is_settled(const Box& box) {
-    count(kBoxWork);
+    count(kBoxCost);
     const Interval range = evaluate_box(formula_, box.lower, box.upper);
     const double least = side_ < 0.0 ? -range.upper() : range.lower();
     return touch_ ? least >= 0.0 : least > 0.0;
@@ -129,7 +129,7 @@ class Search {
     double height = height_at(p);
     const double start = height;
     for (int i = 0; i < kMostSteps && !crossing_; ++i) {
-      count(kGradientWork);
+      count(kGradientCost);
       const rendering::ValueAndGradient there = evaluate_gradient(formula_, p);
       const Vec3 step = -kBeyond * there.value / there.gradient.squaredNorm() * there.gradient;
       const double before = height;
@@ -195,7 +195,7 @@ class Search {
     return std::max(kPoint_m / unit_m_, kFinestShare * size_of(bounds_));
   }
 
-  void count(double values) { work_ += values * static_cast<double>(formula_.instructions.size()); }
+  void count(double values) { cost_ += values * static_cast<double>(formula_.instructions.size()); }
 
   // Returns true if the formula is 0 all about a place, so far that the tracker has no slope to
   // rest on. The directions are none along which a surface is likely to lie.
@@ -251,7 +251,7 @@ class Search {
   std::optional<Vec3> crossing_;
   std::optional<Vec3> touch_;
   BoxParts parts_;
-  double work_ = 0.0;
+  double cost_ = 0.0;
 };
 
 }  // namespace
