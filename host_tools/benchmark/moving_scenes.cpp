@@ -59,22 +59,24 @@ TriangleMesh level_square(std::uint32_t side, double length_m, double height_m) 
 
 MovingScene swarm(const std::string& name, int level, double speed, std::size_t ticks) {
   constexpr std::uint64_t kSeed = 1;
-  constexpr int kAlongEdge = 4;
+  constexpr std::size_t kAlongEdge = 4;
   static_assert(kAlongEdge * kAlongEdge * kAlongEdge == rendering::kMaxMovers);
-  constexpr double kGridStep_m = 0.008;
-  constexpr double kJitter_m = 0.002;
-  constexpr double kRadius_m = 0.005;
+  constexpr double kSwarmStep_m = 0.008;
+  constexpr double kSwarmJitter_m = 0.002;
+  constexpr double kSwarmBall_m = 0.005;
   constexpr double kSway_m = 0.004;
   constexpr double kPath_m = 0.012;
   SplitMix64 random(kSeed);
   MovingScene swarm{.name = name, .scene = {.tool_radius_m = kPathRadius_m}};
-  const TriangleMesh ball = icosphere(kRadius_m, level);
+  const TriangleMesh ball = icosphere(kSwarmBall_m, level);
   for (std::size_t i = 0; i < rendering::kMaxMovers; ++i) {
+    const std::size_t row = i / kAlongEdge % kAlongEdge;
+    const std::size_t layer = i / kAlongEdge / kAlongEdge;
     const auto x = static_cast<double>(i % kAlongEdge);
-    const auto y = static_cast<double>(i / kAlongEdge % kAlongEdge);
-    const auto z = static_cast<double>(i / kAlongEdge / kAlongEdge);
-    const Vec3 middle = Vec3::Constant(0.5 * (kAlongEdge - 1));
-    const Vec3 place = kGridStep_m * (Vec3{x, y, z} - middle) + draw(random, kJitter_m);
+    const auto y = static_cast<double>(row);
+    const auto z = static_cast<double>(layer);
+    const Vec3 middle = Vec3::Constant(0.5 * static_cast<double>(kAlongEdge - 1));
+    const Vec3 place = kSwarmStep_m * (Vec3{x, y, z} - middle) + draw(random, kSwarmJitter_m);
     TriangleMesh mesh = ball;
     for (rendering::Float3& vertex : mesh.vertices) {
       vertex = rendering::to_float3(rendering::to_vec3(vertex) + place);
@@ -87,8 +89,8 @@ MovingScene swarm(const std::string& name, int level, double speed, std::size_t 
   }
   for (std::size_t i = 0; i < ticks; ++i) {
     const double t = kPathTick_s * static_cast<double>(i);
-    swarm.path.push_back(kPath_m *
-                         Vec3{std::sin(2.6 * t + 1.2), std::sin(3.4 * t), std::cos(2.2 * t)});
+    swarm.path.emplace_back(kPath_m *
+                            Vec3{std::sin(2.6 * t + 1.2), std::sin(3.4 * t), std::cos(2.2 * t)});
   }
   return swarm;
 }
@@ -96,11 +98,11 @@ MovingScene swarm(const std::string& name, int level, double speed, std::size_t 
 MovingScene sheets(std::size_t ticks) {
   constexpr std::uint32_t kSide = 22;
   constexpr double kLength_m = 0.1;
-  constexpr double kApart_m = 0.02;
+  constexpr double kSheetsApart_m = 0.02;
   MovingScene pile{.name = "8 sheets", .scene = {.tool_radius_m = kPathRadius_m}};
   for (std::size_t k = 0; k < rendering::kMaxDeformables; ++k) {
     const auto number = static_cast<double>(k);
-    const TriangleMesh sheet = level_square(kSide, kLength_m, kApart_m * (number - 3.5));
+    const TriangleMesh sheet = level_square(kSide, kLength_m, kSheetsApart_m * (number - 3.5));
     const rendering::Motion motion{
         .wave_m = 0.005, .wave_Hz = 1.0 + 0.3 * number, .wave_per_m = {20.0, 7.0 + number, 0.0}};
     BakedObject object = moving_object("sheet " + std::to_string(k), sheet, motion);

@@ -12,6 +12,7 @@
 #include "host_tools/benchmark/crowd.h"
 #include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/benchmark/moving_scenes.h"
+#include "host_tools/benchmark/multiplications.h"
 #include "host_tools/benchmark/touch_benchmark.h"
 #include "host_tools/benchmark/workload.h"
 #include "host_tools/friction/parameter_names.h"
@@ -192,6 +193,22 @@ void bench_moving(const TickBenchOptions& options) {
       fmt::print("moving {:<19}: {}\n", moving.name, words_of(count));
     }
     std::fflush(stdout);
+  }
+}
+
+void bench_multiplications(const TickBenchOptions& options) {
+  const Multiplications here = count_multiplications();
+  for (std::size_t planes = 1; planes <= here.size(); ++planes) {
+    const std::size_t taught = kMultiplicationsOfTheLecture.at(planes - 1);
+    const std::size_t counted = here.at(planes - 1);
+    if (options.json) {
+      const nlohmann::ordered_json json{
+          {"bench", "multiplications"}, {"planes", planes}, {"lecture", taught}, {"here", counted}};
+      fmt::print("{}\n", json.dump());
+    } else {
+      fmt::print("multiplications {} active plane{}: the lecture {}, here {}\n", planes,
+                 planes == 1 ? " " : "s", taught, counted);
+    }
   }
 }
 

@@ -37,6 +37,9 @@ void bench_objects(const TickBenchOptions& options);
 // with eight sheets that wave. It needs valgrind; throws InputError without it.
 void bench_moving(const TickBenchOptions& options);
 
+// Prints the multiplications and divisions of the god-object's position, and those of the lecture.
+void bench_multiplications(const TickBenchOptions& options);
+
 // Strokes one ball under every friction model.
 void bench_friction(const TickBenchOptions& options);
 

@@ -36,6 +36,7 @@ constexpr const char* kBenchExamples =
     "triangles, 0.2 m) once\n"
     "--dragon has fetched it, each with a god-object point and a 2 mm sphere.\n"
     "objects: a ball is stroked alone, among 64 and among 1,000.\n"
+    "multiplications: and divisions, of the god-object's position with one, two and three planes.\n"
     "moving: the instructions of ticks among 64 balls that move about the tool, slowly and fast, "
     "and of eight\n"
     "sheets that wave, with valgrind; not part of all.\n"
@@ -62,6 +63,7 @@ constexpr const char* kBenchExamples =
     "  tactus bench touch --csv figures.csv\n"
     "  tactus bench touch --against ../before/build/release --mesh statue.ply\n"
     "  tactus bench moving --ticks 2000\n"
+    "  tactus bench multiplications            of the god-object's position, beside the lecture's\n"
     "  tactus bench --loop --rate 2000 --cpu 3 --figure jitter.png\n"
     "  tactus bench touch --mesh statue.ply --longest-side-m 0.2 --radius-m 0.002\n"
     "  tactus bench sim --seconds 30 --json | jq .simulated_s_per_s";
@@ -172,7 +174,10 @@ void run_bench(const BenchOptions& options) {
   if (options.what == "moving") {
     bench_moving(options.ticks);
   }
-  if (options.what == "objects" || options.what == "friction" || options.what == "moving") {
+  if (options.what == "multiplications") {
+    bench_multiplications(options.ticks);
+  }
+  if (!all && options.what != "touch" && options.what != "sim") {
     return;
   }
   for_each_mesh(options, [&](const BenchmarkMesh& mesh) {
@@ -208,8 +213,10 @@ void add_loop_options(CLI::App& verb, BenchOptions& options) {
 void add_bench_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("bench", "Measure how long a tick takes");
   const auto options = std::make_shared<BenchOptions>();
-  verb->add_option("what", options->what, "touch, objects, moving, friction, sim or all")
-      ->check(CLI::IsMember({"touch", "objects", "moving", "friction", "sim", "all"}))
+  verb->add_option("what", options->what,
+                   "touch, objects, moving, friction, multiplications, sim or all")
+      ->check(CLI::IsMember(
+          {"touch", "objects", "moving", "friction", "multiplications", "sim", "all"}))
       ->capture_default_str();
   verb->add_option("--mesh", options->mesh,
                    "Measure on this mesh file instead of spheres, bunny, gravel and dragon");

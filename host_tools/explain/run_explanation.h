@@ -17,6 +17,7 @@ class RunExplanation {
   // The controller's tool has this radius, m. Throws InputError if the file cannot be created.
   RunExplanation(const std::filesystem::path& file, firmware::Controller& controller,
                  double tool_radius_m);
+  ~RunExplanation() = default;
   RunExplanation(const RunExplanation&) = delete;
   RunExplanation& operator=(const RunExplanation&) = delete;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 #include "rendering/geometry/tangential.h"
 
@@ -61,9 +62,10 @@ double tool_radius_m(const TickSteps& tick) {
 }
 
 std::optional<std::pair<double, double>> circles_of(const TickSteps& tick) {
-  for (auto move = tick.moves.rbegin(); move != tick.moves.rend(); ++move) {
-    if (move->static_radius_m && move->dynamic_radius_m && *move->static_radius_m > 0.0) {
-      return std::pair{*move->static_radius_m, *move->dynamic_radius_m};
+  for (const StepMove& move : std::views::reverse(tick.moves)) {
+    const double static_m = move.static_radius_m.value_or(0.0);
+    if (static_m > 0.0) {
+      return std::pair{static_m, move.dynamic_radius_m.value_or(0.0)};
     }
   }
   return std::nullopt;

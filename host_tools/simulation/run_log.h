@@ -33,8 +33,8 @@ class LogFile {
   std::string buffer_;
 };
 
-// run.csv, for plots and spreadsheets. Its columns are described in simulation/README.md. `contact`,
-// `mode` and `friction_state` are numbers in the order of firmware::Mode and
+// run.csv, for plots and spreadsheets. Its columns are described in simulation/README.md.
+// `contact`, `mode` and `friction_state` are numbers in the order of firmware::Mode and
 // rendering::FrictionState; `faults` and `limits` are firmware::FaultBits; the hash is hexadecimal.
 class RunCsv {
  public:

@@ -132,9 +132,11 @@ class Search {
     if (is_bounded(range) && range.slope.upper() <= 0.0) {
       return value(b) >= 0.0;
     }
+    const double at_a = value(a);
+    const double at_b = value(b);
     const double least =
-        least_value({.t = a.t, .value = value(a)}, {.t = b.t, .value = value(b)}, range.slope);
-    return least >= 0.0 && (!is_near_zero(least, *a.value + *b.value, range) ||
+        least_value({.t = a.t, .value = at_a}, {.t = b.t, .value = at_b}, range.slope);
+    return least >= 0.0 && (!is_near_zero(least, at_a + at_b, range) ||
                             least > rounding_at(a.t) + rounding_at(b.t));
   }
 

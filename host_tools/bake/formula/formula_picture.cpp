@@ -30,7 +30,7 @@ constexpr int kCellsOfThicker = 80;
 // The places of the surface are looked for in cells that are halved this often where it is fine.
 constexpr int kLevels = 3;
 
-constexpr double kMillimetres = 1000.0;
+constexpr double kMillimetresPerMetre = 1000.0;
 
 // The cells of a tree that hold the surface.
 struct SurfaceCells {
@@ -97,7 +97,9 @@ class DrawnCells {
     return {cell(parts.x()), cell(parts.y()), cell(parts.z())};
   }
   static std::size_t index(int x, int y, int z) {
-    return static_cast<std::size_t>((z * kCells + y) * kCells + x);
+    constexpr std::size_t kRow = kCells;
+    return (static_cast<std::size_t>(z) * kRow + static_cast<std::size_t>(y)) * kRow +
+           static_cast<std::size_t>(x);
   }
 
   Vec3 lower_;
@@ -152,7 +154,7 @@ FormulaPicture draw_thicker(const FormulaView& formula, const Box& bounds, const
     mesh = draw(formula, box, kCellsOfThicker, -level);
   }
   std::string note = fmt::format("its picture shows it about {:.2g} mm thicker than it is",
-                                 kMillimetres * unit_m * more);
+                                 kMillimetresPerMetre * unit_m * more);
   if (mesh.triangles.empty()) {
     const Box about{.lower = zero.place - Vec3::Constant(2.0 * more),
                     .upper = zero.place + Vec3::Constant(2.0 * more)};

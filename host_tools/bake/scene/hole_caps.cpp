@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -60,11 +61,11 @@ class Hole {
   // The hole runs against the edges of the loop, since a cap's triangles have them the other way.
   // `edges` are those that are there, to which the cap's own are added.
   Hole(TriangleMesh& mesh, const OpenLoop& loop, Edges& edges) : mesh_(mesh), edges_(edges) {
-    for (auto at = loop.corners.rbegin(); at != loop.corners.rend(); ++at) {
+    for (const auto& at : std::views::reverse(loop.corners)) {
       HoleCorner& corner = left_.emplace_back();
-      corner.vertex = mesh.triangles[at->triangle][at->corner];
+      corner.vertex = mesh.triangles[at.triangle][at.corner];
       if (!mesh.corner_places.empty()) {
-        corner.texture_place = mesh.corner_places[at->triangle][at->corner];
+        corner.texture_place = mesh.corner_places[at.triangle][at.corner];
       }
     }
     // Newell's normal: the sum of the triangles that all corners make with one point.
@@ -188,7 +189,7 @@ class Hole {
 }  // namespace
 
 HoleCaps cap_holes(TriangleMesh& mesh, double most_m) {
-  constexpr double kMillimetres = 1000.0;
+  constexpr double kHoleMillimetres = 1000.0;
   HoleCaps caps;
   std::vector<OpenLoop> loops = find_open_loops(mesh.vertices, mesh.triangles);
   std::erase_if(loops, [&](const OpenLoop& loop) { return loop.size_m > most_m; });
@@ -199,7 +200,7 @@ HoleCaps cap_holes(TriangleMesh& mesh, double most_m) {
       throw InputError(fmt::format(
           "the hole of {:.3g} mm at ({:.4g}, {:.4g}, {:.4g}) m cannot be closed by triangles; "
           "repair the mesh, or write a cap_holes_mm below its size",
-          kMillimetres * loop.size_m, loop.middle_W.x(), loop.middle_W.y(), loop.middle_W.z()));
+          kHoleMillimetres * loop.size_m, loop.middle_W.x(), loop.middle_W.y(), loop.middle_W.z()));
     }
     for (const CapTriangle& t : *cap) {
       mesh.triangles.push_back({t[0].vertex, t[1].vertex, t[2].vertex});

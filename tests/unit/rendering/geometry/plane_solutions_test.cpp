@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/benchmark/counted_number.h"
 #include "rendering/geometry/plane_projection.h"
-#include "tests/support/counted.h"
 #include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
 
-using testing::Counted;
+using Counted = host::CountedNumber;
 using testing::share_of;
 using CountedVector = Eigen::Matrix<Counted, 3, 1>;
 using Real = long double;

@@ -31,7 +31,7 @@ TEST(Swarm, NoBallComesNearerToTheProxyThanItsRadius) {
   std::vector<Object> objects(kMaxMovers, ball.object());
   for (Object& object : objects) {
     object.moves = true;
-    sways.emplace_back(unit(random), unit(random), unit(random));
+    sways.push_back(Vec3{unit(random), unit(random), unit(random)});
   }
   const auto world = std::make_unique<World>();
   ASSERT_TRUE(world->set_scene(objects, {.tool_radius_m = kRadius_m}));
@@ -39,7 +39,9 @@ TEST(Swarm, NoBallComesNearerToTheProxyThanItsRadius) {
   for (int tick = 0; tick < 2000; ++tick) {
     std::vector<RigidPose> poses;
     for (std::uint32_t i = 0; i < kMaxMovers; ++i) {
-      const Vec3 place(i % 4 - 1.5, i / 4 % 4 - 1.5, i / 16 - 1.5);
+      const std::uint32_t row = i / 4 % 4;
+      const std::uint32_t layer = i / 16;
+      const Vec3 place(i % 4 - 1.5, row - 1.5, layer - 1.5);
       const double phase = 0.05 * tick + i;
       poses.push_back(
           {.rotation = Eigen::AngleAxisd(0.02 * tick, sways[i].normalized()).toRotationMatrix(),

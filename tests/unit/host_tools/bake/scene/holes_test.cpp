@@ -136,10 +136,10 @@ TEST(HoleCaps, CloseHolesOfAnyShapeWithTheirNeighboursWinding) {
   for (int i = 0; i < 50; ++i) {
     // Holes that run into each other are long and bent.
     std::vector<Vec3> places;
-    const Vec3 first = Vec3(number(random), number(random), number(random)).normalized();
+    const Vec3 first = Vec3{number(random), number(random), number(random)}.normalized();
     for (int k = 0; k < 4; ++k) {
-      const Vec3 beside(number(random), number(random), number(random));
-      places.push_back(kBall_m * (first + 0.25 * beside).normalized());
+      const Vec3 beside{number(random), number(random), number(random)};
+      places.emplace_back(kBall_m * (first + 0.25 * beside).normalized());
     }
     const TriangleMesh open = pierced(shape, places, 0.016);
     BakedMesh baked;
