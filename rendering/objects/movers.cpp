@@ -167,7 +167,7 @@ std::size_t Movers::wave(Mover& mover, double time_s) {
   const std::size_t count = mover.wave.rest.size();
   const std::size_t turns = std::min(kWaveVertices, count);
   for (std::size_t left = turns; left > 0;) {
-    const std::size_t part = std::min(left, count - mover.next_vertex);
+    const std::size_t part = std::min<std::size_t>(left, count - mover.next_vertex);
     rendering::wave(*mover.motion, of_time, mover.wave.part(mover.next_vertex, part),
                     deformable_of(mover).want(mover.next_vertex, part));
     mover.next_vertex = static_cast<std::uint32_t>((mover.next_vertex + part) % count);

@@ -20,7 +20,7 @@ namespace {
 using testing::kRough;
 using testing::Solid;
 
-constexpr double kCell_m = 0.01;
+constexpr double kSheetCell_m = 0.01;
 
 // A sheet on which nothing moves for a while, then all of it, then single vertices; the numbers of
 // vertices are no multiples of four. The oracle asks every vertex.
@@ -29,9 +29,9 @@ TEST(DeformableMesh, ItsStepIsTheLongestOfItsVertices) {
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto pool = std::make_unique<DeformablePool>();
-  std::array<Solid, 3> sheets{Solid(testing::flat_sheet(kCell_m, 1), Sides::two, kRough),
-                              Solid(testing::flat_sheet(kCell_m, 2), Sides::two, kRough),
-                              Solid(testing::flat_sheet(kCell_m, 5), Sides::two, kRough)};
+  std::array<Solid, 3> sheets{Solid(testing::flat_sheet(kSheetCell_m, 1), Sides::two, kRough),
+                              Solid(testing::flat_sheet(kSheetCell_m, 2), Sides::two, kRough),
+                              Solid(testing::flat_sheet(kSheetCell_m, 5), Sides::two, kRough)};
   for (const Solid& sheet : sheets) {
     pool->vertices_used = pool->nodes_used = 0;
     DeformableMesh mesh;
