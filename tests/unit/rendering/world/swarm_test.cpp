@@ -31,7 +31,8 @@ TEST(Swarm, NoBallComesNearerToTheProxyThanItsRadius) {
   std::vector<Object> objects(kMaxMovers, ball.object());
   for (Object& object : objects) {
     object.moves = true;
-    sways.emplace_back(Vec3{unit(random), unit(random), unit(random)});
+    const Vec3 sway{unit(random), unit(random), unit(random)};
+    sways.push_back(sway);
   }
   const auto world = std::make_unique<World>();
   ASSERT_TRUE(world->set_scene(objects, {.tool_radius_m = kRadius_m}));
