@@ -36,9 +36,8 @@ struct ExplainedPlane {
   ExplainedFeature feature;
   // The point of the surface nearest to the proxy.
   Vec3 surface_W = Vec3::Zero();
-  // The plane: normal . x >= offset, unit normal.
+  // The plane's unit normal, toward the proxy.
   Vec3 normal_W = Vec3::Zero();
-  double offset_m = 0.0;
   // The signed distances of the tool and of the nearest point to it from the plane.
   double tool_distance_m = 0.0;
   double goal_distance_m = 0.0;

@@ -63,7 +63,6 @@ std::vector<ExplainedPlane> planes_of(const rendering::WatchedSubGoal& sub_goal,
         {.feature = feature_of(sub_goal.tick.near.scene, plane, surface_W),
          .surface_W = surface_W,
          .normal_W = half_space.normal,
-         .offset_m = half_space.offset,
          .tool_distance_m = half_space.normal.dot(sub_goal.tick.h_W) - half_space.offset,
          .goal_distance_m = goal_m,
          .fate = goal_m > kOnPlane_m ? PlaneFate::not_reached : PlaneFate::redundant});

@@ -55,11 +55,27 @@ constexpr std::string_view kHeader =
     "friction_before,friction,static_radius_m,dynamic_radius_m,lag_m,"
     "value,height_m,tolerance_m,depth_m,flags\n";
 
+std::string_view name_of(MoveEnding ending) {
+  constexpr auto kNames = std::to_array<std::string_view>(
+      {"arrived", "stopped", "border", "held", "settled", "put back", "cut"});
+  return kNames[static_cast<std::size_t>(ending)];
+}
+
+std::string_view name_of(IterationEnding ending) {
+  constexpr auto kNames =
+      std::to_array<std::string_view>({"arrived", "stopped", "settled", "cut", "free"});
+  return kNames[static_cast<std::size_t>(ending)];
+}
+
+std::string_view name_of(PlaneFate fate) {
+  constexpr auto kNames = std::to_array<std::string_view>({"active", "not reached", "redundant"});
+  return kNames[static_cast<std::size_t>(fate)];
+}
+
 // The fields of one row; those that are not set are empty.
 class Row {
  public:
   void set(Column column, std::string_view text) { fields_[column] = text; }
-  void set(Column column, const char* text) { fields_[column] = text; }
   template <class Number>
   void set(Column column, Number number) {
     fields_[column] = fmt::format("{}", number);
@@ -82,6 +98,15 @@ class Row {
     }
   }
 
+  // Sets what a move and an iteration have in common.
+  template <class Step>
+  void set_step(const Step& step) {
+    set(kFrom, step.from_W);
+    set(kGoal, step.goal_W);
+    set(kTo, step.to_W);
+    set(kEnding, name_of(step.ending));
+  }
+
   // Appends the row to the file.
   void write(LogFile& file, const ExplainedTick& tick, std::string_view kind) const {
     std::string& line = file.buffer();
@@ -98,33 +123,13 @@ class Row {
   std::array<std::string, kColumns> fields_;
 };
 
-std::string_view name_of(MoveEnding ending) {
-  constexpr auto kNames = std::to_array<std::string_view>(
-      {"arrived", "stopped", "border", "held", "settled", "put back", "cut"});
-  return kNames[static_cast<std::size_t>(ending)];
-}
-
-std::string_view name_of(IterationEnding ending) {
-  constexpr auto kNames =
-      std::to_array<std::string_view>({"arrived", "stopped", "settled", "cut", "free"});
-  return kNames[static_cast<std::size_t>(ending)];
-}
-
-std::string_view name_of(PlaneFate fate) {
-  constexpr auto kNames = std::to_array<std::string_view>({"active", "not reached", "redundant"});
-  return kNames[static_cast<std::size_t>(fate)];
-}
-
 void add_move(LogFile& file, const ExplainedTick& tick, std::size_t number) {
   const ExplainedMove& move = tick.moves[number];
   Row row;
   row.set(kPass, move.pass);
   row.set(kMove, number);
   row.set(kTool, move.tool_W);
-  row.set(kFrom, move.from_W);
-  row.set(kGoal, move.goal_W);
-  row.set(kTo, move.to_W);
-  row.set(kEnding, name_of(move.ending));
+  row.set_step(move);
   if (move.stopped_by) {
     row.set(kObject, move.stopped_by->object);
     row.set(kFace, move.stopped_by->face);
@@ -157,10 +162,7 @@ void add_iteration(LogFile& file, const ExplainedTick& tick, std::size_t number)
   Row row;
   row.set(kMove, number);
   row.set(kObject, iteration.object);
-  row.set(kFrom, iteration.from_W);
-  row.set(kGoal, iteration.goal_W);
-  row.set(kTo, iteration.to_W);
-  row.set(kEnding, name_of(iteration.ending));
+  row.set_step(iteration);
   if (iteration.normal_W != Vec3::Zero()) {
     row.set(kNormal, iteration.normal_W);
     row.set(kHeight, iteration.height_m);

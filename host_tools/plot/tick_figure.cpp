@@ -41,9 +41,6 @@ class Block {
   }
   void add_point(const PlanePoint& p) { add(p.right, p.up); }
   void lift_pen() { text_ += '\n'; }
-  void add_labelled(const PlanePoint& p, std::string_view label) {
-    fmt::format_to(std::back_inserter(text_), "{:.7g} {:.7g} \"{}\"\n", p.right, p.up, label);
-  }
   // Returns the block; gnuplot complains about one without points, so it gets one off the sheet.
   [[nodiscard]] std::string finish() const { return text_ + "1e9 1e9 0 0\nEOD\n"; }
 
@@ -241,7 +238,7 @@ void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> 
     const TickView& view = from_above ? above : across;
     const std::string suffix = from_above ? "above" : "across";
     const Window window = view.window(tick);
-    // From above the surface and the planes would hide the moves on them.
+    // The view from above leaves out the surface and the planes, which would hide the moves.
     script += cut_block("cut_" + suffix, from_above ? Objects{} : objects, view, window);
     for (const bool active : {true, false}) {
       const std::string name = (active ? "held_" : "loose_") + suffix;

@@ -49,7 +49,7 @@ class TickWatcher;
 struct Mover;
 struct Object;
 
-// Whoever watches a tick (tick_watcher.h), and the object that is touched; nobody by default.
+// The watcher of a tick (tick_watcher.h) and the object that is touched; no watcher by default.
 struct ObjectWatch {
   TickWatcher* watcher = nullptr;
   // The number of the object in the scene, and the object itself.

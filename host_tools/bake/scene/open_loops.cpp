@@ -1,4 +1,4 @@
-// From the end of an open edge the search goes on round the vertex, from triangle to triangle, to
+// The search goes on from the end of an open edge round the vertex, from triangle to triangle, to
 // the next open edge. Where it comes to a vertex again, the part since then is a loop of its own:
 // so two holes that meet in a vertex are two.
 #include "host_tools/bake/scene/open_loops.h"

@@ -13,7 +13,7 @@
 namespace tactus::host {
 namespace {
 
-// As many objects move as may, and the tool touches them.
+// The scene has as many moving objects as a world takes, and the tool touches them.
 TEST(MovingScenes, FillTheWorldAndAreTouched) {
   constexpr std::size_t kTicks = 1000;
   for (const MovingScene& moving : {swarm("balls", 2, 1.0, kTicks), sheets(kTicks)}) {

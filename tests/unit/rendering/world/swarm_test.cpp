@@ -1,4 +1,4 @@
-// As many objects as may move, all about the tool.
+// The tool is among as many moving objects as a world takes.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -191,7 +191,7 @@ class FormulaDrawing {
     const double y = one();
     return {x, y, one()};
   }
-  // From 20 um to 2 mm.
+  // The thickness is 20 um to 2 mm.
   double thickness() { return 0.02 * std::pow(100.0, number(0.0, 1.0)); }
   template <class T>
   T any(const std::vector<T>& of) {
