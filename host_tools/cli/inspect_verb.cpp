@@ -17,6 +17,7 @@
 #include "host_tools/bake/scene/open_loops.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/plot/figures.h"
+#include "host_tools/units.h"
 
 namespace tactus::host {
 namespace {
@@ -193,10 +194,9 @@ void print_volume(const ObjectSummary& s) {
 // Prints the place and the size of each hole, the largest first.
 void print_holes(const ObjectSummary& s) {
   constexpr std::size_t kMost = 20;
-  constexpr double kMillimetres = 1000.0;
   for (const OpenLoop& hole : s.holes | std::views::take(kMost)) {
     fmt::print("  hole       {:.3g} mm at ({:.5g}, {:.5g}, {:.5g}) m, {} open edge{}{}\n",
-               kMillimetres * hole.size_m, hole.middle_W.x(), hole.middle_W.y(), hole.middle_W.z(),
+               kMillimetresPerMetre * hole.size_m, hole.middle_W.x(), hole.middle_W.y(), hole.middle_W.z(),
                hole.corners.size(), hole.corners.size() == 1 ? "" : "s",
                hole.is_closed ? "" : ", no loop");
   }

@@ -234,4 +234,33 @@ void Explainer::see(const rendering::ObjectWatch& object, const rendering::MeshF
        .vertex = is_vertex ? mesh.triangles[feature.triangle][feature.number] : 0});
 }
 
+void Explainer::see(const rendering::ObjectWatch& object,
+                    const rendering::WatchedSegment& segment) {
+  const auto to_world = [&](const Vec3& p_O) {
+    return rendering::point_from(object.mover, p_O);
+  };
+  ExplainedMove move{.tool_W = to_world(segment.tool_O),
+                     .from_W = to_world(segment.from_O),
+                     .goal_W = to_world(segment.goal_O),
+                     .to_W = to_world(segment.to_O),
+                     .ending = MoveEnding::arrived};
+  if (segment.hit.is_hit()) {
+    const ExplainedFeature facet{
+        .object = object.number, .kind = ContactKind::face, .face = segment.hit.triangle};
+    const Vec3& normal_O = segment.hit.normal;
+    const double tool_m = normal_O.dot(segment.tool_O - segment.hit.point);
+    move.ending = MoveEnding::stopped;
+    move.stopped_by = facet;
+    move.planes.push_back({.feature = facet,
+                           .surface_W = to_world(segment.hit.point),
+                           .normal_W = rendering::direction_from(object.mover, normal_O),
+                           .tool_distance_m = tool_m,
+                           .multiplier_m = -tool_m,
+                           .fate = PlaneFate::active});
+    tick_.feature = facet;
+    tick_.surface_W = move.planes.back().surface_W;
+  }
+  tick_.moves.push_back(std::move(move));
+}
+
 }  // namespace tactus::host

@@ -29,6 +29,7 @@ class Explainer final : public rendering::TickWatcher {
   void see(const rendering::ObjectWatch& object,
            const rendering::WatchedFormulaStep& step) override;
   void see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) override;
+  void see(const rendering::ObjectWatch& object, const rendering::WatchedSegment& segment) override;
 
  private:
   // Ends the last move at `p_W`, and says how it ended.

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "rendering/contact/crease_walls.h"
+#include "rendering/contact/object_watch.h"
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
@@ -42,21 +43,6 @@ struct ImplicitProxyState {
   FrictionState friction = FrictionState::free;
   SurfaceFriction model;
   CreaseWalls walls;
-};
-
-class TickWatcher;
-
-struct Mover;
-struct Object;
-
-// The watcher of a tick (tick_watcher.h) and the object that is touched; no watcher by default.
-struct ObjectWatch {
-  TickWatcher* watcher = nullptr;
-  // The number of the object in the scene, and the object itself.
-  std::uint32_t number = 0;
-  const Object* object = nullptr;
-  // The object's place if it moves; nullptr if it is fixed.
-  const Mover* mover = nullptr;
 };
 
 // One proxy on one implicit surface. IndependentContacts (rendering/world/independent_contacts.h)

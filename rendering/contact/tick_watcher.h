@@ -9,6 +9,8 @@
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
 #include "rendering/contact/next_move.h"
+#include "rendering/contact/object_watch.h"
+#include "rendering/contact/textbook/first_facet.h"
 #include "rendering/limits.h"
 #include "rendering/touch.h"
 
@@ -41,6 +43,16 @@ struct WatchedFormulaStep {
   std::uint32_t flags;
 };
 
+// A segment of a textbook's proxy on a mesh, after its move. Frame of the object, m.
+struct WatchedSegment {
+  Vec3 from_O;
+  Vec3 goal_O;
+  Vec3 to_O;
+  Vec3 tool_O;
+  // The facet that the segment crosses, if any.
+  FacetHit hit;
+};
+
 // Receives the steps of ticks in their order. What it is given is valid during the call. It must
 // not change the world.
 class TickWatcher {
@@ -57,6 +69,8 @@ class TickWatcher {
   virtual void see(const ObjectWatch& object, const WatchedFormulaStep& step) = 0;
   // The feature walk on the mesh of `object` has ended its tick at this feature.
   virtual void see(const ObjectWatch& object, const MeshFeature& feature) = 0;
+  // The textbook's proxy on the mesh of `object` has tested a segment.
+  virtual void see(const ObjectWatch& object, const WatchedSegment& segment) = 0;
 
  protected:
   TickWatcher() = default;
@@ -71,6 +85,7 @@ class ProxyPath final : public TickWatcher {
   void see_end(const MovingProxy& proxy, bool is_put_back) override { add(proxy, is_put_back); }
   void see(const ObjectWatch& /*object*/, const WatchedFormulaStep& /*step*/) override {}
   void see(const ObjectWatch& /*object*/, const MeshFeature& /*feature*/) override {}
+  void see(const ObjectWatch& /*object*/, const WatchedSegment& /*segment*/) override {}
 
   std::array<Vec3, kMaxSubGoals + 1> points;
   std::size_t count = 0;

@@ -62,11 +62,11 @@ bool touchable(const Object& object) {
       return valid(object.primitive) &&
              (meets_proxy(object) || object.method == ContactMethod::potential_field);
     case SurfaceKind::implicit:
-      return object.method == ContactMethod::tracking &&
+      return follows_formula(object.method) &&
              check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
     default:
-      return usable_mesh(object.mesh) && object.method != ContactMethod::tracking &&
-             (meets_proxy(object) || has_features(object));
+      return usable_mesh(object.mesh) && !follows_formula(object.method) &&
+             (meets_proxy(object) || is_textbook_on_mesh(object.method) || has_features(object));
   }
 }
 
@@ -89,7 +89,8 @@ bool usable(const Object& object) {
     return false;
   }
   return touchable(object) &&
-         (object.detail.empty() || object.method != ContactMethod::potential_field) &&
+         (object.detail.empty() || renders_detail(object.method)) &&
+         object.push_out_m >= 0.0 && object.push_out_m <= kWorldBound_m &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
 }
 

@@ -29,7 +29,20 @@ enum class ContactMethod : std::uint8_t {
   potential_field = 2,  // the baseline, with its faults: closed meshes and primitives
   feature_walk = 3,     // a point that walks from feature to feature; meshes
   tracking = 4,         // a point that follows the tangent plane; implicit surfaces
+  // The textbook's methods with their faults (contact/textbook), for comparison: a point on meshes,
+  // the last one on implicit surfaces.
+  one_plane = 5,
+  three_sub_goals = 6,
+  three_step = 7,
+  one_step = 8,
+  plain_tracking = 9,
 };
+
+// The last of the methods.
+inline constexpr ContactMethod kLastContactMethod = ContactMethod::plain_tracking;
+
+// The push-out of a textbook's method where none is given, m.
+inline constexpr double kDefaultPushOut_m = 1e-6;
 
 // An object: its surface, the method by which it is touched, its material and its motion.
 struct Object {
@@ -48,9 +61,12 @@ struct Object {
   std::span<const Float3> vertex_normals;
   // The sides that stop the tool.
   Sides sides = Sides::one;
+  // How far above a facet the textbook's methods on meshes put their point, m, >= 0.
+  double push_out_m = kDefaultPushOut_m;
   // The material at the start; World::set_material may change it.
   Material material;
-  // Normals and textures. A potential field has none; a mesh that deforms uses its textures alone.
+  // Normals and textures. A potential field and the textbook's methods have none; a mesh that deforms
+  // uses its textures alone.
   SurfaceDetail detail;
   // True if the outside or a motion moves the object: the frame in which it is given is then its
   // own frame O.
@@ -72,6 +88,26 @@ bool usable(const Object& object);
 // Returns true if the object shares the proxy with others, false if it gives its own force.
 inline bool meets_proxy(const Object& object) {
   return object.method == ContactMethod::sphere_proxy || object.method == ContactMethod::god_object;
+}
+
+// Returns true for the textbook's methods on meshes.
+inline bool is_textbook_on_mesh(ContactMethod method) {
+  return method >= ContactMethod::one_plane && method <= ContactMethod::one_step;
+}
+
+// Returns true for all of the textbook's methods.
+inline bool is_textbook(ContactMethod method) {
+  return method >= ContactMethod::one_plane;
+}
+
+// Returns true for the methods that follow a formula.
+inline bool follows_formula(ContactMethod method) {
+  return method == ContactMethod::tracking || method == ContactMethod::plain_tracking;
+}
+
+// Returns true if the method renders shading and textures.
+inline bool renders_detail(ContactMethod method) {
+  return method != ContactMethod::potential_field && !is_textbook(method);
 }
 
 // Returns true if the object may change its place or shape.

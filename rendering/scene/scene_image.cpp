@@ -236,6 +236,7 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   taken.sides = static_cast<Sides>(object.sides());
   taken.material = *material;
   taken.method = static_cast<ContactMethod>(object.method());
+  taken.push_out_m = object.push_out();
   if (const Result shape = take_shape(object, taken); !shape) {
     return shape;
   }
@@ -252,7 +253,7 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (const Result detail = check_detail(taken); !detail) {
     return detail;
   }
-  if (object.method() > std::to_underlying(ContactMethod::tracking) || !usable(taken)) {
+  if (object.method() > std::to_underlying(kLastContactMethod) || !usable(taken)) {
     return fail(SceneFault::method, object.method());
   }
   return {};

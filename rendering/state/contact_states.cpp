@@ -7,6 +7,8 @@
 
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
+#include "rendering/contact/textbook/plain_tracking.h"
+#include "rendering/contact/textbook/textbook_proxy.h"
 #include "rendering/friction/joint_friction.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/state/plain_states.h"
@@ -56,6 +58,18 @@ void ImplicitTracker::transfer(StateArchive& archive) {
   archive.choice(friction, FrictionState::slip);
 }
 
+void TextbookProxy::transfer(StateArchive& archive) {
+  auto& [p, friction, step_planes, steps] = *this;
+  archive(p, step_planes, steps);
+  archive.choice(friction, FrictionState::slip);
+  archive.require(steps <= step_planes.size());
+}
+
+void PlainTracker::transfer(StateArchive& archive) {
+  auto& [p_W, side, in_contact] = *this;
+  archive(p_W, side, in_contact);
+}
+
 void CreaseWalls::transfer(StateArchive& archive) {
   auto& [offsets_O, count] = *this;
   archive(offsets_O, count);
@@ -63,15 +77,16 @@ void CreaseWalls::transfer(StateArchive& archive) {
 }
 
 void IndependentContacts::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, budget, share, awake, trackers,
-                          walkers, details, left_out] = *this;
+  [[maybe_unused]] auto& [tool_radius_m, last_tool_W, tool_step_m, budget, share, awake, proxies,
+                          details, left_out] = *this;
   archive(tool_radius_m, last_tool_W);
   for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
     auto& [shading, point_O, touched, friction_factor] = details[k];
-    archive(awake[k], left_out[k], trackers[k], walkers[k], shading, point_O, touched,
-            friction_factor);
+    auto& [tracker, walker, textbook, plain_tracker] = proxies[k];
+    archive(awake[k], left_out[k], tracker, walker, textbook, plain_tracker, shading, point_O,
+            touched, friction_factor);
     const std::size_t triangles = scene[scene.independent_objects()[k]].mesh.triangles.size();
-    const std::uint32_t triangle = walkers[k].feature().triangle;
+    const std::uint32_t triangle = walker.feature().triangle;
     // The triangle comes from outside, and the walk will read it.
     archive.require(triangle == 0 || triangle < triangles);
   }

@@ -7,6 +7,7 @@
 #include "rendering/effects/effect.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/capsule.h"
+#include "rendering/geometry/plane_projection.h"
 #include "rendering/geometry/rigid_pose.h"
 #include "rendering/geometry/triangle.h"
 #include "rendering/objects/motion.h"
@@ -35,6 +36,11 @@ inline void transfer(StateArchive& archive, Bounds& bounds) {
 inline void transfer(StateArchive& archive, Capsule& capsule) {
   auto& [start, axis, radius] = capsule;
   archive(start, axis, radius);
+}
+
+inline void transfer(StateArchive& archive, Plane& plane) {
+  auto& [normal, offset] = plane;
+  archive(normal, offset);
 }
 
 inline void transfer(StateArchive& archive, ToolState& tool) {

@@ -10,11 +10,6 @@
 
 namespace tactus::rendering {
 
-inline void transfer(StateArchive& archive, Plane& plane) {
-  auto& [normal, offset] = plane;
-  archive(normal, offset);
-}
-
 // The count bounds an index and so is checked when it is read.
 inline void transfer(StateArchive& archive, FrictionFactors& factors) {
   auto& [object, factor, count, depth_m] = factors;

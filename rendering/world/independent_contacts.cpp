@@ -1,6 +1,7 @@
 #include "rendering/world/independent_contacts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "rendering/contact/no_pull.h"
 #include "rendering/contact/potential_field.h"
@@ -62,6 +63,33 @@ Touch touch_of(const FeatureRest& rest) {
           .flags = rest.flags};
 }
 
+Touch touch_of(const TextbookRest& rest) {
+  return {.proxy_W = rest.proxy,
+          .normal_W = rest.normal,
+          .depth_m = rest.depth_m,
+          .contact = rest.planes > 0 ? ContactKind::face : ContactKind::none,
+          .friction = rest.friction,
+          .sub_goals = rest.segments,
+          .planes = rest.planes,
+          .flags = rest.flags};
+}
+
+Touch touch_of(const PlainRest& rest) {
+  return {.proxy_W = rest.proxy_W,
+          .normal_W = rest.normal_W,
+          .depth_m = rest.depth_m,
+          .contact = rest.in_contact ? ContactKind::face : ContactKind::none,
+          .sub_goals = static_cast<std::uint16_t>(rest.steps),
+          .planes = static_cast<std::uint16_t>(rest.in_contact ? 1 : 0),
+          .flags = rest.flags};
+}
+
+// Returns the rule of a textbook's method on meshes.
+TextbookRule textbook_rule(ContactMethod method) {
+  return static_cast<TextbookRule>(std::to_underlying(method) -
+                                   std::to_underlying(ContactMethod::one_plane));
+}
+
 Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
   if (!(push.depth_m > 0.0)) {
     return {.proxy_W = tool_O};
@@ -89,8 +117,7 @@ void IndependentContacts::place(const SceneObjects& scene, const Vec3& p_W, doub
   for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
     const Mover* const mover = scene.mover_of(scene.independent_objects()[k]);
     const Vec3 p_O = point_in(mover, p_W);
-    trackers_[k].place(p_O);
-    walkers_[k].place(p_O);
+    proxies_[k].place(p_O);
     details_[k] = {};
     awake_[k] = true;
     left_out_[k] = scene[scene.independent_objects()[k]].method == ContactMethod::potential_field;
@@ -132,8 +159,8 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     wake(k, mover);
     share_ = budget_.left() / to_come--;
     const Vec3 step_O = point_in(mover, tool.p_W) - point_in_before(mover, last_tool_W_);
-    trackers_[k].begin_friction(step_O, scene.tick_s());
-    walkers_[k].begin_friction(step_O, scene.tick_s());
+    proxies_[k].tracker.begin_friction(step_O, scene.tick_s());
+    proxies_[k].walker.begin_friction(step_O, scene.tick_s());
     Touch own = touch_in_frame(
         {.k = k,
          .object = object,
@@ -174,7 +201,7 @@ double IndependentContacts::stretch_m(const SceneObjects& scene, std::uint32_t o
   const Object& independent = scene[object];
   const Vec3 tool_O = point_in(scene.mover_of(object), last_tool_W_);
   if (independent.method != ContactMethod::potential_field) {
-    return (last_proxy_O(k, independent) - tool_O).norm();
+    return (proxies_[k].position_O(independent.method) - tool_O).norm();
   }
   return left_out_[k] ? 0.0
                       : std::max(0.0, field_push(independent, tool_O, tool_radius_m_).depth_m);
@@ -206,8 +233,7 @@ void IndependentContacts::wake(std::size_t k, const Mover* mover) {
     return;
   }
   const Vec3 p_O = point_in_before(mover, last_tool_W_);
-  trackers_[k].place(p_O);
-  walkers_[k].place(p_O);
+  proxies_[k].place(p_O);
   details_[k] = {};
   awake_[k] = true;
 }
@@ -219,7 +245,7 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
   switch (object.method) {
     case ContactMethod::tracking: {
       const ImplicitRest rest =
-          trackers_[k].advance(object.implicit, material, goal_O,
+          proxies_[k].tracker.advance(object.implicit, material, goal_O,
                                std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_), watch);
       budget_.spend(rest.evaluated / kFormulaStepsPerUnit);
       Touch touch = touch_of(rest);
@@ -228,20 +254,44 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
     }
     case ContactMethod::feature_walk: {
       const FeatureRest rest =
-          walkers_[k].advance(mesh_of(object), object.sides, material, goal_O,
+          proxies_[k].walker.advance(mesh_of(object), object.sides, material, goal_O,
                               std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
       if (watch.watcher != nullptr) {
-        watch.watcher->see(watch, walkers_[k].feature());
+        watch.watcher->see(watch, proxies_[k].walker.feature());
       }
       budget_.spend(kCostOfFeatureVisit * (std::size_t{rest.visited} + rest.approached));
       Touch touch = touch_of(rest);
       note_short_of_goal(goal_O, touch);
       return touch;
     }
-    default:
+    case ContactMethod::plain_tracking: {
+      const PlainRest rest = proxies_[k].plain_tracker.advance(object.implicit, goal_O, watch);
+      budget_.spend(static_cast<std::size_t>(rest.steps) * object.implicit.formula.instructions.size() /
+                    kFormulaStepsPerUnit);
+      return touch_of(rest);
+    }
+    case ContactMethod::potential_field:
       budget_.spend(kCostOfField);
       return touch_of_field(k, object, goal_O);
+    default:
+      return touch_by_textbook(independent, goal_O);
   }
+}
+
+Touch IndependentContacts::touch_by_textbook(const IndependentObject& independent,
+                                             const Vec3& tool_O) {
+  const auto& [k, object, material, moved_m, watch] = independent;
+  const TextbookRest rest = proxies_[k].textbook.advance(
+      textbook_rule(object.method),
+      {.mesh = object.mesh,
+       .sides = object.sides,
+       .material = material,
+       .push_out_m = object.push_out_m},
+      tool_O, std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit), watch);
+  budget_.spend(kCostOfFeatureVisit * rest.visited);
+  Touch touch = touch_of(rest);
+  note_short_of_goal(tool_O, touch);
+  return touch;
 }
 
 // Computes a potential field. A field in which the tool began acts from the tick in which the tool
@@ -262,7 +312,7 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
   ForceShading& shading = details_[k].shading;
   Touch touch;
   if (detailed) {
-    shading.begin({.proxy_W = last_proxy_O(k, object), .tool_W = tool_O.p_W, .moved_m = moved_m},
+    shading.begin({.proxy_W = proxies_[k].position_O(object.method), .tool_W = tool_O.p_W, .moved_m = moved_m},
                   ForceShading::Passes::one);
     touch = rest_in_frame(independent, tool_O.p_W + shading.offset());
     if (touch.contact == ContactKind::none && shading.is_on()) {
@@ -298,7 +348,7 @@ void IndependentContacts::shade_in_frame(const IndependentObject& independent,
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
   if (object.method == ContactMethod::feature_walk) {
-    const MeshFeature& feature = walkers_[k].feature();
+    const MeshFeature& feature = proxies_[k].walker.feature();
     contact.triangle = feature.triangle;
     contact.feature = feature.kind;
     contact.edge = feature.number;
@@ -335,9 +385,24 @@ void IndependentContacts::shade_in_frame(const IndependentObject& independent,
   }
 }
 
-const Vec3& IndependentContacts::last_proxy_O(std::size_t k, const Object& object) const {
-  return object.method == ContactMethod::tracking ? trackers_[k].position_W()
-                                                  : walkers_[k].position_W();
+void IndependentContacts::Proxies::place(const Vec3& p_O) {
+  tracker.place(p_O);
+  walker.place(p_O);
+  textbook.place(p_O);
+  plain_tracker.place(p_O);
+}
+
+const Vec3& IndependentContacts::Proxies::position_O(ContactMethod method) const {
+  switch (method) {
+    case ContactMethod::tracking:
+      return tracker.position_W();
+    case ContactMethod::plain_tracking:
+      return plain_tracker.position_W();
+    case ContactMethod::feature_walk:
+      return walker.position_W();
+    default:
+      return textbook.position();
+  }
 }
 
 }  // namespace tactus::rendering

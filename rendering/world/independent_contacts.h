@@ -1,6 +1,6 @@
-// The independent contacts of one tool: potential fields, feature walks and implicit surfaces. Each
-// gives its own force, apart from the shared proxy. ToolTouch adds them to the shared proxy's
-// touch.
+// The independent contacts of one tool: potential fields, feature walks, implicit surfaces and the
+// textbook's methods. Each gives its own force, apart from the shared proxy. ToolTouch adds them to
+// the shared proxy's touch.
 #pragma once
 
 #include <array>
@@ -8,6 +8,8 @@
 
 #include "rendering/contact/feature_walk.h"
 #include "rendering/contact/implicit_tracking.h"
+#include "rendering/contact/textbook/plain_tracking.h"
+#include "rendering/contact/textbook/textbook_proxy.h"
 #include "rendering/limits.h"
 #include "rendering/material/force_shading.h"
 #include "rendering/objects/scene_objects.h"
@@ -50,6 +52,20 @@ class IndependentContacts {
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
  private:
+  // The proxy of one object, by its method: of an implicit surface, of a feature walk, and of the
+  // textbook's methods on meshes and on formulas. A potential field has none.
+  struct Proxies {
+    ImplicitTracker tracker;
+    FeatureWalker walker;
+    TextbookProxy textbook;
+    PlainTracker plain_tracker;
+
+    // Starts over, out of contact, at p_O: the object's frame, m.
+    void place(const Vec3& p_O);
+    // Returns the proxy after the last tick; the object's frame, m.
+    [[nodiscard]] const Vec3& position_O(ContactMethod method) const;
+  };
+
   // The state of shading and textures of one object, in its frame.
   struct DetailState {
     ForceShading shading;
@@ -73,10 +89,10 @@ class IndependentContacts {
 
   // Computes the contact of one object without shading, in its own frame.
   Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O);
+  // Computes a contact by one of the textbook's methods on meshes.
+  Touch touch_by_textbook(const IndependentObject& independent, const Vec3& tool_O);
   // Computes a potential field.
   Touch touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O);
-  // Returns the proxy of a contact that has one, after the last tick; the object's frame, m.
-  [[nodiscard]] const Vec3& last_proxy_O(std::size_t k, const Object& object) const;
   // Applies the object's detail to the touch, and prepares the shift of the next tick's goal.
   void shade_in_frame(const IndependentObject& independent, const ToolState& tool_O, Touch& touch);
   // Computes the contact of one object with its detail, in its own frame.
@@ -97,10 +113,8 @@ class IndependentContacts {
   std::size_t share_ = 0;
   // The objects that are near or in contact; the others were skipped in the last tick.
   std::array<bool, kMaxIndependentObjects> awake_{};
-  // The proxies of implicit surfaces, those of feature walks, and the detail; each object uses what
-  // its method needs.
-  std::array<ImplicitTracker, kMaxIndependentObjects> trackers_;
-  std::array<FeatureWalker, kMaxIndependentObjects> walkers_;
+  // The proxies, and the detail; each object uses what its method needs.
+  std::array<Proxies, kMaxIndependentObjects> proxies_;
   std::array<DetailState, kMaxIndependentObjects> details_;
   // Potential fields that have overlapped the tool in every tick since it began there.
   std::array<bool, kMaxIndependentObjects> left_out_{};

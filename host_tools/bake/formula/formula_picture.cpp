@@ -17,6 +17,7 @@
 #include "host_tools/bake/formula/zero_search.h"
 #include "host_tools/input_error.h"
 #include "host_tools/mesh/level_set.h"
+#include "host_tools/units.h"
 
 namespace tactus::host {
 namespace {
@@ -30,7 +31,6 @@ constexpr int kCellsOfThicker = 80;
 // The places of the surface are looked for in cells that are halved this often where it is fine.
 constexpr int kLevels = 3;
 
-constexpr double kMillimetresPerMetre = 1000.0;
 
 // The cells of a tree that hold the surface.
 struct SurfaceCells {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "host_tools/units.h"
 #include "rendering/geometry/portable_math.h"
 
 namespace tactus::host {
@@ -140,7 +141,6 @@ std::vector<std::string> formula_warnings(const FormulaView& formula, const Box&
 }
 
 std::string why_nowhere_zero(const ZeroSearch& zero, const Box& bounds, double unit_m) {
-  constexpr double kUnitMillimetres = 1000.0;
   const std::string place = place_text(zero.place, bounds);
   const std::string_view side = zero.value > 0.0 ? "above" : "below";
   switch (zero.kind) {
@@ -167,7 +167,7 @@ std::string why_nowhere_zero(const ZeroSearch& zero, const Box& bounds, double u
           "the formula is {} 0 wherever it was looked at within its bounds, nearest to it at {} "
           "with {:.4g}; nothing is proved of parts of {:.2g} mm and less, one of them at {}; "
           "correct it, narrow the bounds, or widen them",
-          side, place, zero.value, kUnitMillimetres * unit_m * zero.undecided_size,
+          side, place, zero.value, kMillimetresPerMetre * unit_m * zero.undecided_size,
           place_text(zero.undecided, bounds));
   }
 }

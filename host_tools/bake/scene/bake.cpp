@@ -90,6 +90,8 @@ BakedObject bake_shape(const ObjectDescription& object, const std::string& scene
                     .shape = object.shape,
                     .placement = object.placement,
                     .contact = object.contact,
+                    .push_out_m = object.push_out_m,
+                    .textures = {},
                     .motion = object.motion};
   add_detail(object, scene, baked);
   report = {.name = object.name,
@@ -118,6 +120,8 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
                     .shape = {},
                     .placement = {},
                     .contact = object.contact,
+                    .push_out_m = object.push_out_m,
+                    .textures = {},
                     .motion = object.motion};
   add_detail(object, scene, baked);
   report = {.name = object.name,

@@ -150,11 +150,12 @@ DetailDescription read_detail(const TomlSection& object, std::string_view file,
                               rendering::ContactMethod contact) {
   DetailDescription detail;
   const bool is_mesh = std::holds_alternative<std::monostate>(shape);
-  const bool is_field = contact == rendering::ContactMethod::potential_field;
   for (const std::string_view key : {"shading", "texture"}) {
-    if (is_field && object.has(key)) {
-      object.fail(key, fmt::format("a potential field has no {}; leave it out, or leave out "
-                                   "contact = \"potential_field\"",
+    if (!rendering::renders_detail(contact) && object.has(key)) {
+      object.fail(key, fmt::format("{} has no {}; leave it out, or leave out contact",
+                                   contact == rendering::ContactMethod::potential_field
+                                       ? "a potential field"
+                                       : "a textbook's method",
                                    key));
     }
   }

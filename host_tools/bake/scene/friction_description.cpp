@@ -183,6 +183,9 @@ rendering::MaterialGrain read_grain(const TomlSection& object, std::string_view 
   if (!object.has("friction")) {
     object.fail("grain", "a grain without friction is not felt; write friction = { static = 0.6 }");
   }
+  if (rendering::is_textbook(contact)) {
+    object.fail("grain", "a textbook's method has no grain; leave it out, or leave out contact");
+  }
   if (contact == rendering::ContactMethod::potential_field) {
     object.fail("grain",
                 "a potential field has no friction and no grain; leave it out, or leave out "

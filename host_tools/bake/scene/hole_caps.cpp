@@ -16,6 +16,7 @@
 #include "host_tools/bake/scene/mesh_cleanup.h"
 #include "host_tools/bake/scene/open_loops.h"
 #include "host_tools/input_error.h"
+#include "host_tools/units.h"
 
 namespace tactus::host {
 namespace {
@@ -189,7 +190,6 @@ class Hole {
 }  // namespace
 
 HoleCaps cap_holes(TriangleMesh& mesh, double most_m) {
-  constexpr double kHoleMillimetres = 1000.0;
   HoleCaps caps;
   std::vector<OpenLoop> loops = find_open_loops(mesh.vertices, mesh.triangles);
   std::erase_if(loops, [&](const OpenLoop& loop) { return loop.size_m > most_m; });
@@ -200,7 +200,7 @@ HoleCaps cap_holes(TriangleMesh& mesh, double most_m) {
       throw InputError(fmt::format(
           "the hole of {:.3g} mm at ({:.4g}, {:.4g}, {:.4g}) m cannot be closed by triangles; "
           "repair the mesh, or write a cap_holes_mm below its size",
-          kHoleMillimetres * loop.size_m, loop.middle_W.x(), loop.middle_W.y(), loop.middle_W.z()));
+          kMillimetresPerMetre * loop.size_m, loop.middle_W.x(), loop.middle_W.y(), loop.middle_W.z()));
     }
     for (const CapTriangle& t : *cap) {
       mesh.triangles.push_back({t[0].vertex, t[1].vertex, t[2].vertex});

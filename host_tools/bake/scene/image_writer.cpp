@@ -128,7 +128,7 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
   return image::CreateObject(builder, name, sides, material, mesh,
                              static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
                              shape, object.motion.moves, layers, texels, object.motion.deforms,
-                             motion ? &*motion : nullptr);
+                             motion ? &*motion : nullptr, object.push_out_m);
 }
 
 // Returns an upper bound of the image's size, so that the builder reserves memory once.

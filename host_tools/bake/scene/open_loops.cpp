@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "host_tools/bake/scene/mesh_topology.h"
+#include "host_tools/units.h"
 
 namespace tactus::host {
 namespace {
@@ -21,7 +22,6 @@ using rendering::Float3;
 using rendering::kNoNeighbour;
 using rendering::TriangleIndices;
 
-constexpr double kMillimetres = 1000.0;
 
 MeshCorner next_in_triangle(const MeshCorner& at) {
   return {at.triangle, (at.corner + 1) % 3};
@@ -191,7 +191,7 @@ std::string text_of_loops(std::span<const OpenLoop> loops) {
   std::string text;
   for (const OpenLoop& loop : loops.first(std::min(kMost, loops.size()))) {
     text += fmt::format("{}{:.3g} mm at ({:.4g}, {:.4g}, {:.4g}) m", text.empty() ? "" : ", ",
-                        kMillimetres * loop.size_m, loop.middle_W.x(), loop.middle_W.y(),
+                        kMillimetresPerMetre * loop.size_m, loop.middle_W.x(), loop.middle_W.y(),
                         loop.middle_W.z());
   }
   if (loops.empty()) {
@@ -203,7 +203,7 @@ std::string text_of_loops(std::span<const OpenLoop> loops) {
 
 double cap_holes_mm_for(std::span<const OpenLoop> loops) {
   constexpr double kMore = 1.01;
-  return loops.empty() ? 0.0 : kMore * kMillimetres * loops.front().size_m;
+  return loops.empty() ? 0.0 : kMore * kMillimetresPerMetre * loops.front().size_m;
 }
 
 }  // namespace tactus::host

@@ -13,6 +13,7 @@
 #include "host_tools/bake/toml/toml_section.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
+#include "host_tools/units.h"
 #include "rendering/limits.h"
 
 namespace tactus::host {
@@ -38,12 +39,14 @@ constexpr std::array kOwnKeys{
     KeySpec{"friction", ""},
     KeySpec{"grain", ""},
     KeySpec{"contact", ""},
+    KeySpec{"push_out_mm", "mm"},
     KeySpec{"shading", ""},
     KeySpec{"texture", ""},
     KeySpec{"moves", ""},
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
 };
+
 // Returns the keys of an object: its own and those of its shape.
 std::vector<KeySpec> object_keys() {
   std::vector<KeySpec> keys(kOwnKeys.begin(), kOwnKeys.end());
@@ -71,9 +74,24 @@ bool read_flip(const TomlSection& section) {
   return flip;
 }
 
+// Throws InputError for friction that the contact method cannot render.
+void require_renderable_friction(const TomlSection& section, const ObjectDescription& object) {
+  if (!section.has("friction")) {
+    return;
+  }
+  if (object.contact == rendering::ContactMethod::plain_tracking) {
+    section.fail("friction", "plain_tracking has no friction; leave it out, or write \"tracking\"");
+  }
+  if (rendering::is_textbook(object.contact) &&
+      object.material.friction.kind != rendering::FrictionKind::cone) {
+    section.fail("friction",
+                 "a textbook's method has the friction cone only; write model = \"cone\", or leave out "
+                 "contact");
+  }
+}
+
 // Reads how a mesh is cleaned. Throws InputError for holes of another shape.
 MeshBakeOptions read_mesh_options(const TomlSection& section) {
-  constexpr double kMillimetre_m = 0.001;
   if (section.has("cap_holes_mm") && !section.has("mesh")) {
     section.fail("cap_holes_mm", "cap_holes_mm is for meshes; leave it out");
   }
@@ -105,6 +123,10 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   object.material.damping_Ns_per_m = section.number("damping_Ns_per_m", kZeroOrMore).value_or(0.0);
   object.material.friction = read_friction(section, file, object.material.stiffness_N_per_m);
   object.friction_line = section.line("friction");
+  require_renderable_friction(section, object);
+  if (const auto push_out_mm = section.number("push_out_mm", kZeroOrMore)) {
+    object.push_out_m = kMillimetre_m * *push_out_mm;
+  }
   object.material.grain = read_grain(section, file, object.contact);
   const bool is_meshed = meshed_formula(object.shape, object.contact) != nullptr;
   const ShapeDescription touched = is_meshed ? ShapeDescription{} : object.shape;

@@ -16,19 +16,6 @@ using rendering::kPrimitives;
 using rendering::Primitive;
 using rendering::PrimitiveTraits;
 
-// The names of the contact methods in TOML.
-struct NamedMethod {
-  std::string_view name;
-  ContactMethod method;
-};
-constexpr std::array kMethods{
-    NamedMethod{"sphere_proxy", ContactMethod::sphere_proxy},
-    NamedMethod{"god_object", ContactMethod::god_object},
-    NamedMethod{"potential_field", ContactMethod::potential_field},
-    NamedMethod{"feature_walk", ContactMethod::feature_walk},
-    NamedMethod{"tracking", ContactMethod::tracking},
-};
-
 // Returns the names in quotes with commas, for messages.
 template <class Named>
 std::string list(const Named& all) {
@@ -170,19 +157,31 @@ ShapeDescription read_shape(const TomlSection& section, const Placement& placeme
   return formula ? ShapeDescription{read_implicit(section, *formula)} : ShapeDescription{};
 }
 
+std::string_view surface_needed(ContactMethod method, const ShapeDescription& shape) {
+  if (rendering::follows_formula(method)) {
+    return std::holds_alternative<ImplicitDescription>(shape) ? "" : "formulas";
+  }
+  const bool is_for_meshes =
+      method == ContactMethod::feature_walk || rendering::is_textbook_on_mesh(method);
+  return is_for_meshes && std::holds_alternative<Primitive>(shape) ? "meshes" : "";
+}
+
 ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape) {
   const bool implicit = std::holds_alternative<ImplicitDescription>(shape);
   const std::string name = section.text("contact").value_or(implicit ? "tracking" : "sphere_proxy");
-  const auto* const method = std::ranges::find(kMethods, name, &NamedMethod::name);
-  if (method == kMethods.end()) {
+  const auto* const method = std::ranges::find(kContactMethods, name, &NamedContactMethod::name);
+  if (method == kContactMethods.end()) {
     section.fail("contact",
-                 fmt::format("no contact method \"{}\"; write one of {}", name, list(kMethods)));
+                 fmt::format("no contact method \"{}\"; write one of {}", name, list(kContactMethods)));
   }
-  if (!implicit && method->method == ContactMethod::tracking) {
-    section.fail("contact", R"("tracking" is for formulas; write "sphere_proxy")");
+  if (const std::string_view needs = surface_needed(method->method, shape); !needs.empty()) {
+    section.fail("contact", fmt::format(R"("{}" is for {}; write "{}")", name, needs,
+                                        implicit ? "tracking" : "sphere_proxy"));
   }
-  if (method->method == ContactMethod::feature_walk && std::holds_alternative<Primitive>(shape)) {
-    section.fail("contact", R"("feature_walk" is for meshes; write "sphere_proxy")");
+  if (section.has("push_out_mm") && !rendering::is_textbook_on_mesh(method->method)) {
+    section.fail("push_out_mm",
+                 "push_out_mm is for the contacts one_plane, three_sub_goals, three_step and "
+                 "one_step; leave it out");
   }
   if (section.has("tolerance_m") && meshed_formula(shape, method->method) == nullptr) {
     section.fail("tolerance_m",
@@ -193,7 +192,7 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
 }
 
 const ImplicitDescription* meshed_formula(const ShapeDescription& shape, ContactMethod contact) {
-  return contact == ContactMethod::tracking ? nullptr : std::get_if<ImplicitDescription>(&shape);
+  return rendering::follows_formula(contact) ? nullptr : std::get_if<ImplicitDescription>(&shape);
 }
 
 FormulaPicture picture_of(const ShapeDescription& shape, const Placement& placement,

@@ -1,6 +1,8 @@
 // Reads what is touched of an [[object]]: a mesh, a primitive or a formula, and by which method.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,6 +14,24 @@
 #include "rendering/objects/object.h"
 
 namespace tactus::host {
+
+// A contact method with its name in TOML.
+struct NamedContactMethod {
+  std::string_view name;
+  rendering::ContactMethod method;
+};
+inline constexpr auto kContactMethods = std::to_array<NamedContactMethod>({
+    {"sphere_proxy", rendering::ContactMethod::sphere_proxy},
+    {"god_object", rendering::ContactMethod::god_object},
+    {"potential_field", rendering::ContactMethod::potential_field},
+    {"feature_walk", rendering::ContactMethod::feature_walk},
+    {"tracking", rendering::ContactMethod::tracking},
+    {"one_plane", rendering::ContactMethod::one_plane},
+    {"three_sub_goals", rendering::ContactMethod::three_sub_goals},
+    {"three_step", rendering::ContactMethod::three_step},
+    {"one_step", rendering::ContactMethod::one_step},
+    {"plain_tracking", rendering::ContactMethod::plain_tracking},
+});
 
 // A surface given by a formula.
 struct ImplicitDescription {
@@ -43,6 +63,10 @@ rendering::Primitive read_primitive(const TomlSection& section, const std::strin
 // Returns the contact method, or the shape's default. Throws InputError if the method does not go
 // with the shape.
 rendering::ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape);
+
+// Returns the surfaces that the method needs, "meshes" or "formulas", if the shape is not one of
+// them; empty if the method can render the shape.
+std::string_view surface_needed(rendering::ContactMethod method, const ShapeDescription& shape);
 
 // Returns the formula that is baked as a mesh, because its contact is not that of formulas; nullptr
 // for every other shape.

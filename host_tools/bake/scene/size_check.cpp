@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "host_tools/units.h"
 #include "rendering/limits.h"
 
 namespace tactus::host {
 namespace {
 
-constexpr double kMillimetre_m = 0.001;
 // The longest mesh that is taken for one in millimetres.
 constexpr double kLongestInMillimetres_m = 2000.0;
 

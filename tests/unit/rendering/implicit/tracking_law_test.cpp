@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "rendering/contact/textbook/plain_tracking.h"
 #include "tests/support/csv.h"
 #include "tests/unit/rendering/implicit/implicit_scene.h"
-#include "tests/unit/rendering/implicit/plain_tracking.h"
 
 namespace tactus::rendering {
 namespace {
