@@ -196,8 +196,8 @@ void print_holes(const ObjectSummary& s) {
   constexpr std::size_t kMost = 20;
   for (const OpenLoop& hole : s.holes | std::views::take(kMost)) {
     fmt::print("  hole       {:.3g} mm at ({:.5g}, {:.5g}, {:.5g}) m, {} open edge{}{}\n",
-               kMillimetresPerMetre * hole.size_m, hole.middle_W.x(), hole.middle_W.y(), hole.middle_W.z(),
-               hole.corners.size(), hole.corners.size() == 1 ? "" : "s",
+               kMillimetresPerMetre * hole.size_m, hole.middle_W.x(), hole.middle_W.y(),
+               hole.middle_W.z(), hole.corners.size(), hole.corners.size() == 1 ? "" : "s",
                hole.is_closed ? "" : ", no loop");
   }
   if (s.holes.size() > kMost) {

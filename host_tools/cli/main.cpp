@@ -17,6 +17,7 @@
 #include "host_tools/cli/bench_verb.h"
 #include "host_tools/cli/certify_verb.h"
 #include "host_tools/cli/commission_verb.h"
+#include "host_tools/cli/compare_verb.h"
 #include "host_tools/cli/doctor_verb.h"
 #include "host_tools/cli/emulate_verb.h"
 #include "host_tools/cli/faults_verb.h"
@@ -57,7 +58,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_doctor_verb},     AddVerb{tactus::host::add_replay_verb},
     AddVerb{tactus::host::add_remote_verbs},    AddVerb{tactus::host::add_certify_verb},
     AddVerb{tactus::host::add_commission_verb}, AddVerb{tactus::host::add_monitor_verb},
-    AddVerb{tactus::host::add_watch_verb},
+    AddVerb{tactus::host::add_watch_verb},      AddVerb{tactus::host::add_compare_verb},
 };
 
 // Returns "tactus bake", or "tactus" before a verb is known.

@@ -4,23 +4,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
-#include "host_tools/csv/csv_table.h"
 #include "host_tools/explain/explainer.h"
 #include "host_tools/explain/steps_csv.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
-#include "host_tools/simulation/run_log.h"
+#include "host_tools/touch/tool_path.h"
+#include "host_tools/touch/touch_csv.h"
 #include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 
@@ -47,10 +44,6 @@ constexpr const char* kTouchExamples =
     "multipliers, friction circles\n"
     "  tactus touch scene.tactus --path path.csv --output /dev/stdout | cut -d, -f1,8-10\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv --json | jq .max_force_N";
-
-constexpr std::string_view kHeader =
-    "t_s,tool_x_m,tool_y_m,tool_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_N,force_y_N,force_z_N,"
-    "contact,depth_m,friction_state,normal_x,normal_y,normal_z,object,flags,short_of_goal_m\n";
 
 // The verb's options as the user gave them.
 struct TouchOptions {
@@ -81,79 +74,6 @@ struct TouchSummary {
   }
 };
 
-// The tool's positions from a file, with velocities by backward differences.
-class ToolPath {
- public:
-  explicit ToolPath(const std::string& file) : table_(CsvTable::read(file, kColumns)) {
-    const auto t = table_.column("t_s");
-    for (std::size_t row = 1; row < table_.rows(); ++row) {
-      if (t[row] <= t[row - 1]) {
-        throw InputError(fmt::format(
-            "{}:{}: column t_s: {} does not come after {}; time must grow from row to row", file,
-            table_.line(row), t[row], t[row - 1]));
-      }
-    }
-  }
-
-  // Returns a warning that names the first row where the tool is farther from the world's origin
-  // than hands reach; nothing if there is none.
-  [[nodiscard]] std::optional<std::string> warning(const std::string& file) const {
-    constexpr double kReach_m = 5.0;
-    for (std::size_t row = 0; row < size(); ++row) {
-      const double distance_m = position(row).norm();
-      if (distance_m > kReach_m) {
-        return fmt::format(
-            "{}:{}: the tool is {:.4g} m from the world's origin; if the file has millimetres, "
-            "divide its positions by 1000",
-            file, table_.line(row), distance_m);
-      }
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] std::size_t size() const { return table_.rows(); }
-  [[nodiscard]] double time_s(std::size_t row) const { return table_.column("t_s")[row]; }
-  // Returns the tool at a row, world frame, m and m/s; at rest in the first row.
-  [[nodiscard]] rendering::ToolState tool(std::size_t row) const {
-    const Vec3 p = position(row);
-    const Vec3 v = row == 0 ? Vec3{Vec3::Zero()}
-                            : Vec3{(p - position(row - 1)) / (time_s(row) - time_s(row - 1))};
-    return {.p_W = p, .v_W = v};
-  }
-
- private:
-  static constexpr std::array<std::string_view, 4> kColumns{"t_s", "x_m", "y_m", "z_m"};
-
-  [[nodiscard]] Vec3 position(std::size_t row) const {
-    return {table_.column("x_m")[row], table_.column("y_m")[row], table_.column("z_m")[row]};
-  }
-
-  CsvTable table_;
-};
-
-void append(std::string& line, const Vec3& v) {
-  fmt::format_to(std::back_inserter(line), ",{},{},{}", v.x(), v.y(), v.z());
-}
-
-// Appends the row of a tick.
-void write_row(LogFile& file, double t_s, const Vec3& tool, const rendering::Touch& touch) {
-  std::string& line = file.buffer();
-  fmt::format_to(std::back_inserter(line), "{}", t_s);
-  append(line, tool);
-  append(line, touch.proxy_W);
-  append(line, touch.force_W);
-  fmt::format_to(std::back_inserter(line), ",{},{},{}", static_cast<int>(touch.contact),
-                 touch.depth_m, static_cast<int>(touch.friction));
-  append(line, touch.normal_W);
-  if (touch.contact == rendering::ContactKind::none) {
-    line += ',';
-  } else {
-    fmt::format_to(std::back_inserter(line), ",{}", touch.object);
-  }
-  fmt::format_to(std::back_inserter(line), ",{},{}\n", touch.flags, touch.short_of_goal_m);
-  file.flush_if_full();
-}
-
 // Prints the summary: to standard error if the rows go to standard output.
 void print(const TouchOptions& options, const TouchSummary& s) {
   std::FILE* const out = is_standard_output(options.output) ? stderr : stdout;
@@ -183,14 +103,14 @@ void run(const TouchOptions& options) {
   keep_inputs_safe({options.output, options.explain}, {options.scene, options.path});
   const MappedScene scene(options.scene);
   const ToolPath path(options.path);
-  if (const std::optional<std::string> warning = path.warning(options.path)) {
+  if (const std::optional<std::string> warning = path.warning()) {
     fmt::print(stderr, "tactus touch: warning: {}\n", *warning);
   }
   const auto world = std::make_unique<rendering::World>();
   if (!world->set_scene(scene.image().objects(), rendering::world_of(scene.image()))) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
   }
-  LogFile file(options.output, kHeader);
+  TouchCsv file(options.output);
   std::optional<StepsCsv> steps;
   Explainer explainer(scene.image().tool_radius_m());
   if (!options.explain.empty()) {
@@ -202,14 +122,14 @@ void run(const TouchOptions& options) {
   for (std::size_t row = 0; row < path.size(); ++row) {
     const rendering::ToolState tool = path.tool(row);
     if (row > 0) {
-      world->set_tick(path.time_s(row) - path.time_s(row - 1));
+      world->set_tick(path.step_s(row));
     }
     explainer.begin();
     const rendering::Touch touch = world->touch(tool, steps ? &explainer : nullptr);
     if (steps) {
       steps->add(explainer.finish(row, path.time_s(row), tool.p_W, touch));
     }
-    write_row(file, path.time_s(row), tool.p_W, touch);
+    file.add(path.time_s(row), tool.p_W, touch);
     summary.add(touch);
     if (row % kTicksBetweenSteps == 0) {
       progress.step(fmt::format("{} of {} ticks", row, path.size()));

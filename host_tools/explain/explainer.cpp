@@ -236,9 +236,7 @@ void Explainer::see(const rendering::ObjectWatch& object, const rendering::MeshF
 
 void Explainer::see(const rendering::ObjectWatch& object,
                     const rendering::WatchedSegment& segment) {
-  const auto to_world = [&](const Vec3& p_O) {
-    return rendering::point_from(object.mover, p_O);
-  };
+  const auto to_world = [&](const Vec3& p_O) { return rendering::point_from(object.mover, p_O); };
   ExplainedMove move{.tool_W = to_world(segment.tool_O),
                      .from_W = to_world(segment.from_O),
                      .goal_W = to_world(segment.goal_O),

@@ -62,8 +62,8 @@ bool touchable(const Object& object) {
       return valid(object.primitive) &&
              (meets_proxy(object) || object.method == ContactMethod::potential_field);
     case SurfaceKind::implicit:
-      return follows_formula(object.method) &&
-             check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
+      return follows_formula(object.method) && check(object.implicit.formula).has_value() &&
+             object.implicit.scale_m > 0.0;
     default:
       return usable_mesh(object.mesh) && !follows_formula(object.method) &&
              (meets_proxy(object) || is_textbook_on_mesh(object.method) || has_features(object));
@@ -88,8 +88,7 @@ bool usable(const Object& object) {
   if (object.motion != nullptr && !(valid(*object.motion) && can_wave(object))) {
     return false;
   }
-  return touchable(object) &&
-         (object.detail.empty() || renders_detail(object.method)) &&
+  return touchable(object) && (object.detail.empty() || renders_detail(object.method)) &&
          object.push_out_m >= 0.0 && object.push_out_m <= kWorldBound_m &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
 }

@@ -65,8 +65,8 @@ struct Object {
   double push_out_m = kDefaultPushOut_m;
   // The material at the start; World::set_material may change it.
   Material material;
-  // Normals and textures. A potential field and the textbook's methods have none; a mesh that deforms
-  // uses its textures alone.
+  // Normals and textures. A potential field and the textbook's methods have none; a mesh that
+  // deforms uses its textures alone.
   SurfaceDetail detail;
   // True if the outside or a motion moves the object: the frame in which it is given is then its
   // own frame O.

@@ -244,9 +244,9 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
   material.friction = scaled(material.friction, details_[k].friction_factor);
   switch (object.method) {
     case ContactMethod::tracking: {
-      const ImplicitRest rest =
-          proxies_[k].tracker.advance(object.implicit, material, goal_O,
-                               std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_), watch);
+      const ImplicitRest rest = proxies_[k].tracker.advance(
+          object.implicit, material, goal_O,
+          std::min(kMaxFormulaBudget, kFormulaStepsPerUnit * share_), watch);
       budget_.spend(rest.evaluated / kFormulaStepsPerUnit);
       Touch touch = touch_of(rest);
       note_short_of_goal(goal_O, touch);
@@ -255,7 +255,7 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
     case ContactMethod::feature_walk: {
       const FeatureRest rest =
           proxies_[k].walker.advance(mesh_of(object), object.sides, material, goal_O,
-                              std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
+                                     std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
       if (watch.watcher != nullptr) {
         watch.watcher->see(watch, proxies_[k].walker.feature());
       }
@@ -266,8 +266,8 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
     }
     case ContactMethod::plain_tracking: {
       const PlainRest rest = proxies_[k].plain_tracker.advance(object.implicit, goal_O, watch);
-      budget_.spend(static_cast<std::size_t>(rest.steps) * object.implicit.formula.instructions.size() /
-                    kFormulaStepsPerUnit);
+      budget_.spend(static_cast<std::size_t>(rest.steps) *
+                    object.implicit.formula.instructions.size() / kFormulaStepsPerUnit);
       return touch_of(rest);
     }
     case ContactMethod::potential_field:
@@ -312,7 +312,9 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
   ForceShading& shading = details_[k].shading;
   Touch touch;
   if (detailed) {
-    shading.begin({.proxy_W = proxies_[k].position_O(object.method), .tool_W = tool_O.p_W, .moved_m = moved_m},
+    shading.begin({.proxy_W = proxies_[k].position_O(object.method),
+                   .tool_W = tool_O.p_W,
+                   .moved_m = moved_m},
                   ForceShading::Passes::one);
     touch = rest_in_frame(independent, tool_O.p_W + shading.offset());
     if (touch.contact == ContactKind::none && shading.is_on()) {

@@ -31,7 +31,6 @@ constexpr int kCellsOfThicker = 80;
 // The places of the surface are looked for in cells that are halved this often where it is fine.
 constexpr int kLevels = 3;
 
-
 // The cells of a tree that hold the surface.
 struct SurfaceCells {
   std::vector<Box> boxes;

@@ -177,11 +177,8 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& scene,
 
 }  // namespace
 
-BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::path& image,
-                     const Progress& progress) {
-  const Stopwatch stopwatch;
-  const SceneDescription description = read_scene_description(scene);
-  BakeReport report{.image = image.string(),
+BakedImage bake_scene(const SceneDescription& description, const Progress& progress) {
+  BakeReport report{.image = {},
                     .tool_radius_m = description.tool_radius_m,
                     .bytes = 0,
                     .seconds = 0.0,
@@ -193,7 +190,6 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
   // Counted twice: first without the sizes of meshes, so that a scene with too many objects is
   // refused before minutes of baking, then with them.
   rendering::SceneCapacityNeeds needs;
-  keep_inputs_safe(std::array{image}, files_of(scene, description));
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);
@@ -214,12 +210,22 @@ BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::
     needs.add(counted(object.contact, object.motion, object.mesh.view()));
   }
   require_room(needs, description.file);
-  tell(progress, fmt::format("writing {}", image.string()));
-  const std::vector<std::byte> bytes = write_image(baked);
-  write_file_atomically(image, bytes);
+  std::vector<std::byte> bytes = write_image(baked);
   report.bytes = bytes.size();
-  report.seconds = stopwatch.seconds();
-  return report;
+  return {.bytes = std::move(bytes), .report = std::move(report)};
+}
+
+BakeReport bake_file(const std::filesystem::path& scene, const std::filesystem::path& image,
+                     const Progress& progress) {
+  const Stopwatch stopwatch;
+  const SceneDescription description = read_scene_description(scene);
+  keep_inputs_safe(std::array{image}, files_of(scene, description));
+  BakedImage baked = bake_scene(description, progress);
+  tell(progress, fmt::format("writing {}", image.string()));
+  write_file_atomically(image, baked.bytes);
+  baked.report.image = image.string();
+  baked.report.seconds = stopwatch.seconds();
+  return baked.report;
 }
 
 }  // namespace tactus::host

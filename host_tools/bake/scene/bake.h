@@ -3,6 +3,7 @@
 // code.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -48,6 +49,17 @@ struct BakeReport {
   double seconds = 0.0;
   std::vector<ObjectReport> objects;
 };
+
+// A scene that is baked in memory.
+struct BakedImage {
+  // The image, for rendering::SceneImage::open.
+  std::vector<std::byte> bytes;
+  BakeReport report;
+};
+
+// Bakes a scene that has been read. `report.image` and the seconds of writing are left out. Throws
+// InputError that names the file and the place in it.
+BakedImage bake_scene(const SceneDescription& description, const Progress& progress = {});
 
 // Bakes the file `scene` into the file `image`, which takes its place only when it is complete:
 // after a failure an older image is still there. Throws InputError that names the file and the

@@ -200,7 +200,8 @@ HoleCaps cap_holes(TriangleMesh& mesh, double most_m) {
       throw InputError(fmt::format(
           "the hole of {:.3g} mm at ({:.4g}, {:.4g}, {:.4g}) m cannot be closed by triangles; "
           "repair the mesh, or write a cap_holes_mm below its size",
-          kMillimetresPerMetre * loop.size_m, loop.middle_W.x(), loop.middle_W.y(), loop.middle_W.z()));
+          kMillimetresPerMetre * loop.size_m, loop.middle_W.x(), loop.middle_W.y(),
+          loop.middle_W.z()));
     }
     for (const CapTriangle& t : *cap) {
       mesh.triangles.push_back({t[0].vertex, t[1].vertex, t[2].vertex});

@@ -22,7 +22,6 @@ using rendering::Float3;
 using rendering::kNoNeighbour;
 using rendering::TriangleIndices;
 
-
 MeshCorner next_in_triangle(const MeshCorner& at) {
   return {at.triangle, (at.corner + 1) % 3};
 }

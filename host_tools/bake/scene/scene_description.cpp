@@ -84,9 +84,10 @@ void require_renderable_friction(const TomlSection& section, const ObjectDescrip
   }
   if (rendering::is_textbook(object.contact) &&
       object.material.friction.kind != rendering::FrictionKind::cone) {
-    section.fail("friction",
-                 "a textbook's method has the friction cone only; write model = \"cone\", or leave out "
-                 "contact");
+    section.fail(
+        "friction",
+        "a textbook's method has the friction cone only; write model = \"cone\", or leave out "
+        "contact");
   }
 }
 

@@ -171,8 +171,8 @@ ContactMethod read_contact(const TomlSection& section, const ShapeDescription& s
   const std::string name = section.text("contact").value_or(implicit ? "tracking" : "sphere_proxy");
   const auto* const method = std::ranges::find(kContactMethods, name, &NamedContactMethod::name);
   if (method == kContactMethods.end()) {
-    section.fail("contact",
-                 fmt::format("no contact method \"{}\"; write one of {}", name, list(kContactMethods)));
+    section.fail("contact", fmt::format("no contact method \"{}\"; write one of {}", name,
+                                        list(kContactMethods)));
   }
   if (const std::string_view needs = surface_needed(method->method, shape); !needs.empty()) {
     section.fail("contact", fmt::format(R"("{}" is for {}; write "{}")", name, needs,

@@ -1,6 +1,6 @@
-// The first facet of a mesh that a line segment crosses, by the test of the lecture: the ends lie on
-// opposite sides of the facet's plane, and the line goes through the bar that stands on its edges.
-// The textbook's proxies (textbook_proxy.h) ask it once for each segment.
+// The first facet of a mesh that a line segment crosses, by the test of the lecture: the ends lie
+// on opposite sides of the facet's plane, and the line goes through the bar that stands on its
+// edges. The textbook's proxies (textbook_proxy.h) ask it once for each segment.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct FacetHit {
 // Searches the hierarchy of one mesh, with a limit on all searches together.
 class FacetSearch {
  public:
-  // Looks at facets from the sides `sides`: a one-sided facet stops only a point that comes from its
-  // front. Measures at most `limit` triangles in all.
+  // Looks at facets from the sides `sides`: a one-sided facet stops only a point that comes from
+  // its front. Measures at most `limit` triangles in all.
   FacetSearch(const MeshView& mesh, Sides sides, std::size_t limit)
       : mesh_(mesh), sides_(sides), left_(limit) {}
 

@@ -1,7 +1,7 @@
 // The tracking of an implicit surface as the textbook has it (Salisbury and Tarr, "Haptic rendering
 // of surfaces defined by implicit functions", ASME DSC 61, 1997), kept with its faults so that they
-// can be felt and compared. World::touch uses it for the contact method plain_tracking. README.md in
-// this folder shows every fault with its remedy; the method `tracking` has none of them:
+// can be felt and compared. World::touch uses it for the contact method plain_tracking. README.md
+// in this folder shows every fault with its remedy; the method `tracking` has none of them:
 //
 // - contact is found where the tool is inside, so a thin object is passed in one tick;
 // - pressed deeper than the radius of a hollow, the point swings between two places;
@@ -58,8 +58,8 @@ class PlainTracker {
   // Starts over, out of contact, at p_W.
   void place(const Vec3& p_W);
 
-  // Computes a tick. A tool that is not finite or beyond kWorldBound_m leaves the point where it is.
-  // Real time: no heap. `watch` sees the step.
+  // Computes a tick. A tool that is not finite or beyond kWorldBound_m leaves the point where it
+  // is. Real time: no heap. `watch` sees the step.
   PlainRest advance(const ImplicitSurface& surface, const Vec3& tool_W,
                     const ObjectWatch& watch = {});
 

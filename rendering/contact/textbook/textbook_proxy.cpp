@@ -57,11 +57,9 @@ struct TextbookProxy::Tick {
   // Shows a segment that ended at `to`.
   void show(const Vec3& from, const Vec3& goal, const Vec3& to, const FacetHit& hit) const {
     if (watch.watcher != nullptr) {
-      watch.watcher->see(watch, WatchedSegment{.from_O = from,
-                                               .goal_O = goal,
-                                               .to_O = to,
-                                               .tool_O = tool,
-                                               .hit = hit});
+      watch.watcher->see(
+          watch,
+          WatchedSegment{.from_O = from, .goal_O = goal, .to_O = to, .tool_O = tool, .hit = hit});
     }
   }
 };

@@ -7,7 +7,8 @@
 //                  the tool is the one constraint, and the god-object goes to the nearest point of
 //                  its plane, unchecked. At a convex edge that point is in the air for a tick; at a
 //                  concave one it is behind the other face, which is then never felt.
-// three_sub_goals  The same, repeated: the nearest point is a sub-goal, and a facet on the way to it
+// three_sub_goals  The same, repeated: the nearest point is a sub-goal, and a facet on the way to
+// it
 //                  becomes a further constraint, up to three (Zilles and Salisbury, "A
 //                  constraint-based god-object method for haptic display", IROS 1995).
 // three_step       Segment, project, segment, project, segment: the god-object moves to each
