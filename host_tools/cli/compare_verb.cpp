@@ -58,24 +58,35 @@ struct CompareOptions {
   bool json = false;
 };
 
+// Prints the table; the columns are as wide as their longest text.
 void print_table(const std::vector<ComparedRun>& runs, const std::vector<RunFigures>& figures) {
-  std::size_t width = 6;
-  for (const ComparedRun& run : runs) {
-    width = std::max(width, run.name.size());
-  }
-  fmt::print("{:<{}} {:>8} {:>6} {:>8} {:>8} {:>8} {:>10} {:>12} {:>9} {:>9}\n", "", width,
-             "contact", "breaks", "force", "jump", "ripple", "given out", "moves", "off",
-             "force off");
-  fmt::print("{:<{}} {:>8} {:>6} {:>8} {:>8} {:>8} {:>10} {:>12} {:>9} {:>9}\n", "run", width,
-             "ticks", "", "N", "N", "N", "mJ", "mean / most", "mm", "N");
   constexpr double kMillijoules = 1000.0;
+  std::vector<std::vector<std::string>> rows{
+      {"", "contact", "", "force", "jump", "ripple", "given out", "moves", "above", "below", "off",
+       "force off"},
+      {"run", "ticks", "breaks", "N", "N", "N", "mJ", "mean / most", "mm", "mm", "mm", "N"}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunFigures& f = figures[i];
-    fmt::print("{:<{}} {:>8} {:>6} {:>8.4g} {:>8.3g} {:>8.2g} {:>10.3g} {:>12} {:>9.3g} {:>9.3g}\n",
-               runs[i].name, width, f.contact_ticks, f.breaks, f.largest_force_N, f.largest_jump_N,
-               f.ripple_N, kMillijoules * f.given_out_J,
-               fmt::format("{:.2g} / {}", f.mean_moves, f.most_moves),
-               kMillimetresPerMetre * f.off_m, f.force_off_N);
+    const auto text = [](double number) { return fmt::format("{:.3g}", number); };
+    rows.push_back({runs[i].name, fmt::format("{}", f.contact_ticks), fmt::format("{}", f.breaks),
+                    text(f.largest_force_N), text(f.largest_jump_N), text(f.ripple_N),
+                    text(kMillijoules * f.given_out_J),
+                    fmt::format("{:.2g} / {}", f.mean_moves, f.most_moves),
+                    text(kMillimetresPerMetre * f.above_m), text(kMillimetresPerMetre * f.below_m),
+                    text(kMillimetresPerMetre * f.off_m), text(f.force_off_N)});
+  }
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      widths[column] = std::max(widths[column], row[column].size());
+    }
+  }
+  for (const std::vector<std::string>& row : rows) {
+    std::string line = fmt::format("{:<{}}", row.front(), widths.front());
+    for (std::size_t column = 1; column < row.size(); ++column) {
+      line += fmt::format("  {:>{}}", row[column], widths[column]);
+    }
+    fmt::print("{}\n", line);
   }
 }
 
@@ -95,6 +106,8 @@ void print_json(const CompareOptions& options, const std::vector<ComparedRun>& r
                             {"given_out_J", f.given_out_J},
                             {"mean_moves", f.mean_moves},
                             {"most_moves", f.most_moves},
+                            {"above_m", f.above_m},
+                            {"below_m", f.below_m},
                             {"off_m", f.off_m},
                             {"force_off_N", f.force_off_N}});
   }
@@ -123,12 +136,19 @@ void write_runs(const CompareOptions& options, const std::vector<ComparedRun>& r
   }
 }
 
+// Returns the name of a file with its folder, if it has one.
+std::string title_of(const std::filesystem::path& file) {
+  return (file.parent_path().filename() / file.filename()).string();
+}
+
 void draw_picture(const CompareOptions& options, const SceneDescription& scene,
                   const std::vector<ComparedRun>& runs, const Progress& progress) {
   const BakedImage baked = bake_scene(scene, progress);
   if (const auto image = rendering::SceneImage::open(baked.bytes)) {
     draw_comparison(runs, options.span, image->objects(),
-                    std::filesystem::path(options.path).filename().string(), options.picture);
+                    fmt::format("{}, {}", title_of(options.scene),
+                                std::filesystem::path(options.path).filename().string()),
+                    options.picture);
   }
 }
 
@@ -179,6 +199,9 @@ void add_compare_verb(CLI::App& app) {
       ->delimiter(',');
   verb->add_option("--push-outs", options->lists.push_outs_mm,
                    "Push-outs of the textbook's methods, mm, with commas")
+      ->delimiter(',');
+  verb->add_option("--sides", options->lists.sides,
+                   "Sides that stop the tool: one,two is one-way against two-way")
       ->delimiter(',');
   verb->add_option("--rates", options->lists.rates_Hz,
                    "Ticks in a second, with commas; the path is straight from row to row")

@@ -138,13 +138,21 @@ std::string style_of(std::size_t index, std::size_t runs, bool has_points) {
 }
 
 // Returns the curves of all runs with the columns of the data blocks.
-std::string curves(std::span<const ComparedRun> runs, std::string_view columns, bool has_points,
-                   bool has_key) {
+std::string curves(std::span<const ComparedRun> runs, std::string_view columns, bool has_points) {
   std::string text;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    text += fmt::format("{}$run{} using {} {} {}", i == 0 ? "" : ", \\\n     ", i, columns,
-                        style_of(i, runs.size(), has_points),
-                        has_key ? "title " + gnuplot_string(runs[i].name) : "notitle");
+    text += fmt::format("{}$run{} using {} {} notitle", i == 0 ? "" : ", \\\n     ", i, columns,
+                        style_of(i, runs.size(), has_points));
+  }
+  return text;
+}
+
+// Returns curves that are nowhere to be seen, with the names of the runs.
+std::string key_of(std::span<const ComparedRun> runs, bool has_points) {
+  std::string text;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    text += fmt::format("{}9 {} title {}", i == 0 ? "" : ", \\\n     ",
+                        style_of(i, runs.size(), has_points), gnuplot_string(runs[i].name));
   }
   return text;
 }
@@ -153,12 +161,11 @@ constexpr std::string_view kCompareScript = R"gnuplot(
 set encoding utf8
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
-set label 1 {title} at screen 0.05,0.965 left font ",18" textcolor "#111111" noenhanced
-set key at screen 0.985,0.965 right top horizontal samplen 2.5 textcolor "#333333" noenhanced maxrows 2
+set label 1 {title} at screen 0.06,0.97 left font ",18" textcolor "#111111" noenhanced
 set lmargin at screen 0.06
 set rmargin at screen 0.46
 set bmargin at screen 0.11
-set tmargin at screen 0.90
+set tmargin at screen 0.89
 set size ratio -1
 set xrange [{x0:.8g}:{x1:.8g}]
 set yrange [{y0:.8g}:{y1:.8g}]
@@ -180,9 +187,7 @@ set yrange [0:*]
 set format x ""
 unset xlabel
 set ylabel 'force on the hand (N)' textcolor "#333333"
-set key at screen 0.985,0.955 right top horizontal samplen 2.5 textcolor "#333333" noenhanced maxrows 2
 plot {forces}
-unset key
 set tmargin at screen 0.48
 set bmargin at screen 0.11
 set format x "%g"
@@ -190,6 +195,20 @@ set xlabel 'time (s)' textcolor "#333333"
 set ylabel 'proxy from that of the first (mm)' textcolor "#333333"
 set yrange [0:{most_off:.6g}]
 plot {distances}
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set bmargin at screen 0.90
+set tmargin at screen 0.95
+unset border
+unset tics
+unset xlabel
+unset ylabel
+unset grid
+set xrange [0:1]
+set yrange [0:1]
+set key center center horizontal width 1 samplen 3 textcolor "#333333" noenhanced
+plot 9 with lines linecolor "#777777" linewidth 1.3 dashtype 3 title 'tool', \
+     {key}
 unset multiplot
 unset output
 )gnuplot";
@@ -218,17 +237,17 @@ void draw_comparison(std::span<const ComparedRun> runs, const TimeSpan& span,
   const std::vector<ComparedTick>& ticks = runs.front().ticks;
   const TemporaryFolder folder;
   script += picture_head(folder, kCompareWidth, kCompareHeight);
-  script += fmt::format(kCompareScript, fmt::arg("title", gnuplot_string(title)),
-                        fmt::arg("x0", window.lower.right), fmt::arg("x1", window.upper.right),
-                        fmt::arg("y0", window.lower.up), fmt::arg("y1", window.upper.up),
-                        fmt::arg("x_name", axis_name(plane.right)),
-                        fmt::arg("y_name", axis_name(plane.up)),
-                        fmt::arg("from", std::max(span.from_s, ticks.front().t_s)),
-                        fmt::arg("to", std::min(span.to_s, ticks.back().t_s)),
-                        fmt::arg("most_off", kAir * most_off_mm),
-                        fmt::arg("paths", curves(runs, "4:5", has_points, false)),
-                        fmt::arg("forces", curves(runs, "1:2", has_points, true)),
-                        fmt::arg("distances", curves(runs, "1:3", has_points, false)));
+  script += fmt::format(
+      kCompareScript, fmt::arg("title", gnuplot_string(title)), fmt::arg("x0", window.lower.right),
+      fmt::arg("x1", window.upper.right), fmt::arg("y0", window.lower.up),
+      fmt::arg("y1", window.upper.up), fmt::arg("x_name", axis_name(plane.right)),
+      fmt::arg("y_name", axis_name(plane.up)),
+      fmt::arg("from", std::max(span.from_s, ticks.front().t_s)),
+      fmt::arg("to", std::min(span.to_s, ticks.back().t_s)),
+      fmt::arg("most_off", kAir * most_off_mm), fmt::arg("paths", curves(runs, "4:5", has_points)),
+      fmt::arg("forces", curves(runs, "1:2", has_points)),
+      fmt::arg("distances", curves(runs, "1:3", has_points)),
+      fmt::arg("key", key_of(runs, has_points)));
   run_gnuplot(folder, script, picture);
 }
 

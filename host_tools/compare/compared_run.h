@@ -16,6 +16,10 @@ struct ComparedTick {
   double t_s = 0.0;
   Vec3 tool_W = Vec3::Zero();
   rendering::Touch touch;
+  // The signed distance of the proxy from the surface that it touches, as the scene gives it, less
+  // the tool's radius for sphere_proxy, m: below 0 the proxy is inside. On a formula to first
+  // order; 0 without contact and on objects that move.
+  double height_m = 0.0;
 };
 
 // A run, with at least one tick.

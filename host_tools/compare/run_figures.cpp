@@ -59,6 +59,8 @@ RunFigures figures_of(const ComparedRun& run, const ComparedRun& other, const Ti
     const Moment there = moment_at(other, tick.t_s);
     figures.off_m = std::max(figures.off_m, (tick.touch.proxy_W - there.proxy_W).norm());
     figures.force_off_N = std::max(figures.force_off_N, (force_W - there.force_W).norm());
+    figures.above_m = std::max(figures.above_m, tick.height_m);
+    figures.below_m = std::max(figures.below_m, -tick.height_m);
     if (is_in_contact(tick)) {
       ++figures.contact_ticks;
       sums.moves += tick.touch.sub_goals;

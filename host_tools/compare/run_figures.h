@@ -32,6 +32,9 @@ struct RunFigures {
   // and the most.
   double mean_moves = 0.0;
   std::size_t most_moves = 0;
+  // The proxy's largest distance from the surface on its two sides, >= 0 (ComparedTick::height_m).
+  double above_m = 0.0;
+  double below_m = 0.0;
   // The largest distance of the proxy, and difference of the force, from the other run at the same
   // time.
   double off_m = 0.0;

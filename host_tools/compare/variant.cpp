@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "host_tools/input_error.h"
@@ -12,6 +13,13 @@
 
 namespace tactus::host {
 namespace {
+
+struct NamedSides {
+  std::string_view name;
+  rendering::Sides sides;
+};
+constexpr auto kSides =
+    std::to_array<NamedSides>({{"one", rendering::Sides::one}, {"two", rendering::Sides::two}});
 
 // Returns the entry of that name in a table. Throws InputError that lists the names.
 template <class Table>
@@ -35,9 +43,10 @@ void require(double number, bool is_good, std::string_view option, std::string_v
 }
 
 // Replaces the variants by one for each of them and each value; `change` sets the value and returns
-// its name.
+// its name. A list of one value is in the names only if `is_named_alone`: it makes no difference.
 template <class Values, class Change>
-void multiply(std::vector<Variant>& variants, const Values& values, const Change& change) {
+void multiply(std::vector<Variant>& variants, const Values& values, bool is_named_alone,
+              const Change& change) {
   if (values.empty()) {
     return;
   }
@@ -46,7 +55,9 @@ void multiply(std::vector<Variant>& variants, const Values& values, const Change
     for (const auto& value : values) {
       Variant& one = all.emplace_back(variant);
       const std::string name = change(one, value);
-      one.name += (one.name.empty() ? "" : ", ") + name;
+      if (values.size() > 1 || is_named_alone) {
+        one.name += (one.name.empty() ? "" : ", ") + name;
+      }
     }
   }
   variants = std::move(all);
@@ -89,20 +100,24 @@ void change_friction(const SceneDescription& scene, rendering::FrictionKind kind
 
 std::vector<Variant> variants_of(const VariantLists& lists) {
   std::vector<Variant> variants(1);
-  multiply(variants, lists.methods, [](Variant& variant, const std::string& name) {
+  multiply(variants, lists.methods, true, [](Variant& variant, const std::string& name) {
     variant.method = named(kContactMethods, name, "contact method").method;
     return name;
   });
-  multiply(variants, lists.frictions, [](Variant& variant, const std::string& name) {
+  multiply(variants, lists.frictions, false, [](Variant& variant, const std::string& name) {
     variant.friction = named(rendering::kFrictionModels, name, "friction model").kind;
     return name;
   });
-  multiply(variants, lists.push_outs_mm, [](Variant& variant, double push_out_mm) {
+  multiply(variants, lists.push_outs_mm, false, [](Variant& variant, double push_out_mm) {
     require(push_out_mm, push_out_mm >= 0.0, "--push-outs", "of millimetres, 0 or more");
     variant.push_out_m = kMillimetre_m * push_out_mm;
     return fmt::format("push-out {} mm", push_out_mm);
   });
-  multiply(variants, lists.rates_Hz, [](Variant& variant, double rate_Hz) {
+  multiply(variants, lists.sides, false, [](Variant& variant, const std::string& name) {
+    variant.sides = named(kSides, name, "number of sides").sides;
+    return fmt::format("{} side{}", name, *variant.sides == rendering::Sides::one ? "" : "s");
+  });
+  multiply(variants, lists.rates_Hz, false, [](Variant& variant, double rate_Hz) {
     require(rate_Hz, rate_Hz > 0.0, "--rates", "of ticks in a second, above 0");
     variant.rate_Hz = rate_Hz;
     return fmt::format("{} Hz", rate_Hz);
@@ -123,6 +138,7 @@ SceneDescription changed(SceneDescription scene, const Variant& variant, const s
       continue;
     }
     object.contact = variant.method.value_or(object.contact);
+    object.sides = variant.sides.value_or(object.sides);
     object.push_out_m = variant.push_out_m.value_or(object.push_out_m);
     if (variant.friction) {
       change_friction(scene, *variant.friction, object);

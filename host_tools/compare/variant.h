@@ -17,6 +17,7 @@ struct Variant {
   std::optional<rendering::ContactMethod> method;
   std::optional<rendering::FrictionKind> friction;
   std::optional<double> push_out_m;
+  std::optional<rendering::Sides> sides;
   // The ticks in a second; nothing for those of the path.
   std::optional<double> rate_Hz;
 };
@@ -26,6 +27,7 @@ struct VariantLists {
   std::vector<std::string> methods;
   std::vector<std::string> frictions;
   std::vector<double> push_outs_mm;
+  std::vector<std::string> sides;
   std::vector<double> rates_Hz;
 };
 

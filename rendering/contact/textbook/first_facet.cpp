@@ -38,7 +38,7 @@ struct FirstFacet {
     const double before = facet.height(from);
     const double after = facet.height(to);
     const bool crosses =
-        (before > 0.0 && after < 0.0) || (!one_sided && before < 0.0 && after > 0.0);
+        (before > 0.0 && after <= 0.0) || (!one_sided && before < 0.0 && after >= 0.0);
     if (!crosses || !passes_through(t)) {
       return;
     }

@@ -33,7 +33,7 @@ class FacetSearch {
       : mesh_(mesh), sides_(sides), left_(limit) {}
 
   // Returns the first facet that the segment crosses, other than those in `passed`. A segment that
-  // begins on a facet does not cross it. Points are in the mesh's frame, m.
+  // ends on a facet crosses it, one that begins there does not. Points are in the mesh's frame, m.
   FacetHit first(const Vec3& from, const Vec3& to, std::span<const std::uint32_t> passed);
 
   // Returns true if the limit ended a search; its answer is then not to be trusted.
