@@ -70,6 +70,14 @@ mkdir -p "$pictures"
 cp "$work/gem_steps_tick870.png" "$pictures/"
 echo "$pictures/gem_steps_tick870.png"
 
+# The course's, which its README names.
+course="$examples/course"
+"$course/course.sh" "$tactus" >"$work/log"
+grep -o '](pictures/[^)]*)' "$course/README.md" | tr -d '])(' | while read -r picture; do
+  cp "$course/out/$(basename "$picture")" "$course/$picture"
+  echo "$course/$picture"
+done
+
 # The demo's path, of the root README.
 host_tools/bunny_mesh.sh "$work/bunny00.off"
 cp "$examples/bunny/scene.toml" "$work/bunny.toml"

@@ -42,6 +42,8 @@ constexpr const char* kTouchExamples =
     "  tactus touch scene.tactus --path path.csv --output out.csv --explain steps.csv\n"
     "                                       and every step of every tick: moves, planes, "
     "multipliers, friction circles\n"
+    "  tactus touch scene.tactus --path corners.csv --rate 1000 --output out.csv\n"
+    "                                       a path of a few corners, a tick every millisecond\n"
     "  tactus touch scene.tactus --path path.csv --output /dev/stdout | cut -d, -f1,8-10\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv --json | jq .max_force_N";
 
@@ -51,6 +53,8 @@ struct TouchOptions {
   std::string path;
   std::string output;
   std::string explain;
+  // Ticks in a second; nothing: one row is one tick.
+  std::optional<double> rate_Hz;
   bool json = false;
 };
 
@@ -102,10 +106,11 @@ void print(const TouchOptions& options, const TouchSummary& s) {
 void run(const TouchOptions& options) {
   keep_inputs_safe({options.output, options.explain}, {options.scene, options.path});
   const MappedScene scene(options.scene);
-  const ToolPath path(options.path);
-  if (const std::optional<std::string> warning = path.warning()) {
+  const ToolPath rows(options.path);
+  if (const std::optional<std::string> warning = rows.warning()) {
     fmt::print(stderr, "tactus touch: warning: {}\n", *warning);
   }
+  const ToolPath path = options.rate_Hz ? rows.sampled(*options.rate_Hz) : rows;
   const auto world = std::make_unique<rendering::World>();
   if (!world->set_scene(scene.image().objects(), rendering::world_of(scene.image()))) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
@@ -150,6 +155,10 @@ void add_touch_verb(CLI::App& app) {
   const auto options = std::make_shared<TouchOptions>();
   verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
   verb->add_option("--path", options->path, "Tool positions (CSV)")->required();
+  verb->add_option("--rate", options->rate_Hz,
+                   "Ticks in a second; the path is straight from row to row. Without it one row is "
+                   "one tick")
+      ->check(CLI::PositiveNumber);
   verb->add_option("-o,--output", options->output, "Write one row a tick to this CSV file")
       ->required();
   verb->add_option(

@@ -162,15 +162,15 @@ set encoding utf8
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 set label 1 {title} at screen 0.06,0.97 left font ",18" textcolor "#111111" noenhanced
-set lmargin at screen 0.06
-set rmargin at screen 0.46
+set lmargin at screen 0.075
+set rmargin at screen 0.47
 set bmargin at screen 0.11
 set tmargin at screen 0.89
 set size ratio -1
 set xrange [{x0:.8g}:{x1:.8g}]
 set yrange [{y0:.8g}:{y1:.8g}]
 set xlabel '{x_name} (mm)' textcolor "#333333"
-set ylabel '{y_name} (mm)' textcolor "#333333"
+set ylabel '{y_name} (mm)' textcolor "#333333" offset 0.5
 unset key
 plot $cut using 1:2 with lines linecolor "#9a9a9a" linewidth 4, \
      $run0 using 6:7 with lines linecolor "#777777" linewidth 1.3 dashtype 3, \
@@ -178,8 +178,8 @@ plot $cut using 1:2 with lines linecolor "#9a9a9a" linewidth 4, \
 unset label 1
 set size noratio
 set grid ytics linecolor "#e3e3e3" linewidth 0.7 linetype 1
-set lmargin at screen 0.555
-set rmargin at screen 0.985
+set lmargin at screen 0.565
+set rmargin at screen 0.97
 set tmargin at screen 0.88
 set bmargin at screen 0.53
 set xrange [{from:.9g}:{to:.9g}]
