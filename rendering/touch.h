@@ -32,7 +32,8 @@ inline ContactKind kind_of(Feature feature) {
   }
 }
 
-// The friction cone's state. `free` means no contact.
+// Whether the proxy sticks to the surface or slips. `free` means no contact, or one without
+// friction.
 enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 
 // The limits that a touch reached, one bit each; 0 is a clean tick. With every bit the force stays

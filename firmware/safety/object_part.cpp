@@ -67,9 +67,7 @@ bool is_smooth(const rendering::Object& object, const rendering::Material& mater
   if (object.method == rendering::ContactMethod::potential_field) {
     return true;
   }
-  const rendering::FrictionParameters& friction = material.friction;
-  return friction.coulomb == 0.0 && friction.static_level == 0.0 &&
-         friction.viscous_s_per_m == 0.0 && object.detail.empty();
+  return !has_friction(material.friction) && object.detail.empty();
 }
 
 bool has_bounds(const rendering::Object& object) {

@@ -164,6 +164,9 @@ void Explainer::see(const rendering::WatchedSubGoal& sub_goal) {
     move.circle = {.static_radius_m = active.circle.static_radius_m,
                    .dynamic_radius_m = active.circle.dynamic_radius_m,
                    .lag_m = (from - active.projection.point).norm()};
+    if (!(active.circle.static_radius_m > 0.0)) {
+      move.friction = rendering::FrictionState::free;
+    }
   }
   tick_.moves.push_back(std::move(move));
   is_moving_ = true;

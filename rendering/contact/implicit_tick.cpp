@@ -327,8 +327,11 @@ ImplicitRest run_implicit_tick(ImplicitProxyState& state, const ImplicitSurface&
   if (watch.watcher == nullptr) {
     return tick.run([](const Vec3& /*from_O*/) {});
   }
-  return tick.run(
-      [&tick, &watch](const Vec3& from_O) { watch.watcher->see(watch, tick.watched(from_O)); });
+  return tick.run([&](const Vec3& from_O) {
+    WatchedFormulaStep step = tick.watched(from_O);
+    step.friction = has_friction(material.friction) ? step.friction : FrictionState::free;
+    watch.watcher->see(watch, step);
+  });
 }
 
 }  // namespace tactus::rendering

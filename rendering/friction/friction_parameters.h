@@ -50,6 +50,11 @@ struct FrictionParameters {
   double elastic_fraction = 0.7;         // elasto_plastic: z_ba sigma0 / Fc, in (0, 1)
 };
 
+// Returns true if a surface with these parameters resists sliding at all.
+inline bool has_friction(const FrictionParameters& friction) {
+  return friction.static_level > 0.0 || friction.coulomb > 0.0 || friction.viscous_s_per_m > 0.0;
+}
+
 // The state of a model. FrictionMemory{} is its initial value: a new contact starts without force,
 // so that it cannot kick.
 template <typename Vector>

@@ -39,8 +39,7 @@ void to_world(const Mover* mover, Touch& touch) {
   touch.parts.texture_W = direction_from(mover, touch.parts.texture_W);
 }
 
-// Make the common touch of what each method gives. A potential field has no memory, so its tool
-// always slips; the others report their own friction.
+// Make the common touch of what each method gives. A potential field has no friction.
 Touch touch_of(const ImplicitRest& rest) {
   return {.proxy_W = rest.proxy_W,
           .normal_W = rest.normal_W,
@@ -98,7 +97,6 @@ Touch touch_of(const FieldPush& push, const Vec3& tool_O) {
           .normal_W = push.normal_W,
           .depth_m = push.depth_m,
           .contact = ContactKind::face,
-          .friction = FrictionState::slip,
           .planes = 1};
 }
 
@@ -336,6 +334,9 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
   touch.force_W =
       without_pull(stiffness * stretch - material.damping_Ns_per_m * tool_O.v_W, touch.normal_W);
   touch.parts.friction_W = stiffness * tangential(stretch, touch.normal_W);
+  if (!has_friction(material.friction)) {
+    touch.friction = FrictionState::free;
+  }
   if (detailed) {
     shade_in_frame(independent, tool_O, touch);
   }

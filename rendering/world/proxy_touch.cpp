@@ -81,6 +81,7 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWa
   touch.short_of_goal_m = rest.short_of_goal_m;
   if (rest.plane_count > 0) {
     set_force(tool, rest, blended, touch);
+    touch.friction = friction_state(scene, rest);
   }
   proxy_.look_ahead(scene);
   return touch;
@@ -246,8 +247,16 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
     set_parts(stretch, blended, touch);
   }
   touch.contact = kind_of(hardest.nearest.feature);
-  touch.friction = proxy_.friction();
   touch.object = hardest.object;
+}
+
+FrictionState ProxyTouch::friction_state(const SceneObjects& scene, const ProxyRest& rest) const {
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    if (has_friction(scene.material(rest.planes[i].object).friction)) {
+      return proxy_.friction();
+    }
+  }
+  return FrictionState::free;
 }
 
 // Splits the force into parts. Detail makes the normal part that of the effective depth, and leans

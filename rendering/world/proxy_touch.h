@@ -104,6 +104,9 @@ class ProxyTouch {
   Detail detail_of(const SceneObjects& scene, const ContactPlane& plane);
   // Returns the travel of a contact point since the last tick, m.
   [[nodiscard]] double travel_to(const ContactPoint& here) const;
+  // Returns the proxy's friction state; free if no surface that holds it has friction.
+  [[nodiscard]] FrictionState friction_state(const SceneObjects& scene,
+                                             const ProxyRest& rest) const;
   // Write the force, the contact and the parts of the force to the touch.
   void set_force(const ToolState& tool, const ProxyRest& rest, const BlendedSurface& blended,
                  Touch& touch) const;
