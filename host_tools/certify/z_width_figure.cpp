@@ -19,7 +19,6 @@ constexpr std::array<std::string_view, 5> kHandColours{"#d0421b", "#17406d", "#4
                                                        "#8e6bb3"};
 
 constexpr std::string_view kZWidthHead = R"gnuplot(
-set encoding utf8
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 set grid linecolor "#e3e3e3" linewidth 0.7 linetype 1
@@ -79,7 +78,7 @@ std::array<std::string, 2> halves(const std::string& text) {
 }  // namespace
 
 void draw_z_width(const ZWidth& z_width, const std::string& device_name,
-                  const std::string& measured_with, const std::filesystem::path& png) {
+                  const std::string& measured_with, const std::filesystem::path& picture) {
   const firmware::CertifiedPoint peak = stiffest_certified(z_width.certificate);
   const auto [first_line, second_line] = halves(measured_with);
   std::string script = certified_block(z_width.certificate);
@@ -87,7 +86,6 @@ void draw_z_width(const ZWidth& z_width, const std::string& device_name,
     script += curve_block(z_width, i);
   }
   const TemporaryFolder folder;
-  script += picture_head(folder, kZWidthWidth, kZWidthHeight);
   script += fmt::format(
       kZWidthHead, fmt::arg("right", std::max(1.0, z_width.dampings_Ns_per_m.back())),
       fmt::arg("top", 1.06 * most_of(z_width)),
@@ -103,8 +101,7 @@ void draw_z_width(const ZWidth& z_width, const std::string& device_name,
         i, kHandColours.at(i % kHandColours.size()),
         gnuplot_string(fmt::format("hand: {}", z_width.curves[i].hand)));
   }
-  script += "\nunset multiplot\nunset output\n";
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = kZWidthWidth, .height_px = kZWidthHeight}, script, picture);
 }
 
 }  // namespace tactus::host

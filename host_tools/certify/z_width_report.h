@@ -22,6 +22,6 @@ firmware::CertifiedPoint stiffest_certified(const firmware::StiffnessCertificate
 // Draws stiffness over damping: the limit of every hand, and the certified region below. Throws
 // InputError if gnuplot is missing or fails.
 void draw_z_width(const ZWidth& z_width, const std::string& device_name,
-                  const std::string& measured_with, const std::filesystem::path& png);
+                  const std::string& measured_with, const std::filesystem::path& picture);
 
 }  // namespace tactus::host

@@ -10,7 +10,7 @@ namespace tactus::host {
 // The measurement, and the form in which it is shown.
 struct LoopBenchOptions {
   JitterPlan plan;
-  // The PNG file of the histogram; empty: none.
+  // The picture of the histogram; empty: none.
   std::string figure;
   bool json = false;
 };

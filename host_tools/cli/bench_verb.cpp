@@ -17,6 +17,7 @@
 #include "host_tools/cli/bench_comparison.h"
 #include "host_tools/cli/bench_loop.h"
 #include "host_tools/cli/bench_ticks.h"
+#include "host_tools/cli/picture_option.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -204,7 +205,9 @@ void add_loop_options(CLI::App& verb, BenchOptions& options) {
   verb.add_option("--cpu", plan.cpu, "For --loop, the processor")
       ->needs(loop)
       ->check(CLI::Range(0, 1023));
-  verb.add_option("--figure", options.loop_options.figure, "For --loop, draw the histogram (.png)")
+  verb.add_option("--figure", options.loop_options.figure,
+                  "For --loop, draw the histogram (.png, .svg or .pdf)")
+      ->check(picture_complaint)
       ->needs(loop);
 }
 

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/cli/picture_option.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
@@ -201,7 +202,9 @@ void add_fit_verb(CLI::App& app) {
   verb->add_flag("--joint", options->joint, "Write the table of a joint instead of a surface");
   verb->add_option("-o,--output", options->output,
                    "Write the friction of the model, or of the preferred one, to this TOML file");
-  verb->add_option("--figure", options->figure, "Draw measurement and fit into this PNG file");
+  verb->add_option("--figure", options->figure,
+                   "Draw measurement and fit into this .png, .svg or .pdf file")
+      ->check(picture_complaint);
   verb->add_flag("--json", options->json, "Print what was found as one JSON object");
   verb->footer(kFitExamples);
   verb->callback([options] { run_fit(*options); });

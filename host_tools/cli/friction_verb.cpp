@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/cli/picture_option.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/friction/experiments.h"
 #include "host_tools/friction/friction_figures.h"
@@ -233,7 +234,8 @@ void add_friction_verb(CLI::App& app) {
                    "Ticks a second; default 1000, of a motion one a row")
       ->check(CLI::Range(kLeastRate_hz, kMostRate_hz));
   verb->add_option("-o,--output", options->output, "Write the result to this CSV file");
-  verb->add_option("--figure", options->figure, "Draw it into this PNG file");
+  verb->add_option("--figure", options->figure, "Draw it into this .png, .svg or .pdf file")
+      ->check(picture_complaint);
   verb->add_flag("--json", options->json, "Print what was found as one JSON object");
   verb->footer(parameter_help() + "\n" + experiment_help() + "\n" + kFrictionExamples);
   verb->callback([options] { run_friction(*options); });

@@ -15,6 +15,7 @@
 #include "host_tools/bake/scene/friction_description.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/bake/scene/open_loops.h"
+#include "host_tools/cli/picture_option.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/units.h"
@@ -289,7 +290,8 @@ void add_inspect_verb(CLI::App& app) {
   const auto options = std::make_shared<InspectOptions>();
   verb->add_option("image", options->image, "Scene image (.tactus)")->required();
   verb->add_option("--picture", options->picture,
-                   "Draw the scene with the holes of its meshes into this PNG file");
+                   "Draw the scene with the holes of its meshes into this .png, .svg or .pdf file")
+      ->check(picture_complaint);
   verb->add_flag("--json", options->json, "Print one JSON object");
   verb->footer(kInspectExamples);
   verb->callback([options] { run(*options); });

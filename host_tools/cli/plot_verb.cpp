@@ -19,15 +19,15 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kPlotExamples =
-    "Takes the CSV file of `tactus sim` or `tactus touch` and draws two PNG files with gnuplot:\n"
+    "Takes the CSV file of `tactus sim` or `tactus touch` and draws two pictures with gnuplot:\n"
     "force and depth over time, and the proxy's path over the scene from two sides.\n"
     "\n"
     "Examples:\n"
     "  tactus plot run.csv --scene scene.tactus              writes run_force.png and run_path.png "
     "here\n"
     "  tactus plot run.csv --scene scene.tactus -o figures/  writes figures/run_force.png, ...\n"
-    "  tactus plot run.csv --scene scene.tactus -o ears      writes ears_force.png and "
-    "ears_path.png\n"
+    "  tactus plot run.csv --scene scene.tactus -o ears.svg  writes ears_force.svg and "
+    "ears_path.svg for slides; .pdf too\n"
     "  tactus plot shaded.csv --against faceted.csv --scene scene.tactus\n"
     "                                                        and shaded_against.png: both forces, "
     "and how they turn\n"
@@ -61,13 +61,16 @@ void draw_tick(const PlotOptions& options) {
   const TickSteps tick = read_tick_steps(options.run, options.tick);
   const MappedScene scene(options.scene);
   const std::filesystem::path csv(options.run);
-  const std::filesystem::path png = tick_figure_file(options.output.empty() ? "./" : options.output,
-                                                     csv.stem().string(), tick.number);
-  make_folder_of(png);
+  const std::filesystem::path picture =
+      figure_file(options.output.empty() ? "./" : options.output, csv.stem().string(),
+                  fmt::format("_tick{}", tick.number));
+  keep_inputs_safe({picture}, {options.run, options.scene});
+  make_folder_of(picture);
   draw_tick_figure(
       tick, scene.image().objects(),
-      fmt::format("{}: tick {} at {:.6g} s", csv.filename().string(), tick.number, tick.t_s), png);
-  fmt::print("{}\n", png.string());
+      fmt::format("{}: tick {} at {:.6g} s", csv.filename().string(), tick.number, tick.t_s),
+      picture);
+  fmt::print("{}\n", picture.string());
 }
 
 void run_plot(const PlotOptions& options) {
@@ -102,8 +105,10 @@ void add_plot_verb(CLI::App& app) {
                    "Run (CSV) of tactus sim or tactus touch, or with --explain its steps")
       ->required();
   verb->add_option("--scene", options->scene, "Scene image (.tactus) of the run")->required();
-  verb->add_option("-o,--output", options->output,
-                   "Folder or prefix of the PNG files; default: this folder");
+  verb->add_option(
+      "-o,--output", options->output,
+      "Folder or prefix of the pictures; one that ends in .svg, .pdf or .png gives that format. "
+      "Default: PNG files in this folder");
   verb->add_option("--against", options->against,
                    "Another run (CSV), drawn over this one in a third figure");
   CLI::Option* const explain =

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/cli/picture_option.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/explain/run_explanation.h"
 #include "host_tools/files/output_place.h"
@@ -214,7 +215,9 @@ void add_replay_verb(CLI::App& app) {
   verb->add_option("--scene", options->images.scene, "Scene image (.tactus) of the run");
   verb->add_option("--set", options->changes, "A parameter as it was not, like max_force_N=4");
   verb->add_option("--csv", options->csv, "With --set: write both forces of every tick there");
-  verb->add_option("--picture", options->picture, "With --set: draw both forces there (PNG)");
+  verb->add_option("--picture", options->picture,
+                   "With --set: draw both forces there (.png, .svg or .pdf)")
+      ->check(picture_complaint);
   verb->add_option(
       "--explain", options->explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md)");

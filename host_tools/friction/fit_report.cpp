@@ -107,7 +107,7 @@ std::string fit_toml(const std::string& name, const FrictionFit& fit, const Fric
 }
 
 void draw_fit(const std::string& name, const FrictionFit& fit, const FrictionRecord& record,
-              const std::filesystem::path& png) {
+              const std::filesystem::path& picture) {
   constexpr double kMicrometre = 1e6;
   constexpr double kMillimetre = 1e3;
   // Shorter motions are drawn in micrometres.
@@ -130,7 +130,8 @@ void draw_fit(const std::string& name, const FrictionFit& fit, const FrictionRec
       panel("time (s)", record.t_s, CurveStyle::line),
       panel(is_short ? "displacement (µm)" : "displacement (mm)", place, CurveStyle::line),
       panel("velocity (mm/s)", velocity, CurveStyle::points)};
-  draw_panels(fmt::format("{}, {} model", name, model_of(fit.friction.kind).title), panels, png);
+  draw_panels(fmt::format("{}, {} model", name, model_of(fit.friction.kind).title), panels,
+              picture);
 }
 
 }  // namespace tactus::host

@@ -34,6 +34,6 @@ std::string fit_toml(const std::string& name, const FrictionFit& fit, const Fric
 // Draws measured and fitted force over time, displacement and velocity. Throws InputError if
 // gnuplot is missing or fails.
 void draw_fit(const std::string& name, const FrictionFit& fit, const FrictionRecord& record,
-              const std::filesystem::path& png);
+              const std::filesystem::path& picture);
 
 }  // namespace tactus::host

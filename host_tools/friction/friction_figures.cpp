@@ -203,27 +203,27 @@ constexpr std::array kPanelsOfExperiments{ExperimentPanels{"presliding", preslid
 }  // namespace
 
 void draw_experiment(const Experiment& experiment, const ExperimentRun& run,
-                     const FrictionTrack& track, const std::filesystem::path& png) {
+                     const FrictionTrack& track, const std::filesystem::path& picture) {
   const auto found =
       std::ranges::find(kPanelsOfExperiments, experiment.name, &ExperimentPanels::name);
   draw_panels(fmt::format("{}, {} model, {:g} Hz", experiment.title,
                           model_of(run.friction.kind).title, run.rate_hz),
-              found->panels(run, track), png);
+              found->panels(run, track), picture);
 }
 
 void draw_motion(const std::string& title, const FrictionTrack& track,
-                 const std::filesystem::path& png) {
+                 const std::filesystem::path& picture) {
   const std::array panels{
       force_over_displacement(track),
       Panel{.x_label = "time (s)",
             .y_label = "friction force (N)",
             .curves = {over_time(track, "", values(track.samples, &FrictionSample::force_N))}}};
-  draw_panels(title, panels, png);
+  draw_panels(title, panels, picture);
 }
 
 void draw_push(const std::string& title, const FrictionTrack& track,
-               const std::filesystem::path& png) {
-  draw_panels(title, mass_panels(track, "", "", "push_N", "push"), png);
+               const std::filesystem::path& picture) {
+  draw_panels(title, mass_panels(track, "", "", "push_N", "push"), picture);
 }
 
 }  // namespace tactus::host

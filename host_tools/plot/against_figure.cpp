@@ -67,14 +67,12 @@ set ylabel "turn in a tick (degrees)" textcolor "#333333" offset 0.5
 set yrange [0:{turn_top:.6g}]
 plot $other using 1:3 with impulses linecolor "#d0421b" linewidth 1.2, \
      $run using 1:3 with lines linecolor "#17406d" linewidth 1.5
-unset multiplot
-unset output
 )gnuplot";
 
 }  // namespace
 
 void draw_against_figure(const NamedRun& run, const NamedRun& other,
-                         const std::filesystem::path& png) {
+                         const std::filesystem::path& picture) {
   // Room above the curves, and the least height of an axis.
   constexpr double kAir = 1.1;
   constexpr double kLeastTop = 0.1;
@@ -82,7 +80,6 @@ void draw_against_figure(const NamedRun& run, const NamedRun& other,
   const double turn_top = std::max(largest_turn_deg(run.run), largest_turn_deg(other.run));
   std::string script = data_block("run", run.run) + data_block("other", other.run);
   const TemporaryFolder folder;
-  script += picture_head(folder, 1200, 700);
   script += fmt::format(
       kScript, fmt::arg("first", std::min(run.run.rows.front().t_s, other.run.rows.front().t_s)),
       fmt::arg("last", std::max(run.run.rows.back().t_s, other.run.rows.back().t_s) + 1e-3),
@@ -90,7 +87,7 @@ void draw_against_figure(const NamedRun& run, const NamedRun& other,
       fmt::arg("turn_top", std::max(kAir * turn_top, kLeastTop)),
       fmt::arg("run_name", gnuplot_string(run.name)),
       fmt::arg("other_name", gnuplot_string(other.name)));
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = 1200, .height_px = 700}, script, picture);
 }
 
 }  // namespace tactus::host

@@ -82,14 +82,12 @@ unset key
 plot $stick using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#d3e5f6", \
      $slip using 1:(0):2:3:(0):({top:.6g}) with boxxyerror linecolor "#fde5cb", \
      $run using 1:4 with lines linecolor "#17406d" linewidth 1.6
-unset multiplot
-unset output
 )gnuplot";
 
 }  // namespace
 
 void draw_force_figure(const RunData& run, const std::string& title,
-                       const std::filesystem::path& png) {
+                       const std::filesystem::path& picture) {
   double force_N = 0.0;
   double depth_mm = 0.0;
   for (const RunRow& row : run.rows) {
@@ -102,14 +100,13 @@ void draw_force_figure(const RunData& run, const std::string& title,
   script += background("stick", stretches(run.rows, rendering::FrictionState::stick));
   script += background("slip", stretches(run.rows, rendering::FrictionState::slip));
   const TemporaryFolder folder;
-  script += picture_head(folder, 1600, 1000);
   script += fmt::format(kForceHead, fmt::arg("first", first_s), fmt::arg("last", last_s),
                         fmt::arg("title", gnuplot_string(title)));
   script +=
       fmt::format(kForcePanel, fmt::arg("top", axis_top(force_N, 0.1)),
                   fmt::arg("commanded", run.has_commanded ? kCommandedCurve : std::string_view{}));
   script += fmt::format(kDepthPanel, fmt::arg("top", axis_top(depth_mm, 0.1)));
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = 1600, .height_px = 1000}, script, picture);
 }
 
 }  // namespace tactus::host

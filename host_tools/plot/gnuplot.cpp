@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -77,10 +78,6 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
 
 namespace {
 
-std::filesystem::path picture_of(const TemporaryFolder& folder) {
-  return folder.path() / "picture.png";
-}
-
 // Runs gnuplot without a shell, so that no file name can be taken for a command. Throws InputError.
 void draw(const TemporaryFolder& folder, std::string_view script) {
   const std::filesystem::path script_file = folder.path() / "script.gp";
@@ -113,50 +110,118 @@ void draw(const TemporaryFolder& folder, std::string_view script) {
   }
 }
 
-// Returns true if the bytes begin and end as a PNG file does. gnuplot does not report a full disk.
-bool is_whole_png(std::string_view bytes) {
-  constexpr std::string_view kHead = "\x89PNG\r\n\x1a\n";
-  constexpr std::string_view kLastChunk = "IEND\xae\x42\x60\x82";
-  return bytes.starts_with(kHead) && bytes.ends_with(kLastChunk);
-}
+// A format of pictures: how gnuplot writes it, and how its files begin and end.
+struct FormatTraits {
+  PictureFormat format;
+  std::string_view extension;
+  // The commands that choose the terminal, as a format of fmt. A PDF file has half the size in
+  // points, so that its page is not larger than a wall.
+  std::string_view terminal;
+  std::string_view head;
+  std::string_view tail;
+};
 
-}  // namespace
-
-void run_gnuplot(const TemporaryFolder& folder, std::string_view script,
-                 const std::filesystem::path& png) {
-  draw(folder, script);
-  const std::string picture = read_file(picture_of(folder));
-  if (!is_whole_png(picture)) {
-    throw InputError(fmt::format("{}: gnuplot's picture is not whole; is the disk of {} full?",
-                                 png.string(), folder.path().string()));
-  }
-  OutputFile file(png, OutputKind::file);
-  file.write(std::as_bytes(std::span(picture)));
-  file.commit();
-}
-
-std::string picture_head(const TemporaryFolder& folder, double width, double height) {
-  constexpr std::string_view kHead = R"gnuplot(
+constexpr std::string_view kPngTerminal = R"gnuplot(
 if (strstrt(GPVAL_TERMINALS, "pngcairo")) {{
   set terminal pngcairo size {width},{height} font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
 }} else {{
   set terminal png truecolor size {width},{height} font "DejaVu Sans,12"
 }}
-set output {output}
-set multiplot
 )gnuplot";
-  return fmt::format(kHead, fmt::arg("width", width), fmt::arg("height", height),
-                     fmt::arg("output", gnuplot_string(picture_of(folder).string())));
+constexpr std::string_view kSvgTerminal = R"gnuplot(
+set terminal svg size {width},{height} fixed font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
+)gnuplot";
+constexpr std::string_view kPdfTerminal = R"gnuplot(
+set terminal pdfcairo size ({width}/144.0),({height}/144.0) font "DejaVu Sans,15" fontscale 0.5 linewidth 0.7 rounded background "#ffffff"
+)gnuplot";
+
+constexpr auto kFormats = std::to_array<FormatTraits>({
+    {PictureFormat::png, ".png", kPngTerminal, "\x89PNG\r\n\x1a\n", "IEND\xae\x42\x60\x82"},
+    {PictureFormat::svg, ".svg", kSvgTerminal, "<?xml", "</svg>"},
+    {PictureFormat::pdf, ".pdf", kPdfTerminal, "%PDF-", "%%EOF"},
+});
+
+const FormatTraits& traits_of(PictureFormat format) {
+  return kFormats.at(static_cast<std::size_t>(format));
+}
+
+// Returns the number of bytes of the UTF-8 character at the beginning of the text; 0 if there is
+// none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) {
+    return 0;
+  }
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80U) {
+      return 0;
+    }
+  }
+  return length;
+}
+
+}  // namespace
+
+PictureFormat picture_format(const std::filesystem::path& picture) {
+  std::string extension = picture.extension().string();
+  for (char& c : extension) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  const auto* const found = std::ranges::find(kFormats, extension, &FormatTraits::extension);
+  if (found == kFormats.end()) {
+    throw InputError(
+        fmt::format("{}: a picture's name ends in .png, .svg or .pdf", picture.string()));
+  }
+  return found->format;
+}
+
+std::string_view extension_of(PictureFormat format) {
+  return traits_of(format).extension;
+}
+
+void run_gnuplot(const TemporaryFolder& folder, const PictureSize& size, std::string_view script,
+                 const std::filesystem::path& picture) {
+  const FormatTraits& format = traits_of(picture_format(picture));
+  const std::filesystem::path drawn = folder.path() / fmt::format("picture{}", format.extension);
+  std::string whole = "set encoding utf8\n";
+  whole += fmt::format(fmt::runtime(format.terminal), fmt::arg("width", size.width_px),
+                       fmt::arg("height", size.height_px));
+  whole += fmt::format("set output {}\nset multiplot\n", gnuplot_string(drawn.string()));
+  whole += script;
+  whole += "\nunset multiplot\nunset output\n";
+  draw(folder, whole);
+  // gnuplot does not report a full disk.
+  const std::string bytes = read_file(drawn);
+  const std::string_view written(bytes.data(), bytes.find_last_not_of('\n') + 1);
+  if (!written.starts_with(format.head) || !written.ends_with(format.tail)) {
+    throw InputError(fmt::format("{}: gnuplot's picture is not whole; is the disk of {} full?",
+                                 picture.string(), folder.path().string()));
+  }
+  OutputFile file(picture, OutputKind::file);
+  file.write(std::as_bytes(std::span(bytes)));
+  file.commit();
 }
 
 std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < kFirstPrintable || byte == kDelete ? ' ' : c;
-    if (c == '\'') {
-      result += c;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const auto byte = static_cast<unsigned char>(text.front());
+    if (length == 0) {
+      result += '?';
+    } else if (byte < kFirstPrintable || byte == kDelete) {
+      result += ' ';
+    } else {
+      result += text.substr(0, length);
+      result += text.front() == '\'' ? "'" : "";
     }
+    text.remove_prefix(std::max<std::size_t>(1, length));
   }
   return result + "'";
 }

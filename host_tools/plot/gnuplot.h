@@ -1,6 +1,8 @@
-// Runs gnuplot on a script and the pictures that it needs. All figures go through it.
+// Runs gnuplot on a script and the pictures that it needs. All figures go through it: a figure is a
+// PNG, SVG or PDF file by the extension of its name.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,6 +10,16 @@
 #include "host_tools/plot/silhouette.h"
 
 namespace tactus::host {
+
+// The kind of a picture's file.
+enum class PictureFormat : std::uint8_t { png, svg, pdf };
+
+// Returns the format that the file's extension names, in small or large letters. Throws InputError
+// that names the three if it names none of them. Verbs that work for long call it first.
+PictureFormat picture_format(const std::filesystem::path& picture);
+
+// Returns the format's extension with its dot.
+std::string_view extension_of(PictureFormat format);
 
 // A private folder below the system's folder for temporary files, removed with its content at the
 // end.
@@ -30,18 +42,21 @@ class TemporaryFolder {
 // Writes the picture as raw red-green-blue bytes for gnuplot's `binary` plots. Throws InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 
-// Returns the beginning of a script that draws several panels into the folder's picture, `width` by
-// `height` pixels. A name of the user's never goes into a script as a file, since gnuplot runs a
-// file name that begins with | as a command.
-std::string picture_head(const TemporaryFolder& folder, double width, double height);
+// A picture's size; of an SVG or PDF file in points, in which it has the same layout.
+struct PictureSize {
+  double width_px = 0.0;
+  double height_px = 0.0;
+};
 
-// Runs gnuplot on the script, and writes the folder's picture to `png` once it is complete. Throws
-// InputError if gnuplot is not installed or fails, or `png` cannot be written.
-void run_gnuplot(const TemporaryFolder& folder, std::string_view script,
-                 const std::filesystem::path& png);
+// Runs gnuplot on a script that draws one or several panels, and writes the picture to `picture`
+// once it is complete. Throws InputError if the name has another extension than picture_format()
+// knows, gnuplot is not installed or fails, or `picture` cannot be written. The user's name is
+// never in a script, since gnuplot runs a file name that begins with | as a command.
+void run_gnuplot(const TemporaryFolder& folder, const PictureSize& size, std::string_view script,
+                 const std::filesystem::path& picture);
 
 // Returns the text in gnuplot's single quotes, with blanks for control characters: a line end would
-// begin a command.
+// begin a command. Bytes that are not UTF-8 become question marks: no SVG file may hold them.
 std::string gnuplot_string(std::string_view text);
 
 }  // namespace tactus::host

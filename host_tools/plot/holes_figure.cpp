@@ -104,9 +104,9 @@ std::string holes_panel(std::span<const rendering::Object> objects, std::span<co
 }  // namespace
 
 void draw_holes_figure(std::span<const rendering::Object> objects, std::span<const HoleMark> holes,
-                       const std::string& title, const std::filesystem::path& png) {
+                       const std::string& title, const std::filesystem::path& picture) {
   const TemporaryFolder folder;
-  std::string script = picture_head(folder, kHolesWidth, kHolesHeight);
+  std::string script;
   script += fmt::format(
       "set label 1 {} at screen 0.06,0.96 left font \",18\" textcolor \"#111111\" noenhanced\n",
       gnuplot_string(title));
@@ -116,8 +116,7 @@ void draw_holes_figure(std::span<const rendering::Object> objects, std::span<con
         {.view = view, .window = square_about(view, objects), .is_right = view == View::side},
         folder);
   }
-  script += "unset multiplot\nunset output\n";
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = kHolesWidth, .height_px = kHolesHeight}, script, picture);
 }
 
 }  // namespace tactus::host

@@ -74,7 +74,6 @@ std::string style_of(const Curve& curve, std::string_view colour) {
 }
 
 constexpr std::string_view kPanelsHead = R"gnuplot(
-set encoding utf8
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 set grid linecolor "#e3e3e3" linewidth 0.7 linetype 1
@@ -112,7 +111,7 @@ plot )gnuplot";
 }  // namespace
 
 void draw_panels(const std::string& title, std::span<const Panel> panels,
-                 const std::filesystem::path& png) {
+                 const std::filesystem::path& picture) {
   // Heights in pixels: of the title, and around each panel.
   constexpr double kTitle = 50;
   constexpr double kAbovePanel = 35;
@@ -126,7 +125,6 @@ void draw_panels(const std::string& title, std::span<const Panel> panels,
     }
   }
   const TemporaryFolder folder;
-  script += picture_head(folder, kPanelsWidth, height);
   script += fmt::format(kPanelsHead, fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("title_height", 1.0 - 0.5 * kTitle / height));
   const double each = (height - kTitle) / count;
@@ -135,8 +133,7 @@ void draw_panels(const std::string& title, std::span<const Panel> panels,
     const double bottom = kTitle + static_cast<double>(p + 1) * each - kBelowPanel;
     script += panel_script(panels[p], p, 1.0 - top / height, 1.0 - bottom / height);
   }
-  script += "unset multiplot\nunset output\n";
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = kPanelsWidth, .height_px = height}, script, picture);
 }
 
 }  // namespace tactus::host

@@ -1,4 +1,4 @@
-// Draws curves in panels, one above the other, as a PNG file. Friction, certify and the benchmark
+// Draws curves in panels, one above the other, as a picture. Friction, certify and the benchmark
 // use it.
 #pragma once
 
@@ -32,6 +32,6 @@ struct Panel {
 
 // Draws the panels below a title. Throws InputError if gnuplot is missing or fails.
 void draw_panels(const std::string& title, std::span<const Panel> panels,
-                 const std::filesystem::path& png);
+                 const std::filesystem::path& picture);
 
 }  // namespace tactus::host

@@ -213,7 +213,7 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
 }  // namespace
 
 void draw_path_figure(const RunData& run, std::span<const rendering::Object> objects,
-                      const std::string& title, const std::filesystem::path& png) {
+                      const std::string& title, const std::filesystem::path& picture) {
   const Sheet sheet = lay_out(run, objects);
   const double force_N = std::ranges::max_element(run.rows, {}, &RunRow::force_N)->force_N;
   const TemporaryFolder folder;
@@ -221,15 +221,13 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
                        path_blocks(run, View::side, "_side") +
                        ends_block(run, View::front, sheet.front.window, "_front") +
                        ends_block(run, View::side, sheet.side.window, "_side");
-  script += picture_head(folder, kSheetWidth, sheet.height);
   script += fmt::format(kPathHead, fmt::arg("force", std::max(force_N, 0.1)),
                         fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("title_x", sheet.front.left / kSheetWidth),
                         fmt::arg("title_y", 1.0 - 0.5 * kTitleHeight / sheet.height));
   script += panel_script(sheet, sheet.front, objects, folder, false);
   script += panel_script(sheet, sheet.side, objects, folder, true);
-  script += "unset multiplot\nunset output\n";
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = kSheetWidth, .height_px = sheet.height}, script, picture);
 }
 
 }  // namespace tactus::host

@@ -229,7 +229,7 @@ std::string facts_of(const TickSteps& tick) {
 }  // namespace
 
 void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> objects,
-                      const std::string& title, const std::filesystem::path& png) {
+                      const std::string& title, const std::filesystem::path& picture) {
   const TickView across(tick, false);
   const TickView above(tick, true);
   const TemporaryFolder folder;
@@ -247,7 +247,6 @@ void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> 
     script += moves_blocks(suffix, tick, view);
     script += places_blocks(suffix, tick, view);
   }
-  script += picture_head(folder, kTickSheetWidth, kTickSheetHeight);
   script += fmt::format(kTickHead, fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("facts", gnuplot_string(facts_of(tick))),
                         fmt::arg("left", kTickLeft / kTickSheetWidth),
@@ -256,8 +255,8 @@ void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> 
   script += tick_view_script(across.window(tick), false);
   script += tick_view_script(above.window(tick), true);
   script += fmt::format(kTickKey, fmt::arg("top", (kTickBottom - 85.0) / kTickSheetHeight));
-  script += "unset multiplot\nunset output\n";
-  run_gnuplot(folder, script, png);
+  run_gnuplot(folder, {.width_px = kTickSheetWidth, .height_px = kTickSheetHeight}, script,
+              picture);
 }
 
 }  // namespace tactus::host

@@ -16,6 +16,6 @@ namespace tactus::host {
 // the friction circles. Objects that move are drawn where the scene gives them. Throws InputError
 // if gnuplot is missing or fails.
 void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> objects,
-                      const std::string& title, const std::filesystem::path& png);
+                      const std::string& title, const std::filesystem::path& picture);
 
 }  // namespace tactus::host

@@ -7,7 +7,6 @@ namespace tactus::host {
 
 // The title, and the line of facts below it.
 inline constexpr std::string_view kTickHead = R"gnuplot(
-set encoding utf8
 set border 3 linecolor "#555555"
 set tics nomirror out textcolor "#333333"
 set size ratio -1

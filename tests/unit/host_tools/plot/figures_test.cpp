@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <string>
 
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 #include "tests/support/png_size.h"
 #include "tests/support/solid.h"
+#include "tests/support/xml_check.h"
 
 namespace tactus::host {
 namespace {
@@ -87,6 +89,64 @@ TEST(Figures, MissingGnuplotIsNamedWithItsPackage) {
   }
   setenv("PATH", path.c_str(), 1);
   EXPECT_NE(message.find("gnuplot-nox"), std::string::npos) << message;
+}
+
+std::string message_of(const std::filesystem::path& picture) {
+  try {
+    draw_force_figure(stroke(10), "t", picture);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Figures, AnSvgFileIsWellFormedAndHasEveryLabel) {
+  const std::filesystem::path file = fresh("figures.svg");
+  draw_force_figure(stroke(2000), "run<1> & \"2\" \xff it's", file);
+  const std::string text = read_file(file);
+  EXPECT_EQ(testing::xml_fault(text), "");
+  for (const std::string_view label :
+       {"run&lt;1> &amp; \"2\" ? it's", "force on the hand (N)", "depth (mm)", "time (s)", "stick",
+        "slip", "rendered force"}) {
+    EXPECT_NE(text.find(label), std::string::npos) << label;
+  }
+}
+
+TEST(Figures, AnSvgFileHoldsThePictureBehindThePath) {
+  const Solid ball(testing::icosphere(0.04, 3), rendering::Sides::one, {});
+  const std::filesystem::path file = fresh("path.SVG");
+  draw_path_figure(stroke(500), {&ball.object(), 1}, "path", file);
+  const std::string text = read_file(file);
+  EXPECT_EQ(testing::xml_fault(text), "");
+  EXPECT_NE(text.find("data:image/png;base64,"), std::string::npos);
+}
+
+TEST(Figures, APdfFileHasOnePageInTheShapeOfThePicture) {
+  const std::filesystem::path file = fresh("figures.pdf");
+  draw_force_figure(stroke(2000), "run", file);
+  const std::string text = read_file(file);
+  EXPECT_TRUE(text.starts_with("%PDF-1."));
+  EXPECT_NE(text.find("/MediaBox [ 0 0 800 500 ]"), std::string::npos);
+  EXPECT_NE(text.find("/Count 1"), std::string::npos);
+}
+
+TEST(Figures, AnotherExtensionIsRefusedWithTheThreeThatAreKnown) {
+  for (const std::string name : {"figure.jpg", "figure", "figure.", "figure.png2"}) {
+    const std::string message = message_of(name);
+    EXPECT_NE(message.find("a picture's name ends in .png, .svg or .pdf"), std::string::npos)
+        << message;
+    EXPECT_TRUE(message.starts_with(name)) << message;
+  }
+}
+
+TEST(Figures, NamesKeepTheExtensionOfTheUser) {
+  EXPECT_EQ(figure_files("new/ears.svg", "run").path, "new/ears_path.svg");
+  EXPECT_EQ(figure_files("new/", "run", PictureFormat::pdf).path, "new/run_path.pdf");
+  EXPECT_EQ(figure_files("speed0.5", "run").path, "speed0.5_path.png");
+  EXPECT_THROW(static_cast<void>(figure_files("ears.jpg", "run")), InputError);
+  EXPECT_EQ(figure_file("new/one.svg", "steps", "_tick7"), "new/one.svg");
+  EXPECT_EQ(figure_file("new/one", "steps", "_tick7"), "new/one_tick7.png");
+  EXPECT_EQ(figure_file("new/", "steps", "_tick7", PictureFormat::svg), "new/steps_tick7.svg");
 }
 
 TEST(Figures, NamesFollowAFolderOrAPrefix) {
