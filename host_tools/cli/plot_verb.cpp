@@ -4,16 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
 #include "host_tools/bake/scene/mapped_scene.h"
+#include "host_tools/cli/plot_steps.h"
 #include "host_tools/files/output_place.h"
-#include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/run_data.h"
-#include "host_tools/plot/tick_figure.h"
-#include "host_tools/plot/tick_steps.h"
 
 namespace tactus::host {
 namespace {
@@ -33,7 +32,18 @@ constexpr const char* kPlotExamples =
     "and how they turn\n"
     "  tactus plot steps.csv --explain --tick 120 --scene scene.tactus\n"
     "                                                        steps_tick120.png: moves, planes and "
-    "friction cone of one tick";
+    "friction cone of one tick,\n"
+    "                                                        or iterations over the field of a "
+    "formula\n"
+    "  tactus plot steps.csv --explain --ticks 860..880/5 --scene scene.tactus -o strip.svg\n"
+    "                                                        five ticks in a row with common axes\n"
+    "  tactus plot steps.csv --explain --ticks 800..900/2 --scene scene.tactus --animation "
+    "stroke.apng\n"
+    "                                                        a stroke, ten times slower than it "
+    "was\n"
+    "  tactus plot steps.csv --explain --ticks 800..900/2 --scene scene.tactus --frames frames/ "
+    "--format svg\n"
+    "                                                        frames/frame_0001.svg, ... for slides";
 
 // The verb's options as the user gave them.
 struct PlotOptions {
@@ -41,44 +51,16 @@ struct PlotOptions {
   std::string scene;
   std::string output;
   std::string against;
-  bool explain = false;
-  TickChoice tick;
+  PictureFormat format = PictureFormat::png;
+  std::shared_ptr<StepsPlotOptions> steps = std::make_shared<StepsPlotOptions>();
 };
-
-// Makes the folder of a file if it is missing.
-void make_folder_of(const std::filesystem::path& file) {
-  std::error_code failure;
-  if (file.has_parent_path()) {
-    std::filesystem::create_directories(file.parent_path(), failure);
-  }
-  if (failure) {
-    throw InputError(fmt::format("{}: {}", file.parent_path().string(), failure.message()));
-  }
-}
-
-// Draws one tick of a file that --explain wrote.
-void draw_tick(const PlotOptions& options) {
-  const TickSteps tick = read_tick_steps(options.run, options.tick);
-  const MappedScene scene(options.scene);
-  const std::filesystem::path csv(options.run);
-  const std::filesystem::path picture =
-      figure_file(options.output.empty() ? "./" : options.output, csv.stem().string(),
-                  fmt::format("_tick{}", tick.number));
-  keep_inputs_safe({picture}, {options.run, options.scene});
-  make_folder_of(picture);
-  draw_tick_figure(
-      tick, scene.image().objects(),
-      fmt::format("{}: tick {} at {:.6g} s", csv.filename().string(), tick.number, tick.t_s),
-      picture);
-  fmt::print("{}\n", picture.string());
-}
 
 void run_plot(const PlotOptions& options) {
   const RunData run = read_run(options.run);
   const MappedScene scene(options.scene);
   const std::filesystem::path csv(options.run);
-  const FigureFiles files =
-      figure_files(options.output.empty() ? "./" : options.output, csv.stem().string());
+  const FigureFiles files = figure_files(options.output.empty() ? "./" : options.output,
+                                         csv.stem().string(), options.format);
   keep_inputs_safe({files.force, files.path, files.against},
                    {options.run, options.against, options.scene});
   make_folder_of(files.force);
@@ -109,27 +91,24 @@ void add_plot_verb(CLI::App& app) {
       "-o,--output", options->output,
       "Folder or prefix of the pictures; one that ends in .svg, .pdf or .png gives that format. "
       "Default: PNG files in this folder");
-  verb->add_option("--against", options->against,
-                   "Another run (CSV), drawn over this one in a third figure");
-  CLI::Option* const explain =
-      verb->add_flag("--explain", options->explain,
-                     "Draw one tick of a file that --explain of touch, sim or replay wrote")
-          ->excludes("--against");
-  CLI::Option* const tick =
-      verb->add_option("--tick", options->tick.number, "For --explain, the number of the tick")
-          ->needs(explain);
-  CLI::Option* const time =
-      verb->add_option("--time", options->tick.t_s, "For --explain, the time of the tick, s")
-          ->needs(explain)
-          ->excludes(tick);
-  verb->add_flag_function(
-          "--worst", [](std::int64_t) {},
-          "For --explain, the tick with most moves; so it is without --tick")
-      ->needs(explain)
-      ->excludes(tick)
-      ->excludes(time);
+  CLI::Option* const against = verb->add_option(
+      "--against", options->against, "Another run (CSV), drawn over this one in a third figure");
+  verb->add_option("--format", options->format, "Format of the pictures in a folder")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PictureFormat>{
+          {"png", PictureFormat::png}, {"svg", PictureFormat::svg}, {"pdf", PictureFormat::pdf}}));
+  add_steps_options(*verb, options->steps);
+  verb->get_option("--explain")->excludes(against);
   verb->footer(kPlotExamples);
-  verb->callback([options] { options->explain ? draw_tick(*options) : run_plot(*options); });
+  verb->callback([options] {
+    if (options->steps->is_wanted) {
+      draw_steps(*options->steps, {.steps = options->run,
+                                   .scene = options->scene,
+                                   .output = options->output.empty() ? "./" : options->output,
+                                   .format = options->format});
+    } else {
+      run_plot(*options);
+    }
+  });
 }
 
 }  // namespace tactus::host

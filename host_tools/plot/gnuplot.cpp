@@ -76,6 +76,10 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
   write_file(file, bytes);
 }
 
+void write_raw_rgb(const std::filesystem::path& file, std::string_view bytes) {
+  write_file(file, bytes);
+}
+
 namespace {
 
 // Runs gnuplot without a shell, so that no file name can be taken for a command. Throws InputError.

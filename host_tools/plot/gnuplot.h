@@ -41,6 +41,8 @@ class TemporaryFolder {
 
 // Writes the picture as raw red-green-blue bytes for gnuplot's `binary` plots. Throws InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
+// Writes such bytes, three for each pixel.
+void write_raw_rgb(const std::filesystem::path& file, std::string_view bytes);
 
 // A picture's size; of an SVG or PDF file in points, in which it has the same layout.
 struct PictureSize {

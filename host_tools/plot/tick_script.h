@@ -1,4 +1,4 @@
-// The gnuplot scripts of the figure of one tick (tick_figure.cpp), as formats of fmt.
+// The gnuplot scripts of the figures of ticks (tick_figure.h), as formats of fmt.
 #pragma once
 
 #include <string_view>
@@ -23,10 +23,11 @@ set bmargin at screen {bottom:.6f}
 set tmargin at screen {top:.6f}
 set xrange [{x0:.6g}:{x1:.6g}]
 set yrange [{y0:.6g}:{y1:.6g}]
-set xlabel 'along the pull on the surface (mm)' textcolor "#333333"
+set xlabel {xlabel} textcolor "#333333"
 set ylabel {ylabel} textcolor "#333333" offset 0.5
+set label 5 {title} at graph 0.5,1.0 center offset 0,0.9 textcolor "#111111" noenhanced
 unset key
-plot $cut_{s} using 1:2 with lines linecolor "#9a9a9a" linewidth 4, \
+plot {behind}$cut_{s} using 1:2 with lines linecolor "#9a9a9a" linewidth 4, \
      $held_{s} using 1:2 with lines linecolor "#17406d" linewidth 1.8, \
      $loose_{s} using 1:2 with lines linecolor "#7f9cc0" linewidth 1 dashtype 3, \
      $static_{s} using 1:2 with lines linecolor "#b8860b" linewidth 1.6, \
@@ -39,8 +40,10 @@ plot $cut_{s} using 1:2 with lines linecolor "#9a9a9a" linewidth 4, \
      $under_{s} using 1:2 with points pointtype 13 pointsize 1.8 linecolor "#555555", \
      $before_{s} using 1:2 with points pointtype 6 pointsize 1.8 linecolor "#d0421b" linewidth 2, \
      $proxy_{s} using 1:2 with points pointtype 7 pointsize 1.6 linecolor "#d0421b", \
-     $tool_{s} using 1:2 with points pointtype 7 pointsize 1.8 linecolor "#111111"
+     $tool_{s} using 1:2 with points pointtype 7 pointsize 1.8 linecolor "#111111", \
+     $numbers_{s} using 1:2:3 with labels center offset 0,1.1 textcolor "#8f2a12"
 unset label
+unset colorbox
 )gnuplot";
 
 // The key has a panel of its own over the whole width.
@@ -57,15 +60,30 @@ unset ylabel
 set xrange [0:1]
 set yrange [0:1]
 set key center center horizontal width -1 samplen 2.5 textcolor "#333333" noenhanced
-plot 9 with lines linecolor "#9a9a9a" linewidth 4 title 'surface, cut', \
+plot )gnuplot";
+
+// The key's entries for ticks on meshes and primitives.
+inline constexpr std::string_view kMeshEntries = R"gnuplot(\
+     9 with lines linecolor "#9a9a9a" linewidth 4 title 'surface, cut', \
      9 with lines linecolor "#17406d" linewidth 1.8 title 'active plane', \
      9 with lines linecolor "#7f9cc0" linewidth 1 dashtype 3 title 'plane that is not active', \
      9 with lines linecolor "#b8860b" linewidth 1.6 title 'friction cone, static', \
      9 with lines linecolor "#b8860b" linewidth 1.6 dashtype 2 title 'dynamic', \
+     )gnuplot";
+
+// Its entries for ticks on a formula.
+inline constexpr std::string_view kFieldEntries = R"gnuplot(\
+     9 with lines linecolor "#111111" linewidth 3 title 'F = 0, the surface', \
+     9 with lines linecolor "#e8bf3a" linewidth 6 title 'tolerance: in contact', \
+     9 with lines linecolor "#17406d" linewidth 1.8 title 'tangent plane', \
+     )gnuplot";
+
+// Its entries for all ticks; they come last.
+inline constexpr std::string_view kStepEntries = R"gnuplot(\
      9 with lines linecolor "#4c9a78" linewidth 1.8 dashtype 4 title 'spring', \
      9 with lines linecolor "#d0421b" linewidth 2.2 title 'move', \
      9 with linespoints pointtype 4 pointsize 1.5 linecolor "#d0421b" linewidth 1 dashtype 3 title 'sub-goal not reached', \
-     9 with points pointtype 6 pointsize 1.8 linecolor "#d0421b" linewidth 2 title 'proxy before', \
+     9 with points pointtype 6 pointsize 1.8 linecolor "#d0421b" linewidth 2 title '{before}', \
      9 with points pointtype 7 pointsize 1.6 linecolor "#d0421b" title 'proxy (god-object)', \
      9 with points pointtype 13 pointsize 1.8 linecolor "#555555" title 'surface contact point', \
      9 with points pointtype 7 pointsize 1.8 linecolor "#111111" title 'tool (HIP)'

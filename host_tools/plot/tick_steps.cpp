@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <ranges>
 #include <string_view>
 #include <utility>
 
@@ -137,13 +139,16 @@ void add_move(const StepsReader& row, TickSteps& tick) {
 // An iteration of a formula is shown with the tangent plane under it.
 void add_iteration(const StepsReader& row, TickSteps& tick) {
   add_move(row, tick);
-  if (const auto normal = row.vector("normal_", "")) {
-    StepMove& move = tick.moves.back();
-    const double height_m = row.number("height_m").value_or(0.0);
-    if (height_m <= row.number("tolerance_m").value_or(0.0)) {
-      move.planes.push_back(
-          {.surface_W = move.from_W - height_m * *normal, .normal_W = *normal, .fate = "active"});
-    }
+  StepMove& move = tick.moves.back();
+  const FormulaStep& formula = move.formula.emplace(FormulaStep{
+      .object = static_cast<std::size_t>(row.number("object").value_or(0.0)),
+      .normal_W = row.vector("normal_", ""),
+      .height_m = row.number("height_m").value_or(std::numeric_limits<double>::infinity()),
+      .tolerance_m = row.number("tolerance_m").value_or(0.0)});
+  if (formula.normal_W && formula.height_m <= formula.tolerance_m) {
+    move.planes.push_back({.surface_W = move.from_W - formula.height_m * *formula.normal_W,
+                           .normal_W = *formula.normal_W,
+                           .fate = "active"});
   }
 }
 
@@ -159,31 +164,106 @@ void add_tick(const StepsReader& row, TickSteps& tick) {
   tick.friction = static_cast<int>(row.number("friction").value_or(0.0));
 }
 
+// Adds what a row says of its tick.
+void add_row(const StepsReader& row, TickSteps& tick) {
+  const std::string& kind = row.text("row");
+  if (kind == "move") {
+    add_move(row, tick);
+  } else if (kind == "iteration") {
+    add_iteration(row, tick);
+  } else if (kind == "plane" && !tick.moves.empty()) {
+    tick.moves.back().planes.push_back(
+        {.surface_W = row.point("surface"),
+         .normal_W = row.vector("normal_", "").value_or(Vec3::Zero()),
+         .multiplier_m = row.number("multiplier_m").value_or(0.0),
+         .fate = row.text("fate")});
+  } else if (kind == "tick") {
+    add_tick(row, tick);
+  }
+}
+
+// Reads a number at the beginning of the text and removes it. Returns false if there is none.
+bool take_number(std::string_view& text, std::size_t& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) {
+    return false;
+  }
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+// Removes the mark at the beginning of the text. Returns false if it is not there.
+bool take_mark(std::string_view& text, std::string_view mark) {
+  if (!text.starts_with(mark)) {
+    return false;
+  }
+  text.remove_prefix(mark.size());
+  return true;
+}
+
 }  // namespace
+
+TickRange parse_tick_range(std::string_view text) {
+  std::string_view rest = text;
+  TickRange range;
+  const bool is_range = take_number(rest, range.first) && take_mark(rest, "..") &&
+                        take_number(rest, range.last) &&
+                        (!take_mark(rest, "/") || take_number(rest, range.step));
+  if (!is_range || range.step == 0 || range.last < range.first || !rest.empty()) {
+    throw InputError(fmt::format(
+        "'{}' is no range of ticks; write FIRST..LAST or FIRST..LAST/STEP, such as 860..880/5",
+        text));
+  }
+  return range;
+}
 
 TickSteps read_tick_steps(const std::filesystem::path& file, const TickChoice& choice) {
   const std::string text = read_file(file);
   TickSteps tick{.number = chosen(file.string(), text, choice)};
   for (StepsReader row(file.string(), text); row.next();) {
-    if (row.tick() != tick.number) {
-      continue;
-    }
-    const std::string& kind = row.text("row");
-    if (kind == "move") {
-      add_move(row, tick);
-    } else if (kind == "iteration") {
-      add_iteration(row, tick);
-    } else if (kind == "plane" && !tick.moves.empty()) {
-      tick.moves.back().planes.push_back(
-          {.surface_W = row.point("surface"),
-           .normal_W = row.vector("normal_", "").value_or(Vec3::Zero()),
-           .multiplier_m = row.number("multiplier_m").value_or(0.0),
-           .fate = row.text("fate")});
-    } else if (kind == "tick") {
-      add_tick(row, tick);
+    if (row.tick() == tick.number) {
+      add_row(row, tick);
     }
   }
   return tick;
+}
+
+std::vector<TickSteps> read_ticks(const std::filesystem::path& file, const TickRange& range) {
+  const std::string text = read_file(file);
+  // The ends are looked up first: the message of a missing one names those that there are.
+  static_cast<void>(chosen(file.string(), text, {.number = range.first, .t_s = std::nullopt}));
+  const std::size_t last = range.first + (range.count() - 1) * range.step;
+  static_cast<void>(chosen(file.string(), text, {.number = last, .t_s = std::nullopt}));
+  std::map<std::size_t, TickSteps> ticks;
+  for (StepsReader row(file.string(), text); row.next();) {
+    const std::size_t number = row.tick();
+    if (number >= range.first && number <= last && (number - range.first) % range.step == 0) {
+      TickSteps& tick = ticks[number];
+      tick.number = number;
+      add_row(row, tick);
+    }
+  }
+  std::vector<TickSteps> result;
+  result.reserve(ticks.size());
+  for (std::size_t number = range.first; number <= last; number += range.step) {
+    const auto found = ticks.find(number);
+    if (found == ticks.end()) {
+      throw InputError(fmt::format("{}: no tick {}", file.string(), number));
+    }
+    result.push_back(std::move(found->second));
+  }
+  return result;
+}
+
+std::optional<std::size_t> formula_of(std::span<const TickSteps> ticks) {
+  for (const TickSteps& tick : std::views::reverse(ticks)) {
+    for (const StepMove& move : std::views::reverse(tick.moves)) {
+      if (move.formula) {
+        return move.formula->object;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace tactus::host

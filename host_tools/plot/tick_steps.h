@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rendering/geometry/vector.h"
@@ -20,6 +22,19 @@ struct StepPlane {
   std::string fate;
 };
 
+// What an iteration on a formula knows of its proxy.
+struct FormulaStep {
+  // The number of the object in the scene.
+  std::size_t object = 0;
+  // The unit normal of the tangent plane under the proxy before the move; nothing at a singular
+  // point.
+  std::optional<Vec3> normal_W;
+  // The height of the proxy above the surface to first order, and that below which it is in
+  // contact.
+  double height_m = 0.0;
+  double tolerance_m = 0.0;
+};
+
 // A straight move of the shared proxy, or an iteration on a formula, which has no planes but its
 // tangent plane and no circles.
 struct StepMove {
@@ -31,6 +46,8 @@ struct StepMove {
   // The friction circles, m; nothing without contact.
   std::optional<double> static_radius_m;
   std::optional<double> dynamic_radius_m;
+  // An iteration on a formula has it.
+  std::optional<FormulaStep> formula;
 };
 
 // The steps of a tick; world frame, m.
@@ -57,8 +74,30 @@ struct TickChoice {
   std::optional<double> t_s;
 };
 
+// Every `step`th tick from one number to another one.
+struct TickRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t step = 1;
+
+  // Returns the number of ticks.
+  [[nodiscard]] std::size_t count() const { return (last - first) / step + 1; }
+};
+
+// Reads a range as the user writes it, `860..880/5` or `860..880`. Throws InputError that says how
+// it is written.
+TickRange parse_tick_range(std::string_view text);
+
 // Reads one tick. Throws InputError, one line that names file, line and column, and if there is no
 // such tick the range of those that there are.
 TickSteps read_tick_steps(const std::filesystem::path& file, const TickChoice& choice);
+
+// Reads the ticks of a range. Throws InputError as the one above does, also if one of them is
+// missing.
+std::vector<TickSteps> read_ticks(const std::filesystem::path& file, const TickRange& range);
+
+// Returns the number of the object on whose formula the ticks have iterations; nothing if they have
+// none. Of several objects it is that of the last iteration.
+std::optional<std::size_t> formula_of(std::span<const TickSteps> ticks);
 
 }  // namespace tactus::host

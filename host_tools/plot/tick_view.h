@@ -1,7 +1,8 @@
-// The two views in which one tick is drawn (tick_figure.h).
+// The two views in which ticks are drawn (tick_figure.h).
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "host_tools/plot/silhouette.h"
@@ -9,12 +10,15 @@
 
 namespace tactus::host {
 
-// A view of a tick: across the surface, with the contact normal up and the tool's pull along the
-// surface to the right; or from above, along the contact normal. The origin is the point of the
-// surface under the proxy, or the tool in a tick without contact.
+// A view of one or more ticks: across the surface, with the contact normal up and the tool's pull
+// along the surface to the right; or from above, along the contact normal. The origin is the point
+// of the surface under the proxy, or the tool in a tick without contact. Several ticks share the
+// view: it has the middle of their normals up, the way of their proxy to the right, and the first
+// contact's point as its origin.
 class TickView {
  public:
-  TickView(const TickSteps& tick, bool from_above);
+  // There must be at least one tick.
+  TickView(std::span<const TickSteps> ticks, bool from_above);
 
   // Returns a point in the picture, mm.
   [[nodiscard]] PlanePoint point(const Vec3& p_W) const {
@@ -27,8 +31,12 @@ class TickView {
   }
   // Returns how far a point is in front of the picture's plane, m.
   [[nodiscard]] double toward(const Vec3& p_W) const { return (p_W - origin_W_).dot(toward_W_); }
-  // Returns a square window that holds what the tick did, mm.
-  [[nodiscard]] Window window(const TickSteps& tick) const;
+  // Returns the world's point in the picture's plane, the reverse of point().
+  [[nodiscard]] Vec3 world(const PlanePoint& p_mm) const {
+    return origin_W_ + 1e-3 * (p_mm.right * right_W_ + p_mm.up * up_W_);
+  }
+  // Returns a square window that holds what the ticks did, mm.
+  [[nodiscard]] Window window(std::span<const TickSteps> ticks) const;
 
  private:
   Vec3 origin_W_ = Vec3::Zero();
@@ -36,6 +44,10 @@ class TickView {
   Vec3 up_W_ = Vec3::UnitY();
   Vec3 toward_W_ = Vec3::UnitZ();
 };
+
+// Returns the square about the middle of a window, whose half width is a share of the window's
+// longer side, or of `least_mm`.
+Window square_about(const Window& tight, double share, double least_mm);
 
 // Returns the radius of the tool, m; 0 without contact.
 double tool_radius_m(const TickSteps& tick);

@@ -1,0 +1,116 @@
+#include "host_tools/plot/field_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace tactus::host {
+namespace {
+
+// The bands' colours from the lowest values, in the solid, to the highest: two hues, darker away
+// from zero. The colours are pale enough to draw over.
+constexpr auto kBandColours =
+    std::to_array<std::uint32_t>({0xc8943c, 0xd8ae62, 0xe5c68a, 0xefdcb4, 0xf8f1e0, 0xe6f3f1,
+                                  0xc6e5e1, 0xa3d4ce, 0x7cbfb8, 0x55a8a0});
+constexpr std::uint32_t kNoField = 0xffffff;
+constexpr std::uint32_t kInTolerance = 0xffe27a;
+constexpr double kBandsEachSide = 5.0;
+
+// Returns the height of a band, 1, 2 or 5 times a power of ten: nine tenths of the values lie
+// within the bands.
+double band_step(const FieldGrid& grid) {
+  constexpr double kWithin = 0.9;
+  std::vector<double> sizes;
+  for (const double value : grid.values) {
+    if (std::isfinite(value)) {
+      sizes.push_back(std::abs(value));
+    }
+  }
+  if (sizes.empty()) {
+    return 1.0;
+  }
+  const auto most =
+      sizes.begin() + static_cast<std::ptrdiff_t>(kWithin * static_cast<double>(sizes.size() - 1));
+  std::ranges::nth_element(sizes, most);
+  const double needed = std::max(*most / kBandsEachSide, 1e-300);
+  const double decade = std::pow(10.0, std::floor(std::log10(needed)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * decade >= needed) {
+      return factor * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
+std::uint32_t colour_of(double value, double step) {
+  const double band = std::clamp(std::floor(value / step), -kBandsEachSide, kBandsEachSide - 1.0);
+  return kBandColours.at(static_cast<std::size_t>(band + kBandsEachSide));
+}
+
+std::string contour_block(const std::string& name, const FieldGrid& grid, double level) {
+  std::string block = fmt::format("${} << EOD\n", name);
+  for (const auto& [a, b] : contour_of(grid, level)) {
+    fmt::format_to(std::back_inserter(block), "{:.7g} {:.7g}\n{:.7g} {:.7g}\n\n", a.right, a.up,
+                   b.right, b.up);
+  }
+  return block + "1e9 1e9\nEOD\n";
+}
+
+// Returns the palette of the colour bar; the last data block is a point off the sheet to which
+// gnuplot gives the bar.
+std::string palette(double step, const std::string& name) {
+  std::string colours;
+  for (std::size_t i = 0; i < kBandColours.size(); ++i) {
+    colours += fmt::format("{}{} \"#{:06x}\"", i == 0 ? "" : ", ", i, kBandColours[i]);
+  }
+  return fmt::format(
+      "set palette maxcolors {} defined ({})\nset cbrange [{:.6g}:{:.6g}]\nset cbtics {:.6g}\n"
+      "$off_{} << EOD\n1e9 1e9 0\nEOD\n",
+      kBandColours.size(), colours, -kBandsEachSide * step, kBandsEachSide * step, step, name);
+}
+
+}  // namespace
+
+FieldPicture draw_field(const rendering::ImplicitSurface& surface, const TickView& view,
+                        const Window& window, double tolerance_m, std::size_t pixels,
+                        const std::string& name, const TemporaryFolder& folder) {
+  // A narrower band is only a line.
+  constexpr double kLeastBand_px = 2.0;
+  const FieldGrid field = sample_field(surface, view, window, pixels);
+  const double pixel_mm = window.width() / static_cast<double>(pixels);
+  const bool has_band = 1e3 * tolerance_m > kLeastBand_px * pixel_mm;
+  const FieldGrid height = has_band ? sample_height(surface, view, window, pixels) : FieldGrid{};
+  const double step = band_step(field);
+  std::string bytes;
+  bytes.reserve(3 * field.values.size());
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const bool in_band = has_band && height.values[i] >= 0.0 && height.values[i] <= tolerance_m;
+    const std::uint32_t colour = std::isnan(field.values[i]) ? kNoField
+                                 : in_band                   ? kInTolerance
+                                                             : colour_of(field.values[i], step);
+    for (const std::uint32_t shift : {16U, 8U, 0U}) {
+      bytes += static_cast<char>(colour >> shift & 0xffU);
+    }
+  }
+  const std::filesystem::path file = folder.path() / fmt::format("field_{}.rgb", name);
+  write_raw_rgb(file, bytes);
+  FieldPicture picture;
+  picture.head = contour_block("zero_" + name, field, 0.0) + palette(step, name);
+  picture.items = fmt::format(
+      "{} binary array=({},{}) format='%uchar%uchar%uchar' origin=({:.8g},{:.8g}) dx={:.8g} "
+      "dy={:.8g} with rgbimage, $off_{} using 1:2:3 with points palette, $zero_{} using 1:2 with "
+      "lines linecolor \"#111111\" linewidth 3, ",
+      gnuplot_string(file.string()), pixels, pixels, window.lower.right + 0.5 * pixel_mm,
+      window.lower.up + 0.5 * pixel_mm, pixel_mm, pixel_mm, name, name);
+  if (has_band) {
+    picture.head += contour_block("tolerance_" + name, height, tolerance_m);
+    picture.items += fmt::format(
+        "$tolerance_{} using 1:2 with lines linecolor \"#a8790a\" linewidth 1.2, ", name);
+  }
+  return picture;
+}
+
+}  // namespace tactus::host

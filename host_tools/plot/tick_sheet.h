@@ -1,0 +1,35 @@
+// What the figures of ticks have in common: the title, the key and the formula's field.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "host_tools/plot/tick_panel.h"
+
+namespace tactus::host {
+
+// Returns the script of the title, and of the line of facts below it, above panels that begin at
+// `left`, pixels.
+std::string tick_head(const PictureSize& sheet, double left, const std::string& title,
+                      const std::string& facts);
+
+// Returns the script of the key, `height` pixels high at the sheet's lower edge.
+std::string tick_key(const PictureSize& sheet, double height, bool has_field);
+
+// Returns the commands that place a colour bar for the field right of a panel.
+std::string colour_bar(const PictureSize& sheet, const PanelPlace& panel);
+
+// The formula on which ticks iterate, and the height above it at which a proxy is in contact.
+struct TrackedFormula {
+  // Points into the scene.
+  const rendering::ImplicitSurface* surface = nullptr;
+  double tolerance_m = 0.0;
+};
+
+// Returns the formula on which the ticks iterate; nothing if they do not. Throws InputError if the
+// scene has none as the object of that number.
+std::optional<TrackedFormula> tracked_formula(std::span<const TickSteps> ticks,
+                                              std::span<const rendering::Object> objects);
+
+}  // namespace tactus::host
