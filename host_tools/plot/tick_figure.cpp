@@ -17,7 +17,10 @@ constexpr double kTickTop = 110.0;
 constexpr double kTickKeyHeight = kTickBottom - 85.0;
 constexpr double kTickSheetHeight = kTickBottom + kTickPanel + kTickTop;
 // The room for a colour bar right of a panel.
-constexpr double kTickBar = 120.0;
+constexpr double kTickBar = 130.0;
+
+// The room between a colour bar and the axis of the next panel.
+constexpr double kTickBarGap = 20.0;
 
 constexpr std::string_view kAlongPull = "along the pull on the surface (mm)";
 constexpr std::string_view kAlongNormal = "along the contact normal (mm)";
@@ -25,7 +28,7 @@ constexpr std::string_view kAlongNormal = "along the contact normal (mm)";
 // Returns the window about the last moves of a tick in the view: as many as are close together.
 Window window_of_last_moves(const TickSteps& tick, const TickView& view, const Window& whole,
                             double tolerance_m) {
-  constexpr double kLargest = 0.2;
+  constexpr double kLargest = 0.05;
   constexpr double kHalf = 0.7;
   constexpr double kLeastTolerances = 10.0;
   Window window;
@@ -47,7 +50,7 @@ void draw_field_figure(const TickSteps& tick, std::span<const rendering::Object>
                        const TrackedFormula& formula, const std::string& title,
                        const std::filesystem::path& picture) {
   constexpr double kContext = 1.25;
-  const PictureSize sheet{.width_px = kTickSheetWidth + 2.0 * kTickBar,
+  const PictureSize sheet{.width_px = kTickSheetWidth + 2.0 * kTickBar + kTickBarGap,
                           .height_px = kTickSheetHeight};
   const TemporaryFolder folder;
   const TickView view({&tick, 1}, false);
@@ -64,7 +67,8 @@ void draw_field_figure(const TickSteps& tick, std::span<const rendering::Object>
         .tick = tick,
         .view = view,
         .window = window,
-        .place = {.left = kTickLeft + (is_close ? kTickPanel + kTickGap + kTickBar : 0.0),
+        .place = {.left =
+                      kTickLeft + (is_close ? kTickPanel + kTickGap + kTickBar + kTickBarGap : 0.0),
                   .bottom = kTickBottom,
                   .width = kTickPanel,
                   .height = kTickPanel},
@@ -75,7 +79,7 @@ void draw_field_figure(const TickSteps& tick, std::span<const rendering::Object>
         .y_label = std::string(kAlongNormal),
         .field = &field,
         .has_numbers = is_close};
-    script += colour_bar(sheet, panel.place) + tick_panel(panel, objects, sheet);
+    script += colour_bar(sheet, panel.place, is_close) + tick_panel(panel, objects, sheet);
   }
   script += tick_key(sheet, kTickKeyHeight, true);
   run_gnuplot(folder, sheet, script, picture);

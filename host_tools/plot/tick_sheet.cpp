@@ -25,15 +25,15 @@ std::string tick_key(const PictureSize& sheet, double height, bool has_field) {
                                                                          : "proxy before"));
 }
 
-std::string colour_bar(const PictureSize& sheet, const PanelPlace& panel) {
+std::string colour_bar(const PictureSize& sheet, const PanelPlace& panel, bool has_label) {
   constexpr double kAside = 14.0;
   constexpr double kWidth = 16.0;
   return fmt::format(
       "set colorbox user origin {:.5f},{:.5f} size {:.5f},{:.5f} noborder\n"
-      "set cblabel 'F (the unit of the formula)' textcolor \"#333333\" offset 0.6\n"
-      "set cbtics textcolor \"#333333\"\n",
+      "set cblabel {} textcolor \"#333333\" offset 0.6\nset cbtics textcolor \"#333333\"\n",
       (panel.left + panel.width + kAside) / sheet.width_px, panel.bottom / sheet.height_px,
-      kWidth / sheet.width_px, panel.height / sheet.height_px);
+      kWidth / sheet.width_px, panel.height / sheet.height_px,
+      has_label ? "'F (the unit of the formula)'" : "''");
 }
 
 std::optional<TrackedFormula> tracked_formula(std::span<const TickSteps> ticks,

@@ -17,8 +17,9 @@ std::string tick_head(const PictureSize& sheet, double left, const std::string& 
 // Returns the script of the key, `height` pixels high at the sheet's lower edge.
 std::string tick_key(const PictureSize& sheet, double height, bool has_field);
 
-// Returns the commands that place a colour bar for the field right of a panel.
-std::string colour_bar(const PictureSize& sheet, const PanelPlace& panel);
+// Returns the commands that place a colour bar for the field right of a panel, with or without its
+// name.
+std::string colour_bar(const PictureSize& sheet, const PanelPlace& panel, bool has_label = true);
 
 // The formula on which ticks iterate, and the height above it at which a proxy is in contact.
 struct TrackedFormula {
