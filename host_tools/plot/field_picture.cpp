@@ -37,14 +37,7 @@ std::optional<double> step_for(std::vector<double>& sizes) {
   const auto most =
       sizes.begin() + static_cast<std::ptrdiff_t>(kWithin * static_cast<double>(sizes.size() - 1));
   std::ranges::nth_element(sizes, most);
-  const double needed = std::max(*most / kBandsEachSide, 1e-300);
-  const double decade = std::pow(10.0, std::floor(std::log10(needed)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * decade >= needed) {
-      return factor * decade;
-    }
-  }
-  return 10.0 * decade;
+  return round_step(*most / kBandsEachSide);
 }
 
 // Returns the bands' heights: one for both sides, or one for each where the values of one side

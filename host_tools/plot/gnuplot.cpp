@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <span>
 #include <system_error>
 
@@ -210,6 +212,17 @@ void run_gnuplot(const TemporaryFolder& folder, const PictureSize& size, std::st
   OutputFile file(picture, OutputKind::file);
   file.write(std::as_bytes(std::span(bytes)));
   file.commit();
+}
+
+double round_step(double least) {
+  const double needed = std::max(least, std::numeric_limits<double>::min());
+  const double decade = std::pow(10.0, std::floor(std::log10(needed)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * decade >= needed) {
+      return factor * decade;
+    }
+  }
+  return 10.0 * decade;
 }
 
 std::string gnuplot_string(std::string_view text) {

@@ -57,6 +57,10 @@ struct PictureSize {
 void run_gnuplot(const TemporaryFolder& folder, const PictureSize& size, std::string_view script,
                  const std::filesystem::path& picture);
 
+// Returns 1, 2 or 5 times a power of ten, the smallest that is not below `least`; for the marks of
+// an axis.
+double round_step(double least);
+
 // Returns the text in gnuplot's single quotes, with blanks for control characters: a line end would
 // begin a command. Bytes that are not UTF-8 become question marks: no SVG file may hold them.
 std::string gnuplot_string(std::string_view text);

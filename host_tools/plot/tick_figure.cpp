@@ -81,7 +81,7 @@ void draw_field_figure(const TickSteps& tick, std::span<const rendering::Object>
         .has_numbers = is_close};
     script += colour_bar(sheet, panel.place, is_close) + tick_panel(panel, objects, sheet);
   }
-  script += tick_key(sheet, kTickKeyHeight, true);
+  script += tick_key(sheet, foot_of(sheet, kTickKeyHeight), true);
   run_gnuplot(folder, sheet, script, picture);
 }
 
@@ -113,7 +113,7 @@ void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> 
         .y_label = std::string(from_above ? "across it, seen from above (mm)" : kAlongNormal)};
     script += tick_panel(panel, objects, sheet);
   }
-  script += tick_key(sheet, kTickKeyHeight, false);
+  script += tick_key(sheet, foot_of(sheet, kTickKeyHeight), false);
   run_gnuplot(folder, sheet, script, picture);
 }
 

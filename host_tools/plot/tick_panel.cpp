@@ -196,18 +196,26 @@ std::string formula_facts(const TickSteps& tick) {
   std::string endings;
   const StepMove* last = nullptr;
   std::size_t count = 0;
-  for (const StepMove& move : tick.moves) {
-    if (move.formula) {
-      ++count;
-      endings += fmt::format("{}{}", endings.empty() ? "" : ", ", move.ending);
-      last = move.formula->normal_W ? &move : last;
+  std::size_t alike = 0;
+  for (std::size_t i = 0; i < tick.moves.size(); ++i) {
+    const StepMove& move = tick.moves[i];
+    if (!move.formula) {
+      continue;
+    }
+    ++count;
+    ++alike;
+    last = move.formula->normal_W ? &move : last;
+    if (i + 1 == tick.moves.size() || tick.moves[i + 1].ending != move.ending) {
+      endings += endings.empty() ? "" : ", ";
+      endings += alike == 1 ? move.ending : fmt::format("{} {}", alike, move.ending);
+      alike = 0;
     }
   }
   std::string facts = fmt::format("{} iteration{}: {}", count, count == 1 ? "" : "s", endings);
   if (last != nullptr) {
     const double tool_m = last->formula->normal_W->dot(tick.tool_W - last->from_W);
-    facts += fmt::format("; the tool is {:.4g} mm {} the last tangent plane: {}",
-                         1e3 * std::abs(tool_m), tool_m < 0.0 ? "behind" : "in front of",
+    facts += fmt::format("; tool {:.4g} mm {} the last tangent plane: {}", 1e3 * std::abs(tool_m),
+                         tool_m < 0.0 ? "behind" : "in front of",
                          tick.normal_W ? "contact" : "no contact");
   }
   return tick.normal_W ? facts + fmt::format(", friction {} → {}", state_name(tick.friction_before),

@@ -46,11 +46,11 @@ unset label
 unset colorbox
 )gnuplot";
 
-// The key has a panel of its own over the whole width.
+// The key has a panel of its own.
 inline constexpr std::string_view kTickKey = R"gnuplot(
-set lmargin at screen 0.02
-set rmargin at screen 0.98
-set bmargin at screen 0.005
+set lmargin at screen {left:.6f}
+set rmargin at screen {right:.6f}
+set bmargin at screen {bottom:.6f}
 set tmargin at screen {top:.6f}
 set size noratio
 unset border
@@ -59,7 +59,7 @@ unset xlabel
 unset ylabel
 set xrange [0:1]
 set yrange [0:1]
-set key center center horizontal width -1 samplen 2.5 textcolor "#333333" noenhanced
+set key center center {direction} width -1 samplen 2.5 textcolor "#333333" noenhanced
 plot )gnuplot";
 
 // The key's entries for ticks on meshes and primitives.

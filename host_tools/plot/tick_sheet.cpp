@@ -18,8 +18,22 @@ std::string tick_head(const PictureSize& sheet, double left, const std::string& 
                      fmt::arg("facts_y", 1.0 - kFactsBelowTop / sheet.height_px));
 }
 
-std::string tick_key(const PictureSize& sheet, double height, bool has_field) {
-  std::string script = fmt::format(kTickKey, fmt::arg("top", height / sheet.height_px));
+PanelPlace foot_of(const PictureSize& sheet, double height) {
+  constexpr double kMargin = 0.02;
+  constexpr double kBottom = 0.005;
+  return {.left = kMargin * sheet.width_px,
+          .bottom = kBottom * sheet.height_px,
+          .width = (1.0 - 2.0 * kMargin) * sheet.width_px,
+          .height = height - kBottom * sheet.height_px};
+}
+
+std::string tick_key(const PictureSize& sheet, const PanelPlace& place, bool has_field) {
+  std::string script = fmt::format(
+      kTickKey, fmt::arg("left", place.left / sheet.width_px),
+      fmt::arg("right", (place.left + place.width) / sheet.width_px),
+      fmt::arg("bottom", place.bottom / sheet.height_px),
+      fmt::arg("top", (place.bottom + place.height) / sheet.height_px),
+      fmt::arg("direction", place.width > place.height ? "horizontal" : "vertical maxcols 1"));
   script += has_field ? kFieldEntries : kMeshEntries;
   return script + fmt::format(kStepEntries, fmt::arg("before", has_field ? "seed: proxy before"
                                                                          : "proxy before"));

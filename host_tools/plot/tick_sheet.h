@@ -14,8 +14,11 @@ namespace tactus::host {
 std::string tick_head(const PictureSize& sheet, double left, const std::string& title,
                       const std::string& facts);
 
-// Returns the script of the key, `height` pixels high at the sheet's lower edge.
-std::string tick_key(const PictureSize& sheet, double height, bool has_field);
+// Returns the script of the key in a place of its own: in rows if that is wide, else in a column.
+std::string tick_key(const PictureSize& sheet, const PanelPlace& place, bool has_field);
+
+// Returns the place of a key below the panels, so many pixels high.
+PanelPlace foot_of(const PictureSize& sheet, double height);
 
 // Returns the commands that place a colour bar for the field right of a panel, with or without its
 // name.

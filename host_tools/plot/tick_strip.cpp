@@ -16,18 +16,24 @@ constexpr double kStripBottom = 200.0;
 constexpr double kStripTop = 115.0;
 constexpr double kStripKeyHeight = 120.0;
 constexpr double kStripRight = 40.0;
+// An axis has at most so many steps between its marks.
+constexpr double kStripTics = 5.0;
 // The key needs so much.
 constexpr double kStripLeastWidth = 1500.0;
 
-// A frame, in pixels: one square panel with the key at its foot.
+// A frame, in pixels: one square panel with room for a colour bar and the key at its right.
 constexpr double kFramePanel = 640.0;
 constexpr double kFrameLeft = 100.0;
-constexpr double kFrameBottom = 215.0;
+constexpr double kFrameBottom = 75.0;
 constexpr double kFrameTop = 90.0;
-constexpr double kFrameKeyHeight = 140.0;
-constexpr double kFrameRight = 160.0;
-constexpr PictureSize kFrameSheet{.width_px = kFrameLeft + kFramePanel + kFrameRight,
+constexpr double kFrameBar = 120.0;
+constexpr double kFrameKeyWidth = 240.0;
+constexpr PictureSize kFrameSheet{.width_px = kFrameLeft + kFramePanel + kFrameBar + kFrameKeyWidth,
                                   .height_px = kFrameBottom + kFramePanel + kFrameTop};
+constexpr PanelPlace kFrameKey{.left = kFrameLeft + kFramePanel + kFrameBar,
+                               .bottom = kFrameBottom,
+                               .width = kFrameKeyWidth,
+                               .height = kFramePanel};
 
 // The room for a colour bar right of the last panel.
 constexpr double kStripBar = 110.0;
@@ -61,6 +67,8 @@ void draw_tick_strip(std::span<const TickSteps> ticks, std::span<const rendering
   const PictureSize sheet{.width_px = std::max(width, kStripLeastWidth),
                           .height_px = kStripBottom + kStripPanel + kStripTop};
   std::string script = tick_head(sheet, kStripLeft, title, "");
+  const double step_mm = round_step(window.width() / kStripTics);
+  script += fmt::format("set xtics {0:.6g}\nset ytics {0:.6g}\n", step_mm);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const bool is_first = i == 0;
     const bool is_last = i + 1 == ticks.size();
@@ -81,7 +89,7 @@ void draw_tick_strip(std::span<const TickSteps> ticks, std::span<const rendering
     script += field && is_last ? colour_bar(sheet, panel.place) : "unset colorbox\n";
     script += tick_panel(panel, objects, sheet);
   }
-  script += tick_key(sheet, kStripKeyHeight, field.has_value());
+  script += tick_key(sheet, foot_of(sheet, kStripKeyHeight), field.has_value());
   run_gnuplot(folder, sheet, script, picture);
 }
 
@@ -113,7 +121,7 @@ void TickFrames::draw(std::size_t index, const std::filesystem::path& picture) c
       fmt::format("{}: tick {} at {:.6g} s", title_, tick.number, tick.t_s), facts_of(tick));
   script += field_ ? colour_bar(kFrameSheet, panel.place) : "";
   script += tick_panel(panel, objects_, kFrameSheet);
-  script += tick_key(kFrameSheet, kFrameKeyHeight, field_.has_value());
+  script += tick_key(kFrameSheet, kFrameKey, field_.has_value());
   run_gnuplot(folder_, kFrameSheet, script, picture);
 }
 
