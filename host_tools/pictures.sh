@@ -78,6 +78,16 @@ grep -o '](pictures/[^)]*)' "$course/README.md" | tr -d '])(' | while read -r pi
   echo "$course/$picture"
 done
 
+# A connection graph and the changes of state on it, of host_tools/graph/README.md.
+pictures=host_tools/graph/pictures
+mkdir -p "$pictures"
+"$tactus" inspect --graph "$examples/notch/notch.off" --picture "$pictures/notch_graph.png" >"$work/log"
+echo "$pictures/notch_graph.png"
+"$tactus" bake "$examples/notch/scene.toml" -o "$work/notch.tactus" >"$work/log"
+"$tactus" touch "$work/notch.tactus" --path "$examples/notch/stroke.csv" -o "$work/notch.csv" --explain "$work/notch_steps.csv" >"$work/log"
+"$tactus" plot "$work/notch_steps.csv" --transitions --scene "$work/notch.tactus" -o "$pictures/notch_transitions.png" >"$work/log"
+echo "$pictures/notch_transitions.png"
+
 # The demo's path, of the root README.
 host_tools/bunny_mesh.sh "$work/bunny00.off"
 cp "$examples/bunny/scene.toml" "$work/bunny.toml"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host_tools/bake/scene/bake.h"
+#include "host_tools/cli/picture_option.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/compare/compare_figure.h"
 #include "host_tools/compare/compared_run.h"
@@ -210,7 +211,9 @@ void add_compare_verb(CLI::App& app) {
                    "Change this object alone; by default all objects of the scene");
   verb->add_option("--from", options->span.from_s, "Count and draw from this time on, s");
   verb->add_option("--to", options->span.to_s, "Count and draw up to this time, s");
-  verb->add_option("--picture", options->picture, "Draw the runs over each other into this file");
+  verb->add_option("--picture", options->picture,
+                   "Draw the runs over each other into this .png, .svg or .pdf file")
+      ->check(picture_complaint);
   verb->add_option("--csv", options->csv, "Write the CSV file of each run into this folder");
   verb->add_flag("--json", options->json, "Print the table as one JSON object");
   verb->footer(kCompareExamples);

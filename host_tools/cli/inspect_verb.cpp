@@ -15,9 +15,10 @@
 #include "host_tools/bake/scene/friction_description.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/bake/scene/open_loops.h"
+#include "host_tools/cli/inspect_graph.h"
+#include "host_tools/cli/inspect_holes.h"
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/files/output_place.h"
-#include "host_tools/plot/figures.h"
 #include "host_tools/units.h"
 
 namespace tactus::host {
@@ -34,13 +35,19 @@ constexpr const char* kInspectExamples =
     "Examples:\n"
     "  tactus inspect scene.tactus\n"
     "  tactus inspect scene.tactus --picture holes.png     marks the holes of its meshes\n"
-    "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'";
+    "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'\n"
+    "  tactus inspect --graph stone.off                    the connection graph of a mesh, by "
+    "type\n"
+    "  tactus inspect --graph scene.tactus --picture g.png the graph drawn over the meshes\n"
+    "  tactus inspect --graph stone.off --dot g.dot        then dot -Tsvg g.dot -o g.svg\n"
+    "  tactus inspect --graph stone.off --json | jq '.meshes[0].connections[0]'";
 
 // The verb's options as the user gave them.
 struct InspectOptions {
   std::string image;
   std::string picture;
   bool json = false;
+  InspectGraphOptions graph;
 };
 
 // The image's data about one object, gathered from its views.
@@ -61,14 +68,6 @@ struct ObjectSummary {
     return object.sides == rendering::Sides::one ? "one" : "two";
   }
 };
-
-// Returns the holes of an object that is a mesh.
-std::vector<OpenLoop> holes_of(const SceneImage& image, std::size_t index) {
-  const rendering::MeshView& mesh = image.baked_mesh(index).mesh;
-  const bool has_holes = image.objects()[index].surface == rendering::SurfaceKind::mesh &&
-                         image.counters(index).open_edges != 0;
-  return has_holes ? find_open_loops(mesh.vertices, mesh.triangles) : std::vector<OpenLoop>{};
-}
 
 // Returns the summary of one object.
 ObjectSummary summarise(const SceneImage& image, std::size_t index) {
@@ -248,33 +247,15 @@ void print_text(const InspectOptions& options, const MappedScene& scene) {
   }
 }
 
-// Draws the scene with the holes of all its meshes.
-void draw_picture(const InspectOptions& options, const MappedScene& scene) {
-  keep_inputs_safe({options.picture}, {options.image});
-  std::vector<HoleMark> marks;
-  for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
-    const rendering::MeshView& mesh = scene.image().baked_mesh(i).mesh;
-    for (const OpenLoop& hole : holes_of(scene.image(), i)) {
-      HoleMark& mark = marks.emplace_back(
-          HoleMark{.rim_W = {}, .middle_W = hole.middle_W, .size_m = hole.size_m});
-      for (const MeshCorner& at : hole.corners) {
-        for (std::uint32_t k = 0; k < 2; ++k) {
-          mark.rim_W.push_back(
-              rendering::to_vec3(mesh.vertices[mesh.triangles[at.triangle][(at.corner + k) % 3]]));
-        }
-      }
-    }
-  }
-  draw_holes_figure(
-      scene.image().objects(), marks,
-      fmt::format("{}: {} hole{}", options.image, marks.size(), marks.size() == 1 ? "" : "s"),
-      options.picture);
-}
-
 void run(const InspectOptions& options) {
+  if (options.graph.graph) {
+    inspect_graph(options.graph, options.image, options.picture, options.json);
+    return;
+  }
   const MappedScene scene(options.image);
   if (!options.picture.empty()) {
-    draw_picture(options, scene);
+    keep_inputs_safe({options.picture}, {options.image});
+    draw_holes(scene.image(), options.image, options.picture);
   }
   if (options.json) {
     print_json(options, scene);
@@ -288,11 +269,15 @@ void run(const InspectOptions& options) {
 void add_inspect_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("inspect", "Check a scene image and show what is in it");
   const auto options = std::make_shared<InspectOptions>();
-  verb->add_option("image", options->image, "Scene image (.tactus)")->required();
-  verb->add_option("--picture", options->picture,
-                   "Draw the scene with the holes of its meshes into this .png, .svg or .pdf file")
+  verb->add_option("image", options->image, "Scene image (.tactus), or with --graph a mesh file")
+      ->required();
+  verb->add_option(
+          "--picture", options->picture,
+          "Draw the scene with the holes of its meshes, or --graph, into this .png, .svg or "
+          ".pdf file")
       ->check(picture_complaint);
   verb->add_flag("--json", options->json, "Print one JSON object");
+  add_graph_options(*verb, options->graph);
   verb->footer(kInspectExamples);
   verb->callback([options] { run(*options); });
 }

@@ -10,6 +10,7 @@
 
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/plot_steps.h"
+#include "host_tools/cli/plot_transitions.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/run_data.h"
@@ -43,7 +44,11 @@ constexpr const char* kPlotExamples =
     "was\n"
     "  tactus plot steps.csv --explain --ticks 800..900/2 --scene scene.tactus --frames frames/ "
     "--format svg\n"
-    "                                                        frames/frame_0001.svg, ... for slides";
+    "                                                        frames/frame_0001.svg, ... for "
+    "slides\n"
+    "  tactus plot steps.csv --transitions --scene scene.tactus\n"
+    "                                                        steps_transitions.png: changes "
+    "between free, face, edge, vertex";
 
 // The verb's options as the user gave them.
 struct PlotOptions {
@@ -53,6 +58,7 @@ struct PlotOptions {
   std::string against;
   PictureFormat format = PictureFormat::png;
   std::shared_ptr<StepsPlotOptions> steps = std::make_shared<StepsPlotOptions>();
+  bool transitions = false;
 };
 
 void run_plot(const PlotOptions& options) {
@@ -86,7 +92,8 @@ void add_plot_verb(CLI::App& app) {
   verb->add_option("run", options->run,
                    "Run (CSV) of tactus sim or tactus touch, or with --explain its steps")
       ->required();
-  verb->add_option("--scene", options->scene, "Scene image (.tactus) of the run")->required();
+  verb->add_option("--scene", options->scene,
+                   "Scene image (.tactus) of the run; --transitions can do without");
   verb->add_option(
       "-o,--output", options->output,
       "Folder or prefix of the pictures; one that ends in .svg, .pdf or .png gives that format. "
@@ -98,8 +105,19 @@ void add_plot_verb(CLI::App& app) {
           {"png", PictureFormat::png}, {"svg", PictureFormat::svg}, {"pdf", PictureFormat::pdf}}));
   add_steps_options(*verb, options->steps);
   verb->get_option("--explain")->excludes(against);
+  verb->add_flag("--transitions", options->transitions,
+                 "Count and draw the changes of state: free, face, edge, vertex")
+      ->excludes("--explain")
+      ->excludes(against);
   verb->footer(kPlotExamples);
   verb->callback([options] {
+    if (options->transitions) {
+      plot_transitions(options->run, options->scene, options->output);
+      return;
+    }
+    if (options->scene.empty()) {
+      throw CLI::RequiredError("--scene");
+    }
     if (options->steps->is_wanted) {
       draw_steps(*options->steps, {.steps = options->run,
                                    .scene = options->scene,

@@ -9,6 +9,6 @@ namespace tactus::testing {
 inline constexpr std::array kExampleScenes{"ramp",    "primitives", "heart",    "thin_plate",
                                            "grating", "stone",      "tiles",    "shaded_cylinder",
                                            "effects", "paddle",     "membrane", "friction",
-                                           "wall",    "gem",        "shapes"};
+                                           "wall",    "gem",        "shapes",   "notch"};
 
 }  // namespace tactus::testing
