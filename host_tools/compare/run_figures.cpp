@@ -74,8 +74,8 @@ RunFigures figures_of(const ComparedRun& run, const ComparedRun& other, const Ti
     figures.breaks += is_in_contact(before) && !is_in_contact(tick) ? 1U : 0U;
     figures.largest_jump_N = std::max(figures.largest_jump_N, change.norm());
     figures.given_out_J += 0.5 * (force_W + before.touch.force_W).dot(tick.tool_W - before.tool_W);
-    if (k + 1 < run.ticks.size() && is_in_contact(before) && is_in_contact(tick) &&
-        is_in_contact(run.ticks[k + 1])) {
+    if (k + 1 < run.ticks.size() && span.holds(run.ticks[k + 1].t_s) && is_in_contact(before) &&
+        is_in_contact(tick) && is_in_contact(run.ticks[k + 1])) {
       const Vec3 half = 0.5 * (run.ticks[k + 1].touch.force_W - force_W - change);
       sums.squared_ripple += half.squaredNorm();
       ++sums.ripples;

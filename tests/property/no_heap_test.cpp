@@ -114,5 +114,53 @@ TEST(World, NeverUsesTheHeapForShadingTexturesAndEffects) {
   EXPECT_GT(contacts, 10'000);
 }
 
+TEST(World, NeverUsesTheHeapByTheTextbooksMethods) {
+  using rendering::ContactMethod;
+  using rendering::Opcode;
+  // On a ball, since one_plane loses a solid at its first concave edge.
+  const Solid solid(icosphere(0.05, 3), rendering::Sides::one,
+                    {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)});
+  // x^2 + y^2 + z^2 - 1, in units of 5 cm.
+  const std::array<rendering::Instruction, 9> formula{
+      {{.opcode = Opcode::x},
+       {.opcode = Opcode::y},
+       {.opcode = Opcode::z},
+       {.opcode = Opcode::power, .a = 0, .exponent = 2},
+       {.opcode = Opcode::power, .a = 1, .exponent = 2},
+       {.opcode = Opcode::power, .a = 2, .exponent = 2},
+       {.opcode = Opcode::add, .a = 3, .b = 4},
+       {.opcode = Opcode::add, .a = 5, .b = 6},
+       {.opcode = Opcode::offset, .a = 7, .constant = -1.0}}};
+  for (const ContactMethod method :
+       {ContactMethod::one_plane, ContactMethod::three_sub_goals, ContactMethod::three_step,
+        ContactMethod::one_step, ContactMethod::plain_tracking}) {
+    rendering::Object object = solid.object();
+    object.method = method;
+    if (method == ContactMethod::plain_tracking) {
+      object.surface = rendering::SurfaceKind::implicit;
+      object.implicit.formula = {.instructions = formula};
+      object.implicit.bounds_O = {.lower = Vec3::Constant(-2.0), .upper = Vec3::Constant(2.0)};
+      object.implicit.scale_m = 0.05;
+      object.material.friction = {};
+    }
+    const auto world = std::make_unique<rendering::World>();
+    ASSERT_TRUE(world->set_scene({&object, 1}, {.tool_radius_m = 0.002}));
+    world->touch({.p_W = {0.1, 0.0, 0.0}});
+    int contacts = 0;
+    std::size_t calls = 0;
+    {
+      const HeapTrap trap;
+      for (int tick = 0; tick < 5'000; ++tick) {
+        const drivers::JointSample at = stroke(tick);
+        const Vec3 tool = 0.96 * Vec3{at.position[0], at.position[1], at.position[2]};
+        contacts += world->touch({.p_W = tool}).contact != rendering::ContactKind::none ? 1 : 0;
+      }
+      calls = trap.calls();
+    }
+    EXPECT_EQ(calls, 0U);
+    EXPECT_GT(contacts, 2'500) << static_cast<int>(method);
+  }
+}
+
 }  // namespace
 }  // namespace tactus::testing

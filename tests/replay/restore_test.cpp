@@ -148,6 +148,21 @@ TEST(Restore, GoesOnAlikeOnPrimitivesFieldsAndWalksAndUnderEffects) {
   check({walk, field, ball, pointed}, 0.002, 400, effects);
 }
 
+TEST(Restore, GoesOnAlikeByTheTextbooksMethods) {
+  const Solid ball(icosphere(0.03, 3), Sides::one, kRough);
+  const Solid groove(grooved_block(90.0, 0.02), Sides::one, kRough);
+  std::uint64_t seed = 450;
+  for (const ContactMethod method : {ContactMethod::one_plane, ContactMethod::three_sub_goals,
+                                     ContactMethod::three_step, ContactMethod::one_step}) {
+    for (const Solid* const solid : {&ball, &groove}) {
+      SCOPED_TRACE(static_cast<int>(method));
+      Object object = solid->object();
+      object.method = method;
+      check({object}, 0.002, seed++);
+    }
+  }
+}
+
 TEST(Restore, HasRoomForTheLargestScene) {
   const Solid sheet(flat_sheet(0.002, 62), Sides::two, kRough);
   ASSERT_GT(sheet.object().mesh.vertices.size(), rendering::kMaxDeformableVertices * 9 / 10);

@@ -22,6 +22,7 @@ struct UnitWords {
 
 constexpr std::array kUnitWords{
     UnitWords{"m", "metres"},
+    UnitWords{"mm", "millimetres"},
     UnitWords{"N_per_m", "newtons per metre"},
     UnitWords{"Ns_per_m", "newton seconds per metre"},
     UnitWords{"s_per_m", "seconds per metre"},
@@ -65,6 +66,9 @@ constexpr std::array kOtherUnits{
     OtherUnit{"meter", "m", 1.0},
     OtherUnit{"meters", "m", 1.0},
     OtherUnit{"metres", "m", 1.0},
+    OtherUnit{"m", "mm", 1e3},
+    OtherUnit{"cm", "mm", 1e1},
+    OtherUnit{"um", "mm", 1e-3},
     OtherUnit{"n_per_mm", "N_per_m", 1e3},
     OtherUnit{"n_per_cm", "N_per_m", 1e2},
     OtherUnit{"n_per_um", "N_per_m", 1e6},

@@ -9,6 +9,7 @@
 
 #include "rendering/geometry/mesh.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/surface/connected_mesh.h"
 
 namespace tactus::rendering {
 

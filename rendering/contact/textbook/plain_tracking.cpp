@@ -6,9 +6,11 @@
 namespace tactus::rendering {
 namespace {
 
-// Returns the sign of f at p, 1 for 0; 1 outside the box, where there is no surface.
+// Returns the side of the surface on which p is: the sign of f, 1 for 0. An object with an inside
+// ends at its box: outside the box the side is 1.
 double side_at(const ImplicitSurface& surface, const Vec3& p_O) {
-  return surface.bounds_O.contains(p_O) && evaluate(surface.formula, p_O) < 0.0 ? -1.0 : 1.0;
+  const bool counts = surface.sides == Sides::two || surface.bounds_O.contains(p_O);
+  return counts && evaluate(surface.formula, p_O) < 0.0 ? -1.0 : 1.0;
 }
 
 }  // namespace
@@ -56,11 +58,16 @@ Seed PlainTracker::track(const ImplicitSurface& surface, const Vec3& contact, co
 
 Seed PlainTracker::look_for_contact(const ImplicitSurface& surface, const Vec3& before,
                                     const Vec3& tool, std::uint32_t& flags) {
+  Seed found{.point = tool};
+  if (surface.sides == Sides::two && !surface.bounds_O.contains(tool)) {
+    // There is no surface: the tool may come back on either side.
+    side_ = 0.0;
+    return found;
+  }
   if (side_ == 0.0) {
     side_ = side_at(surface, before);
   }
   const double side = side_at(surface, tool);
-  Seed found{.point = tool};
   if (surface.sides == Sides::one && side_ < 0.0) {
     // A tool that began inside feels nothing until it has been outside.
     side_ = side;

@@ -52,7 +52,7 @@ struct PlainRest {
 
 // One point on one implicit surface, without friction. Positions are in the object's frame, world
 // frame for a surface at rest. `sides` of the surface is taken as it is: with two sides contact
-// begins where f changes its sign.
+// begins where f changes its sign within the box.
 class PlainTracker {
  public:
   // Starts over, out of contact, at p_W.
@@ -77,7 +77,8 @@ class PlainTracker {
                         std::uint32_t& flags);
 
   Vec3 p_W_ = Vec3::Zero();
-  // The sign of f on the free side, where the tool came from; 0 before the first tick.
+  // The sign of f on the free side, where the tool came from; 0 before the first tick, and where a
+  // two-sided surface has ended.
   double side_ = 0.0;
   bool in_contact_ = false;
 };

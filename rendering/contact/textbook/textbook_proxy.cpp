@@ -30,6 +30,7 @@ struct TextbookProxy::Tick {
   std::size_t count = 0;
 
   [[nodiscard]] std::span<const Plane> held_by() const { return {planes.data(), count}; }
+  [[nodiscard]] std::span<const std::uint32_t> facets() const { return {triangles.data(), count}; }
 
   // Adds a plane that holds the god-object.
   void hold(const Plane& plane, std::uint32_t triangle) {
@@ -38,9 +39,9 @@ struct TextbookProxy::Tick {
     ++count;
   }
 
-  // Returns the first facet on the segment, and holds the god-object by it.
-  FacetHit test(const Vec3& from, const Vec3& goal) {
-    const FacetHit hit = search.first(from, goal, {triangles.data(), count});
+  // Returns the first facet on the segment but those in `passed`, and holds the god-object by it.
+  FacetHit test(const Vec3& from, const Vec3& goal, std::span<const std::uint32_t> passed = {}) {
+    const FacetHit hit = search.first(from, goal, passed);
     ++rest.segments;
     if (hit.is_hit() && count < planes.size()) {
       hold({.normal = hit.normal, .offset = hit.normal.dot(hit.point) + surface.push_out_m},
@@ -79,11 +80,12 @@ Vec3 TextbookProxy::follow_one_plane(Tick& tick) const {
 }
 
 // Each segment begins at the god-object and ends at the point nearest to the tool in front of the
-// planes so far. What is on the way to the last one is not asked.
+// planes so far. A facet that is a constraint already is passed. What is on the way to the last
+// point is not asked.
 Vec3 TextbookProxy::follow_sub_goals(Tick& tick) const {
   Vec3 goal = tick.tool;
   while (tick.count < tick.planes.size()) {
-    const FacetHit hit = tick.test(p_, goal);
+    const FacetHit hit = tick.test(p_, goal, tick.facets());
     const Vec3 next =
         hit.is_hit() ? project_on_planes(tick.tool, tick.held_by()).point : Vec3{goal};
     tick.show(p_, goal, next, hit);
@@ -96,7 +98,7 @@ Vec3 TextbookProxy::follow_sub_goals(Tick& tick) const {
 }
 
 // The goal is projected on one plane after the other, so that on two planes that are not
-// perpendicular it may lie behind the first again.
+// perpendicular it may lie behind the first again, which then stops the god-object a second time.
 Vec3 TextbookProxy::follow_three_steps(Tick& tick) const {
   Vec3 p = p_;
   Vec3 goal = tick.tool;
@@ -177,7 +179,7 @@ TextbookRest TextbookProxy::advance(TextbookRule rule, const TextbookSurface& su
       circle.add(surface.material.friction, projection.pressure_m[i]);
     }
     if (circle.static_radius_m > 0.0) {
-      // Friction holds back from where the god-object met the first facet.
+      // Friction holds back from the foot of the god-object on the first facet's plane.
       const FrictionStep step =
           apply_cone(on_plane(tick.planes[0], p_), goal, circle,
                      friction_ == FrictionState::free ? FrictionState::stick : friction_);

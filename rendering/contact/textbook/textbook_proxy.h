@@ -7,10 +7,9 @@
 //                  the tool is the one constraint, and the god-object goes to the nearest point of
 //                  its plane, unchecked. At a convex edge that point is in the air for a tick; at a
 //                  concave one it is behind the other face, which is then never felt.
-// three_sub_goals  The same, repeated: the nearest point is a sub-goal, and a facet on the way to
-// it
-//                  becomes a further constraint, up to three (Zilles and Salisbury, "A
-//                  constraint-based god-object method for haptic display", IROS 1995).
+// three_sub_goals  The same, repeated: the nearest point is a sub-goal. A facet before it becomes
+//                  a further constraint, up to three (Zilles and Salisbury, "A constraint-based
+//                  god-object method for haptic display", IROS 1995).
 // three_step       Segment, project, segment, project, segment: the god-object moves to each
 //                  collision point and the goal is projected on that facet's plane alone (CHAI3D's
 //                  rule as the lecture gives it).
@@ -19,7 +18,8 @@
 //
 // After each collision the god-object stands the push-out above the facet, so that the next tick
 // finds the facet again. With a push-out of zero rounding decides, and it falls through. The
-// push-out itself is not checked against other facets.
+// push-out itself is not checked against other facets: it takes three_step and one_step through the
+// other wall of a narrow slot, and of a groove of 60 degrees however small it is.
 #pragma once
 
 #include <array>
