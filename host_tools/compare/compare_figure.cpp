@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "host_tools/plot/gnuplot.h"
+#include "host_tools/plot/mesh_cut.h"
 #include "host_tools/plot/silhouette.h"
 #include "host_tools/units.h"
 
@@ -86,22 +87,13 @@ Window window_of(std::span<const ComparedRun> runs, const TimeSpan& span, const 
 std::string cut_block(std::span<const rendering::Object> objects, const CutPlane& plane) {
   std::string block = "$cut << EOD\n";
   for (const rendering::Object& object : objects) {
-    for (const rendering::TriangleIndices& triangle : object.mesh.triangles) {
-      std::array<PlanePoint, 2> ends;
-      std::size_t count = 0;
-      for (std::size_t k = 0; k < 3 && count < ends.size(); ++k) {
-        const Vec3 a = rendering::to_vec3(object.mesh.vertices[triangle[k]]);
-        const Vec3 b = rendering::to_vec3(object.mesh.vertices[triangle[(k + 1) % 3]]);
-        const double from = a[plane.across] - plane.place_m;
-        const double to = b[plane.across] - plane.place_m;
-        if ((from < 0.0) != (to < 0.0)) {
-          ends.at(count++) = plane.point(a + from / (from - to) * (b - a));
-        }
-      }
-      if (count == ends.size()) {
-        fmt::format_to(std::back_inserter(block), "{:.8g} {:.8g}\n{:.8g} {:.8g}\n\n", ends[0].right,
-                       ends[0].up, ends[1].right, ends[1].up);
-      }
+    for (const CutLine& line : cut_lines(object.mesh, [&plane](const Vec3& p_W) {
+           return p_W[plane.across] - plane.place_m;
+         })) {
+      const PlanePoint a = plane.point(line[0]);
+      const PlanePoint b = plane.point(line[1]);
+      fmt::format_to(std::back_inserter(block), "{:.8g} {:.8g}\n{:.8g} {:.8g}\n\n", a.right, a.up,
+                     b.right, b.up);
     }
   }
   return block + "1e9 1e9\nEOD\n";

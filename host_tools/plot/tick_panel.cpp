@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "host_tools/plot/mesh_cut.h"
 #include "host_tools/plot/tick_script.h"
 
 namespace tactus::host {
@@ -45,26 +46,17 @@ std::string cut_block(const TickPanel& panel, std::span<const rendering::Object>
         (panel.field != nullptr && object.surface == rendering::SurfaceKind::implicit)) {
       continue;
     }
-    for (const rendering::TriangleIndices& triangle : object.mesh.triangles) {
-      std::array<PlanePoint, 3> ends;
-      std::size_t count = 0;
-      for (std::size_t k = 0; k < 3 && count < 2; ++k) {
-        const Vec3 a = rendering::to_vec3(object.mesh.vertices[triangle[k]]);
-        const Vec3 b = rendering::to_vec3(object.mesh.vertices[triangle[(k + 1) % 3]]);
-        const double from = view.toward(a);
-        const double to = view.toward(b);
-        if ((from < 0.0) != (to < 0.0)) {
-          ends[count++] = view.point(a + from / (from - to) * (b - a));
-        }
-      }
-      const auto is_beside = [&](double a, double b, double low, double high) {
-        return std::max(a, b) < low || std::min(a, b) > high;
+    for (const CutLine& line :
+         cut_lines(object.mesh, [&view](const Vec3& p_W) { return view.toward(p_W); })) {
+      const PlanePoint a = view.point(line[0]);
+      const PlanePoint b = view.point(line[1]);
+      const auto is_beside = [](double from, double to, double low, double high) {
+        return std::max(from, to) < low || std::min(from, to) > high;
       };
-      if (count == 2 &&
-          !is_beside(ends[0].right, ends[1].right, window.lower.right, window.upper.right) &&
-          !is_beside(ends[0].up, ends[1].up, window.lower.up, window.upper.up)) {
-        block.add_point(ends[0]);
-        block.add_point(ends[1]);
+      if (!is_beside(a.right, b.right, window.lower.right, window.upper.right) &&
+          !is_beside(a.up, b.up, window.lower.up, window.upper.up)) {
+        block.add_point(a);
+        block.add_point(b);
         block.lift_pen();
       }
     }

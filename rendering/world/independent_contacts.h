@@ -87,6 +87,8 @@ class IndependentContacts {
     ObjectWatch watch;
   };
 
+  // Returns how far the proxy of contact `k` is from the tool at tool_O (the object's frame), m.
+  [[nodiscard]] double stretch_of(std::size_t k, const Object& object, const Vec3& tool_O) const;
   // Computes the contact of one object without shading, in its own frame.
   Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O);
   // Computes a contact by one of the textbook's methods on meshes.
