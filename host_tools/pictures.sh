@@ -61,7 +61,7 @@ cp "$examples/devices/falcon.toml" "$work/"
 cp "$work/falcon.zwidth.png" "$pictures/falcon_zwidth.png"
 echo "$pictures/falcon_zwidth.png"
 
-# One tick, of host_tools/explain/README.md.
+# Ticks, of host_tools/explain/README.md.
 pictures=host_tools/explain/pictures
 mkdir -p "$pictures"
 "$tactus" bake "$examples/gem/scene.toml" -o "$work/gem.tactus" >"$work/log"
@@ -69,6 +69,16 @@ mkdir -p "$pictures"
 "$tactus" plot "$work/gem_steps.csv" --explain --tick 870 --scene "$work/gem.tactus" -o "$work/" >"$work/log"
 cp "$work/gem_steps_tick870.png" "$pictures/"
 echo "$pictures/gem_steps_tick870.png"
+explain() {  # RUN SCENE NAME ARGUMENT...
+  "$tactus" plot "$work/$1_steps.csv" --explain --scene "$work/$2.tactus" "${@:4}" "$pictures/$3.png" >"$work/log"
+  echo "$pictures/$3.png"
+}
+explain gem gem gem_strip --ticks 850..880/6 -o
+for run in stroke gyroid; do  # heart.tactus is that of the path's figure
+  "$tactus" touch "$work/heart.tactus" --path "$examples/heart/$run.csv" -o "$work/$run.csv" --explain "$work/${run}_steps.csv" >"$work/log"
+done
+explain gyroid heart gyroid_steps_tick109 --tick 109 -o
+explain stroke heart heart_stroke --ticks 104..400/16 --animation
 
 # The course's, which its README names.
 course="$examples/course"

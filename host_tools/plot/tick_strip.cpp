@@ -24,10 +24,10 @@ constexpr double kStripLeastWidth = 1500.0;
 // A frame, in pixels: one square panel with room for a colour bar and the key at its right.
 constexpr double kFramePanel = 640.0;
 constexpr double kFrameLeft = 100.0;
-constexpr double kFrameBottom = 75.0;
+constexpr double kFrameBottom = 90.0;
 constexpr double kFrameTop = 90.0;
-constexpr double kFrameBar = 120.0;
-constexpr double kFrameKeyWidth = 240.0;
+constexpr double kFrameBar = 165.0;
+constexpr double kFrameKeyWidth = 345.0;
 constexpr PictureSize kFrameSheet{.width_px = kFrameLeft + kFramePanel + kFrameBar + kFrameKeyWidth,
                                   .height_px = kFrameBottom + kFramePanel + kFrameTop};
 constexpr PanelPlace kFrameKey{.left = kFrameLeft + kFramePanel + kFrameBar,
@@ -121,7 +121,9 @@ void TickFrames::draw(std::size_t index, const std::filesystem::path& picture) c
       fmt::format("{}: tick {} at {:.6g} s", title_, tick.number, tick.t_s), facts_of(tick));
   script += field_ ? colour_bar(kFrameSheet, panel.place) : "";
   script += tick_panel(panel, objects_, kFrameSheet);
-  script += tick_key(kFrameSheet, kFrameKey, field_.has_value());
+  PanelPlace key = kFrameKey;
+  key.left -= field_ ? 0.0 : kFrameBar / 2.0;
+  script += tick_key(kFrameSheet, key, field_.has_value());
   run_gnuplot(folder_, kFrameSheet, script, picture);
 }
 
