@@ -201,8 +201,6 @@ set yrange [0:1]
 set key center center horizontal width 1 samplen 3 textcolor "#333333" noenhanced
 plot 9 with lines linecolor "#777777" linewidth 1.3 dashtype 3 title 'tool', \
      {key}
-unset multiplot
-unset output
 )gnuplot";
 
 }  // namespace
@@ -228,7 +226,6 @@ void draw_comparison(std::span<const ComparedRun> runs, const TimeSpan& span,
                           }) < kFewTicks;
   const std::vector<ComparedTick>& ticks = runs.front().ticks;
   const TemporaryFolder folder;
-  script += picture_head(folder, kCompareWidth, kCompareHeight);
   script += fmt::format(
       kCompareScript, fmt::arg("title", gnuplot_string(title)), fmt::arg("x0", window.lower.right),
       fmt::arg("x1", window.upper.right), fmt::arg("y0", window.lower.up),
@@ -240,7 +237,7 @@ void draw_comparison(std::span<const ComparedRun> runs, const TimeSpan& span,
       fmt::arg("forces", curves(runs, "1:2", has_points)),
       fmt::arg("distances", curves(runs, "1:3", has_points)),
       fmt::arg("key", key_of(runs, has_points)));
-  run_gnuplot(folder, script, picture);
+  run_gnuplot(folder, {.width_px = kCompareWidth, .height_px = kCompareHeight}, script, picture);
 }
 
 }  // namespace tactus::host
