@@ -11,16 +11,23 @@ namespace {
 // The boxes of the hierarchy grow by this much, far above the rounding of a search in it.
 constexpr double kBoxMargin_m = 1e-9;
 
+// Returns the number of the axis along which the vector is longest.
+Eigen::Index longest_axis(const Vec3& v) {
+  Eigen::Index axis = 0;
+  v.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
 // Looks along a line and sees the points of space in a plane, where the line is the origin. The
 // coordinates of a point are the same numbers for every facet that has it as a corner.
 class Sight {
  public:
   // Looks from `from` along `along`, which is not zero.
-  Sight(const Vec3& from, const Vec3& along) : from_(from) {
-    along.cwiseAbs().maxCoeff(&depth_);
-    right_share_ = along[right()] / along[depth_];
-    up_share_ = along[up()] / along[depth_];
-  }
+  Sight(const Vec3& from, const Vec3& along)
+      : from_(from),
+        depth_(longest_axis(along)),
+        right_share_(along[right()] / along[depth_]),
+        up_share_(along[up()] / along[depth_]) {}
 
   // Returns a point as it is seen.
   [[nodiscard]] std::array<double, 2> of(const Float3& point) const {
@@ -34,9 +41,9 @@ class Sight {
 
   const Vec3& from_;
   // The axis that the line follows most, and the line's slopes over it.
-  Eigen::Index depth_ = 0;
-  double right_share_ = 0.0;
-  double up_share_ = 0.0;
+  Eigen::Index depth_;
+  double right_share_;
+  double up_share_;
 };
 
 // Returns on which side of the origin the line from a to b passes: > 0 for the left. Rounding never

@@ -42,7 +42,8 @@ TEST_F(CompareProgram, ShowsThatOnePlaneLosesTheGrooveAndTheGodObjectDoesNot) {
   EXPECT_EQ(runs[0]["off_m"], 0.0) << "the first run is the one that the others are held against";
   EXPECT_EQ(runs[1]["name"], "god_object");
   EXPECT_EQ(runs[1]["breaks"], 0);
-  EXPECT_EQ(runs[1]["contact_ticks"], 601);
+  EXPECT_LT(runs[0]["contact_ticks"], 100);
+  EXPECT_GT(runs[1]["contact_ticks"], 400);
   EXPECT_GT(runs[1]["off_m"], 1e-3);
   EXPECT_GT(runs[1]["force_off_N"], 1.0);
   EXPECT_EQ(runs[1]["below_m"], 0.0);
