@@ -74,6 +74,13 @@ void require_renderable(const SceneDescription& scene, const ObjectDescription& 
         fmt::format("{}: {} is for {}; name other objects with --object, or leave the method out",
                     place, method, needs));
   }
+  const bool is_plain = object.contact == rendering::ContactMethod::plain_tracking;
+  if (rendering::is_textbook(object.contact) &&
+      (object.material.friction.kind != rendering::FrictionKind::cone ||
+       (is_plain && has_friction(object.material.friction)))) {
+    throw InputError(fmt::format("{}: {} has {}; leave the friction or the method out", place,
+                                 method, is_plain ? "no friction" : "the friction cone only"));
+  }
   const bool has_detail = object.detail.angle_limit_deg || !object.detail.textures.empty();
   if (has_detail && !rendering::renders_detail(object.contact)) {
     throw InputError(
@@ -122,6 +129,11 @@ std::vector<Variant> variants_of(const VariantLists& lists) {
     variant.rate_Hz = rate_Hz;
     return fmt::format("{} Hz", rate_Hz);
   });
+  for (auto variant = variants.begin(); variant != variants.end(); ++variant) {
+    if (std::ranges::find(variants.begin(), variant, variant->name, &Variant::name) != variant) {
+      throw InputError(fmt::format("{} is listed twice; leave one out", variant->name));
+    }
+  }
   if (variants.front().name.empty()) {
     variants.front().name = "as the scene has it";
   }

@@ -32,7 +32,8 @@ struct VariantLists {
 };
 
 // Returns all combinations, in the order of the lists; one that changes nothing if all are empty.
-// Throws InputError for an unknown name, a push-out below 0 and a rate that is not above 0.
+// Throws InputError for an unknown name, a value that is there twice, a push-out below 0 and a rate
+// that is not above 0.
 std::vector<Variant> variants_of(const VariantLists& lists);
 
 // Returns the scene with the variant's method, friction model and push-out on the object `name`, or

@@ -152,7 +152,7 @@ std::string legend_script(const GraphSource& source, const GraphLayers& layers, 
 
 void draw_graph_picture(const GraphSource& source, const std::filesystem::path& picture) {
   const TemporaryFolder folder;
-  std::string script = picture_head(folder, kGraphWidth, kGraphHeight);
+  std::string script;
   const GraphView front(source, GraphSide::front_right_above, kGraphPanel);
   const GraphLayers front_layers(source, front);
   std::size_t nodes = 0;
@@ -173,8 +173,8 @@ void draw_graph_picture(const GraphSource& source, const std::filesystem::path& 
       kTitles,
       gnuplot_string(fmt::format("{}: connection graph of {} faces",
                                  std::filesystem::path(source.file).filename().string(), nodes)));
-  script += legend + "unset multiplot\nunset output\n";
-  run_gnuplot(folder, script, picture);
+  script += legend;
+  run_gnuplot(folder, {.width_px = kGraphWidth, .height_px = kGraphHeight}, script, picture);
 }
 
 }  // namespace tactus::host

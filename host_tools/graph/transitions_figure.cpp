@@ -224,12 +224,11 @@ void draw_transitions(const Transitions& transitions, const std::string& title,
                    transitions.changes(), transitions.ticks, transitions.object_changes)},
       "left textcolor \"#555555\"");
   const TemporaryFolder folder;
-  run_gnuplot(folder,
-              picture_head(folder, kStatesWidth, kStatesHeight) + script.blocks +
+  run_gnuplot(folder, {.width_px = kStatesWidth, .height_px = kStatesHeight},
+              script.blocks +
                   fmt::format(kStatesFrame, fmt::arg("width", kStatesWidth),
                               fmt::arg("height", kStatesHeight)) +
-                  script.labels + "plot 1e9 notitle" + script.plots +
-                  "\nunset multiplot\nunset output\n",
+                  script.labels + "plot 1e9 notitle" + script.plots + "\n",
               picture);
 }
 

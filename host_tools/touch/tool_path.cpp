@@ -34,9 +34,15 @@ ToolPath::ToolPath(const std::string& file) : file_(file) {
 ToolPath ToolPath::sampled(double rate_Hz) const {
   // A last tick that rounding puts behind the end still belongs to the path.
   constexpr double kRounding = 1e-6;
+  constexpr double kMostTicks = 1e7;
   ToolPath path;
   path.file_ = file_;
   const double duration_s = times_s_.back() - times_s_.front();
+  if (duration_s * rate_Hz > kMostTicks) {
+    throw InputError(
+        fmt::format("{}: {} s at {} Hz are more than {:.0f} ticks; choose a lower rate", file_,
+                    duration_s, rate_Hz, kMostTicks));
+  }
   const auto steps = static_cast<std::size_t>(std::floor(duration_s * rate_Hz + kRounding));
   std::size_t next = 1;
   for (std::size_t k = 0; k <= steps; ++k) {

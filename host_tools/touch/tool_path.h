@@ -20,6 +20,7 @@ class ToolPath {
   explicit ToolPath(const std::string& file);
 
   // Returns this path at `rate_Hz`: straight from row to row, from the first time to the last.
+  // Throws InputError if that is more than ten million ticks.
   [[nodiscard]] ToolPath sampled(double rate_Hz) const;
 
   // Returns a warning that names the first row where the tool is farther from the world's origin
