@@ -40,9 +40,8 @@ std::string cut_block(const TickPanel& panel, std::span<const rendering::Object>
   const Window& window = panel.window;
   Block block("cut_" + panel.suffix);
   // A panel with a field shows the formula itself, and not the mesh that is its picture.
-  const bool has_no_cut = panel.from_above;
   for (const rendering::Object& object : objects) {
-    if (has_no_cut ||
+    if (panel.from_above ||
         (panel.field != nullptr && object.surface == rendering::SurfaceKind::implicit)) {
       continue;
     }
