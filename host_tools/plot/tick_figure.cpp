@@ -1,6 +1,7 @@
 #include "host_tools/plot/tick_figure.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "host_tools/plot/tick_sheet.h"
 
@@ -33,10 +34,10 @@ Window window_of_last_moves(const TickSteps& tick, const TickView& view, const W
   constexpr double kLeastTolerances = 10.0;
   Window window;
   window.include(view.point(tick.proxy_W));
-  for (auto move = tick.moves.rbegin(); move != tick.moves.rend(); ++move) {
+  for (const StepMove& move : std::views::reverse(tick.moves)) {
     Window grown = window;
-    grown.include(view.point(move->to_W));
-    grown.include(view.point(move->from_W));
+    grown.include(view.point(move.to_W));
+    grown.include(view.point(move.from_W));
     if (std::max(grown.width(), grown.height()) > kLargest * whole.width()) {
       break;
     }

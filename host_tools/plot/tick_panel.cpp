@@ -185,7 +185,7 @@ std::string_view state_name(int number) {
 // the last tangent plane the tool is, which keeps the contact or breaks it.
 std::string formula_facts(const TickSteps& tick) {
   std::string endings;
-  const StepMove* last = nullptr;
+  std::optional<double> tool_m;
   std::size_t count = 0;
   std::size_t alike = 0;
   for (std::size_t i = 0; i < tick.moves.size(); ++i) {
@@ -195,7 +195,9 @@ std::string formula_facts(const TickSteps& tick) {
     }
     ++count;
     ++alike;
-    last = move.formula->normal_W ? &move : last;
+    if (const auto& normal_W = move.formula->normal_W) {
+      tool_m = normal_W->dot(tick.tool_W - move.from_W);
+    }
     if (i + 1 == tick.moves.size() || tick.moves[i + 1].ending != move.ending) {
       endings += endings.empty() ? "" : ", ";
       endings += alike == 1 ? move.ending : fmt::format("{} {}", alike, move.ending);
@@ -203,10 +205,9 @@ std::string formula_facts(const TickSteps& tick) {
     }
   }
   std::string facts = fmt::format("{} iteration{}: {}", count, count == 1 ? "" : "s", endings);
-  if (last != nullptr) {
-    const double tool_m = last->formula->normal_W->dot(tick.tool_W - last->from_W);
-    facts += fmt::format("; tool {:.4g} mm {} the last tangent plane: {}", 1e3 * std::abs(tool_m),
-                         tool_m < 0.0 ? "behind" : "in front of",
+  if (tool_m) {
+    facts += fmt::format("; tool {:.4g} mm {} the last tangent plane: {}", 1e3 * std::abs(*tool_m),
+                         *tool_m < 0.0 ? "behind" : "in front of",
                          tick.normal_W ? "contact" : "no contact");
   }
   return tick.normal_W ? facts + fmt::format(", friction {} → {}", state_name(tick.friction_before),
