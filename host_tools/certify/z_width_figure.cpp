@@ -85,7 +85,7 @@ void draw_z_width(const ZWidth& z_width, const std::string& device_name,
   for (std::size_t i = 0; i < z_width.curves.size(); ++i) {
     script += curve_block(z_width, i);
   }
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   script += fmt::format(
       kZWidthHead, fmt::arg("right", std::max(1.0, z_width.dampings_Ns_per_m.back())),
       fmt::arg("top", 1.06 * most_of(z_width)),

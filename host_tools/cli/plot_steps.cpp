@@ -115,7 +115,7 @@ void draw_frames(const StepsPlotOptions& options, const StepsPlotFiles& files) {
   if (!options.frames.empty()) {
     make_frames_folder(options.frames);
   }
-  const TemporaryFolder own;
+  const GnuplotFolder own;
   std::vector<std::string> pictures;
   {
     ProgressLine progress;

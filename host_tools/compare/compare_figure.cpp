@@ -225,7 +225,7 @@ void draw_comparison(std::span<const ComparedRun> runs, const TimeSpan& span,
                             return span.holds(tick.t_s);
                           }) < kFewTicks;
   const std::vector<ComparedTick>& ticks = runs.front().ticks;
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   script += fmt::format(
       kCompareScript, fmt::arg("title", gnuplot_string(title)), fmt::arg("x0", window.lower.right),
       fmt::arg("x1", window.upper.right), fmt::arg("y0", window.lower.up),

@@ -42,7 +42,7 @@ std::string frame(double left, double bottom, double width, double height) {
 }
 
 std::string panel_script(const GraphView& view, const GraphLayers& layers, bool is_right,
-                         const TemporaryFolder& folder) {
+                         const GnuplotFolder& folder) {
   const std::string_view suffix = is_right ? "b" : "a";
   const std::filesystem::path image = folder.path() / fmt::format("graph_{}.rgb", suffix);
   write_raw_rgb(image, view.image());
@@ -151,7 +151,7 @@ std::string legend_script(const GraphSource& source, const GraphLayers& layers, 
 }  // namespace
 
 void draw_graph_picture(const GraphSource& source, const std::filesystem::path& picture) {
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   std::string script;
   const GraphView front(source, GraphSide::front_right_above, kGraphPanel);
   const GraphLayers front_layers(source, front);

@@ -223,7 +223,7 @@ void draw_transitions(const Transitions& transitions, const std::string& title,
                    "grows with the logarithm of its number.",
                    transitions.changes(), transitions.ticks, transitions.object_changes)},
       "left textcolor \"#555555\"");
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   run_gnuplot(folder, {.width_px = kStatesWidth, .height_px = kStatesHeight},
               script.blocks +
                   fmt::format(kStatesFrame, fmt::arg("width", kStatesWidth),

@@ -79,7 +79,7 @@ void draw_against_figure(const NamedRun& run, const NamedRun& other,
   const double force_top = std::max(largest_force_N(run.run), largest_force_N(other.run));
   const double turn_top = std::max(largest_turn_deg(run.run), largest_turn_deg(other.run));
   std::string script = data_block("run", run.run) + data_block("other", other.run);
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   script += fmt::format(
       kScript, fmt::arg("first", std::min(run.run.rows.front().t_s, other.run.rows.front().t_s)),
       fmt::arg("last", std::max(run.run.rows.back().t_s, other.run.rows.back().t_s) + 1e-3),

@@ -98,7 +98,7 @@ std::string palette(const BandSteps& steps, const std::string& name) {
 
 FieldPicture draw_field(const rendering::ImplicitSurface& surface, const TickView& view,
                         const Window& window, double tolerance_m, std::size_t pixels,
-                        const std::string& name, const TemporaryFolder& folder) {
+                        const std::string& name, const GnuplotFolder& folder) {
   // A narrower band is only a line.
   constexpr double kLeastBand_px = 2.0;
   const FieldGrid field = sample_field(surface, view, window, pixels);

@@ -23,6 +23,6 @@ struct FieldPicture {
 // has no values the picture is white. Throws InputError if the folder cannot be written.
 FieldPicture draw_field(const rendering::ImplicitSurface& surface, const TickView& view,
                         const Window& window, double tolerance_m, std::size_t pixels,
-                        const std::string& name, const TemporaryFolder& folder);
+                        const std::string& name, const GnuplotFolder& folder);
 
 }  // namespace tactus::host

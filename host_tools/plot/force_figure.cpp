@@ -99,7 +99,7 @@ void draw_force_figure(const RunData& run, const std::string& title,
   std::string script = time_series(run.rows);
   script += background("stick", stretches(run.rows, rendering::FrictionState::stick));
   script += background("slip", stretches(run.rows, rendering::FrictionState::slip));
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   script += fmt::format(kForceHead, fmt::arg("first", first_s), fmt::arg("last", last_s),
                         fmt::arg("title", gnuplot_string(title)));
   script +=

@@ -55,7 +55,7 @@ std::string complaint(const std::filesystem::path& file) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
+GnuplotFolder::GnuplotFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "tactus-plot-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
     throw InputError(fmt::format("{}: cannot make a temporary folder: {}", pattern,
@@ -64,7 +64,7 @@ TemporaryFolder::TemporaryFolder() {
   path_ = pattern;
 }
 
-TemporaryFolder::~TemporaryFolder() {
+GnuplotFolder::~GnuplotFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }
@@ -85,7 +85,7 @@ void write_raw_rgb(const std::filesystem::path& file, std::string_view bytes) {
 namespace {
 
 // Runs gnuplot without a shell, so that no file name can be taken for a command. Throws InputError.
-void draw(const TemporaryFolder& folder, std::string_view script) {
+void draw(const GnuplotFolder& folder, std::string_view script) {
   const std::filesystem::path script_file = folder.path() / "script.gp";
   const std::filesystem::path messages = folder.path() / "messages.txt";
   write_file(script_file, script);
@@ -191,7 +191,7 @@ std::string_view extension_of(PictureFormat format) {
   return traits_of(format).extension;
 }
 
-void run_gnuplot(const TemporaryFolder& folder, const PictureSize& size, std::string_view script,
+void run_gnuplot(const GnuplotFolder& folder, const PictureSize& size, std::string_view script,
                  const std::filesystem::path& picture) {
   const FormatTraits& format = traits_of(picture_format(picture));
   const std::filesystem::path drawn = folder.path() / fmt::format("picture{}", format.extension);

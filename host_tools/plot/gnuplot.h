@@ -23,15 +23,15 @@ std::string_view extension_of(PictureFormat format);
 
 // A private folder below the system's folder for temporary files, removed with its content at the
 // end.
-class TemporaryFolder {
+class GnuplotFolder {
  public:
   // Throws InputError if no folder can be made.
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  GnuplotFolder();
+  ~GnuplotFolder();
+  GnuplotFolder(const GnuplotFolder&) = delete;
+  GnuplotFolder& operator=(const GnuplotFolder&) = delete;
+  GnuplotFolder(GnuplotFolder&&) = delete;
+  GnuplotFolder& operator=(GnuplotFolder&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
@@ -54,7 +54,7 @@ struct PictureSize {
 // once it is complete. Throws InputError if the name has another extension than picture_format()
 // knows, gnuplot is not installed or fails, or `picture` cannot be written. The user's name is
 // never in a script, since gnuplot runs a file name that begins with | as a command.
-void run_gnuplot(const TemporaryFolder& folder, const PictureSize& size, std::string_view script,
+void run_gnuplot(const GnuplotFolder& folder, const PictureSize& size, std::string_view script,
                  const std::filesystem::path& picture);
 
 // Returns 1, 2 or 5 times a power of ten, the smallest that is not below `least`; for the marks of

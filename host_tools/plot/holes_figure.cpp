@@ -79,7 +79,7 @@ unset label
 )gnuplot";
 
 std::string holes_panel(std::span<const rendering::Object> objects, std::span<const HoleMark> holes,
-                        const HolesPanel& panel, const TemporaryFolder& folder) {
+                        const HolesPanel& panel, const GnuplotFolder& folder) {
   const std::string_view suffix = panel.is_right ? "_right" : "_left";
   const std::filesystem::path image = folder.path() / fmt::format("holes{}.rgb", suffix);
   write_raw_rgb(image,
@@ -105,7 +105,7 @@ std::string holes_panel(std::span<const rendering::Object> objects, std::span<co
 
 void draw_holes_figure(std::span<const rendering::Object> objects, std::span<const HoleMark> holes,
                        const std::string& title, const std::filesystem::path& picture) {
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   std::string script;
   script += fmt::format(
       "set label 1 {} at screen 0.06,0.96 left font \",18\" textcolor \"#111111\" noenhanced\n",

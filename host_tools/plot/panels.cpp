@@ -124,7 +124,7 @@ void draw_panels(const std::string& title, std::span<const Panel> panels,
       script += curve_block(fmt::format("$curve_{}_{}", p, i), panels[p].curves[i]);
     }
   }
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   script += fmt::format(kPanelsHead, fmt::arg("title", gnuplot_string(title)),
                         fmt::arg("title_height", 1.0 - 0.5 * kTitle / height));
   const double each = (height - kTitle) / count;

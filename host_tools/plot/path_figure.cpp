@@ -173,7 +173,7 @@ unset label
 // Returns the commands that draw a panel over its picture of the objects, which it writes into
 // `folder`. The last panel has the colour bar.
 std::string panel_script(const Sheet& sheet, const Panel& panel,
-                         std::span<const rendering::Object> objects, const TemporaryFolder& folder,
+                         std::span<const rendering::Object> objects, const GnuplotFolder& folder,
                          bool last) {
   const Window& window = panel.window;
   const int columns = static_cast<int>(std::lround(panel.right - panel.left));
@@ -216,7 +216,7 @@ void draw_path_figure(const RunData& run, std::span<const rendering::Object> obj
                       const std::string& title, const std::filesystem::path& picture) {
   const Sheet sheet = lay_out(run, objects);
   const double force_N = std::ranges::max_element(run.rows, {}, &RunRow::force_N)->force_N;
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   std::string script = path_blocks(run, View::front, "_front") +
                        path_blocks(run, View::side, "_side") +
                        ends_block(run, View::front, sheet.front.window, "_front") +

@@ -53,7 +53,7 @@ void draw_field_figure(const TickSteps& tick, std::span<const rendering::Object>
   constexpr double kContext = 1.25;
   const PictureSize sheet{.width_px = kTickSheetWidth + 2.0 * kTickBar + kTickBarGap,
                           .height_px = kTickSheetHeight};
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   const TickView view({&tick, 1}, false);
   const Window tight = view.window({&tick, 1});
   const Window whole = square_about(tight, 0.5 * kContext, 0.0);
@@ -95,7 +95,7 @@ void draw_tick_figure(const TickSteps& tick, std::span<const rendering::Object> 
     return;
   }
   const PictureSize sheet{.width_px = kTickSheetWidth, .height_px = kTickSheetHeight};
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   std::string script = tick_head(sheet, kTickLeft, title, facts_of(tick));
   for (const bool from_above : {false, true}) {
     const TickView view({&tick, 1}, from_above);

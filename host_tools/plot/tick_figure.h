@@ -43,7 +43,7 @@ class TickFrames {
   std::string title_;
   TickView view_;
   Window window_;
-  TemporaryFolder folder_;
+  GnuplotFolder folder_;
   std::optional<FieldPicture> field_;
 };
 

@@ -45,7 +45,7 @@ constexpr std::string_view kAlongCommonNormal = "along the contact normal (mm)";
 std::optional<FieldPicture> common_field(std::span<const TickSteps> ticks,
                                          std::span<const rendering::Object> objects,
                                          const TickView& view, const Window& window, double pixels,
-                                         const TemporaryFolder& folder) {
+                                         const GnuplotFolder& folder) {
   const auto formula = tracked_formula(ticks, objects);
   return formula ? std::optional(draw_field(*formula->surface, view, window, formula->tolerance_m,
                                             static_cast<std::size_t>(pixels), "common", folder))
@@ -56,7 +56,7 @@ std::optional<FieldPicture> common_field(std::span<const TickSteps> ticks,
 
 void draw_tick_strip(std::span<const TickSteps> ticks, std::span<const rendering::Object> objects,
                      const std::string& title, const std::filesystem::path& picture) {
-  const TemporaryFolder folder;
+  const GnuplotFolder folder;
   const TickView view(ticks, false);
   const Window window = view.window(ticks);
   const std::optional<FieldPicture> field =

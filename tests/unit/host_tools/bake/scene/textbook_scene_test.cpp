@@ -32,8 +32,8 @@ constexpr std::array kOnMeshes{
 // A square in y = 0 with its front upward.
 constexpr std::string_view kSquare =
     "OFF\n4 2 0\n-0.1 0 -0.1\n0.1 0 -0.1\n0.1 0 0.1\n-0.1 0 0.1\n3 0 2 1\n3 0 3 2\n";
-const std::string kMesh = "[[object]]\nmesh = \"square.off\"\nsides = \"two\"\n";
-const std::string kBall = "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.02\n";
+const std::string kTextbookMesh = "[[object]]\nmesh = \"square.off\"\nsides = \"two\"\n";
+const std::string kTextbookBall = "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.02\n";
 const std::string kFormula = "[[object]]\nformula = \"sphere(1)\"\nscale = 0.02\n";
 
 std::string contact(const std::string& name) {
@@ -59,12 +59,12 @@ class TextbookScene : public ::testing::Test {
 
 TEST_F(TextbookScene, TheMethodsReachTheImageWithTheirPushOut) {
   for (const TextbookName& method : kOnMeshes) {
-    const MappedScene plain = baked(kMesh + contact(method.name));
+    const MappedScene plain = baked(kTextbookMesh + contact(method.name));
     EXPECT_EQ(plain.image().objects()[0].method, method.method);
     EXPECT_EQ(plain.image().objects()[0].push_out_m, rendering::kDefaultPushOut_m);
-    const MappedScene pushed = baked(kMesh + contact(method.name) + "push_out_mm = 0.25\n");
+    const MappedScene pushed = baked(kTextbookMesh + contact(method.name) + "push_out_mm = 0.25\n");
     EXPECT_EQ(pushed.image().objects()[0].push_out_m, 2.5e-4);
-    const MappedScene none = baked(kMesh + contact(method.name) + "push_out_mm = 0\n");
+    const MappedScene none = baked(kTextbookMesh + contact(method.name) + "push_out_mm = 0\n");
     EXPECT_EQ(none.image().objects()[0].push_out_m, 0.0);
   }
   const MappedScene formula = baked(kFormula + contact("plain_tracking"));
@@ -78,7 +78,7 @@ TEST_F(TextbookScene, TheWorldTouchesByTheMethodAndThePushOutOfTheScene) {
   for (const TextbookName& method : kOnMeshes) {
     SCOPED_TRACE(method.name);
     const MappedScene scene =
-        baked(kMesh + contact(method.name) + "push_out_mm = 0.25\nstiffness_N_per_m = 800.0\n");
+        baked(kTextbookMesh + contact(method.name) + "push_out_mm = 0.25\nstiffness_N_per_m = 800.0\n");
     const auto world = std::make_unique<rendering::World>();
     ASSERT_TRUE(world->set_scene(scene.image().objects(), {.tool_radius_m = 0.002}));
     world->touch({.p_W = {0.01, 0.01, 0.02}});
@@ -92,27 +92,27 @@ TEST_F(TextbookScene, TheWorldTouchesByTheMethodAndThePushOutOfTheScene) {
 
 TEST_F(TextbookScene, APushOutIsForTheMethodsOnMeshesAlone) {
   for (const char* method : {"sphere_proxy", "god_object", "potential_field", "feature_walk"}) {
-    expect_error(kMesh + contact(method) + "push_out_mm = 0.001\n", "5",
+    expect_error(kTextbookMesh + contact(method) + "push_out_mm = 0.001\n", "5",
                  "push_out_mm is for the contacts one_plane, three_sub_goals, three_step and "
                  "one_step; leave it out");
   }
-  expect_error(kMesh + "push_out_mm = 0.001\n", "4", "push_out_mm is for the contacts");
+  expect_error(kTextbookMesh + "push_out_mm = 0.001\n", "4", "push_out_mm is for the contacts");
   expect_error(kFormula + contact("plain_tracking") + "push_out_mm = 0.001\n", "5",
                "push_out_mm is for the contacts");
-  expect_error(kMesh + contact("one_plane") + "push_out_mm = -0.1\n", "5", "push_out_mm");
-  expect_error(kMesh + contact("one_plane") + "push_out_m = 1e-6\n", "5",
+  expect_error(kTextbookMesh + contact("one_plane") + "push_out_mm = -0.1\n", "5", "push_out_mm");
+  expect_error(kTextbookMesh + contact("one_plane") + "push_out_m = 1e-6\n", "5",
                "wrong unit, push_out is in millimetres; write push_out_mm = 0.001");
 }
 
 TEST_F(TextbookScene, AMethodIsRefusedOnASurfaceThatItDoesNotKnow) {
   for (const TextbookName& method : kOnMeshes) {
-    expect_error(kBall + contact(method.name), "4",
+    expect_error(kTextbookBall + contact(method.name), "4",
                  "\"" + std::string(method.name) + "\" is for meshes; write \"sphere_proxy\"");
   }
-  expect_error(kBall + contact("plain_tracking"), "4",
+  expect_error(kTextbookBall + contact("plain_tracking"), "4",
                "\"plain_tracking\" is for formulas; write \"sphere_proxy\"");
-  expect_error(kMesh + contact("plain_tracking"), "4", "\"plain_tracking\" is for formulas");
-  expect_error(kMesh + contact("two_plane"), "4", "no contact method \"two_plane\"");
+  expect_error(kTextbookMesh + contact("plain_tracking"), "4", "\"plain_tracking\" is for formulas");
+  expect_error(kTextbookMesh + contact("two_plane"), "4", "no contact method \"two_plane\"");
 }
 
 TEST_F(TextbookScene, FrictionIsTheConeOnMeshesAndNoneOnFormulas) {
@@ -120,13 +120,13 @@ TEST_F(TextbookScene, FrictionIsTheConeOnMeshesAndNoneOnFormulas) {
   const std::string dahl =
       "friction = { model = \"dahl\", dynamic = 0.4, stiffness_N_per_m = 500.0 }\n";
   for (const TextbookName& method : kOnMeshes) {
-    const MappedScene rough = baked(kMesh + contact(method.name) + cone);
+    const MappedScene rough = baked(kTextbookMesh + contact(method.name) + cone);
     EXPECT_EQ(rough.image().objects()[0].material.friction.coulomb, 0.4);
-    expect_error(kMesh + contact(method.name) + dahl, "5",
+    expect_error(kTextbookMesh + contact(method.name) + dahl, "5",
                  "a textbook's method has the friction cone only; write model = \"cone\", or leave "
                  "out contact");
     expect_error(
-        kMesh + contact(method.name) + cone + "grain = { direction = [1, 0, 0], across = 0.4 }\n",
+        kTextbookMesh + contact(method.name) + cone + "grain = { direction = [1, 0, 0], across = 0.4 }\n",
         "6", "a textbook's method has no grain");
   }
   expect_error(kFormula + contact("plain_tracking") + cone, "5",
@@ -135,11 +135,11 @@ TEST_F(TextbookScene, FrictionIsTheConeOnMeshesAndNoneOnFormulas) {
 
 TEST_F(TextbookScene, ShadingAndTexturesAreRefused) {
   for (const TextbookName& method : kOnMeshes) {
-    expect_error(kMesh + contact(method.name) + "shading = {}\n", "5",
+    expect_error(kTextbookMesh + contact(method.name) + "shading = {}\n", "5",
                  "a textbook's method has no shading; leave it out, or leave out contact");
-    expect_error(kMesh + contact(method.name) + "texture.friction = { image = \"a.png\" }\n", "5",
+    expect_error(kTextbookMesh + contact(method.name) + "texture.friction = { image = \"a.png\" }\n", "5",
                  "a textbook's method has no texture");
-    expect_error(kMesh + contact(method.name) + "deforms = true\n", "5", "");
+    expect_error(kTextbookMesh + contact(method.name) + "deforms = true\n", "5", "");
   }
 }
 

@@ -88,7 +88,7 @@ TEST(TextbookProxy, OnePlaneIsInTheAirForATickAtEachConvexEdge) {
   constexpr int kSides = 8;
   constexpr double kCircumradius_m = 0.02;
   constexpr double kToolRadius_m = 0.0165;
-  constexpr int kTicks = 1001;
+  constexpr int kTextbookTicks = 1001;
   const double sector = 2.0 * std::numbers::pi / kSides;
   const double apothem = kCircumradius_m * std::cos(0.5 * sector);
   const double half_side = kCircumradius_m * std::sin(0.5 * sector);
@@ -96,8 +96,8 @@ TEST(TextbookProxy, OnePlaneIsInTheAirForATickAtEachConvexEdge) {
                         TextbookRule::one_plane, kPushOut_m, kSlippery, {0.03, 0.0124, 0.0013});
   int off_surface = 0;
   int face = 0;
-  for (int k = 0; k < kTicks; ++k) {
-    const double angle = 0.5 * sector + 0.002 + 2.0 * std::numbers::pi * k / kTicks;
+  for (int k = 0; k < kTextbookTicks; ++k) {
+    const double angle = 0.5 * sector + 0.002 + 2.0 * std::numbers::pi * k / kTextbookTicks;
     const Vec3 tool(kToolRadius_m * std::cos(angle), kToolRadius_m * std::sin(angle), 0.0013);
     const TextbookRest rest = course.move(tool);
     const double middle = sector * (face + 0.5);
@@ -264,7 +264,7 @@ TEST(TextbookProxy, FallsThroughByRoundingWithoutAPushOut) {
 // The god-object is in front of the plane of the facet that it was put above, and a convex solid is
 // behind the planes of all its facets. So no rule can enter one, rounding of the planes apart.
 TEST(TextbookProxy, StaysOutOfAConvexSolidByEveryRule) {
-  constexpr int kTicks = 100'000;
+  constexpr int kTextbookTicks = 100'000;
   constexpr double kRadius_m = 0.03;
   for (const TextbookRule rule : kAllRules) {
     SCOPED_TRACE(static_cast<int>(rule));
@@ -276,7 +276,7 @@ TEST(TextbookProxy, StaysOutOfAConvexSolidByEveryRule) {
     Vec3 target = tool;
     double step_m = 1e-3;
     int contacts = 0;
-    for (int k = 0; k < share_of(kTicks); ++k) {
+    for (int k = 0; k < share_of(kTextbookTicks); ++k) {
       if ((target - tool).norm() < step_m) {
         const Vec3 direction = Vec3(normal(random), normal(random), normal(random)).normalized();
         target = kRadius_m * (0.9 + 0.15 * normal(random)) * direction;
@@ -287,7 +287,7 @@ TEST(TextbookProxy, StaysOutOfAConvexSolidByEveryRule) {
       contacts += rest.planes > 0 ? 1 : 0;
       ASSERT_GT(course.height_over_convex(rest.proxy), -1e-9) << "tick " << k;
     }
-    EXPECT_GT(contacts, share_of(kTicks) / 4);
+    EXPECT_GT(contacts, share_of(kTextbookTicks) / 4);
   }
 }
 
