@@ -77,8 +77,8 @@ TEST_F(TextbookScene, TheMethodsReachTheImageWithTheirPushOut) {
 TEST_F(TextbookScene, TheWorldTouchesByTheMethodAndThePushOutOfTheScene) {
   for (const TextbookName& method : kOnMeshes) {
     SCOPED_TRACE(method.name);
-    const MappedScene scene =
-        baked(kTextbookMesh + contact(method.name) + "push_out_mm = 0.25\nstiffness_N_per_m = 800.0\n");
+    const MappedScene scene = baked(kTextbookMesh + contact(method.name) +
+                                    "push_out_mm = 0.25\nstiffness_N_per_m = 800.0\n");
     const auto world = std::make_unique<rendering::World>();
     ASSERT_TRUE(world->set_scene(scene.image().objects(), {.tool_radius_m = 0.002}));
     world->touch({.p_W = {0.01, 0.01, 0.02}});
@@ -111,7 +111,8 @@ TEST_F(TextbookScene, AMethodIsRefusedOnASurfaceThatItDoesNotKnow) {
   }
   expect_error(kTextbookBall + contact("plain_tracking"), "4",
                "\"plain_tracking\" is for formulas; write \"sphere_proxy\"");
-  expect_error(kTextbookMesh + contact("plain_tracking"), "4", "\"plain_tracking\" is for formulas");
+  expect_error(kTextbookMesh + contact("plain_tracking"), "4",
+               "\"plain_tracking\" is for formulas");
   expect_error(kTextbookMesh + contact("two_plane"), "4", "no contact method \"two_plane\"");
 }
 
@@ -125,9 +126,9 @@ TEST_F(TextbookScene, FrictionIsTheConeOnMeshesAndNoneOnFormulas) {
     expect_error(kTextbookMesh + contact(method.name) + dahl, "5",
                  "a textbook's method has the friction cone only; write model = \"cone\", or leave "
                  "out contact");
-    expect_error(
-        kTextbookMesh + contact(method.name) + cone + "grain = { direction = [1, 0, 0], across = 0.4 }\n",
-        "6", "a textbook's method has no grain");
+    expect_error(kTextbookMesh + contact(method.name) + cone +
+                     "grain = { direction = [1, 0, 0], across = 0.4 }\n",
+                 "6", "a textbook's method has no grain");
   }
   expect_error(kFormula + contact("plain_tracking") + cone, "5",
                "plain_tracking has no friction; leave it out, or write \"tracking\"");
@@ -137,8 +138,9 @@ TEST_F(TextbookScene, ShadingAndTexturesAreRefused) {
   for (const TextbookName& method : kOnMeshes) {
     expect_error(kTextbookMesh + contact(method.name) + "shading = {}\n", "5",
                  "a textbook's method has no shading; leave it out, or leave out contact");
-    expect_error(kTextbookMesh + contact(method.name) + "texture.friction = { image = \"a.png\" }\n", "5",
-                 "a textbook's method has no texture");
+    expect_error(
+        kTextbookMesh + contact(method.name) + "texture.friction = { image = \"a.png\" }\n", "5",
+        "a textbook's method has no texture");
     expect_error(kTextbookMesh + contact(method.name) + "deforms = true\n", "5", "");
   }
 }
