@@ -15,7 +15,7 @@ struct TimeSpan {
   [[nodiscard]] bool holds(double t_s) const { return t_s >= from_s && t_s <= to_s; }
 };
 
-// What a run did within a span of time.
+// The figures of a run within a span of time.
 struct RunFigures {
   std::size_t contact_ticks = 0;
   // How often a tick in contact was followed by one without.

@@ -10,7 +10,7 @@
 
 namespace tactus::host {
 
-// What differs from the scene as it is written.
+// The differences from the scene as it is written.
 struct Variant {
   // The changes, for tables and keys: "three_step, 500 Hz".
   std::string name;

@@ -109,7 +109,7 @@ ConnectionGraph connection_graph(std::span<const rendering::Float3> vertices,
 struct GraphCounts {
   std::size_t nodes = 0;
   std::size_t connections = 0;
-  // Of vertices that a triangle uses.
+  // The corners, one for each vertex that a triangle uses.
   std::size_t corners = 0;
   std::array<std::size_t, kConnectionTypes> of_connections{};
   std::array<std::size_t, kCornerTypes> of_corners{};

@@ -28,7 +28,7 @@ struct GraphSource {
   bool is_scene = false;
   // At least one.
   std::vector<GraphedMesh> meshes;
-  // What the file has beside its meshes, one line each.
+  // The things that the file has beside its meshes, one line each.
   std::vector<std::string> notes;
 };
 

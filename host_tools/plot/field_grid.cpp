@@ -59,7 +59,7 @@ std::vector<std::array<PlanePoint, 2>> contour_of(const FieldGrid& grid, double 
                            .up = a.up + share * (b.up - a.up)};
         }
       }
-      // Four crossings are those of a saddle; either way to join them is as good.
+      // Four crossings are those of a saddle, and may be joined in either manner.
       for (std::size_t k = 0; k + 1 < count; k += 2) {
         pieces.push_back({ends[k], ends[k + 1]});
       }

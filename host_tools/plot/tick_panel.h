@@ -21,7 +21,7 @@ struct PanelPlace {
   double height = 0.0;
 };
 
-// What a panel shows and where. The members that are references must outlive it.
+// The contents of a panel and its place. The members that are references must outlive it.
 struct TickPanel {
   const TickSteps& tick;
   const TickView& view;

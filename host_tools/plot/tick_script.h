@@ -71,14 +71,14 @@ inline constexpr std::string_view kMeshEntries = R"gnuplot(\
      9 with lines linecolor "#b8860b" linewidth 1.6 dashtype 2 title 'dynamic', \
      )gnuplot";
 
-// Its entries for ticks on a formula.
+// The entries of the key for ticks on a formula.
 inline constexpr std::string_view kFieldEntries = R"gnuplot(\
      9 with lines linecolor "#111111" linewidth 3 title 'F = 0, the surface', \
      9 with lines linecolor "#e8bf3a" linewidth 6 title 'tolerance: in contact', \
      9 with lines linecolor "#17406d" linewidth 1.8 title 'tangent plane', \
      )gnuplot";
 
-// Its entries for all ticks; they come last.
+// The entries of the key for all ticks; they come last.
 inline constexpr std::string_view kStepEntries = R"gnuplot(\
      9 with lines linecolor "#4c9a78" linewidth 1.8 dashtype 4 title 'spring', \
      9 with lines linecolor "#d0421b" linewidth 2.2 title 'move', \

@@ -1,4 +1,4 @@
-// What the figures of ticks have in common: the title, the key and the formula's field.
+// The parts that the figures of ticks have in common: the title, the key and the formula's field.
 #pragma once
 
 #include <optional>

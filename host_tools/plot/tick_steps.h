@@ -22,7 +22,7 @@ struct StepPlane {
   std::string fate;
 };
 
-// What an iteration on a formula knows of its proxy.
+// The columns of an iteration on a formula that describe its proxy.
 struct FormulaStep {
   // The number of the object in the scene.
   std::size_t object = 0;

@@ -13,7 +13,7 @@ namespace tactus::host {
 // A view of one or more ticks: across the surface, with the contact normal up and the tool's pull
 // along the surface to the right; or from above, along the contact normal. The origin is the point
 // of the surface under the proxy, or the tool in a tick without contact. Several ticks share the
-// view: it has the middle of their normals up, the way of their proxy to the right, and the first
+// view: it has the middle of their normals up, the path of their proxy to the right, and the first
 // contact's point as its origin.
 class TickView {
  public:

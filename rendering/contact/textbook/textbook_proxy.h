@@ -99,7 +99,7 @@ class TextbookProxy {
 
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;
-  // Of one_step: the planes whose collision point it has reached, the first `steps_`.
+  // The planes whose collision point one_step has reached, the first `steps_`.
   std::array<Plane, 2> step_planes_;
   std::uint8_t steps_ = 0;
 };

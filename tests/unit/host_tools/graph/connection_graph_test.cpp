@@ -132,7 +132,7 @@ TEST(ConnectionGraph, HasTheAnglesOfRegularSolids) {
   }
 }
 
-// A second way to the type: the third vertex of one face is behind the plane of the other.
+// An independent test of the type: the third vertex of one face is behind the plane of the other.
 TEST(ConnectionGraph, AgreesWithTheSideOfTheVertexAcross) {
   const Shape shape = testing::bumpy_sphere(0.03, 4, 0.2);
   const ConnectionGraph graph = graph_of(shape);

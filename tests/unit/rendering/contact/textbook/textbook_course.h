@@ -2,15 +2,30 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "rendering/contact/textbook/textbook_proxy.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/shapes.h"
 #include "tests/support/solid.h"
 
 namespace tactus::testing {
+
+inline constexpr double kPushOut_m = 1e-6;
+// Vertices are floats: planes of some centimetres are as exact as this.
+inline constexpr double kFloatRounding_m = 5e-9;
+inline constexpr std::array kAllRules{
+    rendering::TextbookRule::one_plane, rendering::TextbookRule::three_sub_goals,
+    rendering::TextbookRule::three_step, rendering::TextbookRule::one_step};
+
+// A plate with its front at y = 0 exactly.
+inline Shape textbook_plate() {
+  constexpr double kThickness_m = 0.03125;
+  return moved(box({0.2, kThickness_m, 0.1}), {0.0, -0.5 * kThickness_m, 0.0});
+}
 
 class TextbookCourse {
  public:
