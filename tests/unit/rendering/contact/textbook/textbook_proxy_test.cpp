@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/connected_solid.h"
 #include "tests/support/materials.h"
 #include "tests/unit/rendering/contact/textbook/textbook_course.h"
 

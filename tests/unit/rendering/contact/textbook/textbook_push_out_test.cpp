@@ -7,6 +7,7 @@
 
 #include "rendering/contact/textbook/textbook_proxy.h"
 #include "rendering/limits.h"
+#include "tests/support/connected_solid.h"
 #include "tests/support/materials.h"
 #include "tests/support/share.h"
 #include "tests/unit/rendering/contact/textbook/textbook_course.h"
