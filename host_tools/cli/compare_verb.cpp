@@ -169,6 +169,8 @@ void run_comparison(const CompareOptions& options) {
   const Progress progress = [&line](std::string_view step) { line->step(step); };
   std::vector<ComparedRun> runs;
   std::vector<RunFigures> figures;
+  runs.reserve(variants.size());
+  figures.reserve(variants.size());
   for (const Variant& variant : variants) {
     const ToolPath own = variant.rate_Hz ? path.sampled(*variant.rate_Hz) : path;
     runs.push_back(follow(variant.name, changed(scene, variant, options.object), own, progress));

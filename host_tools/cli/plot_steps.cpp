@@ -102,14 +102,15 @@ void check_animation(const StepsPlotOptions& options) {
 }
 
 // Draws the frames into their folder, for an animation into one of its own.
-void draw_frames(const StepsPlotOptions& options, const StepsPlotFiles& files) {
-  if (options.range->count() > kMostFrames) {
+void draw_frames(const StepsPlotOptions& options, const StepsPlotFiles& files,
+                 const TickRange& range) {
+  if (range.count() > kMostFrames) {
     throw InputError(fmt::format("{} frames are too many; at most {} are drawn: take a larger step",
-                                 options.range->count(), kMostFrames));
+                                 range.count(), kMostFrames));
   }
   check_animation(options);
   keep_inputs_safe({options.animation}, {files.steps, files.scene});
-  const std::vector<TickSteps> ticks = read_ticks(files.steps, *options.range);
+  const std::vector<TickSteps> ticks = read_ticks(files.steps, range);
   const MappedScene scene(files.scene);
   const TickFrames frames(ticks, scene.image().objects(), fs::path(files.steps).stem().string());
   if (!options.frames.empty()) {
@@ -200,12 +201,12 @@ void add_steps_options(CLI::App& verb, const std::shared_ptr<StepsPlotOptions>& 
 }
 
 void draw_steps(const StepsPlotOptions& options, const StepsPlotFiles& files) {
-  if (!options.frames.empty() || !options.animation.empty()) {
-    draw_frames(options, files);
-  } else if (options.range) {
-    draw_strip(*options.range, files);
-  } else {
+  if (!options.range) {
     draw_tick(options, files);
+  } else if (!options.frames.empty() || !options.animation.empty()) {
+    draw_frames(options, files, *options.range);
+  } else {
+    draw_strip(*options.range, files);
   }
 }
 

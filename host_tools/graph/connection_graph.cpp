@@ -19,7 +19,7 @@ using rendering::TriangleIndices;
 constexpr double kFlatSine = 1e-4;
 // The part of the largest coordinate by which rounding to float may lift the third vertex of a face
 // off the plane of the other one: all four vertices are rounded by half a unit in the last place.
-constexpr double kRounding = 4.0 * double{std::numeric_limits<float>::epsilon()};
+constexpr double kRounding = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 
 constexpr std::uint32_t next_corner(std::uint32_t k) {
   return (k + 1U) % 3U;

@@ -139,7 +139,7 @@ void GraphLayers::set_styles() {
     const auto type = static_cast<ConnectionType>(i);
     layers_[line_layer(type)].style = line_style(type, scale);
     layers_[kLineLabels + i].style =
-        fmt::format("with labels font \",10\" textcolor \"{}\"", colour_of(type));
+        fmt::format(R"(with labels font ",10" textcolor "{}")", colour_of(type));
   }
   for (std::size_t i = 0; i < kCornerTypes; ++i) {
     layers_[kMarks + i].style = mark_style(static_cast<CornerType>(i));

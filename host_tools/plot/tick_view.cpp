@@ -47,7 +47,7 @@ TickView::TickView(std::span<const TickSteps> ticks, bool from_above)
   const auto touching =
       std::ranges::find_if(ticks, [](const TickSteps& tick) { return tick.surface_W.has_value(); });
   if (touching != ticks.end()) {
-    origin_W_ = *touching->surface_W;
+    origin_W_ = touching->surface_W.value_or(origin_W_);
   }
   const TickSteps& last = ticks.back();
   const Vec3 pull = last.tool_W - last.proxy_W;

@@ -67,12 +67,12 @@ Seed PlainTracker::look_for_contact(const ImplicitSurface& surface, const Vec3& 
   if (side_ == 0.0) {
     side_ = side_at(surface, before);
   }
-  const double side = side_at(surface, tool);
+  const double here = side_at(surface, tool);
   if (surface.sides == Sides::one && side_ < 0.0) {
     // A tool that began inside feels nothing until it has been outside.
-    side_ = side;
-    flags |= side < 0.0 ? kTouchOverlap : kTouchClean;
-  } else if (side != side_) {
+    side_ = here;
+    flags |= here < 0.0 ? kTouchOverlap : kTouchClean;
+  } else if (here != side_) {
     found = seed(surface.formula, tool);
     in_contact_ = found.converged;
   }

@@ -78,7 +78,7 @@ TEST_F(GraphOutput, JsonHasEveryFeatureAndTheSameCounts) {
     }
     for (const nlohmann::json& corner : connection["shared_vertices"]) {
       const nlohmann::json& known = mesh["corners"][corner.get<std::size_t>()]["connections"];
-      EXPECT_NE(std::find(known.begin(), known.end(), nlohmann::json(i)), known.end());
+      EXPECT_NE(std::ranges::find(known, nlohmann::json(i)), known.end());
     }
     EXPECT_EQ(connection["end_planes"].size(), 2U);
   }

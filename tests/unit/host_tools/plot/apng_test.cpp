@@ -111,6 +111,7 @@ std::vector<Picture> moving_square() {
 
 std::vector<std::string> png_files(const std::vector<Picture>& pictures) {
   std::vector<std::string> files;
+  files.reserve(pictures.size());
   for (const Picture& picture : pictures) {
     files.push_back(png_of(picture, kApngWidth, kApngHeight));
   }

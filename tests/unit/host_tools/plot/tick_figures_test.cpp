@@ -1,4 +1,5 @@
 // The figures of ticks, as a user draws them with the program.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,9 +46,10 @@ class TickFiguresTest : public FolderTest {
  private:
   void touch(const std::string& example, const std::string& path, const std::string& name) {
     const std::string place = testing::in_repository("host_tools/examples/" + example);
-    for (const std::string& command : {"bake '" + place + "/scene.toml' -o " + name + ".tactus",
-                                       "touch " + name + ".tactus --path '" + place + "/" + path +
-                                           ".csv' -o run.csv --explain " + name + ".csv"}) {
+    for (const std::string& command :
+         {fmt::format("bake '{}/scene.toml' -o {}.tactus", place, name),
+          fmt::format("touch {1}.tactus --path '{0}/{2}.csv' -o run.csv --explain {1}.csv", place,
+                      name, path)}) {
       const testing::Outcome outcome = testing::run_program(folder(), command);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
     }

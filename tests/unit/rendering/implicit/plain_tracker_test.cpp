@@ -47,7 +47,7 @@ class TrackedWorld {
   TrackedWorld& operator=(const TrackedWorld&) = delete;
   ~TrackedWorld() = default;
 
-  Touch touch(const Vec3& tool) { return world->touch({.p_W = tool}); }
+  Touch touch(const Vec3& tool) const { return world->touch({.p_W = tool}); }
 
   std::unique_ptr<World> world = std::make_unique<World>();
 

@@ -1,5 +1,6 @@
 // The textbook's contact methods in a scene: their keys, from the text to the image, and what is
 // refused beside them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -107,10 +108,10 @@ TEST_F(TextbookScene, APushOutIsForTheMethodsOnMeshesAlone) {
 TEST_F(TextbookScene, AMethodIsRefusedOnASurfaceThatItDoesNotKnow) {
   for (const TextbookName& method : kOnMeshes) {
     expect_error(kTextbookBall + contact(method.name), "4",
-                 "\"" + std::string(method.name) + "\" is for meshes; write \"sphere_proxy\"");
+                 fmt::format(R"("{}" is for meshes; write "sphere_proxy")", method.name));
   }
   expect_error(kTextbookBall + contact("plain_tracking"), "4",
-               "\"plain_tracking\" is for formulas; write \"sphere_proxy\"");
+               R"("plain_tracking" is for formulas; write "sphere_proxy")");
   expect_error(kTextbookMesh + contact("plain_tracking"), "4",
                "\"plain_tracking\" is for formulas");
   expect_error(kTextbookMesh + contact("two_plane"), "4", "no contact method \"two_plane\"");
@@ -121,14 +122,15 @@ TEST_F(TextbookScene, FrictionIsTheConeOnMeshesAndNoneOnFormulas) {
   const std::string dahl =
       "friction = { model = \"dahl\", dynamic = 0.4, stiffness_N_per_m = 500.0 }\n";
   for (const TextbookName& method : kOnMeshes) {
-    const MappedScene rough = baked(kTextbookMesh + contact(method.name) + cone);
+    const std::string object = kTextbookMesh + contact(method.name);
+    const MappedScene rough = baked(object + cone);
     EXPECT_EQ(rough.image().objects()[0].material.friction.coulomb, 0.4);
-    expect_error(kTextbookMesh + contact(method.name) + dahl, "5",
+    expect_error(object + dahl, "5",
                  "a textbook's method has the friction cone only; write model = \"cone\", or leave "
                  "out contact");
-    expect_error(kTextbookMesh + contact(method.name) + cone +
-                     "grain = { direction = [1, 0, 0], across = 0.4 }\n",
-                 "6", "a textbook's method has no grain");
+    std::string grained = object + cone;
+    grained += "grain = { direction = [1, 0, 0], across = 0.4 }\n";
+    expect_error(grained, "6", "a textbook's method has no grain");
   }
   expect_error(kFormula + contact("plain_tracking") + cone, "5",
                "plain_tracking has no friction; leave it out, or write \"tracking\"");
