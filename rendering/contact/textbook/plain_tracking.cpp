@@ -16,17 +16,17 @@ double side_at(const ImplicitSurface& surface, const Vec3& p_O) {
 }  // namespace
 
 Seed seed(const FormulaView& formula, const Vec3& start) {
-  constexpr int kMostSteps = 50;
-  constexpr double kSmallestStep = 1e-13;
+  constexpr int kMostSeedSteps = 50;
+  constexpr double kSmallestSeedStep = 1e-13;
   Seed result{.point = start};
-  for (; result.steps < kMostSteps; ++result.steps) {
+  for (; result.steps < kMostSeedSteps; ++result.steps) {
     const ValueAndGradient f = evaluate_gradient(formula, result.point);
     const Vec3 move = f.value / f.gradient.squaredNorm() * f.gradient;
     if (!move.allFinite()) {
       return result;
     }
     result.point -= move;
-    if (move.norm() < kSmallestStep) {
+    if (move.norm() < kSmallestSeedStep) {
       result.converged = true;
       return result;
     }
