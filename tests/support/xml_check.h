@@ -34,8 +34,11 @@ inline std::string attributes_fault(std::string_view rest) {
     rest.remove_prefix(i);
     const std::string_view name = rest.substr(0, rest.find_first_of(" \n\t="));
     const std::size_t opening = rest.find_first_of("\"'");
-    if (opening == std::string_view::npos ||
-        rest.substr(name.size(), opening - name.size()) != "=") {
+    const std::string_view before = rest.substr(0, opening);
+    const std::size_t equals = before.find_first_not_of(kBlanks, name.size());
+    if (opening == std::string_view::npos || equals == std::string_view::npos ||
+        before[equals] != '=' ||
+        before.find_first_not_of(kBlanks, equals + 1) != std::string_view::npos) {
       return "an attribute without a quoted value: " + std::string(name);
     }
     const std::size_t close = rest.find(rest[opening], opening + 1);
