@@ -118,17 +118,13 @@ void print_json(const CompareOptions& options, const std::vector<ComparedRun>& r
 // Writes each run as `tactus touch` does, into a folder, which is made if it is missing.
 void write_runs(const CompareOptions& options, const std::vector<ComparedRun>& runs) {
   const std::filesystem::path folder(options.csv);
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) {
-    throw InputError(fmt::format("{}: {}", options.csv, failure.message()));
-  }
   for (const ComparedRun& run : runs) {
     std::string name = run.name;
     std::ranges::replace(name, ' ', '_');
     std::erase(name, ',');
     const std::filesystem::path file = folder / (name + ".csv");
     keep_inputs_safe({file}, {options.scene, options.path});
+    make_folder_of(file);
     TouchCsv csv(file);
     for (const ComparedTick& tick : run.ticks) {
       csv.add(tick.t_s, tick.tool_W, tick.touch);

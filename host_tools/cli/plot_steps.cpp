@@ -149,16 +149,6 @@ void draw_frames(const StepsPlotOptions& options, const StepsPlotFiles& files,
 
 }  // namespace
 
-void make_folder_of(const fs::path& file) {
-  std::error_code failure;
-  if (file.has_parent_path()) {
-    fs::create_directories(file.parent_path(), failure);
-  }
-  if (failure) {
-    throw InputError(fmt::format("{}: {}", file.parent_path().string(), failure.message()));
-  }
-}
-
 void add_steps_options(CLI::App& verb, const std::shared_ptr<StepsPlotOptions>& options) {
   CLI::Option* const explain =
       verb.add_flag("--explain", options->is_wanted,

@@ -25,7 +25,7 @@ struct StepsPlotOptions {
   std::optional<double> frames_per_s;
 };
 
-// Where the pictures come from and go to.
+// The files that the pictures are made of, and the place where they go.
 struct StepsPlotFiles {
   std::string steps;
   std::string scene;
@@ -40,8 +40,5 @@ void add_steps_options(CLI::App& verb, const std::shared_ptr<StepsPlotOptions>& 
 // Draws one tick, a strip, frames or an animation, and prints the names of the files. Throws
 // InputError.
 void draw_steps(const StepsPlotOptions& options, const StepsPlotFiles& files);
-
-// Makes the folder of a file if it is missing. Throws InputError.
-void make_folder_of(const std::filesystem::path& file);
 
 }  // namespace tactus::host

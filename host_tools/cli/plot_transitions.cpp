@@ -12,33 +12,17 @@
 #include "host_tools/plot/figures.h"
 
 namespace tactus::host {
-namespace {
-
-std::filesystem::path transitions_file(const std::string& output, const std::string& stem) {
-  std::filesystem::path file(output);
-  if (file.extension() == ".png" || file.extension() == ".svg") {
-    return file;
-  }
-  // The other figures' names tell how the user's -o is meant.
-  const std::filesystem::path force = figure_files(output.empty() ? "./" : output, stem).force;
-  std::string name = force.filename().string();
-  name.resize(name.size() - std::string_view("force.png").size());
-  return force.parent_path() / (name + "transitions.png");
-}
-
-}  // namespace
-
-void plot_transitions(const std::string& run, const std::string& scene, const std::string& output) {
+void plot_transitions(const std::string& run, const std::string& scene, const std::string& output,
+                      PictureFormat format) {
   const std::filesystem::path csv(run);
-  const std::filesystem::path picture = transitions_file(output, csv.stem().string());
+  const std::filesystem::path picture =
+      figure_file(output.empty() ? "./" : output, csv.stem().string(), "_transitions", format);
   keep_inputs_safe({picture}, {csv, scene});
   const std::vector<GraphedMesh> meshes =
       scene.empty() ? std::vector<GraphedMesh>{} : read_scene_graphs(scene);
   const Transitions transitions = count_transitions(csv, meshes);
   const std::string name = csv.filename().string();
-  if (picture.has_parent_path()) {
-    std::filesystem::create_directories(picture.parent_path());
-  }
+  make_folder_of(picture);
   draw_transitions(transitions, fmt::format("{}: states of the contact", name), picture);
   fmt::print("{}{}\n", transitions_text(transitions, name), picture.string());
 }

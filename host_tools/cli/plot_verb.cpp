@@ -112,7 +112,7 @@ void add_plot_verb(CLI::App& app) {
   verb->footer(kPlotExamples);
   verb->callback([options] {
     if (options->transitions) {
-      plot_transitions(options->run, options->scene, options->output);
+      plot_transitions(options->run, options->scene, options->output, options->format);
       return;
     }
     if (options->scene.empty()) {

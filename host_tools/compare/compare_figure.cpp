@@ -25,7 +25,7 @@ struct CutPlane {
   Eigen::Index right = 0;
   Eigen::Index up = 1;
   Eigen::Index across = 2;
-  // Where the plane lies on the axis across it, m.
+  // The place of the plane on the axis across it, m.
   double place_m = 0.0;
 
   // Returns a point in the picture, mm.
@@ -75,12 +75,7 @@ Window window_of(std::span<const ComparedRun> runs, const TimeSpan& span, const 
     window.include(plane.point(tick.tool_W));
     window.include(plane.point(tick.touch.proxy_W));
   });
-  const double half = kHalfWithMargin * std::max({window.width(), window.height(), kLeastWidth_mm});
-  const double right = 0.5 * (window.lower.right + window.upper.right);
-  const double up = 0.5 * (window.lower.up + window.upper.up);
-  return {.lower = {.right = right - half, .up = up - half},
-          .upper = {.right = right + half, .up = up + half},
-          .empty = false};
+  return square_about(window, kHalfWithMargin, kLeastWidth_mm);
 }
 
 // Returns gnuplot's data block of the lines in which the plane cuts the objects.
@@ -99,9 +94,10 @@ std::string cut_block(std::span<const rendering::Object> objects, const CutPlane
   return block + "1e9 1e9\nEOD\n";
 }
 
-// Returns the data block of a run: time, force, distance from the first run, proxy, tool.
+// Returns the data block of a run: time, force, distance from the first run, proxy, tool. Raises
+// `most_off_mm` to the largest distance.
 std::string run_block(std::size_t index, const ComparedRun& run, const ComparedRun& first,
-                      const TimeSpan& span, const CutPlane& plane) {
+                      const TimeSpan& span, const CutPlane& plane, double& most_off_mm) {
   std::string block = fmt::format("$run{} << EOD\n", index);
   for (const ComparedTick& tick : run.ticks) {
     if (!span.holds(tick.t_s)) {
@@ -109,10 +105,11 @@ std::string run_block(std::size_t index, const ComparedRun& run, const ComparedR
     }
     const PlanePoint proxy = plane.point(tick.touch.proxy_W);
     const PlanePoint tool = plane.point(tick.tool_W);
+    const double off_mm = kMillimetresPerMetre * distance_from(tick, first);
+    most_off_mm = std::max(most_off_mm, off_mm);
     fmt::format_to(std::back_inserter(block), "{:.9g} {:.7g} {:.7g} {:.8g} {:.8g} {:.8g} {:.8g}\n",
-                   tick.t_s, tick.touch.force_W.norm(),
-                   kMillimetresPerMetre * distance_from(tick, first), proxy.right, proxy.up,
-                   tool.right, tool.up);
+                   tick.t_s, tick.touch.force_W.norm(), off_mm, proxy.right, proxy.up, tool.right,
+                   tool.up);
   }
   return block + "EOD\n";
 }
@@ -217,9 +214,7 @@ void draw_comparison(std::span<const ComparedRun> runs, const TimeSpan& span,
   std::string script = cut_block(objects, plane);
   double most_off_mm = kLeastOff_mm;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    script += run_block(i, runs[i], runs.front(), span, plane);
-    most_off_mm =
-        std::max(most_off_mm, kMillimetresPerMetre * figures_of(runs[i], runs.front(), span).off_m);
+    script += run_block(i, runs[i], runs.front(), span, plane, most_off_mm);
   }
   const bool has_points = std::ranges::count_if(runs.front().ticks, [&](const ComparedTick& tick) {
                             return span.holds(tick.t_s);

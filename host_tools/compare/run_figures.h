@@ -18,7 +18,7 @@ struct TimeSpan {
 // The figures of a run within a span of time.
 struct RunFigures {
   std::size_t contact_ticks = 0;
-  // How often a tick in contact was followed by one without.
+  // The times that a tick in contact was followed by one without.
   std::size_t breaks = 0;
   double largest_force_N = 0.0;
   // The largest change of the force from one tick to the next.

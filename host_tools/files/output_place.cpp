@@ -165,6 +165,16 @@ std::filesystem::path partial_of(const OutputPlace& place) {
   return fmt::format("{}.{}.partial", place.file.string(), ::getpid());
 }
 
+void make_folder_of(const std::filesystem::path& file) {
+  std::error_code failure;
+  if (file.has_parent_path()) {
+    std::filesystem::create_directories(file.parent_path(), failure);
+  }
+  if (failure) {
+    throw InputError(fmt::format("{}: {}", file.parent_path().string(), failure.message()));
+  }
+}
+
 bool is_standard_output(const std::filesystem::path& output) {
   return output == "/dev/stdout" || output == "/dev/fd/1" || output == "/proc/self/fd/1";
 }

@@ -42,6 +42,9 @@ void keep_inputs_safe(std::initializer_list<std::filesystem::path> outputs,
 // it, so that a slip of the user does not replace an image by a table.
 void keep_images_safe(const std::filesystem::path& output);
 
+// Makes the folder of a file if it is missing. Throws InputError that names the folder.
+void make_folder_of(const std::filesystem::path& file);
+
 // Returns true if the output is this process's standard output. Text for the user then belongs on
 // stderr, so that it does not mix with the rows.
 bool is_standard_output(const std::filesystem::path& output);

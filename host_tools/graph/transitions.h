@@ -23,10 +23,10 @@ struct Transitions {
   std::array<std::size_t, kContactStates> ticks_in{};
   // counts[a][b]: how often the state a was followed by the state b; for a = b it stayed.
   std::array<std::array<std::size_t, kContactStates>, kContactStates> counts{};
-  // How often a state stayed and its face, edge or vertex changed to another one of the same
+  // The times that a state stayed while its face, edge or vertex became another one of the same
   // object. Zero if the run does not tell.
   std::array<std::size_t, kContactStates> to_another{};
-  // How often a contact of one object was followed by a contact of another one.
+  // The times that a contact of one object was followed by a contact of another one.
   std::size_t object_changes = 0;
   // True if the run tells which face, edge and vertex it was.
   bool has_features = false;

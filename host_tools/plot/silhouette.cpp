@@ -198,6 +198,15 @@ void Window::include(const PlanePoint& point) {
   upper = {.right = std::max(upper.right, point.right), .up = std::max(upper.up, point.up)};
 }
 
+Window square_about(const Window& tight, double share, double least) {
+  const double half = share * std::max({tight.width(), tight.height(), least});
+  const double right = 0.5 * (tight.lower.right + tight.upper.right);
+  const double up = 0.5 * (tight.lower.up + tight.upper.up);
+  return {.lower = {.right = right - half, .up = up - half},
+          .upper = {.right = right + half, .up = up + half},
+          .empty = false};
+}
+
 Window bounds(View view, std::span<const rendering::Object> objects) {
   Window window;
   for (const rendering::Object& object : objects) {

@@ -42,6 +42,10 @@ struct Window {
   [[nodiscard]] double height() const { return upper.up - lower.up; }
 };
 
+// Returns the square about the middle of a window: its half width is a share of the window's larger
+// side, or of `least` where that is more. In the window's unit.
+Window square_about(const Window& tight, double share, double least);
+
 // Returns the smallest window that holds every vertex.
 Window bounds(View view, std::span<const rendering::Object> objects);
 

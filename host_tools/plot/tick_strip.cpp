@@ -38,7 +38,7 @@ constexpr PanelPlace kFrameKey{.left = kFrameLeft + kFramePanel + kFrameBar,
 // The room for a colour bar right of the last panel.
 constexpr double kStripBar = 110.0;
 
-constexpr std::string_view kAlongWay = "along the proxy's path (mm)";
+constexpr std::string_view kAlongProxyPath = "along the proxy's path (mm)";
 constexpr std::string_view kAlongCommonNormal = "along the contact normal (mm)";
 
 // Returns the common field behind ticks on a formula.
@@ -82,7 +82,7 @@ void draw_tick_strip(std::span<const TickSteps> ticks, std::span<const rendering
                   .height = kStripPanel},
         .suffix = fmt::format("{}", i),
         .title = fmt::format("tick {}, {:.6g} s", ticks[i].number, ticks[i].t_s),
-        .x_label = std::string(kAlongWay),
+        .x_label = std::string(kAlongProxyPath),
         .y_label = std::string(is_first ? kAlongCommonNormal : ""),
         .field = field ? &*field : nullptr};
     script += is_first ? "set format y \"% h\"\n" : "set format y \"\"\n";
@@ -113,7 +113,7 @@ void TickFrames::draw(std::size_t index, const std::filesystem::path& picture) c
                                   .height = kFramePanel},
                         .suffix = "frame",
                         .title = {},
-                        .x_label = std::string(kAlongWay),
+                        .x_label = std::string(kAlongProxyPath),
                         .y_label = std::string(kAlongCommonNormal),
                         .field = field_ ? &*field_ : nullptr};
   std::string script = tick_head(

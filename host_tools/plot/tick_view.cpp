@@ -94,15 +94,6 @@ Window TickView::window(std::span<const TickSteps> ticks) const {
   return square_about(window, kHalf, kLeast_mm);
 }
 
-Window square_about(const Window& tight, double share, double least_mm) {
-  const double half = share * std::max({tight.width(), tight.height(), least_mm});
-  const double right = 0.5 * (tight.lower.right + tight.upper.right);
-  const double up = 0.5 * (tight.lower.up + tight.upper.up);
-  return {.lower = {.right = right - half, .up = up - half},
-          .upper = {.right = right + half, .up = up + half},
-          .empty = false};
-}
-
 double tool_radius_m(const TickSteps& tick) {
   return tick.surface_W ? (tick.proxy_W - *tick.surface_W).norm() : 0.0;
 }

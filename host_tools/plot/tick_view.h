@@ -45,10 +45,6 @@ class TickView {
   Vec3 toward_W_ = Vec3::UnitZ();
 };
 
-// Returns the square about the middle of a window, whose half width is a share of the window's
-// longer side, or of `least_mm`.
-Window square_about(const Window& tight, double share, double least_mm);
-
 // Returns the radius of the tool, m; 0 without contact.
 double tool_radius_m(const TickSteps& tick);
 

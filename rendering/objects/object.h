@@ -61,7 +61,7 @@ struct Object {
   std::span<const Float3> vertex_normals;
   // The sides that stop the tool.
   Sides sides = Sides::one;
-  // How far above a facet the textbook's methods on meshes put their point, m, >= 0.
+  // The height above a facet where the textbook's methods put their point, m, >= 0.
   double push_out_m = kDefaultPushOut_m;
   // The material at the start; World::set_material may change it.
   Material material;

@@ -39,7 +39,7 @@ struct BakedObject {
   Placement placement;
   // The method that renders the contact; the shape must permit it.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
-  // How far above a facet the textbook's methods put their point, m.
+  // The height above a facet where the textbook's methods put their point, m.
   double push_out_m = rendering::kDefaultPushOut_m;
   BakedTextures textures;
   // How the object moves by itself and whether it may be moved or deformed.

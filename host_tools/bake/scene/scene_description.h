@@ -27,7 +27,7 @@ struct ObjectDescription {
   ShapeDescription shape;
   // How the surface is rendered.
   rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
-  // How far above a facet the textbook's methods put their point, m.
+  // The height above a facet where the textbook's methods put their point, m.
   double push_out_m = rendering::kDefaultPushOut_m;
   // The mesh file, resolved against the scene file's folder; empty if the object has a shape.
   std::filesystem::path mesh;

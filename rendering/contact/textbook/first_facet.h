@@ -17,7 +17,7 @@ namespace tactus::rendering {
 struct FacetHit {
   // The triangle's number; kNoTriangle if nothing stops the point.
   std::uint32_t triangle = kNoTriangle;
-  // Where the segment crosses it, m.
+  // The point where the segment crosses it, m.
   Vec3 point = Vec3::Zero();
   // The unit normal toward the side from which the segment comes.
   Vec3 normal = Vec3::Zero();

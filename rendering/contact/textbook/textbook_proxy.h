@@ -45,7 +45,7 @@ struct TextbookSurface {
   Sides sides;
   // The friction coefficients are used as those of the friction cone, whatever the model.
   const Material& material;
-  // How far above a facet the god-object is put, m, >= 0.
+  // The height above a facet where the god-object is put, m, >= 0.
   double push_out_m;
 };
 
