@@ -188,6 +188,20 @@ TEST(FirstFacet, EndsASegmentOnAFacetAndDoesNotBeginThere) {
   EXPECT_FALSE(first_of(sheet, above, above).is_hit()) << "a segment without length";
 }
 
+// The boxes of both facets are the same, so a search meets them in one order from either side.
+TEST(FirstFacet, IsTheNearerOneOfTwoThatCross) {
+  const Shape crossed{
+      .name = "crossed facets",
+      .vertices = {{-0.01F, -0.01F, -0.01F}, {0.01F, 0.01F, -0.01F}, {0.01F, 0.01F, 0.01F},
+                   {-0.01F, 0.01F, -0.01F}, {0.01F, -0.01F, -0.01F}, {0.01F, -0.01F, 0.01F}},
+      .triangles = {{0, 1, 2}, {3, 4, 5}}};
+  const Solid solid(crossed, Sides::two, kSlippery);
+  const Vec3 above(0.005, 0.01, -0.009);
+  const Vec3 below(0.005, -0.01, -0.009);
+  EXPECT_NEAR(first_of(solid, above, below).point.y(), 0.005, 1e-9);
+  EXPECT_NEAR(first_of(solid, below, above).point.y(), -0.005, 1e-9);
+}
+
 TEST(FirstFacet, PassesTheFacetsThatItIsTold) {
   const Solid sheets(
       testing::joined(testing::flat_sheet(0.01, 4),
