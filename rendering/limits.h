@@ -37,6 +37,18 @@ inline constexpr std::size_t kRefitNodes = 1024;
 // Objects whose material is changed while the scene runs. Beyond: World::set_material refuses.
 inline constexpr std::size_t kMaxChangedMaterials = 64;
 
+// Bodies that move by forces, and fixed objects that they meet. Beyond: World::set_scene refuses.
+inline constexpr std::size_t kMaxBodies = 32;
+inline constexpr std::size_t kMaxObstacles = 64;
+
+// Contacts between bodies, each of up to four points. Beyond: the last ones in the order of the
+// bodies' numbers are left out of a tick.
+inline constexpr std::size_t kMaxBodyContacts = 128;
+
+// Vertices of a convex hull, the collision shape of a body. Beyond: baking keeps those that leave
+// out least.
+inline constexpr std::size_t kMaxHullVertices = 64;
+
 // Effects in a scene. Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxEffects = 16;
 

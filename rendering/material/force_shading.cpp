@@ -11,7 +11,7 @@ namespace tactus::rendering {
 namespace {
 
 // The offset is settled when it changes by less than this: a tenth of a millinewton at 1000 N/m.
-constexpr double kSettled_m = 1e-7;
+constexpr double kShiftSettled_m = 1e-7;
 // The depth of a lifted goal in tool radii, s. On an edge a pass leaves s / (1 - s) of the error.
 constexpr double kDepthOfRadius = 0.25;
 // The least depth of a lifted goal. An edge has no rounding for a point, and any depth is too deep
@@ -82,7 +82,7 @@ bool ForceShading::improve(const ShadedRest& rest) {
   interpolated_ = rest.interpolated;
   const Vec3 before = offset_;
   set_offset(rest.depth_m);
-  return (offset_ - before).squaredNorm() > kSettled_m * kSettled_m;
+  return (offset_ - before).squaredNorm() > kShiftSettled_m * kShiftSettled_m;
 }
 
 Vec3 lean_of(const Vec3& shading_normal, const Vec3& normal) {

@@ -11,6 +11,7 @@
 #include "rendering/material/material.h"
 #include "rendering/material/surface_detail.h"
 #include "rendering/objects/motion.h"
+#include "rendering/objects/object_body.h"
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/surface/primitive.h"
 
@@ -76,6 +77,9 @@ struct Object {
   // The object's own motion until the outside takes over; nullptr for none. Waves need
   // vertex_normals.
   const Motion* motion = nullptr;
+  // What makes it a body that moves by forces; nullptr for none. A body `moves`, shares the proxy,
+  // and has no motion of its own.
+  const ObjectBody* body = nullptr;
 };
 
 // Returns the smallest axis-parallel box of the object, in the frame of the scene; for a plane the

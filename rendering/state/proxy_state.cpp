@@ -165,7 +165,7 @@ void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
 
 // The points in this pass and its travel are set by the next touch.
 void ProxyTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [proxy, shading, friction, before, here, last_tool_W, tool_step_m,
+  [[maybe_unused]] auto& [proxy, grips, shading, friction, before, here, last_tool_W, tool_step_m,
                           travel_m, first_pass, detailed] = *this;
   proxy.transfer(archive, scene);
   archive(shading, friction, last_tool_W, detailed);

@@ -31,6 +31,12 @@ RigidPose pose_of(const SceneObjects& scene, std::uint32_t object) {
   return mover == nullptr ? RigidPose{} : mover->X_WO;
 }
 
+// Returns the largest friction over the normal force that a surface may give in this state.
+double most_friction(const FrictionParameters& friction, FrictionState state) {
+  return state == FrictionState::stick ? std::max(friction.coulomb, friction.static_level)
+                                       : friction.coulomb;
+}
+
 // Returns true if the proxy is free. A proxy in the middle of its path, which the next tick
 // continues, does not count.
 bool is_free(const ProxyRest& rest) {
@@ -73,6 +79,7 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWa
     before_ = here_;
   }
   detailed_ = blended.detailed;
+  grips_.count = 0;
   Touch touch;
   touch.proxy_W = proxy_.position_W();
   touch.sub_goals = rest.sub_goals;
@@ -80,8 +87,8 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWa
   touch.flags = rest.flags;
   touch.short_of_goal_m = rest.short_of_goal_m;
   if (rest.plane_count > 0) {
-    set_force(tool, rest, blended, touch);
     touch.friction = friction_state(scene, rest);
+    set_force(scene, tool, rest, blended, touch);
   }
   proxy_.look_ahead(scene);
   return touch;
@@ -229,8 +236,8 @@ double ProxyTouch::travel_to(const ContactPoint& here) const {
 }
 
 // A tool that is deeper than the plane and above the bump's surface is in contact without a force.
-void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
-                           const BlendedSurface& blended, Touch& touch) const {
+void ProxyTouch::set_force(const SceneObjects& scene, const ToolState& tool, const ProxyRest& rest,
+                           const BlendedSurface& blended, Touch& touch) {
   const ContactPlane& hardest = rest.planes[rest.hardest()];
   const Vec3 stretch = touch.proxy_W - tool.p_W;
   touch.normal_W = rest.normal_W;
@@ -241,13 +248,62 @@ void ProxyTouch::set_force(const ToolState& tool, const ProxyRest& rest,
             ? Vec3{stretch - (blended.depth_m - blended.effective_depth_m) * rest.normal_W}
             : stretch;
     const CornerSpring& spring = blended.spring;
-    const Vec3 force = spring.stiffness_N_per_m * effective_stretch + spring.sideways_W -
-                       blended.damping_W / blended.pressure_m;
-    touch.force_W = without_pull(force, rest.normal_W);
+    const Vec3 spring_force = spring.stiffness_N_per_m * effective_stretch + spring.sideways_W;
+    touch.force_W =
+        without_pull(spring_force - blended.damping_W / blended.pressure_m, rest.normal_W);
+    set_grips(scene, tool, rest, spring_force, touch);
     set_parts(stretch, blended, touch);
   }
   touch.contact = kind_of(hardest.nearest.feature);
   touch.object = hardest.object;
+}
+
+// A plane has the part of the spring's force that is along its normal, and of the rest the share of
+// its pressure.
+void ProxyTouch::set_grips(const SceneObjects& scene, const ToolState& tool, const ProxyRest& rest,
+                           const Vec3& spring_force_W, const Touch& touch) {
+  double pressures_m = 0.0;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    pressures_m += rest.pressure_m[i];
+    grips_.count += scene[rest.planes[i].object].body != nullptr ? 1U : 0U;
+  }
+  if (grips_.count == 0) {
+    return;
+  }
+  const bool are_all = grips_.count == rest.plane_count;
+  const double stretch_m = (touch.proxy_W - tool.p_W).norm();
+  const double stiffness = stretch_m > 0.0 ? spring_force_W.norm() / stretch_m : 0.0;
+  Vec3 rest_of_spring = spring_force_W;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    rest_of_spring -= stiffness * rest.pressure_m[i] * rest.planes[i].plane.normal;
+  }
+  Vec3 of_bodies = Vec3::Zero();
+  grips_.count = 0;
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    const ContactPlane& plane = rest.planes[i];
+    if (scene[plane.object].body == nullptr) {
+      continue;
+    }
+    const Material& material = scene.material(plane.object);
+    const double share = rest.pressure_m[i] / pressures_m;
+    const Vec3 point = touch.proxy_W - plane.nearest.distance * plane.nearest.normal;
+    const Vec3 spring =
+        stiffness * rest.pressure_m[i] * plane.plane.normal + share * rest_of_spring;
+    grips_.grips[grips_.count++] = {
+        .object = plane.object,
+        .grip = {.point_W = point,
+                 .normal_W = plane.plane.normal,
+                 .spring_force_W = spring,
+                 .stiffness_N_per_m = stiffness,
+                 .damping_Ns_per_m = material.damping_Ns_per_m,
+                 .share = share,
+                 .friction = most_friction(material.friction, touch.friction),
+                 .tool_v_W = tool.v_W}};
+    of_bodies += spring - share * material.damping_Ns_per_m *
+                              (tool.v_W - scene.velocity_W(plane.object, touch.proxy_W));
+  }
+  grips_.proxy_force_W = touch.force_W;
+  grips_.other_force_W = are_all ? Vec3{Vec3::Zero()} : Vec3{touch.force_W - of_bodies};
 }
 
 FrictionState ProxyTouch::friction_state(const SceneObjects& scene, const ProxyRest& rest) const {

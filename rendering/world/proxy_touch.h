@@ -12,6 +12,7 @@
 #include "rendering/objects/scene_objects.h"
 #include "rendering/state_archive.h"
 #include "rendering/touch.h"
+#include "rendering/world/tool_grip.h"
 
 namespace tactus::rendering {
 
@@ -41,6 +42,11 @@ class ProxyTouch {
   // within the budget of one tick. Bounded time, no heap. `watcher` sees the moves if it is not
   // null.
   Touch touch(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher);
+
+  // Returns the planes of bodies in the last touch.
+  [[nodiscard]] const ToolGrips& grips() const { return grips_; }
+  // Forgets them, in a tick without a touch.
+  void let_go() { grips_.count = 0; }
 
   // Returns the proxy's centre, m.
   [[nodiscard]] const Vec3& position_W() const { return proxy_.position_W(); }
@@ -108,11 +114,16 @@ class ProxyTouch {
   [[nodiscard]] FrictionState friction_state(const SceneObjects& scene,
                                              const ProxyRest& rest) const;
   // Write the force, the contact and the parts of the force to the touch.
-  void set_force(const ToolState& tool, const ProxyRest& rest, const BlendedSurface& blended,
-                 Touch& touch) const;
+  void set_force(const SceneObjects& scene, const ToolState& tool, const ProxyRest& rest,
+                 const BlendedSurface& blended, Touch& touch);
+  // Divides the force of a touch among its planes and keeps those of bodies. `spring_force_W` is
+  // the force without the damping.
+  void set_grips(const SceneObjects& scene, const ToolState& tool, const ProxyRest& rest,
+                 const Vec3& spring_force_W, const Touch& touch);
   static void set_parts(const Vec3& stretch, const BlendedSurface& blended, Touch& touch);
 
   SphereProxy proxy_{0.0};
+  ToolGrips grips_;
   ForceShading shading_;
   // The friction factors of the surfaces where the proxy is.
   FrictionFactors friction_;

@@ -41,6 +41,7 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::si
   spent_ = proxy_.spent();
   if (!valid(tool)) {
     independent_.hold(scene);
+    proxy_.let_go();
     return {.proxy_W = last_proxy_W_, .flags = moved | kTouchToolInvalid};
   }
   if (!placed_) {

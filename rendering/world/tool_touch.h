@@ -30,6 +30,9 @@ class ToolTouch {
   // Returns the cost units that the last touch has spent.
   [[nodiscard]] std::size_t spent() const { return spent_; }
 
+  // Returns the planes by which the tool holds bodies after the last touch.
+  [[nodiscard]] const ToolGrips& grips() const { return proxy_.grips(); }
+
   // Returns how far the proxy of an object was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const {
     if (!placed_) {

@@ -26,8 +26,13 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
   const bool good_config =
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
       config.tool_count <= kMaxTools && config.effects.size() <= kMaxEffects &&
+      config.gravity_W.allFinite() &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
-  const bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
+  bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
+  if (!bodies_.set(scene_, config.gravity_W)) {
+    scene_.set({});
+    good = false;
+  }
   time_s_ = 0.0;
   tool_count_ = good ? config.tool_count : 1;
   effects_ = good ? config.effects : std::span<const Effect>{};
@@ -73,6 +78,7 @@ double World::stretch_m(std::uint32_t object) const {
 }
 
 std::size_t World::begin_tick() {
+  bodies_.place(scene_);
   standing_units_ =
       scene_.begin_tick(time_s_, tick_s_) + effect_units(effects_.size(), tool_count_);
   time_s_ += tick_s_;
@@ -91,7 +97,25 @@ Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t li
 }
 
 Touch World::touch(const ToolState& tool, TickWatcher* watcher) {
-  return touch_one(0, tool, begin_tick(), watcher);
+  Touch touch = touch_one(0, tool, begin_tick(), watcher);
+  step_bodies({&touch, 1});
+  return touch;
+}
+
+void World::step_bodies(std::span<Touch> touches) {
+  if (!bodies_.any()) {
+    return;
+  }
+  std::array<ToolGrips, kMaxTools> grips;
+  for (std::size_t i = 0; i < tool_count_; ++i) {
+    grips[i] = tools_[i].grips();
+  }
+  bodies_.step(scene_, std::span(grips).first(tool_count_));
+  for (std::size_t i = 0; i < std::min(touches.size(), tool_count_); ++i) {
+    if (grips[i].count > 0) {
+      touches[i].force_W = grips[i].with_bodies(touches[i].force_W);
+    }
+  }
 }
 
 // Every tool may spend an equal share of what the tools before it have left.
@@ -107,6 +131,7 @@ void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
       touches[i] = touch;
     }
   }
+  step_bodies(touches);
 }
 
 std::size_t World::spent_units() const {

@@ -15,10 +15,14 @@
 #include "rendering/touch.h"
 #include "rendering/world/effect_touch.h"
 #include "rendering/world/tool_touch.h"
+#include "rendering/world/world_bodies.h"
 
 namespace tactus::rendering {
 
 class TickWatcher;
+
+// The gravity of the earth by definition (CGPM 1901), m/s^2.
+inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
 
 // The parts of a scene beside its objects.
 struct WorldConfig {
@@ -29,6 +33,8 @@ struct WorldConfig {
   // The effects, at most kMaxEffects; each acts on every tool. The caller keeps them alive and
   // unchanged.
   std::span<const Effect> effects;
+  // The gravity that acts on bodies, m/s^2; the default is the standard one, downward.
+  Vec3 gravity_W = Vec3(0.0, -kStandardGravity_m_per_s2, 0.0);
 };
 
 // Returns the most cost units (tick_budget.h) that a tick spends before the first contact: on
@@ -59,7 +65,7 @@ class World {
   [[nodiscard]] std::size_t budget_units() const { return budget_; }
 
   // Forgets the contacts and what effects remember: the next touch starts with the proxies at the
-  // tools.
+  // tools. Bodies stay where they are.
   void reset();
 
   // Sets the pose and velocity of an object that `moves` from the next tick on. Returns false if
@@ -101,13 +107,21 @@ class World {
   // force. The damper acts on the whole velocity, so a hand that leaves quickly can feel a pull of
   // at most B v.
   //
+  // A body that a tool holds moves after the touch, and its force on the hand is that of its
+  // solver: the impulse on the body over the period (rendering/bodies).
+  //
   // Real time: no heap, no exceptions, bounded time; limits that were reached are in Touch::flags.
   // `watcher` sees the moves if it is not null.
   Touch touch(const ToolState& tool, TickWatcher* watcher = nullptr);
 
-  // Computes one tick of all tools, which do not feel each other; touches[i] is of tools[i]. A tool
-  // without a state in `tools` counts as invalid.
+  // Computes one tick of all tools; touches[i] is of tools[i]. Tools do not feel each other but
+  // through the bodies that they hold. A tool without a state in `tools` counts as invalid.
   void touch(std::span<const ToolState> tools, std::span<Touch> touches);
+
+  // Returns the body of an object after the last touch, or nullptr.
+  [[nodiscard]] const RigidBody* body(std::uint32_t object) const { return bodies_.of(object); }
+  // Returns all that moves by forces.
+  [[nodiscard]] const BodyWorld& bodies() const { return bodies_.bodies(); }
 
   // Returns the energy that an effect has given to the hand of a tool since the start, J (see
   // rendering/effects/effect.h). Both numbers must be in range.
@@ -133,7 +147,11 @@ class World {
   Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
                   TickWatcher* watcher);
 
+  // Moves the bodies after the touches of this tick, and puts their forces into these.
+  void step_bodies(std::span<Touch> touches);
+
   SceneObjects scene_;
+  WorldBodies bodies_;
   std::array<ToolTouch, kMaxTools> tools_;
   // The effects' states, one set for each tool.
   std::array<EffectTouch, kMaxTools> effect_touches_;

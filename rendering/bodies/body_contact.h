@@ -1,0 +1,90 @@
+// A contact between two bodies, or a body and an obstacle, that lives from tick to tick, and the
+// numbers with which it is solved.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rendering/bodies/manifold.h"
+#include "rendering/bodies/solver_body.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// The surfaces of a contact.
+struct ContactSurface {
+  // The coefficient of Coulomb's friction, and that of restitution: the share of the approaching
+  // speed that is left after a bounce.
+  double friction = 0.0;
+  double restitution = 0.0;
+};
+
+// A point of a contact while it is solved. World frame.
+struct SolvedPoint {
+  // From the centres of A and B to the point, at the beginning of the tick, m.
+  Vec3 arm_a_W = Vec3::Zero();
+  Vec3 arm_b_W = Vec3::Zero();
+  // The distance of the surfaces then, m.
+  double separation_m = 0.0;
+  // How fast the surfaces part at the beginning, m/s; < 0 where they approach.
+  double parting_m_per_s = 0.0;
+  // The impulses of a sub-step: along the normal, N s, >= 0, and along the tangents.
+  double push = 0.0;
+  Eigen::Vector2d rub = Eigen::Vector2d::Zero();
+  // The largest push of the tick's sub-steps.
+  double hardest_push = 0.0;
+  // The masses that the normal and the tangents push, kg.
+  double normal_mass = 0.0;
+  Eigen::Vector2d tangent_mass = Eigen::Vector2d::Zero();
+};
+
+// The contact of solids `a` and `b`, numbers in the solver's list.
+struct BodyContact {
+  std::uint16_t a = 0;
+  std::uint16_t b = 0;
+  ContactSurface surface;
+  Vec3 normal_W = Vec3::UnitY();
+  // Two unit tangents.
+  std::array<Vec3, 2> tangents_W{Vec3::UnitX(), Vec3::UnitZ()};
+  std::array<SolvedPoint, kManifoldPoints> points;
+  std::size_t count = 0;
+};
+
+// How a contact resists overlap in a sub-step: a damped spring that is integrated implicitly
+// (Catto, "Solver2D", 2024). `a1` and `a2` of that text give the three numbers.
+struct ContactSoftness {
+  // The speed of recovery over the overlap, 1/s.
+  double bias_rate = 0.0;
+  // The factors of the mass and of the impulse so far.
+  double mass_scale = 1.0;
+  double impulse_scale = 0.0;
+};
+
+// Returns the softness of a spring with this frequency, Hz, and damping ratio in a sub-step.
+ContactSoftness contact_softness(double frequency_Hz, double damping_ratio, double step_s);
+
+// Makes a contact of a manifold. The impulses of `before`, the same contact in the last tick or
+// nullptr, go on at the points that are where they were.
+void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
+                   const BodyContact* before, BodyContact& contact);
+
+// Applies the impulses that the last sub-step ended with.
+void warm_start(const BodyContact& contact, std::span<SolverBody> bodies);
+
+// Solves the points of a contact once; friction comes last, as its limit is the push's. With a
+// softness the surfaces are pushed apart where they overlap; without one (nullptr) only their
+// approach is stopped. `shift` gives how far the solids have moved since the beginning of the tick:
+// for each the translation and, in `rotations`, the rotation.
+struct Shift {
+  Vec3 translation_W = Vec3::Zero();
+  Mat3 rotation = Mat3::Identity();
+};
+void solve_contact(BodyContact& contact, std::span<SolverBody> bodies,
+                   std::span<const Shift> shifts, double step_s, const ContactSoftness* softness);
+
+// Bounces the points that have approached faster than a threshold and have been pushed.
+void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies);
+
+}  // namespace tactus::rendering

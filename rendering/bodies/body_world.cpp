@@ -1,0 +1,219 @@
+#include "rendering/bodies/body_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::rendering {
+namespace {
+
+// The sub-steps of a tick.
+constexpr int kSubSteps = 4;
+// How often each pass of a sub-step solves all contacts.
+constexpr int kPasses = 2;
+// The frequency of the spring that undoes overlaps is this share of the sub-steps' rate, and it is
+// damped far beyond its critical damping.
+constexpr double kContactShare = 0.25;
+constexpr double kContactDamping = 10.0;
+// Surfaces nearer than this, and what their motion in a tick may close, are looked at, m.
+constexpr double kMargin_m = 5e-4;
+
+// Returns the friction and the restitution of two surfaces: the geometric mean of the coefficients,
+// and the larger restitution.
+ContactSurface surface_of(const ContactSurface& a, const ContactSurface& b) {
+  return {.friction = std::sqrt(a.friction * b.friction),
+          .restitution = std::max(a.restitution, b.restitution)};
+}
+
+// Returns the largest speed of a point of a solid.
+double fastest(const SolverBody& solid, const PlacedHull& hull) {
+  const double reach = (hull.middle_W() - solid.center_W()).norm() + hull.reach_m();
+  return solid.velocity().head<3>().norm() + reach * solid.velocity().tail<3>().norm();
+}
+
+bool is_hull(const ConvexHull& hull) {
+  return !hull.vertices_O.empty() && hull.vertices_O.size() <= kMaxHullVertices;
+}
+
+}  // namespace
+
+void BodyWorld::clear() {
+  body_count_ = 0;
+  obstacle_count_ = 0;
+  gravity_W_ = Vec3::Zero();
+  reset();
+}
+
+bool BodyWorld::add_body(const BodyStart& start) {
+  if (body_count_ == kMaxBodies || !valid(start.body.mass) || !is_hull(start.body.hull)) {
+    return false;
+  }
+  starts_[body_count_++] = start;
+  reset();
+  return true;
+}
+
+bool BodyWorld::add_obstacle(const BodyObstacle& obstacle) {
+  const bool is_good = obstacle.hull.vertices_O.empty() || is_hull(obstacle.hull);
+  if (obstacle_count_ == kMaxObstacles || !is_good) {
+    return false;
+  }
+  obstacles_[obstacle_count_++] = obstacle;
+  return true;
+}
+
+void BodyWorld::reset() {
+  for (std::size_t i = 0; i < body_count_; ++i) {
+    const BodyStart& start = starts_[i];
+    bodies_[i] = RigidBody(start.body.mass, start.X_WO, start.body.velocity_W,
+                           start.body.angular_velocity_O);
+  }
+  contact_count_ = 0;
+  left_out_ = false;
+}
+
+void BodyWorld::set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist) {
+  obstacles_[obstacle].X_WO = X_WO;
+  obstacles_[obstacle].twist = twist;
+}
+
+void BodyWorld::step(double tick_s, std::span<const FingerGrip> grips, std::span<Vec3> forces_W) {
+  for (std::size_t i = 0; i < body_count_; ++i) {
+    solids_[i].take(bodies_[i]);
+    shifts_[i] = {};
+  }
+  for (std::size_t i = 0; i < obstacle_count_; ++i) {
+    solids_[body_count_ + i].take_obstacle(obstacles_[i].X_WO.translation, obstacles_[i].twist);
+    shifts_[body_count_ + i] = {};
+  }
+  const double step_s = tick_s / kSubSteps;
+  grips_.begin_tick(grips, bodies());
+  grips_.begin_step(solids_, step_s);
+  find_contacts(tick_s);
+  for (int i = 0; i < kSubSteps; ++i) {
+    sub_step(step_s, i + 1 == kSubSteps);
+  }
+  for (std::size_t i = 0; i < forces_W.size(); ++i) {
+    forces_W[i] = grips_.force_on_hand(i, tick_s);
+  }
+}
+
+void BodyWorld::find_contacts(double tick_s) {
+  std::swap(contacts_, contacts_before_);
+  contact_count_before_ = contact_count_;
+  contact_count_ = 0;
+  left_out_ = false;
+  const auto solid_count = static_cast<std::uint16_t>(body_count_ + obstacle_count_);
+  std::array<double, kMostSolids> margins{};
+  for (std::uint16_t i = 0; i < solid_count; ++i) {
+    const bool is_body = i < body_count_;
+    const ConvexHull& hull = is_body ? starts_[i].body.hull : obstacles_[i - body_count_].hull;
+    if (!hull.vertices_O.empty()) {
+      hulls_[i].place(hull, is_body ? bodies_[i].pose() : obstacles_[i - body_count_].X_WO);
+      margins[i] = tick_s * fastest(solids_[i], hulls_[i]);
+    }
+  }
+  for (std::uint16_t b = 0; b < body_count_; ++b) {
+    for (std::uint16_t a = 0; a < solid_count; ++a) {
+      if (a >= b && a < body_count_) {
+        continue;
+      }
+      const double margin = kMargin_m + margins[a] + margins[b];
+      const bool is_plane = a >= body_count_ && obstacles_[a - body_count_].hull.vertices_O.empty();
+      if (is_plane) {
+        const auto& [hull, plane_O, surface, X_WO, twist] = obstacles_[a - body_count_];
+        find_contact(a, b,
+                     manifold_of(X_WO.point(plane_O.translation),
+                                 X_WO.direction(plane_O.rotation.col(1)), hulls_[b], margin));
+      } else {
+        find_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin));
+      }
+    }
+  }
+}
+
+void BodyWorld::find_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold) {
+  if (manifold.count == 0) {
+    return;
+  }
+  if (contact_count_ == kMaxBodyContacts) {
+    left_out_ = true;
+    return;
+  }
+  const auto old = std::span(contacts_before_).first(contact_count_before_);
+  const auto before =
+      std::ranges::find_if(old, [&](const BodyContact& c) { return c.a == a && c.b == b; });
+  const ContactSurface& of_a =
+      a < body_count_ ? starts_[a].surface : obstacles_[a - body_count_].surface;
+  BodyContact& contact = contacts_[contact_count_++];
+  contact.a = a;
+  contact.b = b;
+  contact.surface = surface_of(of_a, starts_[b].surface);
+  begin_contact(manifold, solids_, before == old.end() ? nullptr : &*before, contact);
+}
+
+void BodyWorld::sub_step(double step_s, bool is_last) {
+  const auto contacts = std::span(contacts_).first(contact_count_);
+  const ContactSoftness softness =
+      contact_softness(kContactShare / step_s, kContactDamping, step_s);
+  for (std::size_t i = 0; i < body_count_; ++i) {
+    bodies_[i].accelerate(gravity_W_, step_s);
+    solids_[i].begin(bodies_[i]);
+  }
+  grips_.begin_step(solids_, step_s);
+  for (const BodyContact& contact : contacts) {
+    warm_start(contact, solids_);
+  }
+  solve_contacts(step_s, &softness);
+  move_bodies(step_s);
+  solve_contacts(step_s, nullptr);
+  if (is_last) {
+    for (BodyContact& contact : contacts) {
+      apply_restitution(contact, solids_);
+    }
+  }
+  for (std::uint32_t i = 0; i < body_count_; ++i) {
+    const Vec6 impulse = solids_[i].pushed() + grips_.impulse_on(i, solids_);
+    bodies_[i].push(impulse.head<3>(), impulse.tail<3>());
+  }
+  grips_.end_step(moved_);
+}
+
+void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
+      solve_contact(contact, solids_, shifts_, step_s, softness);
+    }
+  }
+}
+
+// The bodies' own velocities change only at the end of the sub-step: here a copy moves.
+void BodyWorld::move_bodies(double step_s) {
+  for (std::uint32_t i = 0; i < body_count_; ++i) {
+    RigidBody moving = bodies_[i];
+    const Vec6 impulse = solids_[i].pushed() + grips_.impulse_on(i, solids_);
+    moving.push(impulse.head<3>(), impulse.tail<3>());
+    moved_[i] << moving.motion().velocity_W, moving.angular_velocity_W();
+    const Mat3 before = bodies_[i].motion().rotation_WO;
+    moving.move(step_s);
+    const BodyMotion& now = moving.motion();
+    shifts_[i].translation_W += now.center_W - bodies_[i].motion().center_W;
+    shifts_[i].rotation = now.rotation_WO * before.transpose() * shifts_[i].rotation;
+    bodies_[i].set_place(now.center_W, now.rotation_WO);
+  }
+  for (std::size_t i = 0; i < obstacle_count_; ++i) {
+    Shift& shift = shifts_[body_count_ + i];
+    const Twist& twist = obstacles_[i].twist;
+    shift.translation_W += step_s * twist.linear_W;
+    shift.rotation = rotation_by(step_s * twist.angular_W) * shift.rotation;
+  }
+}
+
+double BodyWorld::energy_J() const {
+  double sum = 0.0;
+  for (const RigidBody& body : bodies()) {
+    sum += body.kinetic_energy_J() - body.mass().mass_kg * gravity_W_.dot(body.motion().center_W);
+  }
+  return sum;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,51 @@
+// A convex hull at its place in a tick.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rendering/geometry/convex_hull.h"
+#include "rendering/geometry/rigid_pose.h"
+#include "rendering/geometry/vector.h"
+#include "rendering/limits.h"
+
+namespace tactus::rendering {
+
+// A hull at its place in a tick.
+class PlacedHull {
+ public:
+  PlacedHull() = default;
+  // Takes the hull, which stays alive and has 1 to kMaxHullVertices vertices, to a pose.
+  void place(const ConvexHull& hull, const RigidPose& X_WO);
+
+  // Returns the vertices, world frame, m.
+  [[nodiscard]] std::span<const Vec3> vertices_W() const { return {vertices_W_.data(), count_}; }
+  [[nodiscard]] const ConvexHull& hull() const { return hull_; }
+  // Returns the outward normal of a face, world frame.
+  [[nodiscard]] Vec3 normal_W(std::size_t face) const {
+    return rotation_ * hull_.faces[face].normal_O;
+  }
+  // Returns the numbers of a face's corners.
+  [[nodiscard]] std::span<const std::uint8_t> corners(std::size_t face) const {
+    const HullFace& polygon = hull_.faces[face];
+    return hull_.corners.subspan(polygon.first, polygon.count);
+  }
+  // Returns the number of the vertex that is farthest along a direction; the first of several.
+  [[nodiscard]] std::size_t support(const Vec3& direction_W) const;
+  // Returns the middle of the vertices' box, and the distance of the farthest point of the solid
+  // from it, m.
+  [[nodiscard]] const Vec3& middle_W() const { return middle_W_; }
+  [[nodiscard]] double reach_m() const { return reach_m_; }
+
+ private:
+  ConvexHull hull_;
+  Mat3 rotation_ = Mat3::Identity();
+  std::array<Vec3, kMaxHullVertices> vertices_W_;
+  std::size_t count_ = 0;
+  Vec3 middle_W_ = Vec3::Zero();
+  double reach_m_ = 0.0;
+};
+
+}  // namespace tactus::rendering

@@ -1,0 +1,120 @@
+#include "rendering/bodies/rigid_body.h"
+
+#include <Eigen/LU>
+
+#include "rendering/geometry/portable_math.h"
+
+namespace tactus::rendering {
+namespace {
+
+// The steps of the midpoint rule's iteration; each gains a factor of the angle of the step.
+constexpr int kMidpointSteps = 64;
+
+// Returns the matrix of v x.
+Mat3 cross_matrix(const Vec3& v) {
+  Mat3 m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+// Returns the orthonormal matrix next to one that is orthonormal to rounding: one step of Newton's.
+Mat3 orthonormal(const Mat3& m) {
+  const Mat3 square = m.transpose() * m;
+  return 0.5 * m * (3.0 * Mat3::Identity() - square);
+}
+
+}  // namespace
+
+RigidBody::RigidBody(const BodyMass& mass, const RigidPose& X_WO, const Vec3& velocity_W,
+                     const Vec3& angular_velocity_O)
+    : mass_(mass), inverse_inertia_C_(mass.inertia_C.inverse()) {
+  set_motion({.center_W = X_WO.point(mass.center_O),
+              .velocity_W = velocity_W,
+              .rotation_WO = X_WO.rotation,
+              .angular_momentum_W = X_WO.direction(mass.inertia_C * angular_velocity_O)});
+}
+
+void RigidBody::set_motion(const BodyMotion& motion) {
+  motion_ = motion;
+  follow_rotation();
+}
+
+void RigidBody::set_place(const Vec3& center_W, const Mat3& rotation_WO) {
+  motion_.center_W = center_W;
+  motion_.rotation_WO = rotation_WO;
+  follow_rotation();
+}
+
+void RigidBody::follow_rotation() {
+  const Mat3& R = motion_.rotation_WO;
+  inverse_inertia_W_ = R * inverse_inertia_C_ * R.transpose();
+  angular_velocity_W_ = inverse_inertia_W_ * motion_.angular_momentum_W;
+}
+
+RigidPose RigidBody::pose() const {
+  return {.rotation = motion_.rotation_WO,
+          .translation = motion_.center_W - motion_.rotation_WO * mass_.center_O};
+}
+
+Twist RigidBody::twist() const {
+  return {.linear_W = velocity_at(pose().translation), .angular_W = angular_velocity_W_};
+}
+
+void RigidBody::push(const Vec3& impulse_W, const Vec3& torque_impulse_W) {
+  motion_.velocity_W += impulse_W / mass_.mass_kg;
+  motion_.angular_momentum_W += torque_impulse_W;
+  angular_velocity_W_ = inverse_inertia_W_ * motion_.angular_momentum_W;
+}
+
+void RigidBody::accelerate(const Vec3& gravity_W, double step_s) {
+  motion_.velocity_W += step_s * gravity_W;
+  motion_.velocity_W /= 1.0 + step_s * mass_.linear_damping_per_s;
+  motion_.angular_momentum_W /= 1.0 + step_s * mass_.angular_damping_per_s;
+  angular_velocity_W_ = inverse_inertia_W_ * motion_.angular_momentum_W;
+}
+
+void RigidBody::move(double step_s) {
+  motion_.center_W += step_s * motion_.velocity_W;
+  motion_.rotation_WO =
+      rotate_freely(inverse_inertia_C_, motion_.rotation_WO, motion_.angular_momentum_W, step_s);
+  follow_rotation();
+}
+
+double RigidBody::kinetic_energy_J() const {
+  return 0.5 * (mass_.mass_kg * motion_.velocity_W.squaredNorm() +
+                motion_.angular_momentum_W.dot(angular_velocity_W_));
+}
+
+Mat3 rotate_freely(const Mat3& inverse_inertia_C, const Mat3& rotation_WO, const Vec3& momentum_W,
+                   double step_s) {
+  const Vec3 before = rotation_WO.transpose() * momentum_W;
+  Vec3 turn = step_s * (inverse_inertia_C * before);
+  Mat3 rotation = rotation_by(turn);
+  for (int i = 0; i < kMidpointSteps; ++i) {
+    const Vec3 after = rotation.transpose() * before;
+    const Vec3 next = 0.5 * step_s * (inverse_inertia_C * (before + after));
+    const bool settled = (next - turn).squaredNorm() <= 1e-32 * next.squaredNorm();
+    turn = next;
+    rotation = rotation_by(turn);
+    if (settled) {
+      break;
+    }
+  }
+  return orthonormal(rotation_WO * rotation);
+}
+
+// Rodrigues' formula with sin(x)/x and (1 - cos x)/x^2 = (sin(x/2)/(x/2))^2 / 2, which lose no
+// digits at small angles.
+Mat3 rotation_by(const Vec3& turn) {
+  constexpr double kTiny = 1e-8;
+  const double angle = turn.norm();
+  const Mat3 cross = cross_matrix(turn);
+  if (!(angle > kTiny)) {
+    return Mat3::Identity() + cross + 0.5 * cross * cross;
+  }
+  const double half = sine_cosine(0.5 * angle).sine / (0.5 * angle);
+  return Mat3::Identity() + (sine_cosine(angle).sine / angle) * cross +
+         (0.5 * half * half) * cross * cross;
+}
+
+}  // namespace tactus::rendering

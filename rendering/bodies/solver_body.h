@@ -1,0 +1,74 @@
+// A body while its tick is solved: its velocities, and how impulses change them.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "rendering/bodies/rigid_body.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// A velocity of a body, or an impulse with its torque: the linear part first, then the angular one
+// about the centre of mass; world frame.
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+// An inertia of a body, or its inverse, in the same order.
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+// Returns an impulse at `arm_W` from the centre of mass with its torque.
+inline Vec6 wrench_of(const Vec3& impulse_W, const Vec3& arm_W) {
+  Vec6 wrench;
+  wrench << impulse_W, arm_W.cross(impulse_W);
+  return wrench;
+}
+
+// The velocities of a body in a sub-step. What nothing can push, an obstacle, has no mobility and
+// keeps its velocities. A body that springs hold answers an impulse as if it had a larger inertia
+// (finger_grip.h).
+class SolverBody {
+ public:
+  // Take a body, or an obstacle that moves with the twist at its origin.
+  void take(const RigidBody& body);
+  void take_obstacle(const Vec3& origin_W, const Twist& twist);
+
+  // Begins a sub-step with the body's velocities, without springs.
+  void begin(const RigidBody& body);
+
+  // Sets what springs add to the inertia: a symmetric matrix that is not negative.
+  void set_springs(const Mat6& inertia);
+
+  // Returns the point from which arms lead: the centre of mass, or an obstacle's origin.
+  [[nodiscard]] const Vec3& center_W() const { return center_W_; }
+  // Returns the velocity of the point at `arm_W`, m/s.
+  [[nodiscard]] Vec3 velocity_at(const Vec3& arm_W) const {
+    return velocity_.head<3>() + velocity_.tail<3>().cross(arm_W);
+  }
+  [[nodiscard]] const Vec6& velocity() const { return velocity_; }
+  // Returns the contacts' impulses in this sub-step.
+  [[nodiscard]] const Vec6& pushed() const { return pushed_; }
+
+  // Changes the velocities by an impulse with its torque; push() is that of a contact, and is
+  // counted.
+  void accelerate(const Vec6& wrench) { velocity_ += answer_to(wrench); }
+  void push(const Vec3& impulse_W, const Vec3& arm_W);
+
+  // Returns the gain in velocity along the unit `direction_W` at `arm_W` by an impulse of 1 N s
+  // along it, 1/kg.
+  [[nodiscard]] double mobility(const Vec3& arm_W, const Vec3& direction_W) const;
+
+ private:
+  // Returns the change of the velocities by an impulse with its torque.
+  [[nodiscard]] Vec6 answer_to(const Vec6& wrench) const;
+
+  Vec3 center_W_ = Vec3::Zero();
+  double mass_kg_ = 0.0;
+  double inverse_mass_ = 0.0;
+  Mat3 inertia_W_ = Mat3::Zero();
+  Mat3 inverse_inertia_W_ = Mat3::Zero();
+  // The inverse of the inertia with the springs, if springs hold the body.
+  bool has_springs_ = false;
+  Mat6 apparent_inverse_ = Mat6::Zero();
+  Vec6 velocity_ = Vec6::Zero();
+  Vec6 pushed_ = Vec6::Zero();
+};
+
+}  // namespace tactus::rendering

@@ -1,0 +1,39 @@
+// What makes an object a body that moves by forces (rendering/bodies).
+#pragma once
+
+#include "rendering/geometry/convex_hull.h"
+#include "rendering/geometry/vector.h"
+
+namespace tactus::rendering {
+
+// The mass properties of a body and what slows it down.
+struct BodyMass {
+  // The mass, kg, > 0.
+  double mass_kg = 1.0;
+  // The centre of mass in the object's frame, m.
+  Vec3 center_O = Vec3::Zero();
+  // The inertia about the centre of mass, kg m^2: symmetric and positive definite; axes of O.
+  Mat3 inertia_C = Mat3::Identity();
+  // The shares of the velocity and of the angular momentum that are lost in a second, 1/s, >= 0.
+  double linear_damping_per_s = 0.0;
+  double angular_damping_per_s = 0.0;
+};
+
+// Returns true if the numbers are finite and those of a body that exists: the inertia is symmetric
+// to 1e-9 of its size, and no principal moment exceeds the sum of the two others by more.
+bool valid(const BodyMass& mass);
+
+// A body as a scene describes it. It begins where the scene gives the object.
+struct ObjectBody {
+  BodyMass mass;
+  // The collision shape of a mesh; a primitive is its own.
+  ConvexHull hull;
+  // The share of the approaching speed that is left after a bounce, 0 to 1.
+  double restitution = 0.0;
+  // The velocity of the centre of mass at the start (world frame, m/s), and the angular velocity
+  // (axes of O, rad/s).
+  Vec3 velocity_W = Vec3::Zero();
+  Vec3 angular_velocity_O = Vec3::Zero();
+};
+
+}  // namespace tactus::rendering

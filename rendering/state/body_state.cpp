@@ -1,0 +1,51 @@
+// Saves and restores the bodies of a world: their motion, and the impulses of their contacts.
+#include "rendering/bodies/body_world.h"
+#include "rendering/state_archive.h"
+#include "rendering/world/world_bodies.h"
+
+namespace tactus::rendering {
+namespace {
+
+void transfer_motion(StateArchive& archive, RigidBody& body) {
+  BodyMotion motion = body.motion();
+  auto& [center_W, velocity_W, rotation_WO, angular_momentum_W] = motion;
+  archive(center_W, velocity_W, rotation_WO, angular_momentum_W);
+  if (archive.is_reading() && archive.good()) {
+    body.set_motion(motion);
+  }
+}
+
+// The next tick takes over impulses by the points' places.
+void transfer_contact(StateArchive& archive, BodyContact& contact, std::uint16_t solids) {
+  auto& [a, b, surface, normal_W, tangents_W, points, count] = contact;
+  archive.up_to(a, solids);
+  archive.up_to(b, solids);
+  archive(normal_W, tangents_W);
+  archive.up_to(count, kManifoldPoints);
+  for (std::size_t i = 0; i < count && archive.good(); ++i) {
+    archive(points[i].arm_b_W, points[i].push, points[i].rub);
+  }
+}
+
+}  // namespace
+
+void BodyWorld::transfer(StateArchive& archive) {
+  archive.same(body_count_);
+  archive.same(obstacle_count_);
+  for (RigidBody& body : std::span(bodies_).first(body_count_)) {
+    transfer_motion(archive, body);
+  }
+  archive.up_to(contact_count_, kMaxBodyContacts);
+  const auto solids = static_cast<std::uint16_t>(body_count_ + obstacle_count_);
+  for (std::size_t i = 0; i < contact_count_ && archive.good(); ++i) {
+    transfer_contact(archive, contacts_[i], solids);
+  }
+}
+
+void WorldBodies::transfer(StateArchive& archive) {
+  if (any()) {
+    bodies_.transfer(archive);
+  }
+}
+
+}  // namespace tactus::rendering

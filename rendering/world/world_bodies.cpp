@@ -1,0 +1,112 @@
+#include "rendering/world/world_bodies.h"
+
+#include <algorithm>
+
+namespace tactus::rendering {
+namespace {
+
+// Returns the surface of an object against other objects.
+ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number) {
+  const ObjectBody* const body = scene[number].body;
+  return {.friction = scene.material(number).friction.coulomb,
+          .restitution = body == nullptr ? 0.0 : body->restitution};
+}
+
+}  // namespace
+
+bool WorldBodies::set(const SceneObjects& scene, const Vec3& gravity_W) {
+  bodies_.clear();
+  obstacle_count_ = 0;
+  const auto objects = scene.objects();
+  const bool any_body =
+      std::ranges::any_of(objects, [](const Object& object) { return object.body != nullptr; });
+  if (!any_body) {
+    return true;
+  }
+  bodies_.set_gravity(gravity_W);
+  for (std::uint32_t number = 0; number < objects.size(); ++number) {
+    if (!add(scene, number)) {
+      bodies_.clear();
+      obstacle_count_ = 0;
+      return false;
+    }
+  }
+  return true;
+}
+
+bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number) {
+  const Object& object = scene[number];
+  const bool is_primitive = object.surface == SurfaceKind::primitive;
+  const bool is_plane = is_primitive && object.primitive.kind == PrimitiveKind::plane;
+  const std::size_t body_count = bodies_.bodies().size();
+  ConvexHull hull;
+  if (is_primitive && has_hull(object.primitive.kind)) {
+    PrimitiveHull& own = hulls_[object.body != nullptr ? body_count : kMaxBodies + obstacle_count_];
+    own.make(object.primitive);
+    hull = own.hull();
+  }
+  if (object.body != nullptr) {
+    if (body_count == kMaxBodies) {
+      return false;
+    }
+    BodyStart start{.body = *object.body, .surface = surface_of(scene, number), .X_WO = {}};
+    if (is_primitive) {
+      start.body.hull = hull;
+    }
+    body_objects_[body_count] = number;
+    return bodies_.add_body(start);
+  }
+  if (!is_plane && hull.vertices_O.empty()) {
+    return true;
+  }
+  obstacle_objects_[std::min(obstacle_count_, kMaxObstacles - 1)] = number;
+  ++obstacle_count_;
+  return bodies_.add_obstacle({.hull = hull,
+                               .plane_O = object.primitive.X_WO,
+                               .surface = surface_of(scene, number),
+                               .X_WO = {},
+                               .twist = {}});
+}
+
+const RigidBody* WorldBodies::of(std::uint32_t object) const {
+  const auto bodies = bodies_.bodies();
+  const auto numbers = std::span(body_objects_).first(bodies.size());
+  const auto found = std::ranges::find(numbers, object);
+  return found == numbers.end() ? nullptr
+                                : &bodies[static_cast<std::size_t>(found - numbers.begin())];
+}
+
+void WorldBodies::place(SceneObjects& scene) const {
+  for (std::size_t i = 0; i < bodies_.bodies().size(); ++i) {
+    const RigidBody& body = bodies_.bodies()[i];
+    scene.set_pose(body_objects_[i], body.pose(), body.twist());
+  }
+}
+
+void WorldBodies::step(const SceneObjects& scene, std::span<ToolGrips> tools) {
+  for (std::size_t i = 0; i < obstacle_count_; ++i) {
+    if (const Mover* const mover = scene.mover_of(obstacle_objects_[i]); mover != nullptr) {
+      bodies_.set_obstacle(i, mover->X_WO, mover->twist);
+    }
+  }
+  std::array<FingerGrip, kMostGrips> grips;
+  std::array<Vec3, kMostGrips> forces_W;
+  std::size_t count = 0;
+  const auto numbers = std::span(body_objects_).first(bodies_.bodies().size());
+  for (const ToolGrips& tool : tools) {
+    for (const ToolGrip& grip : std::span(tool.grips).first(tool.count)) {
+      grips[count] = grip.grip;
+      grips[count++].body =
+          static_cast<std::uint32_t>(std::ranges::find(numbers, grip.object) - numbers.begin());
+    }
+  }
+  bodies_.step(scene.tick_s(), std::span(grips).first(count), std::span(forces_W).first(count));
+  count = 0;
+  for (ToolGrips& tool : tools) {
+    for (ToolGrip& grip : std::span(tool.grips).first(tool.count)) {
+      grip.force_W = forces_W[count++];
+    }
+  }
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,57 @@
+// The bodies among the objects of a world: where they are in a tick, and what the tools' contacts
+// do to them. World has one.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "rendering/bodies/body_world.h"
+#include "rendering/bodies/primitive_hull.h"
+#include "rendering/limits.h"
+#include "rendering/objects/scene_objects.h"
+#include "rendering/state_archive.h"
+#include "rendering/world/tool_grip.h"
+
+namespace tactus::rendering {
+
+// Every object with an ObjectBody is a body; every other object that is a plane, a sphere, a
+// capsule or a box is an obstacle to bodies, also where it moves by itself. Bodies go through
+// objects of other shapes.
+class WorldBodies {
+ public:
+  // Starts over with the bodies of a scene; the objects stay alive. Returns false, and has no
+  // bodies, if there are more than kMaxBodies, or more than kMaxObstacles beside them.
+  bool set(const SceneObjects& scene, const Vec3& gravity_W);
+
+  // Returns true if there are bodies.
+  [[nodiscard]] bool any() const { return !bodies_.bodies().empty(); }
+  // Returns the body of an object, or nullptr.
+  [[nodiscard]] const RigidBody* of(std::uint32_t object) const;
+  // Returns the bodies' world.
+  [[nodiscard]] const BodyWorld& bodies() const { return bodies_; }
+
+  // Moves the objects to where their bodies are. Call it before SceneObjects::begin_tick().
+  void place(SceneObjects& scene) const;
+
+  // Computes one tick of all bodies with the grips of all tools; each grip gets the force of its
+  // body on the hand.
+  void step(const SceneObjects& scene, std::span<ToolGrips> tools);
+
+  // Saves the state to the archive, or restores it; the scene must be the same.
+  void transfer(StateArchive& archive);
+
+ private:
+  bool add(const SceneObjects& scene, std::uint32_t number);
+
+  BodyWorld bodies_;
+  // The numbers of the objects that are bodies and obstacles.
+  std::array<std::uint32_t, kMaxBodies> body_objects_{};
+  std::array<std::uint32_t, kMaxObstacles> obstacle_objects_{};
+  std::size_t obstacle_count_ = 0;
+  // The hulls of primitives among them.
+  std::array<PrimitiveHull, kMaxBodies + kMaxObstacles> hulls_;
+};
+
+}  // namespace tactus::rendering

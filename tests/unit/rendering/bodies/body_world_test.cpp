@@ -1,0 +1,255 @@
+// Bodies on planes and on each other, against the closed forms of mechanics.
+#include "rendering/bodies/body_world.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "rendering/bodies/primitive_hull.h"
+
+namespace tactus::rendering {
+namespace {
+
+constexpr double kBodyGravity_m_per_s2 = 9.80665;
+constexpr double kBodyTick_s = 1e-3;
+
+Mat3 body_turned(const Vec3& axis, double angle_rad) {
+  return Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
+}
+
+BodyMass mass_of_box(double mass_kg, const Vec3& half) {
+  const Vec3 square = half.cwiseProduct(half);
+  const Vec3 moments =
+      mass_kg / 3.0 *
+      Vec3(square.y() + square.z(), square.x() + square.z(), square.x() + square.y());
+  return {.mass_kg = mass_kg, .inertia_C = moments.asDiagonal()};
+}
+
+BodyMass mass_of_ball(double mass_kg, double radius) {
+  return {.mass_kg = mass_kg, .inertia_C = 0.4 * mass_kg * radius * radius * Mat3::Identity()};
+}
+
+// Keeps the hulls of a world alive.
+class BodyBench {
+ public:
+  BodyBench() : world_(std::make_unique<BodyWorld>()) {
+    world_->clear();
+    world_->set_gravity(Vec3(0.0, -kBodyGravity_m_per_s2, 0.0));
+    hulls_.reserve(kMaxBodies);
+  }
+
+  void add_plane(const Vec3& normal, double friction) {
+    RigidPose pose;
+    pose.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal).toRotationMatrix();
+    ASSERT_TRUE(world_->add_obstacle({.surface = {.friction = friction}, .X_WO = pose}));
+  }
+
+  void add(const Primitive& primitive, const BodyMass& mass, const RigidPose& pose,
+           const ContactSurface& surface, const Vec3& velocity = Vec3::Zero()) {
+    hulls_.push_back(std::make_unique<PrimitiveHull>());
+    hulls_.back()->make(primitive);
+    ASSERT_TRUE(world_->add_body(
+        {.body = {.mass = mass, .hull = hulls_.back()->hull(), .velocity_W = velocity},
+         .surface = surface,
+         .X_WO = pose}));
+  }
+  void add_box(const Vec3& half, double mass_kg, const RigidPose& pose, double friction,
+               const Vec3& velocity = Vec3::Zero()) {
+    add({.kind = PrimitiveKind::box, .dimensions_m = {half.x(), half.y(), half.z()}},
+        mass_of_box(mass_kg, half), pose, {.friction = friction}, velocity);
+  }
+  void add_ball(double radius, double mass_kg, const Vec3& center, const ContactSurface& surface,
+                const Vec3& velocity = Vec3::Zero()) {
+    add({.kind = PrimitiveKind::sphere, .dimensions_m = {radius}}, mass_of_ball(mass_kg, radius),
+        {.translation = center}, surface, velocity);
+  }
+
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / kBodyTick_s)); ++i) {
+      world_->step(kBodyTick_s, {}, {});
+    }
+  }
+  [[nodiscard]] const RigidBody& body(std::size_t i) const { return world_->bodies()[i]; }
+  BodyWorld& world() { return *world_; }
+
+ private:
+  std::unique_ptr<BodyWorld> world_;
+  std::vector<std::unique_ptr<PrimitiveHull>> hulls_;
+};
+
+// A box on a plane that is inclined by `angle` about z, with its base on it.
+struct BodySlope {
+  double angle;
+  Vec3 normal{-std::sin(angle), std::cos(angle), 0.0};
+  Vec3 down{-std::cos(angle), -std::sin(angle), 0.0};
+  [[nodiscard]] RigidPose box_at(double half_height) const {
+    return {.rotation = body_turned(Vec3::UnitZ(), angle), .translation = half_height * normal};
+  }
+};
+
+TEST(BodyWorld, ABoxSlidesDownASlopeBeyondTheAngleOfFriction) {
+  constexpr double kFriction = 0.5;
+  for (const double factor : {0.995, 1.005, 1.3}) {
+    const BodySlope slope{std::atan(kFriction) * factor};
+    BodyBench bench;
+    bench.add_plane(slope.normal, kFriction);
+    bench.add_box(Vec3(0.02, 0.005, 0.02), 0.1, slope.box_at(0.005), kFriction);
+    bench.run(0.1);
+    const Vec3 start = bench.body(0).motion().center_W;
+    const double speed = bench.body(0).motion().velocity_W.dot(slope.down);
+    bench.run(0.5);
+    const double gained = bench.body(0).motion().velocity_W.dot(slope.down) - speed;
+    const double expected =
+        kBodyGravity_m_per_s2 * (std::sin(slope.angle) - kFriction * std::cos(slope.angle)) * 0.5;
+    if (factor < 1.0) {
+      EXPECT_LT((bench.body(0).motion().center_W - start).norm(), 1e-6) << "it rests";
+    } else {
+      EXPECT_NEAR(gained, expected, 0.005 * expected + 1e-4) << factor;
+    }
+  }
+}
+
+TEST(BodyWorld, ABallRollsDownASlopeWithFiveSevenths) {
+  const BodySlope slope{0.3};
+  BodyBench bench;
+  bench.add_plane(slope.normal, 0.6);
+  bench.add_ball(0.02, 0.05, 0.02 * slope.normal, {.friction = 0.6});
+  bench.run(1.0);
+  const RigidBody& ball = bench.body(0);
+  const double expected = 5.0 / 7.0 * kBodyGravity_m_per_s2 * std::sin(slope.angle);
+  EXPECT_NEAR(ball.motion().velocity_W.dot(slope.down), expected, 0.005 * expected);
+  EXPECT_NEAR(ball.angular_velocity_W().z() * 0.02, expected, 0.005 * expected);
+}
+
+TEST(BodyWorld, ABallSlipsWhereTheSlopeIsTooSteepToRoll) {
+  constexpr double kFriction = 0.2;
+  const BodySlope slope{std::atan(3.5 * kFriction) + 0.1};
+  BodyBench bench;
+  bench.add_plane(slope.normal, kFriction);
+  bench.add_ball(0.02, 0.05, 0.02 * slope.normal, {.friction = kFriction});
+  bench.run(0.5);
+  const double expected =
+      0.5 * kBodyGravity_m_per_s2 * (std::sin(slope.angle) - kFriction * std::cos(slope.angle));
+  EXPECT_NEAR(bench.body(0).motion().velocity_W.dot(slope.down), expected, 0.005 * expected);
+  EXPECT_LT(bench.body(0).angular_velocity_W().z() * 0.02, 0.9 * expected);
+}
+
+TEST(BodyWorld, AStruckBallRollsAfterTwoSeventhsOfItsSpeedAreLost) {
+  constexpr double kFriction = 0.3;
+  constexpr double kSpeed = 1.0;
+  BodyBench bench;
+  bench.add_plane(Vec3::UnitY(), kFriction);
+  bench.add_ball(0.02, 0.05, Vec3(0.0, 0.02, 0.0), {.friction = kFriction}, Vec3(kSpeed, 0.0, 0.0));
+  const double rolls_s = 2.0 * kSpeed / (7.0 * kFriction * kBodyGravity_m_per_s2);
+  bench.run(0.9 * rolls_s);
+  const auto slip = [&] {
+    const RigidBody& ball = bench.body(0);
+    return ball.velocity_at(ball.motion().center_W - 0.02 * Vec3::UnitY()).x();
+  };
+  EXPECT_GT(slip(), 0.05 * kSpeed);
+  bench.run(0.2 * rolls_s);
+  EXPECT_NEAR(slip(), 0.0, 1e-3 * kSpeed);
+  EXPECT_NEAR(bench.body(0).motion().velocity_W.x(), 5.0 / 7.0 * kSpeed, 0.005 * kSpeed);
+}
+
+// It tips if friction exceeds its width over its height.
+TEST(BodyWorld, ABoxTipsBeforeItSlidesWhereFrictionIsLargeEnough) {
+  for (const double friction : {0.4, 0.6}) {
+    const BodySlope slope{std::atan(0.55)};
+    BodyBench bench;
+    bench.add_plane(slope.normal, friction);
+    bench.add_box(Vec3(0.01, 0.02, 0.01), 0.1, slope.box_at(0.02), friction);
+    bench.run(0.2);
+    const double lean = bench.body(0).motion().rotation_WO.col(1).dot(slope.normal);
+    if (friction > 0.5) {
+      EXPECT_LT(lean, 0.99);
+    } else {
+      EXPECT_GT(lean, 0.9999);
+      EXPECT_GT(bench.body(0).motion().velocity_W.dot(slope.down), 0.1);
+    }
+  }
+}
+
+TEST(BodyWorld, AStackOfTwentyStands) {
+  BodyBench bench;
+  bench.add_plane(Vec3::UnitY(), 0.5);
+  for (int i = 0; i < 20; ++i) {
+    bench.add_box(Vec3(0.01, 0.01, 0.01), 0.05, {.translation = Vec3(0.0, 0.01 + 0.02 * i, 0.0)},
+                  0.5);
+  }
+  bench.run(1.0);
+  const Vec3 settled = bench.body(19).motion().center_W;
+  bench.run(10.0);
+  const Vec3 later = bench.body(19).motion().center_W;
+  EXPECT_LT((later - settled).norm(), 1e-4 / 6.0);
+  EXPECT_LT(bench.body(19).motion().velocity_W.norm(), 1e-6);
+  EXPECT_NEAR(settled.y(), 0.39, 1e-3);
+}
+
+TEST(BodyWorld, AHeavyBoxStandsOnALightOneAndALightOneOnAHeavyOne) {
+  for (const double upper_kg : {10.0, 0.01}) {
+    BodyBench bench;
+    bench.add_plane(Vec3::UnitY(), 0.5);
+    bench.add_box(Vec3(0.02, 0.01, 0.02), 0.1 / upper_kg, {.translation = Vec3(0.0, 0.01, 0.0)},
+                  0.5);
+    bench.add_box(Vec3(0.02, 0.01, 0.02), upper_kg, {.translation = Vec3(0.0, 0.03, 0.0)}, 0.5);
+    bench.run(3.0);
+    const Vec3 place = bench.body(1).motion().center_W;
+    EXPECT_NEAR(place.y(), 0.03, 1e-3) << upper_kg;
+    bench.run(2.0);
+    EXPECT_LT((bench.body(1).motion().center_W - place).norm(), 1e-5) << upper_kg;
+    EXPECT_LT(bench.body(0).motion().velocity_W.norm(), 1e-5) << upper_kg;
+  }
+}
+
+TEST(BodyWorld, ABallBouncesToTheHeightOfItsRestitution) {
+  for (const double restitution : {0.3, 0.7, 0.95}) {
+    BodyBench bench;
+    bench.add_plane(Vec3::UnitY(), 0.0);
+    bench.add_ball(0.01, 0.02, Vec3(0.0, 0.21, 0.0), {.friction = 0.0, .restitution = restitution});
+    bench.run(std::sqrt(2.0 * 0.2 / kBodyGravity_m_per_s2) + 0.01);
+    double top = 0.0;
+    while (bench.body(0).motion().velocity_W.y() > 0.0) {
+      top = bench.body(0).motion().center_W.y();
+      bench.run(kBodyTick_s);
+    }
+    const double expected = 0.2 * restitution * restitution;
+    EXPECT_NEAR(top - 0.01, expected, 0.02 * expected) << restitution;
+  }
+}
+
+// Two balls that meet head-on exchange momentum as their masses say.
+TEST(BodyWorld, BallsThatMeetKeepTheirMomentum) {
+  BodyBench bench;
+  bench.world().set_gravity(Vec3::Zero());
+  bench.add_ball(0.01, 0.03, Vec3(-0.05, 0.0, 0.0), {.restitution = 0.5}, Vec3(0.8, 0.0, 0.0));
+  bench.add_ball(0.01, 0.01, Vec3(0.05, 0.0, 0.0), {.restitution = 0.5}, Vec3(-0.4, 0.0, 0.0));
+  bench.run(0.2);
+  // v' = (momentum -+ e times the other mass times the approach) / total mass.
+  const double momentum = 0.03 * 0.8 - 0.01 * 0.4;
+  EXPECT_NEAR(bench.body(0).motion().velocity_W.x(), (momentum - 0.5 * 0.01 * 1.2) / 0.04, 1e-9);
+  EXPECT_NEAR(bench.body(1).motion().velocity_W.x(), (momentum + 0.5 * 0.03 * 1.2) / 0.04, 1e-9);
+}
+
+TEST(BodyWorld, NothingGoesThroughAPlaneHoweverFast) {
+  for (const double speed : {1.0, 5.0, 20.0}) {
+    BodyBench bench;
+    bench.add_plane(Vec3::UnitY(), 0.3);
+    bench.add_ball(0.005, 0.01, Vec3(0.0, 0.1, 0.0), {.friction = 0.3}, Vec3(0.0, -speed, 0.0));
+    double lowest = 1.0;
+    for (int i = 0; i < 300; ++i) {
+      bench.run(kBodyTick_s);
+      lowest = std::min(lowest, bench.body(0).motion().center_W.y());
+    }
+    EXPECT_GT(lowest, 0.005 - 5e-4) << speed;
+  }
+}
+
+}  // namespace
+}  // namespace tactus::rendering
