@@ -33,7 +33,7 @@ class Grasp : public ::testing::Test {
   static constexpr double kHalf_m = 0.02;
 
   void start(double mass_kg, double friction, double stiffness = kRubber_N_per_m,
-             double damping = 2.0) {
+             double damping = 2.0, const Vec3& between_W = Vec3::Zero()) {
     const double moment = 2.0 / 3.0 * mass_kg * kHalf_m * kHalf_m;
     body_.mass = {.mass_kg = mass_kg, .inertia_C = moment * Mat3::Identity()};
     cube_.surface = SurfaceKind::primitive;
@@ -45,7 +45,7 @@ class Grasp : public ::testing::Test {
     ASSERT_TRUE(world_->set_scene({&cube_, 1}, {.tool_count = 2}));
     ASSERT_TRUE(world_->set_tick(kGraspTick_s));
     // Both tools begin outside and come in.
-    set_fingers(0.0, Vec3::Zero());
+    set_fingers(-1e-4, between_W);
     for (int i = 0; i < 3; ++i) {
       tick();
     }
@@ -142,7 +142,7 @@ TEST_F(Grasp, SwingsAboutTheFingersAsAPendulum) {
   constexpr double kArm_m = 0.012;
   constexpr double kMass_kg = 0.1;
   body_.angular_velocity_O = Vec3(1.0, 0.0, 0.0);
-  start(kMass_kg, 2.0, 3000.0);
+  start(kMass_kg, 2.0, 3000.0, 2.0, Vec3(0.0, kArm_m, 0.0));
   std::vector<double> zeros_s;
   double before = 0.0;
   for (int i = 0; i < 4000; ++i) {
