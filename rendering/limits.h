@@ -74,9 +74,6 @@ inline constexpr std::size_t kMaxSubGoals = 1024;
 // in the next tick; kTouchIterationsExhausted.
 inline constexpr std::size_t kMaxFeatureVisits = 2048;
 
-// Vertices of a body's convex hull. Beyond: baking keeps those that leave out least.
-inline constexpr std::size_t kMaxHullVertices = 64;
-
 // Texels along a side of a texture, and the levels that such a side needs. Beyond: the picture is
 // refused, when it is baked and when it is opened.
 inline constexpr std::uint32_t kMaxTextureSide = 8192;

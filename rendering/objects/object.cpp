@@ -88,10 +88,9 @@ bool usable(const Object& object) {
   if (object.motion != nullptr && !(valid(*object.motion) && can_wave(object))) {
     return false;
   }
-  const bool is_good_body =
-      object.body == nullptr || (object.moves && !object.deforms && object.motion == nullptr &&
-                                 meets_proxy(object) && valid(object.body->mass));
-  return is_good_body && touchable(object) &&
+  const bool can_be_body = !is_body(object) || (object.moves && !object.deforms &&
+                                                object.motion == nullptr && meets_proxy(object));
+  return can_be_body && touchable(object) &&
          (object.detail.empty() || renders_detail(object.method)) && object.push_out_m >= 0.0 &&
          object.push_out_m <= kWorldBound_m &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;

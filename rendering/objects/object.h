@@ -11,7 +11,6 @@
 #include "rendering/material/material.h"
 #include "rendering/material/surface_detail.h"
 #include "rendering/objects/motion.h"
-#include "rendering/objects/object_body.h"
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/surface/primitive.h"
 
@@ -19,6 +18,8 @@ namespace tactus::rendering {
 
 // Numbers no object of a scene.
 inline constexpr std::uint32_t kNoObject = 0xffffffff;
+// Numbers no body of a scene.
+inline constexpr std::uint8_t kNoBody = 0xff;
 
 // The kind of the surface that is touched.
 enum class SurfaceKind : std::uint8_t { mesh = 0, primitive = 1, implicit = 2 };
@@ -77,9 +78,9 @@ struct Object {
   // The object's own motion until the outside takes over; nullptr for none. Waves need
   // vertex_normals.
   const Motion* motion = nullptr;
-  // What makes it a body that moves by forces; nullptr for none. A body `moves`, shares the proxy,
-  // and has no motion of its own.
-  const ObjectBody* body = nullptr;
+  // The number of the ObjectBody (WorldConfig::bodies) that makes it a body, which moves by forces;
+  // kNoBody for none. A body `moves`, shares the proxy, and has no motion of its own.
+  std::uint8_t body = kNoBody;
 };
 
 // Returns the smallest axis-parallel box of the object, in the frame of the scene; for a plane the
@@ -117,6 +118,11 @@ inline bool renders_detail(ContactMethod method) {
 // Returns true if the object may change its place or shape.
 inline bool is_mover(const Object& object) {
   return object.moves || object.deforms;
+}
+
+// Returns true if the object moves by forces.
+inline bool is_body(const Object& object) {
+  return object.body != kNoBody;
 }
 
 // Returns true if the tool has no radius to this object.

@@ -23,11 +23,19 @@ struct BodyMass {
 // to 1e-9 of its size, and no principal moment exceeds the sum of the two others by more.
 bool valid(const BodyMass& mass);
 
+// The gravity of the earth by definition (CGPM 1901), m/s^2, and downward in the world.
+inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
+inline Vec3 standard_gravity_W() {
+  return {0.0, -kStandardGravity_m_per_s2, 0.0};
+}
+
 // A body as a scene describes it. It begins where the scene gives the object.
 struct ObjectBody {
   BodyMass mass;
   // The collision shape of a mesh; a primitive is its own.
   ConvexHull hull;
+  // The axes of the object as the scene gives it, which its numbers refer to, in O.
+  Mat3 axes_O = Mat3::Identity();
   // The share of the approaching speed that is left after a bounce, 0 to 1.
   double restitution = 0.0;
   // The velocity of the centre of mass at the start (world frame, m/s), and the angular velocity

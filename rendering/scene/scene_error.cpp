@@ -59,8 +59,12 @@ constexpr std::array kTexts{
         "some stand still",
         "count"},
     Text{"effect has a law that this program does not know; update the program", "effect"},
+    Text{"body has a mass, a hull or a number that is out of range, or its object cannot be one; "
+         "bake the scene again",
+         ""},
+    Text{"more than 32 bodies; leave some out", "count"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::effect_law) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::body_count) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];

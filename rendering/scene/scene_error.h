@@ -49,6 +49,8 @@ enum class SceneFault : std::uint8_t {
   motion,             // a number out of range, or of an object that does not move
   capacity,           // see SceneObjects::set; place: objects that move or are touched alone
   effect_law,         // a law that this controller does not have; place: effect
+  body,               // a mass, hull or number out of range, or an object that cannot be one
+  body_count,         // more than kMaxBodies; place: number found
 };
 
 // A name from an image, for a message: the first 31 characters, with ? for those that are not

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "rendering/bodies/primitive_hull.h"
 #include "rendering/objects/scene_objects.h"
+#include "rendering/scene/body_reader.h"
 #include "rendering/scene/effect_reader.h"
 #include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_generated.h"
@@ -180,6 +182,10 @@ Result SceneImage::take(const image::Scene& scene) {
   if (const Result effects = take_effects(scene); !effects) {
     return effects;
   }
+  gravity_W_ = scene.gravity() == nullptr ? standard_gravity_W() : to_vec3(*scene.gravity());
+  if (!gravity_W_.allFinite()) {
+    return fail(SceneFault::body);
+  }
   object_count_ = scene.objects()->size();
   if (object_count_ == 0 || object_count_ > kMaxObjects) {
     return fail(SceneFault::object_count, object_count_);
@@ -246,6 +252,9 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (taken.motion != nullptr && (!valid(*taken.motion) || !is_mover(taken))) {
     return fail(SceneFault::motion, 0);
   }
+  if (const Result body = take_body(object, taken); !body) {
+    return body;
+  }
   if (!is_aligned(object.textures())) {
     return fail(SceneFault::malformed);
   }
@@ -256,6 +265,29 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (object.method() > std::to_underlying(kLastContactMethod) || !usable(taken)) {
     return fail(SceneFault::method, object.method());
   }
+  return {};
+}
+
+Result SceneImage::take_body(const image::Object& object, Object& taken) {
+  if (object.body() == nullptr) {
+    return {};
+  }
+  if (body_count_ == kMaxBodies) {
+    return fail(SceneFault::body_count, kMaxBodies + 1);
+  }
+  const std::expected<ObjectBody, SceneError> body = read_body(*object.body());
+  if (!body) {
+    return std::unexpected(body.error());
+  }
+  const bool has_shape =
+      !body->hull.vertices_O.empty() ||
+      (taken.surface == SurfaceKind::primitive && has_hull(taken.primitive.kind));
+  if (!has_shape || !taken.moves || taken.deforms || taken.motion != nullptr ||
+      !meets_proxy(taken)) {
+    return fail(SceneFault::body);
+  }
+  taken.body = static_cast<std::uint8_t>(body_count_);
+  bodies_[body_count_++] = *body;
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
 #include "rendering/objects/object.h"
+#include "rendering/objects/object_body.h"
 #include "rendering/scene/mesh_check.h"
 #include "rendering/scene/scene_error.h"
 
@@ -61,6 +62,13 @@ class SceneImage {
     return std::span(objects_).first(object_count_);
   }
 
+  // Returns the scene's bodies, to which the objects refer: at most kMaxBodies.
+  [[nodiscard]] std::span<const ObjectBody> bodies() const {
+    return std::span(bodies_).first(body_count_);
+  }
+  // Returns the gravity that acts on bodies, m/s^2.
+  [[nodiscard]] const Vec3& gravity_W() const { return gravity_W_; }
+
   // Returns the scene's effects: at most kMaxEffects, all valid.
   [[nodiscard]] std::span<const Effect> effects() const {
     return std::span(effects_).first(effect_count_);
@@ -77,6 +85,8 @@ class SceneImage {
   std::expected<void, SceneError> take(const image::Scene& scene);
   std::expected<void, SceneError> take_effects(const image::Scene& scene);
   std::expected<void, SceneError> take_object(const image::Object& object, std::size_t index);
+  // Takes the body of an object that has one.
+  std::expected<void, SceneError> take_body(const image::Object& object, Object& taken);
 
   // The payload, in the bytes given to `open`.
   const image::Scene* scene_ = nullptr;
@@ -88,6 +98,9 @@ class SceneImage {
   std::array<Object, kMaxObjects> objects_{};
   std::size_t effect_count_ = 0;
   std::array<Effect, kMaxEffects> effects_{};
+  Vec3 gravity_W_ = Vec3::Zero();
+  std::size_t body_count_ = 0;
+  std::array<ObjectBody, kMaxBodies> bodies_{};
 };
 
 }  // namespace tactus::rendering

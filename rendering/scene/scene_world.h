@@ -8,7 +8,10 @@ namespace tactus::rendering {
 
 // Returns the configuration; its spans live as long as the image.
 inline WorldConfig world_of(const SceneImage& scene) {
-  return {.tool_radius_m = scene.tool_radius_m(), .effects = scene.effects()};
+  return {.tool_radius_m = scene.tool_radius_m(),
+          .effects = scene.effects(),
+          .bodies = scene.bodies(),
+          .gravity_W = scene.gravity_W()};
 }
 
 }  // namespace tactus::rendering

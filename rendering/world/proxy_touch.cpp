@@ -265,7 +265,7 @@ void ProxyTouch::set_grips(const SceneObjects& scene, const ToolState& tool, con
   double pressures_m = 0.0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     pressures_m += rest.pressure_m[i];
-    grips_.count += scene[rest.planes[i].object].body != nullptr ? 1U : 0U;
+    grips_.count += is_body(scene[rest.planes[i].object]) ? 1U : 0U;
   }
   if (grips_.count == 0) {
     return;
@@ -281,7 +281,7 @@ void ProxyTouch::set_grips(const SceneObjects& scene, const ToolState& tool, con
   grips_.count = 0;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const ContactPlane& plane = rest.planes[i];
-    if (scene[plane.object].body == nullptr) {
+    if (!is_body(scene[plane.object])) {
       continue;
     }
     const Material& material = scene.material(plane.object);

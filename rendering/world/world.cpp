@@ -29,7 +29,7 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
       config.gravity_W.allFinite() &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
-  if (!bodies_.set(scene_, config.gravity_W)) {
+  if (!bodies_.set(scene_, config.bodies, config.gravity_W)) {
     scene_.set({});
     good = false;
   }

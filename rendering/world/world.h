@@ -9,6 +9,7 @@
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
 #include "rendering/objects/object.h"
+#include "rendering/objects/object_body.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/state_archive.h"
 #include "rendering/tick_budget.h"
@@ -21,9 +22,6 @@ namespace tactus::rendering {
 
 class TickWatcher;
 
-// The gravity of the earth by definition (CGPM 1901), m/s^2.
-inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
-
 // The parts of a scene beside its objects.
 struct WorldConfig {
   // The radius of every tool, m: 0 to kMaxToolRadius_m; 0 is the god-object point.
@@ -33,8 +31,10 @@ struct WorldConfig {
   // The effects, at most kMaxEffects; each acts on every tool. The caller keeps them alive and
   // unchanged.
   std::span<const Effect> effects;
+  // The bodies among the objects, each once, in any order. The caller keeps their hulls alive.
+  std::span<const ObjectBody> bodies;
   // The gravity that acts on bodies, m/s^2; the default is the standard one, downward.
-  Vec3 gravity_W = Vec3(0.0, -kStandardGravity_m_per_s2, 0.0);
+  Vec3 gravity_W = standard_gravity_W();
 };
 
 // Returns the most cost units (tick_budget.h) that a tick spends before the first contact: on

@@ -6,26 +6,25 @@ namespace tactus::rendering {
 namespace {
 
 // Returns the surface of an object against other objects.
-ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number) {
-  const ObjectBody* const body = scene[number].body;
-  return {.friction = scene.material(number).friction.coulomb,
-          .restitution = body == nullptr ? 0.0 : body->restitution};
+ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, double restitution) {
+  return {.friction = scene.material(number).friction.coulomb, .restitution = restitution};
 }
 
 }  // namespace
 
-bool WorldBodies::set(const SceneObjects& scene, const Vec3& gravity_W) {
+bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bodies,
+                      const Vec3& gravity_W) {
   bodies_.clear();
   obstacle_count_ = 0;
   const auto objects = scene.objects();
-  const bool any_body =
-      std::ranges::any_of(objects, [](const Object& object) { return object.body != nullptr; });
-  if (!any_body) {
+  if (std::ranges::none_of(objects, is_body)) {
     return true;
   }
   bodies_.set_gravity(gravity_W);
   for (std::uint32_t number = 0; number < objects.size(); ++number) {
-    if (!add(scene, number)) {
+    const std::uint8_t body = objects[number].body;
+    const bool is_there = body == kNoBody || body < bodies.size();
+    if (!is_there || !add(scene, number, body == kNoBody ? nullptr : &bodies[body])) {
       bodies_.clear();
       obstacle_count_ = 0;
       return false;
@@ -34,36 +33,36 @@ bool WorldBodies::set(const SceneObjects& scene, const Vec3& gravity_W) {
   return true;
 }
 
-bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number) {
+bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body) {
   const Object& object = scene[number];
   const bool is_primitive = object.surface == SurfaceKind::primitive;
-  const bool is_plane = is_primitive && object.primitive.kind == PrimitiveKind::plane;
-  const std::size_t body_count = bodies_.bodies().size();
-  ConvexHull hull;
+  const std::size_t count = body != nullptr ? bodies_.bodies().size() : obstacle_count_;
+  if (count == (body != nullptr ? kMaxBodies : kMaxObstacles)) {
+    return false;
+  }
+  ConvexHull hull = body != nullptr ? body->hull : ConvexHull{};
   if (is_primitive && has_hull(object.primitive.kind)) {
-    PrimitiveHull& own = hulls_[object.body != nullptr ? body_count : kMaxBodies + obstacle_count_];
+    PrimitiveHull& own = hulls_[body != nullptr ? count : kMaxBodies + count];
     own.make(object.primitive);
     hull = own.hull();
   }
-  if (object.body != nullptr) {
-    if (body_count == kMaxBodies) {
-      return false;
-    }
-    BodyStart start{.body = *object.body, .surface = surface_of(scene, number), .X_WO = {}};
-    if (is_primitive) {
-      start.body.hull = hull;
-    }
-    body_objects_[body_count] = number;
+  const ContactSurface surface =
+      surface_of(scene, number, body != nullptr ? body->restitution : 0.0);
+  if (body != nullptr) {
+    BodyStart start{.body = *body, .surface = surface, .X_WO = {}};
+    start.body.hull = hull;
+    body_objects_[count] = number;
     return bodies_.add_body(start);
   }
+  const bool is_plane = is_primitive && object.primitive.kind == PrimitiveKind::plane;
   if (!is_plane && hull.vertices_O.empty()) {
     return true;
   }
-  obstacle_objects_[std::min(obstacle_count_, kMaxObstacles - 1)] = number;
+  obstacle_objects_[count] = number;
   ++obstacle_count_;
   return bodies_.add_obstacle({.hull = hull,
                                .plane_O = object.primitive.X_WO,
-                               .surface = surface_of(scene, number),
+                               .surface = surface,
                                .X_WO = {},
                                .twist = {}});
 }

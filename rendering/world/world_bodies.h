@@ -16,14 +16,15 @@
 
 namespace tactus::rendering {
 
-// Every object with an ObjectBody is a body; every other object that is a plane, a sphere, a
+// Every object that names an ObjectBody is a body; every other object that is a plane, a sphere, a
 // capsule or a box is an obstacle to bodies, also where it moves by itself. Bodies go through
 // objects of other shapes.
 class WorldBodies {
  public:
   // Starts over with the bodies of a scene; the objects stay alive. Returns false, and has no
-  // bodies, if there are more than kMaxBodies, or more than kMaxObstacles beside them.
-  bool set(const SceneObjects& scene, const Vec3& gravity_W);
+  // bodies, if there are more than kMaxBodies, or more than kMaxObstacles beside them, or if an
+  // object names a body that is not there or not sound.
+  bool set(const SceneObjects& scene, std::span<const ObjectBody> bodies, const Vec3& gravity_W);
 
   // Returns true if there are bodies.
   [[nodiscard]] bool any() const { return !bodies_.bodies().empty(); }
@@ -43,7 +44,8 @@ class WorldBodies {
   void transfer(StateArchive& archive);
 
  private:
-  bool add(const SceneObjects& scene, std::uint32_t number);
+  // Adds an object, as a body if `body` is not nullptr.
+  bool add(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body);
 
   BodyWorld bodies_;
   // The numbers of the objects that are bodies and obstacles.

@@ -18,6 +18,7 @@
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
+#include "rendering/bodies/primitive_hull.h"
 #include "rendering/objects/scene_objects.h"
 
 namespace tactus::host {
@@ -136,6 +137,46 @@ BakedObject bake_object(const ObjectDescription& object, const std::string& scen
   return baked;
 }
 
+// Bakes the body of an object that is one.
+void add_body(const ObjectDescription& object, const std::string& scene, BakedObject& baked,
+              ObjectReport& report) {
+  if (!object.body) {
+    return;
+  }
+  try {
+    std::vector<std::string> notes;
+    baked.body = bake_body(*object.body, baked.shape, object.placement, baked.mesh, notes);
+    for (const std::string& note : notes) {
+      report.warnings.push_back(fmt::format("{}: {}", object.name, note));
+    }
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}:{}: {}: {}", scene, object.body->line, object.name, error.what()));
+  }
+}
+
+// Tells that bodies go through the object, if they do.
+void warn_of_passage(const BakedObject& object, bool is_with_bodies, ObjectReport& report) {
+  const auto* const primitive = std::get_if<rendering::Primitive>(&object.shape);
+  const bool is_met = primitive != nullptr && (rendering::has_hull(primitive->kind) ||
+                                               primitive->kind == rendering::PrimitiveKind::plane);
+  if (is_with_bodies && !object.body && !is_met) {
+    report.warnings.push_back(fmt::format(
+        "{}: bodies go through it: of fixed objects they meet planes, boxes, spheres and capsules",
+        object.name));
+  }
+}
+
+// Throws InputError for more bodies than the controller has room for.
+void require_few_bodies(const SceneDescription& description) {
+  const auto bodies = std::ranges::count_if(
+      description.objects, [](const ObjectDescription& object) { return object.body.has_value(); });
+  if (bodies > static_cast<std::ptrdiff_t>(rendering::kMaxBodies)) {
+    throw InputError(fmt::format("{}: {} bodies, where {} fit; leave some out", description.file,
+                                 bodies, rendering::kMaxBodies));
+  }
+}
+
 // Returns an object with just what the controller's capacity depends on.
 rendering::Object counted(rendering::ContactMethod method, const MotionDescription& motion,
                           const rendering::MeshView& mesh) {
@@ -186,7 +227,8 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
   BakedScene baked{.tool_radius_m = description.tool_radius_m,
                    .tool_count = description.tool_count,
                    .objects = {},
-                   .effects = description.effects};
+                   .effects = description.effects,
+                   .gravity_W = description.gravity_W};
   // Counted twice: first without the sizes of meshes, so that a scene with too many objects is
   // refused before minutes of baking, then with them.
   rendering::SceneCapacityNeeds needs;
@@ -198,11 +240,16 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
     needs.add(counted(object.contact, object.motion, {}));
   }
   require_room(needs, description.file);
+  require_few_bodies(description);
+  const bool has_bodies = std::ranges::any_of(
+      description.objects, [](const ObjectDescription& object) { return object.body.has_value(); });
   for (const ObjectDescription& object : description.objects) {
     ObjectReport& own = report.objects.emplace_back();
     baked.objects.push_back(is_touched_as_mesh(object)
                                 ? bake_object(object, description.file, own, progress)
                                 : bake_shape(object, description.file, own, progress));
+    add_body(object, description.file, baked.objects.back(), own);
+    warn_of_passage(baked.objects.back(), has_bodies, own);
     std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
   }
   needs = {};

@@ -115,6 +115,30 @@ std::optional<image::Motion> write_motion(const std::optional<rendering::Motion>
                        motion->wave_Hz, stored(motion->wave_per_m));
 }
 
+// Returns the body; none for an object that is none.
+Offset<image::Body> write_body(FlatBufferBuilder& builder, const std::optional<BakedBody>& baked) {
+  if (!baked) {
+    return {};
+  }
+  const rendering::ObjectBody& body = baked->body;
+  const BakedHull& hull = baked->hull;
+  const auto vertices = write_optional<image::Double3>(builder, hull.vertices);
+  const auto faces = write_optional<image::HullFace>(builder, hull.faces);
+  const auto corners = hull.corners.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
+                                            : builder.CreateVector(hull.corners);
+  const auto edges = write_optional<image::HullEdge>(builder, hull.edges);
+  const Mat3& I = body.mass.inertia_C;
+  const image::Inertia inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+  const image::Double3 center = stored(body.mass.center_O);
+  const image::Pose axes = stored(rendering::RigidPose{body.axes_O, Vec3::Zero()});
+  const image::Double3 velocity = stored(body.velocity_W);
+  const image::Double3 angular_velocity = stored(body.angular_velocity_O);
+  return image::CreateBody(builder, body.mass.mass_kg, &center, &inertia, &axes,
+                           body.mass.linear_damping_per_s, body.mass.angular_damping_per_s,
+                           body.restitution, &velocity, &angular_velocity, vertices, faces, corners,
+                           edges);
+}
+
 Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject& object) {
   const auto mesh = write_mesh(builder, object.mesh);
   const auto material = write_material(builder, object.material);
@@ -122,13 +146,14 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
   const auto sides = object.sides == rendering::Sides::one ? image::Sides::one : image::Sides::two;
   const auto shape = write_shape(builder, object);
   const std::optional<image::Motion> motion = write_motion(object.motion.motion);
+  const auto body = write_body(builder, object.body);
   const auto layers = write_optional<image::TextureLayer>(builder, object.textures.layers);
   const auto texels = object.textures.texels.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
                                                      : builder.CreateVector(object.textures.texels);
   return image::CreateObject(builder, name, sides, material, mesh,
                              static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
                              shape, object.motion.moves, layers, texels, object.motion.deforms,
-                             motion ? &*motion : nullptr, object.push_out_m);
+                             motion ? &*motion : nullptr, object.push_out_m, body);
 }
 
 // Returns an upper bound of the image's size, so that the builder reserves memory once.
@@ -181,8 +206,11 @@ std::vector<std::byte> write_image(const BakedScene& scene) {
     objects.push_back(write_object(builder, object));
   }
   const auto effects = write_effects(builder, scene.effects);
+  const std::optional<image::Double3> gravity =
+      scene.gravity_W ? std::optional(stored(*scene.gravity_W)) : std::nullopt;
   const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects),
-                                       static_cast<std::uint8_t>(scene.tool_count), effects);
+                                       static_cast<std::uint8_t>(scene.tool_count), effects,
+                                       gravity ? &*gravity : nullptr);
   image::FinishSceneBuffer(builder, root);
   return with_header({builder.GetBufferPointer(), builder.GetSize()});
 }

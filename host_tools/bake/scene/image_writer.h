@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host_tools/bake/scene/body_bake.h"
 #include "host_tools/bake/scene/mesh_bake.h"
 #include "host_tools/bake/scene/motion_description.h"
 #include "host_tools/bake/scene/shape_description.h"
@@ -44,6 +45,8 @@ struct BakedObject {
   BakedTextures textures;
   // How the object moves by itself and whether it may be moved or deformed.
   MotionDescription motion;
+  // What makes it a body; nothing for others.
+  std::optional<BakedBody> body = std::nullopt;
 };
 
 // All that goes into an image.
@@ -54,6 +57,8 @@ struct BakedScene {
   std::vector<BakedObject> objects;
   // Forces without a surface, which every tool feels.
   std::vector<rendering::Effect> effects;
+  // The gravity that acts on bodies, m/s^2; nothing for the earth's, downward.
+  std::optional<Vec3> gravity_W = std::nullopt;
 };
 
 // Returns the bytes that an object's arrays take in the image.

@@ -20,7 +20,8 @@ namespace tactus::host {
 namespace {
 
 constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
-                                KeySpec{"device", ""}};
+                                KeySpec{"device", ""}, KeySpec{"world", ""}};
+constexpr std::array kWorldKeys{KeySpec{"gravity_m_per_s2", "m_per_s2"}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
 // The keys of an [[object]] that do not depend on its shape.
 constexpr std::array kOwnKeys{
@@ -45,6 +46,7 @@ constexpr std::array kOwnKeys{
     KeySpec{"moves", ""},
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
+    KeySpec{"body", ""},
 };
 
 // Returns the keys of an object: its own and those of its shape.
@@ -132,6 +134,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   const bool is_meshed = meshed_formula(object.shape, object.contact) != nullptr;
   const ShapeDescription touched = is_meshed ? ShapeDescription{} : object.shape;
   object.motion = read_motion(section, file, touched, object.contact, object.placement.position_m);
+  object.body = read_body(section, file, object.contact, object.motion);
   object.detail = read_detail(section, file, folder, touched, object.contact);
   object.flip = read_flip(section);
   object.mesh_options = read_mesh_options(section);
@@ -202,6 +205,12 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
                                   scene.tool_radius_m, rendering::kMaxToolRadius_m));
     }
     scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
+  }
+  if (const toml::table* world = section.table("world")) {
+    const TomlSection world_section(*world, scene.file, "[world]", kWorldKeys);
+    if (const auto gravity = world_section.numbers("gravity_m_per_s2", 3)) {
+      scene.gravity_W = Vec3((*gravity)[0], (*gravity)[1], (*gravity)[2]);
+    }
   }
   scene.device = read_device(section, scene.file);
   scene.effects = read_effects(root, section, scene.file);

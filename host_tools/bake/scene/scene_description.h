@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "host_tools/bake/scene/body_description.h"
 #include "host_tools/bake/scene/detail_description.h"
 #include "host_tools/bake/scene/mesh_bake.h"
 #include "host_tools/bake/scene/motion_description.h"
@@ -44,6 +46,8 @@ struct ObjectDescription {
   // How the mesh is cleaned.
   MeshBakeOptions mesh_options;
   MotionDescription motion;
+  // What makes it a body that moves by forces; nothing for others.
+  std::optional<BodyDescription> body;
   // Shading and textures.
   DetailDescription detail;
 };
@@ -55,6 +59,8 @@ struct SceneDescription {
   double tool_radius_m = 0.0;
   // How many tools touch the scene, 1 to kMaxTools.
   std::size_t tool_count = 1;
+  // The gravity that acts on bodies, m/s^2; nothing for the earth's, downward.
+  std::optional<Vec3> gravity_W;
   // The device for which the friction is checked.
   TargetDevice device;
   // At least one.

@@ -145,6 +145,18 @@ std::optional<std::vector<double>> TomlSection::numbers(std::string_view key,
   return values;
 }
 
+std::optional<std::vector<double>> TomlSection::list(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    fail(key, fmt::format("{} must be a list of numbers; write {} = [1.0, 2.0, 3.0]", key, key));
+  }
+  return numbers(key, array->size());
+}
+
 const toml::table* TomlSection::table(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node != nullptr && !node->is_table()) {

@@ -56,6 +56,8 @@ class TomlSection {
   // Returns an array of exactly `count` finite numbers.
   [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key,
                                                            std::size_t count) const;
+  // Returns an array of finite numbers, however many.
+  [[nodiscard]] std::optional<std::vector<double>> list(std::string_view key) const;
   // Returns a table inside this one; nullptr if the key is absent.
   [[nodiscard]] const toml::table* table(std::string_view key) const;
 

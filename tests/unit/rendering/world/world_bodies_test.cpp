@@ -41,8 +41,8 @@ class Grasp : public ::testing::Test {
         .kind = PrimitiveKind::box, .X_WO = {}, .dimensions_m = {kHalf_m, kHalf_m, kHalf_m}};
     cube_.material = rubber(friction, stiffness, damping);
     cube_.moves = true;
-    cube_.body = &body_;
-    ASSERT_TRUE(world_->set_scene({&cube_, 1}, {.tool_count = 2}));
+    cube_.body = 0;
+    ASSERT_TRUE(world_->set_scene({&cube_, 1}, {.tool_count = 2, .bodies = {&body_, 1}}));
     ASSERT_TRUE(world_->set_tick(kGraspTick_s));
     // Both tools begin outside and come in.
     set_fingers(-1e-4, between_W);

@@ -1,0 +1,80 @@
+#include "host_tools/bake/scene/body_description.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <array>
+
+namespace tactus::host {
+namespace {
+
+using rendering::ContactMethod;
+
+constexpr std::array kBodyKeys{KeySpec{"mass_kg", "kg"},
+                               KeySpec{"density_kg_per_m3", "kg_per_m3"},
+                               KeySpec{"inertia_kg_m2", "kg_m2"},
+                               KeySpec{"velocity_m_per_s", "m_per_s"},
+                               KeySpec{"angular_velocity_rad_per_s", "rad_per_s"},
+                               KeySpec{"linear_damping_per_s", "per_s"},
+                               KeySpec{"angular_damping_per_s", "per_s"},
+                               KeySpec{"restitution", ""}};
+
+Vec3 vector_or_zero(const TomlSection& section, std::string_view key) {
+  const auto values = section.numbers(key, 3);
+  return values ? Vec3((*values)[0], (*values)[1], (*values)[2]) : Vec3{Vec3::Zero()};
+}
+
+// Throws InputError for an object that cannot move by forces.
+void require_movable(const TomlSection& object, ContactMethod contact,
+                     const MotionDescription& motion) {
+  if (motion.motion) {
+    object.fail("motion", "a body moves by forces; leave out its motion or its body");
+  }
+  if (motion.deforms) {
+    object.fail("deforms", "a body is rigid; leave out deforms or the body");
+  }
+  if (object.has("moves") && !motion.moves) {
+    object.fail("moves", "moves is false, and yet there is a body; leave one of the two out");
+  }
+  if (contact != ContactMethod::sphere_proxy && contact != ContactMethod::god_object) {
+    object.fail("contact",
+                "a body is touched by contact = \"sphere_proxy\" or \"god_object\"; write one of "
+                "them, or leave out the body");
+  }
+}
+
+}  // namespace
+
+std::optional<BodyDescription> read_body(const TomlSection& object, std::string_view file,
+                                         ContactMethod contact, MotionDescription& motion) {
+  const toml::table* const table = object.table("body");
+  if (table == nullptr) {
+    return std::nullopt;
+  }
+  require_movable(object, contact, motion);
+  motion.moves = true;
+  const TomlSection section(*table, file, object.title() + " body", kBodyKeys);
+  if (section.has("mass_kg") && section.has("density_kg_per_m3")) {
+    section.fail("density_kg_per_m3",
+                 "mass_kg and density_kg_per_m3 say the same; leave one of the two out");
+  }
+  BodyDescription body{
+      .line = object.line("body"),
+      .mass_kg = section.number("mass_kg", kAboveZero),
+      .density_kg_per_m3 =
+          section.number("density_kg_per_m3", kAboveZero).value_or(kDefaultDensity_kg_per_m3),
+      .inertia_kg_m2 = section.list("inertia_kg_m2").value_or(std::vector<double>{}),
+      .linear_damping_per_s = section.number("linear_damping_per_s", kZeroOrMore).value_or(0.0),
+      .angular_damping_per_s = section.number("angular_damping_per_s", kZeroOrMore).value_or(0.0),
+      .restitution = section.number("restitution", kZeroOrMore).value_or(0.0),
+      .velocity_W = vector_or_zero(section, "velocity_m_per_s"),
+      .angular_velocity_B = vector_or_zero(section, "angular_velocity_rad_per_s")};
+  if (body.restitution > 1.0) {
+    section.fail("restitution", fmt::format("restitution is {}, where 1 is the most: the share of "
+                                            "the speed that is left after a bounce",
+                                            body.restitution));
+  }
+  return body;
+}
+
+}  // namespace tactus::host

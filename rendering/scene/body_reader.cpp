@@ -1,0 +1,82 @@
+#include "rendering/scene/body_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rendering/limits.h"
+#include "rendering/scene/stored.h"
+
+namespace tactus::rendering {
+namespace {
+
+static_assert(sizeof(HullFace) == sizeof(image::HullFace) && offsetof(HullFace, first) == 24 &&
+              sizeof(HullEdge) == sizeof(image::HullEdge) && offsetof(HullEdge, right) == 6 &&
+              sizeof(Vec3) == sizeof(image::Double3));
+
+bool is_unit(const Vec3& v) {
+  return std::abs(v.squaredNorm() - 1.0) <= 1e-6;
+}
+
+// Returns true if every number of the hull refers to something: a solver needs no tests then.
+bool is_hull(const ConvexHull& hull) {
+  const std::size_t vertices = hull.vertices_O.size();
+  const auto is_vertex = [&](std::size_t i) { return i < vertices; };
+  const auto is_good_face = [&](const HullFace& face) {
+    return is_unit(face.normal_O) && face.count >= 3 && face.count <= kMaxHullVertices &&
+           std::uint64_t{face.first} + face.count <= hull.corners.size();
+  };
+  const auto is_good_edge = [&](const HullEdge& edge) {
+    return is_vertex(edge.from) && is_vertex(edge.to) && edge.left < hull.faces.size() &&
+           edge.right < hull.faces.size();
+  };
+  return vertices <= kMaxHullVertices &&
+         std::ranges::all_of(hull.vertices_O,
+                             [](const Vec3& v) {
+                               return v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m;
+                             }) &&
+         hull.faces.size() <= 2 * kMaxHullVertices && hull.edges.size() <= 3 * kMaxHullVertices &&
+         std::ranges::all_of(hull.faces, is_good_face) &&
+         std::ranges::all_of(hull.corners, is_vertex) &&
+         std::ranges::all_of(hull.edges, is_good_edge);
+}
+
+Mat3 to_matrix(const image::Inertia& stored) {
+  Mat3 m;
+  m << stored.xx(), stored.xy(), stored.xz(), stored.xy(), stored.yy(), stored.yz(), stored.xz(),
+      stored.yz(), stored.zz();
+  return m;
+}
+
+}  // namespace
+
+std::expected<ObjectBody, SceneError> read_body(const image::Body& stored) {
+  if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
+    return fail(SceneFault::malformed);
+  }
+  ObjectBody body{.mass = {.mass_kg = stored.mass(),
+                           .center_O = to_vec3(*stored.center()),
+                           .inertia_C = to_matrix(*stored.inertia()),
+                           .linear_damping_per_s = stored.linear_damping(),
+                           .angular_damping_per_s = stored.angular_damping()},
+                  .hull = {.vertices_O = in_place<Vec3>(stored.hull_vertices()),
+                           .faces = in_place<HullFace>(stored.hull_faces()),
+                           .corners = {},
+                           .edges = in_place<HullEdge>(stored.hull_edges())},
+                  .axes_O = to_pose(*stored.axes()).rotation,
+                  .restitution = stored.restitution(),
+                  .velocity_W = to_vec3(*stored.velocity()),
+                  .angular_velocity_O = to_vec3(*stored.angular_velocity())};
+  if (stored.hull_corners() != nullptr) {
+    body.hull.corners = {stored.hull_corners()->data(), stored.hull_corners()->size()};
+  }
+  const bool is_good = valid(body.mass) && is_hull(body.hull) && body.axes_O.allFinite() &&
+                       body.restitution >= 0.0 && body.restitution <= 1.0 &&
+                       body.mass.center_O.cwiseAbs().maxCoeff() <= kWorldBound_m &&
+                       body.velocity_W.allFinite() && body.angular_velocity_O.allFinite();
+  if (!is_good) {
+    return fail(SceneFault::body);
+  }
+  return body;
+}
+
+}  // namespace tactus::rendering

@@ -1,0 +1,15 @@
+// Reads the body of an object from an image and checks it. For the .cpp files of this folder only.
+#pragma once
+
+#include <expected>
+
+#include "rendering/objects/object_body.h"
+#include "rendering/scene/scene_error.h"
+#include "rendering/scene/scene_generated.h"
+
+namespace tactus::rendering {
+
+// Returns the body; its hull is used in place. Errors: body, malformed.
+std::expected<ObjectBody, SceneError> read_body(const image::Body& stored);
+
+}  // namespace tactus::rendering
