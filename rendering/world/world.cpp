@@ -119,13 +119,15 @@ void World::step_bodies(std::span<Touch> touches) {
 }
 
 // Every tool may spend an equal share of what the tools before it have left.
-void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
+void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
+                  std::span<TickWatcher* const> watchers) {
   // A tool that is not given is no number, which holds its proxies.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::size_t left = begin_tick();
   for (std::size_t i = 0; i < tool_count_; ++i) {
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
-    const Touch touch = touch_one(i, tool, left / (tool_count_ - i), nullptr);
+    TickWatcher* const watcher = i < watchers.size() ? watchers[i] : nullptr;
+    const Touch touch = touch_one(i, tool, left / (tool_count_ - i), watcher);
     left -= std::min(left, tools_[i].spent());
     if (i < touches.size()) {
       touches[i] = touch;

@@ -116,7 +116,9 @@ class World {
 
   // Computes one tick of all tools; touches[i] is of tools[i]. Tools do not feel each other but
   // through the bodies that they hold. A tool without a state in `tools` counts as invalid.
-  void touch(std::span<const ToolState> tools, std::span<Touch> touches);
+  // `watchers[i]` sees the moves of tools[i]; it may be null or missing.
+  void touch(std::span<const ToolState> tools, std::span<Touch> touches,
+             std::span<TickWatcher* const> watchers = {});
 
   // Returns the body of an object after the last touch, or nullptr.
   [[nodiscard]] const RigidBody* body(std::uint32_t object) const { return bodies_.of(object); }

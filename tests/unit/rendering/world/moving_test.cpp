@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/world/world.h"
 #include "tests/support/materials.h"
 #include "tests/support/solid.h"
@@ -298,6 +299,34 @@ TEST(Tools, TenFingersEachFeelWhatTheyWouldFeelAlone) {
       ASSERT_EQ(touches[i].flags, own.flags);
     }
   }
+}
+
+TEST(Tools, AreWatchedEachByItsOwnWatcher) {
+  const Solid ball(testing::icosphere(0.05, 3), Sides::one, kRough);
+  const auto all = std::make_unique<World>();
+  const auto alone = std::make_unique<World>();
+  ASSERT_TRUE(all->set_scene({&ball.object(), 1}, {.tool_radius_m = 0.002, .tool_count = 3}));
+  ASSERT_TRUE(alone->set_scene({&ball.object(), 1}, {.tool_radius_m = 0.002}));
+  const auto left = std::make_unique<ProxyPath>();
+  const auto seen_alone = std::make_unique<ProxyPath>();
+  // The third tool has no watcher in the list, the second a null one.
+  const std::array<TickWatcher*, 2> watchers{left.get(), nullptr};
+  std::array<ToolState, 3> tools;
+  std::array<Touch, 3> touches;
+  for (int tick = 0; tick < 100; ++tick) {
+    const double angle = 0.002 * tick;
+    const Vec3 p_W = (0.053 - 0.0001 * tick) * Vec3(std::cos(angle), std::sin(angle), 0.1);
+    tools = {ToolState{.p_W = p_W}, ToolState{.p_W = -p_W}, ToolState{.p_W = -p_W}};
+    left->count = seen_alone->count = 0;
+    all->touch(tools, touches, watchers);
+    alone->touch(tools[0], seen_alone.get());
+    ASSERT_EQ(left->count, seen_alone->count);
+    for (std::size_t i = 0; i < left->count; ++i) {
+      ASSERT_EQ(left->points[i], seen_alone->points[i]);
+    }
+  }
+  EXPECT_GT(left->count, 1U);
+  ASSERT_EQ(touches[1].force_W, touches[2].force_W);
 }
 
 TEST(Tools, ThereIsAtLeastOneAndAreAtMostTen) {
