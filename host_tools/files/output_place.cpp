@@ -60,7 +60,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 // Returns true if two outputs would be written to the same path. Outputs need not exist yet, so the
 // paths are compared and not the inodes; two outputs may share standard output.
 bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
-  return !a.empty() && !is_standard_output(a) &&
+  return !a.empty() && !is_standard_output(a) && !is_standard_output(b) &&
          std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
 }
 

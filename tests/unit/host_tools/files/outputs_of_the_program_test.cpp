@@ -88,6 +88,9 @@ TEST_F(OutputsOfTheProgram, GoIntoAPipeWhereRowsMakeSense) {
   const Outcome rows =
       run("touch scene.tactus --path path.csv -o /dev/stdout 2>/dev/null | tail -n 1");
   EXPECT_TRUE(rows.output.starts_with("0.001,0.2,0.2,0.001,")) << rows.output;
+  const Outcome beside_steps =
+      run("touch scene.tactus --path path.csv -o /dev/stdout --explain steps.csv 2>&1 | tail -n 2");
+  EXPECT_TRUE(contains(beside_steps.output, "0.001,0.2,0.2,0.001,")) << beside_steps.output;
 }
 
 TEST_F(OutputsOfTheProgram, OnAFullDiskSayItAndLeaveTheOldFile) {
