@@ -5,19 +5,24 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <deque>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
-#include "host_tools/explain/explainer.h"
-#include "host_tools/explain/steps_csv.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
+#include "host_tools/touch/follow_paths.h"
 #include "host_tools/touch/tool_path.h"
-#include "host_tools/touch/touch_csv.h"
+#include "host_tools/touch/tool_paths.h"
+#include "host_tools/touch/tool_record.h"
+#include "host_tools/touch/touch_summary.h"
 #include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 
@@ -36,6 +41,14 @@ constexpr const char* kTouchExamples =
     "flags are the limits that the tick reached (0: none).\n"
     "In the lecture's words the tool is the HIP (or PHIP), the proxy the god-object (GO).\n"
     "\n"
+    "Each --path is a tool of its own, with the scene's radius; they touch one world, but do not "
+    "feel each other. The first\n"
+    "tool's rows go to run.csv if --output says so, those of the others to run.2.csv, run.3.csv "
+    "and so on. A row of all paths is\n"
+    "one tick, so it has the same time in each of them, unless --rate samples them. The run lasts "
+    "as long as the longest\n"
+    "path; a path that ends leaves its tool where it is.\n"
+    "\n"
     "Examples:\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv\n"
     "  tactus plot out.csv --scene scene.tactus\n"
@@ -44,13 +57,20 @@ constexpr const char* kTouchExamples =
     "multipliers, friction circles\n"
     "  tactus touch scene.tactus --path corners.csv --rate 1000 --output out.csv\n"
     "                                       a path of a few corners, a tick every millisecond\n"
+    "  tactus touch scene.tactus --path thumb.csv --path finger.csv --output run.csv --explain "
+    "steps.csv\n"
+    "  tactus plot run.2.csv --scene scene.tactus\n"
+    "                                       two tools: run.csv and steps.csv are the thumb's, "
+    "run.2.csv and steps.2.csv the\n"
+    "                                       finger's\n"
     "  tactus touch scene.tactus --path path.csv --output /dev/stdout | cut -d, -f1,8-10\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv --json | jq .max_force_N";
 
 // The verb's options as the user gave them.
 struct TouchOptions {
   std::string scene;
-  std::string path;
+  // One for each tool.
+  std::vector<std::string> paths;
   std::string output;
   std::string explain;
   // Ticks in a second; nothing: one row is one tick.
@@ -58,42 +78,64 @@ struct TouchOptions {
   bool json = false;
 };
 
-// Counts and extremes over all ticks.
-struct TouchSummary {
-  std::size_t ticks = 0;
-  std::size_t contact_ticks = 0;
-  std::size_t flagged_ticks = 0;
-  double max_force_N = 0.0;
-  double max_depth_m = 0.0;
-  double max_short_of_goal_m = 0.0;
-
-  // Adds one tick.
-  void add(const rendering::Touch& touch) {
-    ++ticks;
-    contact_ticks += touch.contact != rendering::ContactKind::none ? 1 : 0;
-    flagged_ticks += touch.flags != rendering::kTouchClean ? 1 : 0;
-    max_force_N = std::max(max_force_N, touch.force_W.norm());
-    max_depth_m = std::max(max_depth_m, touch.depth_m);
-    max_short_of_goal_m = std::max(max_short_of_goal_m, touch.short_of_goal_m);
+// Throws InputError if an output that several tools share is a pipe: it takes the rows of one.
+void refuse_shared_pipe(const std::string& output, std::size_t tools) {
+  if (tools > 1 && !output.empty() && output_place(output, OutputKind::may_be_a_pipe).is_pipe) {
+    throw InputError(
+        fmt::format("{}: is a pipe or a terminal, which takes the rows of one tool, and there are "
+                    "{}; name a file; nothing was written",
+                    output, tools));
   }
-};
+}
 
-// Prints the summary: to standard error if the rows go to standard output.
-void print(const TouchOptions& options, const TouchSummary& s) {
-  std::FILE* const out = is_standard_output(options.output) ? stderr : stdout;
-  if (options.json) {
-    const nlohmann::ordered_json json{{"output", options.output},
-                                      {"ticks", s.ticks},
-                                      {"contact_ticks", s.contact_ticks},
-                                      {"flagged_ticks", s.flagged_ticks},
-                                      {"max_force_N", s.max_force_N},
-                                      {"max_depth_m", s.max_depth_m},
-                                      {"max_short_of_goal_m", s.max_short_of_goal_m}};
-    fmt::print(out, "{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+// Returns the files of each tool. Throws InputError if one of them is an input or another output,
+// or if several tools would share a pipe.
+std::vector<ToolFiles> output_files(const TouchOptions& options) {
+  std::vector<std::filesystem::path> inputs(options.paths.begin(), options.paths.end());
+  inputs.emplace_back(options.scene);
+  std::vector<ToolFiles> files;
+  std::vector<std::filesystem::path> outputs;
+  for (std::size_t i = 0; i < options.paths.size(); ++i) {
+    files.push_back(
+        {.rows = file_of_tool(options.output, i), .steps = file_of_tool(options.explain, i)});
+    outputs.push_back(files.back().rows);
+    outputs.push_back(files.back().steps);
+  }
+  refuse_shared_pipe(options.output, files.size());
+  refuse_shared_pipe(options.explain, files.size());
+  keep_inputs_safe(outputs, inputs);
+  return files;
+}
+
+// Reads the paths, warns of those in millimetres, and samples them at the rate, if there is one.
+ToolPaths read_paths(const TouchOptions& options) {
+  std::vector<ToolPath> paths;
+  for (const std::string& file : options.paths) {
+    const ToolPath rows(file);
+    if (const std::optional<std::string> warning = rows.warning()) {
+      fmt::print(stderr, "tactus touch: warning: {}\n", *warning);
+    }
+    paths.push_back(options.rate_Hz ? rows.sampled(*options.rate_Hz) : rows);
+  }
+  return ToolPaths(std::move(paths));
+}
+
+// Prints the summary of one tool: to standard error if the rows go to standard output.
+void print(const std::string& output, bool json, const TouchSummary& s) {
+  std::FILE* const out = is_standard_output(output) ? stderr : stdout;
+  if (json) {
+    const nlohmann::ordered_json object{{"output", output},
+                                        {"ticks", s.ticks},
+                                        {"contact_ticks", s.contact_ticks},
+                                        {"flagged_ticks", s.flagged_ticks},
+                                        {"max_force_N", s.max_force_N},
+                                        {"max_depth_m", s.max_depth_m},
+                                        {"max_short_of_goal_m", s.max_short_of_goal_m}};
+    fmt::print(out, "{}\n", object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   fmt::print(out, "{}: {} ticks, {} in contact, largest force {:.4g} N, largest depth {:.4g} mm\n",
-             options.output, s.ticks, s.contact_ticks, s.max_force_N, 1e3 * s.max_depth_m);
+             output, s.ticks, s.contact_ticks, s.max_force_N, 1e3 * s.max_depth_m);
   if (s.flagged_ticks > 0) {
     fmt::print(
         out,
@@ -104,47 +146,29 @@ void print(const TouchOptions& options, const TouchSummary& s) {
 }
 
 void run(const TouchOptions& options) {
-  keep_inputs_safe({options.output, options.explain}, {options.scene, options.path});
+  const std::vector<ToolFiles> files = output_files(options);
   const MappedScene scene(options.scene);
-  const ToolPath rows(options.path);
-  if (const std::optional<std::string> warning = rows.warning()) {
-    fmt::print(stderr, "tactus touch: warning: {}\n", *warning);
-  }
-  const ToolPath path = options.rate_Hz ? rows.sampled(*options.rate_Hz) : rows;
+  const ToolPaths paths = read_paths(options);
   const auto world = std::make_unique<rendering::World>();
-  if (!world->set_scene(scene.image().objects(), rendering::world_of(scene.image()))) {
+  rendering::WorldConfig config = rendering::world_of(scene.image());
+  config.tool_count = paths.tools();
+  if (!world->set_scene(scene.image().objects(), config)) {
     throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
   }
-  TouchCsv file(options.output);
-  std::optional<StepsCsv> steps;
-  Explainer explainer(scene.image().tool_radius_m());
-  if (!options.explain.empty()) {
-    steps.emplace(options.explain);
+  std::deque<ToolRecord> records;
+  for (const ToolFiles& own : files) {
+    records.emplace_back(own, config.tool_radius_m);
   }
-  TouchSummary summary;
-  ProgressLine progress;
-  constexpr std::size_t kTicksBetweenSteps = 4096;
-  for (std::size_t row = 0; row < path.size(); ++row) {
-    const rendering::ToolState tool = path.tool(row);
-    if (row > 0) {
-      world->set_tick(path.step_s(row));
-    }
-    explainer.begin();
-    const rendering::Touch touch = world->touch(tool, steps ? &explainer : nullptr);
-    if (steps) {
-      steps->add(explainer.finish(row, path.time_s(row), tool.p_W, touch));
-    }
-    file.add(path.time_s(row), tool.p_W, touch);
-    summary.add(touch);
-    if (row % kTicksBetweenSteps == 0) {
-      progress.step(fmt::format("{} of {} ticks", row, path.size()));
-    }
+  {
+    ProgressLine progress;
+    follow_paths(*world, paths, records, [&](std::size_t ticks) {
+      progress.step(fmt::format("{} of {} ticks", ticks, paths.size()));
+    });
+    std::ranges::for_each(records, &ToolRecord::close);
   }
-  file.close();
-  if (steps) {
-    steps->close();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    print(files[i].rows.string(), options.json, records[i].summary());
   }
-  print(options, summary);
 }
 
 }  // namespace
@@ -154,17 +178,23 @@ void add_touch_verb(CLI::App& app) {
       app.add_subcommand("touch", "Replay tool positions against a scene, without dynamics");
   const auto options = std::make_shared<TouchOptions>();
   verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
-  verb->add_option("--path", options->path, "Tool positions (CSV)")->required();
+  verb->add_option("--path", options->paths, "Tool positions (CSV); once for each tool, up to ten")
+      ->required()
+      ->allow_extra_args(false);
   verb->add_option("--rate", options->rate_Hz,
                    "Ticks in a second; the path is straight from row to row. Without it one row is "
                    "one tick")
       ->check(CLI::PositiveNumber);
-  verb->add_option("-o,--output", options->output, "Write one row a tick to this CSV file")
+  verb->add_option(
+          "-o,--output", options->output,
+          "Write one row a tick to this CSV file; those of a second tool to NAME.2.csv, and "
+          "so on")
       ->required();
   verb->add_option(
       "--explain", options->explain,
-      "Write every step of every tick to this CSV file (host_tools/explain/README.md)");
-  verb->add_flag("--json", options->json, "Print the summary as one JSON object");
+      "Write every step of every tick to this CSV file (host_tools/explain/README.md); those of a "
+      "second tool to NAME.2.csv, and so on");
+  verb->add_flag("--json", options->json, "Print the summary as one JSON object for each tool");
   verb->footer(kTouchExamples);
   verb->callback([options] { run(*options); });
 }

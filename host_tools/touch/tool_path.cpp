@@ -86,10 +86,17 @@ double ToolPath::step_s(std::size_t tick) const {
 }
 
 rendering::ToolState ToolPath::tool(std::size_t tick) const {
+  if (tick >= size()) {
+    return {.p_W = positions_W_.back()};
+  }
   const Vec3& p_W = positions_W_[tick];
   const Vec3 v_W =
       tick == 0 ? Vec3{Vec3::Zero()} : Vec3{(p_W - positions_W_[tick - 1]) / step_s(tick)};
   return {.p_W = p_W, .v_W = v_W};
+}
+
+std::string ToolPath::place(std::size_t tick) const {
+  return lines_.empty() ? file_ : fmt::format("{}:{}", file_, lines_[tick]);
 }
 
 }  // namespace tactus::host

@@ -32,8 +32,11 @@ class ToolPath {
   [[nodiscard]] double time_s(std::size_t tick) const { return times_s_[tick]; }
   // Returns the time since the tick before, s; of the first one that to the second, or 1 ms.
   [[nodiscard]] double step_s(std::size_t tick) const;
-  // Returns the tool at a tick, m and m/s; at rest in the first.
+  // Returns the tool at a tick, m and m/s; at rest in the first. After the last tick it rests where
+  // the path ends.
   [[nodiscard]] rendering::ToolState tool(std::size_t tick) const;
+  // Returns where a tick stands, for messages: file:line, or the file alone of a sampled path.
+  [[nodiscard]] std::string place(std::size_t tick) const;
 
  private:
   ToolPath() = default;

@@ -1,0 +1,43 @@
+#include "host_tools/touch/tool_record.h"
+
+#include <fmt/format.h>
+
+namespace tactus::host {
+
+std::filesystem::path file_of_tool(const std::filesystem::path& file, std::size_t tool) {
+  if (file.empty() || tool == 0) {
+    return file;
+  }
+  return file.parent_path() /
+         fmt::format("{}.{}{}", file.stem().string(), tool + 1, file.extension().string());
+}
+
+ToolRecord::ToolRecord(const ToolFiles& files, double tool_radius_m)
+    : rows_(files.rows), explainer_(tool_radius_m) {
+  if (!files.steps.empty()) {
+    steps_.emplace(files.steps);
+  }
+}
+
+rendering::TickWatcher* ToolRecord::begin() {
+  explainer_.begin();
+  return steps_ ? &explainer_ : nullptr;
+}
+
+void ToolRecord::add(std::size_t tick, double t_s, const rendering::ToolState& tool,
+                     const rendering::Touch& touch) {
+  if (steps_) {
+    steps_->add(explainer_.finish(tick, t_s, tool.p_W, touch));
+  }
+  rows_.add(t_s, tool.p_W, touch);
+  summary_.add(touch);
+}
+
+void ToolRecord::close() {
+  rows_.close();
+  if (steps_) {
+    steps_->close();
+  }
+}
+
+}  // namespace tactus::host
