@@ -18,6 +18,7 @@
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
+#include "host_tools/touch/bodies_csv.h"
 #include "host_tools/touch/follow_paths.h"
 #include "host_tools/touch/tool_path.h"
 #include "host_tools/touch/tool_paths.h"
@@ -41,8 +42,8 @@ constexpr const char* kTouchExamples =
     "flags are the limits that the tick reached (0: none).\n"
     "In the lecture's words the tool is the HIP (or PHIP), the proxy the god-object (GO).\n"
     "\n"
-    "Each --path is a tool of its own, with the scene's radius; they touch one world, but do not "
-    "feel each other. The first\n"
+    "Each --path is a tool of its own, with the scene's radius; they touch one world, and feel "
+    "each other through bodies alone. The first\n"
     "tool's rows go to run.csv if --output says so, those of the others to run.2.csv, run.3.csv "
     "and so on. A row of all paths is\n"
     "one tick, so it has the same time in each of them, unless --rate samples them. The run lasts "
@@ -63,6 +64,10 @@ constexpr const char* kTouchExamples =
     "                                       two tools: run.csv and steps.csv are the thumb's, "
     "run.2.csv and steps.2.csv the\n"
     "                                       finger's\n"
+    "  tactus touch grasp.tactus --path thumb.csv --path finger.csv --output run.csv --bodies "
+    "bodies.csv\n"
+    "                                       and where each body is: its centre of mass, rotation "
+    "and velocities\n"
     "  tactus touch scene.tactus --path path.csv --output /dev/stdout | cut -d, -f1,8-10\n"
     "  tactus touch scene.tactus --path path.csv --output out.csv --json | jq .max_force_N";
 
@@ -73,6 +78,7 @@ struct TouchOptions {
   std::vector<std::string> paths;
   std::string output;
   std::string explain;
+  std::string bodies;
   // Ticks in a second; nothing: one row is one tick.
   std::optional<double> rate_Hz;
   bool json = false;
@@ -101,6 +107,7 @@ std::vector<ToolFiles> output_files(const TouchOptions& options) {
     outputs.push_back(files.back().rows);
     outputs.push_back(files.back().steps);
   }
+  outputs.emplace_back(options.bodies);
   refuse_shared_pipe(options.output, files.size());
   refuse_shared_pipe(options.explain, files.size());
   keep_inputs_safe(outputs, inputs);
@@ -159,12 +166,19 @@ void run(const TouchOptions& options) {
   for (const ToolFiles& own : files) {
     records.emplace_back(own, config.tool_radius_m);
   }
+  std::optional<BodiesCsv> bodies;
+  if (!options.bodies.empty()) {
+    bodies.emplace(options.bodies, scene.image());
+  }
   {
     ProgressLine progress;
-    follow_paths(*world, paths, records, [&](std::size_t ticks) {
+    follow_paths(*world, paths, records, bodies ? &*bodies : nullptr, [&](std::size_t ticks) {
       progress.step(fmt::format("{} of {} ticks", ticks, paths.size()));
     });
     std::ranges::for_each(records, &ToolRecord::close);
+    if (bodies) {
+      bodies->close();
+    }
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
     print(files[i].rows.string(), options.json, records[i].summary());
@@ -194,6 +208,8 @@ void add_touch_verb(CLI::App& app) {
       "--explain", options->explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md); those of a "
       "second tool to NAME.2.csv, and so on");
+  verb->add_option("--bodies", options->bodies,
+                   "Write where each body is at each tick to this CSV file");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object for each tool");
   verb->footer(kTouchExamples);
   verb->callback([options] { run(*options); });

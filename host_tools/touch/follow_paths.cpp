@@ -5,14 +5,19 @@
 namespace tactus::host {
 
 void follow_paths(rendering::World& world, const ToolPaths& paths, std::deque<ToolRecord>& records,
-                  const std::function<void(std::size_t ticks)>& progress) {
+                  BodiesCsv* bodies, const std::function<void(std::size_t ticks)>& progress) {
   constexpr std::size_t kTicksBetweenSteps = 4096;
   std::vector<rendering::ToolState> tools(paths.tools());
   std::vector<rendering::Touch> touches(paths.tools());
   std::vector<rendering::TickWatcher*> watchers(paths.tools());
+  const bool has_bodies = !world.bodies().bodies().empty();
   for (std::size_t tick = 0; tick < paths.size(); ++tick) {
-    if (tick > 0) {
+    // Bodies move by the step from their first tick on.
+    if (tick > 0 || has_bodies) {
       world.set_tick(paths.step_s(tick));
+    }
+    if (bodies != nullptr) {
+      bodies->add(paths.time_s(tick), world);
     }
     for (std::size_t i = 0; i < paths.tools(); ++i) {
       tools[i] = paths.tool(i, tick);

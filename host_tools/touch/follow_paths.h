@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 
+#include "host_tools/touch/bodies_csv.h"
 #include "host_tools/touch/tool_paths.h"
 #include "host_tools/touch/tool_record.h"
 #include "rendering/world/world.h"
@@ -12,9 +13,10 @@
 namespace tactus::host {
 
 // Steps the world once a row of the paths, with all tools, and adds each tick to the records, one
-// for each tool. The world has the scene and as many tools. `progress` hears the number of ticks
-// that are done, now and then. Throws InputError if a file cannot be written.
+// for each tool, and the bodies at its beginning to `bodies`, unless that is null. The world has
+// the scene and as many tools. `progress` hears the number of ticks that are done, now and then.
+// Throws InputError if a file cannot be written.
 void follow_paths(rendering::World& world, const ToolPaths& paths, std::deque<ToolRecord>& records,
-                  const std::function<void(std::size_t ticks)>& progress);
+                  BodiesCsv* bodies, const std::function<void(std::size_t ticks)>& progress);
 
 }  // namespace tactus::host
