@@ -53,7 +53,7 @@ void require_symmetric(const Mat3& matrix) {
 
 std::optional<std::string> inertia_fault(const Mat3& inertia) {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia, Eigen::EigenvaluesOnly);
-  const Vec3 moments = solver.eigenvalues();  // the smallest first
+  const Vec3& moments = solver.eigenvalues();  // the smallest first
   const auto text = [&](const char* fault) {
     return fmt::format("principal moments of inertia, {:.6g}, {:.6g} and {:.6g} kg m^2, {}",
                        moments[0], moments[1], moments[2], fault);
