@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rendering/bodies/primitive_hull.h"
 #include "rendering/limits.h"
 #include "rendering/scene/stored.h"
 
@@ -49,7 +50,7 @@ Mat3 to_matrix(const image::Inertia& stored) {
 
 }  // namespace
 
-std::expected<ObjectBody, SceneError> read_body(const image::Body& stored) {
+std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object) {
   if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
     return fail(SceneFault::malformed);
   }
@@ -69,8 +70,12 @@ std::expected<ObjectBody, SceneError> read_body(const image::Body& stored) {
   if (stored.hull_corners() != nullptr) {
     body.hull.corners = {stored.hull_corners()->data(), stored.hull_corners()->size()};
   }
-  const bool is_good = valid(body.mass) && is_hull(body.hull) && body.axes_O.allFinite() &&
-                       body.restitution >= 0.0 && body.restitution <= 1.0 &&
+  const bool has_shape =
+      !body.hull.vertices_O.empty() ||
+      (object.surface == SurfaceKind::primitive && has_hull(object.primitive.kind));
+  const bool is_good = has_shape && valid(body.mass) && is_hull(body.hull) &&
+                       body.axes_O.allFinite() && body.restitution >= 0.0 &&
+                       body.restitution <= 1.0 &&
                        body.mass.center_O.cwiseAbs().maxCoeff() <= kWorldBound_m &&
                        body.velocity_W.allFinite() && body.angular_velocity_O.allFinite();
   if (!is_good) {

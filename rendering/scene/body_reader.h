@@ -3,13 +3,15 @@
 
 #include <expected>
 
+#include "rendering/objects/object.h"
 #include "rendering/objects/object_body.h"
 #include "rendering/scene/scene_error.h"
 #include "rendering/scene/scene_generated.h"
 
 namespace tactus::rendering {
 
-// Returns the body; its hull is used in place. Errors: body, malformed.
-std::expected<ObjectBody, SceneError> read_body(const image::Body& stored);
+// Returns the body of an object whose surface, method and motion are read; its hull is used in
+// place. Errors: body, malformed.
+std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object);
 
 }  // namespace tactus::rendering

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "rendering/bodies/primitive_hull.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/scene/body_reader.h"
 #include "rendering/scene/effect_reader.h"
@@ -182,9 +181,8 @@ Result SceneImage::take(const image::Scene& scene) {
   if (const Result effects = take_effects(scene); !effects) {
     return effects;
   }
-  gravity_W_ = scene.gravity() == nullptr ? standard_gravity_W() : to_vec3(*scene.gravity());
-  if (!gravity_W_.allFinite()) {
-    return fail(SceneFault::body);
+  if (scene.gravity() != nullptr) {
+    gravity_W_ = to_vec3(*scene.gravity());
   }
   object_count_ = scene.objects()->size();
   if (object_count_ == 0 || object_count_ > kMaxObjects) {
@@ -252,7 +250,7 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (taken.motion != nullptr && (!valid(*taken.motion) || !is_mover(taken))) {
     return fail(SceneFault::motion, 0);
   }
-  if (const Result body = take_body(object, taken); !body) {
+  if (const Result body = take_body(object.body(), taken); !body) {
     return body;
   }
   if (!is_aligned(object.textures())) {
@@ -268,25 +266,18 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   return {};
 }
 
-Result SceneImage::take_body(const image::Object& object, Object& taken) {
-  if (object.body() == nullptr) {
+Result SceneImage::take_body(const image::Body* stored, Object& object) {
+  if (stored == nullptr) {
     return {};
   }
   if (body_count_ == kMaxBodies) {
     return fail(SceneFault::body_count, kMaxBodies + 1);
   }
-  const std::expected<ObjectBody, SceneError> body = read_body(*object.body());
+  const std::expected<ObjectBody, SceneError> body = read_body(*stored, object);
   if (!body) {
     return std::unexpected(body.error());
   }
-  const bool has_shape =
-      !body->hull.vertices_O.empty() ||
-      (taken.surface == SurfaceKind::primitive && has_hull(taken.primitive.kind));
-  if (!has_shape || !taken.moves || taken.deforms || taken.motion != nullptr ||
-      !meets_proxy(taken)) {
-    return fail(SceneFault::body);
-  }
-  taken.body = static_cast<std::uint8_t>(body_count_);
+  object.body = static_cast<std::uint8_t>(body_count_);
   bodies_[body_count_++] = *body;
   return {};
 }
@@ -302,13 +293,8 @@ BakedMeshView SceneImage::baked_mesh(std::size_t index) const {
 }
 
 BakeCounters SceneImage::counters(std::size_t index) const {
-  const image::BakeCounters& stored =
-      *scene_->objects()->Get(static_cast<flatbuffers::uoffset_t>(index))->mesh()->counters();
-  return {.welded_vertices = stored.welded_vertices(),
-          .degenerate_triangles = stored.degenerate_triangles(),
-          .open_edges = stored.open_edges(),
-          .non_manifold_edges = stored.non_manifold_edges(),
-          .inconsistent_edges = stored.inconsistent_edges()};
+  return *in_place<BakeCounters>(
+      scene_->objects()->Get(static_cast<flatbuffers::uoffset_t>(index))->mesh()->counters());
 }
 
 }  // namespace tactus::rendering

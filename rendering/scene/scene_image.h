@@ -19,6 +19,7 @@
 namespace tactus::rendering {
 
 namespace image {
+struct Body;
 struct Object;
 struct Scene;
 }  // namespace image
@@ -81,12 +82,11 @@ class SceneImage {
 
  private:
   SceneImage() = default;
-  // Check a part of the payload and take its views; take() calls the other two.
+  // Check a part of the payload and take its views; take() calls the others. A body may be nullptr.
   std::expected<void, SceneError> take(const image::Scene& scene);
   std::expected<void, SceneError> take_effects(const image::Scene& scene);
   std::expected<void, SceneError> take_object(const image::Object& object, std::size_t index);
-  // Takes the body of an object that has one.
-  std::expected<void, SceneError> take_body(const image::Object& object, Object& taken);
+  std::expected<void, SceneError> take_body(const image::Body* stored, Object& object);
 
   // The payload, in the bytes given to `open`.
   const image::Scene* scene_ = nullptr;
@@ -98,7 +98,7 @@ class SceneImage {
   std::array<Object, kMaxObjects> objects_{};
   std::size_t effect_count_ = 0;
   std::array<Effect, kMaxEffects> effects_{};
-  Vec3 gravity_W_ = Vec3::Zero();
+  Vec3 gravity_W_ = standard_gravity_W();
   std::size_t body_count_ = 0;
   std::array<ObjectBody, kMaxBodies> bodies_{};
 };

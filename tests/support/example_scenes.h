@@ -9,6 +9,7 @@ namespace tactus::testing {
 inline constexpr std::array kExampleScenes{"ramp",    "primitives", "heart",    "thin_plate",
                                            "grating", "stone",      "tiles",    "shaded_cylinder",
                                            "effects", "paddle",     "membrane", "friction",
-                                           "wall",    "gem",        "shapes",   "notch"};
+                                           "wall",    "gem",        "shapes",   "notch",
+                                           "grasp"};
 
 }  // namespace tactus::testing

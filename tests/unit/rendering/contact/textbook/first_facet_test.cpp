@@ -190,11 +190,14 @@ TEST(FirstFacet, EndsASegmentOnAFacetAndDoesNotBeginThere) {
 
 // The boxes of both facets are the same, so a search meets them in one order from either side.
 TEST(FirstFacet, IsTheNearerOneOfTwoThatCross) {
-  const Shape crossed{
-      .name = "crossed facets",
-      .vertices = {{-0.01F, -0.01F, -0.01F}, {0.01F, 0.01F, -0.01F}, {0.01F, 0.01F, 0.01F},
-                   {-0.01F, 0.01F, -0.01F}, {0.01F, -0.01F, -0.01F}, {0.01F, -0.01F, 0.01F}},
-      .triangles = {{0, 1, 2}, {3, 4, 5}}};
+  const Shape crossed{.name = "crossed facets",
+                      .vertices = {{-0.01F, -0.01F, -0.01F},
+                                   {0.01F, 0.01F, -0.01F},
+                                   {0.01F, 0.01F, 0.01F},
+                                   {-0.01F, 0.01F, -0.01F},
+                                   {0.01F, -0.01F, -0.01F},
+                                   {0.01F, -0.01F, 0.01F}},
+                      .triangles = {{0, 1, 2}, {3, 4, 5}}};
   const Solid solid(crossed, Sides::two, kSlippery);
   const Vec3 above(0.005, 0.01, -0.009);
   const Vec3 below(0.005, -0.01, -0.009);

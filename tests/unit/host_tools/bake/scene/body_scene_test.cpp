@@ -1,0 +1,136 @@
+// Bodies from the text of a scene to the world, against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "host_tools/bake/scene/bake.h"
+#include "host_tools/bake/scene/mapped_scene.h"
+#include "host_tools/bake/scene/scene_description.h"
+#include "rendering/scene/scene_world.h"
+#include "rendering/world/world.h"
+#include "tests/unit/host_tools/bake/temporary_folder.h"
+
+namespace tactus::testing {
+namespace {
+
+using rendering::ObjectBody;
+using rendering::World;
+
+const std::string kCube =
+    "[[object]]\nname = \"cube\"\nprimitive = \"box\"\nsize_m = [0.04, 0.04, 0.04]\n";
+
+std::string refusal_of(const std::string& text) {
+  return input_error([&] { host::parse_scene_description(text, "folder/scene.toml"); });
+}
+
+// A scene that is baked into a folder of its own.
+class BodyScene : public ::testing::Test {
+ protected:
+  host::BakeReport bake(const std::string& text) {
+    folder_.write("scene.toml", text);
+    host::BakeReport report =
+        host::bake_file(folder_.path() / "scene.toml", folder_.path() / "scene.tactus", {});
+    scene_ = std::make_unique<host::MappedScene>(folder_.path() / "scene.tactus");
+    return report;
+  }
+  [[nodiscard]] const ObjectBody& body() const { return scene_->image().bodies()[0]; }
+  // Runs the world for so many milliseconds with the tool far away.
+  std::unique_ptr<World> run(int ticks) {
+    auto world = std::make_unique<World>();
+    EXPECT_TRUE(world->set_scene(scene_->image().objects(), rendering::world_of(scene_->image())));
+    for (int i = 0; i < ticks; ++i) {
+      world->touch({.p_W = Vec3(1.0, 1.0, 1.0)});
+    }
+    return world;
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<host::MappedScene> scene_;
+};
+
+TEST_F(BodyScene, HasTheMassOfItsDensityOrTheOneThatIsGiven) {
+  bake(kCube + "[object.body]\ndensity_kg_per_m3 = 2000.0\n");
+  EXPECT_NEAR(body().mass.mass_kg, 2000.0 * 6.4e-5, 1e-12);
+  EXPECT_NEAR(body().mass.inertia_C(0, 0), body().mass.mass_kg * 0.0016 / 6.0, 1e-12);
+  bake(kCube + "[object.body]\nmass_kg = 0.1\n");
+  EXPECT_EQ(body().mass.mass_kg, 0.1);
+  EXPECT_NEAR(body().mass.inertia_C(2, 2), 0.1 * 0.0016 / 6.0, 1e-12);
+  bake(kCube + "[object.body]\n");
+  EXPECT_NEAR(body().mass.mass_kg, 0.064, 1e-12);
+}
+
+TEST_F(BodyScene, TurnsWhatIsGivenAlongTheAxesOfTheObject) {
+  bake(kCube +
+       "position_m = [0.1, 0.2, 0.3]\nrotation = { axis = [0.0, 0.0, 1.0], angle_deg = 90.0 }\n"
+       "[object.body]\nmass_kg = 0.1\ninertia_kg_m2 = [1e-4, 2e-4, 2.5e-4]\n"
+       "angular_velocity_rad_per_s = [1.0, 0.0, 0.0]\nvelocity_m_per_s = [0.5, 0.0, 0.0]\n");
+  EXPECT_NEAR(body().mass.inertia_C(1, 1), 1e-4, 1e-15);
+  EXPECT_NEAR(body().mass.inertia_C(0, 0), 2e-4, 1e-15);
+  EXPECT_LT((body().mass.center_O - Vec3(0.1, 0.2, 0.3)).norm(), 1e-12);
+  EXPECT_LT((body().angular_velocity_O - Vec3(0.0, 1.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((body().velocity_W - Vec3(0.5, 0.0, 0.0)).norm(), 1e-12);
+}
+
+TEST_F(BodyScene, FallsAsTheWorldSays) {
+  bake("[world]\ngravity_m_per_s2 = [0.0, 0.0, -1.62]\n" + kCube +
+       "[object.body]\nmass_kg = 0.1\n");
+  const auto world = run(1000);
+  const rendering::BodyMotion& motion = world->body(0)->motion();
+  EXPECT_NEAR(motion.velocity_W.z(), -1.62, 1e-9);
+  EXPECT_NEAR(motion.center_W.z(), -0.81, 1e-3);
+  EXPECT_EQ(world->body(1), nullptr);
+}
+
+TEST_F(BodyScene, RestsOnATableAndAMeshMeetsItByItsHull) {
+  folder_.write("wedge.off",
+                "OFF\n6 8 0\n0 0 0\n0.04 0 0\n0.04 0 0.04\n0 0 0.04\n0 0.03 0\n0 0.03 0.04\n"
+                "3 0 1 2\n3 0 2 3\n3 0 4 1\n3 3 2 5\n3 0 3 5\n3 0 5 4\n3 1 4 5\n3 1 5 2\n");
+  const host::BakeReport report = bake(
+      "[[object]]\nprimitive = \"plane\"\nfriction = { static = 0.5 }\n"
+      "[[object]]\nname = \"wedge\"\nmesh = \"wedge.off\"\nscale = 1.0\nposition_m = [0.0, 0.01, "
+      "0.0]\n"
+      "friction = { static = 0.5 }\n[object.body]\nmass_kg = 0.1\n");
+  EXPECT_TRUE(report.objects[1].warnings.empty());
+  EXPECT_EQ(body().hull.vertices_O.size(), 6U);
+  EXPECT_EQ(body().hull.faces.size(), 5U);
+  EXPECT_EQ(body().hull.edges.size(), 9U);
+  const auto world = run(1000);
+  const rendering::RigidBody& wedge = *world->body(1);
+  EXPECT_LT(wedge.motion().velocity_W.norm(), 1e-6);
+  EXPECT_NEAR(wedge.motion().center_W.y(), 0.01, 1e-4) << "a third of its height";
+}
+
+TEST_F(BodyScene, SaysWhereBodiesAreNotMetByTheirShape) {
+  const host::BakeReport report = bake(
+      "[[object]]\nname = \"post\"\nprimitive = \"cylinder\"\nradius_m = 0.01\nheight_m = 0.05\n"
+      "[[object]]\nname = \"ring\"\nprimitive = \"torus\"\nring_radius_m = 0.03\n"
+      "tube_radius_m = 0.005\n[object.body]\nmass_kg = 0.05\n");
+  ASSERT_FALSE(report.objects[0].warnings.empty());
+  EXPECT_TRUE(contains(report.objects[0].warnings[0], "post: bodies go through it"));
+  ASSERT_FALSE(report.objects[1].warnings.empty());
+  EXPECT_TRUE(contains(report.objects[1].warnings[0], "ring: other objects meet its convex hull"));
+}
+
+TEST_F(BodyScene, RefusesWhatCannotBeABody) {
+  EXPECT_TRUE(
+      contains(refusal_of(kCube + "motion = { spin_rad_per_s = [0.0, 1.0, 0.0] }\n[object.body]\n"),
+               "a body moves by forces"));
+  EXPECT_TRUE(contains(refusal_of(kCube + "moves = false\n[object.body]\n"), "moves is false"));
+  EXPECT_TRUE(contains(refusal_of(kCube + "contact = \"potential_field\"\n[object.body]\n"),
+                       "a body is touched by"));
+  EXPECT_TRUE(
+      contains(refusal_of(kCube + "[object.body]\nmass_kg = 1.0\ndensity_kg_per_m3 = 1.0\n"),
+               "say the same"));
+  EXPECT_TRUE(contains(refusal_of(kCube + "[object.body]\nrestitution = 1.5\n"), "1 is the most"));
+  EXPECT_TRUE(contains(refusal_of(kCube + "[object.body]\nmass = 1.0\n"), "mass_kg"));
+  const std::string flat =
+      kCube + "[object.body]\nmass_kg = 0.1\ninertia_kg_m2 = [1e-4, 1e-4, 3e-4]\n";
+  EXPECT_TRUE(contains(input_error([&] { bake(flat); }), "scene.toml:5: cube: "));
+  const std::string plane = "[[object]]\nprimitive = \"plane\"\n[object.body]\nmass_kg = 1.0\n";
+  EXPECT_TRUE(contains(input_error([&] { bake(plane); }), "scene.toml:3: plane: "));
+}
+
+}  // namespace
+}  // namespace tactus::testing
