@@ -112,7 +112,8 @@ void BodyWorld::find_contacts(double tick_s) {
       margins[i] = tick_s * fastest(solids_[i], hulls_[i]);
     }
   }
-  for (std::uint16_t b = 0; b < body_count_; ++b) {
+  const auto body_count = static_cast<std::uint16_t>(body_count_);
+  for (std::uint16_t b = 0; b < body_count; ++b) {
     for (std::uint16_t a = 0; a < solid_count; ++a) {
       if (a >= b && a < body_count_) {
         continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "rendering/bodies/hull_distance.h"
 
@@ -82,7 +83,7 @@ Polygon cut(const Polygon& polygon, const Vec3& point, const Vec3& normal) {
 // those that span most to both sides of the line between.
 class PointChoice {
  public:
-  explicit PointChoice(const Vec3& normal_W) : normal_W_(normal_W) {}
+  explicit PointChoice(Vec3 normal_W) : normal_W_(std::move(normal_W)) {}
 
   void add(const ManifoldPoint& point) {
     if (count_ < kMostCorners) {

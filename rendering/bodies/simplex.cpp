@@ -17,7 +17,8 @@ std::optional<Shares> shares_of(const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double length2 = ab.squaredNorm();
   const double along = -a.dot(ab);
-  if (!(along > 0.0 && along < length2)) {
+  const bool is_between = along > 0.0 && along < length2;
+  if (!is_between) {
     return std::nullopt;
   }
   const double t = along / length2;
@@ -31,7 +32,8 @@ std::optional<Shares> shares_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double at_b = normal.dot(c.cross(a));
   const double at_c = normal.dot(a.cross(b));
   const double sum = at_a + at_b + at_c;
-  if (!(area2 > 0.0 && at_a > 0.0 && at_b > 0.0 && at_c > 0.0)) {
+  const bool is_inside = area2 > 0.0 && at_a > 0.0 && at_b > 0.0 && at_c > 0.0;
+  if (!is_inside) {
     return std::nullopt;
   }
   return Shares{at_a / sum, at_b / sum, at_c / sum};

@@ -29,7 +29,7 @@ std::string refusal_of(const std::string& text) {
 class BodyScene : public ::testing::Test {
  protected:
   host::BakeReport bake(const std::string& text) {
-    folder_.write("scene.toml", text);
+    static_cast<void>(folder_.write("scene.toml", text));
     host::BakeReport report =
         host::bake_file(folder_.path() / "scene.toml", folder_.path() / "scene.tactus", {});
     scene_ = std::make_unique<host::MappedScene>(folder_.path() / "scene.tactus");
@@ -84,9 +84,10 @@ TEST_F(BodyScene, FallsAsTheWorldSays) {
 }
 
 TEST_F(BodyScene, RestsOnATableAndAMeshMeetsItByItsHull) {
-  folder_.write("wedge.off",
-                "OFF\n6 8 0\n0 0 0\n0.04 0 0\n0.04 0 0.04\n0 0 0.04\n0 0.03 0\n0 0.03 0.04\n"
-                "3 0 1 2\n3 0 2 3\n3 0 4 1\n3 3 2 5\n3 0 3 5\n3 0 5 4\n3 1 4 5\n3 1 5 2\n");
+  static_cast<void>(
+      folder_.write("wedge.off",
+                    "OFF\n6 8 0\n0 0 0\n0.04 0 0\n0.04 0 0.04\n0 0 0.04\n0 0.03 0\n0 0.03 0.04\n"
+                    "3 0 1 2\n3 0 2 3\n3 0 4 1\n3 3 2 5\n3 0 3 5\n3 0 5 4\n3 1 4 5\n3 1 5 2\n"));
   const host::BakeReport report = bake(
       "[[object]]\nprimitive = \"plane\"\nfriction = { static = 0.5 }\n"
       "[[object]]\nname = \"wedge\"\nmesh = \"wedge.off\"\nscale = 1.0\nposition_m = [0.0, 0.01, "
