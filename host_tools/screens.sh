@@ -71,6 +71,13 @@ operate() {
 check() {
   "$tactus" watch --run-dir "$work/run" --fields tick,mode --every 10 | head -n 3 >"$work/lines" || fail "watch ends badly"
   [[ "$(grep -cE '^tick=[0-9]+ mode=[a-z]+$' "$work/lines")" -eq 3 ]] || fail "watch: $(cat "$work/lines")"
+  "$tactus" watch --run-dir "$work/run" --explain --every 10 | head -n 3 >"$work/lines" || fail "watch --explain ends badly"
+  [[ "$(grep -cE '^tick=[0-9]+ state=[a-z]+ .* objects_ns=[0-9]+$' "$work/lines")" -eq 3 ]] || fail "watch --explain: $(cat "$work/lines")"
+  press x
+  wait_for 'tick [0-9]+ explained'
+  wait_for '^(face|edge|vertex) .*object 0'
+  press x
+  wait_for 'axes, rad or m'
   press d
   wait_for '^ok disable'
   press Space

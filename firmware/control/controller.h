@@ -101,6 +101,8 @@ class Controller {
   [[nodiscard]] Mode mode() const { return modes_.mode(); }
   // Returns the configuration with the changes of set_parameter.
   [[nodiscard]] const ControllerConfig& config() const { return settings_.config; }
+  // Returns the radius of the tool in the loaded scene, m.
+  [[nodiscard]] double tool_radius_m() const { return scene_.tool_radius_m; }
   // Returns the number of the next tick.
   [[nodiscard]] std::uint64_t next_tick() const { return next_.number; }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "firmware/telemetry/explanation.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
 
@@ -80,5 +81,7 @@ class Ring {
 using RecordRing = Ring<RecordedTick, 4096>;
 // The ring of events, which are as rare as requests.
 using EventRing = Ring<TelemetryEvent, 256>;
+// The ring of explanations, which a disk may delay but not a reader.
+using ExplanationRing = Ring<Explanation, 1024>;
 
 }  // namespace tactus::firmware

@@ -14,7 +14,7 @@ constexpr const char* kMonitorExamples =
     "Shows mode, faults and what to do about them, axes, forces, how the loop keeps its time, and "
     "where energy goes;\n"
     "needs 80 columns and 24 rows, and nothing else that ssh does not have.\n"
-    "Keys: h home, e enable, d disable, r reset, SPACE estop, q quit.\n"
+    "Keys: h home, e enable, d disable, r reset, x explains the ticks, SPACE estop, q quit.\n"
     "\n"
     "Examples:\n"
     "  tactus monitor                     the controller of this machine\n"

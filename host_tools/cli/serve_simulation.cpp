@@ -20,6 +20,7 @@
 #include "firmware/linux/commands/scene_store.h"
 #include "firmware/linux/commands/telemetry_hooks.h"
 #include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/telemetry/explanation_source.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
 #include "hal/linux/clock.h"
 #include "host_tools/input_error.h"
@@ -67,7 +68,7 @@ class ServedTelemetry {
   }
 
   // Publishes the controller's record of the tick that began with `wake`.
-  void publish(const firmware::Controller& controller, const hal::Wake& wake) {
+  void publish(firmware::Controller& controller, const hal::Wake& wake) {
     firmware::RecordedTick recorded{.record = controller.record(),
                                     .loop = {.scheduled_ns = wake.scheduled_ns,
                                              .woke_ns = wake.woke_ns,
@@ -77,6 +78,7 @@ class ServedTelemetry {
     recorded.shaft_rad = recorded.record.joint_position;
     recorded.torque_Nm = recorded.record.joint_effort;
     writer_->publish(recorded);
+    explanations_.after_tick(controller, wake.scheduled_ns, *writer_);
   }
 
   // Ends the recording. Throws InputError if it ended early.
@@ -124,6 +126,7 @@ class ServedTelemetry {
   // It has megabytes, too many for the stack.
   std::unique_ptr<firmware::TelemetryWriter> writer_ =
       std::make_unique<firmware::TelemetryWriter>();
+  firmware::ExplanationSource explanations_;
   firmware::TelemetrySinks sinks_{.writer = writer_.get()};
 };
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "hal/linux/system.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/cli/serve_simulation.h"
@@ -39,8 +40,8 @@ constexpr const char* kSimExamples =
     "a.txt b.txt\n"
     "  tactus sim scene.tactus --record run.mcap      then: tactus replay run.mcap\n"
     "  tactus sim scene.tactus --explain steps.csv    every move, plane and friction circle of "
-    "every "
-    "tick\n"
+    "every tick,\n"
+    "                                                 and the times of the loop's seven steps\n"
     "  tactus sim scene.tactus --fault estop@4 --fault stale@2.5x2\n"
     "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s\n"
     "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
@@ -59,6 +60,11 @@ struct SimOptions {
   RunOptions run;
 };
 
+// The clock of the steps' times, which nothing of the simulation depends on.
+std::uint64_t steady_now_ns() {
+  return static_cast<std::uint64_t>(hal::monotonic_now_ns());
+}
+
 // Writes the outputs that the user asked for and shows the progress, after each tick.
 class Recorder {
  public:
@@ -75,7 +81,8 @@ class Recorder {
       recording_.emplace(options.record, simulation, scene.bytes());
     }
     if (!options.explain.empty()) {
-      explanation_.emplace(options.explain, simulation.controller(), scene.image().tool_radius_m());
+      explanation_.emplace(options.explain, simulation.controller(), scene.image().tool_radius_m(),
+                           steady_now_ns);
     }
     if (::isatty(STDERR_FILENO) == 1) {
       progress_.emplace();
@@ -96,7 +103,10 @@ class Recorder {
       recording_->add(simulation);
     }
     if (explanation_) {
-      explanation_->add(record);
+      const firmware::Explanation summary = explanation_->add(record);
+      if (recording_) {
+        recording_->add(summary);
+      }
     }
     if (progress_ && record.tick % kTicksBetweenSteps == 0) {
       progress_->step(fmt::format("{:.1f} of {:.1f} s simulated, mode {}", record.time_s, seconds_,

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -14,6 +15,7 @@
 
 #include "host_tools/cli/monitor_verb.h"
 #include "host_tools/input_error.h"
+#include "host_tools/monitor/explain_line.h"
 #include "host_tools/monitor/watch.h"
 #include "host_tools/recording/live_reader.h"
 #include "host_tools/remote/remote.h"
@@ -31,6 +33,9 @@ constexpr const char* kWatchExamples =
     "  tactus watch                                     the usual fields of every tick\n"
     "  tactus watch --fields tick,force --every 100     ten lines a second at 1 kHz\n"
     "  tactus watch | grep -m 1 'mode=fault'            waits for a fault\n"
+    "  tactus watch --explain --every 100               the feature, planes, friction circle and "
+    "step times\n"
+    "  tactus watch --explain | grep -m 1 'state=edge'  the first tick at an edge\n"
     "  tactus watch --fields mode,joint --seconds 1 | wc -l";
 
 // The verb's options as the user gave them.
@@ -40,6 +45,7 @@ struct WatchOptions {
   std::uint64_t every = 1;
   double seconds = 0.0;
   bool list = false;
+  bool explain = false;
 };
 
 // Prints a line; empty ones are left out. Returns false if the reader has closed the pipe. Throws
@@ -54,10 +60,48 @@ bool print_line(const std::string& line) {
   return true;
 }
 
-// Returns the line of a message; empty if it has none.
-std::string line_of(WatchLines& lines, const LiveMessage& message) {
+// Turns messages into the lines that the user asked for.
+class Lines {
+ public:
+  explicit Lines(const WatchOptions& options)
+      : ticks_(options.fields, options.every), explains_(options.explain), every_(options.every) {}
+
+  // Returns the line of a message; empty if it has none. Throws InputError if the controller sends
+  // no explanations.
+  std::string line_of(const LiveMessage& message);
+
+ private:
+  // Returns the line of an explanation; empty for one that is passed over.
+  std::string line_of(const firmware::Explanation& explanation) {
+    has_explained_ = true;
+    return explanations_++ % every_ == 0 ? explain_line(explanation) : std::string{};
+  }
+
+  WatchLines ticks_;
+  bool explains_;
+  std::uint64_t every_;
+  std::uint64_t explanations_ = 0;
+  bool has_explained_ = false;
+  // The time of the first tick's record, s.
+  std::optional<double> begin_s_;
+};
+
+std::string Lines::line_of(const LiveMessage& message) {
+  // Every controller of this version explains its ticks sooner than this.
+  constexpr double kPatience_s = 5.0;
   if (const auto* tick = std::get_if<firmware::RecordedTick>(&message)) {
-    return lines.line(*tick);
+    if (!explains_) {
+      return ticks_.line(*tick);
+    }
+    const double time_s = tick->record.time_s;
+    begin_s_ = begin_s_.value_or(time_s);
+    if (!has_explained_ && time_s - *begin_s_ > kPatience_s) {
+      throw InputError("the controller sends no explanations: it is of an older version");
+    }
+    return {};
+  }
+  if (const auto* explanation = std::get_if<firmware::Explanation>(&message)) {
+    return line_of(*explanation);
   }
   if (const auto* event = std::get_if<firmware::TelemetryEvent>(&message)) {
     return WatchLines::line(*event);
@@ -70,7 +114,8 @@ void print_run(const WatchOptions& options) {
   // A closed pipe is then an error of the write that finds it, not a signal that ends the program.
   std::signal(SIGPIPE, SIG_IGN);
   LiveReader reader((std::filesystem::path(options.run_dir) / kLiveSocketFile).string());
-  WatchLines lines(options.fields, options.every);
+  reader.ask_for_explanations(options.explain);
+  Lines lines(options);
   const auto begin = steady_clock::now();
   const auto over = [&] {
     return options.seconds > 0.0 &&
@@ -78,7 +123,7 @@ void print_run(const WatchOptions& options) {
   };
   while (!reader.ended() && !over()) {
     const auto message = reader.next(std::chrono::milliseconds(0));
-    if (message && !print_line(line_of(lines, *message))) {
+    if (message && !print_line(lines.line_of(*message))) {
       return;
     }
     if (!message) {
@@ -87,7 +132,7 @@ void print_run(const WatchOptions& options) {
         return;
       }
       const auto next = reader.next(std::chrono::milliseconds(100));
-      if (next && !print_line(line_of(lines, *next))) {
+      if (next && !print_line(lines.line_of(*next))) {
         return;
       }
     }
@@ -118,6 +163,9 @@ void add_watch_verb(CLI::App& app) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
   verb->add_option("--seconds", options->seconds, "End after so long; default: with the controller")
       ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--explain", options->explain,
+                 "Print how each tick came to its result instead of its fields")
+      ->excludes(verb->get_option("--fields"));
   verb->add_flag("--list", options->list, "Print the names of all fields");
   verb->footer(kWatchExamples);
   verb->callback([options] { run(*options); });

@@ -7,22 +7,15 @@
 #include <optional>
 #include <vector>
 
+#include "firmware/telemetry/step_times.h"
+#include "rendering/contact/watched_contact.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/touch.h"
 
 namespace tactus::host {
 
-// A place on a mesh, or on a primitive, which has faces only.
-struct ExplainedFeature {
-  std::uint32_t object = 0;
-  rendering::ContactKind kind = rendering::ContactKind::none;
-  // The number of the triangle in its mesh.
-  std::uint32_t face = 0;
-  // The number of the edge in its triangle, 0 to 2; for an edge only.
-  std::uint32_t edge = 0;
-  // The number of the vertex in its mesh; for a vertex only.
-  std::uint32_t vertex = 0;
-};
+using rendering::ExplainedCircle;
+using rendering::ExplainedFeature;
 
 // The reason why a plane holds the goal or does not.
 enum class PlaneFate : std::uint8_t {
@@ -72,15 +65,8 @@ struct ExplainedMove {
   std::vector<ExplainedPlane> planes;
   rendering::FrictionState friction_before = rendering::FrictionState::free;
   rendering::FrictionState friction = rendering::FrictionState::free;
-  // The friction circles about the point without friction, and the distance of the proxy from that
-  // point before the move; nothing without contact, or if a surface has another model than the
-  // cone.
-  struct Circle {
-    double static_radius_m = 0.0;
-    double dynamic_radius_m = 0.0;
-    double lag_m = 0.0;
-  };
-  std::optional<Circle> circle;
+  // Nothing without contact, or if a surface has another model than the cone.
+  std::optional<ExplainedCircle> circle;
 };
 
 // The end of a sub-goal on a formula.
@@ -123,6 +109,8 @@ struct ExplainedTick {
   // The point of the surface under the proxy, in contact.
   Vec3 surface_W = Vec3::Zero();
   rendering::Touch touch;
+  // The times of the steps; nothing without a clock.
+  std::optional<firmware::StepTimes> step_ns;
 };
 
 }  // namespace tactus::host

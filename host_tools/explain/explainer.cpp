@@ -15,42 +15,16 @@ namespace {
 
 using rendering::ContactKind;
 using rendering::ContactPlane;
-using rendering::Feature;
-using rendering::SceneObjects;
+using rendering::TickStep;
+using rendering::WatchedConstraints;
 
 // A goal that is nearer to a plane than this is on it, m.
 constexpr double kOnPlane_m = 1e-9;
 
-// Returns the number of the triangle's vertex that is nearest to a point of the mesh's frame.
-std::uint32_t nearest_vertex(const rendering::MeshView& mesh, std::uint32_t triangle,
-                             const Vec3& p_O) {
-  const rendering::TriangleIndices& corners = mesh.triangles[triangle];
-  return *std::ranges::min_element(corners, {}, [&](std::uint32_t vertex) {
-    return (to_vec3(mesh.vertices[vertex]) - p_O).squaredNorm();
-  });
-}
-
-ExplainedFeature feature_of(const SceneObjects& scene, const ContactPlane& plane,
-                            const Vec3& surface_W) {
-  ExplainedFeature feature{.object = plane.object,
-                           .kind = kind_of(plane.nearest.feature),
-                           .face = plane.triangle,
-                           .edge = plane.nearest.edge};
-  if (plane.nearest.feature == Feature::vertex) {
-    const Vec3 surface_O = rendering::point_in(scene.mover_of(plane.object), surface_W);
-    feature.vertex = nearest_vertex(scene.mesh_O(plane.object).mesh, plane.triangle, surface_O);
-  }
-  return feature;
-}
-
-// Returns the point of the plane's surface that is nearest to the proxy.
-Vec3 surface_of(const ContactPlane& plane, const Vec3& proxy_W) {
-  return proxy_W - plane.nearest.distance * plane.nearest.normal;
-}
-
-// Returns all planes of a move. `projection` is the point nearest to the tool in front of them.
+// Returns all planes of a move, which has these constraints.
 std::vector<ExplainedPlane> planes_of(const rendering::WatchedSubGoal& sub_goal,
-                                      const rendering::PlaneProjection& projection) {
+                                      const WatchedConstraints& constraints) {
+  const rendering::PlaneProjection& projection = constraints.active.projection;
   const Vec3& p_W = sub_goal.proxy.state.p_W;
   const auto planes = sub_goal.proxy.planes.all();
   std::vector<ExplainedPlane> explained;
@@ -120,10 +94,12 @@ void Explainer::begin() {
   tick_ = {.friction_before = last_friction_};
   passes_ = 0;
   is_moving_ = false;
+  timer_.begin();
 }
 
 const ExplainedTick& Explainer::finish(std::size_t number, double t_s, const Vec3& tool_W,
-                                       const rendering::Touch& touch) {
+                                       const rendering::Touch& touch,
+                                       const firmware::StageTimes& stage_ns) {
   tick_.number = number;
   tick_.t_s = t_s;
   tick_.tool_W = tool_W;
@@ -133,6 +109,9 @@ const ExplainedTick& Explainer::finish(std::size_t number, double t_s, const Vec
     const bool is_point = !tick_.iterations.empty() || !tick_.walked_to.empty();
     tick_.surface_W = touch.proxy_W - (is_point ? 0.0 : tool_radius_m_) * touch.normal_W;
   }
+  if (has_clock_) {
+    tick_.step_ns = timer_.times(stage_ns);
+  }
   last_proxy_W_ = touch.proxy_W;
   last_friction_ = touch.friction;
   has_last_ = true;
@@ -140,39 +119,32 @@ const ExplainedTick& Explainer::finish(std::size_t number, double t_s, const Vec
 }
 
 void Explainer::see(const rendering::WatchedSubGoal& sub_goal) {
+  timer_.end(TickStep::proxy);
   const rendering::MovingProxy& proxy = sub_goal.proxy;
   end_move(proxy.state.p_W, sub_goal.is_put_back);
-  rendering::ContactPlanes planes = proxy.planes;
-  rendering::ProxyRest rest;
-  const rendering::ActiveConstraints active =
-      find_active_constraints(sub_goal.tick.near.scene, sub_goal.tick.factors, proxy.state.p_W,
-                              sub_goal.tick.h_W, planes, rest);
+  const WatchedConstraints constraints = constraints_of(sub_goal);
   ExplainedMove move{.pass = passes_,
                      .tool_W = sub_goal.move.goal.tool,
                      .from_W = proxy.state.p_W,
                      .goal_W = sub_goal.move.goal.point,
                      .stopped_by = stop_of(sub_goal),
-                     .planes = planes_of(sub_goal, active.projection),
+                     .planes = planes_of(sub_goal, constraints),
                      .friction_before = tick_.moves.empty() || tick_.moves.back().pass != passes_
                                             ? tick_.friction_before
                                             : tick_.moves.back().friction,
-                     .friction = proxy.state.friction};
+                     .friction = proxy.state.friction,
+                     .circle = constraints.circle};
   move.ending = ending_of(sub_goal.move, move.stopped_by.has_value());
-  if (active.projection.active_count > 0 && active.are_cones) {
-    const Vec3 from =
-        active.projection.feasible ? planes.resting_position(proxy.state.p_W) : proxy.state.p_W;
-    move.circle = {.static_radius_m = active.circle.static_radius_m,
-                   .dynamic_radius_m = active.circle.dynamic_radius_m,
-                   .lag_m = (from - active.projection.point).norm()};
-    if (!(active.circle.static_radius_m > 0.0)) {
-      move.friction = rendering::FrictionState::free;
-    }
+  if (move.circle && !(move.circle->static_radius_m > 0.0)) {
+    move.friction = rendering::FrictionState::free;
   }
   tick_.moves.push_back(std::move(move));
   is_moving_ = true;
+  timer_.skip();
 }
 
 void Explainer::see_end(const rendering::MovingProxy& proxy, bool is_put_back) {
+  timer_.end(TickStep::proxy);
   end_move(proxy.state.p_W, is_put_back);
   ++passes_;
   const rendering::ProxyRest& rest = proxy.rest;
@@ -191,6 +163,7 @@ void Explainer::see_end(const rendering::MovingProxy& proxy, bool is_put_back) {
       tick_.surface_W = hardest.surface_W;
     }
   }
+  timer_.skip();
 }
 
 void Explainer::end_move(const Vec3& p_W, bool is_put_back) {
@@ -206,6 +179,7 @@ void Explainer::end_move(const Vec3& p_W, bool is_put_back) {
 
 void Explainer::see(const rendering::ObjectWatch& object,
                     const rendering::WatchedFormulaStep& step) {
+  timer_.end(TickStep::proxy);
   const rendering::ImplicitSurface& surface = step.surface;
   const auto to_world = [&](const Vec3& p_O) {
     return rendering::point_from(object.mover, surface.to_world(p_O));
@@ -224,21 +198,18 @@ void Explainer::see(const rendering::ObjectWatch& object,
     iteration.height_m = here.height * surface.scale_m;
   }
   tick_.iterations.push_back(iteration);
+  timer_.skip();
 }
 
 void Explainer::see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) {
-  const bool is_vertex = feature.kind == Feature::vertex;
-  const rendering::MeshView& mesh = object.object->mesh;
-  tick_.walked_to.push_back(
-      {.object = object.number,
-       .kind = kind_of(feature.kind),
-       .face = feature.triangle,
-       .edge = is_vertex ? std::uint32_t{0} : feature.number,
-       .vertex = is_vertex ? mesh.triangles[feature.triangle][feature.number] : 0});
+  timer_.end(TickStep::proxy);
+  tick_.walked_to.push_back(feature_of(object, feature));
+  timer_.skip();
 }
 
 void Explainer::see(const rendering::ObjectWatch& object,
                     const rendering::WatchedSegment& segment) {
+  timer_.end(TickStep::collision);
   const auto to_world = [&](const Vec3& p_O) { return rendering::point_from(object.mover, p_O); };
   ExplainedMove move{.tool_W = to_world(segment.tool_O),
                      .from_W = to_world(segment.from_O),
@@ -246,8 +217,7 @@ void Explainer::see(const rendering::ObjectWatch& object,
                      .to_W = to_world(segment.to_O),
                      .ending = MoveEnding::arrived};
   if (segment.hit.is_hit()) {
-    const ExplainedFeature facet{
-        .object = object.number, .kind = ContactKind::face, .face = segment.hit.triangle};
+    const ExplainedFeature facet = feature_of(object, segment.hit);
     const Vec3& normal_O = segment.hit.normal;
     const double tool_m = normal_O.dot(segment.tool_O - segment.hit.point);
     move.ending = MoveEnding::stopped;
@@ -262,6 +232,7 @@ void Explainer::see(const rendering::ObjectWatch& object,
     tick_.surface_W = move.planes.back().surface_W;
   }
   tick_.moves.push_back(std::move(move));
+  timer_.skip();
 }
 
 }  // namespace tactus::host

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firmware/telemetry/step_times.h"
 #include "host_tools/explain/explained_tick.h"
 #include "rendering/contact/tick_watcher.h"
 #include "rendering/touch.h"
@@ -14,16 +15,20 @@ namespace tactus::host {
 // finish().
 class Explainer final : public rendering::TickWatcher {
  public:
-  // `tool_radius_m` is the radius of the sphere that the shared proxy is the centre of, m.
-  explicit Explainer(double tool_radius_m) : tool_radius_m_(tool_radius_m) {}
+  // `tool_radius_m` is the radius of the sphere that the shared proxy is the centre of, m. The
+  // clock measures the steps; null: they have no times.
+  explicit Explainer(double tool_radius_m, firmware::NowNs now_ns = nullptr)
+      : tool_radius_m_(tool_radius_m), timer_(now_ns), has_clock_(now_ns != nullptr) {}
 
   // Begins a tick.
   void begin();
   // Returns the explained tick, valid until the next begin(), with its number, its time (s) and the
-  // tool (world frame, m).
+  // tool (world frame, m). The stages have the times of the steps outside of the touch.
   const ExplainedTick& finish(std::size_t number, double t_s, const Vec3& tool_W,
-                              const rendering::Touch& touch);
+                              const rendering::Touch& touch,
+                              const firmware::StageTimes& stage_ns = {});
 
+  void see_step(rendering::TickStep step) override { timer_.end(step); }
   void see(const rendering::WatchedSubGoal& sub_goal) override;
   void see_end(const rendering::MovingProxy& proxy, bool is_put_back) override;
   void see(const rendering::ObjectWatch& object,
@@ -45,6 +50,8 @@ class Explainer final : public rendering::TickWatcher {
   Vec3 last_proxy_W_ = Vec3::Zero();
   bool has_last_ = false;
   rendering::FrictionState last_friction_ = rendering::FrictionState::free;
+  firmware::StepTimer timer_;
+  bool has_clock_;
 };
 
 }  // namespace tactus::host

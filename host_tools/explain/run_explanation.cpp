@@ -1,5 +1,7 @@
 #include "host_tools/explain/run_explanation.h"
 
+#include "host_tools/explain/tick_summary.h"
+
 namespace tactus::host {
 namespace {
 
@@ -10,13 +12,17 @@ Vec3 vector_of(const firmware::Triple& v) {
 }  // namespace
 
 RunExplanation::RunExplanation(const std::filesystem::path& file, firmware::Controller& controller,
-                               double tool_radius_m)
-    : explainer_(tool_radius_m), steps_(file) {
+                               double tool_radius_m, firmware::NowNs now_ns)
+    : explainer_(tool_radius_m, now_ns), steps_(file) {
+  if (now_ns != nullptr) {
+    controller.set_clock(now_ns);
+  }
   explainer_.begin();
   controller.watch(&explainer_);
 }
 
-void RunExplanation::add(const firmware::TelemetryRecord& record) {
+firmware::Explanation RunExplanation::add(const firmware::TelemetryRecord& record,
+                                          const std::optional<firmware::StepTimes>& recorded_ns) {
   const rendering::Touch touch{.proxy_W = vector_of(record.proxy_W),
                                .normal_W = vector_of(record.normal_W),
                                .depth_m = record.depth_m,
@@ -24,8 +30,14 @@ void RunExplanation::add(const firmware::TelemetryRecord& record) {
                                .friction = record.friction,
                                .object = record.object,
                                .flags = record.touch_flags};
-  steps_.add(explainer_.finish(record.tick, record.time_s, vector_of(record.tool_p_W), touch));
+  ExplainedTick tick = explainer_.finish(record.tick, record.time_s, vector_of(record.tool_p_W),
+                                         touch, record.stage_ns);
+  if (recorded_ns) {
+    tick.step_ns = recorded_ns;
+  }
+  steps_.add(tick);
   explainer_.begin();
+  return summary_of(tick);
 }
 
 }  // namespace tactus::host

@@ -43,7 +43,8 @@ enum Column : std::size_t {
   kTolerance,
   kDepth,
   kFlags,
-  kColumns,
+  kStepTimes,
+  kColumns = kStepTimes + rendering::kTickStepCount,
 };
 
 constexpr std::string_view kHeader =
@@ -53,7 +54,8 @@ constexpr std::string_view kHeader =
     "object,feature,face,edge,vertex,normal_x,normal_y,normal_z,"
     "tool_distance_m,goal_distance_m,multiplier_m,fate,"
     "friction_before,friction,static_radius_m,dynamic_radius_m,lag_m,"
-    "value,height_m,tolerance_m,depth_m,flags\n";
+    "value,height_m,tolerance_m,depth_m,flags,"
+    "read_ns,tool_ns,collision_ns,proxy_ns,force_ns,command_ns,objects_ns\n";
 
 std::string_view name_of(MoveEnding ending) {
   constexpr auto kNames = std::to_array<std::string_view>(
@@ -191,6 +193,11 @@ void add_tick(LogFile& file, const ExplainedTick& tick) {
     row.set(kObject, touch.object);
     row.set(kSurface, tick.surface_W);
     row.set(kNormal, touch.normal_W);
+  }
+  if (tick.step_ns) {
+    for (std::size_t step = 0; step < tick.step_ns->size(); ++step) {
+      row.set(static_cast<Column>(kStepTimes + step), (*tick.step_ns)[step]);
+    }
   }
   row.write(file, tick, "tick");
 }

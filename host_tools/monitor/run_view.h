@@ -10,6 +10,7 @@
 #include <string>
 
 #include "firmware/linux/realtime/time_histogram.h"
+#include "firmware/telemetry/explanation.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "host_tools/recording/record_decoder.h"
 
@@ -23,6 +24,11 @@ class RunView {
   // Takes over a tick. A number that does not rise means that another run has begun.
   void take(const firmware::RecordedTick& tick);
 
+  // Takes over the explanation of a tick; without one, ticks are not explained any more.
+  void explain(const std::optional<firmware::Explanation>& explanation) {
+    explanation_ = explanation;
+  }
+
   // Sets the line that tells what the last key did.
   void say(std::string text) { said_ = std::move(text); }
   // Marks the controller as gone until the next tick.
@@ -30,6 +36,10 @@ class RunView {
 
   // Returns the newest tick; empty before the first.
   [[nodiscard]] const std::optional<firmware::RecordedTick>& newest() const { return newest_; }
+  // Returns the newest explanation; empty unless ticks are being explained.
+  [[nodiscard]] const std::optional<firmware::Explanation>& explanation() const {
+    return explanation_;
+  }
   // Returns the name of the device or scene; empty before it is known.
   [[nodiscard]] const std::string& name() const { return name_; }
   // Returns the line that say() has set.
@@ -61,6 +71,7 @@ class RunView {
   std::string said_;
   bool lost_ = false;
   std::optional<firmware::RecordedTick> newest_;
+  std::optional<firmware::Explanation> explanation_;
   std::deque<Instant> instants_;
   firmware::TimeHistogram wake_up_;
   firmware::TimeHistogram tick_time_;

@@ -1,4 +1,5 @@
 // The layout of the screen by rows: 0 head, 1-4 faults and limits, 5-12 axes and wake-up latency,
+// or the explanation of a tick,
 // 13-18 touch and loop, 19-21 energy, 22 the controller's answer, 23 keys.
 #include "host_tools/monitor/screen.h"
 
@@ -12,6 +13,7 @@
 #include <string_view>
 
 #include "firmware/safety/energy_ledger.h"
+#include "host_tools/monitor/explain_panel.h"
 
 namespace tactus::host {
 
@@ -259,15 +261,22 @@ Canvas draw_screen(const RunView& view) {
   if (const std::optional<RecordedTick>& newest = view.newest()) {
     const RecordedTick& tick = *newest;
     draw_faults(canvas, tick);
-    draw_axes(canvas, tick);
-    draw_latency(canvas, view);
+    if (const auto& explanation = view.explanation()) {
+      rule(canvas, kAxesRow, fmt::format("tick {} explained", explanation->tick),
+           "the loop's steps, us");
+      draw_explanation(canvas, kAxesRow + 1, kRightColumn, *explanation);
+    } else {
+      draw_axes(canvas, tick);
+      draw_latency(canvas, view);
+    }
     draw_touch(canvas, view, tick);
     draw_loop(canvas, view, tick);
     draw_energy(canvas, tick);
   }
   canvas.put(kAnswerRow, 0, view.said(),
              view.said().starts_with("ok") ? Style::plain : Style::warning);
-  canvas.put(kKeysRow, 0, "h home   e enable   d disable   r reset   SPACE estop   q quit",
+  canvas.put(kKeysRow, 0,
+             "h home   e enable   d disable   r reset   x explain   SPACE estop   q quit",
              Style::strong);
   return canvas;
 }

@@ -96,6 +96,7 @@ class Session {
     if (!reader_ && steady_clock::now() >= try_again_) {
       try {
         reader_.emplace(socket_);
+        explain(is_explaining_);
       } catch (const InputError&) {
         try_again_ = steady_clock::now() + kTryAgain;  // still nobody there
       }
@@ -109,6 +110,9 @@ class Session {
         view_.take(*info);
       } else if (const auto* tick = std::get_if<firmware::RecordedTick>(&*message)) {
         view_.take(*tick);
+      } else if (const auto* told = std::get_if<firmware::Explanation>(&*message);
+                 told != nullptr && is_explaining_) {
+        view_.explain(*told);
       }
     }
     if (reader_ && reader_->ended()) {
@@ -124,11 +128,25 @@ class Session {
       if (key == 'q' || key == 'Q') {
         return false;
       }
+      if (key == 'x') {
+        explain(!is_explaining_);
+      }
       if (const char* command = command_of(key)) {
         view_.say(ask(command));
       }
     }
     return true;
+  }
+
+  // Begins to show explanations, or ends it.
+  void explain(bool on) {
+    is_explaining_ = on;
+    if (!on) {
+      view_.explain(std::nullopt);
+    }
+    if (reader_) {
+      reader_->ask_for_explanations(on);
+    }
   }
 
   // Sends a command and returns the reply, or why there is none.
@@ -146,6 +164,7 @@ class Session {
   std::optional<LiveReader> reader_;
   steady_clock::time_point try_again_;
   RunView view_;
+  bool is_explaining_ = false;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "firmware/linux/telemetry/live_socket.h"
 #include "firmware/linux/telemetry/mcap_format.h"
 #include "host_tools/input_error.h"
 
@@ -27,6 +28,9 @@ std::optional<LiveMessage> decode(std::span<const std::byte> message) {
   }
   if (const auto event = decode_event(message)) {
     return *event;
+  }
+  if (const auto explanation = decode_explanation(message)) {
+    return *explanation;
   }
   if (auto info = decode_run_info(message)) {
     return *std::move(info);
@@ -51,6 +55,12 @@ LiveReader::LiveReader(const std::string& socket)
                      (nobody ? "nobody answers there: is tactusd running, and with this --run-dir?"
                              : std::strerror(errno)));
   }
+}
+
+// next() finds out that the other side has closed.
+void LiveReader::ask_for_explanations(bool wanted) {
+  const std::byte asked = wanted ? firmware::kWantExplanations : firmware::kWantNoExplanations;
+  (void)send(socket_.get(), &asked, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
 std::optional<LiveMessage> LiveReader::next(std::chrono::milliseconds patience) {

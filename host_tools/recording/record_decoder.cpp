@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/telemetry/event_generated.h"
+#include "firmware/telemetry/explanation_generated.h"
 #include "firmware/telemetry/record_generated.h"
 #include "firmware/telemetry/run_info_generated.h"
 
@@ -36,6 +37,33 @@ class AlignedMessage {
 
 Triple read_triple(const telemetry::Vector3& stored) {
   return {stored.x(), stored.y(), stored.z()};
+}
+
+rendering::ExplainedFeature read_feature(const telemetry::Feature& stored) {
+  return {.object = stored.object(),
+          .kind = static_cast<rendering::ContactKind>(stored.kind()),
+          .face = stored.face(),
+          .edge = stored.edge(),
+          .vertex = stored.vertex()};
+}
+
+// Reads the active planes. Returns false if there are more than a tick can have.
+bool read_planes(const telemetry::Explanation& stored, firmware::Explanation& explanation) {
+  const auto& planes = *stored.planes();
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(planes.Data()) % alignof(telemetry::ActivePlane) == 0;
+  if (!is_aligned || planes.size() > firmware::kMaxActivePlanes) {
+    return false;
+  }
+  explanation.plane_count = static_cast<std::uint8_t>(planes.size());
+  for (std::uint32_t i = 0; i < planes.size(); ++i) {
+    const telemetry::ActivePlane& plane = *planes.Get(i);
+    explanation.planes[i] = {.feature = read_feature(plane.feature()),
+                             .normal_W = read_triple(plane.normal()),
+                             .tool_distance_m = plane.tool_distance_m(),
+                             .multiplier_m = plane.multiplier_m()};
+  }
+  return true;
 }
 
 // The fields of record.fbs, one by one.
@@ -177,6 +205,38 @@ std::optional<TelemetryEvent> decode_event(std::span<const std::byte> message) {
                        .value = stored.value()};
   firmware::set_name(event, {stored.name()->c_str(), stored.name()->size()});
   return event;
+}
+
+std::optional<firmware::Explanation> decode_explanation(std::span<const std::byte> message) {
+  const AlignedMessage aligned(message);
+  auto verifier = aligned.verifier();
+  if (!telemetry::VerifyExplanationBuffer(verifier)) {
+    return std::nullopt;
+  }
+  const telemetry::Explanation& stored = *telemetry::GetExplanation(aligned.data());
+  const telemetry::StepTimes& steps = *stored.step_ns();
+  firmware::Explanation explanation{
+      .tick = stored.tick(),
+      .time_ns = stored.time_ns(),
+      .feature = read_feature(*stored.feature()),
+      .is_feature_known = stored.is_feature_known(),
+      .friction = static_cast<rendering::FrictionState>(stored.friction()),
+      .moves = stored.moves(),
+      .iterations = stored.iterations(),
+      .tool_W = read_triple(*stored.tool_w()),
+      .proxy_W = read_triple(*stored.proxy_w()),
+      .surface_W = read_triple(*stored.surface_w()),
+      .normal_W = read_triple(*stored.normal_w()),
+      .depth_m = stored.depth_m(),
+      .step_ns = {steps.read(), steps.tool(), steps.collision(), steps.proxy(), steps.force(),
+                  steps.command(), steps.objects()}};
+  if (const telemetry::FrictionCircle* const circle = stored.circle()) {
+    explanation.has_circle = true;
+    explanation.circle = {.static_radius_m = circle->static_radius_m(),
+                          .dynamic_radius_m = circle->dynamic_radius_m(),
+                          .lag_m = circle->lag_m()};
+  }
+  return read_planes(stored, explanation) ? std::optional(explanation) : std::nullopt;
 }
 
 std::optional<RunInfo> decode_run_info(std::span<const std::byte> message) {

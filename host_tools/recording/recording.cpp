@@ -101,6 +101,33 @@ std::optional<firmware::RecordedTick> Recording::next() {
   return std::nullopt;
 }
 
+std::optional<firmware::Explanation> Recording::next_explanation() {
+  try {
+    if (explanations_ == nullptr) {
+      explanations_ = std::make_unique<McapReader>(bytes_);
+    }
+    while (const auto message = explanations_->next()) {
+      if (message->topic != firmware::kExplanationTopic) {
+        continue;
+      }
+      const auto explanation = decode_explanation(message->data);
+      if (!explanation) {
+        throw InputError("explanation message " + std::to_string(message->sequence) +
+                         " is damaged, or of a newer version");
+      }
+      return explanation;
+    }
+  } catch (const InputError& error) {
+    throw InputError(name_ + ": " + error.what());
+  }
+  return std::nullopt;
+}
+
+void Recording::rewind() {
+  reader_->rewind();
+  explanations_.reset();
+}
+
 std::string_view Recording::info(std::string_view key) const {
   const auto found = info_.find(key);
   return found != info_.end() ? std::string_view(found->second) : std::string_view{};

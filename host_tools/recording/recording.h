@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "firmware/telemetry/explanation.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
 #include "host_tools/recording/mcap_reader.h"
@@ -30,8 +31,11 @@ class Recording {
   // Returns the next tick in the order of the run; nothing at the end. Throws InputError where the
   // file is damaged or was written by a newer version.
   std::optional<firmware::RecordedTick> next();
-  // Makes next() begin with the first tick again.
-  void rewind() { reader_->rewind(); }
+  // Returns the next explanation in the order of the run, whatever next() has returned; nothing at
+  // the end. Most runs have none. Throws InputError like next().
+  std::optional<firmware::Explanation> next_explanation();
+  // Makes next() and next_explanation() begin with the first ones again.
+  void rewind();
 
   // Returns all events of the run, sorted by tick.
   [[nodiscard]] const std::vector<firmware::TelemetryEvent>& events() const { return events_; }
@@ -61,6 +65,8 @@ class Recording {
   // The mapped file, into which all views of the reader point.
   std::span<const std::byte> bytes_;
   std::unique_ptr<McapReader> reader_;
+  // A reader for the explanations, which are behind their ticks; null before the first.
+  std::unique_ptr<McapReader> explanations_;
   std::vector<firmware::TelemetryEvent> events_;
   McapReader::Texts info_;
 };

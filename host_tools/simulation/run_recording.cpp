@@ -52,11 +52,19 @@ RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& 
 
 void RunRecording::add(const Simulation& simulation) {
   firmware::RecordedTick tick{.record = simulation.record()};
-  // There is no clock in a simulation: a tick's time is its number times the period.
-  tick.loop.scheduled_ns = std::llround(tick_ns_ * static_cast<double>(tick.record.tick));
+  tick.loop.scheduled_ns = due_ns(tick.record.tick);
   tick.joint_count =
       static_cast<std::uint32_t>(firmware::joint_count(simulation.config().mechanism));
   writer_->add(tick);
+}
+
+void RunRecording::add(firmware::Explanation explanation) {
+  explanation.time_ns = due_ns(explanation.tick);
+  writer_->add(explanation);
+}
+
+std::int64_t RunRecording::due_ns(std::uint64_t tick) const {
+  return std::llround(tick_ns_ * static_cast<double>(tick));
 }
 
 void RunRecording::close() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -24,6 +25,8 @@ class RunRecording {
 
   // Adds the last tick.
   void add(const Simulation& simulation);
+  // Adds the explanation of the last tick, which has the tick's time from here.
+  void add(firmware::Explanation explanation);
   // Completes the recording and puts it in its place. Throws InputError if any part of it could not
   // be written.
   void close();
@@ -32,6 +35,10 @@ class RunRecording {
   // The output as the user named it, for messages.
   std::filesystem::path path_;
   OutputPlace place_;
+  // Returns when a tick is due, ns. There is no clock in a simulation: a tick's time is its number
+  // times the period.
+  [[nodiscard]] std::int64_t due_ns(std::uint64_t tick) const;
+
   double tick_ns_;
   std::unique_ptr<firmware::McapWriter> writer_ = std::make_unique<firmware::McapWriter>();
 };

@@ -71,11 +71,12 @@ class ProxyTick {
   Next take_sub_goal(double max_push_m);
 
   // The parts of a sub-goal, in their order: gather makes the candidate set valid; collect_planes
-  // finds the contact planes; MoveFinder chooses the goal and sweeps; judge finds out that the
-  // proxy has settled; may_move asks the limits; make_move moves the proxy; stays_on_face finds out
-  // cheaply that the tick is over.
+  // finds the contact planes; MoveFinder chooses the goal and sweeps, which a watcher sees; judge
+  // finds out that the proxy has settled; may_move asks the limits; make_move moves the proxy;
+  // stays_on_face finds out cheaply that the tick is over.
   Next gather();
   Next collect_planes(PlaneCollector& collector);
+  NextMove find_watched(PlaneCollector& collector);
   Next judge(const SubGoal& goal);
   bool may_move(const NextMove& move);
   void make_move(const NextMove& move);
@@ -114,10 +115,9 @@ Next ProxyTick::take_sub_goal(double max_push_m) {
   if (const Next next = collect_planes(collector); next != Next::go_on) {
     return next;
   }
-  const NextMove move = moves_.find(tick_, proxy_, collector, end_.is_stalling());
-  if (tick_.watcher != nullptr) {
-    tick_.watcher->see({tick_, proxy_, move, end_.has_gone_back()});
-  }
+  const NextMove move = tick_.watcher == nullptr
+                            ? moves_.find(tick_, proxy_, collector, end_.is_stalling())
+                            : find_watched(collector);
   if (const Next next = judge(move.goal); next != Next::go_on) {
     return next;
   }
@@ -191,6 +191,15 @@ Next ProxyTick::collect_planes(PlaneCollector& collector) {
     collector.add_face_below(planes, rest.flags);
   }
   return Next::go_on;
+}
+
+// Finds the next move and shows it to the watcher.
+NextMove ProxyTick::find_watched(PlaneCollector& collector) {
+  TickWatcher& watcher = *tick_.watcher;
+  watcher.see_step(TickStep::collision);
+  const NextMove move = moves_.find_watched(tick_, proxy_, collector, end_.is_stalling());
+  watcher.see({tick_, proxy_, move, end_.has_gone_back()});
+  return move;
 }
 
 // Ends the tick if the proxy has settled. A proxy that was put back is measured from there.

@@ -16,6 +16,19 @@
 
 namespace tactus::rendering {
 
+// The steps of a haptic loop, in the lecture's order (CS 277, lecture 5). A tick takes steps 3 and
+// 4 once for every sub-goal, and moves the objects before the contacts.
+enum class TickStep : std::uint8_t {
+  read,       // 1: reads the position of the device
+  tool,       // 2: updates the segment from the proxy to the tool
+  collision,  // 3: searches for collisions along the segment
+  proxy,      // 4: updates the position of the proxy
+  force,      // 5: computes the force
+  command,    // 6: sends the force to the device
+  objects,    // 7: moves the objects
+};
+inline constexpr std::size_t kTickStepCount = 7;
+
 // A sub-goal of the shared proxy, chosen and swept but not moved to yet.
 struct WatchedSubGoal {
   // The tick's goal, and the proxy with its planes, its active planes and its friction.
@@ -60,6 +73,10 @@ class TickWatcher {
   TickWatcher(const TickWatcher&) = delete;
   TickWatcher& operator=(const TickWatcher&) = delete;
 
+  // A part of `step` has ended; it began at the last call of any of these functions. The first call
+  // of a touch is that of TickStep::tool, where the touch begins. A clock may be read here, because
+  // no result of the tick depends on it.
+  virtual void see_step(TickStep step) = 0;
   // A sub-goal of the shared proxy is chosen.
   virtual void see(const WatchedSubGoal& sub_goal) = 0;
   // The shared proxy has ended its moves toward a goal; shading may give it another one in the same
@@ -81,6 +98,7 @@ class TickWatcher {
 // points[0] to points[count - 1], world frame, m.
 class ProxyPath final : public TickWatcher {
  public:
+  void see_step(TickStep /*step*/) override {}
   void see(const WatchedSubGoal& sub_goal) override { add(sub_goal.proxy, sub_goal.is_put_back); }
   void see_end(const MovingProxy& proxy, bool is_put_back) override { add(proxy, is_put_back); }
   void see(const ObjectWatch& /*object*/, const WatchedFormulaStep& /*step*/) override {}

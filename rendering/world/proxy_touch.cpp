@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "rendering/contact/no_pull.h"
+#include "rendering/contact/tick_watcher.h"
 
 namespace tactus::rendering {
 namespace {
@@ -90,7 +91,13 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWa
     touch.friction = friction_state(scene, rest);
     set_force(scene, tool, rest, blended, touch);
   }
+  if (watcher == nullptr) {
+    proxy_.look_ahead(scene);
+    return touch;
+  }
+  watcher->see_step(TickStep::force);
   proxy_.look_ahead(scene);
+  watcher->see_step(TickStep::collision);
   return touch;
 }
 

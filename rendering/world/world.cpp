@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rendering/contact/tick_watcher.h"
+
 namespace tactus::rendering {
 
 namespace {
@@ -97,8 +99,18 @@ Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t li
 }
 
 Touch World::touch(const ToolState& tool, TickWatcher* watcher) {
-  Touch touch = touch_one(0, tool, begin_tick(), watcher);
+  if (watcher == nullptr) {
+    Touch touch = touch_one(0, tool, begin_tick(), nullptr);
+    step_bodies({&touch, 1});
+    return touch;
+  }
+  watcher->see_step(TickStep::tool);
+  const std::size_t limit = begin_tick();
+  watcher->see_step(TickStep::objects);
+  Touch touch = touch_one(0, tool, limit, watcher);
+  watcher->see_step(TickStep::force);
   step_bodies({&touch, 1});
+  watcher->see_step(TickStep::objects);
   return touch;
 }
 

@@ -22,6 +22,7 @@ void read_all(std::span<const std::byte> file) {
       fuzz::require(tick->joint_count <= drivers::kMaxJoints, "no more joints than there is room");
     }
     static_cast<void>(host::decode_event(message->data));
+    static_cast<void>(host::decode_explanation(message->data));
     static_cast<void>(host::decode_run_info(message->data));
   }
 }

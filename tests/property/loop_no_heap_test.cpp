@@ -1,9 +1,12 @@
 // The whole loop never touches the heap: its timing, the controller in contact, the watchdog's
-// line, commands in and telemetry out. Nor do the threads that stand beside it, which tell, record
-// and write the flight recorder out.
+// line, commands in and telemetry out, with an explanation of every tick. Nor do the threads that
+// stand beside it, which tell, record and write the flight recorder out.
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -12,6 +15,8 @@
 #include "firmware/linux/flight/flight_writer.h"
 #include "firmware/linux/tactusd/loop.h"
 #include "firmware/linux/tactusd/supervisor.h"
+#include "firmware/linux/telemetry/explanation_source.h"
+#include "firmware/linux/telemetry/live_socket.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
 #include "hal/simulated/gpio_chip.h"
 #include "hal/simulated/gpio_lines.h"
@@ -47,6 +52,7 @@ struct Beside {
   firmware::Supervisor supervisor;
   firmware::CommandQueue desk;
   firmware::TelemetryWriter telemetry;
+  firmware::ExplanationSource explanations;
   firmware::FlightWriter flight;
 };
 
@@ -83,6 +89,8 @@ class BusyHooks {
             .scheduled_ns = tick.scheduled_ns, .woke_ns = tick.woke_ns, .done_ns = tick.done_ns}};
     beside_->flight.add(recorded, controller);
     beside_->telemetry.publish(recorded);
+    beside_->explanations.after_tick(controller, tick.scheduled_ns, beside_->telemetry);
+    explained += beside_->telemetry.wants_explanations() ? 1 : 0;
     beside_->supervisor.note(controller.mode());
     contacts += controller.record().contact != rendering::ContactKind::none ? 1 : 0;
     ++ticks_;
@@ -90,6 +98,7 @@ class BusyHooks {
 
   int contacts = 0;
   int changes = 0;
+  int explained = 0;
 
  private:
   static constexpr int kFlightAt = 10'000;
@@ -97,6 +106,18 @@ class BusyHooks {
   Beside* beside_;
   int ticks_ = 0;
 };
+
+// Connects to a live socket and asks it for explanations. It reads nothing, which the socket bears.
+hal::FileDescriptor ask_for_explanations(const std::string& socket) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::ranges::copy(socket, std::begin(address.sun_path));
+  hal::FileDescriptor reader(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  EXPECT_EQ(::connect(reader.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)),
+            0);
+  EXPECT_EQ(::send(reader.get(), &firmware::kWantExplanations, 1, 0), 1);
+  return reader;
+}
 
 TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   constexpr std::uint64_t kTicks = 20'000;
@@ -118,7 +139,13 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   std::filesystem::create_directories(folder);
   ASSERT_EQ(beside.supervisor.start(notice), 0);
   ASSERT_EQ(beside.telemetry.record((folder + "/run.mcap").c_str()), 0);
+  const std::string socket = folder + "/telemetry.sock";
+  ASSERT_EQ(beside.telemetry.open_live_socket(socket.c_str()), 0);
   ASSERT_EQ(beside.telemetry.start(), 0);
+  const hal::FileDescriptor reader = ask_for_explanations(socket);
+  while (!beside.telemetry.wants_explanations()) {
+    usleep(1000);
+  }
   ASSERT_EQ(beside.flight.start({.folder = folder.c_str()}), 0);
   StrokingDevice device;
   BusyHooks hooks(beside);
@@ -145,6 +172,7 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   EXPECT_EQ(controller.mode(), firmware::Mode::active);
   EXPECT_EQ(hooks.changes, static_cast<int>(kTicks / 100));
   EXPECT_GT(hooks.contacts, static_cast<int>(kTicks / 2));
+  EXPECT_GT(hooks.explained, 0);
 }
 
 }  // namespace

@@ -144,6 +144,7 @@ void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
   }
   flight_.add(recorded, controller);
   writer_.publish(recorded);
+  explanations_.after_tick(controller, tick.scheduled_ns, writer_);
 }
 
 void RunTelemetry::stop(const Options& options) {

@@ -14,6 +14,7 @@
 #include "firmware/linux/flight/flight_writer.h"
 #include "firmware/linux/realtime/loop_timing.h"
 #include "firmware/linux/tactusd/options.h"
+#include "firmware/linux/telemetry/explanation_source.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
 #include "firmware/linux/telemetry/text_buffer.h"
 
@@ -67,6 +68,7 @@ class RunTelemetry {
   bool open_live_socket(const Options& options);
 
   TelemetryWriter writer_;
+  ExplanationSource explanations_;
   FlightWriter flight_;
   TelemetrySinks sinks_{.writer = &writer_, .flight = &flight_};
   std::array<Attachment, 3> images_{};

@@ -92,9 +92,38 @@ void LiveSocket::accept_readers(std::span<const std::byte> greeting, hal::TimeNs
     place->begin = 0;
     place->end = 0;
     place->moved_ns = now_ns;
+    place->wants_explanations = false;
     ++counts_.readers;
     ++counts_.accepted;
     append(*place, greeting);
+  }
+}
+
+bool LiveSocket::hear_readers() {
+  bool is_wanted = false;
+  for (Reader& reader : readers_) {
+    if (!reader.socket.is_open()) {
+      continue;
+    }
+    std::array<std::byte, 64> asked{};
+    const ssize_t count = recv(reader.socket.get(), asked.data(), asked.size(), MSG_DONTWAIT);
+    const auto bytes =
+        std::span(asked).first(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    for (const std::byte byte : bytes) {
+      if (byte == kWantExplanations || byte == kWantNoExplanations) {
+        reader.wants_explanations = byte == kWantExplanations;
+      }
+    }
+    is_wanted = is_wanted || reader.wants_explanations;
+  }
+  return is_wanted;
+}
+
+void LiveSocket::publish_explanation(std::span<const std::byte> message) {
+  for (Reader& reader : readers_) {
+    if (reader.socket.is_open() && reader.wants_explanations) {
+      append(reader, message);
+    }
   }
 }
 

@@ -1,7 +1,8 @@
 // Sends the run to every program that connects to a Unix socket. The stream is a sequence of
 // messages, each after its length as a 32-bit little-endian number. The first message is the run's
 // information (run_info.fbs); ticks (record.fbs) and events (event.fbs) follow. Bytes 4 to 7 of a
-// message are its type: "TRUN", "TREC" or "TEVT". Readers send nothing.
+// message are its type: "TRUN", "TREC", "TEVT" or "TEXP". A reader that sends the byte 'x' gets
+// explanations (explanation.fbs), too, until it sends 'o'; other bytes are ignored.
 //
 // Each reader has a bounded buffer. A message that does not fit is skipped for that reader and
 // counted. So a slow reader misses ticks, a stuck one is disconnected after kPatience_ns, and
@@ -34,6 +35,10 @@ struct LiveCounts {
   std::uint64_t skipped = 0;
 };
 
+// The bytes with which a reader asks for explanations, and for no more of them.
+inline constexpr std::byte kWantExplanations{'x'};
+inline constexpr std::byte kWantNoExplanations{'o'};
+
 // The socket of one run.
 class LiveSocket {
  public:
@@ -59,8 +64,12 @@ class LiveSocket {
 
   // Accepts the waiting readers; each gets `greeting` as its first message.
   void accept_readers(std::span<const std::byte> greeting, hal::TimeNs now_ns);
+  // Reads what the readers ask for. Returns true if one of them wants explanations.
+  bool hear_readers();
   // Puts a message into the buffer of every reader.
   void publish(std::span<const std::byte> message);
+  // Puts an explanation into the buffer of every reader that wants them.
+  void publish_explanation(std::span<const std::byte> message);
   // Sends as much of the buffers as the readers take now.
   void send(hal::TimeNs now_ns);
 
@@ -75,6 +84,7 @@ class LiveSocket {
     std::size_t end = 0;
     // The time when it last read something or its buffer was empty.
     hal::TimeNs moved_ns = 0;
+    bool wants_explanations = false;
     std::array<std::byte, kBufferBytes> buffer{};
   };
 

@@ -118,6 +118,15 @@ void McapWriter::add(const TelemetryEvent& event, std::span<const std::byte> mes
   add_message(Channel::event, event.time_ns, message);
 }
 
+// The first explanation brings its channel.
+void McapWriter::add(const Explanation& explanation, std::span<const std::byte> message) {
+  if (sequence_[static_cast<std::size_t>(Channel::explanation)] == 0) {
+    flush();
+    write_channel(Channel::explanation, explanation_schema(), kExplanationTopic);
+  }
+  add_message(Channel::explanation, explanation.time_ns, message);
+}
+
 void McapWriter::add_message(Channel channel, std::int64_t time_ns,
                              std::span<const std::byte> message) {
   const std::size_t content = mcap::kMessageHeaderBytes + message.size();
@@ -146,7 +155,7 @@ void McapWriter::add_message(Channel channel, std::int64_t time_ns,
 std::size_t McapWriter::pack_indexes(std::span<std::byte> room) const {
   Packer packer(room);
   const auto entries = std::span(index_).first(message_count_);
-  for (const Channel channel : {Channel::tick, Channel::event}) {
+  for (const Channel channel : {Channel::tick, Channel::event, Channel::explanation}) {
     const auto count = std::ranges::count(entries, channel, &IndexEntry::channel);
     if (count == 0) {
       continue;

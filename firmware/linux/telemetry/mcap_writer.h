@@ -1,5 +1,5 @@
-// Writes a run as an MCAP file: ticks and events as FlatBuffers in uncompressed chunks with their
-// indexes and checksums, the run's metadata, and attachments.
+// Writes a run as an MCAP file: ticks, events and explanations as FlatBuffers in uncompressed
+// chunks with their indexes and checksums, the run's metadata, and attachments.
 //
 // After a crash, a file lacks its summary and the last chunk; the chunks before are readable. The
 // writer has its own memory, no heap and no exceptions. Not real time; one thread.
@@ -18,9 +18,11 @@
 
 namespace tactus::firmware {
 
-// The topics of the two channels, and the name of the metadata record.
+// The topics of the channels, and the name of the metadata record. A file without explanations has
+// no channel for them.
 inline constexpr std::string_view kTickTopic = "/tactus/tick";
 inline constexpr std::string_view kEventTopic = "/tactus/event";
+inline constexpr std::string_view kExplanationTopic = "/tactus/explanation";
 inline constexpr std::string_view kMetadataName = "tactus";
 
 // The writer of one file.
@@ -33,12 +35,14 @@ class McapWriter {
   // Writes an attachment with its bytes at once.
   void attach(const Attachment& attachment);
 
-  // Add a tick or an event to the open chunk.
+  // Add a tick, an event or an explanation to the open chunk.
   void add(const RecordedTick& tick) { add(tick, encoder_.encode(tick)); }
   void add(const TelemetryEvent& event) { add(event, encoder_.encode(event)); }
-  // Add a tick or an event that has been encoded already.
+  void add(const Explanation& explanation) { add(explanation, encoder_.encode(explanation)); }
+  // Add one that has been encoded already.
   void add(const RecordedTick& tick, std::span<const std::byte> message);
   void add(const TelemetryEvent& event, std::span<const std::byte> message);
+  void add(const Explanation& explanation, std::span<const std::byte> message);
   // Writes the open chunk to the file.
   void flush();
 
@@ -57,13 +61,13 @@ class McapWriter {
   static constexpr std::size_t kMaxChunkMessages = 1024;
   // The size of a chunk's header.
   static constexpr std::size_t kFrontBytes = mcap::kRecordHeaderBytes + mcap::kChunkHeaderBytes;
-  static constexpr std::size_t kChannelCount = 2;
+  static constexpr std::size_t kChannelCount = 3;
   // The largest size of the indexes after a chunk: 16 bytes a message.
   static constexpr std::size_t kIndexBytes =
       kChannelCount * (mcap::kRecordHeaderBytes + 2 + 4) + 16 * kMaxChunkMessages;
 
-  // The channels; their ids in the file are 1 and 2.
-  enum class Channel : std::uint8_t { tick, event };
+  // The channels; their ids in the file are 1, 2 and 3.
+  enum class Channel : std::uint8_t { tick, event, explanation };
 
   // A message of the open chunk.
   struct IndexEntry {
@@ -85,6 +89,7 @@ class McapWriter {
   FileSink sink_;
   RecordEncoder encoder_;
   std::int64_t clock_offset_ns_ = 0;
+  // The number of messages of each channel.
   std::array<std::uint32_t, kChannelCount> sequence_{};
 
   // The open chunk: its header, its records and the indexes after it.

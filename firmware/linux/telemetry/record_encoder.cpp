@@ -5,6 +5,8 @@
 
 #include "firmware/telemetry/event_bfbs_generated.h"
 #include "firmware/telemetry/event_generated.h"
+#include "firmware/telemetry/explanation_bfbs_generated.h"
+#include "firmware/telemetry/explanation_generated.h"
 #include "firmware/telemetry/record_bfbs_generated.h"
 #include "firmware/telemetry/record_generated.h"
 #include "firmware/telemetry/run_info_generated.h"
@@ -35,6 +37,17 @@ telemetry::EnergyLedger stored_energy(const EnergyLedger& energy_J) {
   const auto of = [&](EnergySource source) { return energy_J[static_cast<std::size_t>(source)]; };
   using enum EnergySource;
   return {of(contact), of(friction), of(texture), of(effect), of(coupling), of(safety), of(delay)};
+}
+
+telemetry::Feature stored_feature(const rendering::ExplainedFeature& feature) {
+  return {feature.object, feature.face, feature.edge, feature.vertex,
+          stored_enum<telemetry::ContactKind>(feature.kind)};
+}
+
+telemetry::StepTimes stored_steps(const StepTimes& step_ns) {
+  const auto of = [&](rendering::TickStep step) { return step_ns[static_cast<std::size_t>(step)]; };
+  using enum rendering::TickStep;
+  return {of(read), of(tool), of(collision), of(proxy), of(force), of(command), of(objects)};
 }
 
 // Adds the fields that are numbers.
@@ -141,6 +154,46 @@ std::span<const std::byte> RecordEncoder::encode(const TelemetryEvent& event) {
   return message();
 }
 
+std::span<const std::byte> RecordEncoder::encode(const Explanation& explanation) {
+  builder_.Clear();
+  std::array<telemetry::ActivePlane, kMaxActivePlanes> planes;
+  const std::size_t count = std::min<std::size_t>(explanation.plane_count, planes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const ActivePlane& plane = explanation.planes[i];
+    planes[i] = {stored_feature(plane.feature), stored(plane.normal_W), plane.tool_distance_m,
+                 plane.multiplier_m};
+  }
+  const auto stored_planes = builder_.CreateVectorOfStructs(planes.data(), count);
+  const telemetry::Feature feature = stored_feature(explanation.feature);
+  const telemetry::Vector3 tool = stored(explanation.tool_W);
+  const telemetry::Vector3 proxy = stored(explanation.proxy_W);
+  const telemetry::Vector3 surface = stored(explanation.surface_W);
+  const telemetry::Vector3 normal = stored(explanation.normal_W);
+  const auto& [static_radius_m, dynamic_radius_m, lag_m] = explanation.circle;
+  const telemetry::FrictionCircle circle(static_radius_m, dynamic_radius_m, lag_m);
+  const telemetry::StepTimes step_ns = stored_steps(explanation.step_ns);
+  telemetry::ExplanationBuilder table(builder_);
+  table.add_tick(explanation.tick);
+  table.add_time_ns(explanation.time_ns);
+  table.add_feature(&feature);
+  table.add_is_feature_known(explanation.is_feature_known);
+  table.add_friction(stored_enum<telemetry::FrictionState>(explanation.friction));
+  table.add_moves(explanation.moves);
+  table.add_iterations(explanation.iterations);
+  table.add_tool_w(&tool);
+  table.add_proxy_w(&proxy);
+  table.add_surface_w(&surface);
+  table.add_normal_w(&normal);
+  table.add_depth_m(explanation.depth_m);
+  table.add_planes(stored_planes);
+  if (explanation.has_circle) {
+    table.add_circle(&circle);
+  }
+  table.add_step_ns(&step_ns);
+  builder_.Finish(table.Finish(), telemetry::ExplanationIdentifier());
+  return message();
+}
+
 std::span<const std::byte> RecordEncoder::encode(std::span<const MetadataEntry> run_info) {
   constexpr std::size_t kMaxEntries = 64;
   constexpr std::size_t kPerEntry = 64;  // more than the tables around the two texts
@@ -171,6 +224,12 @@ std::span<const std::byte> RecordEncoder::message() const {
 MessageSchema record_schema() {
   using Schema = telemetry::RecordBinarySchema;
   return {.name = "tactus.telemetry.Record",
+          .bytes = std::as_bytes(std::span(Schema::data(), Schema::size()))};
+}
+
+MessageSchema explanation_schema() {
+  using Schema = telemetry::ExplanationBinarySchema;
+  return {.name = "tactus.telemetry.Explanation",
           .bytes = std::as_bytes(std::span(Schema::data(), Schema::size()))};
 }
 

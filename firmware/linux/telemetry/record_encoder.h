@@ -1,5 +1,5 @@
-// Encodes ticks, events and run information as FlatBuffers (record.fbs, event.fbs, run_info.fbs).
-// It has its own memory and uses no heap. One thread.
+// Encodes ticks, events, explanations and run information as FlatBuffers (record.fbs, event.fbs,
+// explanation.fbs, run_info.fbs). It has its own memory and uses no heap. One thread.
 #pragma once
 
 #include <flatbuffers/flatbuffer_builder.h>
@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/telemetry/explanation.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
 
@@ -37,6 +38,7 @@ class RecordEncoder {
   // equal bytes.
   std::span<const std::byte> encode(const RecordedTick& tick);
   std::span<const std::byte> encode(const TelemetryEvent& event);
+  std::span<const std::byte> encode(const Explanation& explanation);
   std::span<const std::byte> encode(std::span<const MetadataEntry> run_info);
 
  private:
@@ -63,8 +65,9 @@ struct MessageSchema {
   std::string_view name;
   std::span<const std::byte> bytes;
 };
-// Return the schemas of ticks and of events, in static storage.
+// Return the schemas of ticks, of events and of explanations, in static storage.
 MessageSchema record_schema();
 MessageSchema event_schema();
+MessageSchema explanation_schema();
 
 }  // namespace tactus::firmware

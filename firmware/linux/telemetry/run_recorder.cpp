@@ -43,6 +43,12 @@ void RunRecorder::add(const TelemetryEvent& event, std::span<const std::byte> me
   }
 }
 
+void RunRecorder::add(const Explanation& explanation, std::span<const std::byte> message) {
+  if (mcap_.is_open()) {
+    mcap_.add(explanation, message);
+  }
+}
+
 void RunRecorder::flush() {
   if (mcap_.is_open()) {
     mcap_.flush();

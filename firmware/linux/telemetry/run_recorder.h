@@ -33,10 +33,11 @@ class RunRecorder {
 
   // Ends the present recording, if there is one, and starts another. Returns 0 or errno.
   int open(const char* path, IfThere if_there = IfThere::replace);
-  // Add a tick or an event to the open file, or do nothing without one. `message` is its encoded
-  // form.
+  // Add a tick, an event or an explanation to the open file, or do nothing without one. `message`
+  // is its encoded form.
   void add(const RecordedTick& tick, std::span<const std::byte> message);
   void add(const TelemetryEvent& event, std::span<const std::byte> message);
+  void add(const Explanation& explanation, std::span<const std::byte> message);
   // Writes the buffer to the file.
   void flush();
   // Closes the file. Returns 0 or the errno that ended it early; the file holds what came before.

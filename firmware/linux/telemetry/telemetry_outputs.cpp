@@ -36,6 +36,7 @@ int TelemetryOutputs::carry_out(const TelemetryOrder& order) {
 void TelemetryOutputs::accept_readers(hal::TimeNs now_ns) {
   if (live_.is_open()) {
     live_.accept_readers(encoder_.encode(run_info_), now_ns);
+    is_explaining_.store(live_.hear_readers(), std::memory_order_relaxed);
   }
 }
 
@@ -52,6 +53,12 @@ void TelemetryOutputs::add(const RecordedTick& tick) {
   if (udp_.is_open() && tick.record.tick % udp_every_ == 0) {
     udp_.send(tick);
   }
+}
+
+void TelemetryOutputs::add(const Explanation& explanation) {
+  const auto message = encoder_.encode(explanation);
+  recorder_.add(explanation, message);
+  live_.publish_explanation(message);
 }
 
 void TelemetryOutputs::flush(hal::TimeNs now_ns) {

@@ -29,11 +29,13 @@ class TelemetryOutputs {
   // it early.
   int carry_out(const TelemetryOrder& order);
 
-  // Accepts new readers of the live socket.
+  // Accepts new readers of the live socket and hears what they ask for.
   void accept_readers(hal::TimeNs now_ns);
   // Pass a tick or an event on to all outputs.
   void add(const TelemetryEvent& event);
   void add(const RecordedTick& tick);
+  // Passes an explanation on to the recording and to the readers that want it.
+  void add(const Explanation& explanation);
   // Sends what the readers have not got yet, writes the file's buffer once in a while, and ends a
   // recording that has failed.
   void flush(hal::TimeNs now_ns);
@@ -41,6 +43,10 @@ class TelemetryOutputs {
   // Ends the recording and closes the live socket.
   void close();
 
+  // Returns true while a reader wants explanations. Any thread.
+  [[nodiscard]] bool wants_explanations() const {
+    return is_explaining_.load(std::memory_order_relaxed);
+  }
   // Returns 0 or the errno that ended the recording. Any thread.
   [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
 
@@ -54,6 +60,7 @@ class TelemetryOutputs {
   // The time at which the file's buffer was written last.
   hal::TimeNs flushed_ns_ = 0;
   std::atomic<int> error_{0};
+  std::atomic<bool> is_explaining_{false};
 };
 
 }  // namespace tactus::firmware

@@ -66,6 +66,10 @@ void TelemetryWriter::cycle() {
     outputs_.add(*tick);
     ticks_.pop();
   }
+  while (const Explanation* explanation = explanations_.front()) {
+    outputs_.add(*explanation);
+    explanations_.pop();
+  }
   outputs_.flush(now_ns);
   if (const TelemetryOrder* const order = orders_.waiting(); order != nullptr) {
     orders_.answer(outputs_.carry_out(*order));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host_tools/csv/csv_text.h"
@@ -89,8 +90,35 @@ TEST_F(StepsCsvTest, ASimulationAndItsReplayExplainTheSameAndHashAsWithout) {
   EXPECT_EQ(read_file(file("hashes.txt")), read_file(file("plain.txt")));
   EXPECT_EQ(rows()["tick"], lines_of("hashes.txt"));
   const std::string in_simulation = read_file(file("steps.csv"));
-  run("replay run.mcap --explain steps.csv");
+  const testing::Outcome replayed =
+      testing::run_program(folder(), "replay run.mcap --explain steps.csv");
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.output;
+  EXPECT_NE(replayed.output.find("2000 recorded explanations: all equal"), std::string::npos)
+      << replayed.output;
   EXPECT_EQ(read_file(file("steps.csv")), in_simulation);
+}
+
+// The times are those of this machine, so nothing is said about how long a step takes.
+TEST_F(StepsCsvTest, HasTheTimesOfTheSevenStepsInASimulationOnly) {
+  constexpr std::string_view kTimes =
+      "read_ns,tool_ns,collision_ns,proxy_ns,force_ns,command_ns,objects_ns";
+  bake("ramp");
+  const auto times_of_last_tick = [this] {
+    const std::string text = read_file(file("steps.csv"));
+    CsvText table(text);
+    std::vector<std::string> last;
+    while (const std::vector<std::string>* const fields = table.next()) {
+      last = *fields;
+    }
+    return std::vector<std::string>(last.end() - 7, last.end());
+  };
+  run("sim scene.tactus --seconds 1 --explain steps.csv");
+  const std::string text = read_file(file("steps.csv"));
+  EXPECT_TRUE(text.substr(0, text.find('\n')).ends_with(kTimes));
+  EXPECT_EQ(std::ranges::count(times_of_last_tick(), std::string{}), 0);
+  run("sim scene.tactus --seconds 1 --record run.mcap");
+  run("replay run.mcap --explain steps.csv");
+  EXPECT_EQ(std::ranges::count(times_of_last_tick(), std::string{}), 7);
 }
 
 TEST_F(StepsCsvTest, TickIsDrawnByItsNumberItsTimeAndTheMostMoves) {

@@ -38,6 +38,36 @@ firmware::RecordedTick example_tick(std::uint64_t tick, std::int64_t latency_us)
   return example;
 }
 
+firmware::Explanation example_explanation() {
+  const firmware::TelemetryRecord record = example_tick(100, 3).record;
+  const rendering::ExplainedFeature edge{
+      .object = 2, .kind = rendering::ContactKind::edge, .face = 17, .edge = 1};
+  firmware::Explanation example{
+      .tick = record.tick,
+      .feature = edge,
+      .is_feature_known = true,
+      .friction = record.friction,
+      .moves = 6,
+      .tool_W = record.tool_p_W,
+      .proxy_W = record.proxy_W,
+      .surface_W = {0.0101, -0.0202, 0.029534},
+      .normal_W = {0.0, 0.0, 1.0},
+      .depth_m = record.depth_m,
+      .plane_count = 2,
+      .has_circle = true,
+      .circle = {.static_radius_m = 0.00074, .dynamic_radius_m = 0.00049, .lag_m = 0.00082},
+      .step_ns = {45'200, 900, 800, 400, 200, 30'300, 100}};
+  example.planes[0] = {.feature = edge,
+                       .normal_W = {0.6, 0.0, 0.8},
+                       .tool_distance_m = -0.0009,
+                       .multiplier_m = 0.0007};
+  example.planes[1] = {.feature = {.object = 2, .kind = rendering::ContactKind::face, .face = 18},
+                       .normal_W = {-0.6, 0.0, 0.8},
+                       .tool_distance_m = -0.0008,
+                       .multiplier_m = 0.0006};
+  return example;
+}
+
 RunView example_run() {
   RunView view;
   view.take(RunInfo{{"device", "WoodenHaptics on ODrive"}});

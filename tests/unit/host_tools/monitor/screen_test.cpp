@@ -74,6 +74,28 @@ TEST(MonitorScreen, ShowsASimulationAndSixAxes) {
   expect_screen(view, "simulation");
 }
 
+TEST(MonitorScreen, ExplainsATickInThePlaceOfTheAxesUntilThatIsOver) {
+  RunView view = example_run();
+  view.explain(example_explanation());
+  expect_screen(view, "explained");
+  view.explain(std::nullopt);
+  expect_screen(view, "active");
+}
+
+TEST(MonitorScreen, ExplainsATickOfAFormulaThatHasNoNumbers) {
+  RunView view = example_run();
+  firmware::Explanation explanation = example_explanation();
+  explanation.feature = {.object = 2, .kind = rendering::ContactKind::face};
+  explanation.is_feature_known = false;
+  explanation.moves = 0;
+  explanation.iterations = 4;
+  explanation.plane_count = 0;
+  explanation.has_circle = false;
+  explanation.surface_W[0] = std::numeric_limits<double>::infinity();
+  view.explain(explanation);
+  expect_screen(view, "explained_formula");
+}
+
 TEST(MonitorScreen, SaysThatTheControllerIsGone) {
   RunView view = example_run();
   view.lose();

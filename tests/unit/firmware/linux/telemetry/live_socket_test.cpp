@@ -76,6 +76,55 @@ TEST_F(LiveSocketTest, GivesEveryTickToEveryReader) {
   EXPECT_EQ(socket_->counts().skipped, 0U);
 }
 
+TEST_F(LiveSocketTest, GivesExplanationsToReadersThatAskForThem) {
+  LiveReader told(path_);
+  LiveReader other(path_);
+  accept();
+  EXPECT_FALSE(socket_->hear_readers());
+  const auto explain = [&](std::uint64_t tick) {
+    socket_->publish_explanation(encoder_.encode(Explanation{.tick = tick}));
+    send();
+  };
+  const auto explained = [](LiveReader& reader) {
+    std::uint64_t newest = 0;
+    while (const auto message = reader.next(0ms)) {
+      if (const auto* explanation = std::get_if<Explanation>(&*message)) {
+        newest = explanation->tick;
+      }
+    }
+    return newest;
+  };
+  explain(7);
+  EXPECT_EQ(explained(told), 0U);
+  told.ask_for_explanations(true);
+  EXPECT_TRUE(socket_->hear_readers());
+  explain(8);
+  EXPECT_EQ(explained(told), 8U);
+  EXPECT_EQ(explained(other), 0U);
+  told.ask_for_explanations(false);
+  EXPECT_FALSE(socket_->hear_readers());
+  explain(9);
+  EXPECT_EQ(explained(told), 0U);
+}
+
+// The place of a reader that has gone is another's, who asks anew.
+TEST_F(LiveSocketTest, ForgetsWhatAReaderAskedForWhenItGoes) {
+  {
+    LiveReader reader(path_);
+    reader.ask_for_explanations(true);
+    accept();
+    EXPECT_TRUE(socket_->hear_readers());
+  }
+  publish(0);
+  send();
+  publish(1);
+  send();
+  EXPECT_FALSE(socket_->hear_readers());
+  const LiveReader next(path_);
+  accept();
+  EXPECT_FALSE(socket_->hear_readers());
+}
+
 TEST_F(LiveSocketTest, SkipsWholeMessagesForASlowReaderAndCountsEach) {
   LiveReader slow(path_);
   LiveReader quick(path_);

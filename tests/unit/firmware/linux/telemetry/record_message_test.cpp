@@ -60,6 +60,65 @@ TEST(RecordMessage, CarriesAnEvent) {
   EXPECT_EQ(decoded->value, -0.25);
 }
 
+// Fills an explanation with numbers of which no two are equal.
+Explanation some_explanation() {
+  Explanation explanation{.tick = 17,
+                          .time_ns = -5,
+                          .feature = {.object = 2,
+                                      .kind = rendering::ContactKind::edge,
+                                      .face = 3,
+                                      .edge = 1,
+                                      .vertex = 4},
+                          .is_feature_known = true,
+                          .friction = rendering::FrictionState::slip,
+                          .moves = 6,
+                          .iterations = 7,
+                          .tool_W = {0.01, 0.02, 0.03},
+                          .proxy_W = {0.04, 0.05, 0.06},
+                          .surface_W = {0.07, 0.08, 0.09},
+                          .normal_W = {0.6, 0.0, 0.8},
+                          .depth_m = 0.001,
+                          .plane_count = 2,
+                          .has_circle = true,
+                          .circle = {.static_radius_m = 0.6, .dynamic_radius_m = 0.4, .lag_m = 0.5},
+                          .step_ns = {10, 20, 30, 40, 50, 60, 70}};
+  explanation.planes[0] = {
+      .feature = {.object = 8, .kind = rendering::ContactKind::face, .face = 9},
+      .normal_W = {1.0, 0.0, -0.0},
+      .tool_distance_m = -0.002,
+      .multiplier_m = 0.003};
+  explanation.planes[1] = {
+      .feature = {.object = 11, .kind = rendering::ContactKind::vertex, .face = 12, .vertex = 13},
+      .normal_W = {0.0, 1.0, 0.0},
+      .tool_distance_m = -0.004,
+      .multiplier_m = 0.005};
+  return explanation;
+}
+
+TEST(RecordMessage, CarriesAnExplanation) {
+  const Explanation sent = some_explanation();
+  RecordEncoder encoder;
+  const auto read = host::decode_explanation(encoder.encode(sent));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(*read, sent);
+}
+
+TEST(RecordMessage, OfAnExplanationMayLackCirclesAndPlanes) {
+  RecordEncoder encoder;
+  const Explanation sent{.tick = 3};
+  EXPECT_EQ(host::decode_explanation(encoder.encode(sent)), sent);
+}
+
+TEST(RecordMessage, OfAnExplanationIsRefusedWhenItIsShortOrAnother) {
+  RecordEncoder encoder;
+  const auto message = encoder.encode(some_explanation());
+  for (std::size_t size = 0; size < message.size(); ++size) {
+    EXPECT_FALSE(host::decode_explanation(message.first(size)).has_value()) << size;
+  }
+  EXPECT_FALSE(host::decode_tick(message).has_value());
+  EXPECT_FALSE(host::decode_event(message).has_value());
+}
+
 TEST(RecordMessage, CarriesRunInformationAndCutsWhatIsTooLong) {
   const std::string long_text(kMaxMessageBytes, 'x');
   const std::array<MetadataEntry, 3> entries{{{"rate_hz", "1000"}, {"", ""}, {"long", long_text}}};

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <memory>
 #include <random>
+#include <sstream>
 
 #include "firmware/linux/telemetry/mcap_writer.h"
 #include "host_tools/input_error.h"
@@ -151,6 +152,40 @@ TEST_F(RecordingTest, IsNotAnyFile) {
   EXPECT_NE(message_of_failure().find("not an MCAP file"), std::string::npos);
   std::filesystem::remove(path_);
   EXPECT_NE(message_of_failure().find("cannot read"), std::string::npos);
+}
+
+// Explanations may begin at any tick. They do not disturb the ticks, and a recording without them
+// has no channel for them.
+TEST_F(RecordingTest, GivesBackExplanationsBesideTheTicks) {
+  const auto writer = std::make_unique<McapWriter>();
+  ASSERT_EQ(writer->open(path_.c_str(), 0, kInfo), 0);
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    writer->add(tick(i));
+    if (i >= 100 && i % 2 == 0) {
+      writer->add(firmware::Explanation{.tick = i, .moves = 4});
+    }
+  }
+  ASSERT_EQ(writer->close(), 0);
+  Recording recording(path_.string());
+  for (int pass = 0; pass < 2; ++pass) {
+    EXPECT_EQ(count_ticks(recording), 300U);
+    std::uint64_t expected = 100;
+    while (const auto explanation = recording.next_explanation()) {
+      EXPECT_EQ(*explanation, (firmware::Explanation{.tick = expected, .moves = 4}));
+      expected += 2;
+    }
+    EXPECT_EQ(expected, 300U);
+    recording.rewind();
+  }
+}
+
+TEST_F(RecordingTest, HasNoChannelOfExplanationsWithoutThem) {
+  write(100);
+  std::ostringstream bytes;
+  bytes << std::ifstream(path_, std::ios::binary).rdbuf();
+  EXPECT_EQ(bytes.str().find(firmware::kExplanationTopic), std::string::npos);
+  Recording recording(path_.string());
+  EXPECT_FALSE(recording.next_explanation().has_value());
 }
 
 TEST_F(RecordingTest, EndsWhereTheDiskIsFull) {

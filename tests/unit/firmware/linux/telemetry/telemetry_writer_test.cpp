@@ -149,6 +149,41 @@ TEST_F(TelemetryWriterTest, ServesAReaderWhileItRecords) {
   EXPECT_TRUE(reader.ended());
 }
 
+TEST_F(TelemetryWriterTest, WantsExplanationsWhileAReaderDoes) {
+  const auto until = [&](bool wanted) {
+    for (int i = 0; i < 2000 && writer_->wants_explanations() != wanted; ++i) {
+      publish(static_cast<std::uint64_t>(i));  // a reader that has gone is found by writing to it
+      std::this_thread::sleep_for(5ms);
+    }
+    return writer_->wants_explanations() == wanted;
+  };
+  const std::string path = file("run.mcap");
+  ASSERT_EQ(writer_->record(path.c_str()), 0);
+  const std::string socket = file("telemetry.sock");
+  ASSERT_EQ(writer_->open_live_socket(socket.c_str()), 0);
+  ASSERT_EQ(writer_->start(), 0);
+  EXPECT_FALSE(writer_->wants_explanations());
+  {
+    host::LiveReader reader(socket);
+    reader.ask_for_explanations(true);
+    EXPECT_TRUE(until(true));
+    writer_->publish(Explanation{.tick = 11, .moves = 3});
+    std::optional<host::LiveMessage> message = reader.next(10s);
+    while (message && !std::holds_alternative<Explanation>(*message)) {
+      message = reader.next(10s);
+    }
+    ASSERT_TRUE(message.has_value());
+    EXPECT_EQ(std::get<Explanation>(*message).tick, 11U);
+  }
+  EXPECT_TRUE(until(false));
+  EXPECT_EQ(writer_->stop(), 0);
+  host::Recording recording(path);
+  const auto recorded = recording.next_explanation();
+  ASSERT_TRUE(recorded.has_value());
+  EXPECT_EQ(recorded->moves, 3U);
+  EXPECT_FALSE(recording.next_explanation().has_value());
+}
+
 TEST_F(TelemetryWriterTest, TellsThatTheDiskWasFull) {
   EXPECT_EQ(writer_->record("/dev/full"), ENOSPC);
   EXPECT_EQ(writer_->start(), 0);

@@ -1,0 +1,36 @@
+// Explains the ticks of a loop while a reader of the live telemetry wants it. The loop's thread.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/control/controller.h"
+#include "firmware/linux/telemetry/telemetry_writer.h"
+#include "firmware/telemetry/tick_explainer.h"
+
+namespace tactus::firmware {
+
+// The explanations of one controller, which has no other watcher.
+class ExplanationSource {
+ public:
+  // Publishes the explanation of the tick that has ended, and decides whether the next one is
+  // watched. `due_ns` is LoopTimes::scheduled_ns of the tick. Real time: while nobody wants
+  // explanations, it reads one flag and the tick computes nothing for them.
+  void after_tick(Controller& controller, std::int64_t due_ns, TelemetryWriter& writer) {
+    const bool is_wanted = writer.wants_explanations();
+    if (is_wanted || is_on_) {
+      publish(controller, due_ns, writer);
+      turn(controller, is_wanted);
+    }
+  }
+
+ private:
+  // Publishes the tick if it was watched.
+  void publish(const Controller& controller, std::int64_t due_ns, TelemetryWriter& writer);
+  // Begins or ends to watch the controller.
+  void turn(Controller& controller, bool on);
+
+  TickExplainer explainer_;
+  bool is_on_ = false;
+};
+
+}  // namespace tactus::firmware
