@@ -1,6 +1,7 @@
 #include "host_tools/cli/progress_line.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 
@@ -25,6 +26,9 @@ void ProgressLine::step(std::string_view what) {
 }
 
 void ProgressLine::run(const std::stop_token& stop) {
+  if (::isatty(STDERR_FILENO) != 1) {
+    return;
+  }
   std::unique_lock lock(mutex_);
   auto next = start_ + kQuietAtFirst;
   bool shown = false;

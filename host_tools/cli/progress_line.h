@@ -1,5 +1,4 @@
-// A line on the terminal that shows how long a slow step has been going on. The verbs use it on
-// stderr, if that is a terminal.
+// A line on the terminal that shows how long a slow step has been going on.
 #pragma once
 
 #include <chrono>
@@ -14,8 +13,9 @@ namespace tactus::host {
 // Clears the line of the terminal in which the cursor is.
 inline constexpr const char* kWipeLine = "\r\x1b[K";
 
-// Shows nothing in the first two seconds. From then on a thread of its own rewrites a line of
-// stderr twice a second, until this object is destroyed, which clears the line.
+// Shows nothing in the first two seconds, nor at all where stderr is no terminal. From then on a
+// thread of its own rewrites a line of stderr twice a second, until this object is destroyed, which
+// clears the line.
 class ProgressLine {
  public:
   ProgressLine();

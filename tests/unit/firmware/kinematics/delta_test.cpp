@@ -92,7 +92,8 @@ TEST_F(FalconDelta, JacobianGivesTheCorrectedCheckPoints) {
 
 TEST_F(FalconDelta, ForwardInvertsTheBisectedChain) {
   start(20261121);
-  for (int i = 0; i < 2000; ++i) {
+  const int count = testing::share_of(2000);
+  for (int i = 0; i < count; ++i) {
     const Vec3 tool = random_tool(0.05);
     const auto joints = bisected_joints(tool);
     ASSERT_TRUE(joints) << tool.transpose();
@@ -104,7 +105,8 @@ TEST_F(FalconDelta, ForwardInvertsTheBisectedChain) {
 
 TEST_F(FalconDelta, InverseIsTheBisectedChain) {
   start(20261122);
-  for (int i = 0; i < 2000; ++i) {
+  const int count = testing::share_of(2000);
+  for (int i = 0; i < count; ++i) {
     const Vec3 tool = random_tool(0.055);
     const auto joints = delta_.inverse(tool);
     const auto expected = bisected_joints(tool);
@@ -116,7 +118,8 @@ TEST_F(FalconDelta, InverseIsTheBisectedChain) {
 TEST_F(FalconDelta, JacobianInvertsTheDifferencesOfTheBisectedChain) {
   start(20261123);
   constexpr double kStep_m = 1e-5;
-  for (int i = 0; i < 500; ++i) {
+  const int count = testing::share_of(500);
+  for (int i = 0; i < count; ++i) {
     const Vec3 tool = random_tool(0.045);
     Mat3 joints_by_tool;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -133,7 +136,8 @@ TEST_F(FalconDelta, JacobianInvertsTheDifferencesOfTheBisectedChain) {
 TEST_F(FalconDelta, PowerAtTheJointsIsThePowerAtTheTool) {
   start(20261124);
   constexpr double kStep_s = 1e-6;
-  for (int i = 0; i < 500; ++i) {
+  const int count = testing::share_of(500);
+  for (int i = 0; i < count; ++i) {
     const Vec3 tool = random_tool(0.045);
     const Vec3 velocity(random_unit(), random_unit(), random_unit());
     const Vec3 force(8.0 * random_unit(), 8.0 * random_unit(), 8.0 * random_unit());

@@ -33,8 +33,13 @@ double beyond_nearest(const ConnectionGraph& graph, std::span<const testing::Cor
   std::uint32_t best = 0;
   Vec3 nearest = testing::nearest_point(triangles[0], p);
   for (std::uint32_t i = 1; i < triangles.size(); ++i) {
+    const double so_far = (nearest - p).norm();
+    // A ball about a triangle is nearer than the triangle.
+    if ((triangles[i].centre - p).norm() - triangles[i].radius_m > so_far) {
+      continue;
+    }
     const Vec3 here = testing::nearest_point(triangles[i], p);
-    if ((here - p).norm() < (nearest - p).norm()) {
+    if ((here - p).norm() < so_far) {
       nearest = here;
       best = i;
     }

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "rendering/surface/elementary.h"
+#include "tests/support/share.h"
 
 namespace tactus::rendering {
 namespace {
@@ -62,7 +63,8 @@ void expect_hull(const Interval& result, double least, double largest) {
 TEST(IntervalArithmetic, GivesTheHullOfTheOperationOnTheEnds) {
   SCOPED_TRACE(kIntervalSeed);
   std::mt19937_64 random(kIntervalSeed);
-  for (int run = 0; run < 300'000; ++run) {
+  const int runs = testing::share_of(300'000);
+  for (int run = 0; run < runs; ++run) {
     const Interval a = any_interval(random);
     const Interval b = any_interval(random);
     const double c = any_end(random);
@@ -97,7 +99,8 @@ TEST(IntervalArithmetic, HoldsThePowersOfTheNumbersInIt) {
   SCOPED_TRACE(kIntervalSeed);
   std::mt19937_64 random(kIntervalSeed);
   std::uniform_real_distribution<double> number(-3.0, 3.0);
-  for (int run = 0; run < 20'000; ++run) {
+  const int runs = testing::share_of(20'000);
+  for (int run = 0; run < runs; ++run) {
     const double one = number(random);
     const double other = number(random);
     const Interval a{std::min(one, other), std::max(one, other)};
@@ -151,7 +154,8 @@ TEST(IntervalSine, HoldsTheSineAndTheCosineAndIsAsNarrowAsTheAngle) {
   std::mt19937_64 random(kIntervalSeed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   constexpr long double kQuarter = 1.57079632679489661923132169163975144L;
-  for (int run = 0; run < 20'000; ++run) {
+  const int runs = testing::share_of(20'000);
+  for (int run = 0; run < runs; ++run) {
     const double size = run % 2 == 0 ? 10.0 : kLargestAngle - 10.0;
     const double at =
         run % 3 == 0

@@ -21,7 +21,7 @@ using rendering::Opcode;
 using testing::contains;
 using testing::input_error;
 
-constexpr std::uint64_t kSeed = 20260322;
+constexpr std::uint64_t kParserSeed = 20260322;
 
 double value(std::string_view text, const Vec3& p = {0.3, -0.7, 1.1}) {
   return rendering::evaluate(parse_formula(text).view(), p);
@@ -181,8 +181,8 @@ TEST(FormulaParser, RefusesWhatNeedsTooManyInstructions) {
 }
 
 TEST(FormulaParser, ThrowsNothingButInputErrorsOnRandomText) {
-  SCOPED_TRACE(kSeed);
-  std::mt19937_64 random(kSeed);
+  SCOPED_TRACE(kParserSeed);
+  std::mt19937_64 random(kParserSeed);
   std::vector<std::string> words{"x",  "y",          "z",      "+",      "-",     "*", "/",
                                  "^",  "(",          ")",      ",",      " ",     "1", "0",
                                  "2",  "0.5",        "1e9",    "pi",     "1e999", "@", "\xFF",

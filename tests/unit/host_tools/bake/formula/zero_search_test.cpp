@@ -13,6 +13,7 @@
 
 #include "host_tools/bake/formula/formula_parser.h"
 #include "host_tools/bake/formula/zero_bounds.h"
+#include "tests/support/share.h"
 
 namespace tactus::host {
 namespace {
@@ -203,10 +204,10 @@ class FormulaDrawing {
 
 TEST(ZeroSearch, OfAThousandRandomFormulasIsRight) {
   constexpr std::uint64_t kZeroSeed = 20261127;
-  constexpr int kCount = 1000;
   constexpr double kNear = 1e-5;
   FormulaDrawing drawing(kZeroSeed);
-  for (int i = 0; i < kCount; ++i) {
+  const int count = testing::share_of(1000);
+  for (int i = 0; i < count; ++i) {
     const int kind = i % 5;
     const Known known = kind == 0   ? drawing.touch()
                         : kind == 1 ? drawing.ball()
