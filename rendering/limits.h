@@ -34,8 +34,9 @@ inline constexpr std::size_t kWaveVertices = 512;
 // farther meanwhile.
 inline constexpr std::size_t kRefitNodes = 1024;
 
-// Objects whose material is changed while the scene runs. Beyond: World::set_material refuses.
-inline constexpr std::size_t kMaxChangedMaterials = 64;
+// Objects whose material or contact method is changed while the scene runs. Beyond:
+// World::set_material and World::set_method refuse.
+inline constexpr std::size_t kMaxChangedObjects = 64;
 
 // Bodies that move by forces, and fixed objects that they meet. Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxBodies = 32;

@@ -69,7 +69,7 @@ class Controller {
   // Changes a parameter from the next tick on, which records the change. Returns the number of that
   // tick. Call it between ticks, at most once per tick, because a record holds one change. On a
   // refusal nothing changes. Real time and bounded, but a certified device checks the scene again
-  // for a change of a material (safety/pushing_together.h).
+  // for a change of an object (safety/pushing_together.h).
   std::expected<ParameterEvent, ParameterRefusal> set_parameter(const ParameterChange& change);
   // Returns the present value of a parameter and its allowed range. During a gradual change it is
   // the value at the change's end. Call between ticks; real time.
@@ -145,6 +145,13 @@ class Controller {
   void transfer_pose(rendering::StateArchive& archive);
   void transfer_record(rendering::StateArchive& archive);
 
+  // Returns true if the object may have that material and method on this device. Otherwise sets
+  // uncertified_part().
+  bool is_certified(std::uint32_t object, const rendering::Material& material,
+                    rendering::ContactMethod method);
+  // Apply a change of an object's friction model or contact method. The value is allowed.
+  std::expected<void, ParameterRefusal> choose_model(const ParameterChange& change);
+  std::expected<void, ParameterRefusal> choose_contact(const ParameterChange& change);
   // Applies a change of one of the controller's own parameters.
   void apply_own(const ParameterChange& change);
   // Passes changed parameters to the parts that use them, without starting their ramps anew.

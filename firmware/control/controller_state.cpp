@@ -11,8 +11,8 @@ namespace {
 
 using rendering::StateArchive;
 
-// The bytes "TACTUS04" with which a state begins. A change of the format gets another last digit.
-constexpr std::uint64_t kMagic = 0x3430'5355'5443'4154U;
+// The bytes "TACTUS05" with which a state begins. A change of the format gets another last digit.
+constexpr std::uint64_t kMagic = 0x3530'5355'5443'4154U;
 
 }  // namespace
 
@@ -158,7 +158,7 @@ void Controller::transfer_parameters(StateArchive& archive) {
   auto& [place, value] = next_.change;
   ControllerConfig& config = settings_.config;
   SafetyConfig& safety = config.safety;
-  archive.choice(place.parameter, Parameter::viscous_friction);
+  archive.choice(place.parameter, kLastParameter);
   archive(place.object, value, safety.max_force_N, safety.force_slew_N_per_s, safety.soft_start_s,
           safety.contact_start_s, config.velocity_cutoff_hz);
   if (archive.is_reading()) {

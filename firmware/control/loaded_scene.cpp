@@ -3,32 +3,44 @@
 #include <cmath>
 
 #include "firmware/safety/workspace_walls.h"
+#include "rendering/material/friction_exchange.h"
 
 namespace tactus::firmware {
 namespace {
 
-// The materials of a scene after all changes, with `changed` (if not null) in place of that of
-// `object`.
-struct WantedMaterials {
+// The objects of a scene after all changes, and a further change of `object` if `changed` is not
+// null.
+struct WantedObjects {
   const LoadedScene& scene;
   const rendering::Material* changed = nullptr;
+  rendering::ContactMethod method{};
   std::uint32_t object = 0;
+
+  [[nodiscard]] bool changes(std::uint32_t number) const {
+    return changed != nullptr && number == object;
+  }
 };
 
 rendering::Material wanted_material(const void* context, std::uint32_t object) {
-  const auto& [scene, changed, number] = *static_cast<const WantedMaterials*>(context);
-  return changed != nullptr && object == number ? *changed : scene.wanted(object);
+  const auto& wanted = *static_cast<const WantedObjects*>(context);
+  return wanted.changes(object) ? *wanted.changed : wanted.scene.wanted(object);
 }
 
-// Returns the scene as the certificate sees it. `materials` must outlive the result.
-FeltScene felt_scene(const WantedMaterials& materials, const SafetyConfig& safety) {
-  const LoadedScene& scene = materials.scene;
+rendering::ContactMethod wanted_method(const void* context, std::uint32_t object) {
+  const auto& wanted = *static_cast<const WantedObjects*>(context);
+  return wanted.changes(object) ? wanted.method : wanted.scene.world.object(object).method;
+}
+
+// Returns the scene as the certificate sees it. `wanted` must outlive the result.
+FeltScene felt_scene(const WantedObjects& wanted, const SafetyConfig& safety) {
+  const LoadedScene& scene = wanted.scene;
   return {.objects = scene.objects,
           .effects = scene.effects,
           .feel = {.tool_radius_m = scene.tool_radius_m,
                    .max_force_N = safety.max_force_N,
                    .material = wanted_material,
-                   .context = &materials,
+                   .method = wanted_method,
+                   .context = &wanted,
                    .walls = felt_walls(safety)}};
 }
 
@@ -57,6 +69,12 @@ rendering::Material LoadedScene::wanted(std::uint32_t object) const {
   return changes.wanted(world, object);
 }
 
+rendering::Material LoadedScene::with_model(std::uint32_t object,
+                                            rendering::FrictionKind kind) const {
+  return rendering::with_friction_model(wanted(object), world.unchanged_object(object).material,
+                                        kind);
+}
+
 bool LoadedScene::change_material(std::uint32_t object, const rendering::Material& material) {
   // The present material is set as a changed one first; the ticks then apply the change gradually.
   const rendering::Material felt = world.material(object);
@@ -67,17 +85,27 @@ bool LoadedScene::change_material(std::uint32_t object, const rendering::Materia
   return true;
 }
 
+bool LoadedScene::exchange_material(std::uint32_t object, const rendering::Material& material) {
+  if (!world.set_material(object, material)) {
+    return false;
+  }
+  changes.forget(object);
+  return true;
+}
+
 std::optional<UncertifiedPart> LoadedScene::first_refused(const StiffnessCertificate& certificate,
                                                           const SafetyConfig& safety) const {
-  const WantedMaterials materials{.scene = *this};
-  const FeltScene felt = felt_scene(materials, safety);
+  const WantedObjects wanted{.scene = *this};
+  const FeltScene felt = felt_scene(wanted, safety);
   return first_uncertified(certificate, felt.objects, felt.effects, felt.feel);
 }
 
 bool LoadedScene::is_certified(const StiffnessCertificate& certificate, const SafetyConfig& safety,
-                               std::uint32_t object, const rendering::Material& material) {
-  const WantedMaterials materials{.scene = *this, .changed = &material, .object = object};
-  const auto part = uncertified_with(certificate, felt_scene(materials, safety), object);
+                               std::uint32_t object, const rendering::Material& material,
+                               rendering::ContactMethod method) {
+  const WantedObjects wanted{
+      .scene = *this, .changed = &material, .method = method, .object = object};
+  const auto part = uncertified_with(certificate, felt_scene(wanted, safety), object);
   refused_part = part.value_or(refused_part);
   return !part;
 }

@@ -29,17 +29,24 @@ struct LoadedScene {
 
   // Returns the material that the object has after all changes.
   [[nodiscard]] rendering::Material wanted(std::uint32_t object) const;
-  // Begins the change to another material. Returns false if too many objects have changed ones.
+  // Returns that material with another friction model (rendering/material/friction_exchange.h).
+  [[nodiscard]] rendering::Material with_model(std::uint32_t object,
+                                               rendering::FrictionKind kind) const;
+  // Begins the change to another material. Returns false if too many objects have been changed.
   bool change_material(std::uint32_t object, const rendering::Material& material);
+  // Changes to another material at once, for an object that no tool touches. Returns false if too
+  // many objects have been changed.
+  bool exchange_material(std::uint32_t object, const rendering::Material& material);
 
   // Returns the first part that the certificate does not allow, or nothing. `safety` has the walls
   // of the workspace, which push together with the scene.
   [[nodiscard]] std::optional<UncertifiedPart> first_refused(
       const StiffnessCertificate& certificate, const SafetyConfig& safety) const;
-  // Returns true if the certificate allows the object with that material. Otherwise sets
+  // Returns true if the certificate allows the object with that material and method. Otherwise sets
   // refused_part.
   bool is_certified(const StiffnessCertificate& certificate, const SafetyConfig& safety,
-                    std::uint32_t object, const rendering::Material& material);
+                    std::uint32_t object, const rendering::Material& material,
+                    rendering::ContactMethod method);
 
   // Advances the changes of materials by one tick in which the force may change by at most
   // `most_N`. Returns true if some are not complete. Real time.

@@ -52,6 +52,16 @@ void MaterialChanges::set(std::uint32_t object, const Material& wanted) {
   changes_[i] = {.object = object, .wanted = wanted};
 }
 
+// The order of the changes does not matter.
+void MaterialChanges::forget(std::uint32_t object) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (changes_[i].object == object) {
+      changes_[i] = changes_[--count_];
+      return;
+    }
+  }
+}
+
 Material MaterialChanges::wanted(const rendering::World& world, std::uint32_t object) const {
   for (std::size_t i = 0; i < count_; ++i) {
     if (changes_[i].object == object) {

@@ -25,6 +25,9 @@ class MaterialChanges {
   // Forgets the changes and leaves the materials as they are.
   void clear() { count_ = 0; }
 
+  // Forgets the change of an object and leaves its material as it is.
+  void forget(std::uint32_t object);
+
   // Sets the material that the object shall get. The object must be among the world's changed ones.
   void set(std::uint32_t object, const rendering::Material& wanted);
 
@@ -47,7 +50,7 @@ class MaterialChanges {
     std::uint32_t object = 0;
     rendering::Material wanted;
   };
-  std::array<Change, rendering::kMaxChangedMaterials> changes_{};
+  std::array<Change, rendering::kMaxChangedObjects> changes_{};
   std::size_t count_ = 0;
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "firmware/control/controller.h"
+#include "firmware/control/parameter_choices.h"
+#include "rendering/material/friction_exchange.h"
 
 namespace tactus::firmware {
 namespace {
@@ -64,6 +66,41 @@ bool has_term(Parameter parameter, rendering::FrictionKind kind) {
   }
 }
 
+// Returns the bits of the values from 0 to below `count` for which `allows` is true.
+template <class Allows>
+std::uint32_t choices_from(std::uint32_t count, const Allows& allows) {
+  std::uint32_t choices = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    choices |= allows(i) ? 1U << i : 0U;
+  }
+  return choices;
+}
+
+// Returns the friction model of an object, and those that its contact method can render.
+ParameterValue model_value(const LoadedScene& scene, std::uint32_t object) {
+  const std::uint32_t count = choice_count(Parameter::friction_model);
+  const rendering::ContactMethod method = scene.world.object(object).method;
+  return {.value = static_cast<double>(scene.wanted(object).friction.kind),
+          .greatest = count - 1.0,
+          .choices = choices_from(count, [&](std::uint32_t i) {
+            const auto material = scene.with_model(object, static_cast<rendering::FrictionKind>(i));
+            return sound(material) && rubs_at_rest(material.friction) &&
+                   renders_friction(method, material.friction);
+          })};
+}
+
+// Returns the contact method of an object, and those that can render it.
+ParameterValue contact_value(const LoadedScene& scene, std::uint32_t number) {
+  const std::uint32_t count = choice_count(Parameter::contact);
+  const rendering::Object& object = scene.world.object(number);
+  const rendering::Material material = scene.wanted(number);
+  return {.value = static_cast<double>(object.method),
+          .greatest = count - 1.0,
+          .choices = choices_from(count, [&](std::uint32_t i) {
+            return can_render(static_cast<rendering::ContactMethod>(i), object, material);
+          })};
+}
+
 // Returns true for a ramp, whose length must not change while it rises.
 bool waits_for_rest(Parameter parameter) {
   return parameter == Parameter::soft_start || parameter == Parameter::contact_start;
@@ -96,6 +133,12 @@ std::expected<ParameterValue, ParameterRefusal> Controller::parameter(
   if (place.object >= scene_.world.object_count()) {
     return std::unexpected(ParameterRefusal::no_such_object);
   }
+  if (place.parameter == Parameter::friction_model) {
+    return model_value(scene_, place.object);
+  }
+  if (place.parameter == Parameter::contact) {
+    return contact_value(scene_, place.object);
+  }
   const rendering::Material material = scene_.wanted(place.object);
   if (!has_term(place.parameter, material.friction.kind)) {
     return std::unexpected(ParameterRefusal::not_of_this_model);
@@ -112,28 +155,83 @@ std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
   if (!std::isfinite(change.value)) {
     return std::unexpected(ParameterRefusal::not_finite);
   }
-  if (change.value < now->least || change.value > now->greatest) {
+  if (has_choices(change.place.parameter)) {
+    if (!allows(*now, change.value)) {
+      return std::unexpected(ParameterRefusal::not_a_choice);
+    }
+  } else if (change.value < now->least || change.value > now->greatest) {
     return std::unexpected(ParameterRefusal::out_of_range);
   }
   if (waits_for_rest(change.place.parameter) && modes_.mode() == Mode::active) {
     return std::unexpected(ParameterRefusal::not_while_active);
   }
-  if (is_of_object(change.place.parameter)) {
+  if (!is_of_object(change.place.parameter)) {
+    apply_own(change);
+  } else if (!has_choices(change.place.parameter)) {
     rendering::Material material = scene_.wanted(change.place.object);
     material_field(change.place.parameter, material) = change.value;
-    const auto& [config, safety, is_configured] = settings_;
-    if (!config.allow_uncertified &&
-        !scene_.is_certified(config.certificate, safety, change.place.object, material)) {
+    if (!is_certified(change.place.object, material,
+                      scene_.world.object(change.place.object).method)) {
       return std::unexpected(ParameterRefusal::uncertified);
     }
     if (!scene_.change_material(change.place.object, material)) {
       return std::unexpected(ParameterRefusal::too_many_changed);
     }
-  } else {
-    apply_own(change);
+  } else if (change.value != now->value) {
+    const auto chosen = change.place.parameter == Parameter::friction_model
+                            ? choose_model(change)
+                            : choose_contact(change);
+    if (!chosen) {
+      return std::unexpected(chosen.error());
+    }
   }
   next_.change = change;
   return ParameterEvent{.tick = next_.number, .change = change};
+}
+
+bool Controller::is_certified(std::uint32_t object, const rendering::Material& material,
+                              rendering::ContactMethod method) {
+  const auto& [config, safety, is_configured] = settings_;
+  return config.allow_uncertified ||
+         scene_.is_certified(config.certificate, safety, object, material, method);
+}
+
+// Gives an object another friction model at once. A model that a contact has driven could not go on
+// with the force of another one, so the contact must be over.
+std::expected<void, ParameterRefusal> Controller::choose_model(const ParameterChange& change) {
+  const std::uint32_t object = change.place.object;
+  const rendering::Material material =
+      scene_.with_model(object, static_cast<rendering::FrictionKind>(change.value));
+  if (scene_.world.is_touched(object)) {
+    return std::unexpected(ParameterRefusal::touched);
+  }
+  if (!is_certified(object, material, scene_.world.object(object).method)) {
+    return std::unexpected(ParameterRefusal::uncertified);
+  }
+  if (!scene_.exchange_material(object, material)) {
+    return std::unexpected(ParameterRefusal::too_many_changed);
+  }
+  return {};
+}
+
+// Gives an object another contact method at once.
+std::expected<void, ParameterRefusal> Controller::choose_contact(const ParameterChange& change) {
+  const std::uint32_t object = change.place.object;
+  const auto method = static_cast<rendering::ContactMethod>(change.value);
+  rendering::World& world = scene_.world;
+  if (!world.may_set_method(object, method)) {
+    return std::unexpected(ParameterRefusal::touched);
+  }
+  if (!is_certified(object, scene_.wanted(object), method)) {
+    return std::unexpected(ParameterRefusal::uncertified);
+  }
+  if (!world.has_room_for(object, method)) {
+    return std::unexpected(ParameterRefusal::too_many_contacts);
+  }
+  if (!world.set_method(object, method)) {
+    return std::unexpected(ParameterRefusal::too_many_changed);
+  }
+  return {};
 }
 
 // Applies a change of one of the controller's own parameters. The value is within its range.

@@ -8,7 +8,8 @@
 //
 // Safety limits can be made gentler than in the device's file, never harder: the file's values are
 // the ends of their ranges. Materials can be changed either way, up to the certified stiffness if
-// the device has a certificate.
+// the device has a certificate. The friction model and the contact method of an object change at
+// once, and only while no tool touches it: a change under a hand would be a step of the force.
 #pragma once
 
 #include <array>
@@ -30,7 +31,12 @@ enum class Parameter : std::uint8_t {
   static_friction = 18,
   dynamic_friction = 19,
   viscous_friction = 20,
+  friction_model = 21,  // this and the following have names for values (parameter_choices.h)
+  contact = 22,
 };
+
+// The last of the parameters.
+inline constexpr Parameter kLastParameter = Parameter::contact;
 
 // Returns true for a parameter of an object of the scene, false for the controller's own.
 constexpr bool is_of_object(Parameter parameter) {
@@ -40,11 +46,10 @@ constexpr bool is_of_object(Parameter parameter) {
 // The texts of a parameter.
 struct ParameterText {
   Parameter parameter;
-  std::string_view
-      // The name for programs, with the unit. An object's parameter is written object.<name or
-      // number>.<name>.
-      name;  // for programs, with the unit; an object's is object.<name or number>.<name>
-  std::string_view unit;
+  // The name for programs, with the unit. An object's parameter is written object.<name or
+  // number>.<name>.
+  std::string_view name;
+  std::string_view unit;  // empty if the values have names
   // The meaning for people.
   std::string_view meaning;
 };
@@ -67,6 +72,9 @@ inline constexpr auto kParameterTexts = std::to_array<ParameterText>({
      "friction coefficient of an object in motion"},
     {Parameter::viscous_friction, "viscous_friction_s_per_m", "s/m",
      "friction of an object that grows with the speed, per newton of normal force"},
+    {Parameter::friction_model, "friction_model", "",
+     "friction model of an object; not while it is touched"},
+    {Parameter::contact, "contact", "", "contact method of an object; not while it is touched"},
 });
 
 // Returns the row of kParameterTexts; nullptr for `none` and for an unknown number.
@@ -106,6 +114,8 @@ struct ParameterValue {
   double value = 0.0;
   double least = 0.0;
   double greatest = 0.0;
+  // The allowed values of a parameter whose values have names: bit 1 << value for each.
+  std::uint32_t choices = 0;
 };
 
 // Why a parameter was not read or changed.
@@ -115,8 +125,11 @@ enum class ParameterRefusal : std::uint8_t {
   not_finite,
   out_of_range,
   not_while_active,   // disable first
-  too_many_changed,   // kMaxChangedMaterials objects have been changed since the scene was loaded
+  too_many_changed,   // kMaxChangedObjects objects have been changed since the scene was loaded
   not_of_this_model,  // the object's friction model has no such term
+  not_a_choice,       // no such name, or the object does not allow it
+  touched,            // a tool is in contact; lift it first
+  too_many_contacts,  // kMaxIndependentObjects objects have a contact of their own
   uncertified,        // beyond the device's certificate, alone or with other parts that push there
 };
 
@@ -137,6 +150,16 @@ constexpr std::string_view describe(ParameterRefusal refusal) {
       return "too many objects have been changed; load the scene again";
     case ParameterRefusal::not_of_this_model:
       return "the object's friction model has no such term";
+    case ParameterRefusal::not_a_choice:
+      return "there is no such value, or the object's shape, motion, friction, grain or textures "
+             "do "
+             "not go with it";
+    case ParameterRefusal::touched:
+      return "the tool touches the object, or another one by the proxy that they share; lift the "
+             "tool and set it again";
+    case ParameterRefusal::too_many_contacts:
+      return "as many objects as fit have a contact of their own; set another object's contact to "
+             "sphere_proxy first";
     case ParameterRefusal::uncertified:
       return "the device is not certified for so much, by itself or with what else is felt in that "
              "place; certify a stiffer device with tactus certify, or start with "

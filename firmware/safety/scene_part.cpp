@@ -171,12 +171,16 @@ ScenePart part_of(const FeltScene& scene, std::size_t number) {
   if (number >= scene.objects.size()) {
     return part_of_effect(scene.effects[number - scene.objects.size()]);
   }
-  const rendering::Object& object = scene.objects[number];
+  const auto object = static_cast<std::uint32_t>(number);
   const SceneFeel& feel = scene.feel;
-  return feel.material == nullptr
-             ? part_of_object(object, object.material, feel)
-             : part_of_object(
-                   object, feel.material(feel.context, static_cast<std::uint32_t>(number)), feel);
+  rendering::Object felt = scene.objects[number];
+  felt.material = feel.material == nullptr ? felt.material : feel.material(feel.context, object);
+  felt.method = feel.method == nullptr ? felt.method : feel.method(feel.context, object);
+  ScenePart part = part_of_object(felt, felt.material, feel);
+  if (part.field_box != nullptr) {
+    part.field_box = &scene.objects[number].primitive;  // which outlives the copy
+  }
+  return part;
 }
 
 bool coincide(const ScenePart& a, const ScenePart& b) {

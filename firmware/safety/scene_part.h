@@ -50,7 +50,10 @@ struct SceneFeel {
   // A function that returns the material of an object, to replace the scene's; null for the
   // scene's.
   rendering::Material (*material)(const void* context, std::uint32_t object) = nullptr;
-  // The first argument of `material`.
+  // A function that returns the contact method of an object, to replace the scene's; null for the
+  // scene's.
+  rendering::ContactMethod (*method)(const void* context, std::uint32_t object) = nullptr;
+  // The first argument of `material` and `method`.
   const void* context = nullptr;
   FeltWalls walls;
 };

@@ -9,6 +9,7 @@
 #include <optional>
 #include <ranges>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host_tools/bake/scene/closed_volume.h"
@@ -64,6 +65,10 @@ struct ObjectSummary {
   // The corners of the object's box, world frame, m: the root of the hierarchy has them.
   [[nodiscard]] const Float3& lower() const { return object.mesh.nodes.front().lower; }
   [[nodiscard]] const Float3& upper() const { return object.mesh.nodes.front().upper; }
+  // Returns the name of the contact method.
+  [[nodiscard]] std::string_view contact() const {
+    return rendering::kContactMethods.at(static_cast<std::size_t>(object.method)).name;
+  }
   [[nodiscard]] const char* sides() const {
     return object.sides == rendering::Sides::one ? "one" : "two";
   }
@@ -125,6 +130,7 @@ nlohmann::ordered_json to_json(const ObjectSummary& s) {
           {"box_lower_m", to_json(s.lower())},
           {"box_upper_m", to_json(s.upper())},
           {"sides", s.sides()},
+          {"contact", s.contact()},
           {"stiffness_N_per_m", material.stiffness_N_per_m},
           {"damping_Ns_per_m", material.damping_Ns_per_m},
           {"friction", to_json(material.friction)},
@@ -217,7 +223,7 @@ void print_object(const ObjectSummary& s) {
              s.object.mesh.nodes.size(), s.bytes_per_triangle);
   fmt::print("  box        ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m\n", s.lower().x,
              s.lower().y, s.lower().z, s.upper().x, s.upper().y, s.upper().z);
-  fmt::print("  sides      {}\n", s.sides());
+  fmt::print("  sides      {}, contact {}\n", s.sides(), s.contact());
   fmt::print("  stiffness  {} N/m, damping {} N s/m\n", material.stiffness_N_per_m,
              material.damping_Ns_per_m);
   print_friction(material);

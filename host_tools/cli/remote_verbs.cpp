@@ -135,10 +135,16 @@ void add_parameters(CLI::App& app) {
   auto [set, change] =
       add_verb(app, {"set", "Change a parameter of the running controller",
                      "Its limits may become gentler than the device's file says, never "
-                     "harder.\n\nExamples:\n  tactus set max_force_N 4\n  tactus set "
-                     "object.bunny.stiffness_N_per_m 600"});
+                     "harder. The contact method and the friction model of an object have the "
+                     "names of scenes; lift the tool to change them.\n\nExamples:\n  tactus set "
+                     "max_force_N 4\n  tactus set object.bunny.stiffness_N_per_m 600\n  tactus get "
+                     "object.bunny.contact              the allowed ones, too\n  tactus "
+                     "set object.bunny.contact one_plane    the textbook's god-object\n  tactus "
+                     "set object.bunny.friction_model lugre"});
   set->add_option("name", change->name, "As `tactus get` lists it")->required();
-  set->add_option("value", change->value, "In the unit of its name")->required();
+  set->add_option("value", change->value,
+                  "In the unit of its name, or a name that `tactus get` lists")
+      ->required();
   set->callback(
       [options = change] { tell(*options, "set " + options->name + " " + options->value); });
 }

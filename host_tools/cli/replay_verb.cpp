@@ -48,7 +48,9 @@ constexpr const char* kReplayExamples =
     "  tactus replay run.mcap --device falcon.tactus --scene scene.tactus\n"
     "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
     "  tactus replay run.mcap --explain steps.csv           every move, plane and friction circle\n"
-    "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png";
+    "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png\n"
+    "  tactus replay run.mcap --set object.wall.contact=one_plane    by another contact method\n"
+    "  tactus replay run.mcap --set object.wall.friction_model=dahl";
 
 // The verb's options as the user gave them.
 struct ReplayOptions {

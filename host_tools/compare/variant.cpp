@@ -14,6 +14,8 @@
 namespace tactus::host {
 namespace {
 
+using rendering::kContactMethods;
+
 struct NamedSides {
   std::string_view name;
   rendering::Sides sides;
@@ -68,16 +70,15 @@ void require_renderable(const SceneDescription& scene, const ObjectDescription& 
   const std::string_view needs = surface_needed(object.contact, object.shape);
   const std::string place = fmt::format("{}:{}: object {}", scene.file, object.line, object.name);
   const std::string_view method =
-      std::ranges::find(kContactMethods, object.contact, &NamedContactMethod::method)->name;
+      std::ranges::find(kContactMethods, object.contact, &rendering::NamedContactMethod::method)
+          ->name;
   if (!needs.empty()) {
     throw InputError(
         fmt::format("{}: {} is for {}; name other objects with --object, or leave the method out",
                     place, method, needs));
   }
-  const bool is_plain = object.contact == rendering::ContactMethod::plain_tracking;
-  if (rendering::is_textbook(object.contact) &&
-      (object.material.friction.kind != rendering::FrictionKind::cone ||
-       (is_plain && has_friction(object.material.friction)))) {
+  if (!rendering::renders_friction(object.contact, object.material.friction)) {
+    const bool is_plain = object.contact == rendering::ContactMethod::plain_tracking;
     throw InputError(fmt::format("{}: {} has {}; leave the friction or the method out", place,
                                  method, is_plain ? "no friction" : "the friction cone only"));
   }

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "firmware/control/parameter_choices.h"
+#include "firmware/control/parameter_name.h"
 #include "firmware/safety/energy_ledger.h"
 #include "firmware/safety/faults.h"
 #include "firmware/telemetry/record_fields.h"
@@ -133,6 +135,20 @@ bool is_meant(std::string_view field, std::string_view name) {
          std::isdigit(static_cast<unsigned char>(name[field.size()])) != 0;
 }
 
+// Returns the value of an event as a number, or by its name if it is a friction model or a contact
+// method.
+std::string value_of(const firmware::TelemetryEvent& event) {
+  if (event.kind == firmware::EventKind::parameter) {
+    const auto name = firmware::parse_parameter_name(firmware::name_of(event));
+    const std::string_view choice =
+        name ? firmware::choice_name(name->parameter, event.value) : std::string_view{};
+    if (!choice.empty()) {
+      return std::string(choice);
+    }
+  }
+  return fmt::format("{:.9g}", event.value);
+}
+
 }  // namespace
 
 std::vector<std::string> watch_fields(std::size_t joints) {
@@ -183,9 +199,9 @@ std::string WatchLines::line(const firmware::RecordedTick& tick) {
 std::string WatchLines::line(const firmware::TelemetryEvent& event) {
   const auto kind = static_cast<std::size_t>(event.kind);
   return fmt::format(
-      "event tick={} kind={} name={} value={:.9g}", event.tick,
+      "event tick={} kind={} name={} value={}", event.tick,
       kind < firmware::kEventKindNames.size() ? firmware::kEventKindNames[kind] : "unknown",
-      firmware::name_of(event), event.value);
+      firmware::name_of(event), value_of(event));
 }
 
 }  // namespace tactus::host

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "firmware/control/parameter_choices.h"
 #include "firmware/control/parameter_name.h"
 #include "host_tools/input_error.h"
 #include "host_tools/replay/replayer.h"
@@ -42,7 +43,14 @@ void apply(firmware::Controller& controller, const ParameterChange& change) {
     return;
   }
   std::string why(firmware::describe(done.error()));
-  if (const auto range = controller.parameter(change.place)) {
+  const auto range = controller.parameter(change.place);
+  if (range && has_choices(change.place.parameter)) {
+    std::string names;
+    firmware::for_each_choice(change.place.parameter, *range, [&](std::string_view name) {
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    });
+    why += "; write one of " + names;
+  } else if (range) {
     why += "; from " + std::to_string(range->least) + " to " + std::to_string(range->greatest);
   }
   refuse(firmware::text_of(change.place.parameter)->name, why);
@@ -90,6 +98,10 @@ ParameterChange parse_change(std::string_view text, const rendering::SceneImage*
     change.place.object = find_object(text, name->object, scene);
   }
   const std::string_view value = text.substr(equals + 1);
+  if (firmware::has_choices(name->parameter)) {
+    change.value = firmware::choice_of(name->parameter, value);
+    return change;
+  }
   const auto [end, error] =
       std::from_chars(value.data(), value.data() + value.size(), change.value);
   if (error != std::errc{} || end != value.data() + value.size() || !std::isfinite(change.value)) {

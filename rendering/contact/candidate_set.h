@@ -53,8 +53,9 @@ class CandidateSet {
     left_out_ = {};
   }
 
-  // Returns the objects that give no candidates. Call clear() after a change.
+  // Return the objects that give no candidates. Call clear() after a change.
   [[nodiscard]] LeftOut& left_out() { return left_out_; }
+  [[nodiscard]] const LeftOut& left_out() const { return left_out_; }
 
   // Removes all candidates if an object moved near the trusted capsule.
   void begin_tick(const SceneObjects& scene);

@@ -1,5 +1,7 @@
 #include "rendering/contact/sphere_proxy.h"
 
+#include <algorithm>
+
 #include "rendering/contact/active_constraints.h"
 #include "rendering/contact/carry_along.h"
 #include "rendering/contact/proxy_tick.h"
@@ -13,6 +15,13 @@ void SphereProxy::place(const Vec3& p_W) {
   just_placed_ = true;
   candidate_set_.start_over();
   candidate_set_.move_to(p_W);
+}
+
+bool SphereProxy::touches(std::uint32_t object) const {
+  return state_.last_contact.object == object ||
+         std::ranges::find(state_.held_by.surfaces, object, &HeldBy::Surface::object) !=
+             state_.held_by.surfaces.end() ||
+         candidate_set_.left_out().has(object);
 }
 
 // The candidates are checked first, with the objects at their new places: those near a moved object

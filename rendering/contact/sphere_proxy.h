@@ -72,6 +72,11 @@ class SphereProxy {
   [[nodiscard]] const Vec3& position_W() const { return state_.p_W; }
   // Returns the friction state after the last advance.
   [[nodiscard]] FrictionState friction() const { return state_.friction; }
+  // Returns true if no surface held the proxy in the last advance.
+  [[nodiscard]] bool is_free() const { return state_.last_contact.object == kNoObject; }
+  // Returns true if the object held the proxy in the last advance, or is left out because the proxy
+  // overlaps it.
+  [[nodiscard]] bool touches(std::uint32_t object) const;
   // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return candidate_set_.peak(); }
 

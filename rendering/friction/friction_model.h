@@ -36,6 +36,29 @@ constexpr FrictionParameters scaled(FrictionParameters parameters, double factor
   return parameters;
 }
 
+// The parameters that a surface has if its scene leaves them out.
+inline constexpr FrictionParameters kSurfaceFriction{
+    .stribeck_velocity_m_per_s = 0.01,
+    .stribeck_exponent = 2.0,
+    .stick_velocity_m_per_s = 0.005,
+    .elastic_fraction = 0.7,
+};
+
+// Returns true if the model has the parameter on a surface. A cone has no stiffness there: it
+// sticks by the surface's own (surface_friction.h).
+constexpr bool has_on_surface(FrictionKind kind, double FrictionParameters::* parameter) {
+  const bool is_cone_stiffness =
+      kind == FrictionKind::cone && parameter == &FrictionParameters::stiffness_N_per_m;
+  return !is_cone_stiffness && kFrictionModels[static_cast<std::size_t>(kind)].has(parameter);
+}
+
+// Returns false if there is a static level, and the model has no friction at rest because its
+// dynamic level is 0.
+constexpr bool rubs_at_rest(const FrictionParameters& parameters) {
+  return parameters.kind == FrictionKind::cone || parameters.coulomb > 0.0 ||
+         !(parameters.static_level > 0.0);
+}
+
 // Returns true if every number is finite and within the bounds above.
 bool valid(const FrictionParameters& parameters);
 

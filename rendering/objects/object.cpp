@@ -51,23 +51,26 @@ bool can_wave(const Object& object) {
   return good;
 }
 
-// Returns true if the method can render the surface. Each method knows some kinds of surfaces only,
-// see rendering/README.md.
-bool touchable(const Object& object) {
-  if (object.deforms && (object.surface != SurfaceKind::mesh || !meets_proxy(object))) {
-    return false;
-  }
+// Returns true if the surface is whole.
+bool has_surface(const Object& object) {
   switch (object.surface) {
     case SurfaceKind::primitive:
-      return valid(object.primitive) &&
-             (meets_proxy(object) || object.method == ContactMethod::potential_field);
+      return valid(object.primitive);
     case SurfaceKind::implicit:
-      return follows_formula(object.method) && check(object.implicit.formula).has_value() &&
-             object.implicit.scale_m > 0.0;
+      return check(object.implicit.formula).has_value() && object.implicit.scale_m > 0.0;
     default:
-      return usable_mesh(object.mesh) && !follows_formula(object.method) &&
-             (meets_proxy(object) || is_textbook_on_mesh(object.method) || has_features(object));
+      return usable_mesh(object.mesh);
   }
+}
+
+// Returns true if the method can render the surface with its detail, and a body by its proxy.
+bool renders(ContactMethod method, const Object& object) {
+  const bool is_mesh = object.surface == SurfaceKind::mesh;
+  const bool needs_features = is_mesh && !meets_proxy(method) && !is_textbook_on_mesh(method);
+  return renders_surface(method, object.surface) && (!is_body(object) || meets_proxy(method)) &&
+         (!object.deforms || (is_mesh && renders_deforming(method))) &&
+         (!needs_features || has_features(object)) &&
+         (object.detail.empty() || renders_detail(method));
 }
 
 }  // namespace
@@ -88,12 +91,16 @@ bool usable(const Object& object) {
   if (object.motion != nullptr && !(valid(*object.motion) && can_wave(object))) {
     return false;
   }
-  const bool can_be_body = !is_body(object) || (object.moves && !object.deforms &&
-                                                object.motion == nullptr && meets_proxy(object));
-  return can_be_body && touchable(object) &&
-         (object.detail.empty() || renders_detail(object.method)) && object.push_out_m >= 0.0 &&
-         object.push_out_m <= kWorldBound_m &&
+  const bool can_be_body =
+      !is_body(object) || (object.moves && !object.deforms && object.motion == nullptr);
+  return can_be_body && has_surface(object) && renders(object.method, object) &&
+         object.push_out_m >= 0.0 && object.push_out_m <= kWorldBound_m &&
          check(object.detail, object.mesh.triangles.size()).fault == DetailFault::none;
+}
+
+bool can_render(ContactMethod method, const Object& object, const Material& material) {
+  return renders(method, object) && renders_friction(method, material.friction) &&
+         (!material.grain.differs() || renders_grain(method));
 }
 
 }  // namespace tactus::rendering

@@ -10,6 +10,7 @@
 #include "rendering/geometry/mesh.h"
 #include "rendering/material/material.h"
 #include "rendering/material/surface_detail.h"
+#include "rendering/objects/contact_method.h"
 #include "rendering/objects/motion.h"
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/surface/primitive.h"
@@ -20,28 +21,6 @@ namespace tactus::rendering {
 inline constexpr std::uint32_t kNoObject = 0xffffffff;
 // Numbers no body of a scene.
 inline constexpr std::uint8_t kNoBody = 0xff;
-
-// The kind of the surface that is touched.
-enum class SurfaceKind : std::uint8_t { mesh = 0, primitive = 1, implicit = 2 };
-
-// The contact method: it keeps the tool out of an object, or pushes it out.
-enum class ContactMethod : std::uint8_t {
-  sphere_proxy = 0,     // a proxy with the tool's radius; meshes and primitives
-  god_object = 1,       // a point proxy: to this object the tool has no radius
-  potential_field = 2,  // the baseline, with its faults: closed meshes and primitives
-  feature_walk = 3,     // a point that walks from feature to feature; meshes
-  tracking = 4,         // a point that follows the tangent plane; implicit surfaces
-  // The textbook's methods with their faults (contact/textbook), for comparison: a point on meshes,
-  // the last one on implicit surfaces.
-  one_plane = 5,
-  three_sub_goals = 6,
-  three_step = 7,
-  one_step = 8,
-  plain_tracking = 9,
-};
-
-// The last of the methods.
-inline constexpr ContactMethod kLastContactMethod = ContactMethod::plain_tracking;
 
 // The push-out of a textbook's method where none is given, m.
 inline constexpr double kDefaultPushOut_m = 1e-6;
@@ -90,29 +69,13 @@ Bounds bounds_of(const Object& object);
 // Returns true if the surface is sound and its contact method can touch it.
 bool usable(const Object& object);
 
+// Returns true if a usable() object could be touched by that method in place of its own, with that
+// material. Baking applies the same rules to the keys of a scene.
+bool can_render(ContactMethod method, const Object& object, const Material& material);
+
 // Returns true if the object shares the proxy with others, false if it gives its own force.
 inline bool meets_proxy(const Object& object) {
-  return object.method == ContactMethod::sphere_proxy || object.method == ContactMethod::god_object;
-}
-
-// Returns true for the textbook's methods on meshes.
-inline bool is_textbook_on_mesh(ContactMethod method) {
-  return method >= ContactMethod::one_plane && method <= ContactMethod::one_step;
-}
-
-// Returns true for all of the textbook's methods.
-inline bool is_textbook(ContactMethod method) {
-  return method >= ContactMethod::one_plane;
-}
-
-// Returns true for the methods that follow a formula.
-inline bool follows_formula(ContactMethod method) {
-  return method == ContactMethod::tracking || method == ContactMethod::plain_tracking;
-}
-
-// Returns true if the method renders shading and textures.
-inline bool renders_detail(ContactMethod method) {
-  return method != ContactMethod::potential_field && !is_textbook(method);
+  return meets_proxy(object.method);
 }
 
 // Returns true if the object may change its place or shape.

@@ -40,15 +40,27 @@ bool SceneObjects::set(std::span<const Object> objects) {
     objects_ = {};
     movers_.start({});
   }
-  materials_.clear();
+  changed_.clear();
+  group();
+  return good;
+}
+
+std::size_t SceneObjects::count_independent() const {
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    count += meets_proxy((*this)[i]) ? 0U : 1U;
+  }
+  return count;
+}
+
+void SceneObjects::group() {
   independent_count_ = 0;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-    if (!meets_proxy(objects_[i])) {
+    if (!meets_proxy((*this)[i])) {
       independent_[independent_count_++] = i;
     }
   }
-  still_.build(objects_);
-  return good;
+  still_.build(objects_, changed_);
 }
 
 bool SceneObjects::set_pose(std::uint32_t number, const RigidPose& X_WO, const Twist& twist) {
@@ -60,7 +72,31 @@ bool SceneObjects::move_vertex(std::uint32_t number, std::uint32_t vertex, const
 }
 
 bool SceneObjects::set_material(std::uint32_t number, const Material& material) {
-  return number < objects_.size() && sound(material) && materials_.set(number, material);
+  if (number >= objects_.size() || !sound(material)) {
+    return false;
+  }
+  Object* const changed = changed_.change(number, objects_[number]);
+  if (changed != nullptr) {
+    changed->material = material;
+  }
+  return changed != nullptr;
+}
+
+bool SceneObjects::set_method(std::uint32_t number, ContactMethod method) {
+  if (number >= objects_.size() || !can_render(method, (*this)[number], material(number)) ||
+      !has_room_for(number, method)) {
+    return false;
+  }
+  Object* const changed = changed_.change(number, objects_[number]);
+  if (changed == nullptr) {
+    return false;
+  }
+  const bool regroups = meets_proxy(*changed) != meets_proxy(method);
+  changed->method = method;
+  if (regroups) {
+    group();
+  }
+  return true;
 }
 
 std::size_t SceneObjects::begin_tick(double time_s, double tick_s) {

@@ -11,7 +11,7 @@
 #include "rendering/geometry/triangle.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
-#include "rendering/objects/changed_materials.h"
+#include "rendering/objects/changed_objects.h"
 #include "rendering/objects/movers.h"
 #include "rendering/objects/object.h"
 #include "rendering/objects/still_hierarchy.h"
@@ -67,9 +67,22 @@ class SceneObjects {
   bool move_vertex(std::uint32_t number, std::uint32_t vertex, const Vec3& p_O);
 
   // Sets the material of an object from the next tick on. Returns false, and changes nothing, if
-  // there is no such object, the material is not sound(), or kMaxChangedMaterials others have been
+  // there is no such object, the material is not sound(), or kMaxChangedObjects others have been
   // changed since set().
   bool set_material(std::uint32_t number, const Material& material);
+
+  // Sets the contact method of an object from the next tick on, and groups the objects anew into
+  // those of the shared proxy and the others. Returns false, and changes nothing, if there is no
+  // such object, can_render() or has_room_for() says no, or kMaxChangedObjects others have been
+  // changed. The caller must tell the tools.
+  bool set_method(std::uint32_t number, ContactMethod method);
+
+  // Returns false if the method would give the object a contact of its own, and
+  // kMaxIndependentObjects others have one.
+  [[nodiscard]] bool has_room_for(std::uint32_t number, ContactMethod method) const {
+    return meets_proxy(method) || !meets_proxy((*this)[number]) ||
+           independent_count_ < kMaxIndependentObjects;
+  }
 
   // Begins a tick, `time_s` after the scene was set, which lasts `tick_s`. Objects move to where
   // their own motion has them now, or where the outside set them since the last tick. Returns the
@@ -78,13 +91,16 @@ class SceneObjects {
   // Returns the duration of the tick, s.
   [[nodiscard]] double tick_s() const { return tick_s_; }
 
-  // Return the number of objects, one of them, and all.
+  // Return the number of objects, and one of them with its changes.
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
-  [[nodiscard]] const Object& operator[](std::uint32_t number) const { return objects_[number]; }
-  [[nodiscard]] std::span<const Object> objects() const { return objects_; }
+  [[nodiscard]] const Object& operator[](std::uint32_t number) const {
+    return changed_.of(number, objects_[number]);
+  }
+  // Returns object `number` as set() was given it.
+  [[nodiscard]] const Object& unchanged(std::uint32_t number) const { return objects_[number]; }
   // Returns the current material of object `number`: the scene's, or the one of set_material.
   [[nodiscard]] const Material& material(std::uint32_t number) const {
-    return materials_.of(number, objects_[number].material);
+    return (*this)[number].material;
   }
   // Returns the mover of object `number`, or nullptr if it is at rest.
   [[nodiscard]] const Mover* mover_of(std::uint32_t number) const { return movers_.of(number); }
@@ -132,12 +148,16 @@ class SceneObjects {
   void transfer(StateArchive& archive);
 
  private:
-  void transfer_materials(StateArchive& archive);
+  // Returns the number of objects that the shared proxy does not meet.
+  [[nodiscard]] std::size_t count_independent() const;
+  // Lists the objects by whether they meet the shared proxy.
+  void group();
+  void transfer_changed(StateArchive& archive);
 
   std::span<const Object> objects_;
   double tick_s_ = 1e-3;
   Movers movers_;
-  ChangedMaterials materials_;
+  ChangedObjects changed_;
   StillHierarchy still_;
   // The numbers of the objects that the shared proxy does not meet.
   std::array<std::uint32_t, kMaxIndependentObjects> independent_{};

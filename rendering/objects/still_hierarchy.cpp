@@ -34,10 +34,10 @@ Vec3 centre(const Object& object) {
 
 }  // namespace
 
-void StillHierarchy::build(std::span<const Object> objects) {
+void StillHierarchy::build(std::span<const Object> objects, const ChangedObjects& changed) {
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < objects.size(); ++i) {
-    if (meets_proxy(objects[i]) && !is_mover(objects[i])) {
+    if (meets_proxy(changed.of(i, objects[i])) && !is_mover(objects[i])) {
       order_[count++] = i;
     }
   }

@@ -10,6 +10,7 @@
 #include "rendering/geometry/mesh.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
+#include "rendering/objects/changed_objects.h"
 #include "rendering/objects/object.h"
 
 namespace tactus::rendering {
@@ -17,10 +18,10 @@ namespace tactus::rendering {
 // Lives in static storage; no heap.
 class StillHierarchy {
  public:
-  // Builds the hierarchy over those of at most kMaxObjects `objects` that are at rest and meet the
-  // shared proxy. It splits in halves along the longest side of the centres' box, so its depth is
-  // the logarithm of their number.
-  void build(std::span<const Object> objects);
+  // Builds the hierarchy over those of at most kMaxObjects `objects` that are at rest and, with
+  // their changes, meet the shared proxy. It splits in halves along the longest side of the
+  // centres' box, so its depth is the logarithm of their number.
+  void build(std::span<const Object> objects, const ChangedObjects& changed);
 
   // Returns the nodes; none without objects. The "triangles" of a leaf are places of object().
   [[nodiscard]] std::span<const BvhNode> nodes() const { return {nodes_.data(), node_count_}; }

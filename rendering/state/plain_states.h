@@ -18,6 +18,16 @@
 
 namespace tactus::rendering {
 
+inline void transfer(StateArchive& archive, FrictionParameters& friction) {
+  auto& [kind, coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
+         stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
+         elastic_fraction] = friction;
+  archive.choice(kind, static_cast<FrictionKind>(kFrictionKinds - 1));
+  archive(coulomb, static_level, viscous_s_per_m, stribeck_velocity_m_per_s, stribeck_exponent,
+          stiffness_N_per_m, damping_s_per_m, damping_fade_m_per_s, stick_velocity_m_per_s,
+          elastic_fraction);
+}
+
 inline void transfer(StateArchive& archive, RigidPose& pose) {
   auto& [rotation, translation] = pose;
   archive(rotation, translation);

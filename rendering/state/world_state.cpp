@@ -26,38 +26,54 @@ void DeformableMesh::transfer(StateArchive& archive) {
 }
 
 void SceneObjects::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [objects, tick_s, movers, materials, still, independent,
-                          independent_count] = *this;
+  [[maybe_unused]] auto& [objects, tick_s, movers, changed, still, independent, independent_count] =
+      *this;
   archive.same(objects.size());
   archive.same(movers.all().size());
   archive.same(movers.deformable_count());
-  archive.same(independent_count);
   movers.transfer_moved(archive);
   archive(tick_s, movers);
-  transfer_materials(archive);
+  transfer_changed(archive);
+  archive.same(independent_count);
 }
 
-// Saves the materials that set_material has changed.
-void SceneObjects::transfer_materials(StateArchive& archive) {
-  std::size_t count = materials_.count();
-  archive.up_to(count, kMaxChangedMaterials);
+// Saves the methods and materials that set_method and set_material have changed.
+void SceneObjects::transfer_changed(StateArchive& archive) {
+  std::size_t count = changed_.count();
+  archive.up_to(count, kMaxChangedObjects);
   if (archive.is_reading()) {
-    materials_.clear();
+    changed_.clear();
   }
   std::uint32_t number = 0;
   for (std::size_t k = 0; k < count && archive.good(); ++k, ++number) {
-    while (!archive.is_reading() && !materials_.has(number)) {
+    while (!archive.is_reading() && !changed_.has(number)) {
       ++number;
     }
     archive(number);
     archive.require(number < objects_.size());
     if (!archive.good()) {
-      return;
+      break;
     }
+    ContactMethod method = (*this)[number].method;
     Material now = material(number);
-    archive(now.stiffness_N_per_m, now.damping_Ns_per_m, now.friction.static_level,
-            now.friction.coulomb, now.friction.viscous_s_per_m);
-    archive.require(!archive.is_reading() || set_material(number, now));
+    archive.choice(method, kLastContactMethod);
+    archive(now.stiffness_N_per_m, now.damping_Ns_per_m, now.friction);
+    archive.require(sound(now) && (method == objects_[number].method ||
+                                   can_render(method, objects_[number], now)));
+    if (!archive.is_reading() || !archive.good()) {
+      continue;
+    }
+    if (Object* const changed = changed_.change(number, objects_[number]); changed != nullptr) {
+      changed->method = method;
+      changed->material = now;
+    }
+  }
+  if (archive.is_reading()) {
+    archive.require(count_independent() <= kMaxIndependentObjects);
+    if (!archive.good()) {
+      changed_.clear();
+    }
+    group();
   }
 }
 

@@ -24,19 +24,65 @@ void to_world(const Mover* mover, Touch& touch) {
   touch.parts.texture_W = direction_from(mover, touch.parts.texture_W);
 }
 
+// Returns the place of an object among the independent ones, or where it would be.
+std::size_t place_of(const SceneObjects& scene, std::uint32_t object) {
+  const auto numbers = scene.independent_objects();
+  return static_cast<std::size_t>(std::ranges::lower_bound(numbers, object) - numbers.begin());
+}
+
+// Move the entries from `k` to the `count`-th up by one place, and those behind `k` down by one.
+template <class Entries>
+void move_up(Entries& entries, std::size_t k, std::size_t count) {
+  std::move_backward(entries.begin() + static_cast<std::ptrdiff_t>(k),
+                     entries.begin() + static_cast<std::ptrdiff_t>(count),
+                     entries.begin() + static_cast<std::ptrdiff_t>(count + 1));
+}
+template <class Entries>
+void move_down(Entries& entries, std::size_t k, std::size_t count) {
+  std::move(entries.begin() + static_cast<std::ptrdiff_t>(k + 1),
+            entries.begin() + static_cast<std::ptrdiff_t>(count),
+            entries.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
 }  // namespace
 
 void IndependentContacts::place(const SceneObjects& scene, const Vec3& p_W, double tool_radius_m) {
   tool_radius_m_ = tool_radius_m;
   last_tool_W_ = p_W;
   for (std::size_t k = 0; k < scene.independent_objects().size(); ++k) {
-    const Mover* const mover = scene.mover_of(scene.independent_objects()[k]);
-    const Vec3 p_O = point_in(mover, p_W);
-    proxies_[k].place(p_O);
-    details_[k] = {};
-    awake_[k] = true;
-    left_out_[k] = scene[scene.independent_objects()[k]].method == ContactMethod::potential_field;
+    place_one(scene, k);
   }
+}
+
+void IndependentContacts::place_one(const SceneObjects& scene, std::size_t k) {
+  const std::uint32_t number = scene.independent_objects()[k];
+  proxies_[k].place(point_in(scene.mover_of(number), last_tool_W_));
+  details_[k] = {};
+  awake_[k] = true;
+  left_out_[k] = scene[number].method == ContactMethod::potential_field;
+}
+
+void IndependentContacts::insert(const SceneObjects& scene, std::uint32_t object) {
+  const std::size_t k = place_of(scene, object);
+  const std::size_t before = scene.independent_objects().size() - 1;
+  move_up(awake_, k, before);
+  move_up(proxies_, k, before);
+  move_up(details_, k, before);
+  move_up(left_out_, k, before);
+  place_one(scene, k);
+}
+
+void IndependentContacts::remove(const SceneObjects& scene, std::uint32_t object) {
+  const std::size_t k = place_of(scene, object);
+  const std::size_t before = scene.independent_objects().size() + 1;
+  move_down(awake_, k, before);
+  move_down(proxies_, k, before);
+  move_down(details_, k, before);
+  move_down(left_out_, k, before);
+}
+
+void IndependentContacts::restart(const SceneObjects& scene, std::uint32_t object) {
+  place_one(scene, place_of(scene, object));
 }
 
 std::size_t IndependentContacts::count_near(const SceneObjects& scene, const Vec3& p_W) const {
@@ -108,12 +154,16 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
 }
 
 double IndependentContacts::stretch_m(const SceneObjects& scene, std::uint32_t object) const {
-  const auto numbers = scene.independent_objects();
-  const auto k = static_cast<std::size_t>(std::ranges::find(numbers, object) - numbers.begin());
-  if (k == numbers.size() || !awake_[k]) {
-    return 0.0;
-  }
-  return stretch_of(k, scene[object], point_in(scene.mover_of(object), last_tool_W_));
+  const std::size_t k = place_of(scene, object);
+  return awake_[k] ? stretch_of(k, scene[object], point_in(scene.mover_of(object), last_tool_W_))
+                   : 0.0;
+}
+
+bool IndependentContacts::touches(const SceneObjects& scene, std::uint32_t object) const {
+  // A free proxy is at the tool, up to the rounding of the way into a formula's frame and back.
+  constexpr double kAtTool_m = 1e-12;
+  const std::size_t k = place_of(scene, object);
+  return awake_[k] && (left_out_[k] || details_[k].touched || stretch_m(scene, object) > kAtTool_m);
 }
 
 void IndependentContacts::hold(const SceneObjects& scene) {

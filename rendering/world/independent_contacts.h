@@ -48,6 +48,16 @@ class IndependentContacts {
   // Returns how far the proxy of an object was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const;
 
+  // Returns true if the tool touched an object in the last tick, or began in its field.
+  [[nodiscard]] bool touches(const SceneObjects& scene, std::uint32_t object) const;
+
+  // Begin and end with an object that has just joined or left SceneObjects::independent_objects(),
+  // and start over with one that has another method; out of contact, where the tool was in the last
+  // tick. The contacts of all others go on as they are.
+  void insert(const SceneObjects& scene, std::uint32_t object);
+  void remove(const SceneObjects& scene, std::uint32_t object);
+  void restart(const SceneObjects& scene, std::uint32_t object);
+
   // Saves the state to the archive, or restores it; the scene must be the same.
   void transfer(StateArchive& archive, const SceneObjects& scene);
 
@@ -87,6 +97,8 @@ class IndependentContacts {
     ObjectWatch watch;
   };
 
+  // Starts contact `k` over, out of contact, at the last tool.
+  void place_one(const SceneObjects& scene, std::size_t k);
   // Returns how far the proxy of contact `k` is from the tool at tool_O (the object's frame), m.
   [[nodiscard]] double stretch_of(std::size_t k, const Object& object, const Vec3& tool_O) const;
   // Computes the contact of one object without shading, in its own frame.

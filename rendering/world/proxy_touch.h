@@ -54,6 +54,11 @@ class ProxyTouch {
   // Returns how far the proxy was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m() const { return (position_W() - last_tool_W_).norm(); }
 
+  // Returns true if nothing held the proxy in the last touch, so that it is where the tool is.
+  [[nodiscard]] bool touches_nothing() const { return proxy_.is_free() && stretch_m() == 0.0; }
+  // Returns true if the object held the proxy in the last touch, or the proxy overlaps it.
+  [[nodiscard]] bool touches(std::uint32_t object) const { return proxy_.touches(object); }
+
   // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 

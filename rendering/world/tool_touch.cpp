@@ -61,6 +61,24 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::si
   return touch;
 }
 
+void ToolTouch::take_method(const SceneObjects& scene, std::uint32_t object, bool met_proxy) {
+  if (!placed_) {
+    return;  // the first touch places all proxies
+  }
+  const bool meets = meets_proxy(scene[object]);
+  if (met_proxy || meets) {
+    const Vec3 p_W = proxy_.position_W();
+    proxy_.place(p_W);
+  }
+  if (!met_proxy && meets) {
+    independent_.remove(scene, object);
+  } else if (met_proxy && !meets) {
+    independent_.insert(scene, object);
+  } else if (!meets) {
+    independent_.restart(scene, object);
+  }
+}
+
 // Adds the power of surfaces that deform: the proxy slides along the surface and follows its motion
 // along the normal.
 void ToolTouch::add_driven_power(Touch& touch, double tick_s) const {

@@ -41,6 +41,19 @@ class ToolTouch {
     return meets_proxy(scene[object]) ? proxy_.stretch_m() : independent_.stretch_m(scene, object);
   }
 
+  // Returns true if the tool touches or overlaps the object.
+  [[nodiscard]] bool touches(const SceneObjects& scene, std::uint32_t object) const {
+    return placed_ && (meets_proxy(scene[object]) ? proxy_.touches(object)
+                                                  : independent_.touches(scene, object));
+  }
+  // Returns true if the shared proxy touches nothing.
+  [[nodiscard]] bool has_free_proxy() const { return !placed_ || proxy_.touches_nothing(); }
+
+  // Begins with an object whose method has been changed; nothing may touch it. `met_proxy` says
+  // that it met the shared proxy before. If it did or does so now, that proxy must be free, and
+  // starts over where it is. Contacts of other objects go on as they are.
+  void take_method(const SceneObjects& scene, std::uint32_t object, bool met_proxy);
+
   // Returns the largest number of candidates so far, of kMaxCandidates.
   [[nodiscard]] std::size_t peak_candidates() const { return proxy_.peak_candidates(); }
 

@@ -79,6 +79,32 @@ double World::stretch_m(std::uint32_t object) const {
   return longest;
 }
 
+bool World::is_touched(std::uint32_t object) const {
+  return std::ranges::any_of(std::span(tools_).first(tool_count_),
+                             [&](const ToolTouch& tool) { return tool.touches(scene_, object); });
+}
+
+bool World::may_set_method(std::uint32_t object, ContactMethod method) const {
+  const bool is_of_proxy = meets_proxy(scene_[object]) || meets_proxy(method);
+  return !is_touched(object) &&
+         (!is_of_proxy ||
+          std::ranges::all_of(std::span(tools_).first(tool_count_), &ToolTouch::has_free_proxy));
+}
+
+bool World::set_method(std::uint32_t object, ContactMethod method) {
+  if (object >= scene_.size() || !may_set_method(object, method)) {
+    return false;
+  }
+  const bool met_proxy = meets_proxy(scene_[object]);
+  if (!scene_.set_method(object, method)) {
+    return false;
+  }
+  for (ToolTouch& tool : std::span(tools_).first(tool_count_)) {
+    tool.take_method(scene_, object, met_proxy);
+  }
+  return true;
+}
+
 std::size_t World::begin_tick() {
   bodies_.place(scene_);
   standing_units_ =

@@ -80,6 +80,30 @@ class World {
     return scene_.set_material(object, material);
   }
 
+  // Returns true if a tool touches the object, or overlaps it, after the last touch.
+  [[nodiscard]] bool is_touched(std::uint32_t object) const;
+  // Returns true if no tool would feel it if the object had another method now: none touches the
+  // object, and if it meets the shared proxy before or afterwards, no shared proxy touches
+  // anything.
+  [[nodiscard]] bool may_set_method(std::uint32_t object, ContactMethod method) const;
+  // Returns false if the method would give the object a contact of its own, and
+  // kMaxIndependentObjects others have one.
+  [[nodiscard]] bool has_room_for(std::uint32_t object, ContactMethod method) const {
+    return scene_.has_room_for(object, method);
+  }
+  // Sets the contact method of an object from the next tick on, until the next scene. The contacts
+  // of all other objects go on as they are. Returns false, and changes nothing, unless
+  // may_set_method(), or if SceneObjects::set_method refuses. Real time; if the object joins or
+  // leaves the shared proxy, the time grows with the number of objects.
+  bool set_method(std::uint32_t object, ContactMethod method);
+
+  // Return an object with its changes, and as the scene has it; `object` must be below
+  // object_count().
+  [[nodiscard]] const Object& object(std::uint32_t object) const { return scene_[object]; }
+  [[nodiscard]] const Object& unchanged_object(std::uint32_t object) const {
+    return scene_.unchanged(object);
+  }
+
   // Returns the number of objects.
   [[nodiscard]] std::size_t object_count() const { return scene_.size(); }
   // Returns the current material of an object; `object` must be below object_count().

@@ -16,13 +16,9 @@ bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bod
                       const Vec3& gravity_W) {
   bodies_.clear();
   obstacle_count_ = 0;
-  const auto objects = scene.objects();
-  if (std::ranges::none_of(objects, is_body)) {
-    return true;
-  }
   bodies_.set_gravity(gravity_W);
-  for (std::uint32_t number = 0; number < objects.size(); ++number) {
-    const std::uint8_t body = objects[number].body;
+  for (std::uint32_t number = 0; number < scene.size() && !bodies.empty(); ++number) {
+    const std::uint8_t body = scene[number].body;
     const bool is_there = body == kNoBody || body < bodies.size();
     if (!is_there || !add(scene, number, body == kNoBody ? nullptr : &bodies[body])) {
       bodies_.clear();

@@ -10,6 +10,7 @@ using firmware::Controller;
 // A walk of its own, so that a member that restore() forgets holds something else.
 void lead_astray(Controller& controller, const RestoreScene& scene, std::uint64_t seed) {
   SceneWalk walk(scene.objects, seed);
+  walk.also_set_methods();
   for (int tick = 0; tick < 40; ++tick) {
     const TickInput input = walk.next(controller.mode());
     give(controller, input);
@@ -30,6 +31,7 @@ void expect_restores_go_on_alike(const RestoreScene& scene, std::uint64_t seed, 
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
   SceneWalk walk(scene.objects, seed);
+  walk.also_set_methods();
   const auto first = loaded(scene);
   std::unique_ptr<Controller> second;
   std::vector<std::byte> bytes(firmware::kMaxCheckpointBytes);

@@ -2,52 +2,29 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "firmware/configuration/config_state.h"
-#include "firmware/linux/flight/attachments.h"
-#include "firmware/linux/telemetry/record_encoder.h"
-#include "firmware/linux/telemetry/run_recorder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/replay/replay.h"
 #include "host_tools/replay/what_if.h"
-#include "rendering/scene/scene_world.h"
-#include "tests/replay/scene_walk.h"
-#include "tests/support/folder_test.h"
+#include "tests/replay/recorded_walk.h"
 #include "tests/unit/rendering/scene/small_scene.h"
 
 namespace tactus::testing {
 namespace {
 
-using firmware::Controller;
 using firmware::Mode;
 using firmware::Request;
 
-class SceneChange : public FolderTest {
+class SceneChange : public RecordedWalk {
  protected:
-  SceneChange() : path_(file("run.mcap")) {
-    EXPECT_TRUE(controller_->configure(walking_config()));
-    const std::size_t size = save_config(controller_->config(), config_);
-    recorder_->describe({.info = info_, .joints = 3});
-    recorder_->attach(
-        {.name = firmware::kConfigAttachment, .bytes = std::span(config_).first(size)});
-    load(first_);
-    recorder_->attach({.name = firmware::kSceneAttachment, .bytes = first_});
-    EXPECT_EQ(recorder_->open(path_.c_str()), 0);
-  }
+  SceneChange() : RecordedWalk(host::write_image(small_scene())) {}
 
   static std::vector<std::byte> other_image() {
     host::BakedScene scene = small_scene();
     scene.objects.resize(1);
     return host::write_image(scene);
-  }
-
-  void load(std::span<const std::byte> image) {
-    scene_.emplace(*rendering::SceneImage::open(image));
-    ASSERT_TRUE(controller_->load_scene(scene_->objects(), rendering::world_of(*scene_)));
   }
 
   // Changes the scene as tactusd does: not while active; the image comes some ticks after the
@@ -65,38 +42,7 @@ class SceneChange : public FolderTest {
     recorder_->attach({.name = firmware::kSceneAttachment, .bytes = attached});
   }
 
-  void tick(const TickInput& input) {
-    give(*controller_, input);
-    contacts_ += controller_->record().contact != rendering::ContactKind::none ? 1U : 0U;
-    const firmware::RecordedTick tick{.record = controller_->record(), .joint_count = 3};
-    recorder_->add(tick, encoder_->encode(tick));
-  }
-
-  void walk(int ticks, std::uint64_t seed) {
-    SceneWalk walk(scene_->objects(), seed);
-    for (int i = 0; i < ticks; ++i) {
-      tick(walk.next(controller_->mode()));
-    }
-  }
-
-  const std::vector<std::byte> first_ = host::write_image(small_scene());
   const std::vector<std::byte> second_ = other_image();
-  const std::string checksum_ = hex(firmware::checksum_of(first_));
-  const std::array<firmware::MetadataEntry, 1> info_{{{firmware::kSceneChecksumKey, checksum_}}};
-  const std::string path_;
-  std::array<std::byte, firmware::kMaxConfigBytes> config_{};
-  std::optional<rendering::SceneImage> scene_;
-  std::size_t contacts_ = 0;
-  std::unique_ptr<Controller> controller_ = std::make_unique<Controller>();
-  std::unique_ptr<firmware::RunRecorder> recorder_ = std::make_unique<firmware::RunRecorder>();
-  std::unique_ptr<firmware::RecordEncoder> encoder_ = std::make_unique<firmware::RecordEncoder>();
-
- private:
-  static std::string hex(std::uint64_t number) {
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
-    return text.data();
-  }
 };
 
 TEST_F(SceneChange, IsReplayed) {

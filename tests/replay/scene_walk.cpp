@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/control/parameter_choices.h"
+
 namespace tactus::testing {
 
 namespace {
@@ -12,6 +14,7 @@ constexpr double kFar_m = 0.01;
 }  // namespace
 
 using firmware::Mode;
+using firmware::ParameterPlace;
 using firmware::Request;
 
 firmware::ControllerConfig walking_config() {
@@ -97,12 +100,19 @@ void SceneWalk::choose_target() {
 
 // Returns a change of any parameter, mostly within its range.
 firmware::ParameterChange SceneWalk::change() {
-  const auto& text = firmware::kParameterTexts[random_() % firmware::kParameterTexts.size()];
+  // Those with names for values are the last ones.
+  const auto& all = firmware::kParameterTexts;
+  const auto numbers = static_cast<std::size_t>(
+      std::ranges::count_if(all, [](const auto& one) { return !has_choices(one.parameter); }));
+  const auto& text = all[random_() % (sets_methods_ ? all.size() : numbers)];
   const double share = std::abs(unit());
+  const ParameterPlace place{.parameter = text.parameter,
+                             .object = static_cast<std::uint32_t>(random_() % objects_.size())};
+  if (has_choices(text.parameter)) {
+    return {.place = place, .value = std::floor(share * choice_count(text.parameter))};
+  }
   const double most = text.unit == "1" ? 1.0 : text.unit == "N/m" ? 2000.0 : 10.0;
-  return {.place = {.parameter = text.parameter,
-                    .object = static_cast<std::uint32_t>(random_() % objects_.size())},
-          .value = most * share};
+  return {.place = place, .value = most * share};
 }
 
 Request SceneWalk::wish(Mode mode) {

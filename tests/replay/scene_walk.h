@@ -30,6 +30,9 @@ class SceneWalk {
   SceneWalk(std::span<const rendering::Object> objects, std::uint64_t seed)
       : objects_(objects), random_(seed) {}
 
+  // Makes the walk change contact methods and friction models as well.
+  void also_set_methods() { sets_methods_ = true; }
+
   // Returns the input of the next tick for a controller that is in `mode` now.
   TickInput next(firmware::Mode mode);
 
@@ -48,6 +51,7 @@ class SceneWalk {
   std::size_t object_ = 0;  // that it is about
   double speed_ = 1e-3;
   int ticks_left_ = 0;
+  bool sets_methods_ = false;
 };
 
 }  // namespace tactus::testing

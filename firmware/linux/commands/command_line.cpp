@@ -5,6 +5,8 @@
 #include <charconv>
 #include <optional>
 
+#include "firmware/control/parameter_choices.h"
+
 namespace tactus::firmware {
 namespace {
 
@@ -56,10 +58,18 @@ Parsed parse_get(std::string_view rest) {
 
 Parsed parse_set(std::string_view rest) {
   const auto name = parse_parameter_name(take_word(rest));
-  const auto value = number_of<double>(take_word(rest));
+  const std::string_view word = take_word(rest);
   if (!name) {
     return std::unexpected("there is no such parameter; list says the names");
   }
+  if (has_choices(name->parameter)) {
+    if (word.empty() || !rest.empty()) {
+      return std::unexpected("write set NAME VALUE, with one of the names that get NAME shows");
+    }
+    // The tick refuses a name that is not there, with those that the object allows.
+    return CommandLine{.verb = Verb::set, .name = *name, .value = choice_of(name->parameter, word)};
+  }
+  const auto value = number_of<double>(word);
   if (!value || !rest.empty()) {
     return std::unexpected("write set NAME VALUE, with a number like 0.5 or 2e3");
   }

@@ -28,7 +28,8 @@ struct CommandLine {
   Request request = Request::none;
   // Used by `set` and `get`.
   ParameterName name;
-  // Used by `set`: the value in the parameter's unit; it may be infinite or not a number.
+  // Used by `set`: the value in the parameter's unit, which may be infinite or not a number. For a
+  // name it is the name's number, or kNoChoice (firmware/control/parameter_choices.h).
   double value = 0.0;
   // Used by `scene` and `record on`; empty for `record off`.
   std::string_view file;

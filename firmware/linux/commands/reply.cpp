@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "firmware/control/parameter_choices.h"
 #include "firmware/control/parameter_name.h"
 #include "firmware/safety/faults.h"
 
@@ -24,6 +25,15 @@ std::string_view remedy(Request request, const Answer& answer) {
     default:
       return "send it again";
   }
+}
+
+// Writes the names of the allowed values with commas.
+void write_choices(TextLine& line, Parameter parameter, const ParameterValue& range) {
+  bool first = true;
+  for_each_choice(parameter, range, [&](std::string_view name) {
+    line.add(first ? "" : ",").add(name);
+    first = false;
+  });
 }
 
 }  // namespace
@@ -81,7 +91,13 @@ void write_request_reply(TextLine& line, const Answer& answer, std::string_view 
 void write_parameter(TextLine& line, const ParameterPlace& place, const ParameterValue& value) {
   std::array<char, kMaxParameterName> name{};
   const ParameterText* const text = text_of(place.parameter);
-  line.add(" ").add(write_parameter_name(place, name)).add("=").add(value.value);
+  line.add(" ").add(write_parameter_name(place, name)).add("=");
+  if (has_choices(place.parameter)) {
+    line.add(choice_name(place.parameter, value.value)).add(" choices=");
+    write_choices(line, place.parameter, value);
+    return;
+  }
+  line.add(value.value);
   line.add(" least=").add(value.least).add(" greatest=").add(value.greatest);
   line.add(" unit=").add(text == nullptr ? "" : text->unit);
 }
@@ -95,7 +111,10 @@ void write_parameter_reply(TextLine& line, std::string_view command, const Param
     return;
   }
   line.add("refused ").add(command).add(": ").add(describe(answer.refusal));
-  if (answer.refusal == ParameterRefusal::out_of_range) {
+  if (answer.refusal == ParameterRefusal::not_a_choice) {
+    line.add("; write one of ");
+    write_choices(line, place.parameter, answer.value);
+  } else if (answer.refusal == ParameterRefusal::out_of_range) {
     line.add(", ").add(answer.value.least).add(" to ").add(answer.value.greatest);
   }
   line.end();

@@ -22,7 +22,8 @@ void write_request_reply(TextLine& line, const Answer& answer, std::string_view 
 void write_parameter_reply(TextLine& line, std::string_view command, const ParameterPlace& place,
                            const Answer& answer);
 
-// Writes " max_force_N=4 least=0 greatest=8 unit=N".
+// Writes " max_force_N=4 least=0 greatest=8 unit=N", or for a parameter with names
+// " object.0.contact=one_plane choices=sphere_proxy,god_object,one_plane".
 void write_parameter(TextLine& line, const ParameterPlace& place, const ParameterValue& value);
 
 // Writes " tick=7 mode=active".

@@ -104,8 +104,7 @@ void settle_levels(const TomlSection& section, bool has_static, FrictionParamete
                              "sticking, swap or lower it",
                              friction.coulomb, friction.static_level));
   }
-  if (friction.coulomb <= 0.0 && friction.static_level > 0.0 &&
-      friction.kind != FrictionKind::cone) {
+  if (!rendering::rubs_at_rest(friction)) {
     section.fail("dynamic", fmt::format("dynamic is 0, and \"{}\" then has no friction at rest "
                                         "either; write a number above 0",
                                         model_of(friction.kind).name));
@@ -140,14 +139,11 @@ double read_factor(const TomlSection& section, std::string_view key) {
 
 }  // namespace
 
-// A cone on a surface sticks by the surface's own stiffness (friction/surface_friction.h).
 std::vector<FrictionParameterName> surface_parameters(FrictionKind kind) {
   std::vector<FrictionParameterName> names = parameters_of(kind);
-  if (kind == FrictionKind::cone) {
-    std::erase_if(names, [](const FrictionParameterName& name) {
-      return name.member == &FrictionParameters::stiffness_N_per_m;
-    });
-  }
+  std::erase_if(names, [kind](const FrictionParameterName& name) {
+    return !rendering::has_on_surface(kind, name.member);
+  });
   return names;
 }
 
@@ -159,7 +155,7 @@ FrictionParameters read_friction(const TomlSection& object, std::string_view fil
   }
   const std::vector<KeySpec> keys = friction_keys();
   const TomlSection section(*table, file, object.title() + " friction", keys);
-  FrictionParameters friction = kSurfaceFriction;
+  FrictionParameters friction = rendering::kSurfaceFriction;
   friction.kind = read_model(section);
   refuse_keys_of_other_models(section, friction.kind);
   bool has_static = false;
@@ -183,13 +179,12 @@ rendering::MaterialGrain read_grain(const TomlSection& object, std::string_view 
   if (!object.has("friction")) {
     object.fail("grain", "a grain without friction is not felt; write friction = { static = 0.6 }");
   }
-  if (rendering::is_textbook(contact)) {
-    object.fail("grain", "a textbook's method has no grain; leave it out, or leave out contact");
-  }
-  if (contact == rendering::ContactMethod::potential_field) {
+  if (!rendering::renders_grain(contact)) {
     object.fail("grain",
-                "a potential field has no friction and no grain; leave it out, or leave out "
-                "contact = \"potential_field\"");
+                rendering::is_textbook(contact)
+                    ? "a textbook's method has no grain; leave it out, or leave out contact"
+                    : "a potential field has no friction and no grain; leave it out, or "
+                      "leave out contact = \"potential_field\"");
   }
   const TomlSection section(*table, file, object.title() + " grain", kGrainKeys);
   const auto way = section.numbers("direction", 3);

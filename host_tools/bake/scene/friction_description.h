@@ -13,14 +13,6 @@
 
 namespace tactus::host {
 
-// The parameters that a surface has if its scene leaves them out.
-inline constexpr rendering::FrictionParameters kSurfaceFriction{
-    .stribeck_velocity_m_per_s = 0.01,
-    .stribeck_exponent = 2.0,
-    .stick_velocity_m_per_s = 0.005,
-    .elastic_fraction = 0.7,
-};
-
 // Returns the parameters that a model has on a surface; their keys in TOML are `surface_key`. A
 // cone has no stiffness there: it sticks by the surface's own.
 std::vector<FrictionParameterName> surface_parameters(rendering::FrictionKind kind);

@@ -61,8 +61,7 @@ MotionDescription read_motion(const TomlSection& object, std::string_view file,
   MotionDescription description{.deforms = object.flag("deforms").value_or(false)};
   description.moves = object.flag("moves").value_or(table != nullptr);
   const bool is_mesh = std::holds_alternative<std::monostate>(shape);
-  if (description.deforms && (!is_mesh || (contact != ContactMethod::sphere_proxy &&
-                                           contact != ContactMethod::god_object))) {
+  if (description.deforms && (!is_mesh || !rendering::renders_deforming(contact))) {
     object.fail("deforms",
                 "only a mesh with contact = \"sphere_proxy\" or \"god_object\" can deform; leave "
                 "deforms out or change the contact");

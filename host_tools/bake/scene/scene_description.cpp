@@ -84,8 +84,7 @@ void require_renderable_friction(const TomlSection& section, const ObjectDescrip
   if (object.contact == rendering::ContactMethod::plain_tracking) {
     section.fail("friction", "plain_tracking has no friction; leave it out, or write \"tracking\"");
   }
-  if (rendering::is_textbook(object.contact) &&
-      object.material.friction.kind != rendering::FrictionKind::cone) {
+  if (!rendering::renders_friction(object.contact, object.material.friction)) {
     section.fail(
         "friction",
         "a textbook's method has the friction cone only; write model = \"cone\", or leave out "

@@ -12,6 +12,7 @@ namespace {
 
 using rendering::ContactMethod;
 using rendering::DimensionKey;
+using rendering::kContactMethods;
 using rendering::kPrimitives;
 using rendering::Primitive;
 using rendering::PrimitiveTraits;
@@ -53,6 +54,17 @@ rendering::PrimitiveDimensions dimensions(const TomlSection& section,
     }
   }
   return result;
+}
+
+// Returns the kind of surface that the method would touch. A formula is baked as a mesh for the
+// methods that do not follow formulas.
+rendering::SurfaceKind touched_surface(const ShapeDescription& shape, ContactMethod method) {
+  if (std::holds_alternative<Primitive>(shape)) {
+    return rendering::SurfaceKind::primitive;
+  }
+  const bool is_mesh =
+      std::holds_alternative<std::monostate>(shape) || meshed_formula(shape, method) != nullptr;
+  return is_mesh ? rendering::SurfaceKind::mesh : rendering::SurfaceKind::implicit;
 }
 
 std::string conditions() {
@@ -158,18 +170,17 @@ ShapeDescription read_shape(const TomlSection& section, const Placement& placeme
 }
 
 std::string_view surface_needed(ContactMethod method, const ShapeDescription& shape) {
-  if (rendering::follows_formula(method)) {
-    return std::holds_alternative<ImplicitDescription>(shape) ? "" : "formulas";
+  if (rendering::renders_surface(method, touched_surface(shape, method))) {
+    return "";
   }
-  const bool is_for_meshes =
-      method == ContactMethod::feature_walk || rendering::is_textbook_on_mesh(method);
-  return is_for_meshes && std::holds_alternative<Primitive>(shape) ? "meshes" : "";
+  return rendering::follows_formula(method) ? "formulas" : "meshes";
 }
 
 ContactMethod read_contact(const TomlSection& section, const ShapeDescription& shape) {
   const bool implicit = std::holds_alternative<ImplicitDescription>(shape);
   const std::string name = section.text("contact").value_or(implicit ? "tracking" : "sphere_proxy");
-  const auto* const method = std::ranges::find(kContactMethods, name, &NamedContactMethod::name);
+  const auto* const method =
+      std::ranges::find(kContactMethods, name, &rendering::NamedContactMethod::name);
   if (method == kContactMethods.end()) {
     section.fail("contact", fmt::format("no contact method \"{}\"; write one of {}", name,
                                         list(kContactMethods)));

@@ -1,7 +1,6 @@
 // Reads what is touched of an [[object]]: a mesh, a primitive or a formula, and by which method.
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -14,24 +13,6 @@
 #include "rendering/objects/object.h"
 
 namespace tactus::host {
-
-// A contact method with its name in TOML.
-struct NamedContactMethod {
-  std::string_view name;
-  rendering::ContactMethod method;
-};
-inline constexpr auto kContactMethods = std::to_array<NamedContactMethod>({
-    {"sphere_proxy", rendering::ContactMethod::sphere_proxy},
-    {"god_object", rendering::ContactMethod::god_object},
-    {"potential_field", rendering::ContactMethod::potential_field},
-    {"feature_walk", rendering::ContactMethod::feature_walk},
-    {"tracking", rendering::ContactMethod::tracking},
-    {"one_plane", rendering::ContactMethod::one_plane},
-    {"three_sub_goals", rendering::ContactMethod::three_sub_goals},
-    {"three_step", rendering::ContactMethod::three_step},
-    {"one_step", rendering::ContactMethod::one_step},
-    {"plain_tracking", rendering::ContactMethod::plain_tracking},
-});
 
 // A surface given by a formula.
 struct ImplicitDescription {

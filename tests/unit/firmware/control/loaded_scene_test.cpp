@@ -65,9 +65,11 @@ TEST_F(LoadedSceneTest, TheCertificateCountsWhatAMaterialWillBe) {
   EXPECT_FALSE(scene_->first_refused(up_to(600.0), safety));
   rendering::Material stiff = kSoft;
   stiff.stiffness_N_per_m = 700.0;
-  EXPECT_FALSE(scene_->is_certified(up_to(600.0), safety, 0, stiff));
+  EXPECT_FALSE(
+      scene_->is_certified(up_to(600.0), safety, 0, stiff, rendering::ContactMethod::sphere_proxy));
   EXPECT_EQ(scene_->refused_part.stiffness_N_per_m, 700.0);
-  EXPECT_TRUE(scene_->is_certified(up_to(800.0), safety, 0, stiff));
+  EXPECT_TRUE(
+      scene_->is_certified(up_to(800.0), safety, 0, stiff, rendering::ContactMethod::sphere_proxy));
   ASSERT_TRUE(scene_->change_material(0, stiff));
   EXPECT_TRUE(scene_->first_refused(up_to(600.0), safety)) << "the change has only begun";
 }

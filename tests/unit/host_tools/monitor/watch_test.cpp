@@ -86,5 +86,16 @@ TEST(Watch, EventsAreLinesOfTheirOwn) {
   EXPECT_EQ(WatchLines::line(event), "event tick=7 kind=parameter name=stiffness value=1000");
 }
 
+TEST(Watch, AContactMethodAndAFrictionModelHaveTheirNames) {
+  firmware::TelemetryEvent event{
+      .tick = 7, .time_ns = 0, .kind = firmware::EventKind::parameter, .name = {}, .value = 5.0};
+  firmware::set_name(event, "object.0.contact");
+  EXPECT_EQ(WatchLines::line(event),
+            "event tick=7 kind=parameter name=object.0.contact value=one_plane");
+  firmware::set_name(event, "object.12.friction_model");
+  EXPECT_EQ(WatchLines::line(event),
+            "event tick=7 kind=parameter name=object.12.friction_model value=lugre");
+}
+
 }  // namespace
 }  // namespace tactus::host

@@ -95,5 +95,19 @@ TEST(CommandLine, InjectionsEndAndDelaysEndSoon) {
   EXPECT_EQ(parse_command("inject stuck")->injection.ticks, 1U);
 }
 
+TEST(CommandLine, AFrictionModelAndAContactMethodAreSetByTheirNames) {
+  const auto contact = parse_command("set object.ball.contact one_plane");
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->name.parameter, Parameter::contact);
+  EXPECT_EQ(contact->name.object, "ball");
+  EXPECT_EQ(contact->value, 5.0);
+  EXPECT_EQ(parse_command("set object.0.friction_model lugre")->value, 5.0);
+  // The tick knows what the object allows, and refuses every other word.
+  EXPECT_EQ(parse_command("set object.0.contact two_planes")->value, -1.0);
+  EXPECT_EQ(parse_command("set object.0.contact 5")->value, -1.0);
+  EXPECT_NE(refusal_of("set object.0.contact"), "taken");
+  EXPECT_NE(refusal_of("set object.0.contact one_plane now"), "taken");
+}
+
 }  // namespace
 }  // namespace tactus::firmware

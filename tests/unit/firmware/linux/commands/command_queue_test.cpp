@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "firmware/control/parameter_choices.h"
 #include "firmware/linux/commands/reply.h"
 #include "tests/unit/firmware/test_scene.h"
 
@@ -197,6 +198,29 @@ TEST_F(CommandQueueTest, IsOperatedFromTheFirstRequestOn) {
   EXPECT_FALSE(queue_.is_operated());
   answer_to(Request::disable);
   EXPECT_TRUE(queue_.is_operated());
+}
+
+TEST_F(CommandQueueTest, AParameterWithNamesIsToldByThem) {
+  const ParameterPlace contact{.parameter = Parameter::contact};
+  const auto reply_to_set = [&](CommandKind kind, double value) {
+    queue_.post({.kind = kind, .ticket = 9, .change = {.place = contact, .value = value}});
+    tick();
+    TextLine line;
+    write_parameter_reply(line, kind == CommandKind::set ? "set" : "get", contact,
+                          queue_.next_answer().value_or(Answer{}));
+    return std::string(line.text());
+  };
+  const std::string choices =
+      " choices=sphere_proxy,god_object,one_plane,three_sub_goals,three_step,one_step\n";
+  EXPECT_EQ(reply_to_set(CommandKind::get, 0.0),
+            "ok get tick=0 object.0.contact=sphere_proxy" + choices);
+  EXPECT_EQ(reply_to_set(CommandKind::set, 5.0),
+            "ok set tick=1 object.0.contact=one_plane" + choices);
+  EXPECT_EQ(
+      reply_to_set(CommandKind::set, kNoChoice),
+      "refused set: there is no such value, or the object's shape, motion, friction, grain or "
+      "textures do not go with it; write one of sphere_proxy,god_object,one_plane,"
+      "three_sub_goals,three_step,one_step\n");
 }
 
 }  // namespace
