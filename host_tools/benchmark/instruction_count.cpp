@@ -16,6 +16,7 @@
 #include "host_tools/benchmark/percentile.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
+#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 
 // Callgrind counts inside of this function only, and writes a part of its output before every call:
@@ -97,7 +98,7 @@ InstructionCount count_instructions(const BakedScene& scene, std::span<const Vec
 void touch_to_be_counted(const fs::path& folder) {
   const MappedScene scene(folder / kScene);
   const auto world = std::make_unique<rendering::World>();
-  world->set_scene(scene.image().objects(), {.tool_radius_m = scene.image().tool_radius_m()});
+  world->set_scene(scene.image().objects(), rendering::world_of(scene.image()));
   for (const Vec3& p : read_path(folder / kPath)) {
     tactus_counted_touch(*world, p);
   }

@@ -70,7 +70,15 @@ void RigidBody::accelerate(const Vec3& gravity_W, double step_s) {
   motion_.velocity_W += step_s * gravity_W;
   motion_.velocity_W /= 1.0 + step_s * mass_.linear_damping_per_s;
   motion_.angular_momentum_W /= 1.0 + step_s * mass_.angular_damping_per_s;
+  if (const double speed = motion_.velocity_W.norm(); speed > kFastestBody_m_per_s) {
+    motion_.velocity_W *= kFastestBody_m_per_s / speed;
+  }
   angular_velocity_W_ = inverse_inertia_W_ * motion_.angular_momentum_W;
+  const double turn = step_s * angular_velocity_W_.norm();
+  if (turn > 1.0) {
+    motion_.angular_momentum_W /= turn;
+    angular_velocity_W_ /= turn;
+  }
 }
 
 void RigidBody::move(double step_s) {

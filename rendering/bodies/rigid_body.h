@@ -10,6 +10,10 @@
 
 namespace tactus::rendering {
 
+// No body is faster, m/s, and none begins to turn faster, rad/s.
+inline constexpr double kFastestBody_m_per_s = 1000.0;
+inline constexpr double kFastestBodyTurn_rad_per_s = 1e4;
+
 // The motion of a body. The angular momentum is kept and not the angular velocity: without a torque
 // its bits stay what they are.
 struct BodyMotion {
@@ -58,7 +62,8 @@ class RigidBody {
   }
   [[nodiscard]] const Mat3& inverse_inertia_W() const { return inverse_inertia_W_; }
 
-  // Applies gravity (m/s^2) and the damping for `step_s`.
+  // Applies gravity (m/s^2) and the damping for `step_s`. Speeds above kFastestBody_m_per_s, and
+  // turns of more than a radian in the step, are reduced to that.
   void accelerate(const Vec3& gravity_W, double step_s);
   // Moves the body without forces for `step_s`: the centre in a straight line, the rotation by
   // rotate_freely().

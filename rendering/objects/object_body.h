@@ -19,8 +19,9 @@ struct BodyMass {
   double angular_damping_per_s = 0.0;
 };
 
-// Returns true if the numbers are finite and those of a body that exists: the inertia is symmetric
-// to 1e-9 of its size, and no principal moment exceeds the sum of the two others by more.
+// Returns true if the numbers are finite, in the ranges of object_body.cpp, and those of a body
+// that exists: the inertia is symmetric to 1e-9 of its size, and no principal moment exceeds the
+// sum of the two others by more.
 bool valid(const BodyMass& mass);
 
 // The gravity of the earth by definition (CGPM 1901), m/s^2, and downward in the world.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rendering/bodies/primitive_hull.h"
+#include "rendering/bodies/rigid_body.h"
 #include "rendering/limits.h"
 #include "rendering/scene/stored.h"
 
@@ -50,6 +51,13 @@ Mat3 to_matrix(const image::Inertia& stored) {
 
 }  // namespace
 
+Vec3 read_gravity(const image::Double3* stored) {
+  if (stored == nullptr || !(to_vec3(*stored).norm() <= kMostGravity_m_per_s2)) {
+    return standard_gravity_W();
+  }
+  return to_vec3(*stored);
+}
+
 std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object) {
   if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
     return fail(SceneFault::malformed);
@@ -77,7 +85,8 @@ std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const
                        body.axes_O.allFinite() && body.restitution >= 0.0 &&
                        body.restitution <= 1.0 &&
                        body.mass.center_O.cwiseAbs().maxCoeff() <= kWorldBound_m &&
-                       body.velocity_W.allFinite() && body.angular_velocity_O.allFinite();
+                       body.velocity_W.norm() <= kFastestBody_m_per_s &&
+                       body.angular_velocity_O.norm() <= kFastestBodyTurn_rad_per_s;
   if (!is_good) {
     return fail(SceneFault::body);
   }

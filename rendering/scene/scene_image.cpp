@@ -181,9 +181,7 @@ Result SceneImage::take(const image::Scene& scene) {
   if (const Result effects = take_effects(scene); !effects) {
     return effects;
   }
-  if (scene.gravity() != nullptr) {
-    gravity_W_ = to_vec3(*scene.gravity());
-  }
+  gravity_W_ = read_gravity(scene.gravity());
   object_count_ = scene.objects()->size();
   if (object_count_ == 0 || object_count_ > kMaxObjects) {
     return fail(SceneFault::object_count, object_count_);

@@ -1,6 +1,7 @@
 #include "rendering/world/world_bodies.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace tactus::rendering {
 namespace {
@@ -17,7 +18,13 @@ bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bod
   bodies_.clear();
   obstacle_count_ = 0;
   bodies_.set_gravity(gravity_W);
-  for (std::uint32_t number = 0; number < scene.size() && !bodies.empty(); ++number) {
+  const auto numbers = std::views::iota(0U, static_cast<std::uint32_t>(scene.size()));
+  const bool any_body =
+      std::ranges::any_of(numbers, [&](std::uint32_t number) { return is_body(scene[number]); });
+  if (!any_body) {
+    return true;
+  }
+  for (const std::uint32_t number : numbers) {
     const std::uint8_t body = scene[number].body;
     const bool is_there = body == kNoBody || body < bodies.size();
     if (!is_there || !add(scene, number, body == kNoBody ? nullptr : &bodies[body])) {

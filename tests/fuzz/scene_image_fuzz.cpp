@@ -6,6 +6,7 @@
 
 #include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_image.h"
+#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 #include "tests/fuzz/fuzz_input.h"
 
@@ -39,7 +40,7 @@ void make_image(std::span<const std::byte> input) {
 
 void touch(const rendering::SceneImage& scene) {
   static rendering::World world;
-  if (!world.set_scene(scene.objects(), {.tool_radius_m = scene.tool_radius_m()})) {
+  if (!world.set_scene(scene.objects(), rendering::world_of(scene))) {
     return;
   }
   for (int i = 0; i < 8; ++i) {

@@ -120,6 +120,12 @@ BakedBody bake_body(const BodyDescription& description, const ShapeDescription& 
                            .velocity_W = description.velocity_W,
                            .angular_velocity_O = axes * description.angular_velocity_B},
                   .hull = {}};
+  if (!rendering::valid(baked.body.mass)) {
+    throw InputError(fmt::format(
+        "a body of {:.3g} kg with such an inertia cannot be computed; is it in metres and "
+        "kilograms, and not thinner than a thousandth of its length?",
+        properties.mass_kg));
+  }
   const auto* const primitive = std::get_if<rendering::Primitive>(&shape);
   if (primitive == nullptr || !rendering::has_hull(primitive->kind)) {
     baked.hull = hull_of(mesh, warnings);

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "rendering/bodies/rigid_body.h"
+
 namespace tactus::host {
 namespace {
 
@@ -69,6 +71,17 @@ std::optional<BodyDescription> read_body(const TomlSection& object, std::string_
       .restitution = section.number("restitution", kZeroOrMore).value_or(0.0),
       .velocity_W = vector_or_zero(section, "velocity_m_per_s"),
       .angular_velocity_B = vector_or_zero(section, "angular_velocity_rad_per_s")};
+  if (!(body.velocity_W.norm() <= rendering::kFastestBody_m_per_s)) {
+    section.fail("velocity_m_per_s",
+                 fmt::format("the speed is {} m/s, where {} is the most", body.velocity_W.norm(),
+                             rendering::kFastestBody_m_per_s));
+  }
+  if (!(body.angular_velocity_B.norm() <= rendering::kFastestBodyTurn_rad_per_s)) {
+    section.fail(
+        "angular_velocity_rad_per_s",
+        fmt::format("the angular velocity is {} rad/s, where {} is the most",
+                    body.angular_velocity_B.norm(), rendering::kFastestBodyTurn_rad_per_s));
+  }
   if (body.restitution > 1.0) {
     section.fail("restitution", fmt::format("restitution is {}, where 1 is the most: the share of "
                                             "the speed that is left after a bounce",

@@ -18,7 +18,7 @@ namespace {
 using rendering::TickStep;
 
 std::uint64_t now = 0;
-std::uint64_t fake_now_ns() {
+std::uint64_t stepped_now_ns() {
   return now;
 }
 
@@ -28,7 +28,7 @@ std::uint32_t of(const StepTimes& times, TickStep step) {
 
 TEST(StepTimer, AddsTheTimesOfEachStepAndLeavesOutItsOwn) {
   now = 100;
-  StepTimer timer(fake_now_ns);
+  StepTimer timer(stepped_now_ns);
   timer.begin();
   now += 7;
   timer.end(TickStep::tool);
@@ -55,7 +55,7 @@ TEST(StepTimer, AddsTheTimesOfEachStepAndLeavesOutItsOwn) {
 
 TEST(StepTimer, BeginsEachTickAnewAndHasNoTimesWithoutAClock) {
   now = 0;
-  StepTimer timer(fake_now_ns);
+  StepTimer timer(stepped_now_ns);
   now = 50;
   timer.end(TickStep::proxy);
   timer.begin();

@@ -38,8 +38,8 @@ Object wall(int axis, const rendering::Material& material) {
 }
 
 std::uint64_t ticking_ns() {
-  static std::uint64_t now = 0;
-  return now += 10;
+  static std::uint64_t ticked_ns = 0;
+  return ticked_ns += 10;
 }
 
 // A Cartesian device in a corner: walls that bound x, y and z from below.

@@ -7,6 +7,7 @@
 
 #include "host_tools/bake/scene/bake.h"
 #include "host_tools/bake/scene/mapped_scene.h"
+#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 #include "tests/support/example_scenes.h"
 #include "tests/support/paths.h"
@@ -30,10 +31,9 @@ TEST_P(Examples, AreBakedAndFelt) {
   // The tool goes from above each object down through its middle and must feel it on the way.
   for (std::uint32_t i = 0; i < scene.image().objects().size(); ++i) {
     const auto world = std::make_unique<rendering::World>();
-    ASSERT_TRUE(
-        world->set_scene(scene.image().objects(), {.tool_radius_m = scene.image().tool_radius_m(),
-                                                   .tool_count = scene.image().tool_count(),
-                                                   .effects = scene.image().effects()}));
+    rendering::WorldConfig config = rendering::world_of(scene.image());
+    config.tool_count = scene.image().tool_count();
+    ASSERT_TRUE(world->set_scene(scene.image().objects(), config));
     const rendering::BvhNode& box = scene.image().objects()[i].mesh.nodes.front();
     const double x = 0.5 * static_cast<double>(box.lower.x + box.upper.x) + 1e-4;
     const double z = 0.5 * static_cast<double>(box.lower.z + box.upper.z) + 2e-4;
