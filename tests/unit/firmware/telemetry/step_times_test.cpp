@@ -17,9 +17,9 @@ namespace {
 
 using rendering::TickStep;
 
-std::uint64_t now = 0;
+std::uint64_t g_stepped_ns = 0;
 std::uint64_t stepped_now_ns() {
-  return now;
+  return g_stepped_ns;
 }
 
 std::uint32_t of(const StepTimes& times, TickStep step) {
@@ -27,20 +27,20 @@ std::uint32_t of(const StepTimes& times, TickStep step) {
 }
 
 TEST(StepTimer, AddsTheTimesOfEachStepAndLeavesOutItsOwn) {
-  now = 100;
+  g_stepped_ns = 100;
   StepTimer timer(stepped_now_ns);
   timer.begin();
-  now += 7;
+  g_stepped_ns += 7;
   timer.end(TickStep::tool);
   for (const std::uint64_t ns : {30U, 12U}) {
-    now += ns;
+    g_stepped_ns += ns;
     timer.end(TickStep::collision);
-    now += 1000;
+    g_stepped_ns += 1000;
     timer.skip();
-    now += 5;
+    g_stepped_ns += 5;
     timer.end(TickStep::proxy);
   }
-  now += 3;
+  g_stepped_ns += 3;
   timer.end(TickStep::force);
   const StepTimes times =
       timer.times({.read = 1, .check = 2, .kinematics = 4, .touch = 99, .safety = 8, .write = 16});
@@ -54,14 +54,14 @@ TEST(StepTimer, AddsTheTimesOfEachStepAndLeavesOutItsOwn) {
 }
 
 TEST(StepTimer, BeginsEachTickAnewAndHasNoTimesWithoutAClock) {
-  now = 0;
+  g_stepped_ns = 0;
   StepTimer timer(stepped_now_ns);
-  now = 50;
+  g_stepped_ns = 50;
   timer.end(TickStep::proxy);
   timer.begin();
   EXPECT_EQ(timer.times({}), StepTimes{});
   StepTimer without(nullptr);
-  now = 90;
+  g_stepped_ns = 90;
   without.end(TickStep::proxy);
   EXPECT_EQ(without.times({}), StepTimes{});
 }
