@@ -25,6 +25,7 @@
 #include "hal/linux/clock.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -138,7 +139,7 @@ class ServedSimulation {
     const rendering::SceneImage& image = open(scene);
     RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
     plan.config.path = plan.config.path.there_and_back();
-    plan.config.effects = image.effects();
+    plan.config.world = rendering::world_of(image);
     for (const std::string& warning : plan.warnings) {
       fmt::print(stderr, "tactus sim: warning: {}\n", warning);
     }

@@ -20,6 +20,7 @@
 #include "host_tools/simulation/run.h"
 #include "host_tools/simulation/run_log.h"
 #include "host_tools/simulation/run_recording.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -153,7 +154,7 @@ void run_sim(const SimOptions& options) {
   const auto objects = scene.image().objects();
   const double tool_radius_m = scene.image().tool_radius_m();
   RunPlan plan = plan_run(options.run, objects, tool_radius_m);
-  plan.config.effects = scene.image().effects();
+  plan.config.world = rendering::world_of(scene.image());
   for (const std::string& warning : plan.warnings) {
     fmt::print(stderr, "tactus sim: warning: {}\n", warning);
   }

@@ -36,8 +36,9 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
   controller.workspace_origin_D = origin_B_;
   controller.safety.device_delay_s = delay_of(config.device.device, tick_s_);
   configure(*controller_, controller);
-  if (!controller_->load_scene(objects,
-                               {.tool_radius_m = tool_radius_m, .effects = config.effects})) {
+  rendering::WorldConfig world = config.world;
+  world.tool_radius_m = tool_radius_m;
+  if (!controller_->load_scene(objects, world)) {
     throw InputError(
         "the controller refused the scene: too many objects, or one without triangles");
   }

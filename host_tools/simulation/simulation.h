@@ -19,6 +19,7 @@
 #include "host_tools/simulation/simulated_device.h"
 #include "host_tools/simulation/wish_path.h"
 #include "rendering/objects/object.h"
+#include "rendering/world/world.h"
 
 namespace tactus::host {
 
@@ -57,8 +58,9 @@ struct SimulationConfig {
   // The faults that occur, and the operator's requests, in any order.
   std::vector<FaultEvent> faults;
   std::vector<RequestEvent> requests;
-  // The scene's effects; they must outlive the simulation.
-  std::span<const rendering::Effect> effects;
+  // The scene beside its objects: effects, bodies and gravity, which must outlive the simulation.
+  // The radius of the tool is given apart.
+  rendering::WorldConfig world;
 };
 
 // A simulated run.

@@ -83,7 +83,7 @@ TEST_F(CommandServerTest, TheListHasEveryParameterWithItsRangeAndUnit) {
   start();
   const Reply list = Remote(folder_).send("list");
   EXPECT_EQ(list.text, "ok list");
-  ASSERT_EQ(list.lines.size(), 5U + 2U * 4U);  // a cone has no viscous friction
+  ASSERT_EQ(list.lines.size(), 5U + 2U * 6U);  // a cone has no viscous friction
   EXPECT_EQ(list.lines[0], "parameter max_force_N=10 least=0 greatest=10 unit=N");
   EXPECT_EQ(list.lines[5],
             "parameter object.0.stiffness_N_per_m=800 least=0 greatest=1e+06 unit=N/m object=left");
