@@ -62,8 +62,9 @@ void expect_every_pair(const std::string& object, const std::vector<std::string>
   for (const std::string& from : methods) {
     for (const std::string& to : methods) {
       if (from != to) {
-        ASSERT_NO_FATAL_FAILURE(expect_as_baked(object + contact(from) + rest,
-                                                object + contact(to) + rest, kContact, to));
+        ASSERT_NO_FATAL_FAILURE(expect_as_baked(fmt::format("{}{}{}", object, contact(from), rest),
+                                                fmt::format("{}{}{}", object, contact(to), rest),
+                                                kContact, to));
       }
     }
   }
@@ -125,7 +126,7 @@ TEST(ChangedMethod, IsRefusedInContactAndTakenOnceTheToolIsLifted) {
   for (const std::string& from : kOnMeshes) {
     const std::string to = from == "one_plane" ? "god_object" : "one_plane";
     SCOPED_TRACE(from);
-    StrokedBall run(baked(kFormula + contact(from) + kRubs));
+    StrokedBall run(baked(fmt::format("{}{}{}", kFormula, contact(from), kRubs)));
     run.start(stroke(0));
     int refused = 0;
     for (int tick = 0; tick < 2 * kStroke; ++tick) {

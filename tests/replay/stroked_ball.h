@@ -63,7 +63,7 @@ struct StrokedBall {
     EXPECT_TRUE(controller->load_scene(scene.objects(), rendering::world_of(scene)));
   }
 
-  void tick(const Vec3& p_W, firmware::Request request = firmware::Request::none) {
+  void tick(const Vec3& p_W, firmware::Request request = firmware::Request::none) const {
     drivers::JointSample sample;
     sample.position = {p_W.x(), p_W.y(), p_W.z()};
     controller->tick(sample, request);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -36,8 +36,8 @@ class HullSurface {
   // Returns for each triangle the number of its region. Regions grow from the largest triangles,
   // whose planes are the surest.
   [[nodiscard]] std::vector<std::uint32_t> regions(double tolerance) const {
-    std::vector<std::uint32_t> by_area(triangles_.size());
-    std::iota(by_area.begin(), by_area.end(), 0U);
+    const auto numbers = std::views::iota(0U, static_cast<std::uint32_t>(triangles_.size()));
+    std::vector<std::uint32_t> by_area(numbers.begin(), numbers.end());
     std::ranges::stable_sort(by_area, std::ranges::greater{},
                              [&](std::uint32_t i) { return areas_[i]; });
     std::vector<std::uint32_t> region(triangles_.size(), kNone);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -239,8 +240,9 @@ TEST(ConvexHull, RefusesPointsWithoutAVolume) {
                        "of the plane through"));
   EXPECT_TRUE(contains(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1e-8}}),
                        "needs a volume; give it a thickness"));
-  EXPECT_TRUE(
-      contains(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, NAN}}), "vertex 3 is not finite"));
+  EXPECT_TRUE(contains(
+      message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, std::numeric_limits<double>::quiet_NaN()}}),
+      "vertex 3 is not finite"));
   EXPECT_EQ(convex_hull(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1e-5}}).faces.size(),
             4U);
 }

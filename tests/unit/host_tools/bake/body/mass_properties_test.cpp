@@ -169,7 +169,9 @@ TEST(MassProperties, AreTheSumOfSmallCubesInside) {
   const Vec3 step = box.sizes() / kSide;
   std::vector<MassProperties> cubes;
   for (int i = 0; i < kSide * kSide * kSide; ++i) {
-    const Vec3 place(i % kSide + 0.5, i / kSide % kSide + 0.5, i / kSide / kSide + 0.5);
+    const int row = i / kSide;
+    const int layer = row / kSide;
+    const Vec3 place(i % kSide + 0.5, row % kSide + 0.5, layer + 0.5);
     const Vec3 p = box.min() + step.cwiseProduct(place);
     constexpr double kHalf = 0.5;
     if (testing::winding_number(shape, p) > kHalf) {
@@ -223,6 +225,7 @@ TEST(MassProperties, OfSolidsThatTouchAtAnEdgeAddUp) {
     return place < first ? place : first + v;
   };
   std::vector<TriangleIndices> added;
+  added.reserve(other.triangles.size());
   for (const TriangleIndices& t : other.triangles) {
     added.push_back({same(t[0]), same(t[1]), same(t[2])});
   }
