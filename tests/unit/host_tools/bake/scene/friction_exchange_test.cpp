@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "host_tools/bake/scene/friction_description.h"
@@ -40,12 +41,9 @@ double number_for_key(const FrictionParameterName& name) {
 }
 
 bool has_key_of(FrictionKind kind, const FrictionParameterName& of) {
-  for (const FrictionParameterName& name : surface_parameters(kind)) {
-    if (name.member == of.member) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(surface_parameters(kind), [&](const FrictionParameterName& name) {
+    return name.member == of.member;
+  });
 }
 
 // The text of a model with the keys that the model `from` has too; the others are left out.
