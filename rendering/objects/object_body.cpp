@@ -23,7 +23,8 @@ constexpr double kMostDamping = 1e6;
 // its second moment, which is positive definite, or nearly singular for a flat body.
 bool is_inertia(const Mat3& inertia) {
   const double size = inertia.norm();
-  if (!(size >= kSmallestInertia && size <= kLargest)) {
+  const bool is_in_range = size >= kSmallestInertia && size <= kLargest;
+  if (!is_in_range) {
     return false;
   }
   const double slack = 1e-9 * size;

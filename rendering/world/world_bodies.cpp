@@ -24,16 +24,16 @@ bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bod
   if (!any_body) {
     return true;
   }
-  for (const std::uint32_t number : numbers) {
+  const bool all_added = std::ranges::all_of(numbers, [&](std::uint32_t number) {
     const std::uint8_t body = scene[number].body;
     const bool is_there = body == kNoBody || body < bodies.size();
-    if (!is_there || !add(scene, number, body == kNoBody ? nullptr : &bodies[body])) {
-      bodies_.clear();
-      obstacle_count_ = 0;
-      return false;
-    }
+    return is_there && add(scene, number, body == kNoBody ? nullptr : &bodies[body]);
+  });
+  if (!all_added) {
+    bodies_.clear();
+    obstacle_count_ = 0;
   }
-  return true;
+  return all_added;
 }
 
 bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body) {
