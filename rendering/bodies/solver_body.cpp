@@ -1,8 +1,35 @@
 #include "rendering/bodies/solver_body.h"
 
-#include <Eigen/Cholesky>
+#include <cmath>
 
 namespace tactus::rendering {
+namespace {
+
+// Returns the inverse of a symmetric positive definite matrix by Cholesky's factors. Eigen's own
+// may ask for heap.
+Mat6 inverse_of(const Mat6& matrix) {
+  Mat6 lower = Mat6::Zero();
+  Mat6 inverse = Mat6::Zero();
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      double left = matrix(i, j);
+      for (Eigen::Index k = 0; k < j; ++k) {
+        left -= lower(i, k) * lower(j, k);
+      }
+      lower(i, j) = i == j ? std::sqrt(left) : left / lower(j, j);
+    }
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      double left = i == j ? 1.0 : 0.0;
+      for (Eigen::Index k = j; k < i; ++k) {
+        left -= lower(i, k) * inverse(k, j);
+      }
+      inverse(i, j) = left / lower(i, i);
+    }
+  }
+  return inverse.transpose().lazyProduct(inverse);
+}
+
+}  // namespace
 
 void SolverBody::take(const RigidBody& body) {
   center_W_ = body.motion().center_W;
@@ -29,7 +56,7 @@ void SolverBody::set_springs(const Mat6& inertia) {
   Mat6 apparent = inertia;
   apparent.topLeftCorner<3, 3>() += mass_kg_ * Mat3::Identity();
   apparent.bottomRightCorner<3, 3>() += inertia_W_;
-  apparent_inverse_ = apparent.llt().solve(Mat6::Identity());
+  apparent_inverse_ = inverse_of(apparent);
   has_springs_ = true;
 }
 
