@@ -69,7 +69,7 @@ struct StrokedBall {
     controller->tick(sample, request);
   }
 
-  void start(const Vec3& p_W) {
+  void start(const Vec3& p_W) const {
     for (const firmware::Request request :
          {firmware::Request::home, firmware::Request::none, firmware::Request::enable}) {
       tick(p_W, request);
