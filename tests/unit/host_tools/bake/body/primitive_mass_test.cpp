@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/support/primitive_points.h"
+#include "tests/support/share.h"
 #include "tests/unit/host_tools/bake/body/lathe.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
@@ -61,17 +62,19 @@ double mass_difference(const MassProperties& a, const MassProperties& b) {
                    (a.inertia_C - b.inertia_C).norm() / inertia});
 }
 
+// Under sanitizers the cubes are larger, and so is what they miss.
 TEST(PrimitiveMass, IsTheSumOfSmallCubesInside) {
+  const int side = testing::share_of(80) < 80 ? 32 : 80;
   std::mt19937_64 random(101);
   for (const PrimitiveKind kind : testing::kAllPrimitives) {
     if (kind == PrimitiveKind::plane) {
       continue;
     }
-    for (int n = 0; n < 3; ++n) {
+    for (int n = 0; n < testing::part_of(3); ++n) {
       const Primitive primitive = in_its_own_frame(testing::random_primitive(kind, random));
       EXPECT_LT(mass_difference(primitive_mass_properties(primitive, kClay_kg_per_m3),
-                                sum_of_cubes(primitive, 80)),
-                0.01)
+                                sum_of_cubes(primitive, side)),
+                0.8 / side)
           << static_cast<int>(kind);
     }
   }
