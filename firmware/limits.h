@@ -27,9 +27,6 @@ inline constexpr std::size_t kJointCount = 3;
 // The largest number of stops between two links in a configuration.
 inline constexpr std::size_t kMaxCoupledLimits = 2;
 
-// The default of ControllerConfig::gravity_D, downward in the device frame.
-inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
-
 // The most Newton steps of the delta's forward kinematics. Two or three are enough from the pose of
 // the previous tick, seven from the nominal pose to every pose of the Falcon. After more steps the
 // fault is kFaultKinematicsNotConverged.

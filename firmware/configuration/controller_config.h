@@ -15,6 +15,7 @@
 #include "firmware/safety/certificate.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/objects/object_body.h"
 
 namespace tactus::firmware {
 
@@ -144,7 +145,7 @@ struct ControllerConfig {
   Vec3 workspace_origin_D = Vec3::Zero();
   // The acceleration of gravity in the device frame, m/s^2, in the direction in which things fall
   // (control/gravity_compensation.h).
-  Vec3 gravity_D = {0.0, -kStandardGravity_m_per_s2, 0.0};
+  Vec3 gravity_D = rendering::standard_gravity_W();
   // The cutoff of the first-order low-pass on the tool's velocity, Hz; 0 is none.
   double velocity_cutoff_hz = 0.0;
   // The limits of the mechanism's joints. Entries beyond them are unused.

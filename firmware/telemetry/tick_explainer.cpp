@@ -86,7 +86,7 @@ void TickExplainer::take_planes(const rendering::WatchedSubGoal& sub_goal,
         .tool_distance_m = half_space.normal.dot(sub_goal.tick.h_W) - half_space.offset,
         .multiplier_m = projection.pressure_m[i]};
     explanation_.planes[explanation_.plane_count++] = active;
-    // Of planes that push equally, the first in the list counts.
+    // The first in the list counts where planes push equally.
     if (active.multiplier_m > most_m || (active.multiplier_m == most_m && number < hardest)) {
       most_m = active.multiplier_m;
       hardest = number;

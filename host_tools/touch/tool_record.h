@@ -1,4 +1,4 @@
-// What one tool of a run felt, in its own files.
+// Writes what one tool of a run felt into its own files.
 #pragma once
 
 #include <cstddef>

@@ -23,12 +23,12 @@ struct ContactSurface {
 
 // A point of a contact while it is solved. World frame.
 struct SolvedPoint {
-  // From the centres of A and B to the point, at the beginning of the tick, m.
+  // The arms from the centres of A and B to the point, at the beginning of the tick, m.
   Vec3 arm_a_W = Vec3::Zero();
   Vec3 arm_b_W = Vec3::Zero();
   // The distance of the surfaces then, m.
   double separation_m = 0.0;
-  // How fast the surfaces part at the beginning, m/s; < 0 where they approach.
+  // The speed with which the surfaces part at the beginning, m/s; < 0 where they approach.
   double parting_m_per_s = 0.0;
   // The impulses of a sub-step: along the normal, N s, >= 0, and along the tangents.
   double push = 0.0;
@@ -52,8 +52,8 @@ struct BodyContact {
   std::size_t count = 0;
 };
 
-// How a contact resists overlap in a sub-step: a damped spring that is integrated implicitly
-// (Catto, "Solver2D", 2024). `a1` and `a2` of that text give the three numbers.
+// The resistance of a contact to overlap in a sub-step: a damped spring that is integrated
+// implicitly (Catto, "Solver2D", 2024). `a1` and `a2` of that text give the three numbers.
 struct ContactSoftness {
   // The speed of recovery over the overlap, 1/s.
   double bias_rate = 0.0;

@@ -8,7 +8,7 @@ namespace {
 
 // The sub-steps of a tick.
 constexpr int kSubSteps = 4;
-// How often each pass of a sub-step solves all contacts.
+// Each pass of a sub-step solves all contacts so often.
 constexpr int kPasses = 2;
 // The frequency of the spring that undoes overlaps is this share of the sub-steps' rate, and it is
 // damped far beyond its critical damping.
@@ -40,15 +40,17 @@ void BodyWorld::clear() {
   body_count_ = 0;
   obstacle_count_ = 0;
   gravity_W_ = Vec3::Zero();
-  reset();
+  contact_count_ = 0;
+  left_out_ = false;
 }
 
 bool BodyWorld::add_body(const BodyStart& start) {
   if (body_count_ == kMaxBodies || !valid(start.body.mass) || !is_hull(start.body.hull)) {
     return false;
   }
+  bodies_[body_count_] =
+      RigidBody(start.body.mass, start.X_WO, start.body.velocity_W, start.body.angular_velocity_O);
   starts_[body_count_++] = start;
-  reset();
   return true;
 }
 
@@ -59,16 +61,6 @@ bool BodyWorld::add_obstacle(const BodyObstacle& obstacle) {
   }
   obstacles_[obstacle_count_++] = obstacle;
   return true;
-}
-
-void BodyWorld::reset() {
-  for (std::size_t i = 0; i < body_count_; ++i) {
-    const BodyStart& start = starts_[i];
-    bodies_[i] = RigidBody(start.body.mass, start.X_WO, start.body.velocity_W,
-                           start.body.angular_velocity_O);
-  }
-  contact_count_ = 0;
-  left_out_ = false;
 }
 
 void BodyWorld::set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist) {
@@ -98,7 +90,7 @@ void BodyWorld::step(double tick_s, std::span<const FingerGrip> grips, std::span
 }
 
 void BodyWorld::find_contacts(double tick_s) {
-  std::swap(contacts_, contacts_before_);
+  std::copy_n(contacts_.begin(), contact_count_, contacts_before_.begin());
   contact_count_before_ = contact_count_;
   contact_count_ = 0;
   left_out_ = false;
@@ -207,14 +199,6 @@ void BodyWorld::move_bodies(double step_s) {
     shift.translation_W += step_s * twist.linear_W;
     shift.rotation = rotation_by(step_s * twist.angular_W) * shift.rotation;
   }
-}
-
-double BodyWorld::energy_J() const {
-  double sum = 0.0;
-  for (const RigidBody& body : bodies()) {
-    sum += body.kinetic_energy_J() - body.mass().mass_kg * gravity_W_.dot(body.motion().center_W);
-  }
-  return sum;
 }
 
 }  // namespace tactus::rendering

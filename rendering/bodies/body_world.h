@@ -26,7 +26,7 @@ struct BodyStart {
   RigidPose X_WO;
 };
 
-// What bodies meet and cannot push: a hull, or a half space below a plane.
+// An object that bodies meet and cannot push: a hull, or a half space below a plane.
 struct BodyObstacle {
   // The hull; without vertices it is the half space y <= 0 of a frame whose pose in O is given.
   ConvexHull hull;
@@ -55,9 +55,6 @@ class BodyWorld {
   // Sets the gravity, m/s^2; zero by default.
   void set_gravity(const Vec3& gravity_W) { gravity_W_ = gravity_W; }
 
-  // Puts all bodies back to where they started.
-  void reset();
-
   // Sets the place of an obstacle that moves, from the next step on.
   void set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist);
 
@@ -68,14 +65,8 @@ class BodyWorld {
 
   // Returns the bodies, in the order in which they were added.
   [[nodiscard]] std::span<const RigidBody> bodies() const { return {bodies_.data(), body_count_}; }
-  // Returns the contacts of the last step.
-  [[nodiscard]] std::span<const BodyContact> contacts() const {
-    return {contacts_.data(), contact_count_};
-  }
   // Returns true if the last step had more than kMaxBodyContacts: it left out the last ones.
   [[nodiscard]] bool has_left_out_contacts() const { return left_out_; }
-  // Returns the sum of the bodies' kinetic energies and of their heights in the gravity, J.
-  [[nodiscard]] double energy_J() const;
 
   // Saves the state to the archive, or restores it; bodies and obstacles must be the same.
   void transfer(StateArchive& archive);
@@ -105,7 +96,7 @@ class BodyWorld {
   std::size_t contact_count_ = 0;
   bool left_out_ = false;
 
-  // What only a step uses.
+  // Members that live for a step only.
   std::array<BodyContact, kMaxBodyContacts> contacts_before_;
   std::size_t contact_count_before_ = 0;
   std::array<PlacedHull, kMostSolids> hulls_;

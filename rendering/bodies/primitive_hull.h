@@ -14,6 +14,11 @@ constexpr bool has_hull(PrimitiveKind kind) {
          kind == PrimitiveKind::box;
 }
 
+// Returns true for the kinds that stop bodies where they are no bodies themselves.
+constexpr bool stops_bodies(PrimitiveKind kind) {
+  return has_hull(kind) || kind == PrimitiveKind::plane;
+}
+
 // The vertices and the faces of a primitive's hull.
 class PrimitiveHull {
  public:

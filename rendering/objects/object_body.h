@@ -29,6 +29,8 @@ inline constexpr double kStandardGravity_m_per_s2 = 9.80665;
 inline Vec3 standard_gravity_W() {
   return {0.0, -kStandardGravity_m_per_s2, 0.0};
 }
+// The largest gravity of a scene, m/s^2.
+inline constexpr double kMostGravity_m_per_s2 = 1000.0;
 
 // A body as a scene describes it. It begins where the scene gives the object.
 struct ObjectBody {

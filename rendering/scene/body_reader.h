@@ -12,7 +12,6 @@ namespace tactus::rendering {
 
 // Returns the gravity, m/s^2: the earth's where there is none, or none that is finite and at most
 // kMostGravity_m_per_s2.
-inline constexpr double kMostGravity_m_per_s2 = 1000.0;
 Vec3 read_gravity(const image::Double3* stored);
 
 // Returns the body of an object whose surface, method and motion are read; its hull is used in

@@ -57,8 +57,7 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
     body_objects_[count] = number;
     return bodies_.add_body(start);
   }
-  const bool is_plane = is_primitive && object.primitive.kind == PrimitiveKind::plane;
-  if (!is_plane && hull.vertices_O.empty()) {
+  if (!is_primitive || !stops_bodies(object.primitive.kind)) {
     return true;
   }
   obstacle_objects_[count] = number;

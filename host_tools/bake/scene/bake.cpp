@@ -158,8 +158,7 @@ void add_body(const ObjectDescription& object, const std::string& scene, BakedOb
 // Tells that bodies go through the object, if they do.
 void warn_of_passage(const BakedObject& object, bool is_with_bodies, ObjectReport& report) {
   const auto* const primitive = std::get_if<rendering::Primitive>(&object.shape);
-  const bool is_met = primitive != nullptr && (rendering::has_hull(primitive->kind) ||
-                                               primitive->kind == rendering::PrimitiveKind::plane);
+  const bool is_met = primitive != nullptr && rendering::stops_bodies(primitive->kind);
   if (is_with_bodies && !object.body && !is_met) {
     report.warnings.push_back(fmt::format(
         "{}: bodies go through it: of fixed objects they meet planes, boxes, spheres and capsules",
@@ -167,14 +166,16 @@ void warn_of_passage(const BakedObject& object, bool is_with_bodies, ObjectRepor
   }
 }
 
-// Throws InputError for more bodies than the controller has room for.
-void require_few_bodies(const SceneDescription& description) {
+// Returns true if the scene has bodies. Throws InputError for more than the controller has room
+// for.
+bool has_bodies(const SceneDescription& description) {
   const auto bodies = std::ranges::count_if(
       description.objects, [](const ObjectDescription& object) { return object.body.has_value(); });
   if (bodies > static_cast<std::ptrdiff_t>(rendering::kMaxBodies)) {
     throw InputError(fmt::format("{}: {} bodies, where {} fit; leave some out", description.file,
                                  bodies, rendering::kMaxBodies));
   }
+  return bodies > 0;
 }
 
 // Returns an object with just what the controller's capacity depends on.
@@ -240,16 +241,14 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
     needs.add(counted(object.contact, object.motion, {}));
   }
   require_room(needs, description.file);
-  require_few_bodies(description);
-  const bool has_bodies = std::ranges::any_of(
-      description.objects, [](const ObjectDescription& object) { return object.body.has_value(); });
+  const bool is_with_bodies = has_bodies(description);
   for (const ObjectDescription& object : description.objects) {
     ObjectReport& own = report.objects.emplace_back();
     baked.objects.push_back(is_touched_as_mesh(object)
                                 ? bake_object(object, description.file, own, progress)
                                 : bake_shape(object, description.file, own, progress));
     add_body(object, description.file, baked.objects.back(), own);
-    warn_of_passage(baked.objects.back(), has_bodies, own);
+    warn_of_passage(baked.objects.back(), is_with_bodies, own);
     std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));
   }
   needs = {};

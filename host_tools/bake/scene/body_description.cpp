@@ -21,11 +21,6 @@ constexpr std::array kBodyKeys{KeySpec{"mass_kg", "kg"},
                                KeySpec{"angular_damping_per_s", "per_s"},
                                KeySpec{"restitution", ""}};
 
-Vec3 vector_or_zero(const TomlSection& section, std::string_view key) {
-  const auto values = section.numbers(key, 3);
-  return values ? Vec3((*values)[0], (*values)[1], (*values)[2]) : Vec3{Vec3::Zero()};
-}
-
 // Throws InputError for an object that cannot move by forces.
 void require_movable(const TomlSection& object, ContactMethod contact,
                      const MotionDescription& motion) {
@@ -38,7 +33,7 @@ void require_movable(const TomlSection& object, ContactMethod contact,
   if (object.has("moves") && !motion.moves) {
     object.fail("moves", "moves is false, and yet there is a body; leave one of the two out");
   }
-  if (contact != ContactMethod::sphere_proxy && contact != ContactMethod::god_object) {
+  if (!rendering::meets_proxy(contact)) {
     object.fail("contact",
                 "a body is touched by contact = \"sphere_proxy\" or \"god_object\"; write one of "
                 "them, or leave out the body");
@@ -60,6 +55,7 @@ std::optional<BodyDescription> read_body(const TomlSection& object, std::string_
     section.fail("density_kg_per_m3",
                  "mass_kg and density_kg_per_m3 say the same; leave one of the two out");
   }
+  const Vec3 none = Vec3::Zero();
   BodyDescription body{
       .line = object.line("body"),
       .mass_kg = section.number("mass_kg", kAboveZero),
@@ -69,8 +65,8 @@ std::optional<BodyDescription> read_body(const TomlSection& object, std::string_
       .linear_damping_per_s = section.number("linear_damping_per_s", kZeroOrMore).value_or(0.0),
       .angular_damping_per_s = section.number("angular_damping_per_s", kZeroOrMore).value_or(0.0),
       .restitution = section.number("restitution", kZeroOrMore).value_or(0.0),
-      .velocity_W = vector_or_zero(section, "velocity_m_per_s"),
-      .angular_velocity_B = vector_or_zero(section, "angular_velocity_rad_per_s")};
+      .velocity_W = section.vector("velocity_m_per_s").value_or(none),
+      .angular_velocity_B = section.vector("angular_velocity_rad_per_s").value_or(none)};
   if (!(body.velocity_W.norm() <= rendering::kFastestBody_m_per_s)) {
     section.fail("velocity_m_per_s",
                  fmt::format("the speed is {} m/s, where {} is the most", body.velocity_W.norm(),

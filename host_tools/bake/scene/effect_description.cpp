@@ -73,9 +73,9 @@ class FieldReader {
     value = given.value_or(value);
   }
   void operator()(const VectorField& field, Vec3& value) const {
-    const std::optional<std::vector<double>> given = section_.numbers(field.key, 3);
+    const std::optional<Vec3> given = section_.vector(field.key);
     if (given) {
-      value = {(*given)[0], (*given)[1], (*given)[2]};
+      value = *given;
     } else if (field.use != VectorUse::place) {
       fail_missing(field.key, field.example);
     }

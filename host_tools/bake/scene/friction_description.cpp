@@ -187,19 +187,19 @@ rendering::MaterialGrain read_grain(const TomlSection& object, std::string_view 
                       "leave out contact = \"potential_field\"");
   }
   const TomlSection section(*table, file, object.title() + " grain", kGrainKeys);
-  const auto way = section.numbers("direction", 3);
-  if (!way) {
+  const std::optional<Vec3> direction = section.vector("direction");
+  if (!direction) {
     section.fail("direction", "the direction is missing; write direction = [1.0, 0.0, 0.0]");
   }
   // stableNorm() does not overflow for directions with huge components.
-  const double length = Vec3((*way)[0], (*way)[1], (*way)[2]).stableNorm();
+  const double length = direction->stableNorm();
   if (!(length > 0.0)) {
     section.fail("direction", "direction is zero; write direction = [1.0, 0.0, 0.0]");
   }
   if (!section.has("along") && !section.has("across")) {
     section.fail("across", "neither along nor across is given; write across = 0.4");
   }
-  const auto part = [&](std::size_t i) { return static_cast<float>((*way)[i] / length); };
+  const auto part = [&](Eigen::Index i) { return static_cast<float>((*direction)[i] / length); };
   return {.direction_O = {part(0), part(1), part(2)},
           .along = read_factor(section, "along"),
           .across = read_factor(section, "across")};

@@ -45,7 +45,7 @@ struct BakedObject {
   BakedTextures textures;
   // How the object moves by itself and whether it may be moved or deformed.
   MotionDescription motion;
-  // What makes it a body; nothing for others.
+  // The body that moves by forces; nothing for an object that is none.
   std::optional<BakedBody> body = std::nullopt;
 };
 

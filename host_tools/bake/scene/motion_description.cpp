@@ -20,23 +20,18 @@ constexpr std::array kMotionKeys{KeySpec{"velocity_m_per_s", "m_per_s"},
                                  KeySpec{"wave_hz", "hz"},
                                  KeySpec{"waves_per_m", "per_m"}};
 
-Vec3 vector(const TomlSection& section, std::string_view key, const Vec3& otherwise) {
-  const auto values = section.numbers(key, 3);
-  return values ? Vec3((*values)[0], (*values)[1], (*values)[2]) : otherwise;
-}
-
 Motion read(const toml::table& table, const TomlSection& object, std::string_view file,
             const MotionDescription& description, const Vec3& rest) {
   const TomlSection section(table, file, object.title() + " motion", kMotionKeys);
   const Vec3 none = Vec3::Zero();
-  const Motion motion{.velocity_W = vector(section, "velocity_m_per_s", none),
-                      .sway_W = vector(section, "sway_m", none),
+  const Motion motion{.velocity_W = section.vector("velocity_m_per_s").value_or(none),
+                      .sway_W = section.vector("sway_m").value_or(none),
                       .sway_Hz = section.number("sway_hz", kZeroOrMore).value_or(0.0),
-                      .spin_W = vector(section, "spin_rad_per_s", none),
-                      .pivot_W = vector(section, "pivot_m", rest),
+                      .spin_W = section.vector("spin_rad_per_s").value_or(none),
+                      .pivot_W = section.vector("pivot_m").value_or(rest),
                       .wave_m = section.number("wave_m", kAnyNumber).value_or(0.0),
                       .wave_Hz = section.number("wave_hz", kZeroOrMore).value_or(0.0),
-                      .wave_per_m = vector(section, "waves_per_m", none)};
+                      .wave_per_m = section.vector("waves_per_m").value_or(none)};
   if (motion.wave_m != 0.0 && !description.deforms) {
     section.fail("wave_m", "only a mesh that deforms has waves; write deforms = true");
   }

@@ -13,16 +13,12 @@ namespace {
 constexpr std::array kRotationKeys{KeySpec{"axis", ""}, KeySpec{"angle_deg", "deg"},
                                    KeySpec{"quaternion_wxyz", ""}};
 
-Vec3 to_vector(std::span<const double> values) {
-  return {values[0], values[1], values[2]};
-}
-
 // Returns the rotation of a table, given as axis and angle or as a quaternion. The quaternion need
 // not have unit length.
 Eigen::Quaterniond read_rotation(const toml::table& table, const TomlSection& object,
                                  std::string_view file) {
   const TomlSection section(table, file, object.title() + " rotation", kRotationKeys);
-  const auto axis = section.numbers("axis", 3);
+  const auto axis = section.vector("axis");
   const auto angle_deg = section.number("angle_deg", kAnyNumber);
   const auto quaternion = section.numbers("quaternion_wxyz", 4);
   if (quaternion && !axis && !angle_deg) {
@@ -38,7 +34,7 @@ Eigen::Quaterniond read_rotation(const toml::table& table, const TomlSection& ob
                  "must be either { axis = [0.0, 1.0, 0.0], angle_deg = 90.0 } or "
                  "{ quaternion_wxyz = [1.0, 0.0, 0.0, 0.0] }; write one of the two");
   }
-  const Vec3 direction = to_vector(*axis);
+  const Vec3& direction = *axis;
   if (!(direction.norm() > 0.0)) {
     section.fail("axis", "axis is zero; write the direction to turn about, as in [0.0, 1.0, 0.0]");
   }
@@ -55,9 +51,7 @@ Placement read_placement(const TomlSection& section, std::string_view file) {
     section.fail("scale", "both longest_side_m and scale set the size; leave one of them out");
   }
   placement.scale = scale.value_or(1.0);
-  if (const auto position = section.numbers("position_m", 3)) {
-    placement.position_m = to_vector(*position);
-  }
+  placement.position_m = section.vector("position_m").value_or(placement.position_m);
   if (const toml::table* rotation = section.table("rotation")) {
     placement.rotation = read_rotation(*rotation, section, file);
   }

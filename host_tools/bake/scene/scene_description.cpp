@@ -15,6 +15,7 @@
 #include "host_tools/input_error.h"
 #include "host_tools/units.h"
 #include "rendering/limits.h"
+#include "rendering/objects/object_body.h"
 
 namespace tactus::host {
 namespace {
@@ -23,8 +24,6 @@ constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeyS
                                 KeySpec{"device", ""}, KeySpec{"world", ""}};
 constexpr std::array kWorldKeys{KeySpec{"gravity_m_per_s2", "m_per_s2"}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
-// The largest gravity that the controller takes.
-constexpr double kMostGravity_m_per_s2 = 1000.0;
 // The keys of an [[object]] that do not depend on its shape.
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
@@ -209,14 +208,12 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
   }
   if (const toml::table* world = section.table("world")) {
     const TomlSection world_section(*world, scene.file, "[world]", kWorldKeys);
-    if (const auto gravity = world_section.numbers("gravity_m_per_s2", 3)) {
-      scene.gravity_W = Vec3((*gravity)[0], (*gravity)[1], (*gravity)[2]);
-      if (scene.gravity_W->norm() > kMostGravity_m_per_s2) {
-        world_section.fail("gravity_m_per_s2",
-                           fmt::format("the gravity is {} m/s^2, where {} is the most; the earth's "
-                                       "is [0.0, -9.80665, 0.0]",
-                                       scene.gravity_W->norm(), kMostGravity_m_per_s2));
-      }
+    scene.gravity_W = world_section.vector("gravity_m_per_s2");
+    if (scene.gravity_W && scene.gravity_W->norm() > rendering::kMostGravity_m_per_s2) {
+      world_section.fail("gravity_m_per_s2",
+                         fmt::format("the gravity is {} m/s^2, where {} is the most; the earth's "
+                                     "is [0.0, -9.80665, 0.0]",
+                                     scene.gravity_W->norm(), rendering::kMostGravity_m_per_s2));
     }
   }
   scene.device = read_device(section, scene.file);

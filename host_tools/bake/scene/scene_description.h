@@ -46,7 +46,7 @@ struct ObjectDescription {
   // How the mesh is cleaned.
   MeshBakeOptions mesh_options;
   MotionDescription motion;
-  // What makes it a body that moves by forces; nothing for others.
+  // The body that moves by forces; nothing for an object that is none.
   std::optional<BodyDescription> body;
   // Shading and textures.
   DetailDescription detail;

@@ -145,6 +145,11 @@ std::optional<std::vector<double>> TomlSection::numbers(std::string_view key,
   return values;
 }
 
+std::optional<Vec3> TomlSection::vector(std::string_view key) const {
+  const auto values = numbers(key, 3);
+  return values ? std::optional(Vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
+}
+
 std::optional<std::vector<double>> TomlSection::list(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host_tools/bake/toml/key_advice.h"
+#include "rendering/geometry/vector.h"
 
 // Defined by toml++, which only the .cpp files see: it is a quarter of a million lines to compile.
 // NOLINTBEGIN(readability-identifier-naming)
@@ -56,6 +57,8 @@ class TomlSection {
   // Returns an array of exactly `count` finite numbers.
   [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key,
                                                            std::size_t count) const;
+  // Returns an array of three finite numbers as a vector.
+  [[nodiscard]] std::optional<Vec3> vector(std::string_view key) const;
   // Returns an array of finite numbers, however many.
   [[nodiscard]] std::optional<std::vector<double>> list(std::string_view key) const;
   // Returns a table inside this one; nullptr if the key is absent.

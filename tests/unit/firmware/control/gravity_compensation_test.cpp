@@ -14,7 +14,7 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr double kG = kStandardGravity_m_per_s2;
+constexpr double kG = rendering::kStandardGravity_m_per_s2;
 
 // Cartesian axes that carry 0.1, 0.2 and 0.3 kg: only y is held up, with 0.2 g.
 ControllerConfig carrying() {
