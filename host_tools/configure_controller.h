@@ -2,6 +2,7 @@
 // Simulation, replay and certify call it before the first tick; it never runs in the control loop.
 #pragma once
 
+#include <cstddef>
 #include <sstream>
 
 #include "firmware/control/controller.h"
@@ -9,11 +10,12 @@
 
 namespace tactus::host {
 
-// Configures `controller`, which starts anew in mode `init`. If it refuses, it keeps its old
-// configuration, and this throws InputError that names the refused field, its value and the
+// Configures a device of `controller`, which starts anew in mode `init`. If it refuses, it keeps
+// its old configuration, and this throws InputError that names the refused field, its value and the
 // permitted range, in the units of ControllerConfig.
-inline void configure(firmware::Controller& controller, const firmware::ControllerConfig& config) {
-  if (const auto configured = controller.configure(config); !configured) {
+inline void configure(firmware::Controller& controller, const firmware::ControllerConfig& config,
+                      std::size_t device = 0) {
+  if (const auto configured = controller.configure(config, device); !configured) {
     const firmware::ConfigError& error = configured.error();
     std::ostringstream text;
     text << "the controller refuses the configuration: " << error.field << " is " << error.value

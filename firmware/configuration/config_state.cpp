@@ -10,7 +10,7 @@ using rendering::FrictionKind;
 using rendering::StateArchive;
 
 // The bytes begin with it, so that an older recording is refused and not misread.
-inline constexpr std::uint64_t kConfigVersion = 4;
+inline constexpr std::uint64_t kConfigVersion = 5;
 
 template <std::size_t kKind>
 void transfer_if(StateArchive& archive, MechanismGeometry& geometry, std::size_t kind) {
@@ -84,11 +84,13 @@ inline void transfer(StateArchive& archive, StiffnessCertificate& certificate) {
 
 inline void transfer(StateArchive& archive, ControllerConfig& config) {
   auto& [rate_hz, tick_instructions, mechanism, workspace_origin_D, gravity_D, velocity_cutoff_hz,
-         joints, coupled_limits, friction, safety, certificate, allow_uncertified] = config;
+         joints, coupled_limits, friction, safety, certificate, allow_uncertified, on_fault] =
+      config;
   archive.same(kConfigVersion);
   transfer(archive, mechanism);
   archive(rate_hz, tick_instructions, workspace_origin_D, gravity_D, velocity_cutoff_hz, joints,
           coupled_limits, friction, safety, certificate, allow_uncertified);
+  archive.choice(on_fault, OnFault::own);
 }
 
 std::size_t save_config(const ControllerConfig& config,

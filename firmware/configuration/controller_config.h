@@ -131,7 +131,11 @@ struct SafetyConfig {
   std::uint64_t guards_off = 0;
 };
 
-// The configuration of one controller. validate() checks it.
+// The devices of a controller that a fault of this one stops.
+enum class OnFault : std::uint8_t { all, own };
+inline constexpr auto kOnFaultNames = std::to_array<std::string_view>({"all", "own"});
+
+// The configuration of the controller of one device. validate() checks it.
 struct ControllerConfig {
   // The number of ticks per second.
   double rate_hz = 1000.0;
@@ -159,6 +163,8 @@ struct ControllerConfig {
   StiffnessCertificate certificate;
   // True: a scene beyond the certificate is loaded too.
   bool allow_uncertified = false;
+  // `all`: a fault takes the force from the controller's other devices as well. `own`: they go on.
+  OnFault on_fault = OnFault::all;
 };
 
 // Returns the instructions that a tick's rendering may take with this configuration.

@@ -1,119 +1,97 @@
 #include "firmware/control/controller.h"
 
-#include "firmware/control/tick_record.h"
+#include <limits>
+
 #include "firmware/limits.h"
 #include "firmware/safety/faults.h"
 
 namespace tactus::firmware {
-namespace {
 
 static_assert(sizeof(Controller) <= kMaxControllerBytes);
 
-// Clears the joints beyond those of the mechanism, which a device may report.
-void forget_beyond(std::size_t joint_count, drivers::JointSample& sample) {
-  for (std::size_t joint = joint_count; joint < drivers::kMaxJoints; ++joint) {
-    sample.position[joint] = 0.0;
-    sample.velocity[joint] = 0.0;
-    sample.effort[joint] = 0.0;
-    sample.effort_known &= ~(1U << joint);
-  }
-}
-
-}  // namespace
-
-drivers::JointCommand Controller::tick(const drivers::JointSample& fresh, Request request) {
-  Stopwatch watch(now_ns_);
-  const NextTick now = next_;
-  next_ = {.number = now.number + 1, .write_status = now.write_status};
-  drivers::JointSample sample = fresh;
-  sample.status |= now.write_status;
-  forget_beyond(joint_count(settings_.config.mechanism), sample);
-  const double rate_hz = settings_.config.rate_hz;
-  open_record(now, sample, request, rate_hz, record_);
-  modes_.begin_tick();
-  const TickInputs inputs{.sample = sample,
-                          .loop = now.loop,
-                          .held = now.held_effort,
-                          .is_referenced = settings_.is_configured && is_referenced(sample.status)};
-
-  guards_.check_inputs(inputs, modes_);
-  advance_mode(inputs, request);
-  record_.stage_ns.check = watch.lap_ns();
-
-  const bool is_located = locate(inputs);
-  record_.stage_ns.kinematics = watch.lap_ns();
-
-  const rendering::Touch touched = touch(is_located);
-  record_.stage_ns.touch = watch.lap_ns();
-  record_touch(touched, record_);
-
-  // The held force acted over the missed ticks, too.
-  const double step_s = (1.0 + now.loop.missed_ticks) / rate_hz;
-  const SafeForce safe = force_path_.limit(
-      {.touch = touched, .tool = locator_.tool, .step_s = step_s}, guards_, modes_);
-  record_.limited_source = safe.limited_source;
-  const drivers::JointCommand command = command_joints(inputs, safe.force_W);
-  next_.held_effort = command.effort;
-  record_.stage_ns.safety = watch.lap_ns();
-
-  close_record({.modes = modes_,
-                .guards = guards_,
-                .force = force_path_,
-                .tool = locator_.tool,
-                .command = command},
-               record_);
+drivers::JointCommand Controller::tick(const drivers::JointSample& sample, Request request) {
+  drivers::JointCommand command;
+  tick({&sample, 1}, {&request, 1}, {&command, 1});
   return command;
 }
 
-// Advances the mode and does the work of entering the new one. Faults of the inputs have been
-// raised already.
-void Controller::advance_mode(const TickInputs& inputs, Request request) {
-  modes_.raise(settings_.is_configured ? kNoFault : kFaultNotConfigured);
-  const EnteredModes entered = modes_.advance(inputs.is_referenced, request);
-  // Homing moves the joints' zero, so the tool starts at its new position without contact.
-  if (entered.ready_from_homing) {
-    scene_.world.reset();
-    locator_.velocity_filter.reset();
+// Faults are shared after the modes have been advanced, so that a device cannot become active while
+// another one is in fault, and again at the end, so that no force goes out beside a new fault.
+void Controller::tick(std::span<const drivers::JointSample> samples,
+                      std::span<const Request> requests,
+                      std::span<drivers::JointCommand> commands) {
+  const std::size_t count = device_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (at(i).begin(samples[i], requests[i])) {
+      scene_.world.reset(i);
+    }
   }
-  if (entered.active) {
-    guards_.signs.restart();
-    force_path_.restart();
+  stop_together();
+  for (std::size_t i = 0; i < count; ++i) {
+    at(i).locate();
+  }
+  touch();
+  for (std::size_t i = 0; i < count; ++i) {
+    at(i).drive();
+  }
+  stop_together();
+  for (std::size_t i = 0; i < count; ++i) {
+    commands[i] = at(i).close();
   }
 }
 
-// Computes the tool's position and velocity, and checks them. Returns false if the joints are not
-// referenced or the kinematics fail; the tool then stays where it was, at rest.
-bool Controller::locate(const TickInputs& inputs) {
-  locator_.rest();
-  if (!inputs.is_referenced || !has_positions(modes_.mode()) ||
-      modes_.has_raised(kFaultJointNotFinite)) {
-    return false;
+// Stops every device beside one with a fault that concerns all.
+void Controller::stop_together() {
+  if (more_devices_.empty()) {
+    return;
   }
-  const Location location = locator_.locate(inputs.sample);
-  modes_.raise(location.faults);
-  if (!location.is_finite) {
-    return false;
+  for (std::size_t faulted = 0; faulted < device_count(); ++faulted) {
+    if (at(faulted).faults_for_all() == kNoFault) {
+      continue;
+    }
+    for (std::size_t i = 0; i < device_count(); ++i) {
+      if (i != faulted) {
+        at(i).stop_for(faulted);
+      }
+    }
   }
-  guards_.check_tool(
-      inputs, {.pose = locator_.pose, .tool = locator_.tool, .held_W = force_path_.energy.held_W()},
-      modes_);
-  return locator_.pose.status == kPoseGood;
 }
 
-// Computes the touch. It does so in `ready` too, without force: the proxy then rests on the surface
-// into which the tool is pushed, and activation raises the force from there.
-rendering::Touch Controller::touch(bool is_located) {
-  if (!is_located || (modes_.mode() != Mode::ready && modes_.mode() != Mode::active)) {
-    return free_touch(locator_.tool);
+// Computes all touches. The world stands still in a tick in which no tool touches it.
+void Controller::touch() {
+  if (!more_devices_.empty()) {
+    touch_several();
+    return;
+  }
+  if (!first_device_.touches()) {
+    first_device_.take(free_touch(first_device_.tool()));
+    return;
   }
   advance_changes();
-  rendering::Touch touch = scene_.world.touch(locator_.tool, scene_.watcher);
-  if (!is_finite(touch)) {
-    modes_.raise(kFaultForceNotFinite);
-    return free_touch(locator_.tool);
+  first_device_.take(scene_.world.touch(first_device_.tool(), first_device_.watcher()));
+}
+
+void Controller::touch_several() {
+  // A tool that does not touch is no number for the world, which then holds its proxies.
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::array<rendering::ToolState, rendering::kMaxTools> tools;
+  std::array<rendering::Touch, rendering::kMaxTools> touches;
+  std::array<rendering::TickWatcher*, rendering::kMaxTools> watchers{};
+  const std::size_t count = device_count();
+  bool any = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_there = at(i).touches();
+    any = any || is_there;
+    tools[i] = is_there ? at(i).tool() : rendering::ToolState{.p_W = Vec3::Constant(kNone)};
+    watchers[i] = is_there ? at(i).watcher() : nullptr;
   }
-  modes_.raise(touch.flags != rendering::kTouchClean ? kLimitTouch : kNoFault);
-  return touch;
+  if (any) {
+    advance_changes();
+    scene_.world.touch(std::span(tools).first(count), std::span(touches).first(count), watchers);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    at(i).take(at(i).touches() ? touches[i] : free_touch(at(i).tool()));
+  }
 }
 
 // Advances the changes of materials. They change the force no faster than an activation with the
@@ -122,54 +100,41 @@ void Controller::advance_changes() {
   if (!scene_.changes.any()) {
     return;
   }
-  if (modes_.mode() != Mode::active) {
+  double most_N = std::numeric_limits<double>::infinity();
+  double speed_m_per_s = 0.0;
+  bool is_active = false;
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    const DeviceController& device = at(i);
+    if (device.mode() == Mode::active) {
+      is_active = true;
+      most_N = std::min(most_N, device.largest_change_N());
+      speed_m_per_s = std::max(speed_m_per_s, length_of(device.tool().v_W));
+    }
+  }
+  if (!is_active) {
     scene_.complete_changes();
     return;
   }
-  const SafetyConfig& safety = settings_.config.safety;
-  const double most_N =
-      safety.max_force_N * gain_per_tick(safety.soft_start_s, settings_.config.rate_hz);
-  const bool goes_on = scene_.advance_changes(most_N, length_of(locator_.tool.v_W));
-  modes_.raise(goes_on ? kLimitChange : kNoFault);
-}
-
-// Returns the joint efforts of the force, with the two compensations and the push of the sign
-// check.
-drivers::JointCommand Controller::command_joints(const TickInputs& inputs, const Vec3& force_W) {
-  const Vec3 effort = joint_effort(locator_.pose, force_W);
-  modes_.raise(effort.allFinite() ? kNoFault : kFaultCommandNotFinite);
-  if (modes_.mode() != Mode::active) {
-    return command_nothing();
+  if (!scene_.advance_changes(most_N, speed_m_per_s)) {
+    return;
   }
-  const ActiveEfforts efforts =
-      effort_path_.distribute({.sample = inputs.sample,
-                               .locator = locator_,
-                               .effort = effort,
-                               .force_W = force_W,
-                               .max_force_N = force_path_.limiter.max_force_N(),
-                               .push = guards_.signs.push()});
-  record_efforts(efforts, record_);
-  modes_.raise(efforts.found);
-  if (modes_.mode() != Mode::active) {
-    return command_nothing();
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    if (at(i).mode() == Mode::active) {
+      at(i).note_change();
+    }
   }
-  force_path_.apply(efforts.force_W);
-  record_.force_commanded_W = to_triple(efforts.force_W);
-  return {.effort = efforts.all, .enable = true};
 }
 
-// Returns the command of a tick without motor power.
-drivers::JointCommand Controller::command_nothing() {
-  effort_path_.rest();
-  force_path_.apply_nothing();
-  return {.home = modes_.mode() == Mode::homing, .power_off = modes_.mode() == Mode::fault};
+void Controller::set_clock(NowNs now_ns) {
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    at(i).set_clock(now_ns);
+  }
 }
 
-void Controller::note_transfers(std::uint32_t write_status, std::uint32_t read_ns,
-                                std::uint32_t write_ns) {
-  next_.write_status = write_status;
-  record_.stage_ns.read = read_ns;
-  record_.stage_ns.write = write_ns;
+void Controller::note_loop(const LoopReport& report) {
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    at(i).note_loop(report);
+  }
 }
 
 }  // namespace tactus::firmware

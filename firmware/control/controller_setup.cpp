@@ -34,7 +34,8 @@ ConfigError uncertified_field(const UncertifiedPart& part) {
 
 }  // namespace
 
-std::expected<void, ConfigError> Controller::configure(const ControllerConfig& config) {
+std::expected<void, ConfigError> Controller::configure(const ControllerConfig& config,
+                                                       std::size_t device) {
   if (const auto valid = validate(config); !valid) {
     return valid;
   }
@@ -42,44 +43,52 @@ std::expected<void, ConfigError> Controller::configure(const ControllerConfig& c
           unless_allowed(config, scene_.first_refused(config.certificate, config.safety))) {
     return std::unexpected(uncertified_field(*part));
   }
-  const double budget = tick_instructions(config);
+  double budget = tick_instructions(config);
   if (!leaves_room(scene_.standing_units, rendering::units_of(budget))) {
     return std::unexpected(ConfigError{"tick_instructions", budget,
                                        2.0 * rendering::instructions_of(scene_.standing_units),
                                        std::numeric_limits<double>::infinity()});
   }
-  settings_ = {.config = config, .configured_safety = config.safety, .is_configured = true};
-  next_ = NextTick{};
-  modes_.configure(config.safety.guards_off);
-  guards_.configure(config);
-  locator_.configure(config);
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    if (i == device || !at(i).is_configured()) {
+      continue;
+    }
+    const ControllerConfig& other = at(i).config();
+    if (other.rate_hz != config.rate_hz) {
+      return std::unexpected(ConfigError{"rate_hz", config.rate_hz, other.rate_hz, other.rate_hz});
+    }
+    budget = std::min(budget, tick_instructions(other));
+  }
+  at(device).configure(config);
   scene_.restart(1.0 / config.rate_hz, budget);
-  force_path_.configure(config);
-  effort_path_.configure(config);
-  record_ = TelemetryRecord{};
   return {};
 }
 
 std::expected<void, SceneRefusal> Controller::load_scene(std::span<const rendering::Object> objects,
                                                          const rendering::WorldConfig& config) {
-  if (modes_.mode() == Mode::active) {
-    return std::unexpected(SceneRefusal{.fault = SceneFault::active});
+  rendering::WorldConfig world = config;
+  world.tool_count = device_count();
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    if (at(i).mode() == Mode::active) {
+      return std::unexpected(SceneRefusal{.fault = SceneFault::active});
+    }
+    const ControllerConfig& device = at(i).config();
+    const SceneFeel feel{.tool_radius_m = world.tool_radius_m,
+                         .max_force_N = device.safety.max_force_N,
+                         .walls = felt_walls(device.safety)};
+    if (const auto part = unless_allowed(
+            device, first_uncertified(device.certificate, objects, world.effects, feel))) {
+      return std::unexpected(
+          SceneRefusal{.fault = SceneFault::uncertified, .part = *part, .device = i});
+    }
   }
-  const auto& [device, safety, is_configured] = settings_;
-  const SceneFeel feel{.tool_radius_m = config.tool_radius_m,
-                       .max_force_N = safety.max_force_N,
-                       .walls = felt_walls(safety)};
-  if (const auto part = unless_allowed(
-          device, first_uncertified(device.certificate, objects, config.effects, feel))) {
-    return std::unexpected(SceneRefusal{.fault = SceneFault::uncertified, .part = *part});
-  }
-  const std::size_t standing = rendering::standing_units(objects, config);
+  const std::size_t standing = rendering::standing_units(objects, world);
   if (!leaves_room(standing, scene_.world.budget_units())) {
     return std::unexpected(SceneRefusal{.fault = SceneFault::costly,
                                         .standing_units = standing,
                                         .budget_units = scene_.world.budget_units()});
   }
-  if (!scene_.load(objects, config)) {
+  if (!scene_.load(objects, world)) {
     return std::unexpected(SceneRefusal{.fault = SceneFault::world});
   }
   return {};

@@ -11,8 +11,8 @@ namespace {
 
 using rendering::StateArchive;
 
-// The bytes "TACTUS05" with which a state begins. A change of the format gets another last digit.
-constexpr std::uint64_t kMagic = 0x3530'5355'5443'4154U;
+// The bytes "TACTUS06" with which a state begins. A change of the format gets another last digit.
+constexpr std::uint64_t kMagic = 0x3630'5355'5443'4154U;
 
 }  // namespace
 
@@ -128,18 +128,15 @@ void FrictionCompensation::transfer(StateArchive& archive) {
 }
 
 // The order of the members is the order of the format.
-void Controller::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [settings, next, modes, guards, locator, scene, force_path, effort_path,
-                          record, now_ns] = *this;
+void DeviceController::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [settings, next, modes, guards, locator, force_path, effort_path, record,
+                          in_progress, now_ns, watcher] = *this;
   [[maybe_unused]] auto& [config, configured_safety, is_configured] = settings;
   [[maybe_unused]] auto& [number, loop_report, write_status, change, held_effort] = next;
   [[maybe_unused]] auto& [loop, sample, encoders, walls, motion, efforts, signs] = guards;
   [[maybe_unused]] auto& [mechanism, velocity_filter, origin_D, pose, tool] = locator;
-  [[maybe_unused]] auto& [world, watcher, changes, objects, effects, tool_radius_m, standing_units,
-                          refused_part] = scene;
   auto& [energy, passivity, limiter] = force_path;
   [[maybe_unused]] auto& [gravity, friction, limits] = effort_path;
-  archive.same(kMagic);
   archive.same(std::bit_cast<std::uint64_t>(config.rate_hz));
   archive.same(joint_count(config.mechanism));
   archive.require(is_configured);
@@ -149,12 +146,10 @@ void Controller::transfer(StateArchive& archive) {
   transfer_parameters(archive);
   transfer_pose(archive);
   transfer_record(archive);
-  archive(world);
-  changes.transfer(archive, world);
 }
 
 // Transfers the values that set_parameter can change.
-void Controller::transfer_parameters(StateArchive& archive) {
+void DeviceController::transfer_parameters(StateArchive& archive) {
   auto& [place, value] = next_.change;
   ControllerConfig& config = settings_.config;
   SafetyConfig& safety = config.safety;
@@ -167,17 +162,30 @@ void Controller::transfer_parameters(StateArchive& archive) {
   }
 }
 
-void Controller::transfer_pose(StateArchive& archive) {
+void DeviceController::transfer_pose(StateArchive& archive) {
   auto& [p_D, jacobian_D, status] = locator_.pose;
   archive(p_D, jacobian_D, status);
 }
 
 // Transfers the fields of the record that the next tick uses.
-void Controller::transfer_record(StateArchive& archive) {
+void DeviceController::transfer_record(StateArchive& archive) {
   auto& [stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks] =
       record_.counters;
   archive(stale_samples, faults_entered, limited_ticks, touch_flagged, late_ticks,
           record_.state_hash);
+}
+
+// The devices, then what they share.
+void Controller::transfer(StateArchive& archive) {
+  [[maybe_unused]] auto& [first_device, more_devices, scene] = *this;
+  [[maybe_unused]] auto& [world, changes, objects, effects, tool_radius_m, standing_units,
+                          refused_part] = scene;
+  archive.same(kMagic);
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    archive(at(i));
+  }
+  archive(world);
+  changes.transfer(archive, world);
 }
 
 std::size_t Controller::save(std::span<std::byte> room) {
@@ -189,14 +197,16 @@ std::size_t Controller::save(std::span<std::byte> room) {
 bool Controller::restore(std::span<const std::byte> bytes) {
   StateArchive archive = StateArchive::reader(bytes);
   transfer(archive);
-  bool& is_configured = settings_.is_configured;
-  is_configured = is_configured && archive.good() && archive.at_end();
-  if (!is_configured) {
-    // Clear everything that the refused bytes set: an empty archive reads zeros.
-    StateArchive nothing = StateArchive::reader({});
-    transfer(nothing);
+  if (archive.good() && archive.at_end()) {
+    return true;
   }
-  return is_configured;
+  // Clear everything that the refused bytes set: an empty archive reads zeros.
+  StateArchive nothing = StateArchive::reader({});
+  transfer(nothing);
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    at(i).forget_configuration();
+  }
+  return false;
 }
 
 }  // namespace tactus::firmware

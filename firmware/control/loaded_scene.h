@@ -19,6 +19,9 @@ namespace tactus::firmware {
 // A scene with its world. The members are public because the state saves the world and the changes
 // in the order of its format.
 struct LoadedScene {
+  // Has room for one tool and for those of `more_tools` (World::World).
+  explicit LoadedScene(std::span<rendering::ToolSlot> more_tools = {}) : world(more_tools) {}
+
   // Completes all changes of materials and frees the tool of all contact. `tick_s` is the time from
   // tick to tick, and `tick_instructions` is what a tick of the world may take.
   void restart(double tick_s, double tick_instructions);
@@ -55,8 +58,6 @@ struct LoadedScene {
   void complete_changes() { changes.finish(world); }
 
   rendering::World world;
-  // Sees how the world comes to its touches (rendering/contact/tick_watcher.h), if it is not null.
-  rendering::TickWatcher* watcher = nullptr;
   MaterialChanges changes;
   // The objects and effects of the scene.
   std::span<const rendering::Object> objects;

@@ -31,6 +31,13 @@ void ModeMachine::raise(const EffortFinding& found) {
   raise(faults);
 }
 
+void ModeMachine::raise_for(std::uint32_t device) {
+  if ((guards_off_ & kFaultOtherDevice) == 0 && fault_device_ == 0) {
+    fault_device_ = device;
+  }
+  raise(kFaultOtherDevice);
+}
+
 EnteredModes ModeMachine::advance(bool is_referenced, Request request) {
   if (mode_ == Mode::active && !is_referenced) {
     raise(kFaultReferenceLost);
@@ -78,14 +85,16 @@ void ModeMachine::step(Event event) {
   if (mode_ == Mode::init) {
     faults_ = kNoFault;
     fault_joint_ = 0;
+    fault_device_ = 0;
   }
   has_entered_fault_ = has_entered_fault_ || mode_ == Mode::fault;
 }
 
 void ModeMachine::transfer(rendering::StateArchive& archive) {
-  [[maybe_unused]] auto& [guards_off, mode, faults, fault_joint, raised, has_entered_fault] = *this;
+  [[maybe_unused]] auto& [guards_off, mode, faults, fault_joint, fault_device, raised,
+                          has_entered_fault] = *this;
   archive.choice(mode, Mode::fault);
-  archive(faults, fault_joint);
+  archive(faults, fault_joint, fault_device);
 }
 
 }  // namespace tactus::firmware

@@ -31,6 +31,9 @@ class ModeMachine {
   void raise(std::uint64_t bits);
   // Raises the faults of a finding and latches its joint. The first joint stays until a reset.
   void raise(const EffortFinding& found);
+  // Raises kFaultOtherDevice for the fault of another device, 1 for the controller's first, and
+  // latches that number. The first one stays until a reset.
+  void raise_for(std::uint32_t device);
 
   // Applies the device's event and then the request. A reset acts only if no fault was raised in
   // this tick. Returns the modes whose entry needs work. Call once per tick, after the guards of
@@ -43,6 +46,8 @@ class ModeMachine {
   [[nodiscard]] std::uint64_t faults() const { return faults_; }
   // Returns the joint of a latched fault of a motor, 1 for the first; 0: none.
   [[nodiscard]] std::uint32_t fault_joint() const { return fault_joint_; }
+  // Returns the device of a latched kFaultOtherDevice, 1 for the first; 0: none.
+  [[nodiscard]] std::uint32_t fault_device() const { return fault_device_; }
   // Returns the faults and limits of this tick.
   [[nodiscard]] std::uint64_t raised() const { return raised_; }
   // Returns true if any of the bits was raised in this tick.
@@ -61,6 +66,7 @@ class ModeMachine {
   Mode mode_ = Mode::init;
   std::uint64_t faults_ = 0;
   std::uint32_t fault_joint_ = 0;
+  std::uint32_t fault_device_ = 0;
   std::uint64_t raised_ = 0;
   bool has_entered_fault_ = false;
 };

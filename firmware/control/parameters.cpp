@@ -108,27 +108,35 @@ bool waits_for_rest(Parameter parameter) {
 
 }  // namespace
 
-std::expected<ParameterValue, ParameterRefusal> Controller::parameter(
-    const ParameterPlace& place) const {
+ParameterValue DeviceController::own_parameter(Parameter parameter) const {
   const auto& [config, configured, is_configured] = settings_;
   const SafetyConfig& now = config.safety;
-  switch (place.parameter) {
+  switch (parameter) {
     case Parameter::max_force:
-      return ParameterValue{now.max_force_N, 0.0, configured.max_force_N};
+      return {now.max_force_N, 0.0, configured.max_force_N};
     case Parameter::force_slew:
-      return ParameterValue{now.force_slew_N_per_s, kSlowestSlew_N_per_s,
-                            configured.force_slew_N_per_s};
+      return {now.force_slew_N_per_s, kSlowestSlew_N_per_s, configured.force_slew_N_per_s};
     case Parameter::soft_start:
-      return ParameterValue{now.soft_start_s, configured.soft_start_s, kLongestStart_s};
+      return {now.soft_start_s, configured.soft_start_s, kLongestStart_s};
     case Parameter::contact_start:
-      return ParameterValue{now.contact_start_s, configured.contact_start_s, kLongestStart_s};
-    case Parameter::velocity_cutoff:
-      return ParameterValue{config.velocity_cutoff_hz, 0.0, config.rate_hz};
+      return {now.contact_start_s, configured.contact_start_s, kLongestStart_s};
     default:
-      break;
+      return {config.velocity_cutoff_hz, 0.0, config.rate_hz};
   }
+}
+
+ParameterEvent DeviceController::record_change(const ParameterChange& change) {
+  next_.change = change;
+  return {.tick = next_.number, .change = change};
+}
+
+std::expected<ParameterValue, ParameterRefusal> Controller::parameter(const ParameterPlace& place,
+                                                                      std::size_t device) const {
   if (text_of(place.parameter) == nullptr) {
     return std::unexpected(ParameterRefusal::no_such_parameter);
+  }
+  if (!is_of_object(place.parameter)) {
+    return at(device).own_parameter(place.parameter);
   }
   if (place.object >= scene_.world.object_count()) {
     return std::unexpected(ParameterRefusal::no_such_object);
@@ -147,53 +155,65 @@ std::expected<ParameterValue, ParameterRefusal> Controller::parameter(
 }
 
 std::expected<ParameterEvent, ParameterRefusal> Controller::set_parameter(
-    const ParameterChange& change) {
-  const auto now = parameter(change.place);
+    const ParameterChange& change, std::size_t device) {
+  const Parameter parameter = change.place.parameter;
+  const auto now = this->parameter(change.place, device);
   if (!now) {
     return std::unexpected(now.error());
   }
   if (!std::isfinite(change.value)) {
     return std::unexpected(ParameterRefusal::not_finite);
   }
-  if (has_choices(change.place.parameter)) {
+  if (has_choices(parameter)) {
     if (!allows(*now, change.value)) {
       return std::unexpected(ParameterRefusal::not_a_choice);
     }
   } else if (change.value < now->least || change.value > now->greatest) {
     return std::unexpected(ParameterRefusal::out_of_range);
   }
-  if (waits_for_rest(change.place.parameter) && modes_.mode() == Mode::active) {
+  if (waits_for_rest(parameter) && mode(device) == Mode::active) {
     return std::unexpected(ParameterRefusal::not_while_active);
   }
-  if (!is_of_object(change.place.parameter)) {
-    apply_own(change);
-  } else if (!has_choices(change.place.parameter)) {
-    rendering::Material material = scene_.wanted(change.place.object);
-    material_field(change.place.parameter, material) = change.value;
-    if (!is_certified(change.place.object, material,
-                      scene_.world.object(change.place.object).method)) {
-      return std::unexpected(ParameterRefusal::uncertified);
-    }
-    if (!scene_.change_material(change.place.object, material)) {
-      return std::unexpected(ParameterRefusal::too_many_changed);
-    }
-  } else if (change.value != now->value) {
-    const auto chosen = change.place.parameter == Parameter::friction_model
-                            ? choose_model(change)
-                            : choose_contact(change);
-    if (!chosen) {
-      return std::unexpected(chosen.error());
+  const bool is_chosen_already = has_choices(parameter) && change.value == now->value;
+  if (!is_of_object(parameter)) {
+    at(device).set_own(change);
+  } else if (!is_chosen_already) {
+    if (const auto changed = change_object(change); !changed) {
+      return std::unexpected(changed.error());
     }
   }
-  next_.change = change;
-  return ParameterEvent{.tick = next_.number, .change = change};
+  return at(device).record_change(change);
+}
+
+std::expected<void, ParameterRefusal> Controller::change_object(const ParameterChange& change) {
+  const auto& [parameter, object] = change.place;
+  if (parameter == Parameter::friction_model) {
+    return choose_model(change);
+  }
+  if (parameter == Parameter::contact) {
+    return choose_contact(change);
+  }
+  rendering::Material material = scene_.wanted(object);
+  material_field(parameter, material) = change.value;
+  if (!is_certified(object, material, scene_.world.object(object).method)) {
+    return std::unexpected(ParameterRefusal::uncertified);
+  }
+  if (!scene_.change_material(object, material)) {
+    return std::unexpected(ParameterRefusal::too_many_changed);
+  }
+  return {};
 }
 
 bool Controller::is_certified(std::uint32_t object, const rendering::Material& material,
                               rendering::ContactMethod method) {
-  const auto& [config, safety, is_configured] = settings_;
-  return config.allow_uncertified ||
-         scene_.is_certified(config.certificate, safety, object, material, method);
+  for (std::size_t i = 0; i < device_count(); ++i) {
+    const ControllerConfig& device = config(i);
+    if (!device.allow_uncertified &&
+        !scene_.is_certified(device.certificate, device.safety, object, material, method)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 // Gives an object another friction model at once. A model that a contact has driven could not go on
@@ -234,8 +254,7 @@ std::expected<void, ParameterRefusal> Controller::choose_contact(const Parameter
   return {};
 }
 
-// Applies a change of one of the controller's own parameters. The value is within its range.
-void Controller::apply_own(const ParameterChange& change) {
+void DeviceController::set_own(const ParameterChange& change) {
   SafetyConfig& safety = settings_.config.safety;
   switch (change.place.parameter) {
     case Parameter::max_force:
@@ -258,7 +277,7 @@ void Controller::apply_own(const ParameterChange& change) {
 }
 
 // Passes the controller's own parameters to the parts that use them.
-void Controller::retune() {
+void DeviceController::retune() {
   const ControllerConfig& config = settings_.config;
   force_path_.limiter.retune(config);
   locator_.velocity_filter.retune(config.velocity_cutoff_hz, config.rate_hz);

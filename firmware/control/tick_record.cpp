@@ -55,6 +55,7 @@ void close_record(const TickResults& results, TelemetryRecord& record) {
   record.mode = modes.mode();
   record.faults = modes.faults();
   record.fault_joint = modes.fault_joint();
+  record.fault_device = modes.fault_device();
   record.limits = modes.raised() & kLimitMask;
   record.energy_J = force.energy.ledger_J();
   record.passivity_J = force.passivity.credit_J();

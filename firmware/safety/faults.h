@@ -56,6 +56,7 @@ enum FaultBits : std::uint64_t {
   kFaultHelperCrashed = 1ULL << 42,
   kFaultMotorReversed = 1ULL << 43,
   kFaultEffortMismatch = 1ULL << 44,
+  kFaultOtherDevice = 1ULL << 45,
 
   kLimitLateTick = 1ULL << 48,
   kLimitWorkspace = 1ULL << 49,
@@ -170,6 +171,9 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
      "check that joint's torque constant, ratio, encoder counts, current limit and motor wires, "
      "and "
      "`moving_mass_kg`; `tactus commission`; reset"},
+    {kFaultOtherDevice, "other_device",
+     "another device of this controller has a fault: `fault_device` says which", "stop",
+     "see that device's fault; reset both"},
     {kLimitLateTick, "late_tick", "tick began too late", "none but the count", "by itself"},
     {kLimitWorkspace, "workspace_wall", "tool is in a wall of the workspace", "wall pushes back",
      "by itself"},

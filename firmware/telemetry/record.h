@@ -127,6 +127,8 @@ struct TelemetryRecord {
   // The joint of a latched motor_reversed or effort_mismatch, 1 for the first; 0: none. Not hashed,
   // because `faults` is.
   std::uint32_t fault_joint = 0;
+  // The device of a latched other_device, 1 for the controller's first; 0: none. Not hashed either.
+  std::uint32_t fault_device = 0;
   // The distance of the proxy from its goal when a limit ended its moves, m; 0 in other ticks. It
   // is hashed if it is not 0.
   double short_of_goal_m = 0.0;

@@ -69,6 +69,7 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"joint_measured", "measured", ""}, record.joint_measured);
   visit(FieldName{"effort_known", "effort_known", ""}, record.effort_known);
   visit(FieldName{"fault_joint", "fault_joint", ""}, record.fault_joint);
+  visit(FieldName{"fault_device", "fault_device", ""}, record.fault_device);
   visit(FieldName{"short_of_goal_m", "short_of_goal", "m"}, record.short_of_goal_m);
   visit(FieldName{"stage_ns.read", "read", "ns"}, record.stage_ns.read);
   visit(FieldName{"stage_ns.check", "check", "ns"}, record.stage_ns.check);

@@ -244,9 +244,9 @@ void bench_sim(const TickBenchOptions& options, const BenchmarkMesh& mesh) {
   RunOptions run_options;
   run_options.seconds = options.seconds;
   const RunPlan plan = plan_run(run_options, {&object, 1}, kToolRadius_m);
-  Simulation simulation(plan.config, {&object, 1}, kToolRadius_m);
+  Simulation simulation(plan.devices, {&object, 1}, kToolRadius_m);
   const RunSummary summary =
-      run(simulation, plan.seconds, run_options.rate_hz, [](const Simulation&) {});
+      run(simulation, plan.seconds, run_options.rate_hz, [](const Simulation&) {}).front();
   if (options.json) {
     const nlohmann::ordered_json json{{"bench", "sim"},
                                       {"mesh", mesh.name},

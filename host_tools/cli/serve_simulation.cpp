@@ -138,12 +138,16 @@ class ServedSimulation {
       : options_(std::move(options)), rate_hz_(run.rate_hz) {
     const rendering::SceneImage& image = open(scene);
     RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
-    plan.config.path = plan.config.path.there_and_back();
-    plan.config.world = rendering::world_of(image);
+    if (plan.devices.size() > 1) {
+      throw InputError("--serve: one device only; without it sim takes several");
+    }
+    SimulationConfig& config = plan.devices.front();
+    config.path = config.path.there_and_back();
+    config.world = rendering::world_of(image);
     for (const std::string& warning : plan.warnings) {
       fmt::print(stderr, "tactus sim: warning: {}\n", warning);
     }
-    simulation_ = std::make_unique<Simulation>(plan.config, image.objects(), image.tool_radius_m());
+    simulation_ = std::make_unique<Simulation>(config, image.objects(), image.tool_radius_m());
     simulation_->controller().set_clock(clock_now_ns);
     if (run.seconds) {
       ticks_ = static_cast<std::uint64_t>(*run.seconds * rate_hz_);

@@ -84,16 +84,6 @@ struct TouchOptions {
   bool json = false;
 };
 
-// Throws InputError if an output that several tools share is a pipe: it takes the rows of one.
-void refuse_shared_pipe(const std::string& output, std::size_t tools) {
-  if (tools > 1 && !output.empty() && output_place(output, OutputKind::may_be_a_pipe).is_pipe) {
-    throw InputError(
-        fmt::format("{}: is a pipe or a terminal, which takes the rows of one tool, and there are "
-                    "{}; name a file; nothing was written",
-                    output, tools));
-  }
-}
-
 // Returns the files of each tool. Throws InputError if one of them is an input or another output,
 // or if several tools would share a pipe.
 std::vector<ToolFiles> output_files(const TouchOptions& options) {
@@ -156,7 +146,7 @@ void run(const TouchOptions& options) {
   const std::vector<ToolFiles> files = output_files(options);
   const MappedScene scene(options.scene);
   const ToolPaths paths = read_paths(options);
-  const auto world = std::make_unique<rendering::World>();
+  const auto world = std::make_unique<rendering::WorldOf<rendering::kMaxTools>>();
   rendering::WorldConfig config = rendering::world_of(scene.image());
   config.tool_count = paths.tools();
   if (!world->set_scene(scene.image().objects(), config)) {

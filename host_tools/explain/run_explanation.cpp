@@ -12,13 +12,13 @@ Vec3 vector_of(const firmware::Triple& v) {
 }  // namespace
 
 RunExplanation::RunExplanation(const std::filesystem::path& file, firmware::Controller& controller,
-                               double tool_radius_m, firmware::NowNs now_ns)
+                               double tool_radius_m, firmware::NowNs now_ns, std::size_t device)
     : explainer_(tool_radius_m, now_ns), steps_(file) {
   if (now_ns != nullptr) {
     controller.set_clock(now_ns);
   }
   explainer_.begin();
-  controller.watch(&explainer_);
+  controller.watch(&explainer_, device);
 }
 
 firmware::Explanation RunExplanation::add(const firmware::TelemetryRecord& record,

@@ -1,6 +1,7 @@
 // Explains the ticks of a controller, for `tactus sim --explain` and `tactus replay --explain`.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -12,15 +13,15 @@
 
 namespace tactus::host {
 
-// Watches a controller and writes the steps of every tick to a file. The controller must not tick
-// without it once it watches.
+// Watches a device of a controller and writes the steps of every tick to a file. The controller
+// must not tick without it once it watches.
 class RunExplanation {
  public:
-  // The controller's tool has this radius, m. The clock measures the steps of the ticks, and the
+  // The tool has this radius, m. The clock measures the steps of the ticks, and the
   // controller's stages; null: a replay, which has the times of its recording. Throws InputError if
   // the file cannot be created.
   RunExplanation(const std::filesystem::path& file, firmware::Controller& controller,
-                 double tool_radius_m, firmware::NowNs now_ns);
+                 double tool_radius_m, firmware::NowNs now_ns, std::size_t device = 0);
   ~RunExplanation() = default;
   RunExplanation(const RunExplanation&) = delete;
   RunExplanation& operator=(const RunExplanation&) = delete;

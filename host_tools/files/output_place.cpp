@@ -179,4 +179,21 @@ bool is_standard_output(const std::filesystem::path& output) {
   return output == "/dev/stdout" || output == "/dev/fd/1" || output == "/proc/self/fd/1";
 }
 
+std::filesystem::path file_of_tool(const std::filesystem::path& file, std::size_t tool) {
+  if (file.empty() || tool == 0) {
+    return file;
+  }
+  return file.parent_path() /
+         fmt::format("{}.{}{}", file.stem().string(), tool + 1, file.extension().string());
+}
+
+void refuse_shared_pipe(const std::filesystem::path& output, std::size_t tools) {
+  if (tools > 1 && !output.empty() && output_place(output, OutputKind::may_be_a_pipe).is_pipe) {
+    throw InputError(
+        fmt::format("{}: is a pipe or a terminal, which takes the rows of one tool, and there are "
+                    "{}; name a file; nothing was written",
+                    output.string(), tools));
+  }
+}
+
 }  // namespace tactus::host

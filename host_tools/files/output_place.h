@@ -45,6 +45,14 @@ void keep_images_safe(const std::filesystem::path& output);
 // Makes the folder of a file if it is missing. Throws InputError that names the folder.
 void make_folder_of(const std::filesystem::path& file);
 
+// Returns the file of one of several tools: `file` itself for tool 0, run.2.csv beside run.csv for
+// tool 1, and so on. An empty name stays empty.
+std::filesystem::path file_of_tool(const std::filesystem::path& file, std::size_t tool);
+
+// Throws InputError if an output that several tools share is a pipe: it takes the rows of one. An
+// empty name is no output.
+void refuse_shared_pipe(const std::filesystem::path& output, std::size_t tools);
+
 // Returns true if the output is this process's standard output. Text for the user then belongs on
 // stderr, so that it does not mix with the rows.
 bool is_standard_output(const std::filesystem::path& output);

@@ -91,6 +91,7 @@ void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.effort_known = stored.effort_known();
   record.fault_joint = stored.fault_joint();
   record.short_of_goal_m = stored.short_of_goal_m();
+  record.fault_device = stored.fault_device();
 }
 
 void read_vectors(const telemetry::Record& stored, TelemetryRecord& record) {

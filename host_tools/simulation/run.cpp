@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -11,6 +12,7 @@
 
 #include "host_tools/input_error.h"
 #include "host_tools/simulation/wish_path_file.h"
+#include "rendering/limits.h"
 
 namespace tactus::host {
 namespace {
@@ -43,10 +45,10 @@ Vec3 travel(const DevicePreset& device) {
 }
 
 // Returns the path of the user's file, else one made from the scene that suits the device.
-WishPath choose_path(const RunOptions& options, const DevicePreset& device,
+WishPath choose_path(const RunOptions& options, std::size_t number, const DevicePreset& device,
                      std::span<const rendering::Object> objects, double tool_radius_m) {
-  if (!options.path.empty()) {
-    return read_wish_path(options.path);
+  if (!options.paths.empty()) {
+    return read_wish_path(options.paths[number]);
   }
   // How far the wish lies below the surface; the force on the hand follows from the hand's
   // stiffness.
@@ -74,12 +76,13 @@ void compensate_friction(double share, SimulationConfig& config) {
 }
 
 // Warns where the path is longer than the device's travel.
-void warn_of_stops(RunPlan& plan, const std::string& device_name) {
-  const Vec3 reach_m = plan.config.path.reach();
-  const Vec3 travel_m = travel(plan.config.device);
+void warn_of_stops(const SimulationConfig& config, const std::string& device_name,
+                   std::vector<std::string>& warnings) {
+  const Vec3 reach_m = config.path.reach();
+  const Vec3 travel_m = travel(config.device);
   for (int axis = 0; axis < 3; ++axis) {
     if (reach_m[axis] > travel_m[axis]) {
-      plan.warnings.push_back(
+      warnings.push_back(
           fmt::format("the wish path spans {:.3f} m along {}, the {} device {:.3f} m: its stops "
                       "will hold the hand",
                       2.0 * reach_m[axis], "xyz"[axis], device_name, 2.0 * travel_m[axis]));
@@ -87,79 +90,140 @@ void warn_of_stops(RunPlan& plan, const std::string& device_name) {
   }
 }
 
+// Returns the entry of a device in a list with one for each device, or one for all.
+const std::string& of_device(const std::vector<std::string>& list, std::size_t number) {
+  return list.size() == 1 ? list.front() : list[number];
+}
+
+// Returns the number of devices. Throws InputError if devices, hands and paths do not go together.
+std::size_t device_count(const RunOptions& options) {
+  const std::size_t count = std::max(options.devices.size(), options.paths.size());
+  const auto goes = [&](const std::vector<std::string>& list) {
+    return list.size() == 1 || list.size() == count;
+  };
+  if (count > rendering::kMaxTools) {
+    throw InputError(fmt::format("{} devices; there may be 1 to {}", count, rendering::kMaxTools));
+  }
+  if (!goes(options.devices) || !goes(options.hands)) {
+    throw InputError(
+        fmt::format("{} --device and {} --hand for {} --path: give one for each path, or one for "
+                    "all",
+                    options.devices.size(), options.hands.size(), options.paths.size()));
+  }
+  if (count > 1 && options.paths.size() != count) {
+    throw InputError(fmt::format("{} devices and {} --path: several devices need a path each",
+                                 count, options.paths.size()));
+  }
+  return count;
+}
+
+// Returns the configuration of a device.
+SimulationConfig plan_device(const RunOptions& options, std::size_t number,
+                             std::span<const rendering::Object> objects, double tool_radius_m) {
+  const std::string& device_name = of_device(options.devices, number);
+  const std::optional<DevicePreset> device = device_preset(device_name);
+  const std::optional<firmware::ControllerConfig> controller = firmware::preset_config(device_name);
+  if (!device || !controller) {
+    throw InputError(fmt::format("--device {}: there are {}", device_name,
+                                 fmt::join(firmware::kPresetNames, ", ")));
+  }
+  const std::string& hand_name = of_device(options.hands, number);
+  const std::optional<HandParameters> hand = hand_preset(hand_name);
+  if (!hand) {
+    throw InputError(fmt::format("--hand {}: there are finger, pen and firm", hand_name));
+  }
+  SimulationConfig config{.device = *device,
+                          .controller = *controller,
+                          .hand = *hand,
+                          .path = choose_path(options, number, *device, objects, tool_radius_m),
+                          // Hands tremble apart.
+                          .seed = options.seed + number,
+                          .rate_hz = options.rate_hz,
+                          .faults = {},
+                          .requests = {}};
+  config.controller.safety.moving_mass_kg = device->device.plant.moving_mass_kg;
+  compensate_friction(options.compensated_share, config);
+  return config;
+}
+
 }  // namespace
 
-FaultEvent parse_fault(std::string_view text) {
-  const std::size_t at = text.find('@');
+DeviceFaultEvent parse_fault(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const bool has_device = colon != std::string_view::npos;
+  const std::optional<std::size_t> device =
+      has_device ? number<std::size_t>(text.substr(0, colon)) : 1U;
+  const std::string_view rest = has_device ? text.substr(colon + 1) : text;
+  const std::size_t at = rest.find('@');
   for (const auto& [name, fault] : kFaultNames) {
-    if (at == std::string_view::npos || text.substr(0, at) != name) {
+    if (at == std::string_view::npos || rest.substr(0, at) != name) {
       continue;
     }
-    const std::string_view when = text.substr(at + 1);
+    const std::string_view when = rest.substr(at + 1);
     const std::size_t times = when.find('x');
     const std::optional<double> at_s = number<double>(when.substr(0, times));
     const std::optional<std::uint32_t> ticks =
         times == std::string_view::npos ? 1U : number<std::uint32_t>(when.substr(times + 1));
-    if (at_s && *at_s >= 0.0 && std::isfinite(*at_s) && ticks && *ticks > 0) {
-      return {.at_s = *at_s, .fault = fault, .ticks = *ticks};
+    if (device && *device > 0 && at_s && *at_s >= 0.0 && std::isfinite(*at_s) && ticks &&
+        *ticks > 0) {
+      return {.device = *device - 1, .event = {.at_s = *at_s, .fault = fault, .ticks = *ticks}};
     }
   }
   throw InputError(
-      fmt::format("--fault {}: expected stale, nan, estop or lost, @ and its time in s, and x and "
-                  "its ticks, like stale@2.5x3",
+      fmt::format("--fault {}: expected stale, nan, estop or lost, @ and its time in s, x and its "
+                  "ticks, like stale@2.5x3, and before it the number of the device, like 2:lost@4",
                   text));
 }
 
 RunPlan plan_run(const RunOptions& options, std::span<const rendering::Object> objects,
                  double tool_radius_m) {
-  const std::optional<DevicePreset> device = device_preset(options.device);
-  const std::optional<firmware::ControllerConfig> controller =
-      firmware::preset_config(options.device);
-  if (!device || !controller) {
-    throw InputError(fmt::format("--device {}: there are {}", options.device,
-                                 fmt::join(firmware::kPresetNames, ", ")));
+  RunPlan plan;
+  const std::size_t count = device_count(options);
+  plan.devices.reserve(count);
+  double end_s = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const SimulationConfig& config =
+        plan.devices.emplace_back(plan_device(options, i, objects, tool_radius_m));
+    warn_of_stops(config, of_device(options.devices, i), plan.warnings);
+    end_s = std::max(end_s, config.path.end_s());
   }
-  const std::optional<HandParameters> hand = hand_preset(options.hand);
-  if (!hand) {
-    throw InputError(fmt::format("--hand {}: there are finger, pen and firm", options.hand));
+  for (const std::string& text : options.faults) {
+    const auto& [device, event] = parse_fault(text);
+    if (device >= count) {
+      throw InputError(fmt::format("--fault {}: there are {} devices", text, count));
+    }
+    plan.devices[device].faults.push_back(event);
   }
-  RunPlan plan{.config = {.device = *device,
-                          .controller = *controller,
-                          .hand = *hand,
-                          .path = choose_path(options, *device, objects, tool_radius_m),
-                          .seed = options.seed,
-                          .rate_hz = options.rate_hz,
-                          .faults = {},
-                          .requests = {}},
-               .warnings = {}};
-  plan.config.controller.safety.moving_mass_kg = device->device.plant.moving_mass_kg;
-  compensate_friction(options.compensated_share, plan.config);
-  for (const std::string& fault : options.faults) {
-    plan.config.faults.push_back(parse_fault(fault));
-  }
-  plan.seconds = options.seconds.value_or(plan.config.path.end_s());
+  plan.seconds = options.seconds.value_or(end_s);
   if (!(plan.seconds > 0.0) || !std::isfinite(plan.seconds)) {
     throw InputError("--seconds must be positive");
   }
-  warn_of_stops(plan, options.device);
   return plan;
 }
 
-RunSummary run(Simulation& simulation, double seconds, double rate_hz, const TickSink& sink) {
+std::vector<RunSummary> run(Simulation& simulation, double seconds, double rate_hz,
+                            const TickSink& after, const TickSink& before) {
   using Clock = std::chrono::steady_clock;
-  RunSummary summary;
-  summary.rate_hz = rate_hz;
+  std::vector<RunSummary> summaries(simulation.device_count(), RunSummary{.rate_hz = rate_hz});
   // The small subtraction keeps a product such as 0.1 s * 1000 Hz, which is a little above 100,
   // from becoming one tick more.
   const auto ticks = static_cast<std::uint64_t>(std::ceil(seconds * rate_hz - 1e-6));
   const Clock::time_point start = Clock::now();
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+    if (before) {
+      before(simulation);
+    }
     simulation.tick();
-    summary.add(simulation.record());
-    sink(simulation);
+    for (std::size_t i = 0; i < summaries.size(); ++i) {
+      summaries[i].add(simulation.record(i));
+    }
+    after(simulation);
   }
-  summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  return summary;
+  const double wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  for (RunSummary& summary : summaries) {
+    summary.wall_s = wall_s;
+  }
+  return summaries;
 }
 
 }  // namespace tactus::host

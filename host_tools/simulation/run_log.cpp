@@ -44,8 +44,8 @@ void LogFile::close() {
 
 RunCsv::RunCsv(const std::filesystem::path& path) : file_(path, kHeader) {}
 
-void RunCsv::add(const Simulation& simulation) {
-  const firmware::TelemetryRecord& record = simulation.record();
+void RunCsv::add(const Simulation& simulation, std::size_t device) {
+  const firmware::TelemetryRecord& record = simulation.record(device);
   std::string& line = file_.buffer();
   fmt::format_to(std::back_inserter(line), "{:.9g}", record.time_s);
   append(line, record.tool_p_W);
@@ -54,7 +54,7 @@ void RunCsv::add(const Simulation& simulation) {
   fmt::format_to(std::back_inserter(line), ",{},{:.9g},{}", static_cast<int>(record.contact),
                  record.depth_m, static_cast<int>(record.friction));
   append(line, record.force_commanded_W);
-  append(line, firmware::to_triple(simulation.wish_W()));
+  append(line, firmware::to_triple(simulation.wish_W(device)));
   append(line, record.normal_W);
   if (record.contact == rendering::ContactKind::none) {
     line += ',';

@@ -2,6 +2,7 @@
 // sim` and replay write them after each tick, outside of the controller.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -39,8 +40,8 @@ class LogFile {
 class RunCsv {
  public:
   explicit RunCsv(const std::filesystem::path& path);
-  // Appends the last tick.
-  void add(const Simulation& simulation);
+  // Appends the last tick of a device.
+  void add(const Simulation& simulation, std::size_t device = 0);
   void close() { file_.close(); }
 
  private:

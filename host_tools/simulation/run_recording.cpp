@@ -32,10 +32,11 @@ std::string header_checksum(std::span<const std::byte> image) {
 }  // namespace
 
 RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& simulation,
-                           std::span<const std::byte> scene)
+                           std::span<const std::byte> scene, std::size_t device)
     : path_(path),
       place_(output_place(path, OutputKind::file)),
-      tick_ns_(1e9 / simulation.config().rate_hz) {
+      tick_ns_(1e9 / simulation.config().rate_hz),
+      device_(device) {
   keep_images_safe(path);
   const std::string rate = fmt::format("{}", simulation.config().rate_hz);
   const std::string checksum = header_checksum(scene);
@@ -45,16 +46,16 @@ RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& 
     fail(path, error);
   }
   std::array<std::byte, firmware::kMaxConfigBytes> config{};
-  const std::size_t size = firmware::save_config(simulation.config(), config);
+  const std::size_t size = firmware::save_config(simulation.config(device), config);
   writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config).first(size)});
   writer_->attach({.name = firmware::kSceneAttachment, .bytes = scene});
 }
 
 void RunRecording::add(const Simulation& simulation) {
-  firmware::RecordedTick tick{.record = simulation.record()};
+  firmware::RecordedTick tick{.record = simulation.record(device_)};
   tick.loop.scheduled_ns = due_ns(tick.record.tick);
   tick.joint_count =
-      static_cast<std::uint32_t>(firmware::joint_count(simulation.config().mechanism));
+      static_cast<std::uint32_t>(firmware::joint_count(simulation.config(device_).mechanism));
   writer_->add(tick);
 }
 

@@ -18,10 +18,10 @@ namespace tactus::host {
 // An open recording. It is written to a temporary file that takes its place at close().
 class RunRecording {
  public:
-  // Begins a recording, before the first tick. `scene` is the bytes of the scene's image. Throws
-  // InputError if the file cannot be written.
+  // Begins a recording of a device, before the first tick. `scene` is the bytes of the scene's
+  // image. Throws InputError if the file cannot be written.
   RunRecording(const std::filesystem::path& path, const Simulation& simulation,
-               std::span<const std::byte> scene);
+               std::span<const std::byte> scene, std::size_t device = 0);
 
   // Adds the last tick.
   void add(const Simulation& simulation);
@@ -40,6 +40,7 @@ class RunRecording {
   [[nodiscard]] std::int64_t due_ns(std::uint64_t tick) const;
 
   double tick_ns_;
+  std::size_t device_;
   std::unique_ptr<firmware::McapWriter> writer_ = std::make_unique<firmware::McapWriter>();
 };
 

@@ -1,42 +1,32 @@
 #include "host_tools/simulation/simulation.h"
 
-#include <cmath>
+#include <fmt/format.h>
+
+#include <array>
 
 #include "host_tools/configure_controller.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
-namespace {
 
-// Returns true in the one tick into which an event's time falls.
-bool due(double at_s, std::uint64_t tick, double tick_s) {
-  return std::floor(at_s / tick_s + 1e-9) == static_cast<double>(tick);
-}
-
-// Returns the device's total delay for the passivity controller. A first-order motor counts as a
-// delay of its time constant.
-double delay_of(const DeviceParameters& device, double tick_s) {
-  return 1e-6 * device.sample_age_us + tick_s * static_cast<double>(device.delay_ticks) +
-         device.motor_time_constant_s;
-}
-
-}  // namespace
-
-Simulation::Simulation(const SimulationConfig& config, std::span<const rendering::Object> objects,
-                       double tool_radius_m)
-    : faults_(config.faults),
-      requests_(config.requests),
-      tick_s_(1.0 / config.rate_hz),
-      origin_B_(config.device.centre_B - config.path.middle()),
-      hand_(config.hand, config.path, config.seed, tick_s_),
-      device_(config.device.device, tick_s_, hand_.wish_W() + origin_B_),
-      controller_(std::make_unique<firmware::Controller>()) {
-  firmware::ControllerConfig controller = config.controller;
-  controller.rate_hz = config.rate_hz;
-  controller.workspace_origin_D = origin_B_;
-  controller.safety.device_delay_s = delay_of(config.device.device, tick_s_);
-  configure(*controller_, controller);
-  rendering::WorldConfig world = config.world;
+Simulation::Simulation(std::span<const SimulationConfig> devices,
+                       std::span<const rendering::Object> objects, double tool_radius_m) {
+  if (devices.empty() || devices.size() > rendering::kMaxTools) {
+    throw InputError(
+        fmt::format("{} devices; there may be 1 to {}", devices.size(), rendering::kMaxTools));
+  }
+  held_.reserve(devices.size());
+  for (const SimulationConfig& config : devices) {
+    held_.emplace_back(config);
+    wishes_W_.push_back(held_.back().wish_W());
+  }
+  more_devices_.resize(devices.size() - 1);
+  more_tools_.resize(devices.size() - 1);
+  controller_ = std::make_unique<firmware::Controller>(more_devices_, more_tools_);
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    configure(*controller_, held_[i].controller_config(devices[i]), i);
+  }
+  rendering::WorldConfig world = devices.front().world;
   world.tool_radius_m = tool_radius_m;
   if (!controller_->load_scene(objects, world)) {
     throw InputError(
@@ -44,35 +34,24 @@ Simulation::Simulation(const SimulationConfig& config, std::span<const rendering
   }
 }
 
-firmware::Request Simulation::request_now() const {
-  for (const RequestEvent& event : requests_) {
-    if (due(event.at_s, ticks_, tick_s_)) {
-      return event.request;
-    }
-  }
-  switch (controller_->mode()) {
-    case firmware::Mode::init:
-      return firmware::Request::home;
-    case firmware::Mode::ready:
-      return firmware::Request::enable;
-    default:
-      return firmware::Request::none;
-  }
-}
-
 void Simulation::tick() {
-  for (const FaultEvent& event : faults_) {
-    if (due(event.at_s, ticks_, tick_s_)) {
-      device_.inject(event.fault, event.ticks);
-    }
+  std::array<SimulatedDevice*, rendering::kMaxTools> devices{};
+  std::array<firmware::Request, rendering::kMaxTools> requests{};
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    held_[i].inject_planned();
+    devices[i] = &held_[i].device();
+    requests[i] = held_[i].request(controller_->mode(i));
   }
-  tick(request_now(), [](SimulatedDevice& device) -> SimulatedDevice& { return device; });
+  firmware::run_tick(*controller_, std::span<SimulatedDevice* const>(devices).first(held_.size()),
+                     std::span(requests).first(held_.size()));
+  advance();
 }
 
 void Simulation::advance() {
-  device_.advance(hand_.parameters(), hand_.wish_W() + origin_B_, hand_.next_wish_W() + origin_B_);
-  hand_.advance();
-  ++ticks_;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    wishes_W_[i] = held_[i].wish_W();
+    held_[i].advance();
+  }
 }
 
 }  // namespace tactus::host

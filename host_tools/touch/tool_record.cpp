@@ -1,16 +1,6 @@
 #include "host_tools/touch/tool_record.h"
 
-#include <fmt/format.h>
-
 namespace tactus::host {
-
-std::filesystem::path file_of_tool(const std::filesystem::path& file, std::size_t tool) {
-  if (file.empty() || tool == 0) {
-    return file;
-  }
-  return file.parent_path() /
-         fmt::format("{}.{}{}", file.stem().string(), tool + 1, file.extension().string());
-}
 
 ToolRecord::ToolRecord(const ToolFiles& files, double tool_radius_m)
     : rows_(files.rows), explainer_(tool_radius_m) {

@@ -14,10 +14,6 @@
 
 namespace tactus::host {
 
-// Returns the file of a tool: `file` itself for tool 0, run.2.csv beside run.csv for tool 1, and so
-// on. An empty name stays empty.
-std::filesystem::path file_of_tool(const std::filesystem::path& file, std::size_t tool);
-
 // The files of a tool, which are written under their names by close().
 struct ToolFiles {
   // One row a tick.

@@ -127,14 +127,15 @@ void EffectTouch::transfer(StateArchive& archive, std::size_t effects) {
 
 // Tools and effects must be as many as in the saved world; the rest follows in the order of a tick.
 void World::transfer(StateArchive& archive) {
-  [[maybe_unused]] auto& [scene, bodies, tools, effect_touches, effects, tick_s, time_s, tool_count,
-                          budget, standing_units] = *this;
+  [[maybe_unused]] auto& [scene, bodies, first_tool, more_tools, effects, tick_s, time_s,
+                          tool_count, budget, standing_units] = *this;
   archive.same(tool_count);
   archive.same(effects.size());
   archive(time_s, scene, bodies);
   for (std::size_t i = 0; i < tool_count; ++i) {
-    tools[i].transfer(archive, scene);
-    effect_touches[i].transfer(archive, effects.size());
+    auto& [contacts, memories] = slot(i);
+    contacts.transfer(archive, scene);
+    memories.transfer(archive, effects.size());
   }
 }
 

@@ -27,7 +27,7 @@ std::size_t standing_units(std::span<const Object> objects, const WorldConfig& c
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
   const bool good_config =
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
-      config.tool_count <= kMaxTools && config.effects.size() <= kMaxEffects &&
+      config.tool_count <= tool_capacity() && config.effects.size() <= kMaxEffects &&
       config.gravity_W.allFinite() &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
@@ -38,20 +38,22 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
   time_s_ = 0.0;
   tool_count_ = good ? config.tool_count : 1;
   effects_ = good ? config.effects : std::span<const Effect>{};
-  for (ToolTouch& tool : tools_) {
-    tool.start(scene_, good ? config.tool_radius_m : 0.0);
+  for (std::size_t i = 0; i < tool_capacity(); ++i) {
+    slot(i).touch.start(scene_, good ? config.tool_radius_m : 0.0);
   }
   reset();
   return good;
 }
 
 void World::reset() {
-  for (ToolTouch& tool : tools_) {
-    tool.reset();
+  for (std::size_t i = 0; i < tool_capacity(); ++i) {
+    reset(i);
   }
-  for (EffectTouch& effects : effect_touches_) {
-    effects.reset();
-  }
+}
+
+void World::reset(std::size_t tool) {
+  slot(tool).touch.reset();
+  slot(tool).effects.reset();
 }
 
 bool World::set_tick(double tick_s) {
@@ -74,21 +76,19 @@ bool World::set_tick_budget(double instructions) {
 double World::stretch_m(std::uint32_t object) const {
   double longest = 0.0;
   for (std::size_t i = 0; i < tool_count_; ++i) {
-    longest = std::max(longest, tools_[i].stretch_m(scene_, object));
+    longest = std::max(longest, slot(i).touch.stretch_m(scene_, object));
   }
   return longest;
 }
 
 bool World::is_touched(std::uint32_t object) const {
-  return std::ranges::any_of(std::span(tools_).first(tool_count_),
-                             [&](const ToolTouch& tool) { return tool.touches(scene_, object); });
+  return any_tool([&](const ToolTouch& tool) { return tool.touches(scene_, object); });
 }
 
 bool World::may_set_method(std::uint32_t object, ContactMethod method) const {
   const bool is_of_proxy = meets_proxy(scene_[object]) || meets_proxy(method);
   return !is_touched(object) &&
-         (!is_of_proxy ||
-          std::ranges::all_of(std::span(tools_).first(tool_count_), &ToolTouch::has_free_proxy));
+         (!is_of_proxy || !any_tool([](const ToolTouch& tool) { return !tool.has_free_proxy(); }));
 }
 
 bool World::set_method(std::uint32_t object, ContactMethod method) {
@@ -99,8 +99,8 @@ bool World::set_method(std::uint32_t object, ContactMethod method) {
   if (!scene_.set_method(object, method)) {
     return false;
   }
-  for (ToolTouch& tool : std::span(tools_).first(tool_count_)) {
-    tool.take_method(scene_, object, met_proxy);
+  for (std::size_t i = 0; i < tool_count_; ++i) {
+    slot(i).touch.take_method(scene_, object, met_proxy);
   }
   return true;
 }
@@ -115,11 +115,12 @@ std::size_t World::begin_tick() {
 
 Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
                        TickWatcher* watcher) {
-  Touch touch = tools_[number].touch(scene_, tool, limit, watcher);
+  auto& [contacts, effects] = slot(number);
+  Touch touch = contacts.touch(scene_, tool, limit, watcher);
   if ((touch.flags & kTouchToolInvalid) != 0) {
-    effect_touches_[number].hold();
+    effects.hold();
   } else {
-    effect_touches_[number].add_to(touch, effects_, tool, tick_s_);
+    effects.add_to(touch, effects_, tool, tick_s_);
   }
   return touch;
 }
@@ -146,7 +147,7 @@ void World::step_bodies(std::span<Touch> touches) {
   }
   std::array<ToolGrips, kMaxTools> grips;
   for (std::size_t i = 0; i < tool_count_; ++i) {
-    grips[i] = tools_[i].grips();
+    grips[i] = slot(i).touch.grips();
   }
   bodies_.step(scene_, std::span(grips).first(tool_count_));
   for (std::size_t i = 0; i < std::min(touches.size(), tool_count_); ++i) {
@@ -166,7 +167,7 @@ void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
     TickWatcher* const watcher = i < watchers.size() ? watchers[i] : nullptr;
     const Touch touch = touch_one(i, tool, left / (tool_count_ - i), watcher);
-    left -= std::min(left, tools_[i].spent());
+    left -= std::min(left, slot(i).touch.spent());
     if (i < touches.size()) {
       touches[i] = touch;
     }
@@ -177,13 +178,17 @@ void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
 std::size_t World::spent_units() const {
   std::size_t sum = standing_units_;
   for (std::size_t i = 0; i < tool_count_; ++i) {
-    sum += tools_[i].spent();
+    sum += slot(i).touch.spent();
   }
   return sum;
 }
 
 std::size_t World::peak_candidates() const {
-  return std::ranges::max_element(tools_, {}, &ToolTouch::peak_candidates)->peak_candidates();
+  std::size_t peak = 0;
+  for (std::size_t i = 0; i < tool_count_; ++i) {
+    peak = std::max(peak, slot(i).touch.peak_candidates());
+  }
+  return peak;
 }
 
 }  // namespace tactus::rendering

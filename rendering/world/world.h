@@ -1,7 +1,8 @@
 // The virtual world that one or several tools touch: the entry to this folder. Once per tick it
-// moves the objects, and then computes each tool in turn (tool_touch.h).
+// moves the objects, computes each tool in turn (tool_touch.h), and then moves the bodies.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -26,7 +27,7 @@ class TickWatcher;
 struct WorldConfig {
   // The radius of every tool, m: 0 to kMaxToolRadius_m; 0 is the god-object point.
   double tool_radius_m = 0.0;
-  // The number of tools, 1 to kMaxTools.
+  // The number of tools, 1 to the number that the world has room for.
   std::size_t tool_count = 1;
   // The effects, at most kMaxEffects; each acts on every tool. The caller keeps them alive and
   // unchanged.
@@ -41,11 +42,22 @@ struct WorldConfig {
 // objects that move or deform, and on the effects. They cannot be cut.
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config);
 
-// Lives in static storage: a few megabytes of fixed arrays, no heap. Not thread-safe; one thread
+// What a world keeps of one tool: its contacts, and what the effects remember of it.
+struct ToolSlot {
+  ToolTouch touch;
+  EffectTouch effects;
+};
+
+// Lives in static storage: fixed arrays of about a megabyte, no heap. Not thread-safe; one thread
 // owns it.
 class World {
  public:
+  // Has room for one tool.
   World() = default;
+  // Has room for one tool and for those of `more_tools`, at most kMaxTools in all. The storage must
+  // outlive the world, which must not be copied then.
+  explicit World(std::span<ToolSlot> more_tools)
+      : more_tools_(more_tools.first(std::min(more_tools.size(), kMaxTools - 1))) {}
 
   // Sets a scene and starts over; the views must stay alive and unchanged. Returns false, and
   // leaves an empty world, if a number of `config` is out of range or SceneObjects::set refuses.
@@ -67,6 +79,13 @@ class World {
   // Forgets the contacts and what effects remember: the next touch starts with the proxies at the
   // tools. Bodies stay where they are.
   void reset();
+  // Forgets those of one tool, which must be below tool_capacity().
+  void reset(std::size_t tool);
+
+  // Returns the most tools that the world has room for.
+  [[nodiscard]] std::size_t tool_capacity() const { return 1 + more_tools_.size(); }
+  // Returns the number of tools of the scene.
+  [[nodiscard]] std::size_t tool_count() const { return tool_count_; }
 
   // Sets the pose and velocity of an object that `moves` from the next tick on. Returns false if
   // SceneObjects::set_pose refuses.
@@ -152,7 +171,7 @@ class World {
   // Returns the energy that an effect has given to the hand of a tool since the start, J (see
   // rendering/effects/effect.h). Both numbers must be in range.
   [[nodiscard]] double delivered_J(std::size_t effect, std::size_t tool = 0) const {
-    return effect_touches_[tool].delivered_J(effect);
+    return slot(tool).effects.delivered_J(effect);
   }
 
   // Returns the cost units that the last touch has spent, of all tools (tick_budget.h).
@@ -176,11 +195,28 @@ class World {
   // Moves the bodies after the touches of this tick, and puts their forces into these.
   void step_bodies(std::span<Touch> touches);
 
+  [[nodiscard]] ToolSlot& slot(std::size_t tool) {
+    return tool == 0 ? first_tool_ : more_tools_[tool - 1];
+  }
+  [[nodiscard]] const ToolSlot& slot(std::size_t tool) const {
+    return tool == 0 ? first_tool_ : more_tools_[tool - 1];
+  }
+
+  // Returns true if `has(contacts)` is true for a tool.
+  template <class Has>
+  [[nodiscard]] bool any_tool(const Has& has) const {
+    for (std::size_t i = 0; i < tool_count_; ++i) {
+      if (has(slot(i).touch)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   SceneObjects scene_;
   WorldBodies bodies_;
-  std::array<ToolTouch, kMaxTools> tools_;
-  // The effects' states, one set for each tool.
-  std::array<EffectTouch, kMaxTools> effect_touches_;
+  ToolSlot first_tool_;
+  std::span<ToolSlot> more_tools_;
   std::span<const Effect> effects_;
   // The time from tick to tick, s.
   double tick_s_ = 0.001;
@@ -190,6 +226,17 @@ class World {
   // The cost units of a tick, and those that the last tick spent on the objects and the effects.
   std::size_t budget_ = units_of(kTickInstructions_per_s * 0.001);
   std::size_t standing_units_ = 0;
+};
+
+// A world with room for `kTools` tools, in the storage of its owner.
+template <std::size_t kTools>
+class WorldOf : private std::array<ToolSlot, kTools - 1>, public World {
+  static_assert(kTools >= 1 && kTools <= kMaxTools);
+
+ public:
+  WorldOf() : World(std::span<ToolSlot>(static_cast<std::array<ToolSlot, kTools - 1>&>(*this))) {}
+  WorldOf(const WorldOf&) = delete;
+  WorldOf& operator=(const WorldOf&) = delete;
 };
 
 }  // namespace tactus::rendering

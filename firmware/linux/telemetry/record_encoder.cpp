@@ -75,6 +75,7 @@ void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_effort_known(record.effort_known);
   table.add_fault_joint(record.fault_joint);
   table.add_short_of_goal_m(record.short_of_goal_m);
+  table.add_fault_device(record.fault_device);
 }
 
 }  // namespace

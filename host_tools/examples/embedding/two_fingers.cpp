@@ -58,7 +58,7 @@ int main() {
   objects[0].moves = true;    // set_pose may move it
   objects[1].deforms = true;  // move_vertex may move its vertices
 
-  static rendering::World world;
+  static rendering::WorldOf<2> world;
   if (!world.set_scene(objects, {.tool_radius_m = kRadius_m, .tool_count = 2}) ||
       !world.set_tick(kTick_s)) {
     std::puts("the scene was refused");

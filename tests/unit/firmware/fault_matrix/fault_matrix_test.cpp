@@ -256,6 +256,71 @@ TEST(FaultMatrix, AFaultOfOneMotorNamesItsJointUntilTheReset) {
   }
 }
 
+// Injects a fault into a device beside a companion. Returns what is wrong with the companion's
+// reaction in any tick, or an empty text.
+std::string check_companion(FaultyRig& rig, const MatrixFault& fault, Mode mode, bool stops) {
+  if (!rig.enter(mode, kNoFault)) {
+    return "the mode was not reached";
+  }
+  rig.heal();
+  for (int tick = 0; tick <= fault.ticks; ++tick) {
+    fault.inject(rig, tick);
+    rig.tick(fault.request);
+    const TelemetryRecord& record = rig.record(1);
+    const bool has_own_fault = (record.faults & ~kFaultOtherDevice) != 0;  // one of the loop
+    if (stops && rig.record().faults != 0) {
+      if (rig.companion.has_torque() || record.mode != Mode::fault) {
+        return "the companion goes on";
+      }
+      if (!has_own_fault && (record.faults != kFaultOtherDevice || record.fault_device != 1)) {
+        return "the companion does not name the device";
+      }
+    } else if (!has_own_fault && !rig.companion.has_torque()) {
+      return "the companion stops";
+    }
+  }
+  return "";
+}
+
+TEST(FaultMatrix, EveryFaultOfADeviceInEveryModeTakesTheForceFromTheOther) {
+  static FaultyRig rig(2, OnFault::all);
+  for (const MatrixFault& fault : kFaults) {
+    for (std::size_t mode = 0; mode < kModeCount; ++mode) {
+      EXPECT_EQ(check_companion(rig, fault, static_cast<Mode>(mode), true), "")
+          << title(fault, static_cast<Mode>(mode));
+    }
+  }
+}
+
+TEST(FaultMatrix, AFaultOfADeviceThatStopsOnlyItselfLeavesTheOtherItsForce) {
+  static FaultyRig rig(2, OnFault::own);
+  for (const MatrixFault& fault : kFaults) {
+    for (std::size_t mode = 0; mode < kModeCount; ++mode) {
+      EXPECT_EQ(check_companion(rig, fault, static_cast<Mode>(mode), false), "")
+          << title(fault, static_cast<Mode>(mode));
+    }
+  }
+}
+
+TEST(FaultMatrix, ADeviceHasNoForceBesideAFaultUntilBothAreReset) {
+  static FaultyRig rig(2, OnFault::all);
+  ASSERT_TRUE(rig.enter(Mode::active, kNoFault));
+  rig.heal();
+  rig.tick(Request::estop);
+  rig.tick();
+  for (const Request request : {Request::reset, Request::home, Request::enable}) {
+    rig.tick(Request::none, request);
+    rig.tick();
+    EXPECT_EQ(rig.record(1).mode, Mode::fault);
+    EXPECT_EQ(rig.record(1).faults, kFaultOtherDevice);
+    EXPECT_FALSE(rig.companion.has_torque());
+  }
+  rig.tick(Request::reset, Request::reset);
+  EXPECT_EQ(rig.record(0).mode, Mode::init);
+  EXPECT_EQ(rig.record(1).mode, Mode::init);
+  EXPECT_EQ(rig.record(1).fault_device, 0U);
+}
+
 TEST(FaultMatrix, ASwitchedOffGuardIsSaidInEveryTick) {
   static FaultyRig rig;
   ASSERT_TRUE(rig.enter(Mode::active, kFaultOverspeed));

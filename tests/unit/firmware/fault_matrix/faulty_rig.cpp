@@ -1,8 +1,8 @@
 #include "tests/unit/firmware/fault_matrix/faulty_rig.h"
-#include "tests/support/without_sign_check.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "tests/support/without_sign_check.h"
 
 namespace tactus::firmware {
 namespace {
@@ -60,7 +60,35 @@ std::string check_recovery(FaultyRig& rig) {
 
 }  // namespace
 
-FaultyRig::FaultyRig() = default;
+FaultyRig::FaultyRig(std::size_t devices, OnFault on_fault)
+    : on_fault_(on_fault),
+      controller_(std::span(more_devices_).first(devices - 1),
+                  std::span(more_tools_).first(devices - 1)) {}
+
+void FaultyRig::tick(Request request, Request of_companion) {
+  companion.sample.position = {0.05, kPressed_m + (ticks_++ % 2 == 0 ? 1e-5 : 0.0), 0.0};
+  const std::array<ScriptedDevice*, 2> devices{&device, &companion};
+  const std::array<Request, 2> requests{request, of_companion};
+  run_tick(controller_, std::span<ScriptedDevice* const>(devices), requests);
+}
+
+// Brings the companion, if there is one, to `active`, beside a device that rests above the floor.
+bool FaultyRig::start_companion() {
+  if (controller_.device_count() == 1) {
+    return true;
+  }
+  companion.sample = {};
+  device.sample = {};
+  device.write_status = drivers::kDeviceOk;
+  device.sample.position[1] = 0.01;
+  tick(Request::none, Request::home);
+  tick();
+  tick(Request::none, Request::enable);
+  for (int i = 0; i < kRiseTicks; ++i) {
+    tick();
+  }
+  return companion.has_torque();
+}
 
 void FaultyRig::heal() {
   device.sample = {};
@@ -71,8 +99,14 @@ void FaultyRig::heal() {
 
 bool FaultyRig::enter(Mode mode, std::uint64_t guards_off) {
   is_homing_ = mode == Mode::homing;
-  if (!controller_.configure(wide_config(guards_off)) ||
-      !controller_.load_scene(floor_.objects(), {.tool_radius_m = 0.0})) {
+  ControllerConfig config = wide_config(guards_off);
+  config.on_fault = on_fault_;
+  for (std::size_t i = 0; i < controller_.device_count(); ++i) {
+    if (!controller_.configure(config, i)) {
+      return false;
+    }
+  }
+  if (!controller_.load_scene(floor_.objects(), {.tool_radius_m = 0.0}) || !start_companion()) {
     return false;
   }
   heal();
@@ -98,11 +132,6 @@ bool FaultyRig::enter(Mode mode, std::uint64_t guards_off) {
     tick();
   }
   return controller_.mode() == mode && has_torque() == (mode == Mode::active);
-}
-
-bool FaultyRig::has_torque() const {
-  return device.written.enable ||
-         std::ranges::any_of(device.written.effort, [](double effort) { return effort != 0.0; });
 }
 
 std::string check_cell(FaultyRig& rig, const MatrixFault& fault, Mode mode,

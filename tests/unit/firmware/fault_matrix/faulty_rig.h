@@ -1,7 +1,11 @@
-// A controller, a floor and a device in memory that can be made to fail in any mode.
+// A controller, a floor and a device in memory that can be made to fail in any mode, alone or
+// beside a companion.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,6 +32,10 @@ class ScriptedDevice {
     return write_status;
   }
   void clear_faults() {}
+  [[nodiscard]] bool has_torque() const {
+    return written.enable ||
+           std::ranges::any_of(written.effort, [](double effort) { return effort != 0.0; });
+  }
 
   drivers::JointSample sample;
   bool measures_effort = false;  // its drives report the effort that they were commanded
@@ -37,25 +45,38 @@ class ScriptedDevice {
 
 class FaultyRig {
  public:
-  FaultyRig();
+  // One device alone.
+  FaultyRig() : FaultyRig(1, OnFault::all) {}
+  // One or two devices; the first one's faults stop those.
+  FaultyRig(std::size_t devices, OnFault on_fault);
 
   // Starts over, and goes to that mode with the tool 2 mm in the floor; in `active` until the soft
-  // start is over. False if it did not get there.
+  // start is over. False if it did not get there. The companion has got to `active` before.
   bool enter(Mode mode, std::uint64_t guards_off);
 
   // The device as it is without a fault in the mode that was entered.
   void heal();
 
-  void tick(Request request = Request::none) { run_tick(controller_, device, request); }
-  [[nodiscard]] const TelemetryRecord& record() const { return controller_.record(); }
-  [[nodiscard]] bool has_torque() const;
+  void tick(Request request = Request::none, Request of_companion = Request::none);
+  [[nodiscard]] const TelemetryRecord& record(std::size_t number = 0) const {
+    return controller_.record(number);
+  }
+  [[nodiscard]] bool has_torque() const { return device.has_torque(); }
   Controller& controller() { return controller_; }
 
   ScriptedDevice device;
+  // The second device. It presses on the floor beside the first one, and is never quite still.
+  ScriptedDevice companion;
 
  private:
+  bool start_companion();
+
   Floor floor_{{.stiffness_N_per_m = 500.0, .damping_Ns_per_m = 0.0, .friction = {}}};
+  OnFault on_fault_;
+  std::array<DeviceController, 1> more_devices_;
+  std::array<rendering::ToolSlot, 1> more_tools_;
   Controller controller_;
+  std::uint64_t ticks_ = 0;
   bool is_homing_ = false;
 };
 

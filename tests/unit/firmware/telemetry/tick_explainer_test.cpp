@@ -22,7 +22,7 @@ using rendering::Object;
 // The proxy of a plane rests this far above it (rendering/contact/README.md), m.
 constexpr double kRestHeight_m = 0.5e-6;
 constexpr double kTolerance_m = 1e-9;
-constexpr double kRadius_m = 0.002;
+constexpr double kExplainedRadius_m = 0.002;
 
 // Returns a half-space below 0 along one of the axes.
 Object wall(int axis, const rendering::Material& material) {
@@ -49,7 +49,7 @@ class ExplainedCorner : public ::testing::Test {
       : walls_{wall(0, material), wall(1, material), wall(2, material)} {
     for (Controller* controller : {&*watched_, &*plain_}) {
       EXPECT_TRUE(controller->configure(testing::without_sign_check(cartesian_config())));
-      EXPECT_TRUE(controller->load_scene(walls_, {.tool_radius_m = kRadius_m}));
+      EXPECT_TRUE(controller->load_scene(walls_, {.tool_radius_m = kExplainedRadius_m}));
       drive(*controller, {0.01, 0.01, 0.01}, Request::home);
       drive(*controller, {0.01, 0.01, 0.01}, Request::none);
       drive(*controller, {0.01, 0.01, 0.01}, Request::enable);
@@ -101,7 +101,7 @@ class SlipperyCorner : public ExplainedCorner {
 TEST_F(SlipperyCorner, HasTheWallsThatHoldItWithTheirMultipliers) {
   explain({0.005, 0.005, 0.005});
   const Triple depth_m = {0.001, 0.002, 0.003};
-  const double above_m = kRadius_m + kRestHeight_m;
+  const double above_m = kExplainedRadius_m + kRestHeight_m;
   const Triple tool = {above_m - depth_m[0], above_m - depth_m[1], above_m - depth_m[2]};
   explain(tool);
   const Explanation& tick = explain(tool);
@@ -124,7 +124,7 @@ TEST_F(SlipperyCorner, HasTheWallsThatHoldItWithTheirMultipliers) {
 TEST_F(ExplainedCorner, ShowsTheFrictionCircleOfOneWallAndWhenItSlips) {
   constexpr double kDepth_m = 0.002;
   constexpr double kStep_m = 1.1e-5;
-  const double y = kRadius_m + kRestHeight_m - kDepth_m;
+  const double y = kExplainedRadius_m + kRestHeight_m - kDepth_m;
   explain({0.01, 0.005, 0.01});
   explain({0.01, y, 0.01});
   int slipped_at = 0;
@@ -153,7 +153,7 @@ TEST_F(ExplainedCorner, TimesTheStepsOfTheTouchAndNothingWithoutAClock) {
   explainer_.begin(nullptr);
   watched_->watch(&explainer_);
   drive(*watched_, {0.001, 0.001, 0.001});
-  EXPECT_EQ(explainer_.finish(watched_->record(), 0, kRadius_m).step_ns, StepTimes{});
+  EXPECT_EQ(explainer_.finish(watched_->record(), 0, kExplainedRadius_m).step_ns, StepTimes{});
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Object ball_by_method(double x_m, ContactMethod method) {
 TEST(ChangedMethod, IsRefusedWhileAnyToolTouchesTheObject) {
   const std::array objects{ball_by_method(0.0, ContactMethod::sphere_proxy),
                            ball_by_method(0.1, ContactMethod::potential_field)};
-  const auto world = std::make_unique<World>();
+  const auto world = std::make_unique<WorldOf<2>>();
   ASSERT_TRUE(world->set_scene(objects, {.tool_radius_m = 0.002, .tool_count = 2}));
   std::array<Touch, 2> touches;
   const auto touch = [&](const Vec3& first, const Vec3& second) {

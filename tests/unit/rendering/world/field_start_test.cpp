@@ -203,7 +203,7 @@ TEST(FieldStart, AFieldThatComesOverTheToolPushesAndOneThatMovesWithItDoesNot) {
 
 TEST(FieldStart, EachToolHasABeginningOfItsOwn) {
   const auto ball = field_of(PrimitiveKind::sphere, Vec3::Zero(), {0.02});
-  const auto world = std::make_unique<World>();
+  const auto world = std::make_unique<WorldOf<2>>();
   ASSERT_TRUE(world->set_scene({&ball, 1}, {.tool_radius_m = 0.002, .tool_count = 2}));
   std::array<ToolState, 2> tools{{{.p_W = {0.0, 0.03, 0.0}}, {.p_W = {0.0, 0.021, 0.0}}}};
   std::array<Touch, 2> touches;

@@ -275,7 +275,7 @@ TEST_F(MovingTest, ATickWithoutAValidToolStillCarriesTheProxy) {
 
 TEST(Tools, TenFingersEachFeelWhatTheyWouldFeelAlone) {
   const Solid ball(testing::bumpy_sphere(0.05, 4, 0.05), Sides::one, kRough);
-  const auto all = std::make_unique<World>();
+  const auto all = std::make_unique<WorldOf<10>>();
   ASSERT_TRUE(all->set_scene({&ball.object(), 1}, {.tool_radius_m = 0.002, .tool_count = 10}));
   std::vector<std::unique_ptr<World>> alone;
   for (int i = 0; i < 10; ++i) {
@@ -303,7 +303,7 @@ TEST(Tools, TenFingersEachFeelWhatTheyWouldFeelAlone) {
 
 TEST(Tools, AreWatchedEachByItsOwnWatcher) {
   const Solid ball(testing::icosphere(0.05, 3), Sides::one, kRough);
-  const auto all = std::make_unique<World>();
+  const auto all = std::make_unique<WorldOf<3>>();
   const auto alone = std::make_unique<World>();
   ASSERT_TRUE(all->set_scene({&ball.object(), 1}, {.tool_radius_m = 0.002, .tool_count = 3}));
   ASSERT_TRUE(alone->set_scene({&ball.object(), 1}, {.tool_radius_m = 0.002}));
@@ -331,7 +331,7 @@ TEST(Tools, AreWatchedEachByItsOwnWatcher) {
 
 TEST(Tools, ThereIsAtLeastOneAndAreAtMostTen) {
   const Solid ball(testing::icosphere(0.05, 1), Sides::one, kRough);
-  const auto world = std::make_unique<World>();
+  const auto world = std::make_unique<WorldOf<10>>();
   EXPECT_FALSE(world->set_scene({&ball.object(), 1}, {.tool_count = 0}));
   EXPECT_FALSE(world->set_scene({&ball.object(), 1}, {.tool_count = 11}));
 }

@@ -67,7 +67,7 @@ class Grasp : public ::testing::Test {
 
   ObjectBody body_;
   Object cube_;
-  std::unique_ptr<World> world_ = std::make_unique<World>();
+  std::unique_ptr<WorldOf<2>> world_ = std::make_unique<WorldOf<2>>();
   std::array<ToolState, 2> tools_;
   std::array<Touch, 2> touches_;
 };

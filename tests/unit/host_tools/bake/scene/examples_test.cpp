@@ -30,7 +30,7 @@ TEST_P(Examples, AreBakedAndFelt) {
   const host::MappedScene scene = baked(folder, GetParam());
   // The tool goes from above each object down through its middle and must feel it on the way.
   for (std::uint32_t i = 0; i < scene.image().objects().size(); ++i) {
-    const auto world = std::make_unique<rendering::World>();
+    const auto world = std::make_unique<rendering::WorldOf<rendering::kMaxTools>>();
     rendering::WorldConfig config = rendering::world_of(scene.image());
     config.tool_count = scene.image().tool_count();
     ASSERT_TRUE(world->set_scene(scene.image().objects(), config));

@@ -46,7 +46,7 @@ function columnsOf(message) {
     "tick", "time_s", "faults", "limits", "device_status", "sample_age_us", "loop_status",
     "missed_ticks", "touch_flags", "object", "sub_goals", "planes", "contact", "friction",
     "depth_m", "state_hash", "dropped", "limited_source", "effort_known", "fault_joint",
-    "short_of_goal_m",
+    "fault_device", "short_of_goal_m",
   ]) {
     put(name, message[name]);
   }
