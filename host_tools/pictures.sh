@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/friction/ and host_tools/certify/. Needs a built `tactus`:
+# Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/bodies/, rendering/friction/ and host_tools/certify/. Needs a built `tactus`:
 # host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -37,6 +37,20 @@ touch_scene heart/scene.toml heart/gyroid.csv gyroid
 draw gyroid path
 touch_scene grating/scene.toml grating/stroke.csv grating
 draw grating force
+
+# Bodies: a strip of each example.
+pictures=rendering/bodies/pictures
+mkdir -p "$pictures"
+strip() {  # EXAMPLE PATH...
+  local paths=() name="$1"
+  for path in "${@:2}"; do paths+=(--path "$examples/$name/$path.csv"); done
+  "$tactus" bake "$examples/$name/scene.toml" -o "$work/$name.tactus" >"$work/log"
+  "$tactus" touch "$work/$name.tactus" "${paths[@]}" --rate 1000 --output "$work/$name.csv" --bodies "$work/bodies.csv" >"$work/log"
+  "$tactus" plot "$work/$name.csv" --bodies "$work/bodies.csv" --frames 6 --scene "$work/$name.tactus" -o "$pictures/$name.png"
+}
+strip grasp thumb finger
+strip turned_ball thumb index middle
+strip stack push
 
 # Friction: every figure with its command, which the README repeats.
 pictures=rendering/friction/pictures

@@ -133,7 +133,6 @@ struct SafetyConfig {
 
 // The devices of a controller that a fault of this one stops.
 enum class OnFault : std::uint8_t { all, own };
-inline constexpr auto kOnFaultNames = std::to_array<std::string_view>({"all", "own"});
 
 // The configuration of the controller of one device. validate() checks it.
 struct ControllerConfig {
@@ -163,7 +162,8 @@ struct ControllerConfig {
   StiffnessCertificate certificate;
   // True: a scene beyond the certificate is loaded too.
   bool allow_uncertified = false;
-  // `all`: a fault takes the force from the controller's other devices as well. `own`: they go on.
+  // `all`: a fault takes the force from the controller's other devices as well. `own`: they go on,
+  // but for an operator's stop.
   OnFault on_fault = OnFault::all;
 };
 

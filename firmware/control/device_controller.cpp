@@ -73,8 +73,10 @@ void DeviceController::stop_for(std::size_t device) {
 }
 
 std::uint64_t DeviceController::faults_for_all() const {
-  return settings_.config.on_fault == OnFault::all ? modes_.faults() & ~kFaultOtherDevice
-                                                   : kNoFault;
+  // An operator who stops one device means all.
+  const std::uint64_t shared =
+      settings_.config.on_fault == OnFault::all ? ~kFaultOtherDevice : kFaultOperatorStop;
+  return modes_.faults() & shared;
 }
 
 void DeviceController::locate() {

@@ -6,6 +6,10 @@ namespace tactus::firmware {
 
 // ---- device, controller
 
+constexpr auto setting_words(OnFault /*kind*/) {
+  return std::to_array<Word<OnFault>>({{"all", OnFault::all}, {"own", OnFault::own}});
+}
+
 std::span<const Binding<DeviceConfig>> device_keys() {
   static constexpr std::array kKeys{
       bind<&DeviceConfig::name>("name"),
@@ -25,6 +29,7 @@ std::span<const Binding<ControllerConfig>> controller_keys() {
       bind<&C::velocity_cutoff_hz>("velocity_cutoff_hz", "hz"),
       bind<&C::workspace_origin_D>("workspace_origin_m", "m"),
       bind<&C::gravity_D>("gravity_m_per_s2", "m_per_s2"),
+      bind<&C::on_fault>("on_fault"),
       bind<&C::safety, &S::max_force_N>("max_force_N", "N"),
       bind<&C::safety, &S::force_slew_N_per_s>("force_slew_N_per_s", "N_per_s"),
       bind<&C::safety, &S::soft_start_s>("soft_start_s", "s"),

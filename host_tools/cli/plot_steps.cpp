@@ -178,8 +178,8 @@ void add_steps_options(CLI::App& verb, const std::shared_ptr<StepsPlotOptions>& 
           ->excludes(time)
           ->excludes(worst);
   verb.add_option("--frames", options->frames,
-                  "For --ticks, draw each tick as a numbered picture into this new folder instead")
-      ->needs(ticks);
+                  "For --ticks, draw each tick as a numbered picture into this new folder instead; "
+                  "without --explain, draw the moving bodies in a strip of so many pictures");
   CLI::Option* const animation =
       verb.add_option("--animation", options->animation,
                       "For --ticks, draw them as an animation into this .apng file instead")
@@ -191,6 +191,9 @@ void add_steps_options(CLI::App& verb, const std::shared_ptr<StepsPlotOptions>& 
 }
 
 void draw_steps(const StepsPlotOptions& options, const StepsPlotFiles& files) {
+  if (!options.range && !options.frames.empty()) {
+    throw InputError("--frames: with --explain it needs --ticks FIRST..LAST");
+  }
   if (!options.range) {
     draw_tick(options, files);
   } else if (!options.frames.empty() || !options.animation.empty()) {

@@ -19,7 +19,8 @@ struct StepsPlotOptions {
   bool is_wanted = false;
   TickChoice tick;
   std::optional<TickRange> range;
-  // The folder of the frames, and the file of the animation; empty for none.
+  // The folder of the frames, or the number of pictures in a strip of bodies (plot_bodies.h), and
+  // the file of the animation; empty for none.
   std::string frames;
   std::string animation;
   std::optional<double> frames_per_s;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host_tools/bake/scene/mapped_scene.h"
+#include "host_tools/cli/plot_bodies.h"
 #include "host_tools/cli/plot_steps.h"
 #include "host_tools/cli/plot_transitions.h"
 #include "host_tools/files/output_place.h"
@@ -46,6 +47,9 @@ constexpr const char* kPlotExamples =
     "--format svg\n"
     "                                                        frames/frame_0001.svg, ... for "
     "slides\n"
+    "  tactus plot run.csv --bodies bodies.csv --frames 6 --scene scene.tactus\n"
+    "                                                        bodies_frames.png: six times of the "
+    "run, bodies and tools\n"
     "  tactus plot steps.csv --transitions --scene scene.tactus\n"
     "                                                        steps_transitions.png: changes "
     "between free, face, edge, vertex";
@@ -56,6 +60,7 @@ struct PlotOptions {
   std::string scene;
   std::string output;
   std::string against;
+  std::string bodies;
   PictureFormat format = PictureFormat::png;
   std::shared_ptr<StepsPlotOptions> steps = std::make_shared<StepsPlotOptions>();
   bool transitions = false;
@@ -98,6 +103,8 @@ void add_plot_verb(CLI::App& app) {
       "-o,--output", options->output,
       "Folder or prefix of the pictures; one that ends in .svg, .pdf or .png gives that format. "
       "Default: PNG files in this folder");
+  verb->add_option("--bodies", options->bodies,
+                   "For --frames, the bodies (CSV) of the run; without it the run itself");
   CLI::Option* const against = verb->add_option(
       "--against", options->against, "Another run (CSV), drawn over this one in a third figure");
   verb->add_option("--format", options->format, "Format of the pictures in a folder")
@@ -118,7 +125,14 @@ void add_plot_verb(CLI::App& app) {
     if (options->scene.empty()) {
       throw CLI::RequiredError("--scene");
     }
-    if (options->steps->is_wanted) {
+    if (!options->steps->is_wanted && !options->steps->frames.empty()) {
+      plot_bodies({.run = options->run,
+                   .bodies = options->bodies,
+                   .scene = options->scene,
+                   .output = options->output.empty() ? "./" : options->output,
+                   .format = options->format,
+                   .frames = options->steps->frames});
+    } else if (options->steps->is_wanted) {
       draw_steps(*options->steps, {.steps = options->run,
                                    .scene = options->scene,
                                    .output = options->output.empty() ? "./" : options->output,

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +48,7 @@ constexpr const char* kReplayExamples =
     "  tactus sim scene.tactus --record run.mcap && tactus replay run.mcap\n"
     "  tactus replay flight-20261122T101500Z-81920.mcap     the last seconds before a fault\n"
     "  tactus replay run.mcap --device falcon.tactus --scene scene.tactus\n"
+    "  tactus replay run.mcap run.2.mcap                    a run of two devices\n"
     "  tactus replay run.mcap --set max_force_N=4 --csv forces.csv\n"
     "  tactus replay run.mcap --explain steps.csv           every move, plane and friction circle\n"
     "  tactus replay run.mcap --set object.wall.stiffness_N_per_m=300 --picture forces.png\n"
@@ -54,7 +57,8 @@ constexpr const char* kReplayExamples =
 
 // The verb's options as the user gave them.
 struct ReplayOptions {
-  std::string recording;
+  // One for each device of the run.
+  std::vector<std::string> recordings;
   RunImages images;
   std::vector<std::string> changes;
   std::string csv;
@@ -114,7 +118,13 @@ class ReplayExplanation {
 };
 
 // Returns true if every replayed tick equals the recorded one.
-bool compare(RecordedRun& run, const std::string& name, const std::string& explain) {
+bool compare(std::deque<RecordedRun>& runs, const std::string& explain) {
+  std::vector<RecordedRun*> devices;
+  devices.reserve(runs.size());
+  for (RecordedRun& each : runs) {
+    devices.push_back(&each);
+  }
+  RecordedRun& run = runs.front();
   const double rate_hz = run.setup().config.rate_hz;
   std::optional<ProgressLine> progress;
   if (::isatty(STDERR_FILENO) == 1) {
@@ -135,7 +145,7 @@ bool compare(RecordedRun& run, const std::string& name, const std::string& expla
       progress->step(fmt::format("tick {}, {:.1f} s: equal", tick.record.tick, tick.record.time_s));
     }
   };
-  const ReplayResult result = replay(run, see, begin);
+  const ReplayResult result = replay(devices, see, begin);
   progress.reset();
   if (explanation) {
     explanation->close();
@@ -144,14 +154,16 @@ bool compare(RecordedRun& run, const std::string& name, const std::string& expla
     fmt::print("ticks {} to {} ({:.3f} s): every hash equal\n", result.first_tick,
                result.first_tick + result.ticks - 1, static_cast<double>(result.ticks) / rate_hz);
   } else if (!result.difference) {
-    throw InputError(name + ": it holds no tick to replay");
+    throw InputError(run.name() + ": it holds no tick to replay");
   }
   if (result.cut) {
     fmt::print("the recording was cut off: its last ticks are missing\n");
   }
   if (const auto& difference = result.difference) {
-    fmt::print("tick {} ({:.3f} s) differs: {} was {} and is now {}\n", difference->tick,
-               static_cast<double>(difference->tick) / rate_hz, difference->field,
+    const std::string device =
+        devices.size() == 1 ? "" : fmt::format(" of device {}", difference->device + 1);
+    fmt::print("tick {} ({:.3f} s){} differs: {} was {} and is now {}\n", difference->tick,
+               static_cast<double>(difference->tick) / rate_hz, device, difference->field,
                difference->recorded, difference->replayed);
   }
   return !result.difference.has_value() && (!explanation || explanation->agrees());
@@ -248,14 +260,24 @@ int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
     throw InputError("--csv and --picture show two forces: give --set name=value, too");
   }
-  keep_inputs_safe({options.csv, options.picture, options.explain},
-                   {options.recording, options.images.device, options.images.scene});
-  RecordedRun run(options.recording, options.images);
-  if (!compare(run, options.recording, options.explain)) {
+  const bool is_alone = options.recordings.size() == 1;
+  if (!is_alone && (!options.changes.empty() || !options.images.device.empty())) {
+    throw InputError("--set and --device take the recording of a run with one device");
+  }
+  std::vector<std::filesystem::path> inputs(options.recordings.begin(), options.recordings.end());
+  inputs.emplace_back(options.images.device);
+  inputs.emplace_back(options.images.scene);
+  keep_inputs_safe(
+      std::vector<std::filesystem::path>{options.csv, options.picture, options.explain}, inputs);
+  std::deque<RecordedRun> runs;
+  for (const std::string& recording : options.recordings) {
+    runs.emplace_back(recording, options.images);
+  }
+  if (!compare(runs, options.explain)) {
     return kDiffers;
   }
   if (!options.changes.empty()) {
-    show_changed(run, options);
+    show_changed(runs.front(), options);
   }
   return 0;
 }
@@ -265,7 +287,9 @@ int run_replay(const ReplayOptions& options) {
 void add_replay_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("replay", "Live a recorded run once more, and compare");
   const auto options = std::make_shared<ReplayOptions>();
-  verb->add_option("recording", options->recording, "Recording (.mcap)")->required();
+  verb->add_option("recording", options->recordings,
+                   "Recording (.mcap); of a run with several devices that of each, in their order")
+      ->required();
   verb->add_option("--device", options->images.device, "Device image (.tactus) of the run");
   verb->add_option("--scene", options->images.scene, "Scene image (.tactus) of the run");
   verb->add_option("--set", options->changes, "A parameter as it was not, like max_force_N=4");
@@ -273,9 +297,9 @@ void add_replay_verb(CLI::App& app) {
   verb->add_option("--picture", options->picture,
                    "With --set: draw both forces there (.png, .svg or .pdf)")
       ->check(picture_complaint);
-  verb->add_option(
-      "--explain", options->explain,
-      "Write every step of every tick to this CSV file (host_tools/explain/README.md)");
+  verb->add_option("--explain", options->explain,
+                   "Write every step of every tick of the first device to this CSV file "
+                   "(host_tools/explain/README.md)");
   verb->footer(kReplayExamples);
   verb->callback([options] {
     if (const int code = run_replay(*options); code != 0) {

@@ -29,6 +29,8 @@ class RecordedRun {
   // beginning cannot be read or is missing, or if an image has another checksum than the run noted.
   RecordedRun(const std::string& file, const RunImages& images);
 
+  // Returns the name of the recording's file.
+  [[nodiscard]] const std::string& name() const { return name_; }
   // Returns the recording, to step through its ticks.
   [[nodiscard]] Recording& ticks() { return recording_; }
   // Returns the run's setup. Its spans are valid as long as this object.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "host_tools/replay/recorded_run.h"
 #include "host_tools/replay/replayer.h"
@@ -32,5 +33,11 @@ using ReplaySink = std::function<void(const firmware::RecordedTick&)>;
 // Replays from the beginning up to the first tick that differs. Throws InputError if the recording
 // is damaged, a tick is missing in it, or it begins after tick 0 without the controller's state.
 ReplayResult replay(RecordedRun& run, const ReplaySink& sink = {}, const ReplayStart& start = {});
+
+// Replays a run of several devices, from a recording of each, in the order of the devices. `sink`
+// gets the first device's ticks. Throws InputError, too, if one recording does not have the ticks
+// of the first, or if one of them is of another run or is missing.
+ReplayResult replay(std::span<RecordedRun* const> devices, const ReplaySink& sink = {},
+                    const ReplayStart& start = {});
 
 }  // namespace tactus::host

@@ -102,13 +102,18 @@ std::optional<Difference> first_difference(const firmware::TelemetryRecord& reco
   return comparison.first ? comparison.first : comparison.hash;
 }
 
-Replayer::Replayer(const ReplaySetup& setup)
-    : controller_(std::make_unique<firmware::Controller>()) {
-  firmware::ControllerConfig config = setup.config;
-  config.allow_uncertified =
-      true;  // The run was allowed to load its scene; the replay must be too.
-  configure(*controller_, config);
-  if (!setup.objects.empty() && !controller_->load_scene(setup.objects, setup.world)) {
+Replayer::Replayer(std::span<const ReplaySetup> devices)
+    : more_devices_(devices.size() - 1),
+      more_tools_(devices.size() - 1),
+      controller_(std::make_unique<firmware::Controller>(more_devices_, more_tools_)) {
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    firmware::ControllerConfig config = devices[i].config;
+    // The run was allowed to load its scene; the replay must be too.
+    config.allow_uncertified = true;
+    configure(*controller_, config, i);
+  }
+  const ReplaySetup& first = devices.front();
+  if (!first.objects.empty() && !controller_->load_scene(first.objects, first.world)) {
     throw InputError("the controller refuses the scene");
   }
 }
@@ -128,10 +133,20 @@ void Replayer::go_to(std::span<const std::byte> state) {
   }
 }
 
-std::optional<Difference> Replayer::repeat(const firmware::TelemetryRecord& recorded) {
+std::optional<Difference> Replayer::repeat(std::span<const firmware::TelemetryRecord> recorded) {
   firmware::repeat_tick(*controller_, recorded);
-  return record().state_hash == recorded.state_hash ? std::nullopt
-                                                    : first_difference(recorded, record());
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    const firmware::TelemetryRecord& replayed = controller_->record(i);
+    if (replayed.state_hash == recorded[i].state_hash) {
+      continue;
+    }
+    std::optional<Difference> difference = first_difference(recorded[i], replayed);
+    if (difference) {
+      difference->device = i;
+    }
+    return difference;
+  }
+  return std::nullopt;
 }
 
 }  // namespace tactus::host

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "firmware/control/controller.h"
 #include "firmware/telemetry/record.h"
@@ -19,7 +20,8 @@ namespace tactus::host {
 struct ReplaySetup {
   // The configuration with which the run began.
   firmware::ControllerConfig config;
-  // The scene's objects; empty for a run without a scene. They must outlive the replay.
+  // The scene's objects, the same for all devices of a run; empty for a run without a scene. They
+  // must outlive the replay.
   std::span<const rendering::Object> objects;
   // The scene's settings that belong to no object.
   rendering::WorldConfig world;
@@ -29,6 +31,8 @@ struct ReplaySetup {
 struct Difference {
   // The tick's number in the recording.
   std::uint64_t tick = 0;
+  // The device, 0 for the run's first one.
+  std::size_t device = 0;
   // The name of the field in TelemetryRecord with its element, such as tool_p_W.y or
   // joint_effort[2].
   std::string field;
@@ -46,9 +50,11 @@ std::optional<Difference> first_difference(const firmware::TelemetryRecord& reco
 // A controller that repeats recorded ticks. One thread.
 class Replayer {
  public:
-  // Configures a controller as it was before tick 0. Throws InputError if the controller refuses
-  // the configuration or the scene.
-  explicit Replayer(const ReplaySetup& setup);
+  // Configures a controller of one device as it was before tick 0. Throws InputError if the
+  // controller refuses the configuration or the scene.
+  explicit Replayer(const ReplaySetup& setup) : Replayer(std::span(&setup, 1)) {}
+  // Configures a controller of several devices, 1 to kMaxTools; the scene is the first one's.
+  explicit Replayer(std::span<const ReplaySetup> devices);
 
   // Changes to another scene before the next tick; `scene` must outlive the replay. Throws
   // InputError if the controller refuses it.
@@ -60,7 +66,11 @@ class Replayer {
 
   // Repeats a tick with the recorded inputs. Returns the first difference if the state hashes
   // differ.
-  std::optional<Difference> repeat(const firmware::TelemetryRecord& recorded);
+  std::optional<Difference> repeat(const firmware::TelemetryRecord& recorded) {
+    return repeat(std::span(&recorded, 1));
+  }
+  // Repeats a tick of all devices, with a record of each.
+  std::optional<Difference> repeat(std::span<const firmware::TelemetryRecord> recorded);
 
   // Returns the number of the tick to come.
   [[nodiscard]] std::uint64_t next_tick() const { return controller_->next_tick(); }
@@ -70,6 +80,9 @@ class Replayer {
   [[nodiscard]] firmware::Controller& controller() { return *controller_; }
 
  private:
+  // The controller's storage for the devices beyond the first one.
+  std::vector<firmware::DeviceController> more_devices_;
+  std::vector<rendering::ToolSlot> more_tools_;
   std::unique_ptr<firmware::Controller> controller_;
 };
 

@@ -40,8 +40,14 @@ RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& 
   keep_images_safe(path);
   const std::string rate = fmt::format("{}", simulation.config().rate_hz);
   const std::string checksum = header_checksum(scene);
-  const std::array<firmware::MetadataEntry, 3> info{
-      {{"program", "tactus sim"}, {"rate_hz", rate}, {firmware::kSceneChecksumKey, checksum}}};
+  const std::string number = fmt::format("{}", device + 1);
+  const std::string count = fmt::format("{}", simulation.device_count());
+  const std::array<firmware::MetadataEntry, 5> entries{{{"program", "tactus sim"},
+                                                        {"rate_hz", rate},
+                                                        {firmware::kSceneChecksumKey, checksum},
+                                                        {firmware::kDeviceNumberKey, number},
+                                                        {firmware::kDeviceCountKey, count}}};
+  const auto info = std::span(entries).first(simulation.device_count() == 1 ? 3 : 5);
   if (const int error = writer_->open(partial_of(place_).c_str(), 0, info); error != 0) {
     fail(path, error);
   }

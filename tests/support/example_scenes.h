@@ -6,10 +6,10 @@
 
 namespace tactus::testing {
 
-inline constexpr std::array kExampleScenes{"ramp",    "primitives", "heart",    "thin_plate",
-                                           "grating", "stone",      "tiles",    "shaded_cylinder",
-                                           "effects", "paddle",     "membrane", "friction",
-                                           "wall",    "gem",        "shapes",   "notch",
-                                           "grasp"};
+inline constexpr std::array kExampleScenes{"ramp",    "primitives", "heart",      "thin_plate",
+                                           "grating", "stone",      "tiles",      "shaded_cylinder",
+                                           "effects", "paddle",     "membrane",   "friction",
+                                           "wall",    "gem",        "shapes",     "notch",
+                                           "grasp",   "stack",      "turned_ball"};
 
 }  // namespace tactus::testing

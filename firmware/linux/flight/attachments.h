@@ -27,6 +27,11 @@ inline constexpr std::string_view kDeviceChecksumKey = "device.checksum";
 inline constexpr std::string_view kSceneChecksumKey = "scene.checksum";
 inline constexpr std::string_view kSceneFileKey = "scene.file";
 
+// The number of the recorded device, 1 for the controller's first, and the number of its devices.
+// A run of one device has neither.
+inline constexpr std::string_view kDeviceNumberKey = "device.number";
+inline constexpr std::string_view kDeviceCountKey = "device.count";
+
 // Returns the checksum in an image's header.
 inline std::uint64_t checksum_of(std::span<const std::byte> image) {
   rendering::ImageHeader header;
