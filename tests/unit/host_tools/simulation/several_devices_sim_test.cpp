@@ -64,8 +64,9 @@ TEST_F(SeveralDevicesSimTest, StopsAllForAFaultOfOne) {
 TEST_F(SeveralDevicesSimTest, RefusesWhatDoesNotGoTogether) {
   EXPECT_NE(run("sim grasp.tactus --device falcon --device falcon", 2).find("need a path each"),
             std::string::npos);
-  EXPECT_NE(sim("--device falcon --device falcon", 2).find("give one for each path"),
+  EXPECT_NE(sim("--device falcon --device falcon", 2).find("3 devices and 2 --path"),
             std::string::npos);
+  EXPECT_NE(sim("--hand pen --hand pen", 2).find("give one for each path"), std::string::npos);
   EXPECT_NE(sim("--fault 3:estop@1", 2).find("there are 2 devices"), std::string::npos);
   EXPECT_NE(sim("--serve --run-dir .", 2).find("one device only"), std::string::npos);
   EXPECT_NE(sim("--seconds 0.1 -o /dev/stdout", 2).find("name a file"), std::string::npos);
