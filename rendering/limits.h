@@ -46,6 +46,14 @@ inline constexpr std::size_t kMaxObstacles = 64;
 // bodies' numbers are left out of a tick.
 inline constexpr std::size_t kMaxBodyContacts = 128;
 
+// Triangles of one mesh near one body. Beyond: those at the body's corners are met, and what lies
+// under its faces is not.
+inline constexpr std::size_t kMaxNearTriangles = 128;
+
+// Places where one body touches one mesh, or one surface of a formula: each of up to four points,
+// with a normal of its own. Beyond: those that are deepest and differ most in their normals stay.
+inline constexpr std::size_t kMaxContactPatches = 4;
+
 // Vertices of a convex hull, the collision shape of a body. Beyond: baking keeps those that leave
 // out least.
 inline constexpr std::size_t kMaxHullVertices = 64;

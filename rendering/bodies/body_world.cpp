@@ -16,6 +16,8 @@ constexpr double kContactShare = 0.25;
 constexpr double kContactDamping = 10.0;
 // Surfaces nearer than this, and what their motion in a tick may close, are looked at, m.
 constexpr double kMargin_m = 5e-4;
+// A contact goes on from tick to tick while its normal turns by less than the arccosine of this.
+constexpr double kSameContact = 0.5;
 
 // Returns the friction and the restitution of two surfaces: the geometric mean of the coefficients,
 // and the larger restitution.
@@ -28,6 +30,18 @@ ContactSurface surface_of(const ContactSurface& a, const ContactSurface& b) {
 double fastest(const SolverBody& solid, const PlacedHull& hull) {
   const double reach = (hull.middle_W() - solid.center_W()).norm() + hull.reach_m();
   return solid.velocity().head<3>().norm() + reach * solid.velocity().tail<3>().norm();
+}
+
+// Returns the largest speed of a point that a solid carries along, within a hull's reach.
+double fastest_at(const SolverBody& solid, const PlacedHull& hull) {
+  return solid.velocity_at(hull.middle_W() - solid.center_W()).norm() +
+         hull.reach_m() * solid.velocity().tail<3>().norm();
+}
+
+// Returns the pose of a frame, seen from another one.
+RigidPose seen_from(const RigidPose& X_WO, const RigidPose& X_WB) {
+  return {.rotation = X_WO.rotation.transpose() * X_WB.rotation,
+          .translation = X_WO.point_in(X_WB.translation)};
 }
 
 bool is_hull(const ConvexHull& hull) {
@@ -107,24 +121,49 @@ void BodyWorld::find_contacts(double tick_s) {
   const auto body_count = static_cast<std::uint16_t>(body_count_);
   for (std::uint16_t b = 0; b < body_count; ++b) {
     for (std::uint16_t a = 0; a < solid_count; ++a) {
-      if (a >= b && a < body_count_) {
-        continue;
-      }
-      const double margin = kMargin_m + margins[a] + margins[b];
-      const bool is_plane = a >= body_count_ && obstacles_[a - body_count_].hull.vertices_O.empty();
-      if (is_plane) {
-        const auto& [hull, plane_O, surface, X_WO, twist] = obstacles_[a - body_count_];
-        find_contact(a, b,
-                     manifold_of(X_WO.point(plane_O.translation),
-                                 X_WO.direction(plane_O.rotation.col(1)), hulls_[b], margin));
-      } else {
-        find_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin));
+      if (a < b || a >= body_count_) {
+        const bool has_hull =
+            a < body_count_ || !obstacles_[a - body_count_].hull.vertices_O.empty();
+        const double speed = has_hull ? 0.0 : fastest_at(solids_[a], hulls_[b]);
+        find_contacts_with(a, b, kMargin_m + margins[a] + margins[b] + tick_s * speed);
       }
     }
   }
 }
 
-void BodyWorld::find_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold) {
+void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m) {
+  if (a < body_count_) {
+    add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
+    return;
+  }
+  const BodyObstacle& obstacle = obstacles_[a - body_count_];
+  const RigidPose& X_WO = obstacle.X_WO;
+  if (!obstacle.mesh.triangles.empty()) {
+    seen_from_mesh_.place(starts_[b].body.hull, seen_from(X_WO, bodies_[b].pose()));
+    for (const Manifold& manifold :
+         mesh_contact_.find(obstacle.mesh, obstacle.sides, seen_from_mesh_, margin_m)) {
+      add_contact(a, b, manifold, X_WO);
+    }
+    left_out_ = left_out_ || mesh_contact_.has_left_out();
+  } else if (obstacle.hull.vertices_O.empty()) {
+    add_contact(a, b,
+                manifold_of(X_WO.point(obstacle.plane_O.translation),
+                            X_WO.direction(obstacle.plane_O.rotation.col(1)), hulls_[b], margin_m));
+  } else {
+    add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
+  }
+}
+
+void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, Manifold manifold,
+                            const RigidPose& X_WO) {
+  manifold.normal_W = X_WO.direction(manifold.normal_W);
+  for (ManifoldPoint& point : std::span(manifold.points).first(manifold.count)) {
+    point.point_W = X_WO.point(point.point_W);
+  }
+  add_contact(a, b, manifold);
+}
+
+void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold) {
   if (manifold.count == 0) {
     return;
   }
@@ -132,16 +171,23 @@ void BodyWorld::find_contact(std::uint16_t a, std::uint16_t b, const Manifold& m
     left_out_ = true;
     return;
   }
-  const auto old = std::span(contacts_before_).first(contact_count_before_);
-  const auto before =
-      std::ranges::find_if(old, [&](const BodyContact& c) { return c.a == a && c.b == b; });
+  // The same contact in the last tick: of several the one with the most similar normal.
+  const BodyContact* before = nullptr;
+  double likeness = kSameContact;
+  for (const BodyContact& old : std::span(contacts_before_).first(contact_count_before_)) {
+    const double cosine = old.normal_W.dot(manifold.normal_W);
+    if (old.a == a && old.b == b && cosine > likeness) {
+      before = &old;
+      likeness = cosine;
+    }
+  }
   const ContactSurface& of_a =
       a < body_count_ ? starts_[a].surface : obstacles_[a - body_count_].surface;
   BodyContact& contact = contacts_[contact_count_++];
   contact.a = a;
   contact.b = b;
   contact.surface = surface_of(of_a, starts_[b].surface);
-  begin_contact(manifold, solids_, before == old.end() ? nullptr : &*before, contact);
+  begin_contact(manifold, solids_, before, contact);
 }
 
 void BodyWorld::sub_step(double step_s, bool is_last) {

@@ -9,9 +9,11 @@
 
 #include "rendering/bodies/body_contact.h"
 #include "rendering/bodies/finger_grip.h"
+#include "rendering/bodies/mesh_contact.h"
 #include "rendering/bodies/placed_hull.h"
 #include "rendering/bodies/rigid_body.h"
 #include "rendering/bodies/solver_body.h"
+#include "rendering/geometry/mesh.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
 #include "rendering/state_archive.h"
@@ -26,9 +28,13 @@ struct BodyStart {
   RigidPose X_WO;
 };
 
-// An object that bodies meet and cannot push: a hull, or a half space below a plane.
+// An object that bodies meet and cannot push: a mesh, a hull, or a half space below a plane.
 struct BodyObstacle {
-  // The hull; without vertices it is the half space y <= 0 of a frame whose pose in O is given.
+  // The mesh and the sides of it that stop bodies; frame O.
+  MeshView mesh;
+  Sides sides = Sides::one;
+  // The hull, where there is no mesh. Without vertices it is the half space y <= 0 of a frame whose
+  // pose in O is given.
   ConvexHull hull;
   RigidPose plane_O;
   ContactSurface surface;
@@ -65,7 +71,8 @@ class BodyWorld {
 
   // Returns the bodies, in the order in which they were added.
   [[nodiscard]] std::span<const RigidBody> bodies() const { return {bodies_.data(), body_count_}; }
-  // Returns true if the last step had more than kMaxBodyContacts: it left out the last ones.
+  // Returns true if the last step had more than kMaxBodyContacts, and left out the last ones, or
+  // found more than kMaxNearTriangles of a mesh near a body.
   [[nodiscard]] bool has_left_out_contacts() const { return left_out_; }
 
   // Saves the state to the archive, or restores it; bodies and obstacles must be the same.
@@ -74,7 +81,12 @@ class BodyWorld {
  private:
   // Finds the contacts of this tick, and takes over the impulses of the last.
   void find_contacts(double tick_s);
-  void find_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold);
+  // Finds the contacts of body b with a body, or with an obstacle, that its surface may reach
+  // within the margin.
+  void find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m);
+  // Adds the contact of a manifold; it is in the world frame, or in a frame whose pose is given.
+  void add_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold);
+  void add_contact(std::uint16_t a, std::uint16_t b, Manifold manifold, const RigidPose& X_WO);
   // Computes one sub-step; the last one has the bounces.
   void sub_step(double step_s, bool is_last);
   // Solves all contacts, with recovery from overlaps or without (nullptr).
@@ -103,6 +115,8 @@ class BodyWorld {
   std::array<SolverBody, kMostSolids> solids_;
   std::array<Shift, kMostSolids> shifts_;
   std::array<Vec6, kMaxBodies> moved_;
+  MeshContact mesh_contact_;
+  PlacedHull seen_from_mesh_;
   FingerGrips grips_;
 };
 

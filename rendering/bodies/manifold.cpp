@@ -4,15 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "rendering/bodies/hull_distance.h"
+#include "rendering/bodies/point_choice.h"
 
 namespace tactus::rendering {
 namespace {
 
-// The largest polygon that is cut: a face with all vertices of a hull, and a corner for every cut.
-constexpr std::size_t kMostCorners = 2 * kMaxHullVertices;
+// The largest polygon that is cut.
+constexpr std::size_t kMostCorners = PointChoice::kMost;
 // A face lies along a normal within about 3 degrees.
 constexpr double kAlong = 0.9986;
 
@@ -78,53 +78,6 @@ Polygon cut(const Polygon& polygon, const Vec3& point, const Vec3& normal) {
   }
   return inside;
 }
-
-// Keeps the points of a manifold that hold the body best: the deepest, the farthest from it, and
-// those that span most to both sides of the line between.
-class PointChoice {
- public:
-  explicit PointChoice(Vec3 normal_W) : normal_W_(std::move(normal_W)) {}
-
-  void add(const ManifoldPoint& point) {
-    if (count_ < kMostCorners) {
-      points_[count_++] = point;
-    }
-  }
-
-  [[nodiscard]] Manifold chosen() const {
-    Manifold manifold{.normal_W = normal_W_};
-    if (count_ <= kManifoldPoints) {
-      std::copy_n(points_.begin(), count_, manifold.points.begin());
-      manifold.count = count_;
-      return manifold;
-    }
-    const Vec3 deepest = keep(manifold, [](const ManifoldPoint& p) { return -p.separation_m; });
-    const Vec3 farthest =
-        keep(manifold, [&](const ManifoldPoint& p) { return (p.point_W - deepest).squaredNorm(); });
-    const Vec3 across = normal_W_.cross(farthest - deepest);
-    keep(manifold, [&](const ManifoldPoint& p) { return (p.point_W - deepest).dot(across); });
-    keep(manifold, [&](const ManifoldPoint& p) { return -(p.point_W - deepest).dot(across); });
-    return manifold;
-  }
-
- private:
-  // Adds the point of the highest score, the first of several, unless it is there. Returns where it
-  // is.
-  template <class Score>
-  Vec3 keep(Manifold& manifold, const Score& score) const {
-    const auto end = points_.begin() + static_cast<std::ptrdiff_t>(count_);
-    const ManifoldPoint& best = *std::ranges::max_element(points_.begin(), end, {}, score);
-    const auto kept = std::span(manifold.points).first(manifold.count);
-    if (std::ranges::find(kept, best.point_W, &ManifoldPoint::point_W) == kept.end()) {
-      manifold.points[manifold.count++] = best;
-    }
-    return best.point_W;
-  }
-
-  Vec3 normal_W_;
-  std::array<ManifoldPoint, kMostCorners> points_;
-  std::size_t count_ = 0;
-};
 
 // The points where the other solid stands on a face. `sign` is 1 if the face is A's, and -1 if it
 // is B's.

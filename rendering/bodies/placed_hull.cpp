@@ -17,6 +17,7 @@ void PlacedHull::place(const ConvexHull& hull, const RigidPose& X_WO) {
     upper = upper.cwiseMax(vertices_W_[i]);
   }
   middle_W_ = 0.5 * (lower + upper);
+  half_W_ = 0.5 * (upper - lower);
   double farthest = 0.0;
   for (const Vec3& vertex : vertices_W()) {
     farthest = std::max(farthest, (vertex - middle_W_).squaredNorm());

@@ -38,6 +38,8 @@ class PlacedHull {
   // from it, m.
   [[nodiscard]] const Vec3& middle_W() const { return middle_W_; }
   [[nodiscard]] double reach_m() const { return reach_m_; }
+  // Returns the half sides of the vertices' box, m.
+  [[nodiscard]] const Vec3& half_W() const { return half_W_; }
 
  private:
   ConvexHull hull_;
@@ -45,6 +47,7 @@ class PlacedHull {
   std::array<Vec3, kMaxHullVertices> vertices_W_;
   std::size_t count_ = 0;
   Vec3 middle_W_ = Vec3::Zero();
+  Vec3 half_W_ = Vec3::Zero();
   double reach_m_ = 0.0;
 };
 

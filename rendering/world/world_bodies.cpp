@@ -11,6 +11,13 @@ ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, doubl
   return {.friction = scene.material(number).friction.coulomb, .restitution = restitution};
 }
 
+// Returns true if bodies meet the object where it is no body.
+bool stops_bodies(const Object& object) {
+  return object.surface == SurfaceKind::primitive
+             ? stops_bodies(object.primitive.kind)
+             : object.surface == SurfaceKind::mesh && !object.deforms;
+}
+
 }  // namespace
 
 bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bodies,
@@ -57,12 +64,14 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
     body_objects_[count] = number;
     return bodies_.add_body(start);
   }
-  if (!is_primitive || !stops_bodies(object.primitive.kind)) {
+  if (!stops_bodies(object)) {
     return true;
   }
   obstacle_objects_[count] = number;
   ++obstacle_count_;
-  return bodies_.add_obstacle({.hull = hull,
+  return bodies_.add_obstacle({.mesh = is_primitive ? MeshView{} : object.mesh,
+                               .sides = object.sides,
+                               .hull = hull,
                                .plane_O = object.primitive.X_WO,
                                .surface = surface,
                                .X_WO = {},
